@@ -1,0 +1,1 @@
+"""elastica_cad."""

@@ -1,0 +1,19 @@
+"""The one family of errors: every message says what is wrong, where (mm), and what to do."""
+
+__all__ = ["ElasticaError", "InputError", "MissingDependencyError", "NotConvergedError"]
+
+
+class ElasticaError(Exception):
+    """Base of every error raised on purpose by elastica_cad."""
+
+
+class InputError(ElasticaError, ValueError):
+    """Input that no computation can start from: a bad file, number, option or curve."""
+
+
+class NotConvergedError(ElasticaError, RuntimeError):
+    """A solver stopped short of its tolerance; no half-converged shape is ever returned."""
+
+
+class MissingDependencyError(ElasticaError, RuntimeError):
+    """An optional library is needed for what was asked and is not installed."""

@@ -1,0 +1,67 @@
+"""Gravity as a rod feels it: one length and a direction."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError
+
+__all__ = ["Gravity"]
+
+
+@dataclass(frozen=True)
+class Gravity:
+    """Weight of a strip whose weight per length is proportional to its stiffness.
+
+    Parameters
+    ----------
+    length : float
+        Elasto-gravity length (E h^2 / (12 rho g))^(1/3), mm (paper, section 5.1: (beta l^3)^(1/3)).
+    direction : (2,) array_like
+        The direction in which things fall; any length, in the plane of the curve.
+
+    Raises
+    ------
+    InputError
+        Length not positive and finite, or direction zero.
+
+    Examples
+    --------
+    >>> Gravity(96.0).e.round(9).tolist()
+    [0.0, 1.13e-06]
+    """
+
+    length: float
+    direction: tuple[float, float] = (0.0, -1.0)
+
+    def __post_init__(self) -> None:
+        if not (np.isfinite(self.length) and self.length > 0):
+            raise InputError(f"gravity length is {self.length}; it must be positive, in mm (200 gsm card: 96)")
+        d = np.asarray(self.direction, dtype=float)
+        if d.shape != (2,) or not np.all(np.isfinite(d)) or not np.any(d):
+            raise InputError(f"gravity direction {self.direction!r} must be two numbers, not both zero, e.g. (0, -1)")
+        d = d / np.hypot(*d)
+        object.__setattr__(self, "direction", (float(d[0]), float(d[1])))
+
+    @classmethod
+    def in_plane(
+        cls, length: float, direction: ArrayLike, x_axis: ArrayLike, y_axis: ArrayLike
+    ) -> "Gravity | None":
+        """Gravity of a plane in space: the part of `direction` (3,) within the plane; None when it has none."""
+        d = np.asarray(direction, dtype=float)
+        d = d / np.linalg.norm(d)
+        part = np.array([d @ np.asarray(x_axis, dtype=float), d @ np.asarray(y_axis, dtype=float)])
+        size = float(np.hypot(*part))
+        if size < 1e-9:
+            return None
+        return cls(length / size ** (1 / 3), (float(part[0]), float(part[1])))
+
+    @property
+    def e(self) -> FloatArray:
+        """The vector e of Eq. 5, 1/mm3; it points up, as the paper's derivation needs and its text misprints."""
+        return -np.asarray(self.direction) / self.length**3
+
+    def scaled(self, factor: float) -> "Gravity":
+        """`factor` times the weight."""
+        return Gravity(self.length / factor ** (1 / 3), self.direction)

@@ -1,0 +1,53 @@
+"""Weight in physical units, for rods whose weight is not proportional to their stiffness."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.geometry import Profile
+
+__all__ = ["PointMass", "Weight"]
+
+STANDARD_GRAVITY = 9.80665  # m/s2
+
+
+@dataclass(frozen=True)
+class PointMass:
+    """A mass hung on the rod: `mass` in g at arc length `at` in mm."""
+
+    at: float
+    mass: float
+
+
+@dataclass(frozen=True, eq=False)
+class Weight:
+    """Weight per length alpha(s) + beta(s) K(s), and point masses.
+
+    Parameters
+    ----------
+    alpha, beta : float or Profile
+        N/mm; `beta` multiplies the dimensionless stiffness K (least value 1).
+    masses : tuple of PointMass
+        For example a lamp holder.
+    """
+
+    alpha: float | Profile = 0.0
+    beta: float | Profile = 0.0
+    masses: tuple[PointMass, ...] = ()
+
+    def lumped(self, s: FloatArray, stiffness: FloatArray, node_lengths: FloatArray) -> FloatArray:
+        """Weight of each node (n,), N; a point mass is shared by its two neighbours."""
+        at = [value(s) if isinstance(value, Profile) else np.full(s.shape, float(value))
+              for value in (self.alpha, self.beta)]  # fmt: skip
+        weight = node_lengths * (at[0] + at[1] * stiffness)
+        for point in self.masses:
+            if not 0 <= point.at <= s[-1]:
+                raise InputError(f"point mass at {point.at:.6g} mm lies off the rod of {s[-1]:.6g} mm")
+            i = min(int(np.searchsorted(s, point.at, side="right")) - 1, s.size - 2)
+            share = (point.at - s[i]) / (s[i + 1] - s[i])
+            newtons = point.mass * 1e-3 * STANDARD_GRAVITY
+            weight[i] += (1 - share) * newtons
+            weight[i + 1] += share * newtons
+        return weight
