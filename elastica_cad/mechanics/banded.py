@@ -1,0 +1,199 @@
+"""Tridiagonal matrices bordered by a few rows: solves, inertia and lowest modes, all O(n) (LAPACK)."""
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import NotConvergedError
+
+__all__ = [
+    "constrained_inertia",
+    "count_negative",
+    "lowest_constrained",
+    "orthonormal_rows",
+    "solve_bordered",
+    "solve_tridiagonal",
+]
+
+RANK_TOLERANCE = 1e-9  # rows closer to dependent than this (relative) are one row: a straight rod has rank 1
+MOST_STEPS = 240
+
+
+def solve_tridiagonal(diagonal: FloatArray, off: FloatArray, right: FloatArray) -> FloatArray:
+    """Solve the symmetric tridiagonal system with pivoting; `right` is (n,) or (n, k)."""
+    from scipy.linalg.lapack import dgtsv
+
+    if diagonal.size == 1:
+        return np.asarray(right / diagonal[0])
+    solution, info = dgtsv(off, diagonal, off, right)[-2:]
+    if info != 0:
+        nudge = np.spacing(np.abs(diagonal).max())
+        solution, info = dgtsv(off, diagonal + nudge, off, right)[-2:]
+    if info != 0:
+        raise NotConvergedError("the rod's stiffness matrix is singular: its shape is not isolated")
+    return np.asarray(solution)
+
+
+def solve_bordered(
+    diagonal: FloatArray,
+    off: FloatArray,
+    columns: FloatArray,
+    rows: FloatArray,
+    right: FloatArray,
+    below: FloatArray,
+) -> tuple[FloatArray, FloatArray]:
+    """Solve [[A, columns], [rows, 0]] (x, y) = (right, below) with A symmetric tridiagonal.
+
+    Parameters
+    ----------
+    columns : (n, k) array
+    rows : (k, n) array
+    right : (n,) array
+    below : (k,) array
+
+    Returns
+    -------
+    x : (n,) array
+    y : (k,) array
+        Dependent rows are solved in the least-squares sense with the least y.
+    """
+    k = below.size
+    if k == 0:
+        return solve_tridiagonal(diagonal, off, right), np.zeros(0)
+    both = np.empty((right.size, k + 1), order="F")
+    both[:, 0] = right
+    both[:, 1:] = columns
+    solved = solve_tridiagonal(diagonal, off, both)
+    schur = rows @ solved[:, 1:]
+    gap = rows @ solved[:, 0] - below
+    y = np.linalg.lstsq(schur, gap, rcond=RANK_TOLERANCE)[0]
+    return solved[:, 0] - solved[:, 1:] @ y, y
+
+
+def orthonormal_rows(rows: FloatArray) -> FloatArray:
+    """An orthonormal basis (r, n) of the span of `rows` (k, n), rank found."""
+    basis: list[FloatArray] = []
+    for row in rows:
+        size = np.sqrt(row @ row)
+        if size == 0:
+            continue
+        rest = row / size
+        for _ in range(2):
+            for q in basis:
+                rest = rest - (q @ rest) * q
+        left = np.sqrt(rest @ rest)
+        if left > RANK_TOLERANCE:
+            basis.append(rest / left)
+    return np.array(basis).reshape(len(basis), rows.shape[1])
+
+
+def count_negative(diagonal: FloatArray, off: FloatArray, shift: float = 0.0) -> int:
+    """Number of eigenvalues at or below `shift` of the symmetric tridiagonal matrix (Sturm count)."""
+    from scipy.linalg.lapack import dstebz
+
+    if diagonal.size == 1:
+        return int(diagonal[0] <= shift)
+    reach = _norm(diagonal, off)
+    if shift < -reach:
+        return 0
+    count, _, _, _, info = dstebz(
+        diagonal, off, 1, -2 * reach - 1, shift, 1, 1, 8 * reach + 8 + abs(shift), b"E"
+    )
+    if info != 0:
+        raise NotConvergedError("the Sturm count of the rod's second variation failed: its entries overflow")
+    return int(count)
+
+
+def constrained_inertia(diagonal: FloatArray, off: FloatArray, rows: FloatArray, shift: float = 0.0) -> int:
+    """Number of eigenvalues below `shift` of the tridiagonal matrix A on the null space of `rows` (k, n).
+
+    Sylvester's law on the bordered matrix: neg = neg(A - shift) + pos(S) - rank, S = C (A - shift)^-1 C^t.
+    """
+    basis = orthonormal_rows(rows)
+    negative = count_negative(diagonal, off, shift)
+    if basis.shape[0] == 0:
+        return negative
+    schur = basis @ solve_tridiagonal(diagonal - shift, off, basis.T)
+    return negative + int(np.count_nonzero(np.linalg.eigvalsh((schur + schur.T) / 2) > 0)) - basis.shape[0]
+
+
+def lowest_constrained(
+    diagonal: FloatArray, off: FloatArray, rows: FloatArray, count: int = 1
+) -> tuple[FloatArray, FloatArray]:
+    """Lowest eigenpairs of the symmetric tridiagonal matrix A on the null space of `rows` (k, n).
+
+    Shifted inverse Lanczos iteration, every step one positive definite tridiagonal solve: O(n).
+
+    Returns
+    -------
+    values : (count,) array
+    vectors : (count, n) array
+        Orthonormal, orthogonal to `rows`.
+    """
+    from scipy.linalg.lapack import dpttrf, dpttrs, dstebz
+
+    n = diagonal.size
+    basis = orthonormal_rows(rows)
+    rank = basis.shape[0]
+    if n - rank < count:
+        raise NotConvergedError(f"a rod of {n} edges has fewer than {count} free modes: use more samples")
+    if n <= 6:
+        return _dense(diagonal, off, basis, count)
+    reach = _norm(diagonal, off)
+    tolerance = 0.01 * reach / n**2
+    last = min(n, rank + count)
+    lowest = dstebz(diagonal, off, 2, 0.0, 0.0, 1, last, tolerance, b"E")[1]
+    step = 0.3 * (lowest[last - 1] - lowest[0]) + 10 * tolerance
+    shift = lowest[0] - step
+    d, e, info = dpttrf(diagonal - shift, off)
+    while info != 0 and shift > -2 * reach - step:  # a shift too close by rounding: go further down
+        step *= 2
+        shift -= step
+        d, e, info = dpttrf(diagonal - shift, off)
+    if info != 0:
+        raise NotConvergedError("no lower bound of the rod's second variation: its entries are not finite")
+    solved = dpttrs(d, e, basis.T)[0] if rank else np.zeros((n, 0))
+    inner = np.linalg.inv(basis @ solved) if rank else np.zeros((0, 0))
+
+    most = min(MOST_STEPS, n - rank)
+    V = np.zeros((most + 1, n))
+    start = _START[np.arange(n) % _START.size] + np.linspace(0.5, 1.5, n)
+    start = start - basis.T @ (basis @ start)
+    V[0] = start / np.sqrt(start @ start)
+    alpha, beta = np.zeros(most), np.zeros(most)
+    for j in range(most):
+        x = dpttrs(d, e, V[j])[0]
+        if rank:
+            x = x - solved @ (inner @ (basis @ x))
+            x -= basis.T @ (basis @ x)
+        alpha[j] = V[j] @ x
+        for _ in range(2):
+            x -= V[: j + 1].T @ (V[: j + 1] @ x)
+        beta[j] = np.sqrt(x @ x)
+        exhausted = j + 1 == most or beta[j] <= 1e-15 * alpha[0]
+        if exhausted or (j >= 8 + 2 * count and j % 3 == 0):
+            theta, S = np.linalg.eigh(np.diag(alpha[: j + 1]) + np.diag(beta[:j], 1) + np.diag(beta[:j], -1))
+            wanted = slice(-1, -count - 1, -1)
+            left = np.abs(beta[j] * S[-1, wanted])
+            if exhausted or np.all(left < 1e-12 * theta[wanted]):
+                vectors = S[:, wanted].T @ V[: j + 1]
+                return shift + 1 / theta[wanted], vectors
+        V[j + 1] = x / beta[j]
+    raise NotConvergedError("the lowest mode of the rod was not found")
+
+
+def _dense(
+    diagonal: FloatArray, off: FloatArray, basis: FloatArray, count: int
+) -> tuple[FloatArray, FloatArray]:
+    full = np.diag(diagonal) + np.diag(off, 1) + np.diag(off, -1)
+    free = (
+        np.linalg.svd(basis, full_matrices=True)[2][basis.shape[0] :] if basis.size else np.eye(diagonal.size)
+    )
+    values, vectors = np.linalg.eigh(free @ full @ free.T)
+    return values[:count], (free.T @ vectors[:, :count]).T
+
+
+def _norm(diagonal: FloatArray, off: FloatArray) -> float:
+    return float(np.abs(diagonal).max() + 2 * np.abs(off).max(initial=0.0))
+
+
+_START = np.array([0.31, -0.27, 0.83, 0.12, -0.55, 0.71, 0.44, -0.93, 0.08, 0.62, -0.38])
