@@ -1,0 +1,67 @@
+"""Arguments and options that several commands share."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, TypeVar
+
+import click
+
+from elastica_cad.errors import InputError
+from elastica_cad.files import read_curves
+from elastica_cad.geometry import PlaneCurve
+from elastica_cad.mechanics import Supports
+
+__all__ = ["curve_options", "pick_curve", "support_options"]
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+END_NAMES = ["clamped", "pinned", "slide-x", "slide-y", "guided", "free"]
+
+
+def curve_options(function: F) -> F:
+    """The CURVE argument and how to read it."""
+    function = click.option(
+        "--unit",
+        type=click.Choice(["mm", "cm", "m", "in", "px"]),
+        help="Unit of the file's numbers, where the file does not say or says it wrongly.",
+    )(function)
+    return click.argument("curve", type=click.Path(path_type=Path))(function)
+
+
+def support_options(function: F) -> F:
+    """What the ends are held by, and a pre-curved rest shape."""
+    function = click.option(
+        "--natural-curvature",
+        type=float,
+        default=0.0,
+        metavar="1/MM",
+        help="Curvature of the strip before bending (0: flat).",
+    )(function)
+    for end in ("end", "start"):
+        function = click.option(
+            f"--{end}",
+            type=click.Choice(END_NAMES),
+            default="clamped",
+            show_default=True,
+            help=f"Support of the {end} of the curve.",
+        )(function)
+    return function
+
+
+def pick_curve(path: Path, number: int | None, unit: str | None) -> PlaneCurve:
+    """The one curve of a file, or the one asked for by its number from 1."""
+    curves = read_curves(path, unit=unit)
+    if number is None:
+        if len(curves) > 1:
+            raise InputError(
+                f"{path} holds {len(curves)} curves: choose one with --curve 1 .. --curve {len(curves)}"
+            )
+        return curves[0]
+    if not 1 <= number <= len(curves):
+        raise InputError(f"{path} holds {len(curves)} curve(s): --curve {number} is not among them")
+    return curves[number - 1]
+
+
+def supports_of(start: str, end: str) -> Supports:
+    """Supports from two names; click has checked them."""
+    return Supports(start, end)  # type: ignore[arg-type]

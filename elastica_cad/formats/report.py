@@ -1,0 +1,115 @@
+"""The report of a strip: one JSON record that says what was asked, what came out and with which versions."""
+
+from importlib.metadata import PackageNotFoundError, version
+from typing import Any
+
+import numpy as np
+
+from elastica_cad.fabrication import Strip
+from elastica_cad.formats.json_curves import curve_record
+from elastica_cad.mechanics import EquilibriumCheck
+
+__all__ = ["REPORT_SCHEMA", "check_report", "strip_report"]
+
+REPORT_SCHEMA = "elastica-report/1"
+_UNITS = {
+    "length": "mm",
+    "width": "mm",
+    "angle": "rad",
+    "strain": "1",
+    "stiffness": "1 (least value 1)",
+    "mass": "g",
+    "force": "N",
+    "moment": "N mm",
+}
+
+
+def strip_report(strip: Strip, *, name: str, files: dict[str, str], stations: int = 201) -> dict[str, Any]:
+    """The report of one strip, ready for JSON.
+
+    Parameters
+    ----------
+    strip : Strip
+    name : str
+        What the part is called.
+    files : dict
+        Kind of file (dxf, svg, ...) to file name.
+    stations : int
+        Number of stations at which stiffness and width are listed, uniform in arc length.
+    """
+    rod, sheet = strip.rod, strip.sheet
+    s = np.linspace(0.0, rod.length, stations)
+    low, high = strip.width.extremes
+    reactions = strip.reactions()
+    return {
+        "schema": REPORT_SCHEMA,
+        "name": name,
+        "versions": _versions(),
+        "units": _UNITS,
+        "files": files,
+        "curve": curve_record(rod.curve),
+        "check": None if rod.check is None else check_report(rod.check),
+        "moved_by_snapping": _rounded(rod.moved),
+        "length": _rounded(rod.length),
+        "ratio": _rounded(rod.ratio),
+        "residual": rod.residual,
+        "gravity": None
+        if rod.gravity is None
+        else {"length": rod.gravity.length, "direction": list(rod.gravity.direction)},
+        "stations": {
+            "s": _rounded(s),
+            "stiffness": _rounded(rod.profile(s)),
+            "width": _rounded(strip.width(s)),
+        },
+        "width": {"least": _rounded(low), "largest": _rounded(high)},
+        "sheet": {
+            "name": sheet.name,
+            "thickness": sheet.thickness,
+            "youngs_modulus_MPa": sheet.youngs_modulus,
+            "density_kg_m3": sheet.density,
+            "max_strain": sheet.max_strain,
+            "source": sheet.source,
+        },
+        "strain": {
+            "largest": _rounded(strip.max_strain),
+            "at": _rounded(strip.max_strain_at),
+            "limit": sheet.max_strain,
+        },
+        "mass": _rounded(strip.mass),
+        "reactions": {
+            "start_force": _rounded(reactions.start_force),
+            "start_moment": _rounded(reactions.start_moment),
+            "end_force": _rounded(reactions.end_force),
+            "end_moment": _rounded(reactions.end_moment),
+        },
+        "warnings": list(strip.warnings),
+    }
+
+
+def check_report(check: EquilibriumCheck) -> dict[str, Any]:
+    """Theorem 1's answer as plain data; places in mm along the curve."""
+    return {
+        "realizable": check.realizable,
+        "reasons": list(check.reasons),
+        "warnings": list(check.warnings),
+        "inflections": _rounded(check.inflections),
+        "advice": str(check),
+    }
+
+
+def _rounded(value: Any) -> Any:
+    """Ten significant digits: more would be noise, and the same design must give the same file."""
+    array = np.asarray(value, dtype=float)
+    if array.ndim == 0:
+        return float(f"{float(array):.10g}")
+    return [_rounded(row) for row in array]
+
+
+def _versions() -> dict[str, str]:
+    found = {}
+    for package in ("elastica-cad", "numpy", "scipy", "highspy", "ezdxf"):
+        try:
+            found[package] = version(package)
+        except PackageNotFoundError:
+            continue
+    return found
