@@ -1,0 +1,183 @@
+"""Anticlastic bending: wide thin strips curl across, or are kept from it and get stiffer."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError
+
+__all__ = ["AnticlasticWidths", "anticlastic_factor", "anticlastic_widths"]
+
+
+def anticlastic_factor(
+    width: ArrayLike, curvature: ArrayLike, *, thickness: float, poisson_ratio: float
+) -> FloatArray:
+    """M / (E I kappa) of a rectangular strip bent to a constant curvature: from 1 to 1/(1 - nu^2).
+
+    A narrow strip curls across with -nu kappa and bends with E; in a wide one the curl is flattened but for
+    its edges and it bends as a plate, with E/(1 - nu^2). What counts is Searle's number w^2 kappa / h.
+
+    Parameters
+    ----------
+    width, curvature : array_like
+        mm and 1/mm (the sign does not matter), broadcast.
+    thickness : float
+        mm.
+    poisson_ratio : float
+        nu, across the strip, from 0 to below 1.
+
+    Returns
+    -------
+    array
+        The factor on E I, of the broadcast shape.
+
+    Raises
+    ------
+    InputError
+        Width or thickness not positive, nu outside [0, 1), values that are not finite.
+
+    Notes
+    -----
+    Least energy of bending and stretching over the deflection v(y) across the strip, D v'''' + E h kappa^2 v
+    = 0 with v'' = -nu kappa, v''' = 0 at the edges (Lamb 1891; Searle 1908; Ashwell 1950). With x = (3 (1 -
+    nu^2))^(1/4) (w^2 kappa / h)^(1/2) and f = (cosh x - cos x)/(sinh x + sin x) the energy is D w kappa^2 g /
+    2, g = 1 - 2 nu^2 f / x, and the moment its derivative by kappa: (g + x g'/4) / (1 - nu^2). Curvature that
+    varies within a few widths, and clamps that keep the ends flat, are outside the formula.
+
+    Examples
+    --------
+    >>> anticlastic_factor([0.1, 1000.0], 0.01, thickness=1.0, poisson_ratio=0.3).round(3).tolist()
+    [1.0, 1.096]
+    """
+    h, nu = _checked(thickness, poisson_ratio)
+    w, kappa = np.asarray(width, dtype=float), np.abs(np.asarray(curvature, dtype=float))
+    if not (np.all(np.isfinite(w)) and np.all(w > 0)):
+        raise InputError("strip width must be positive, in mm")
+    if not np.all(np.isfinite(kappa)):
+        raise InputError("curvature must be finite, in 1/mm")
+    x = (3 * (1 - nu**2)) ** 0.25 * w * np.sqrt(kappa / h)
+    ratio, slope = _curl(x)
+    return np.asarray((1 - nu**2 * (2 * ratio + x * slope / 2)) / (1 - nu**2))
+
+
+@dataclass(frozen=True, eq=False)
+class AnticlasticWidths:
+    """Widths that realize a stiffness profile although wide places are stiffer than E I says.
+
+    Attributes
+    ----------
+    width : (n,) array
+        Corrected width, mm; its largest value is that of the plain strip.
+    plain_width : (n,) array
+        Width ~ K, mm.
+    factor : (n,) array
+        Stiffening at the corrected width.
+    change : float
+        Largest |width - plain_width| / plain_width.
+    station : int
+        Where that is.
+    bending_stiffness_factor : float
+        What the whole strip's scale of E I gains over the plain one.
+    """
+
+    width: FloatArray
+    plain_width: FloatArray
+    factor: FloatArray
+    change: float
+    station: int
+    bending_stiffness_factor: float
+
+    def __str__(self) -> str:
+        """How much, in a sentence."""
+        i = self.station
+        return (
+            f"anticlastic bending changes the width by {100 * self.change:.2g} % at most: "
+            f"{self.width[i] - self.plain_width[i]:+.3g} mm of {self.plain_width[i]:.4g} mm at station {i}"
+        )
+
+
+def anticlastic_widths(
+    stiffness: ArrayLike,
+    curvature: ArrayLike,
+    *,
+    max_width: float,
+    thickness: float,
+    poisson_ratio: float,
+) -> AnticlasticWidths:
+    """Widths w with w * factor(w) ~ K, the widest being `max_width`.
+
+    Parameters
+    ----------
+    stiffness : (n,) array_like
+        K.
+    curvature : (n,) array_like
+        kappa of the bent strip, 1/mm; the strip is flat at rest.
+    max_width, thickness : float
+        mm.
+    poisson_ratio : float
+        nu.
+
+    Raises
+    ------
+    InputError
+        Values that are not positive, arrays that do not match.
+
+    Examples
+    --------
+    >>> card = {"max_width": 40.0, "thickness": 0.5, "poisson_ratio": 0.3}
+    >>> result = anticlastic_widths([1, 2, 1], [0.01, 0.02, 0.01], **card)
+    >>> bool(result.width[0] > result.plain_width[0])
+    True
+    """
+    h, nu = _checked(thickness, poisson_ratio)
+    K, kappa = np.asarray(stiffness, dtype=float), np.abs(np.asarray(curvature, dtype=float))
+    if K.ndim != 1 or K.shape != kappa.shape or K.size == 0:
+        raise InputError(f"stiffness {K.shape} and curvature {kappa.shape} must be rows of the same length")
+    if not (np.all(np.isfinite(K)) and np.all(K > 0)):
+        raise InputError(f"stiffness is not positive at station {int(np.argmin(np.nan_to_num(K, nan=-1.0)))}")
+    if not (np.isfinite(max_width) and max_width > 0):
+        raise InputError(f"max_width is {max_width}: it must be positive, in mm")
+
+    def effective(w: FloatArray | float, at: FloatArray = kappa) -> FloatArray:
+        return w * anticlastic_factor(w, at, thickness=h, poisson_ratio=nu)
+
+    # every station could be the widest one: the scale c is the largest that keeps them all within max_width
+    scale = float(np.min(effective(max_width) / K))
+    low, high = (1 - nu**2) * scale * K / 1.05, np.full(K.shape, float(max_width))
+    for _ in range(60):
+        middle = (low + high) / 2
+        small = effective(middle) < scale * K
+        low, high = np.where(small, middle, low), np.where(small, high, middle)
+    width = (low + high) / 2
+    plain = max_width * K / K.max()
+    relative = np.abs(width - plain) / plain
+    i = int(np.argmax(relative))
+    factor = anticlastic_factor(width, kappa, thickness=h, poisson_ratio=nu)
+    gain = scale / (max_width / float(K.max()))
+    return AnticlasticWidths(width, plain, factor, float(relative[i]), i, gain)
+
+
+def _checked(thickness: float, poisson_ratio: float) -> tuple[float, float]:
+    if not (np.isfinite(thickness) and thickness > 0):
+        raise InputError(f"thickness is {thickness}: it must be positive, in mm")
+    if not (np.isfinite(poisson_ratio) and 0 <= poisson_ratio < 1):
+        raise InputError(f"Poisson's ratio is {poisson_ratio}: it must lie between 0 and 1")
+    return float(thickness), float(poisson_ratio)
+
+
+def _curl(x: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """f/x and its derivative, f = (cosh x - cos x)/(sinh x + sin x); series below 0.3, no overflow above."""
+    t = x**4
+    series, series_slope = 0.5 - t / 360 + t**2 / 45360, x**3 * (t / 5670 - 1 / 90)
+    y = np.where(x < 0.3, 1.0, x)
+    decay = np.exp(-y)
+    top = 1 + decay**2 - 2 * decay * np.cos(y)
+    bottom = 1 - decay**2 + 2 * decay * np.sin(y)
+    f = top / bottom
+    # (cosh - cos)' = sinh + sin is the denominator itself, whose derivative is cosh + cos
+    slope = 1 - f * (1 + decay**2 + 2 * decay * np.cos(y)) / bottom
+    return (
+        np.where(x < 0.3, series, f / y),
+        np.where(x < 0.3, series_slope, (slope - f / y) / y),
+    )

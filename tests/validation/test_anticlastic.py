@@ -1,0 +1,108 @@
+"""Stiffening of wide strips against the plate strip solved as a boundary value problem across the width."""
+
+import numpy as np
+import pytest
+
+from elastica_cad.errors import InputError
+from elastica_cad.mechanics.anticlastic import anticlastic_factor, anticlastic_widths
+
+pytestmark = pytest.mark.core
+
+
+def moment_across(width, curvature, thickness, nu):
+    """M / (E I kappa) from D v'''' = -E h kappa^2 v with free edges (E = 1), integrated stress by stress."""
+    from scipy.integrate import solve_bvp
+
+    D = thickness**3 / 12 / (1 - nu**2)
+    half = width / 2
+
+    def field(y, state):
+        v, v1, v2, v3, _ = state
+        return np.array(
+            [
+                v1,
+                v2,
+                v3,
+                -thickness * curvature**2 / D * v,
+                D * (curvature + nu * v2) + thickness * curvature * v**2,
+            ]
+        )
+
+    def ends(a, b):
+        return np.array([a[1], a[3], a[4], b[2] + nu * curvature, b[3]])
+
+    y = np.linspace(0.0, half, 200)
+    solved = solve_bvp(field, ends, y, np.zeros((5, y.size)), tol=1e-9, max_nodes=20000)
+    assert solved.success
+    return 2 * solved.y[4, -1] / (width * thickness**3 / 12 * curvature)
+
+
+@pytest.mark.parametrize(
+    ("width", "radius", "nu"),
+    [(5.0, 200.0, 0.3), (12.0, 80.0, 0.3), (20.0, 60.0, 0.3), (40.0, 60.0, 0.45), (60.0, 40.0, 0.2)],
+)
+def test_factor_matches_the_boundary_value_problem(width, radius, nu):
+    found = anticlastic_factor(width, 1 / radius, thickness=0.5, poisson_ratio=nu)
+    assert found == pytest.approx(moment_across(width, 1 / radius, 0.5, nu), rel=1e-7)
+
+
+def test_series_and_closed_form_agree_where_they_meet():
+    x = np.array([0.3 - 1e-9, 0.3 + 1e-9])
+    nu = 0.3
+    width = x / (3 * (1 - nu**2)) ** 0.25
+    low, high = anticlastic_factor(width, 1.0, thickness=1.0, poisson_ratio=nu)
+    assert low == pytest.approx(high, abs=1e-12)
+    assert low > 1.0
+
+
+@pytest.mark.parametrize("nu", [0.0, 0.1, 0.3, 0.5])
+def test_factor_grows_from_one_to_the_plate(nu):
+    width = np.geomspace(1e-3, 1e5, 4001)
+    factor = anticlastic_factor(width, -0.01, thickness=1.0, poisson_ratio=nu)
+    assert factor[0] == pytest.approx(1.0, abs=1e-12)
+    assert factor[-1] == pytest.approx(1 / (1 - nu**2), rel=1e-4)
+    assert np.all(np.diff(width * factor) > 0)
+
+
+def test_corrected_widths_bend_as_the_stiffness_asks():
+    K = np.array([1.0, 1.5, 2.4, 2.0, 1.2])
+    kappa = np.array([0.02, -0.012, 0.01, 0.0, 0.03])
+    sheet = {"thickness": 0.4, "poisson_ratio": 0.35}
+    result = anticlastic_widths(K, kappa, max_width=45.0, **sheet)
+    effective = result.width * anticlastic_factor(result.width, kappa, **sheet)
+    assert effective / K == pytest.approx(np.full(5, effective[0] / K[0]), rel=1e-12)
+    assert result.width.max() == pytest.approx(45.0, rel=1e-12)
+    assert effective[0] / K[0] == pytest.approx(result.bending_stiffness_factor * 45.0 / 2.4, rel=1e-12)
+    i = result.station
+    assert result.change == pytest.approx(abs(result.width[i] / result.plain_width[i] - 1))
+    assert f"{100 * result.change:.2g} %" in str(result)
+
+
+def test_nothing_changes_without_lateral_contraction():
+    K = np.array([1.0, 2.0, 1.3])
+    result = anticlastic_widths(K, [0.1, 0.0, -0.2], max_width=30.0, thickness=0.5, poisson_ratio=0.0)
+    assert result.width == pytest.approx(15 * K, rel=1e-12)
+    assert result.change < 1e-12
+
+
+@pytest.mark.parametrize(
+    ("changed", "message"),
+    [
+        ({"thickness": 0.0}, "thickness is 0.0: it must be positive"),
+        ({"poisson_ratio": 1.0}, "between 0 and 1"),
+        ({"max_width": -1.0}, "max_width is -1.0"),
+        ({"stiffness": [1.0, 0.0]}, "not positive at station 1"),
+        ({"curvature": [0.1]}, "rows of the same length"),
+        ({"curvature": [0.1, np.inf]}, "curvature must be finite"),
+    ],
+)
+def test_bad_input(changed, message):
+    good = {"stiffness": [1.0, 2.0], "curvature": [0.01, 0.02], "max_width": 20.0}
+    options = {**good, "thickness": 0.5, "poisson_ratio": 0.3, **changed}
+    with pytest.raises(InputError, match=message):
+        anticlastic_widths(options.pop("stiffness"), options.pop("curvature"), **options)
+
+
+def test_width_must_be_positive():
+    with pytest.raises(InputError, match="strip width must be positive"):
+        anticlastic_factor([1.0, 0.0], 0.01, thickness=0.5, poisson_ratio=0.3)
