@@ -36,19 +36,21 @@ def solve_tridiagonal(diagonal: FloatArray, off: FloatArray, right: FloatArray) 
 def solve_bordered(
     diagonal: FloatArray,
     off: FloatArray,
-    columns: FloatArray,
     rows: FloatArray,
+    *,
     right: FloatArray,
     below: FloatArray,
+    columns: FloatArray | None = None,
 ) -> tuple[FloatArray, FloatArray]:
     """Solve [[A, columns], [rows, 0]] (x, y) = (right, below) with A symmetric tridiagonal.
 
     Parameters
     ----------
-    columns : (n, k) array
     rows : (k, n) array
     right : (n,) array
     below : (k,) array
+    columns : (n, k) array, optional
+        The transposed rows unless given.
 
     Returns
     -------
@@ -61,11 +63,11 @@ def solve_bordered(
         return solve_tridiagonal(diagonal, off, right), np.zeros(0)
     both = np.empty((right.size, k + 1), order="F")
     both[:, 0] = right
-    both[:, 1:] = columns
+    both[:, 1:] = rows.T if columns is None else columns
     solved = solve_tridiagonal(diagonal, off, both)
     schur = rows @ solved[:, 1:]
     gap = rows @ solved[:, 0] - below
-    y = np.linalg.lstsq(schur, gap, rcond=RANK_TOLERANCE)[0]
+    y = np.asarray(np.linalg.lstsq(schur, gap, rcond=1e-14)[0], dtype=float)
     return solved[:, 0] - solved[:, 1:] @ y, y
 
 
@@ -113,7 +115,8 @@ def constrained_inertia(diagonal: FloatArray, off: FloatArray, rows: FloatArray,
     if basis.shape[0] == 0:
         return negative
     schur = basis @ solve_tridiagonal(diagonal - shift, off, basis.T)
-    return negative + int(np.count_nonzero(np.linalg.eigvalsh((schur + schur.T) / 2) > 0)) - basis.shape[0]
+    positive = int(np.count_nonzero(np.linalg.eigvalsh((schur + schur.T) / 2) > 0))
+    return negative + positive - int(basis.shape[0])
 
 
 def lowest_constrained(

@@ -1,8 +1,8 @@
 """The discrete rod of paper section 7.1 with weight: nodes 0..n, edges 1..n, all in plain arrays.
 
-Angles, forces and modes live on edges, stiffness, moments and loads on nodes. alpha_0 and alpha_{n+1} are the angles of
-fictitious edges that the supports hold. An angle that an end leaves free drops that end's node from the energy: the
-moment there is given (zero unless a moment is applied).
+Angles, forces and modes live on edges, stiffness, moments and loads on nodes. alpha_0 and alpha_{n+1} are the angles
+of fictitious edges that the supports hold. An angle that an end leaves free drops that end's node from the energy:
+the moment there is given (zero unless a moment is applied).
 """
 
 from dataclasses import dataclass
@@ -71,6 +71,7 @@ def bending_moments(
     stiffness: FloatArray,
     angles: FloatArray,
     w: FloatArray,
+    *,
     ends: tuple[float | None, float | None],
     natural_curvature: float = 0.0,
     end_moments: tuple[float, float] = (0.0, 0.0),
@@ -101,7 +102,7 @@ def bending_moments(
 def moment_imbalance(
     moments: FloatArray, angles: FloatArray, force: FloatArray, edge_length: float | FloatArray
 ) -> FloatArray:
-    """M_{i-1} - M_i + l_i <b_i, T_i> of every edge (n,), 1/mm: the gradient of the energy in the edge angles."""
+    """M_{i-1} - M_i + l_i <b_i, T_i> of every edge (n,), 1/mm: the energy's gradient in the edge angles."""
     T = tangents(angles)
     return np.asarray(
         moments[:-1] - moments[1:] + edge_length * (force[:, 1] * T[:, 0] - force[:, 0] * T[:, 1])
@@ -117,8 +118,8 @@ def second_variation(
 ) -> tuple[FloatArray, FloatArray]:
     """Tridiagonal Hessian H of the energy with respect to the edge angles (paper, section 7.1).
 
-    h^t H h = sum_i K_i (h_{i+1} - h_i)^2 / w_i - sum_i l_i <lambda_i, T_i> h_i^2, h_0 = h_{n+1} = 0 where the angle
-    is held; the end node's term drops where it is free.
+    h^t H h = sum_i K_i (h_{i+1} - h_i)^2 / w_i - sum_i l_i <lambda_i, T_i> h_i^2, with h_0 = h_{n+1} = 0 where the
+    angle is held; the end node's term drops where it is free.
 
     Parameters
     ----------
@@ -150,7 +151,10 @@ def second_variation(
 def constraint_rows(
     angles: FloatArray, edge_length: float | FloatArray, supports: Supports | None = None
 ) -> FloatArray:
-    """Rows C (p, n), mm, of d(gamma_l - gamma_0) = C d(alpha): l_i (-sin, cos), of the coordinates held at both ends."""
+    """Rows C (p, n), mm, of d(gamma_l - gamma_0) = C d(alpha), for the coordinates held at both ends.
+
+    C = l_i (-sin alpha_i, cos alpha_i).
+    """
     rows = []
     held = (True, True) if supports is None else supports.transmits_force
     if held[0]:
@@ -175,7 +179,7 @@ class Margin:
     Attributes
     ----------
     value : float
-        Dimensionless: the eigenvalue of h -> int K h'^2 - <lambda, gamma'> h^2 against int h^2, times length^2.
+        The eigenvalue of h -> int K h'^2 - <lambda, gamma'> h^2 against int h^2, times length^2.
     mode : (n,) array
         The edge values of its mode h, int h^2 = 1, so 1/sqrt(mm).
     multipliers : (2,) array
@@ -215,7 +219,9 @@ def constrained_margin(
 
     Examples
     --------
-    >>> margin = constrained_margin(np.ones(201), np.zeros(200), np.zeros(2), 0.5)  # lowest sine with mean zero
+    A straight rod without load: the lowest sine of mean zero.
+
+    >>> margin = constrained_margin(np.ones(201), np.zeros(200), np.zeros(2), 0.5)
     >>> round(margin.value / np.pi**2, 3)
     4.0
     """
