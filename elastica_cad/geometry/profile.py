@@ -3,6 +3,7 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 
@@ -111,7 +112,7 @@ class Profile:
         """Smallest and largest value over the whole domain, to rounding error."""
         slope = self._spline.derivative()
         inner = np.unique(self.knots)
-        dense = np.concatenate([np.linspace(a, b, 9) for a, b in zip(inner[:-1], inner[1:], strict=True)])
+        dense = np.concatenate([np.linspace(a, b, 9) for a, b in pairwise(inner)])
         values = slope(dense)
         candidates = [self.knots[0], self.knots[-1], *inner]
         for i in np.flatnonzero(values[:-1] * values[1:] < 0):

@@ -1,0 +1,50 @@
+"""Checks of the numbers a curve is made of; each failure is one sentence."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError
+
+__all__ = ["check_knots", "finite"]
+
+
+def finite(name: str, values: ArrayLike | Sequence[float] | float) -> FloatArray:
+    """A read-only float array of `values`; refuses what is no number, NaN and infinity."""
+    try:
+        array = np.array(values, dtype=float)
+    except (TypeError, ValueError):
+        raise InputError(f"{name} must be numbers") from None
+    if not np.all(np.isfinite(array)):
+        first = np.argwhere(~np.isfinite(array))[0].tolist()
+        raise InputError(f"{name} holds NaN or infinite values, the first at index {first}")
+    array.setflags(write=False)
+    return array
+
+
+def check_knots(knots: FloatArray, count: int, degree: int) -> None:
+    """Refuse a knot vector that does not fit the control points or breaks the curve apart."""
+    if count < degree + 1:
+        raise InputError(f"{count} control points are too few for degree {degree}: give {degree + 1} or more")
+    if knots.shape != (count + degree + 1,):
+        raise InputError(
+            f"{count} control points of degree {degree} need {count + degree + 1} knots "
+            f"(the full vector, end knots repeated), not {knots.size}"
+        )
+    down = np.flatnonzero(np.diff(knots) < 0)
+    if down.size:
+        raise InputError(f"knots must not decrease: knot {down[0] + 1} is less than knot {down[0]}")
+    start, end = knots[degree], knots[-degree - 1]
+    if not end > start:
+        raise InputError("the knots leave no domain: the first and last inner knot coincide")
+    values, counts = np.unique(knots, return_counts=True)
+    inside = (values > start) & (values < end)
+    if inside.any() and counts[inside].max() > degree:
+        where = values[inside][counts[inside].argmax()]
+        raise InputError(
+            f"knot {where:g} is repeated {counts[inside].max()} times: "
+            f"more than the degree {degree} breaks the curve apart"
+        )
+    if counts.max() > degree + 1:
+        raise InputError(f"an end knot is repeated {counts.max()} times: degree {degree} allows {degree + 1}")

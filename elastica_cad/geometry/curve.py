@@ -1,0 +1,477 @@
+"""Plane NURBS curves: the drawn curve that a strip is to take."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
+from elastica_cad.errors import InputError
+from elastica_cad.geometry import arclength, zeros
+from elastica_cad.geometry.bernstein import interior_roots
+from elastica_cad.geometry.checks import check_knots, finite
+from elastica_cad.geometry.conics import unit_circle_arc
+from elastica_cad.geometry.extraction import Spans, bezier_spans
+from elastica_cad.geometry.fitting import fitted_spline
+from elastica_cad.geometry.projective import projected
+from elastica_cad.geometry.records import Break, CurvatureZero, CurveSamples, LineCrossing, TangentBreak
+from elastica_cad.geometry.turning import Turning, hodograph, turning_table, zero_speed
+
+__all__ = ["PlaneCurve", "line_crossings"]
+
+
+@dataclass(frozen=True, eq=False)
+class PlaneCurve:
+    """A plane NURBS curve of degree 2 or more, with any knots.
+
+    Parameters
+    ----------
+    knots : (m + degree + 1,) array_like
+        Full knot vector, not decreasing, clamped or not; the curve runs over
+        knots[degree] .. knots[-degree - 1].
+    control_points : (m, 2) array_like
+        Control points, mm.
+    degree : int
+        Polynomial degree, at least 2.
+    weights : (m,) array_like, optional
+        Positive weights of a rational curve.
+
+    Raises
+    ------
+    InputError
+        When the numbers make no curve with a tangent everywhere: too few or non-finite control points, knots
+        that decrease or break the curve apart, weights not positive, zero length, a cusp.
+
+    Examples
+    --------
+    >>> curve = PlaneCurve.spline([(0, 0), (30, 40), (60, 40), (90, 0)], degree=3)
+    >>> round(curve.length, 3)
+    112.078
+    """
+
+    knots: FloatArray
+    control_points: FloatArray
+    degree: int
+    weights: FloatArray | None = None
+
+    def __post_init__(self) -> None:
+        degree = self.degree
+        if isinstance(degree, bool) or int(degree) != degree or degree < 2:
+            raise InputError(f"a curve needs degree 2 or more, not {degree!r}")
+        object.__setattr__(self, "degree", int(degree))
+        points = finite("control_points", self.control_points)
+        if points.ndim != 2 or points.shape[1] != 2:
+            raise InputError(f"control_points must be rows of x, y: shape (m, 2), not {points.shape}")
+        object.__setattr__(self, "control_points", points)
+        object.__setattr__(self, "knots", finite("knots", self.knots))
+        check_knots(self.knots, points.shape[0], self.degree)
+        if self.weights is not None:
+            weights = finite("weights", self.weights)
+            if weights.shape != (points.shape[0],):
+                raise InputError(f"{points.shape[0]} control points need as many weights, not {weights.size}")
+            if weights.min() <= 0:
+                raise InputError(
+                    f"weight {int(weights.argmin())} is {weights.min():g}: weights must be positive"
+                )
+            object.__setattr__(self, "weights", weights if np.ptp(weights) > 0 else None)
+        self._check_speed()
+
+    @classmethod
+    def spline(cls, control_points: ArrayLike, degree: int = 4) -> "PlaneCurve":
+        """The clamped B-spline with uniform knots over `control_points` (m, 2), m > degree."""
+        points = np.asarray(control_points, dtype=float)
+        count = points.shape[0] if points.ndim else 0
+        if count <= degree:
+            raise InputError(
+                f"{count} control points are too few for degree {degree}: give {degree + 1} or more"
+            )
+        inner = np.linspace(0.0, 1.0, count - degree + 1)
+        knots = np.concatenate([np.zeros(degree), inner, np.ones(degree)])
+        return cls(knots, points, degree)
+
+    @classmethod
+    def line(cls, start: ArrayLike, end: ArrayLike, *, degree: int = 2) -> "PlaneCurve":
+        """The straight segment between two points."""
+        a, b = finite("start", start), finite("end", end)
+        u = np.linspace(0.0, 1.0, degree + 1)[:, None]
+        return cls(np.repeat([0.0, 1.0], degree + 1), a * (1 - u) + b * u, degree)
+
+    @classmethod
+    def arc(cls, center: ArrayLike, radius: float, start_angle: float, end_angle: float) -> "PlaneCurve":
+        """The circular arc between two angles (rad), counterclockwise when end_angle > start_angle; exact."""
+        return cls.ellipse(center, (radius, radius), start=start_angle, end=end_angle)
+
+    @classmethod
+    def ellipse(
+        cls,
+        center: ArrayLike,
+        semi_axes: ArrayLike,
+        rotation: float = 0.0,
+        start: float = 0.0,
+        end: float = 2 * np.pi,
+    ) -> "PlaneCurve":
+        """The ellipse arc (a cos v, b sin v), v from start to end (rad), turned and moved; exact."""
+        centre, axes = finite("center", center), finite("semi_axes", semi_axes)
+        if axes.shape != (2,) or axes.min() <= 0:
+            raise InputError(f"semi-axes (or the radius) must be positive, not {axes.tolist()}")
+        span = finite("angles", [rotation, start, end])
+        if start == end:
+            raise InputError("the arc has zero length: start and end angle are the same")
+        knots, points, weights = unit_circle_arc(float(span[1]), float(span[2]))
+        c, s = np.cos(rotation), np.sin(rotation)
+        return cls(knots, centre + points * axes @ np.array([[c, s], [-s, c]]), 2, weights)
+
+    @classmethod
+    def fit(
+        cls, points: ArrayLike, degree: int = 4, tolerance: float = 0.05, smoothing: float | None = None
+    ) -> "PlaneCurve":
+        """A spline with few control points that passes all `points` (n, 2) within `tolerance` mm.
+
+        Parameters
+        ----------
+        points : (n, 2) array_like
+            Points in order, mm; the first and last are met exactly.
+        degree : int
+            3, 4 or 5.
+        tolerance : float
+            Largest distance of a point from the curve, mm.
+        smoothing : float, optional
+            Weight of the penalty on the third derivative (length normalised to 1); chosen when not given.
+
+        Examples
+        --------
+        >>> v = np.linspace(0, 3, 60)
+        >>> curve = PlaneCurve.fit(np.column_stack([100 * np.cos(v), 100 * np.sin(v)]), tolerance=1e-3)
+        >>> round(curve.length, 2)
+        300.0
+        """
+        knots, control_points = fitted_spline(points, degree, tolerance, smoothing)
+        return cls(knots, control_points, degree)
+
+    @property
+    def domain(self) -> tuple[float, float]:
+        """First and last parameter."""
+        return float(self.knots[self.degree]), float(self.knots[-self.degree - 1])
+
+    @property
+    def is_rational(self) -> bool:
+        """Are there weights that differ?"""
+        return self.weights is not None
+
+    def evaluate(self, t: ArrayLike, derivative: int = 0, *, left: bool = False) -> FloatArray:
+        """Position or its derivative d/dt of order up to 3, shape (..., 2) for parameters (...).
+
+        At a knot of low continuity the right-hand value is given, with `left=True` the left-hand one.
+        """
+        if not 0 <= derivative <= 3:
+            raise InputError(f"derivatives of order 0 to 3 are known, not {derivative}")
+        t = np.asarray(t, dtype=float)
+        return self._derivatives(t.ravel(), derivative, left)[derivative].reshape(*t.shape, 2)
+
+    def curvature_at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
+        """Signed curvature, 1/mm, at parameters t."""
+        t = np.asarray(t, dtype=float)
+        _, d1, d2 = self._derivatives(t.ravel(), 2, left)
+        return np.asarray((_cross(d1, d2) / _norm(d1) ** 3).reshape(t.shape))
+
+    def curvature_slope_at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
+        """Derivative of the curvature by arc length, 1/mm2, at parameters t."""
+        t = np.asarray(t, dtype=float)
+        _, d1, d2, d3 = self._derivatives(t.ravel(), 3, left)
+        speed2 = (d1**2).sum(axis=1)
+        slope = _cross(d1, d3) / speed2**2 - 3 * _cross(d1, d2) * (d1 * d2).sum(axis=1) / speed2**3
+        return np.asarray(slope.reshape(t.shape))
+
+    def angle_at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
+        """Turning angle, rad, at parameters t: continuous along the curve, in (-pi, pi] near the start."""
+        t = np.asarray(t, dtype=float)
+        _, d1 = self._derivatives(t.ravel(), 1, left)
+        return self._turning.at(t.ravel(), d1, left=left).reshape(t.shape)
+
+    @cached_property
+    def length(self) -> float:
+        """Arc length, mm."""
+        return float(self._arc_length.s[-1])
+
+    def arc_length(self, t: ArrayLike) -> FloatArray:
+        """Arc length from the start, mm, at parameters t."""
+        t = np.asarray(t, dtype=float)
+        return self._arc_length.length_at(self._inside(t.ravel())).reshape(t.shape)
+
+    def parameter(self, s: ArrayLike) -> FloatArray:
+        """Parameters at arc lengths s (mm)."""
+        s = np.asarray(s, dtype=float)
+        slack = 1e-9 * self.length
+        if s.size and not (np.all(s >= -slack) and np.all(s <= self.length + slack)):
+            raise InputError(f"arc length outside the curve: use 0 to {self.length:g} mm")
+        return self._arc_length.parameter_at(np.clip(s.ravel(), 0.0, self.length)).reshape(s.shape)
+
+    def at(self, s: ArrayLike) -> CurveSamples:
+        """Position, angle and curvature at arc lengths s (n,)."""
+        s = np.atleast_1d(np.asarray(s, dtype=float))
+        t = self.parameter(s)
+        position, d1, d2 = self._derivatives(t, 2, False)
+        return CurveSamples(s, position, self._turning.at(t, d1), _cross(d1, d2) / _norm(d1) ** 3, t)
+
+    def sample(self, count: int) -> CurveSamples:
+        """`count` points at equal distances along the curve, both ends included."""
+        if count < 2:
+            raise InputError(f"a curve is sampled at 2 points or more, not {count}")
+        return self.at(np.linspace(0.0, self.length, int(count)))
+
+    @cached_property
+    def curvature_zeros(self) -> tuple[CurvatureZero, ...]:
+        """All zeros and sign changes of the curvature, in order."""
+        found = zeros.curvature_zero_places(self._bezier, self._spans.edges, self._curvature_continuous)
+        return tuple(CurvatureZero(*self._measured(place)) for place in found)
+
+    def curvature_equals(self, level: float) -> tuple[CurvatureZero, ...]:
+        """All places where the curvature is `level` (1/mm); before, after: signs of curvature - level."""
+        level = float(finite("level", level))
+        if level == 0:
+            return self.curvature_zeros
+        found = zeros.curvature_level_places(
+            self._bezier, self._spans.edges, self._curvature_continuous, level
+        )
+        return tuple(CurvatureZero(*self._measured(place)) for place in found)
+
+    @cached_property
+    def inflections(self) -> FloatArray:
+        """Arc lengths (k,), mm, where the curvature changes sign; of a straight piece between, its middle."""
+        return np.array([(z.s + z.s_end) / 2 for z in self.curvature_zeros if z.changes_sign])
+
+    @cached_property
+    def breaks(self) -> tuple[Break, ...]:
+        """All interior knots with their continuity."""
+        t = self._spans.edges[1:-1]
+        return tuple(
+            Break(float(s), float(at), int(order))
+            for s, at, order in zip(self.arc_length(t), t, self._continuity, strict=True)
+        )
+
+    @cached_property
+    def tangent_breaks(self) -> tuple[TangentBreak, ...]:
+        """Corners of more than 1e-5 rad."""
+        t = self._spans.edges[1:-1]
+        angle = self.angle_at(t) - self.angle_at(t, left=True)
+        s = self.arc_length(t)
+        return tuple(
+            TangentBreak(float(s[i]), float(t[i]), float(angle[i]))
+            for i in np.flatnonzero(np.abs(angle) > 1e-5)
+        )
+
+    @cached_property
+    def is_straight(self) -> bool:
+        """Is the whole curve a straight segment?"""
+        return (
+            all(z.kind == "flat" for z in self.curvature_zeros)
+            and len(self.curvature_zeros) == 1
+            and (not self.tangent_breaks)
+        )
+
+    @property
+    def is_closed(self) -> bool:
+        """Do the ends meet (within 1e-9 of the length)?"""
+        start, end = self.evaluate(np.array(self.domain), left=False)
+        return bool(np.hypot(*(end - start)) <= 1e-9 * self.length)
+
+    def bezier_pieces(self) -> tuple[tuple[float, float, FloatArray], ...]:
+        """The knot spans as (t0, t1, homogeneous control points (degree + 1, 3): rows x w, y w, w)."""
+        edges = self._spans.edges
+        return tuple(
+            (float(a), float(b), piece.copy())
+            for a, b, piece in zip(edges[:-1], edges[1:], self._bezier, strict=True)
+        )
+
+    def reversed(self) -> "PlaneCurve":
+        """The curve run from its other end."""
+        weights = None if self.weights is None else self.weights[::-1]
+        return PlaneCurve(
+            self.knots[0] + self.knots[-1] - self.knots[::-1], self.control_points[::-1], self.degree, weights
+        )
+
+    def transformed(self, matrix: ArrayLike) -> "PlaneCurve":
+        """The exact image under a projective map: matrix @ (x, y, 1), divided by its third number.
+
+        Realizable curves stay realizable with clamped ends (paper, section 4.3).
+
+        Raises
+        ------
+        InputError
+            When the matrix is singular, or when it sends a point of the curve to infinity.
+        """
+        knots, points, weights = projected(
+            self.knots,
+            self.control_points,
+            self.weights,
+            matrix,
+            degree=self.degree,
+            bezier=self._bezier,
+            edges=self._spans.edges,
+        )
+        return PlaneCurve(knots, points, self.degree, weights)
+
+    @cached_property
+    def bounds(self) -> FloatArray:
+        """The smallest box around the curve, [[x_min, y_min], [x_max, y_max]], mm."""
+        edges = self._spans.edges
+        found = [
+            edges[root.piece] + root.u * (edges[root.piece + 1] - edges[root.piece])
+            for axis in (0, 1)
+            for root in interior_roots(hodograph(self._bezier)[..., axis])
+        ]
+        points = self.evaluate(np.concatenate([edges, found]))
+        return np.array([points.min(axis=0), points.max(axis=0)])
+
+    @cached_property
+    def _spans(self) -> Spans:
+        return bezier_spans(self.knots, self.degree)
+
+    @cached_property
+    def _bezier(self) -> FloatArray:
+        weights = np.ones(self.control_points.shape[0]) if self.weights is None else self.weights
+        return self._spans.bezier(np.column_stack([self.control_points * weights[:, None], weights]))
+
+    @cached_property
+    def _turning(self) -> Turning:
+        return turning_table(hodograph(self._bezier), self._spans.edges)
+
+    @cached_property
+    def _arc_length(self) -> arclength.ArcLength:
+        return arclength.arc_length_table(
+            lambda t: _norm(self._derivatives(t, 1, False)[1]), self._spans.edges
+        )
+
+    @cached_property
+    def _continuity(self) -> IntArray:
+        """Orders of continuity (p - 1,) at the interior knots, by arc length."""
+        t = self._spans.edges[1:-1]
+        multiplicity = (self.knots[None, :] == t[:, None]).sum(axis=1)
+        order = self.degree - multiplicity
+        left, right = (
+            [f(t, left=side) for f in (self.angle_at, self.curvature_at, self.curvature_slope_at)]
+            for side in (True, False)
+        )
+        scale = 1 / self.length + np.maximum(np.abs(left[1]), np.abs(right[1]))
+        same = np.abs(np.array(left) - np.array(right)) <= np.array(
+            [1e-9 + 0 * scale, 1e-8 * scale, 1e-6 * scale**2]
+        )
+        measured = np.cumprod(same, axis=0).sum(axis=0)
+        return np.asarray(np.maximum(order, measured))
+
+    @cached_property
+    def _curvature_continuous(self) -> BoolArray:
+        return self._continuity >= 2
+
+    def _measured(self, place: zeros.ZeroPlace) -> tuple[Any, ...]:
+        s, s_end = self.arc_length(np.array([place.t, place.t_end]))
+        return float(s), place.t, place.kind, float(s_end), place.t_end, place.before, place.after
+
+    def _inside(self, t: FloatArray) -> FloatArray:
+        a, b = self.domain
+        slack = 1e-9 * (b - a)
+        if t.size and not (np.all(t >= a - slack) and np.all(t <= b + slack)):
+            raise InputError(f"parameter outside the curve: use {a:g} to {b:g}")
+        return np.clip(t, a, b)
+
+    def _derivatives(self, t: FloatArray, order: int, left: bool) -> list[FloatArray]:
+        """Position and derivatives d/dt up to `order`, each (n, 2), by de Casteljau's scheme."""
+        spans = self._spans
+        index, u = spans.locate(self._inside(t), left=left)
+        scale = 1 / np.diff(spans.edges)[index]
+        degree = self.degree
+        c = self._bezier_columns[:, :, index]
+        jets: list[FloatArray] = []
+        factor = np.ones_like(u)
+        for k in range(degree + 1):
+            remaining = degree - k
+            if remaining <= order:
+                jets.append(_differences(c, remaining))
+            if remaining:
+                c = c[:-1] + (c[1:] - c[:-1]) * u
+        homogeneous = []
+        for k, jet in enumerate(reversed(jets)):
+            homogeneous.append(jet * factor)
+            factor = factor * scale * (degree - k)
+        zero = np.zeros_like(homogeneous[0])
+        homogeneous += [zero] * (order + 1 - len(homogeneous))
+        if not self.is_rational:
+            return [np.ascontiguousarray(h[:2].T) for h in homogeneous]
+        return [np.ascontiguousarray(v.T) for v in _quotient(homogeneous)]
+
+    @cached_property
+    def _bezier_columns(self) -> FloatArray:
+        """Bezier pieces as (degree + 1, 3 or 2, p), the layout in which many points are evaluated fast."""
+        kept = self._bezier if self.is_rational else self._bezier[..., :2]
+        return np.ascontiguousarray(np.moveaxis(kept, 0, 2))
+
+    def _check_speed(self) -> None:
+        points = self.control_points
+        if np.ptp(points, axis=0).max() == 0:
+            raise InputError("all control points coincide: the curve has zero length")
+        t = zero_speed(hodograph(self._bezier), self._spans.edges)
+        if t is None:
+            return
+        x, y = self.evaluate(t)
+        twins = np.flatnonzero((np.diff(points, axis=0) == 0).all(axis=1))
+        cause = f" (control points {twins[0]} and {twins[0] + 1} coincide)" if twins.size else ""
+        raise InputError(
+            f"the curve has no tangent at ({x:g}, {y:g}) mm, {self._length_until(t):.4g} mm from its start: "
+            f"a cusp or coincident control points{cause}; move or delete a control point there"
+        )
+
+    def _length_until(self, t: float) -> float:
+        edges = self._spans.edges
+        edges = np.append(edges[edges < t], t)
+        if edges.size < 2:
+            return 0.0
+        dense = np.concatenate([np.linspace(a, b, 65) for a, b in pairwise(edges)])
+        return float(_norm(np.diff(self.evaluate(dense), axis=0)).sum())
+
+
+def line_crossings(curve: PlaneCurve, a: float, b: ArrayLike) -> tuple[LineCrossing, ...]:
+    """All points that a curve has in common with the line a + <b, x> = 0, in order along the curve.
+
+    Parameters
+    ----------
+    a : float
+        Constant of the line.
+    b : (2,) array_like
+        Its normal (any length but 0).
+    """
+    normal = finite("b", b)
+    if normal.shape != (2,) or not normal.any():
+        raise InputError(
+            f"the normal b of a line must be two numbers, not both zero: {np.asarray(b).tolist()}"
+        )
+    found = zeros.line_places(curve._bezier, curve._spans.edges, float(a), normal)
+    return tuple(LineCrossing(*curve._measured(place)) for place in found)
+
+
+def _norm(v: FloatArray) -> FloatArray:
+    return np.asarray(np.hypot(v[:, 0], v[:, 1]))
+
+
+def _cross(u: FloatArray, v: FloatArray) -> FloatArray:
+    return np.asarray(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
+
+
+def _differences(c: FloatArray, order: int) -> FloatArray:
+    for _ in range(order):
+        c = c[1:] - c[:-1]
+    return np.asarray(c[0])
+
+
+def _quotient(jet: list[FloatArray]) -> list[FloatArray]:
+    """Derivatives of P / w from those of (P, w), each (3, n), by Leibniz' rule."""
+    w = [h[2] for h in jet]
+    binomial = [[1], [1, 1], [1, 2, 1], [1, 3, 3, 1]]
+    out: list[FloatArray] = []
+    for k, h in enumerate(jet):
+        value = h[:2].copy()
+        for j in range(1, k + 1):
+            value -= binomial[k][j] * w[j] * out[k - j]
+        out.append(value / w[0])
+    return out

@@ -1,0 +1,100 @@
+"""From B-splines with any knots to Bezier pieces, and the basis functions themselves."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad._types import FloatArray, IntArray
+
+__all__ = ["Spans", "bezier_spans"]
+
+
+@dataclass(frozen=True, eq=False)
+class Spans:
+    """The non-empty knot spans of a B-spline basis inside its domain.
+
+    Attributes
+    ----------
+    edges : (p + 1,) array
+        Ends of the spans in the parameter t, increasing.
+    first : (p,) int array
+        Index of the first of the degree + 1 control points that act on each span.
+    matrix : (p, degree + 1, degree + 1) array
+        Bezier control points of a span = matrix @ its B-spline control points.
+    """
+
+    edges: FloatArray
+    first: IntArray
+    matrix: FloatArray
+
+    @property
+    def degree(self) -> int:
+        """Polynomial degree of the basis."""
+        return int(self.matrix.shape[-1]) - 1
+
+    def bezier(self, control_points: FloatArray) -> FloatArray:
+        """Bezier control points (p, degree + 1, ...) of the spline with `control_points` (m, ...)."""
+        local = control_points[self.first[:, None] + np.arange(self.degree + 1)]
+        return np.asarray(np.einsum("pij,pj...->pi...", self.matrix, local), dtype=float)
+
+    def locate(self, t: FloatArray, *, left: bool = False) -> tuple[IntArray, FloatArray]:
+        """Span index and local coordinate u in [0, 1] of parameters (n,); at an edge the right span."""
+        index = np.searchsorted(self.edges, t, side="left" if left else "right") - 1
+        index = np.clip(index, 0, self.first.size - 1)
+        width = np.diff(self.edges)[index]
+        return index, np.clip((t - self.edges[index]) / width, 0.0, 1.0)
+
+    def basis(self, t: FloatArray, derivative: int = 0) -> FloatArray:
+        """Values (n, m) of the d-th derivative of all m basis functions at parameters (n,)."""
+        count = int(self.first[-1]) + self.degree + 1
+        local, index = self.local_basis(t, derivative)
+        out = np.zeros((t.size, count))
+        columns = self.first[index][:, None] + np.arange(self.degree + 1)
+        out[np.arange(t.size)[:, None], columns] = local
+        return out
+
+    def local_basis(self, t: FloatArray, derivative: int = 0) -> tuple[FloatArray, IntArray]:
+        """The degree + 1 basis functions that do not vanish (n, degree + 1), and the span index (n,)."""
+        index, u = self.locate(t)
+        width = np.diff(self.edges)[index]
+        bernstein = _bernstein_values(self.degree, u, derivative) / width[:, None] ** derivative
+        return np.asarray(np.einsum("ni,nij->nj", bernstein, self.matrix[index])), index
+
+
+def bezier_spans(knots: FloatArray, degree: int) -> Spans:
+    """Bezier extraction of a B-spline basis with a full knot vector (m + degree + 1,), clamped or not.
+
+    Bezier point j of the span [a, b] is the blossom at a (degree - j times) and b (j times).
+    """
+    inner = np.arange(degree, knots.size - degree - 1)
+    span = inner[knots[inner + 1] > knots[inner]]
+    a, b = knots[span], knots[span + 1]
+    count, size = span.size, degree + 1
+    arguments = np.where(
+        np.arange(degree)[None, :] < np.arange(size)[:, None], b[:, None, None], a[:, None, None]
+    )
+    points = np.broadcast_to(np.eye(size), (count, size, size, size))
+    for level in range(1, size):
+        i = span[:, None] - degree + level + np.arange(size - level)
+        low, high = knots[i], knots[i + size - level]
+        alpha = (arguments[:, :, level - 1 : level] - low[:, None, :]) / (high - low)[:, None, :]
+        points = points[:, :, :-1] * (1 - alpha[..., None]) + points[:, :, 1:] * alpha[..., None]
+    return Spans(np.append(a, b[-1]), span - degree, np.ascontiguousarray(points[:, :, 0]))
+
+
+def _bernstein_values(degree: int, u: FloatArray, derivative: int) -> FloatArray:
+    """Derivatives (n, degree + 1) of the Bernstein polynomials at local coordinates (n,)."""
+    if derivative > degree:
+        return np.zeros((u.size, degree + 1))
+    values = np.ones((u.size, 1))
+    for k in range(1, degree - derivative + 1):
+        raised = np.zeros((u.size, k + 1))
+        raised[:, :-1] = values * (1 - u)[:, None]
+        raised[:, 1:] += values * u[:, None]
+        values = raised
+    for k in range(degree - derivative + 1, degree + 1):
+        raised = np.zeros((u.size, k + 1))
+        raised[:, :-1] = -k * values
+        raised[:, 1:] += k * values
+        values = raised
+    return values
