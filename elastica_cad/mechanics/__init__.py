@@ -1,6 +1,23 @@
 """mechanics"""
 
+from elastica_cad.mechanics.bend import bend, bend_path
 from elastica_cad.mechanics.gravity import Gravity
+from elastica_cad.mechanics.loads import PointMass, Weight
+from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheet import Sheet, load_sheets, sheet_names
+from elastica_cad.mechanics.supports import End, Supports
 
-__all__ = ["Gravity", "Sheet", "load_sheets", "sheet_names"]
+__all__ = [
+    "End",
+    "Gravity",
+    "PointMass",
+    "Rod",
+    "Sheet",
+    "Supports",
+    "Weight",
+    "bend",
+    "bend_path",
+    "load_sheets",
+    "mechanics",
+    "sheet_names",
+]

@@ -14,7 +14,7 @@ __all__ = [
     "solve_tridiagonal",
 ]
 
-RANK_TOLERANCE = 1e-9  # rows closer to dependent than this (relative) are one row: a straight rod has rank 1
+RANK_TOLERANCE = 1e-9  # rows closer to dependent than this (relative) are one: a straight rod has rank 1
 MOST_STEPS = 240
 
 

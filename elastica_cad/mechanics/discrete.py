@@ -1,8 +1,8 @@
 """The discrete rod of paper section 7.1 with weight: nodes 0..n, edges 1..n, all in plain arrays.
 
-Angles, forces and modes live on edges, stiffness, moments and loads on nodes. alpha_0 and alpha_{n+1} are the angles
-of fictitious edges that the supports hold. An angle that an end leaves free drops that end's node from the energy:
-the moment there is given (zero unless a moment is applied).
+Angles, forces and modes live on edges, stiffness, moments and loads on nodes. alpha_0 and alpha_{n+1} are
+the angles of fictitious edges that the supports hold. An angle that an end leaves free drops that end's
+node from the energy: the moment there is given (zero unless a moment is applied).
 """
 
 from dataclasses import dataclass
@@ -118,8 +118,8 @@ def second_variation(
 ) -> tuple[FloatArray, FloatArray]:
     """Tridiagonal Hessian H of the energy with respect to the edge angles (paper, section 7.1).
 
-    h^t H h = sum_i K_i (h_{i+1} - h_i)^2 / w_i - sum_i l_i <lambda_i, T_i> h_i^2, with h_0 = h_{n+1} = 0 where the
-    angle is held; the end node's term drops where it is free.
+    h^t H h = sum_i K_i (h_{i+1} - h_i)^2 / w_i - sum_i l_i <lambda_i, T_i> h_i^2, with h_0 = h_{n+1} = 0
+    where the angle is held; the end node's term drops where it is free.
 
     Parameters
     ----------

@@ -1,0 +1,240 @@
+"""From any state of a discrete rod to an equilibrium: Newton, steps of load, descent of the energy."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.mechanics.balance import Balance, State
+from elastica_cad.mechanics.banded import constrained_inertia, lowest_constrained, solve_bordered
+
+__all__ = [
+    "TOLERANCE",
+    "Reached",
+    "correct",
+    "follow",
+    "is_balanced",
+    "newton_step",
+    "relax",
+    "trace",
+    "unstable_modes",
+]
+
+TOLERANCE = 1e-10  # of the moments' size, and of the length
+LARGEST_TURN = 0.5  # rad that one step of continuation may turn an edge
+SMALL_TURN = 0.02  # rad; shorter steps may pass a crossing of branches
+LEAST_STEP = 1e-7
+
+Gap = tuple[FloatArray, FloatArray]
+
+
+@dataclass(frozen=True, eq=False)
+class Reached:
+    """Where a continuation came to: `fraction` 1 is the whole way."""
+
+    state: State
+    fraction: float
+    steps: int
+
+    @property
+    def arrived(self) -> bool:
+        """Was the whole way possible?"""
+        return self.fraction >= 1.0
+
+
+def is_balanced(balance: Balance, state: State) -> bool:
+    """True when forces, moments and ends are right to the tolerance."""
+    return balance.imbalance(state) <= TOLERANCE and balance.gap(state) <= TOLERANCE
+
+
+def newton_step(balance: Balance, state: State, gap: Gap) -> State:
+    """The step that cancels `gap` (imbalance, miss of the ends) to first order."""
+    diagonal, off = balance.second_variation(state)
+    rows = balance.constraint_rows(state)
+    return State(*solve_bordered(diagonal, off, rows, right=-gap[0], below=-gap[1]))
+
+
+def correct(
+    balance: Balance,
+    state: State,
+    kept: Gap | None = None,
+    *,
+    turn: float = LARGEST_TURN,
+    contraction: float = 0.5,
+    most: int = 12,
+) -> tuple[State, int] | None:
+    """Newton's method with line search; None when it does not converge nearby.
+
+    Parameters
+    ----------
+    kept : pair of arrays, optional
+        Imbalance and gap that are to remain (artificial loads of a continuation).
+    turn : float
+        Largest turn of an edge on the way, rad.
+    contraction : float
+        Each step must be smaller than the one before by this factor: what keeps to one branch of
+        equilibria.
+
+    Returns
+    -------
+    state, iterations
+    """
+    current, gap = state, _left(balance, state, kept)
+    unit = max(balance.scale(state), 1e-3 / balance.length)
+    size = _size(balance, gap, unit)
+    before = np.inf
+    for iteration in range(most):
+        step = newton_step(balance, current, gap)
+        turned = float(np.abs(step.angles).max())
+        if not turned <= turn or (turned > contraction * before and turned > 1e-7):
+            return None
+        before = turned
+        factor = 1.0
+        while True:
+            trial = current.moved(step, factor)
+            trial_gap = _left(balance, trial, kept)
+            trial_size = _size(balance, trial_gap, unit)
+            if trial_size < (1 - 0.1 * factor) * size or trial_size < 1e-13:
+                break
+            factor /= 2
+            if factor < 1 / 64:
+                # rounding stops the descent: fine when the answer is already good to the tolerance
+                return (current, iteration) if size < TOLERANCE / 10 or turned < 1e-11 else None
+        current, gap, size = trial, trial_gap, trial_size
+        if float(np.abs(current.angles - state.angles).max()) > turn:
+            return None
+        if turned < 1e-9 and factor == 1.0:
+            return current, iteration + 1
+    return None
+
+
+def follow(balance: Balance, state: State, *, turn: float = LARGEST_TURN) -> Reached:
+    """Carry `state` over to an equilibrium of `balance`, keeping its imbalance as a load that fades away.
+
+    Ends and angles then move in a straight line from where they are to where they shall be; weight, forces,
+    stiffness and supports change in proportion. Steps adapt; a fold of the branch ends it.
+    """
+    if is_balanced(balance, state):
+        return Reached(polished(balance, state), 1.0, 0)
+    start = balance.residual(state)
+
+    def kept(t: float) -> tuple[Balance, Gap]:
+        return balance, ((1 - t) * start[0], (1 - t) * start[1])
+
+    reached = trace(kept, state, turn=turn)
+    if reached.arrived:
+        return Reached(polished(balance, reached.state), 1.0, reached.steps)
+    return reached
+
+
+def trace(
+    problem: Callable[[float], tuple[Balance, Gap | None]],
+    state: State,
+    *,
+    start: float = 0.0,
+    stop: float = 1.0,
+    turn: float = LARGEST_TURN,
+    least: float = LEAST_STEP,
+) -> Reached:
+    """Follow the equilibria of `problem(t)` from `state` at t = `start` towards `stop`, with adaptive steps.
+
+    The number of unstable modes changes only where branches cross, and those are passed in small steps: so
+    a long step that changes it has landed on another branch and is taken back.
+    """
+    t, step, count = start, stop - start, 0
+    modes: int | None = None
+    while t < stop:
+        t_next = stop if t + step >= stop else t + step
+        balance, kept = problem(t_next)
+        found = correct(balance, state, kept, turn=turn)
+        count += 1
+        long = found is not None and float(np.abs(found[0].angles - state.angles).max()) > SMALL_TURN
+        if long and modes is None:
+            modes = unstable_modes(problem(t)[0], state)
+        if found is None or (long and unstable_modes(balance, found[0]) != modes):
+            step = (t_next - t) / (4 if t == start and count == 1 else 2)
+            if step < least:
+                return Reached(state, t, count)
+            continue
+        state, iterations = found
+        modes = modes if long else None
+        t = t_next
+        step *= 2 if iterations <= 4 else 1
+    return Reached(state, 1.0 if t >= stop else t, count)
+
+
+def polished(balance: Balance, state: State) -> State:
+    """Newton steps as long as they help: the rounding limit."""
+    gap = balance.residual(state)
+    unit = max(balance.scale(state), 1e-3 / balance.length)
+    size = _size(balance, gap, unit)
+    for _ in range(6):
+        if size == 0:
+            break
+        trial = state.moved(newton_step(balance, state, gap))
+        trial_gap = balance.residual(trial)
+        trial_size = _size(balance, trial_gap, unit)
+        if not trial_size < 0.5 * size:
+            break
+        state, gap, size = trial, trial_gap, trial_size
+    return state
+
+
+def relax(balance: Balance, state: State, *, most: int = 400) -> State | None:
+    """Descend the energy to a stable equilibrium (SQP with an exact penalty); None when that fails."""
+    push = np.zeros_like(state.angles)
+    for _ in range(most):
+        gap = balance.residual(state)
+        diagonal, off = balance.second_variation(state)
+        rows = balance.constraint_rows(state)
+        inertia = constrained_inertia(diagonal, off, rows)
+        if inertia:
+            values, vectors = lowest_constrained(diagonal, off, rows)
+            diagonal = diagonal + 2 * abs(values[0]) + 1e-3 * balance.edge_length / balance.length**2
+            push = vectors[0]
+        step = State(*solve_bordered(diagonal, off, rows, right=-gap[0], below=-gap[1]))
+        turned = float(np.abs(step.angles).max())
+        if not np.isfinite(turned):
+            return None
+        if inertia and turned < 1e-6:  # a saddle: leave it along its unstable mode
+            side = np.sign(push @ gap[0]) or 1.0
+            state = State(state.angles - side * 1e-2 * push / np.abs(push).max(), state.reactions)
+            continue
+        if not inertia and turned < 1e-3:
+            found = correct(balance, state)
+            if found is not None and is_balanced(balance, found[0]):
+                return polished(balance, found[0])
+        state = _descended(balance, state, step, gap, min(1.0, LARGEST_TURN / turned) if turned else 1.0)
+    return None
+
+
+def _descended(balance: Balance, state: State, step: State, gap: Gap, factor: float) -> State:
+    """Backtracking on energy + penalty * |gap of the ends|, forces taken from the step."""
+    reactions = state.reactions + step.reactions
+    weight = 2 * float(np.abs(reactions).max(initial=0.0)) + 1 / balance.length**2
+    given = gap[0] - balance.constraint_rows(state).T @ state.reactions
+    miss = float(np.abs(gap[1]).sum())
+    slope = float(given @ step.angles) - weight * miss
+    before = balance.energy(state) + weight * miss
+    for _ in range(40):
+        trial = State(state.angles + factor * step.angles, state.reactions + factor * step.reactions)
+        miss = float(np.abs(balance.residual(trial)[1]).sum())
+        if balance.energy(trial) + weight * miss <= before + 1e-4 * factor * min(slope, 0.0):
+            break
+        factor /= 2
+    return trial
+
+
+def unstable_modes(balance: Balance, state: State) -> int:
+    """Number of unstable modes of a state: the inertia of its second variation on the constraints."""
+    return constrained_inertia(*balance.second_variation(state), balance.constraint_rows(state))
+
+
+def _left(balance: Balance, state: State, kept: Gap | None) -> Gap:
+    imbalance, miss = balance.residual(state)
+    return (imbalance, miss) if kept is None else (imbalance - kept[0], miss - kept[1])
+
+
+def _size(balance: Balance, gap: Gap, unit: float) -> float:
+    return float(max(np.abs(gap[0]).max() / unit, np.abs(gap[1]).max(initial=0.0) / balance.length))
