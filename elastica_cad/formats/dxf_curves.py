@@ -1,0 +1,221 @@
+"""Curves drawn in a DXF file, exact where the file is exact."""
+
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError, MissingDependencyError
+from elastica_cad.formats.chains import FIT_TOLERANCE, JOIN_TOLERANCE, chained, curve_from_run
+from elastica_cad.formats.edges import Edge, Run
+from elastica_cad.formats.opening import existing_file, millimetres, naming
+from elastica_cad.formats.planes import flattened
+from elastica_cad.geometry import PlaneCurve
+
+if TYPE_CHECKING:
+    from ezdxf.document import Drawing
+
+__all__ = ["read_dxf_curves"]
+
+# $INSUNITS -> millimetres in one unit; 0 is "no unit", which we read as mm
+_INSUNITS = {
+    0: 1.0, 1: 25.4, 2: 304.8, 3: 1609344.0, 4: 1.0, 5: 10.0, 6: 1000.0, 7: 1e6, 8: 25.4e-6, 9: 0.0254,
+    10: 914.4, 11: 1e-7, 12: 1e-6, 13: 1e-3, 14: 100.0, 15: 1e4, 16: 1e5, 17: 1e12, 21: 1.2e6 / 3937,
+}  # fmt: skip
+_DEEPEST_BLOCK = 20
+
+
+def read_dxf_curves(
+    path: str | Path,
+    *,
+    tolerance: float = JOIN_TOLERANCE,
+    fit_tolerance: float = FIT_TOLERANCE,
+    unit: str | None = None,
+) -> list[PlaneCurve]:
+    """All curves of the model space, whatever their layer, in mm.
+
+    LINE, ARC, CIRCLE, ELLIPSE, SPLINE and polylines are read, those inside of blocks too. True curves stay
+    exact; pieces whose ends meet are joined to one curve; a polyline without arcs is fitted. The unit is the
+    file's $INSUNITS; a file without unit is read as mm.
+
+    Parameters
+    ----------
+    tolerance : float
+        Ends nearer than this are joined, and a curve may leave its plane by as much, mm.
+    fit_tolerance : float
+        Largest distance of a polyline's vertex from its curve, mm.
+    unit : str, optional
+        "mm", "cm", "m", "in", ...; overrides what the file says.
+
+    Raises
+    ------
+    InputError
+        No such file, not a DXF file, an unknown unit, nothing usable in it, a curve that lies in no plane.
+    MissingDependencyError
+        ezdxf is not installed.
+    """
+    path = existing_file(path)
+    with naming(path):
+        document = _opened(path)
+        scale = millimetres(unit) if unit else _scale(document)
+        ignored: Counter[str] = Counter()
+        runs: list[Run] = []
+        for entity in _entities(document.modelspace(), 0):
+            run = _run(entity)
+            if run is None:
+                ignored[entity.dxftype()] += 1
+            else:
+                runs.append(tuple(edge.mapped(scale * np.eye(3), np.zeros(3)) for edge in run))
+        chains = chained((run for run in runs if run), tolerance)
+        if not chains:
+            found = ", ".join(f"{count} {kind}" for kind, count in sorted(ignored.items()))
+            raise InputError(
+                "holds no curve in its model space: draw a SPLINE, ARC, ELLIPSE, LINE or polyline there"
+                + (f" (found only {found})" if found else "")
+            )
+        return [
+            curve_from_run(flattened(chain, tolerance), tolerance=tolerance, fit_tolerance=fit_tolerance)
+            for chain in chains
+        ]
+
+
+def _opened(path: Path) -> "Drawing":
+    try:
+        from ezdxf import recover
+        from ezdxf.filemanagement import readfile
+        from ezdxf.lldxf.const import DXFError
+    except ImportError as error:
+        raise MissingDependencyError(
+            f"reading {path.name} needs ezdxf, which is not installed: pip install ezdxf"
+        ) from error
+    try:
+        return readfile(str(path))
+    except (DXFError, OSError, ValueError, LookupError):
+        pass
+    try:
+        return recover.readfile(str(path))[0]
+    except (DXFError, OSError, ValueError, LookupError, TypeError, AttributeError) as error:
+        raise InputError(
+            "is not a DXF file that can be read: export it anew, as DXF R2000 or later"
+        ) from error
+
+
+def _scale(document: "Drawing") -> float:
+    code = int(document.header.get("$INSUNITS", 0))
+    if code not in _INSUNITS:
+        raise InputError(
+            f"is drawn in a unit that is not known here ($INSUNITS = {code}): say which, e.g. unit='mm'"
+        )
+    return _INSUNITS[code]
+
+
+def _entities(layout: Iterable[Any], depth: int) -> Iterator[Any]:
+    """The entities of a layout, those of inserted blocks in their place."""
+    for entity in layout:
+        if entity.dxftype() != "INSERT":
+            yield entity
+        elif depth < _DEEPEST_BLOCK:
+            copies = entity.multi_insert() if entity.mcount > 1 else (entity,)
+            for copy in copies:
+                yield from _entities(copy.virtual_entities(), depth + 1)
+        else:
+            raise InputError(f"blocks are nested more than {_DEEPEST_BLOCK} deep: explode them before export")
+
+
+def _run(entity: Any) -> Run | None:
+    """The entity's edges in space, None for what is no curve."""
+    kind = entity.dxftype()
+    if kind == "LINE":
+        return (Edge.polyline([entity.dxf.start, entity.dxf.end]),)
+    if kind in ("ARC", "CIRCLE"):
+        return (_circle(entity, full=kind == "CIRCLE"),)
+    if kind == "ELLIPSE":
+        return (_ellipse(entity),)
+    if kind == "SPLINE":
+        return (_spline(entity),)
+    if kind == "LWPOLYLINE":
+        rows = [(x, y, entity.dxf.elevation, bulge) for x, y, bulge in entity.get_points("xyb")]
+        return _polyline(rows, closed=entity.closed, to_world=entity.ocs().to_wcs)
+    if kind == "POLYLINE" and (entity.is_2d_polyline or entity.is_3d_polyline):
+        vertices = [
+            v for v in entity.vertices if not v.dxf.flags & 16
+        ]  # 16: frame of a spline, not on the curve
+        places = [(v.dxf.location, v.dxf.get("bulge", 0.0)) for v in vertices]
+        if entity.is_3d_polyline:
+            return _polyline([(*p, 0.0) for p, _ in places], closed=entity.is_closed, to_world=np.asarray)
+        height = entity.dxf.elevation.z
+        rows = [(p.x, p.y, height, bulge) for p, bulge in places]
+        return _polyline(rows, closed=entity.is_closed, to_world=entity.ocs().to_wcs)
+    return None
+
+
+def _circle(entity: Any, *, full: bool) -> Edge:
+    to_world, radius = entity.ocs().to_wcs, entity.dxf.radius
+    start, end = (0.0, 360.0) if full else (entity.dxf.start_angle, entity.dxf.end_angle)
+    x_axis, y_axis = radius * np.array(to_world((1, 0, 0))), radius * np.array(to_world((0, 1, 0)))
+    return Edge.arc(np.array(to_world(entity.dxf.center)), x_axis, y_axis, *_turn(np.radians([start, end])))
+
+
+def _ellipse(entity: Any) -> Edge:
+    center, x_axis = np.array(entity.dxf.center), np.array(entity.dxf.major_axis)
+    y_axis = np.array(entity.minor_axis)
+    return Edge.arc(center, x_axis, y_axis, *_turn(np.array([entity.dxf.start_param, entity.dxf.end_param])))
+
+
+def _turn(angles: FloatArray) -> tuple[float, float]:
+    """Start and end angle, rad, anticlockwise over at most one turn as DXF means them."""
+    start, end = float(angles[0]), float(angles[1])
+    sweep = (end - start) % (2 * np.pi)
+    return start, start + (sweep if sweep > 1e-12 else 2 * np.pi)
+
+
+def _spline(entity: Any) -> Edge:
+    if not len(entity.control_points):
+        if len(entity.fit_points) < 2:
+            raise InputError("a SPLINE has neither control points nor fit points: draw it anew")
+        tool = entity.construction_tool()
+        return Edge(np.array(tool.knots()), np.array([tuple(p) for p in tool.control_points]), tool.degree)
+    points = np.array([tuple(p) for p in entity.control_points], dtype=float)
+    weights = np.array(entity.weights, dtype=float) if len(entity.weights) else None
+    knots = np.array(entity.knots, dtype=float)
+    backwards = np.maximum.accumulate(knots) - knots
+    if knots.size and backwards.max() <= 1e-9 * np.ptp(knots):  # knots written with too few decimals
+        knots = knots + backwards
+    return Edge(knots, points, entity.dxf.degree, weights)
+
+
+def _polyline(rows: list[tuple[float, float, float, float]], *, closed: bool, to_world: Any) -> Run:
+    """One polyline edge where there are no bulges, else its lines and arcs one by one."""
+    if closed and len(rows) > 1:
+        rows = [*rows, rows[0]]
+    if len(rows) < 2:
+        return ()
+    vertices = np.array([row[:3] for row in rows], dtype=float)
+    bulges = np.array([row[3] for row in rows[:-1]], dtype=float)
+    if not bulges.any():
+        return (Edge.polyline([tuple(to_world(v)) for v in vertices]),)
+    edges = []
+    for p, q, bulge in zip(vertices[:-1], vertices[1:], bulges, strict=True):
+        if not np.any(p != q):
+            continue
+        edge = _bulged(p, q, float(bulge)) if bulge else Edge.polyline([p, q])
+        world = np.array([tuple(to_world(v)) for v in edge.points])
+        edges.append(Edge(edge.knots, world, edge.degree, edge.weights))
+    return tuple(edges)
+
+
+def _bulged(p: FloatArray, q: FloatArray, bulge: float) -> Edge:
+    """The arc from p to q; `bulge` is tangent of a quarter of its angle, positive for a left-hand turn."""
+    chord = q - p
+    left = np.array([-chord[1], chord[0], 0.0])
+    sweep = 4 * np.arctan(bulge)
+    if abs(sweep) <= np.pi / 2:  # by its tangents: no centre, which lies far off for a flat arc
+        middle = (p + q) / 2 - left * np.tan(sweep / 2) / 2
+        knots = np.repeat([0.0, 1.0], 3)
+        return Edge(knots, np.array([p, middle, q]), 2, np.array([1.0, np.cos(sweep / 2), 1.0]))
+    center = (p + q) / 2 + left * (1 - bulge**2) / (4 * bulge)
+    arm = p - center
+    return Edge.arc(center, arm, np.array([-arm[1], arm[0], 0.0]), 0.0, sweep)

@@ -1,0 +1,94 @@
+"""Curves as JSON, exactly: knots, control points, degree and weights, in mm."""
+
+import json
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from elastica_cad.errors import InputError
+from elastica_cad.formats.opening import existing_file, millimetres, naming
+from elastica_cad.geometry import PlaneCurve
+
+__all__ = ["CURVES_SCHEMA", "curve_record", "curves_json", "read_json_curves"]
+
+CURVES_SCHEMA = "elastica-curves/1"
+
+
+def curve_record(curve: PlaneCurve) -> dict[str, Any]:
+    """The curve as plain data for JSON, without any rounding; `weights` is None for a polynomial spline."""
+    return {
+        "degree": curve.degree,
+        "knots": curve.knots.tolist(),
+        "control_points": curve.control_points.tolist(),
+        "weights": None if curve.weights is None else curve.weights.tolist(),
+    }
+
+
+def curves_json(curves: Sequence[PlaneCurve]) -> str:
+    """The text of a JSON file that holds the curves; `read_json_curves` returns them bit by bit."""
+    data = {"schema": CURVES_SCHEMA, "units": "mm", "curves": [curve_record(curve) for curve in curves]}
+    return json.dumps(data, indent=1) + "\n"
+
+
+def read_json_curves(path: str | Path, *, unit: str | None = None) -> list[PlaneCurve]:
+    """The curves of a JSON file: one written by `curves_json`, or the report of a strip.
+
+    Raises
+    ------
+    InputError
+        Not JSON, another schema, a missing or bad entry: file and entry are named.
+    """
+    path = existing_file(path)
+    with naming(path):
+        try:
+            data = json.loads(path.read_bytes())
+        except (json.JSONDecodeError, UnicodeDecodeError, RecursionError) as error:
+            raise InputError(f"is not JSON: {error}") from error
+        if not isinstance(data, dict):
+            raise InputError(f"holds {type(data).__name__}, not a record with the schema {CURVES_SCHEMA!r}")
+        scale = _scale(data, unit)
+        if "curve" in data:
+            return [_curve(data["curve"], "curve", scale)]
+        curves = data.get("curves")
+        if not isinstance(curves, list) or not curves:
+            raise InputError("holds no curves: 'curves' must be a list of records")
+        return [_curve(record, f"curve {i}", scale) for i, record in enumerate(curves, 1)]
+
+
+def _scale(data: dict[str, Any], unit: str | None) -> float:
+    """Millimetres in one unit of the file."""
+    schema = data.get("schema")
+    name, _, version = str(schema).partition("/")
+    if name not in ("elastica-curves", "elastica-report"):
+        raise InputError(f"has the schema {schema!r}; curves are read from {CURVES_SCHEMA!r}")
+    if version != "1":
+        raise InputError(f"has the schema {schema!r}, which is newer than this program: update it")
+    given = data.get("units", "mm")
+    if isinstance(given, dict):
+        given = given.get("length", "mm")
+    return millimetres(unit or str(given))
+
+
+def _curve(record: Any, where: str, scale: float) -> PlaneCurve:
+    if not isinstance(record, dict):
+        raise InputError(f"{where} is not a record of degree, knots, control_points and weights")
+    for key in ("degree", "knots", "control_points"):
+        if key not in record:
+            raise InputError(f"{where} has no {key!r}")
+    degree = record["degree"]
+    if not isinstance(degree, int) or isinstance(degree, bool):
+        raise InputError(f"{where}: degree is {degree!r}; it must be a whole number")
+    try:
+        knots = np.array(record["knots"], dtype=float)
+        points = np.array(record["control_points"], dtype=float)
+        weights = None if record.get("weights") is None else np.array(record["weights"], dtype=float)
+    except (TypeError, ValueError) as error:
+        raise InputError(f"{where} has an entry that is not a number") from error
+    if points.ndim != 2 or points.shape[1] != 2:
+        raise InputError(f"{where}: control_points must be rows of x and y")
+    try:
+        return PlaneCurve(knots, scale * points, degree, weights)
+    except InputError as error:
+        raise InputError(f"{where}: {error}") from error
