@@ -18,6 +18,5 @@ __all__ = [
     "bend",
     "bend_path",
     "load_sheets",
-    "mechanics",
     "sheet_names",
 ]
