@@ -1,1 +1,26 @@
-"""fabrication"""
+"""What is cut and printed: drawings, lettering, kerf, strips."""
+
+from elastica_cad.fabrication.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, LAYERS, MARK, Drawing, LayeredPath
+from elastica_cad.fabrication.ends import Hole, Tab
+from elastica_cad.fabrication.kerf import with_kerf
+from elastica_cad.fabrication.lettering import Text, text_strokes, text_width
+from elastica_cad.fabrication.strip import Plain, Reactions, Strip
+
+__all__ = [
+    "CUT_INNER",
+    "CUT_OUTER",
+    "ENGRAVE",
+    "LAYERS",
+    "MARK",
+    "Drawing",
+    "Hole",
+    "LayeredPath",
+    "Plain",
+    "Reactions",
+    "Strip",
+    "Tab",
+    "Text",
+    "text_strokes",
+    "text_width",
+    "with_kerf",
+]

@@ -1,0 +1,78 @@
+"""Files that appear whole or not at all."""
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+from typing import BinaryIO
+
+from elastica_cad.errors import InputError
+
+__all__ = ["checked_target", "write_atomically"]
+
+
+def checked_target(path: str | os.PathLike[str], *, force: bool = False) -> Path:
+    """The file to be written, with links followed, refused early where it can't be.
+
+    Raises
+    ------
+    InputError
+        It is a folder, its folder is missing, or it exists and `force` is not set.
+    """
+    target = Path(os.path.realpath(os.fspath(path)))
+    if target.is_dir():
+        raise InputError(f"{path} is a folder: give the name of a file in it")
+    if not target.parent.is_dir():
+        raise InputError(f"{path} can't be written: there is no folder {target.parent}; create it first")
+    if target.exists() and not force:
+        raise InputError(f"{path} exists already: choose another name, or allow it to be overwritten (force)")
+    if target.exists() and not os.access(target, os.W_OK):
+        raise InputError(f"{path} can't be written: no permission to change that file; choose another name")
+    return target
+
+
+def write_atomically(
+    path: str | os.PathLike[str], content: bytes | Callable[[BinaryIO], None], force: bool = False
+) -> Path:
+    """Write a file under a temporary name beside its place, then rename it: no file is ever half written.
+
+    Parameters
+    ----------
+    path : path-like
+        The file.
+    content : bytes, or callable
+        The bytes, or a function that writes them to the open binary file it is given.
+    force : bool
+        Overwrite a file of that name.
+
+    Returns
+    -------
+    Path
+        The file written.
+
+    Raises
+    ------
+    InputError
+        As `checked_target`; or there is no permission or no room.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     write_atomically(folder + "/note.txt", b"done").read_bytes()
+    b'done'
+    """
+    target = checked_target(path, force=force)
+    temporary = target.with_name(f".{target.name}.{os.getpid()}.part")
+    try:
+        with open(temporary, "wb") as file:
+            if callable(content):
+                content(file)
+            else:
+                file.write(content)
+        os.replace(temporary, target)
+    except OSError as error:
+        reason = "no permission" if isinstance(error, PermissionError) else error.strerror or str(error)
+        raise InputError(f"{path} can't be written: {reason}; choose another place") from error
+    finally:
+        temporary.unlink(missing_ok=True)
+    return target
