@@ -53,7 +53,7 @@ class Balance:
         mm.
     load : (n+1, 2) array
         Weight of each node over the least bending stiffness, 1/mm2.
-    natural_curvature : float
+    natural_curvature : float or (n+1,) array
         1/mm.
     supports : Supports
     start, end : (2,) arrays
@@ -69,7 +69,7 @@ class Balance:
     stiffness: FloatArray
     edge_length: float
     load: FloatArray
-    natural_curvature: float
+    natural_curvature: float | FloatArray
     supports: Supports
     start: FloatArray
     end: FloatArray

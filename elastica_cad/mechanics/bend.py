@@ -16,6 +16,7 @@ from elastica_cad.mechanics.bifurcation import (
     must_shorten,
 )
 from elastica_cad.mechanics.continuation import Reached, follow, is_balanced, relax
+from elastica_cad.mechanics.discrete import edge_positions
 from elastica_cad.mechanics.gravity import Gravity
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.supports import Supports
@@ -98,6 +99,8 @@ def bend(
     >>> round(float(arch.position[:, 1].max()), 1)
     31.9
     """
+    ends = rod.position[0], rod.position[-1]
+    start, end = (own if given is None else given for given, own in zip((start, end), ends, strict=True))
     if samples is not None and samples != rod.s.size:
         rod = resampled(rod, samples)
     if not (gravity is None or isinstance(gravity, Gravity) or gravity == "keep"):
@@ -212,7 +215,7 @@ def balance_of(
         end_angles=_end_angles(angles, rod.supports, present), force=_end_force(force, rod.supports,
         present), moments=_end_moments(moment, rod.supports, present),
     )  # fmt: skip
-    apart = float(np.hypot(*balance.chord)) if balance.held else 0.0
+    apart = float(np.linalg.norm(balance.chord))
     if apart > balance.length * (1 + 1e-12):
         raise InputError(
             f"the ends are {apart:.6g} mm apart, but the rod is only {balance.length:.6g} mm long: "
@@ -234,21 +237,25 @@ def resampled(rod: Rod, samples: int) -> Rod:
         raise InputError(f"samples is {samples}: a rod needs at least 4 nodes")
     s = np.linspace(0.0, rod.length, samples)
     K = rod.profile(s)
-    K = K / K.min()
 
     def at(values: FloatArray) -> FloatArray:
-        return np.column_stack([np.interp(s, rod.s, column) for column in np.atleast_2d(values.T)])
+        return np.asarray(np.interp(s, rod.s, values))
 
+    middles = (s[:-1] + s[1:]) / 2
+    angles = np.interp(middles, (rod.s[:-1] + rod.s[1:]) / 2, edge_state(rod)[0])
+    kappa_0 = rod.natural_curvature
     return replace(
-        rod, s=s, position=at(rod.position), angle=at(rod.angle)[:, 0], curvature=at(rod.curvature)[:, 0],
-        stiffness=K, moment=at(rod.moment)[:, 0], force=at(rod.force),
+        rod, s=s, position=edge_positions(rod.position[0], angles, s[1]), angle=at(rod.angle),
+        curvature=at(rod.curvature), stiffness=K / K.min(), profile=rod.profile.scaled(1 / float(K.min())),
+        moment=at(rod.moment), force=np.column_stack([at(rod.force[:, 0]), at(rod.force[:, 1])]),
+        natural_curvature=at(kappa_0) if isinstance(kappa_0, np.ndarray) and kappa_0.ndim else kappa_0,
     )  # fmt: skip
 
 
 def _reach(balance: Balance, state: State, side: int | None, mode: int) -> Reached:
     """Follow from `state` to the wanted equilibrium; leave a straight state where it must or is told to."""
     if must_shorten(balance, state):
-        if balance.held and float(np.hypot(*balance.chord)) > balance.length * (1 - 1e-12):
+        if float(np.linalg.norm(balance.chord)) > balance.length * (1 - 1e-12):
             raise InputError(
                 f"the ends are as far apart as the rod is long ({balance.length:.6g} mm), so it must be "
                 "straight, which its present direction does not allow: bring the ends closer together"

@@ -73,7 +73,7 @@ def bending_moments(
     w: FloatArray,
     *,
     ends: tuple[float | None, float | None],
-    natural_curvature: float = 0.0,
+    natural_curvature: float | FloatArray = 0.0,
     end_moments: tuple[float, float] = (0.0, 0.0),
 ) -> FloatArray:
     """Moments M_i = K_i ((alpha_{i+1} - alpha_i) / w_i - kappa_0) of all nodes (n+1,), 1/mm.

@@ -1,0 +1,155 @@
+"""The verdict on a rest shape: does it stay, or does it snap away?"""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.mechanics.balance import edge_state
+from elastica_cad.mechanics.banded import constrained_inertia
+from elastica_cad.mechanics.discrete import constrained_margin, constraint_rows, held_angles, second_variation
+from elastica_cad.mechanics.jacobi import Determinant, conjugate_point, stability_determinant
+from elastica_cad.mechanics.rod import Rod
+
+__all__ = ["Stability", "stability"]
+
+OUT_OF_BALANCE = 0.05  # residual above which a shape is no rest shape, so that its stability means nothing
+
+
+@dataclass(frozen=True, eq=False)
+class Stability:
+    """What `stability` found.
+
+    Attributes
+    ----------
+    stable : bool
+        True when every small disturbance that the supports allow costs energy.
+    margin : float
+        Lowest eigenvalue of h -> int K h'^2 - <lambda, gamma'> h^2 against int h^2 on the tangent space of
+        the end constraints, times length^2; positive means stable, and it is comparable between rods.
+    mode : (n,) array
+        The turning angles of that mode at the nodes, largest 1: the way in which the rod gives first.
+    negative : int
+        Number of unstable modes.
+    conjugate_point : float or None
+        The first isoperimetric conjugate point, mm of arc length from the start of the rod; None when
+        there is none (the rod is stable) or when both ends leave the angle free, where it is not defined.
+    started_from : {"start", "end"} or None
+        The end from which the conjugate point is counted. Counted from the other one it lies elsewhere.
+    determinant_s, determinant : (n,) arrays
+        The curve Z(s) of Fig. 9 in arc length from the start, mm; empty where it is not defined. Next to
+        `started_from` it has a zero of high order.
+    borderline : bool
+        True when the margin is smaller than its own rounding error; then `stable` is False.
+    """
+
+    stable: bool
+    margin: float
+    mode: FloatArray
+    negative: int
+    conjugate_point: float | None
+    started_from: Literal["start", "end"] | None
+    determinant_s: FloatArray
+    determinant: FloatArray
+    borderline: bool
+
+
+def stability(rod: Rod) -> Stability:
+    """Is the rest shape stable, with its weight and its supports? O(n).
+
+    Three independent routes must agree: the inertia of the second variation bordered by the end constraints
+    (LDL^t), the lowest eigenvalue on their tangent space (inverse iteration), and the sign changes of the
+    stability determinant of the Jacobi equation (paper, section 6.2), which holds with weight too, since
+    weight enters only through the force.
+
+    Parameters
+    ----------
+    rod : Rod
+        In equilibrium: from `optimal_rod`, `bend` or `nearest_rod`.
+
+    Returns
+    -------
+    Stability
+
+    Raises
+    ------
+    InputError
+        When the rod is far from balance: bend it first.
+    NotConvergedError
+        When the routes disagree.
+
+    Examples
+    --------
+    >>> from elastica_cad.mechanics import Rod, bend
+    >>> arch = bend(Rod.straight(100.0, samples=101), end=(70.0, 0.0))
+    >>> stability(arch).stable
+    True
+    """
+    if rod.residual > OUT_OF_BALANCE:
+        raise InputError(
+            f"the rod is out of balance (residual {rod.residual:.2g}), so it has no stability: bend it first"
+        )
+    angles, force = edge_state(rod)
+    K, h, supports = np.asarray(rod.stiffness), rod.length / angles.size, rod.supports
+    diagonal, off = second_variation(K, angles, force, h, supports)
+    rows = constraint_rows(angles, h, supports)
+    negative = constrained_inertia(diagonal, off, rows)
+    margin = constrained_margin(K, angles, force, h, supports)
+    scale = float(np.abs(diagonal).max()) / h * rod.length**2
+    borderline = abs(margin.value) <= 64 * float(np.finfo(float).eps) * scale
+    if not borderline and (negative == 0) != (margin.value > 0):
+        raise NotConvergedError(
+            f"stability is undecided: {negative} unstable modes counted, but the margin is {margin.value:.6g}"
+        )
+
+    started_from: Literal["start", "end"] | None = None
+    place, determinant = None, None
+    if held_angles(supports)[1]:
+        started_from = "start"
+        place = conjugate_point(K, angles, force, h, supports)
+        determinant = stability_determinant(K, angles, force, h, supports)
+    elif held_angles(supports)[0]:
+        started_from = "end"
+        backwards = (K[::-1], angles[::-1], force[::-1], h, supports.reversed())
+        place = conjugate_point(*backwards)
+        determinant = stability_determinant(*backwards)
+    if started_from is not None and not borderline and (place is None) != (negative == 0):
+        raise NotConvergedError(f"stability is undecided: {negative} unstable modes, conjugate point {place}")
+    if determinant is not None and not borderline:
+        _agree(determinant, negative)
+
+    s, value = np.zeros(0), np.zeros(0)
+    if determinant is not None:
+        s, value = determinant.s, determinant.value
+    if started_from == "end":
+        place = None if place is None else rod.length - place
+        s, value = rod.length - s[::-1], value[::-1]
+    return Stability(
+        stable=negative == 0 and not borderline, margin=margin.value, mode=_nodal(margin.mode, rod),
+        negative=negative, conjugate_point=place, started_from=started_from, determinant_s=s,
+        determinant=value, borderline=borderline,
+    )  # fmt: skip
+
+
+def _agree(determinant: Determinant, negative: int) -> None:
+    """Every unstable mode comes in by a sign change of Z, unless Z drowns in rounding noise."""
+    if abs(determinant.value[-1]) <= determinant.noise[-1]:
+        return
+    changes = determinant.sign_changes.size
+    if (changes > 0) != (negative > 0) and (changes - negative) % 2 != 0:
+        raise NotConvergedError(
+            f"stability is undecided: Z(s) changes sign {changes} times, "
+            f"but {negative} unstable modes were counted"
+        )
+
+
+def _nodal(mode: FloatArray, rod: Rod) -> FloatArray:
+    """Edge values averaged to the nodes; zero at an end that holds the angle."""
+    nodal = np.empty(mode.size + 1)
+    nodal[1:-1] = (mode[:-1] + mode[1:]) / 2
+    a, b = held_angles(rod.supports)
+    nodal[0] = 0.0 if a else mode[0]
+    nodal[-1] = 0.0 if b else mode[-1]
+    return np.asarray(nodal / nodal[int(np.argmax(np.abs(nodal)))])
