@@ -45,6 +45,8 @@ class Rod:
         a marched rod are averaged to the nodes in between; the end nodes take half a cell of weight off the end edge.
     profile : Profile
         K as a spline of arc length, from which strips take their width.
+    natural_curvature : float or (n,) array
+        kappa_0, 1/mm: one for the whole rod, or one a node (a strip that was bent beyond its limit).
     gravity, weight, bending_stiffness
         What the rod carries: see `Gravity` and `Weight`; `bending_stiffness` is B, the least E I in N mm2, or None.
     residual : float
@@ -61,7 +63,7 @@ class Rod:
     profile: Profile
     gravity: Gravity | None = None
     supports: Supports = field(default_factory=Supports)
-    natural_curvature: float = 0.0
+    natural_curvature: float | FloatArray = 0.0
     residual: float = 0.0
     weight: Weight | None = None
     bending_stiffness: float | None = None
@@ -81,6 +83,8 @@ class Rod:
                 raise InputError(f"rod {name} must be finite with shape {shape}, got {array.shape}")
             array.setflags(write=False)
             object.__setattr__(self, name, array)
+        if np.size(self.natural_curvature) not in (1, n) or not np.all(np.isfinite(self.natural_curvature)):
+            raise InputError(f"natural curvature must be one finite number, or one for each of the {n} nodes, 1/mm")
         if np.any(self.stiffness <= 0):
             at = float(self.s[int(np.argmin(self.stiffness))])
             raise InputError(f"rod stiffness is not positive at {at:.6g} mm: every cross-section needs some width")
