@@ -1,19 +1,35 @@
 """Files in and out: curve readers, drawings, reports."""
 
 from elastica_cad.formats.chains import FIT_TOLERANCE, JOIN_TOLERANCE
+from elastica_cad.formats.cutting import DRAWING_SUFFIXES, write_drawing
+from elastica_cad.formats.dxf import CURVES, DXF_VERSIONS, dxf_bytes, write_dxf
 from elastica_cad.formats.dxf_curves import read_dxf_curves
 from elastica_cad.formats.json_curves import curve_record, curves_json, read_json_curves
+from elastica_cad.formats.layers import LayerStyle, layer_styles
+from elastica_cad.formats.output import write_atomically
 from elastica_cad.formats.point_files import read_csv_curves, read_text_curves
+from elastica_cad.formats.svg import svg_bytes, write_svg
 from elastica_cad.formats.svg_curves import read_svg_curves
 
 __all__ = [
+    "CURVES",
+    "DRAWING_SUFFIXES",
+    "DXF_VERSIONS",
     "FIT_TOLERANCE",
     "JOIN_TOLERANCE",
+    "LayerStyle",
     "curve_record",
     "curves_json",
+    "dxf_bytes",
+    "layer_styles",
     "read_csv_curves",
     "read_dxf_curves",
     "read_json_curves",
     "read_svg_curves",
     "read_text_curves",
+    "svg_bytes",
+    "write_atomically",
+    "write_drawing",
+    "write_dxf",
+    "write_svg",
 ]

@@ -7,6 +7,8 @@ from elastica_cad.errors import InputError
 from elastica_cad.mechanics import Sheet, load_sheets, sheet_names
 from elastica_cad.mechanics.sheet import _KEYS
 
+pytestmark = pytest.mark.core
+
 PLY = {"thickness": 0.8, "youngs_modulus": 9250.0, "density": 680.0, "max_strain": 0.008}
 ENTRY = "thickness_mm = 0.8\nyoungs_modulus_MPa = 9250\ndensity_kg_m3 = 680\nmax_strain = 0.008\n"
 
