@@ -1,9 +1,12 @@
 """What is cut and printed: drawings, lettering, kerf, strips."""
 
+from elastica_cad.fabrication.boundary import Frame
+from elastica_cad.fabrication.colors import sheet_color
 from elastica_cad.fabrication.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, LAYERS, MARK, Drawing, LayeredPath
 from elastica_cad.fabrication.ends import Hole, Tab
 from elastica_cad.fabrication.kerf import with_kerf
 from elastica_cad.fabrication.lettering import Text, text_strokes, text_width
+from elastica_cad.fabrication.solids import BentSolid, FlatSolid
 from elastica_cad.fabrication.strip import Plain, Reactions, Strip
 
 __all__ = [
@@ -12,7 +15,10 @@ __all__ = [
     "ENGRAVE",
     "LAYERS",
     "MARK",
+    "BentSolid",
     "Drawing",
+    "FlatSolid",
+    "Frame",
     "Hole",
     "LayeredPath",
     "Plain",
@@ -20,6 +26,7 @@ __all__ = [
     "Strip",
     "Tab",
     "Text",
+    "sheet_color",
     "text_strokes",
     "text_width",
     "with_kerf",

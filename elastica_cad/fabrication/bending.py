@@ -1,0 +1,266 @@
+"""From the flat pattern into space: centre line and normal of a bent strip as one spline of arc length."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.fabrication.boundary import Frame, SpaceCurve, SpaceSurface
+from elastica_cad.fabrication.regions import on_segment
+from elastica_cad.geometry import Line, PlaneCurve, Segment, Spline
+from elastica_cad.mechanics import Rod
+
+__all__ = ["BentMap", "bent_maps"]
+
+DEGREE = 5
+POSITION_TOLERANCE = 1e-6  # mm, of the centre line
+SURFACE_TOLERANCE = 5e-8  # mm, of edges drawn on the bent faces
+MOST_SPANS = 4000
+
+Shape = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
+
+
+@dataclass(frozen=True, eq=False)
+class BentMap:
+    """The map (x, y, up) -> space of a stretch of the strip on which the curvature has no jump.
+
+    A flat point goes to C(x) - up N(x) + y Z: C the centre line, N its left normal, Z across. C and N share
+    one B-spline basis, so faces offset by half the thickness and the ruled sides between them are exact.
+
+    Attributes
+    ----------
+    knots, coefficients
+        Clamped, degree 5; (m, 4) rows hold C and N in the plane of the curve.
+    frame : Frame
+        The plane of the curve in space.
+    """
+
+    knots: FloatArray
+    coefficients: FloatArray
+    frame: Frame
+
+    def frame_at(self, x: float) -> Frame:
+        """The tangent plane at arc length x, with its own x running on as arc length."""
+        row = self._spline(np.array(x))
+        normal = row[2:] / np.hypot(*row[2:])
+        origin = self.frame.point(row[:2])
+        tangent = self.frame.direction([normal[1], -normal[0]])
+        return Frame(origin, tangent, self.frame.z_axis).shifted(x=-x)
+
+    def point(self, flat: FloatArray, up: float) -> FloatArray:
+        """Points in space (..., 3) of flat points (..., 2) at the height `up` above the middle, mm."""
+        row = self._spline(flat[..., 0])
+        plane = row[..., :2] - up * row[..., 2:]
+        return self.frame.point(np.concatenate([plane, flat[..., 1:2]], axis=-1))
+
+    def curves(
+        self, segment: Segment, first: float, last: float, heights: Sequence[float]
+    ) -> list[SpaceCurve]:
+        """What becomes of a flat segment, at several heights in one basis.
+
+        Exact where x runs evenly along the segment (long sides, lines); others are fitted to 5e-8 mm.
+        """
+        pace = _pace(segment)
+
+        def values(t: FloatArray) -> FloatArray:
+            flat = on_segment(segment, t)
+            return np.concatenate([self.point(flat, up) for up in heights], axis=-1)
+
+        if pace is None:
+            spans = np.linspace(first, last, 9)
+            knots, rows = _fitted(values, spans, {}, np.full(3 * len(heights), SURFACE_TOLERANCE))
+            degree = DEGREE
+        else:
+            knots, degree = self._common_knots(segment, pace, first, last)
+            rows = _interpolated(values, knots, degree)
+        return [SpaceCurve(knots, rows[:, 3 * k : 3 * k + 3], degree) for k in range(len(heights))]
+
+    def surface(self, low: float, high: float, up: float) -> SpaceSurface:
+        """The bent face at the height `up`, from y = `low` to `high`; (u, v) are the flat (x, y)."""
+        plane = self.coefficients[:, :2] - up * self.coefficients[:, 2:]
+        rows = [np.column_stack([plane, np.full(len(plane), y)]) for y in (low, high)]
+        points = self.frame.point(np.stack(rows, axis=1))
+        return SpaceSurface((self.knots, np.array([low, low, high, high])), points, (DEGREE, 1))
+
+    @property
+    def curvature(self) -> tuple[FloatArray, FloatArray]:
+        """Arc lengths and curvature of the centre line, nine to a span."""
+        edges = np.unique(self.knots)
+        s = np.linspace(edges[:-1], edges[1:], 9).ravel()
+        d1, d2 = (self._spline(s, k)[:, :2] for k in (1, 2))
+        return s, (d1[:, 0] * d2[:, 1] - d1[:, 1] * d2[:, 0]) / np.hypot(*d1.T) ** 3
+
+    def _spline(self, s: FloatArray, derivative: int = 0) -> FloatArray:
+        from scipy.interpolate import BSpline
+
+        return np.asarray(BSpline(self.knots, self.coefficients, DEGREE)(s, derivative), dtype=float)
+
+    def _common_knots(
+        self, segment: Segment, pace: tuple[float, float], first: float, last: float
+    ) -> tuple[FloatArray, int]:
+        """Knots in the segment's parameter in which both its shape and the map are splines."""
+        offset, speed = pace
+        knots, counts = np.unique(self.knots, return_counts=True)
+        smooth = [((k - offset) / speed, DEGREE - m) for k, m in zip(knots[1:-1], counts[1:-1], strict=True)]
+        degree = DEGREE
+        if isinstance(segment, Spline):
+            own = segment.curve
+            degree = max(degree, own.degree)
+            knots, counts = np.unique(own.knots, return_counts=True)
+            smooth += [(k, own.degree - m) for k, m in zip(knots, counts, strict=True)]
+        near = 1e-9 * (last - first)
+        inner: list[tuple[float, int]] = []
+        for t, continuity in sorted((float(t), int(c)) for t, c in smooth if first + near < t < last - near):
+            if inner and t - inner[-1][0] < near:
+                inner[-1] = inner[-1][0], min(inner[-1][1], continuity)
+            else:
+                inner.append((t, continuity))
+        rows = [np.full(min(degree - c, degree), t) for t, c in inner]
+        return np.concatenate([np.full(degree + 1, first), *rows, np.full(degree + 1, last)]), degree
+
+
+def bent_maps(rod: Rod, frame: Frame, thickness: float) -> tuple[BentMap, ...]:
+    """Maps of the stretches between jumps of curvature, from the start of the rod to its end.
+
+    Raises
+    ------
+    InputError
+        The radius is smaller than half the thickness somewhere.
+    NotConvergedError
+        The curve is too wild to be followed to 1e-6 mm.
+    """
+    shape, breaks = _shape_of(rod)
+    cuts = [0.0, *(s for s, continuity in breaks if continuity < 2), rod.length]
+    tolerance = np.array([POSITION_TOLERANCE] * 2 + [2 * SURFACE_TOLERANCE / thickness] * 2)
+
+    def values(s: FloatArray) -> FloatArray:
+        position, tangent = shape(s)
+        return np.column_stack([position, -tangent[:, 1], tangent[:, 0]])
+
+    maps = []
+    for a, b in pairwise(cuts):
+        inner = {s: min(c, DEGREE) for s, c in breaks if a < s < b}
+        spans = _first_spans(rod, np.array([a, *inner, b]))
+        knots, rows = _fitted(values, spans, {s: c - 1 for s, c in inner.items()}, tolerance)
+        maps.append(BentMap(knots, rows, frame))
+    _refuse_tight(maps, thickness)
+    return tuple(maps)
+
+
+def _refuse_tight(maps: Sequence[BentMap], thickness: float) -> None:
+    for bent in maps:
+        s, kappa = bent.curvature
+        i = int(np.argmax(np.abs(kappa)))
+        if abs(kappa[i]) * thickness / 2 >= 1:
+            raise InputError(
+                f"the radius at {s[i]:.4g} mm is {1 / abs(kappa[i]):.4g} mm, less than half the thickness of "
+                f"{thickness:g} mm: the inner face would fold over itself; use a thinner sheet or a gentler curve"
+            )
+
+
+def _shape_of(rod: Rod) -> tuple[Shape, list[tuple[float, int]]]:
+    """Position and unit tangent over the rod's arc length, and the breaks of the curve as (s, continuity)."""
+    if rod.shape is None:
+        from scipy.interpolate import make_interp_spline
+
+        through = make_interp_spline(rod.s, rod.position, k=min(DEGREE, rod.s.size - 1))
+
+        def nodes(s: FloatArray) -> tuple[FloatArray, FloatArray]:
+            d = through(s, 1)
+            return through(s), d / np.hypot(*d.T)[:, None]
+
+        return nodes, []
+    curve = rod.shape
+    scale = curve.length / rod.length
+
+    def drawn(s: FloatArray) -> tuple[FloatArray, FloatArray]:
+        samples = curve.at(np.clip(s * scale, 0.0, curve.length))
+        return samples.position, np.column_stack([np.cos(samples.angle), np.sin(samples.angle)])
+
+    breaks = [(b.s / scale, _smoothness(curve, b.t, b.continuity)) for b in curve.breaks]
+    return drawn, [(float(s), c) for s, c in breaks if 0 < s < rod.length]
+
+
+def _smoothness(curve: PlaneCurve, t: float, continuity: int) -> int:
+    """Continuity of the shape at a knot, which a curve's parameter may understate (an arc made of pieces)."""
+    if continuity >= 2:
+        return continuity
+    t0, t1 = curve.domain
+    sides = np.array([t - 1e-9 * (t1 - t0), t + 1e-9 * (t1 - t0)])
+    kappa, slope = curve.curvature_at(sides), curve.curvature_slope_at(sides)
+    reach = 1e-6 * curve.length
+    if abs(np.diff(kappa)[0]) > 1e-6 * max(np.abs(kappa).max(), 1 / curve.length):
+        return 1
+    return 2 if abs(np.diff(slope)[0]) * reach > 1e-9 * max(np.abs(kappa).max(), 1 / curve.length) else 3
+
+
+def _first_spans(rod: Rod, edges: FloatArray) -> FloatArray:
+    """Every stretch divided so that no span turns by much more than 0.3 rad."""
+    turned = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(rod.angle)))])
+    at = np.interp(edges, rod.s, turned)
+    rows = [
+        np.linspace(a, b, 1 + max(2, int(np.ceil((v - u) / 0.3))))[:-1]
+        for a, b, u, v in zip(edges[:-1], edges[1:], at[:-1], at[1:], strict=True)
+    ]
+    return np.concatenate([*rows, edges[-1:]])
+
+
+def _pace(segment: Segment) -> tuple[float, float] | None:
+    """(offset, speed) where x = offset + speed * parameter along the whole segment, else None."""
+    if isinstance(segment, Line):
+        return float(segment.start[0]), float((segment.end[0] - segment.start[0]) / segment.length)
+    if not isinstance(segment, Spline):
+        return None
+    curve = segment.curve
+    if curve.weights is not None and np.ptp(curve.weights) > 0:
+        return None
+    d = curve.degree
+    greville = np.lib.stride_tricks.sliding_window_view(curve.knots[1:-1], d).mean(axis=1)
+    x = curve.control_points[:, 0]
+    speed = (x[-1] - x[0]) / (greville[-1] - greville[0])
+    offset = x[0] - speed * greville[0]
+    even = np.abs(offset + speed * greville - x).max() <= 1e-10 * max(1.0, float(np.abs(x).max()))
+    return (float(offset), float(speed)) if even and speed != 0 else None
+
+
+def _fitted(
+    function: Callable[[FloatArray], FloatArray],
+    edges: FloatArray,
+    smooth: Mapping[float, int],
+    tolerance: FloatArray,
+) -> tuple[FloatArray, FloatArray]:
+    """Knots and coefficients of a degree-5 spline through `function`, spans halved to meet `tolerance`."""
+    from scipy.interpolate import BSpline
+
+    probes = np.array([0.06, 0.27, 0.5, 0.73, 0.94])
+    while True:
+        inner = [
+            np.full(int(np.clip(DEGREE - smooth.get(float(e), DEGREE - 1), 1, DEGREE)), e)
+            for e in edges[1:-1]
+        ]
+        knots = np.concatenate([np.full(DEGREE + 1, edges[0]), *inner, np.full(DEGREE + 1, edges[-1])])
+        rows = _interpolated(function, knots, DEGREE)
+        probe = (edges[:-1, None] + np.diff(edges)[:, None] * probes).ravel()
+        error = np.abs(BSpline(knots, rows, DEGREE)(probe) - function(probe)) / tolerance
+        bad = error.max(axis=1).reshape(-1, probes.size).max(axis=1) > 1
+        if not bad.any():
+            return knots, rows
+        if edges.size > MOST_SPANS:
+            at = float(edges[:-1][bad][0])
+            raise NotConvergedError(
+                f"the bent strip cannot follow its curve near {at:.6g} mm: the curve changes too fast there; "
+                "smooth it"
+            )
+        edges = np.sort(np.concatenate([edges, (edges[:-1] + np.diff(edges) / 2)[bad]]))
+
+
+def _interpolated(function: Callable[[FloatArray], FloatArray], knots: FloatArray, degree: int) -> FloatArray:
+    """Coefficients of the spline that agrees with `function` at its Greville abscissae, ends included."""
+    from scipy.interpolate import make_interp_spline
+
+    sites = np.lib.stride_tricks.sliding_window_view(knots[1:-1], degree).mean(axis=1)
+    sites[[0, -1]] = knots[[0, -1]]
+    return np.asarray(make_interp_spline(sites, function(sites), k=degree, t=knots).c, dtype=float)

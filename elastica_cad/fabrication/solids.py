@@ -1,0 +1,287 @@
+"""Solid records that a CAD kernel only translates: flat parts, and strips bent into their curves."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.bending import BentMap, bent_maps
+from elastica_cad.fabrication.boundary import (
+    Boundary,
+    CylinderSurface,
+    Edge,
+    EdgeUse,
+    ExtrudedSurface,
+    Face,
+    Frame,
+    PlacedSegment,
+    PlaneSurface,
+    SpaceCurve,
+    SpaceSurface,
+    StraightTrace,
+    Surface,
+)
+from elastica_cad.fabrication.regions import Piece, Region, cut_across
+from elastica_cad.fabrication.strip import Strip
+from elastica_cad.geometry import Arc, Line, Path
+
+__all__ = ["BentSolid", "FlatSolid"]
+
+Map: TypeAlias = Frame | BentMap  # a tab lies in its tangent plane, the free part is bent
+
+
+@dataclass(frozen=True, eq=False)
+class FlatSolid:
+    """A plate: closed outline with holes, drawn in a frame and extruded along its z axis.
+
+    Parameters
+    ----------
+    outline : Path
+        Closed, mm.
+    holes : tuple of Path
+        Closed, inside the outline.
+    thickness : float
+        mm, from z = 0 to z = thickness of the frame.
+    frame : Frame
+        Where the drawing's plane lies in space.
+
+    Raises
+    ------
+    InputError
+        An open loop or a thickness that is not positive.
+
+    Examples
+    --------
+    >>> plate = FlatSolid(Path.rectangle((0, 0), (30, 20)), (), 2.0)
+    >>> plate.volume
+    1200.0
+    """
+
+    outline: Path
+    holes: tuple[Path, ...] = ()
+    thickness: float = 1.0
+    frame: Frame = field(default_factory=Frame)
+
+    def __post_init__(self) -> None:
+        if not (np.isfinite(self.thickness) and self.thickness > 0):
+            raise InputError(f"plate thickness is {self.thickness}: it must be positive, in mm")
+        if not all(path.closed for path in (self.outline, *self.holes)):
+            raise InputError("a plate is made of closed loops: one of the paths given is open")
+
+    @classmethod
+    def of(cls, strip: Strip, frame: Frame | None = None) -> "FlatSolid":
+        """The strip as cut: x runs from the start of the free part, the sheet from z = 0 upward."""
+        return cls(strip.outline, strip.holes, strip.sheet.thickness, frame or Frame())
+
+    @property
+    def area(self) -> float:
+        """mm2."""
+        return abs(self.outline.area) - sum(abs(hole.area) for hole in self.holes)
+
+    @property
+    def volume(self) -> float:
+        """mm3."""
+        return self.area * self.thickness
+
+
+@dataclass(frozen=True, eq=False)
+class BentSolid:
+    """A strip bent into its rod's curve, with its thickness half to either side of the curve.
+
+    The flat pattern's x follows the curve, its y stands across (the frame's z), and its upper side turns to
+    the right of the curve. Tabs go on straight along the end tangents.
+
+    Attributes
+    ----------
+    boundary : Boundary
+        The closed skin: B-spline faces on the free part, planes and cylinders on the tabs.
+    middle : Boundary
+        The open sheet half way through the thickness; its area is the flat area.
+    frame : Frame
+        The plane in which the curve is drawn.
+    """
+
+    boundary: Boundary
+    middle: Boundary
+    thickness: float
+    frame: Frame
+
+    @classmethod
+    def of(cls, strip: Strip, frame: Frame | None = None) -> "BentSolid":
+        """Bend a strip, its curve drawn in `frame` (the xy plane unless told).
+
+        Raises
+        ------
+        InputError
+            A radius below half the thickness, or loops of the flat pattern that cross.
+        NotConvergedError
+            A curve too wild to be followed to 1e-6 mm.
+        """
+        frame = frame or Frame()
+        thickness, length = strip.sheet.thickness, strip.rod.length
+        bent = bent_maps(strip.rod, frame, thickness)
+        stations = [0.0, *(float(part.knots[-1]) for part in bent)]
+        stations[-1] = length
+        pattern = cut_across(strip.outline, strip.holes, stations)
+        maps: list[Map] = [bent[0].frame_at(0.0), *bent, bent[-1].frame_at(length)]
+        half = thickness / 2
+        skin = _Sheets(pattern.points, maps, (-half, half)).solid(pattern.regions)
+        middle = _Sheets(pattern.points, maps, (0.0,)).sheet(pattern.regions)
+        return cls(skin, middle, thickness, frame)
+
+
+@dataclass
+class _Sheets:
+    """Builds vertices, edges and faces of the flat pattern's regions at one or two heights."""
+
+    corners: FloatArray
+    maps: Sequence[Map]
+    heights: tuple[float, ...]
+    vertices: list[FloatArray] = field(default_factory=list)
+    edges: list[Edge] = field(default_factory=list)
+    faces: list[Face] = field(default_factory=list)
+    at_corner: dict[int, int] = field(default_factory=dict)
+    at_piece: dict[int, int] = field(default_factory=dict)
+    posts: dict[int, int] = field(default_factory=dict)
+
+    def sheet(self, regions: Sequence[Region]) -> Boundary:
+        """The face of every region at the first height."""
+        for region in regions:
+            self._add_edges(region)
+            self._add_face(region, 0)
+        return self._boundary()
+
+    def solid(self, regions: Sequence[Region]) -> Boundary:
+        """The closed skin between the two heights."""
+        for region in regions:
+            self._add_edges(region)
+            for level in (0, 1):
+                self._add_face(region, level)
+            for loop in region.loops:
+                for piece in loop:
+                    if not piece.seam:
+                        self._add_side(piece, self.maps[region.interval])
+        boundary = self._boundary()
+        if not boundary.is_closed:
+            raise InputError("the flat pattern's loops cross or touch: the bent strip has no closed skin")
+        return boundary
+
+    def _boundary(self) -> Boundary:
+        return Boundary(np.array(self.vertices), tuple(self.edges), tuple(self.faces))
+
+    def _add_edges(self, region: Region) -> None:
+        """Vertices and edges at every height, in the order of the heights."""
+        shape = self.maps[region.interval]
+        for piece in (piece for loop in region.loops for piece in loop):
+            if piece.start not in self.at_corner:
+                self.at_corner[piece.start] = len(self.vertices)
+                self.vertices += [_point(shape, self.corners[piece.start], up) for up in self.heights]
+        for piece in (piece for loop in region.loops for piece in loop):
+            if piece.number in self.at_piece:
+                continue
+            self.at_piece[piece.number] = len(self.edges)
+            start, end = (self.at_corner[i] for i in _ends(piece))
+            curves = _curves(shape, piece, self.heights)
+            self.edges += [
+                Edge(curve, piece.first, piece.last, start + level, end + level)
+                for level, curve in enumerate(curves)
+            ]
+
+    def _add_face(self, region: Region, level: int) -> None:
+        """The region's face at a height: seen from above it lies to the left of its loops."""
+        shape = self.maps[region.interval]
+        loops = tuple(tuple(self._use(piece, shape, level) for piece in loop) for loop in region.loops)
+        up = self.heights[level]
+        surface: Surface
+        if isinstance(shape, Frame):
+            surface = PlaneSurface(shape.shifted(z=up))
+        else:
+            boxes = np.array([p.segment.bounds for loop in region.loops for p in loop])[..., 1]
+            low, high = float(boxes.min()), float(boxes.max())
+            surface = shape.surface(low - 0.01 * (high - low), high + 0.01 * (high - low), up)
+        self.faces.append(Face(surface, loops, outward=level == len(self.heights) - 1))
+
+    def _use(self, piece: Piece, shape: Map, level: int) -> EdgeUse:
+        """The piece's edge at a height; on a bent face its trace is the flat segment itself."""
+        edge, segment = self.at_piece[piece.number] + level, piece.segment
+        if isinstance(shape, Frame):
+            return EdgeUse(edge, piece.forward)
+        if isinstance(segment, Line):
+            x, y = map(float, segment.start)
+            dx, dy = map(float, (segment.end - segment.start) / segment.length)
+            return EdgeUse(edge, piece.forward, StraightTrace((x, y), (dx, dy)))
+        return EdgeUse(edge, piece.forward, segment)
+
+    def _add_side(self, piece: Piece, shape: Map) -> None:
+        """The wall over one piece of a loop; u follows the piece's parameter, v goes up."""
+        low = self.at_piece[piece.number]
+        surface = self._wall(piece, shape, self.edges[low], self.edges[low + 1])
+        height = self.heights[1] - self.heights[0]
+        start, end = (self._post(i) for i in _ends(piece))
+        traces: list[StraightTrace | None] = [
+            StraightTrace((0.0, 0.0), (1.0, 0.0)),
+            StraightTrace((piece.last, 0.0), (0.0, 1.0)),
+            StraightTrace((0.0, height), (1.0, 0.0)),
+            StraightTrace((piece.first, 0.0), (0.0, 1.0)),
+        ]
+        if isinstance(surface, PlaneSurface):
+            traces = [None] * 4
+        uses = zip((low, end, low + 1, start), (True, True, False, False), traces, strict=True)
+        self.faces.append(Face(surface, (tuple(EdgeUse(*use) for use in uses),), outward=piece.forward))
+
+    def _wall(self, piece: Piece, shape: Map, low: Edge, high: Edge) -> Surface:
+        segment, up = piece.segment, self.heights[0]
+        straight = isinstance(segment, Line)
+        if isinstance(shape, BentMap) and not (straight and segment.start[0] == segment.end[0]):
+            if straight and segment.start[1] == segment.end[1]:
+                side = -1.0 if segment.end[0] > segment.start[0] else 1.0
+                frame = shape.frame.shifted(z=float(segment.start[1]))
+                return PlaneSurface(Frame(frame.origin, frame.x_axis, side * frame.y_axis))
+            if not (isinstance(low.curve, SpaceCurve) and isinstance(high.curve, SpaceCurve)):
+                raise TypeError("edges of a bent face are splines")
+            h = self.heights[1] - self.heights[0]
+            points = np.stack([low.curve.control_points, high.curve.control_points], axis=1)
+            return SpaceSurface((low.curve.knots, np.array([0.0, 0.0, h, h])), points, (low.curve.degree, 1))
+        if straight:
+            a, b = self.vertices[low.start], self.vertices[low.end]
+            return PlaneSurface(Frame(a, b - a, self.vertices[high.start] - a))
+        if isinstance(shape, BentMap):
+            raise TypeError("only lines across stay plane on a bent strip")
+        if isinstance(segment, Arc):
+            base = shape.shifted(float(segment.center[0]), float(segment.center[1]), up)
+            return CylinderSurface(base, segment.radius)
+        return ExtrudedSurface(PlacedSegment(segment, shape.shifted(z=up)))
+
+    def _post(self, corner: int) -> int:
+        """The straight edge through the thickness at a corner."""
+        if corner not in self.posts:
+            low = self.at_corner[corner]
+            rise = self.vertices[low + 1] - self.vertices[low]
+            height = float(np.linalg.norm(rise))
+            aside = np.cross(rise, np.eye(3)[int(np.argmin(np.abs(rise)))])
+            line = PlacedSegment(Line((0.0, 0.0), (height, 0.0)), Frame(self.vertices[low], rise, aside))
+            self.posts[corner] = len(self.edges)
+            self.edges.append(Edge(line, 0.0, height, low, low + 1))
+        return self.posts[corner]
+
+
+def _ends(piece: Piece) -> tuple[int, int]:
+    """Corners in the direction of the parameter."""
+    return (piece.start, piece.end) if piece.forward else (piece.end, piece.start)
+
+
+def _point(shape: Map, flat: FloatArray, up: float) -> FloatArray:
+    return shape.point((*flat, up)) if isinstance(shape, Frame) else shape.point(flat, up)
+
+
+def _curves(shape: Map, piece: Piece, heights: Sequence[float]) -> Sequence[SpaceCurve | PlacedSegment]:
+    """The piece's segment in space at every height."""
+    segment = piece.segment
+    if isinstance(shape, BentMap):
+        if not (isinstance(segment, Line) and segment.start[0] == segment.end[0]):
+            return shape.curves(segment, piece.first, piece.last, heights)
+        shape = shape.frame_at(float(segment.start[0]))
+    return [PlacedSegment(segment, shape.shifted(z=up)) for up in heights]

@@ -1,0 +1,476 @@
+"""OpenCASCADE: solid records become its shapes, its edges become plane curves, STEP is written and read.
+
+The only module that touches OCP, the Python face of OpenCASCADE that build123d and CadQuery bring along; it
+works with OCP's 7.x and 8.x lines.
+"""
+
+import re
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from importlib import import_module
+from io import BytesIO
+from itertools import count
+from os import PathLike
+from pathlib import Path as FilePath
+from types import SimpleNamespace
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError, MissingDependencyError
+from elastica_cad.fabrication.boundary import (
+    Boundary,
+    CylinderSurface,
+    ExtrudedSurface,
+    Frame,
+    PlacedSegment,
+    PlaneSurface,
+    SpaceCurve,
+    StraightTrace,
+    Surface,
+)
+from elastica_cad.fabrication.colors import sheet_color
+from elastica_cad.fabrication.solids import BentSolid, FlatSolid
+from elastica_cad.fabrication.strip import Strip
+from elastica_cad.formats.edges import Edge as DrawnEdge
+from elastica_cad.formats.opening import existing_file, naming
+from elastica_cad.formats.output import write_atomically
+from elastica_cad.formats.placed import placed_curve, placed_curves
+from elastica_cad.geometry import Arc, Line, Path, PlaneCurve, Segment, Spline
+
+__all__ = [
+    "Part",
+    "kernel",
+    "make_face",
+    "make_shell",
+    "make_solid",
+    "make_wire",
+    "plane_curve",
+    "read_step_curves",
+    "write_step",
+    "write_strip_step",
+]
+
+Shape: TypeAlias = Any
+"""A TopoDS_Shape, or an object of build123d or CadQuery that wraps one."""
+
+CONFUSION = 1e-7  # mm: OpenCASCADE's own tolerance of edges
+CORNER = 1e-6  # mm: gap that paths may have between segments
+OFFSET = 1e-6  # mm: offset curves are no NURBS and are followed this closely
+
+OCCURRENCE = re.compile(rb"NEXT_ASSEMBLY_USAGE_OCCURRENCE\('\d+'(.*?\);)", re.DOTALL)
+
+MODULES = (
+    "APIHeaderSection", "BRep", "BRepAdaptor", "BRepPrimAPI", "BRepTools", "GeomAbs", "GeomConvert", "Geom",
+    "Geom2d", "IFSelect", "Interface", "Message", "Quantity", "STEPCAFControl", "STEPControl",
+    "TCollection", "TDataStd", "TDocStd", "TopAbs", "TopExp", "TopLoc", "TopoDS", "XCAFDoc", "gp",
+)  # fmt: skip
+ARRAYS = {
+    "7": "TColgp.TColgp_Array1OfPnt TColgp.TColgp_Array1OfPnt2d TColgp.TColgp_Array2OfPnt "
+    "TColStd.TColStd_Array1OfReal TColStd.TColStd_Array1OfInteger",
+    "8": "collections.Array1_gp_Pnt collections.Array1_gp_Pnt2d collections.Array2_gp_Pnt "
+    "collections.Array1_double collections.Array1_int",
+}
+
+
+@lru_cache(maxsize=1)
+def kernel() -> SimpleNamespace:
+    """OCP's classes by their own names, and the array types of its two lines under one name each.
+
+    Raises
+    ------
+    MissingDependencyError
+        OCP is not installed, or of a line that is not known.
+    """
+    try:
+        import OCP
+    except ImportError as error:
+        raise MissingDependencyError(
+            "solids and STEP need OpenCASCADE: pip install build123d (or pip install cadquery)"
+        ) from error
+    version = str(getattr(OCP, "__version__", "?"))
+    arrays = ARRAYS.get(version.split(".", maxsplit=1)[0])
+    if arrays is None:
+        raise MissingDependencyError(
+            f"OCP {version} is installed, but only 7.x and 8.x are known here: "
+            "install a build123d or cadquery release that brings one of these"
+        )
+    names: dict[str, Any] = {}
+    for module in MODULES:
+        names |= {k: v for k, v in vars(import_module(f"OCP.{module}")).items() if not k.startswith("_")}
+    for name, place in zip(("Points", "Points2d", "Grid", "Reals", "Integers"), arrays.split(), strict=True):
+        module, own = place.split(".")
+        names[name] = getattr(import_module(f"OCP.{module}"), own)
+    names["as_edge"] = getattr(names["TopoDS"], "Edge_s", None) or names["TopoDS"].Edge
+    return SimpleNamespace(**names)
+
+
+def make_wire(path: Path, frame: Frame | None = None) -> Shape:
+    """A path as a TopoDS_Wire in the plane of `frame` (the xy plane unless told)."""
+    k, frame = kernel(), frame or Frame()
+    builder, wire = k.BRep_Builder(), k.TopoDS_Wire()
+    builder.MakeWire(wire)
+    corners = [_vertex(frame.point(segment.start)) for segment in path.segments]
+    corners.append(corners[0] if path.closed else _vertex(frame.point(path.end)))
+    for segment, start, end in zip(path.segments, corners[:-1], corners[1:], strict=True):
+        forward = not (isinstance(segment, Arc) and segment.sweep < 0)
+        drawn = segment if forward else segment.reversed()
+        ends = (start, end) if forward else (end, start)
+        edge = _edge(PlacedSegment(drawn, frame), *_range(drawn), *ends)
+        builder.Add(wire, edge if forward else edge.Reversed())
+    wire.Closed(path.closed)
+    return wire
+
+
+def make_face(outline: Path, holes: Sequence[Path] = (), frame: Frame | None = None) -> Shape:
+    """A plane TopoDS_Face with holes; its normal is the frame's z axis."""
+    k, frame = kernel(), frame or Frame()
+    builder, face = k.BRep_Builder(), k.TopoDS_Face()
+    builder.MakeFace(face, _surface(PlaneSurface(frame)), CONFUSION)
+    builder.Add(face, make_wire(outline if outline.area > 0 else outline.reversed(), frame))
+    for hole in holes:
+        builder.Add(face, make_wire(hole.reversed() if hole.area > 0 else hole, frame))
+    return face
+
+
+def make_solid(record: FlatSolid | BentSolid) -> Shape:
+    """A record as a TopoDS_Solid."""
+    k = kernel()
+    if isinstance(record, FlatSolid):
+        face = make_face(record.outline, record.holes, record.frame)
+        return k.BRepPrimAPI_MakePrism(face, k.gp_Vec(*(record.frame.z_axis * record.thickness))).Shape()
+    builder, solid = k.BRep_Builder(), k.TopoDS_Solid()
+    builder.MakeSolid(solid)
+    builder.Add(solid, make_shell(record.boundary))
+    return solid
+
+
+def make_shell(boundary: Boundary) -> Shape:
+    """Faces that share their edges as a TopoDS_Shell."""
+    k = kernel()
+    builder, shell = k.BRep_Builder(), k.TopoDS_Shell()
+    builder.MakeShell(shell)
+    vertices = [_vertex(p) for p in boundary.vertices]
+    edges = [_edge(e.curve, e.first, e.last, vertices[e.start], vertices[e.end]) for e in boundary.edges]
+    for record in boundary.faces:
+        face = k.TopoDS_Face()
+        builder.MakeFace(face, _surface(record.surface), CONFUSION)
+        for loop in record.loops:
+            wire = k.TopoDS_Wire()
+            builder.MakeWire(wire)
+            for use in loop:
+                if use.trace is not None:
+                    builder.UpdateEdge(edges[use.edge], _trace(use.trace), face, CONFUSION)
+                builder.Add(wire, edges[use.edge] if use.forward else edges[use.edge].Reversed())
+            wire.Closed(True)
+            builder.Add(face, wire)
+        builder.Add(shell, face if record.outward else face.Reversed())
+    shell.Closed(boundary.is_closed)
+    return shell
+
+
+def _vertex(point: FloatArray) -> Shape:
+    k = kernel()
+    vertex = k.TopoDS_Vertex()
+    k.BRep_Builder().MakeVertex(vertex, _pnt(point), CORNER)
+    return vertex
+
+
+def _edge(curve: SpaceCurve | PlacedSegment, first: float, last: float, start: Shape, end: Shape) -> Shape:
+    k = kernel()
+    builder, edge = k.BRep_Builder(), k.TopoDS_Edge()
+    builder.MakeEdge(edge, _curve(curve), CONFUSION)
+    builder.Add(edge, start.Oriented(k.TopAbs_Orientation.TopAbs_FORWARD))
+    builder.Add(edge, end.Oriented(k.TopAbs_Orientation.TopAbs_REVERSED))
+    builder.Range(edge, first, last)
+    return edge
+
+
+def _range(segment: Segment) -> tuple[float, float]:
+    """The segment's own parameters, as told in `PlacedSegment`."""
+    if isinstance(segment, Spline):
+        return segment.curve.domain
+    return (segment.start_angle, segment.end_angle) if isinstance(segment, Arc) else (0.0, segment.length)
+
+
+def _curve(curve: SpaceCurve | PlacedSegment) -> Any:
+    """A Geom_Curve with the record's parameter."""
+    k = kernel()
+    if isinstance(curve, SpaceCurve):
+        return k.Geom_BSplineCurve(
+            _array(k.Points, map(_pnt, curve.control_points)), *_knots(curve.knots), curve.degree
+        )
+    segment, frame = curve.segment, curve.frame
+    if isinstance(segment, Line):
+        return k.Geom_Line(
+            _pnt(frame.point(segment.start)), _dir(frame.direction(segment.end - segment.start))
+        )
+    if isinstance(segment, Arc):
+        axes = k.gp_Ax2(_pnt(frame.point(segment.center)), _dir(frame.z_axis), _dir(frame.x_axis))
+        return k.Geom_Circle(axes, segment.radius)
+    return _spline(
+        k.Geom_BSplineCurve, _array(k.Points, map(_pnt, frame.point(segment.curve.control_points))), segment
+    )
+
+
+def _spline(kind: Any, points: Any, segment: Spline) -> Any:
+    """A B-spline curve of OpenCASCADE, in the plane or in space."""
+    curve = segment.curve
+    if curve.weights is None:
+        return kind(points, *_knots(curve.knots), curve.degree)
+    weights = _array(kernel().Reals, map(float, curve.weights))
+    return kind(points, weights, *_knots(curve.knots), curve.degree)
+
+
+def _surface(surface: Surface) -> Any:
+    k = kernel()
+    if isinstance(surface, PlaneSurface):
+        return k.Geom_Plane(_ax3(surface.frame))
+    if isinstance(surface, CylinderSurface):
+        return k.Geom_CylindricalSurface(_ax3(surface.frame), surface.radius)
+    if isinstance(surface, ExtrudedSurface):
+        return k.Geom_SurfaceOfLinearExtrusion(_curve(surface.profile), _dir(surface.profile.frame.z_axis))
+    rows, columns, _ = surface.control_points.shape
+    grid = k.Grid(1, rows, 1, columns)
+    for i in range(rows):
+        for j in range(columns):
+            grid.SetValue(i + 1, j + 1, _pnt(surface.control_points[i, j]))
+    (u, u_count), (v, v_count) = map(_knots, surface.knots)
+    return k.Geom_BSplineSurface(grid, u, v, u_count, v_count, *surface.degree)
+
+
+def _trace(trace: StraightTrace | Segment) -> Any:
+    """A Geom2d_Curve in the (u, v) plane of a surface."""
+    k = kernel()
+    if isinstance(trace, StraightTrace):
+        return k.Geom2d_Line(k.gp_Pnt2d(*trace.origin), k.gp_Dir2d(*trace.direction))
+    if isinstance(trace, Line):
+        direction = k.gp_Dir2d(*map(float, trace.end - trace.start))
+        return k.Geom2d_Line(k.gp_Pnt2d(*map(float, trace.start)), direction)
+    if isinstance(trace, Arc):
+        axis = k.gp_Ax2d(k.gp_Pnt2d(*map(float, trace.center)), k.gp_Dir2d(1.0, 0.0))
+        return k.Geom2d_Circle(axis, trace.radius)
+    points = (k.gp_Pnt2d(*map(float, p)) for p in trace.curve.control_points)
+    return _spline(k.Geom2d_BSplineCurve, _array(k.Points2d, points), trace)
+
+
+def _array(kind: Any, values: Iterable[Any]) -> Any:
+    """An OpenCASCADE array, counted from 1."""
+    items = list(values)
+    array = kind(1, len(items))
+    for i, item in enumerate(items, start=1):
+        array.SetValue(i, item)
+    return array
+
+
+def _knots(knots: FloatArray) -> tuple[Any, Any]:
+    """Distinct knots and their multiplicities."""
+    k = kernel()
+    values, counts = np.unique(knots, return_counts=True)
+    return _array(k.Reals, map(float, values)), _array(k.Integers, map(int, counts))
+
+
+def _pnt(point: FloatArray) -> Any:
+    return kernel().gp_Pnt(*map(float, point))
+
+
+def _dir(direction: FloatArray) -> Any:
+    return kernel().gp_Dir(*map(float, direction))
+
+
+def _ax3(frame: Frame) -> Any:
+    return kernel().gp_Ax3(_pnt(frame.origin), _dir(frame.z_axis), _dir(frame.x_axis))
+
+
+def plane_curve(shape: Shape | Iterable[Shape]) -> tuple[PlaneCurve, Frame]:
+    """The drawn curve of an edge, a wire, or several edges that follow each other, and the plane it lies in.
+
+    NURBS, lines, circles, ellipses and other conics stay exact; offset curves, which are no NURBS, are
+    followed to 1e-6 mm. Direction and axes are as in `formats.placed.placed_curve`.
+
+    Raises
+    ------
+    InputError
+        Edges that are not plane, have no length, do not meet or meet at a corner, or a closed wire.
+    """
+    return placed_curve(_drawn_edges(shape))
+
+
+def _drawn_edges(shape: Shape | Iterable[Shape]) -> list[DrawnEdge]:
+    """All edges of a shape, a wrapper of one, or several of these, in order."""
+    k = kernel()
+    shape = getattr(shape, "wrapped", shape)
+    if not isinstance(shape, k.TopoDS_Shape):
+        if not isinstance(shape, Iterable):
+            raise InputError(f"a {type(shape).__name__} is no edge or wire of a CAD kernel")
+        return [edge for item in shape for edge in _drawn_edges(item)]
+    edges = []
+    explorer = k.TopExp_Explorer(shape, k.TopAbs_ShapeEnum.TopAbs_EDGE)
+    while explorer.More():
+        edges.append(_drawn_edge(k.as_edge(explorer.Current())))
+        explorer.Next()
+    return edges
+
+
+def _drawn_edge(edge: Shape) -> DrawnEdge:
+    """An edge as an exact NURBS in space."""
+    k = kernel()
+    curve = None if k.BRep_Tool.Degenerated_s(edge) else k.BRep_Tool.Curve_s(edge, 0.0, 1.0)
+    if curve is None:
+        raise InputError("an edge is degenerate: it has no curve in space; choose another edge")
+    limits = k.BRepAdaptor_Curve(edge)
+    first, last = limits.FirstParameter(), limits.LastParameter()
+    if not (abs(first) < 1e100 and abs(last) < 1e100):
+        raise InputError("an edge runs on to infinity: trim it")
+    basis = curve
+    while isinstance(basis, k.Geom_TrimmedCurve):
+        basis = basis.BasisCurve()
+    trimmed = k.Geom_TrimmedCurve(curve, first, last)
+    if isinstance(basis, k.Geom_OffsetCurve):
+        followed = k.GeomConvert_ApproxCurve(trimmed, OFFSET, k.GeomAbs_Shape.GeomAbs_C2, 1000, 9)
+        if not followed.HasResult() or followed.MaxError() > 10 * OFFSET:
+            raise InputError("an offset edge is too rough to be followed: draw the curve itself")
+        spline = followed.Curve()
+    else:
+        spline = k.GeomConvert.CurveToBSplineCurve_s(trimmed)
+    if spline.IsPeriodic():
+        spline.SetNotPeriodic()
+    places = range(1, spline.NbPoles() + 1)
+    points = np.array([(p.X(), p.Y(), p.Z()) for p in map(spline.Pole, places)])
+    weights = np.array([spline.Weight(i) for i in places]) if spline.IsRational() else None
+    knots = [np.full(spline.Multiplicity(i), spline.Knot(i)) for i in range(1, spline.NbKnots() + 1)]
+    drawn = DrawnEdge(np.concatenate(knots), points, spline.Degree(), weights)
+    return drawn.reversed() if edge.Orientation() == k.TopAbs_Orientation.TopAbs_REVERSED else drawn
+
+
+@dataclass(frozen=True, eq=False)
+class Part:
+    """A shape, and the name and colour (red, green, blue in 0..1, as on a screen) it has in an assembly."""
+
+    name: str
+    shape: Shape
+    color: tuple[float, float, float] = (0.8, 0.65, 0.42)
+
+
+def write_step(
+    parts: Sequence[Part], path: str | PathLike[str], *, name: str | None = None, force: bool = False
+) -> None:
+    """Write parts to a STEP file: AP214, millimetres, names, colours, the same bytes for the same parts.
+
+    Several parts make one assembly, called `name` (the file's own unless told).
+
+    Raises
+    ------
+    InputError
+        No parts, a file that is there already (without `force`), or a folder that cannot be written to.
+    """
+    if not parts:
+        raise InputError("there is nothing to write: give one part or more")
+    write_atomically(path, step_bytes(parts, name=name or FilePath(path).stem), force=force)
+
+
+def step_bytes(parts: Sequence[Part], *, name: str) -> bytes:
+    """The STEP file of the parts; several of them make one assembly called `name`."""
+    k = kernel()
+    document = k.TDocStd_Document(k.TCollection_ExtendedString("XmlOcaf"))
+    shapes = k.XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
+    colors = k.XCAFDoc_DocumentTool.ColorTool_s(document.Main())
+    k.XCAFDoc_DocumentTool.SetLengthUnit_s(document, 0.001)
+    labels = []
+    for part in parts:
+        label = shapes.AddShape(getattr(part.shape, "wrapped", part.shape), False)
+        color = k.Quantity_Color(*part.color, k.Quantity_TypeOfColor.Quantity_TOC_sRGB)
+        colors.SetColor(label, color, k.XCAFDoc_ColorType.XCAFDoc_ColorGen)
+        labels.append((label, part.name))
+    if len(parts) > 1:
+        root = shapes.NewShape()
+        labels += [(shapes.AddComponent(root, label, k.TopLoc_Location()), text) for label, text in labels]
+        labels.append((root, name))
+        shapes.UpdateAssemblies()
+    for label, text in labels:
+        k.TDataStd_Name.Set_s(label, k.TCollection_ExtendedString(text, True))
+    for printer in k.Message.DefaultMessenger_s().Printers():
+        printer.SetTraceLevel(k.Message_Gravity.Message_Fail)
+    writer = k.STEPCAFControl_Writer()
+    writer.SetColorMode(True)
+    writer.SetNameMode(True)
+    k.Interface_Static.SetCVal_s("write.step.schema", "AP214IS")
+    k.Interface_Static.SetCVal_s("write.step.unit", "MM")
+    stream = BytesIO()
+    done = writer.Transfer(document, k.STEPControl_StepModelType.STEPControl_AsIs)
+    header = k.APIHeaderSection_MakeHeader(writer.Writer().Model())
+    header.SetName(k.TCollection_HAsciiString(name))
+    header.SetTimeStamp(k.TCollection_HAsciiString("2000-01-01T00:00:00"))
+    header.SetOriginatingSystem(k.TCollection_HAsciiString("elastica_cad"))
+    if not done or writer.WriteStream(stream) != k.IFSelect_ReturnStatus.IFSelect_RetDone:
+        raise InputError("OpenCASCADE could not write these parts as STEP: check that they are valid solids")
+    return OCCURRENCE.sub(_numbered(), stream.getvalue())
+
+
+def _numbered() -> Callable[[re.Match[bytes]], bytes]:
+    """Counts occurrences from 1 in each file: OpenCASCADE counts on through the life of the process."""
+    numbers = count(1)
+    return lambda found: (
+        b"NEXT_ASSEMBLY_USAGE_OCCURRENCE('%d'%s"
+        % (
+            next(numbers),
+            re.sub(rb"\n\s*", b"", found[1]),
+        )
+    )
+
+
+def write_strip_step(strip: Strip, path: str | PathLike[str], *, force: bool = False) -> None:
+    """Write a strip as cut and as bent to one STEP file; the bent one stands on the curve in the xy plane."""
+    name = strip.label or "strip"
+    color = sheet_color(strip.sheet)
+    flat, bent = make_solid(FlatSolid.of(strip)), make_solid(BentSolid.of(strip))
+    write_step(
+        [Part(f"{name} flat", flat, color), Part(f"{name} bent", bent, color)], path, name=name, force=force
+    )
+
+
+def read_step_curves(path: str | PathLike[str]) -> list[PlaneCurve]:
+    """The plane curves drawn in a STEP (or BREP) file; edges that belong to faces are not curves of strips.
+
+    Raises
+    ------
+    InputError
+        No such file, no STEP file, no free edges in it, or edges that no strip can follow.
+    """
+    path = existing_file(FilePath(path))
+    with naming(path):
+        edges = [_drawn_edge(edge) for edge in _free_edges(_read_shape(path))]
+        if not edges:
+            raise InputError(
+                "the file holds no free edges or wires: export the curves themselves, not solids or faces"
+            )
+        return [curve for curve, _ in placed_curves(edges)]
+
+
+def _read_shape(path: FilePath) -> Shape:
+    k = kernel()
+    if path.suffix.lower() in (".brep", ".brp"):
+        shape = k.TopoDS_Shape()
+        if not k.BRepTools.Read_s(shape, str(path), k.BRep_Builder()):
+            raise InputError("this is no BREP file that OpenCASCADE can read")
+        return shape
+    for printer in k.Message.DefaultMessenger_s().Printers():
+        printer.SetTraceLevel(k.Message_Gravity.Message_Fail)
+    reader = k.STEPControl_Reader()
+    if reader.ReadFile(str(path)) != k.IFSelect_ReturnStatus.IFSelect_RetDone or not reader.TransferRoots():
+        raise InputError("this is no STEP file that OpenCASCADE can read")
+    return reader.OneShape()
+
+
+def _free_edges(shape: Shape) -> list[Shape]:
+    """Edges that bound no face."""
+    k = kernel()
+    kinds = k.TopAbs_ShapeEnum
+    explorer = k.TopExp_Explorer(shape, kinds.TopAbs_EDGE, kinds.TopAbs_FACE)
+    edges = []
+    while explorer.More():
+        edges.append(k.as_edge(explorer.Current()))
+        explorer.Next()
+    return edges
