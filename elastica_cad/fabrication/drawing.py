@@ -68,7 +68,7 @@ class Drawing:
 
     @cached_property
     def strokes(self) -> tuple[LayeredPath, ...]:
-        """Everything as paths in working order, texts as strokes, inner cuts before outer ones, nothing twice."""
+        """Everything as paths in working order: texts as strokes, inner cuts before outer, nothing twice."""
         written = [LayeredPath(text.layer, stroke) for text in self.texts for stroke in text_strokes(text)]
         everything = [*written, *self.paths]
         return _without_twins([item for layer in LAYERS for item in everything if item.layer == layer])
@@ -127,7 +127,7 @@ def _check_layer(layer: str) -> None:
 
 
 def _without_twins(items: list[LayeredPath]) -> tuple[LayeredPath, ...]:
-    """The paths in order, without those that run where an earlier one of their layer (or an earlier cut) runs."""
+    """The paths in order, without those that run where an earlier one of their layer, or a cut, runs."""
     if not items:
         return ()
     left = np.array([item.path.bounds[0, 0] for item in items])

@@ -14,8 +14,8 @@ __all__ = ["with_kerf"]
 def with_kerf(drawing: Drawing, kerf: float, *, tolerance: float = 1e-4) -> Drawing:
     """The drawing as the tool must run so that the parts come out as drawn.
 
-    Closed loops on CUT_OUTER move outward by kerf / 2, those on CUT_INNER inward; a negative kerf moves them the
-    other way. Open cuts, engraving and marks stay.
+    Closed loops on CUT_OUTER move outward by kerf / 2, those on CUT_INNER inward; a negative kerf moves them
+    the other way. Open cuts, engraving and marks stay.
 
     Parameters
     ----------
@@ -81,6 +81,6 @@ def _refuse_overlaps(loops: list[Path], kerf: float, tolerance: float) -> None:
             crossing = polylines_cross(outline(int(i)), outline(int(j)))
             if crossing is not None:
                 raise InputError(
-                    f"with a kerf of {kerf:g} mm two cut loops meet at {place(crossing)}: move them apart there "
-                    "or use a smaller kerf"
+                    f"with a kerf of {kerf:g} mm two cut loops meet at {place(crossing)}: move them apart "
+                    "there or use a smaller kerf"
                 )

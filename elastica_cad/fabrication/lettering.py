@@ -16,8 +16,8 @@ _GAP = 1.6
 _QUARTER, _EIGHTH = float(np.tan(np.pi / 8)), float(np.tan(np.pi / 16))
 _BULGES = {"q": _QUARTER, "Q": -_QUARTER, "h": 1.0, "H": -1.0, "e": _EIGHTH, "E": -_EIGHTH}
 
-# On a grid of capitals 6 high (small letters 4, descenders -2): width, then strokes of points x,y. A letter after a point
-# curves the way to the next one: q quarter, h half, e eighth of a turn to the left; capital letters to the right.
+# Capitals are 6 high, small letters 4, descenders -2: width, then strokes of points x,y. A letter after a
+# point bends the way to the next: q a quarter, h half, e an eighth of a turn left; Q, H, E to the right.
 _GLYPHS = {
     " ": (2.6, ""),
     "A": (4.0, "0,0 2,6 4,0; 0.8,2.4 3.2,2.4"),
@@ -182,7 +182,7 @@ def text_strokes(text: Text) -> tuple[Path, ...]:
     scale = text.height / CAP_HEIGHT
     c, s = scale * np.cos(text.angle), scale * np.sin(text.angle)
     x, y = text.position
-    placed = []
+    placed: list[Path] = []
     advance = 0.0
     for character in text.text:
         frame = np.array([[c, -s, x + c * advance], [s, c, y + s * advance], [0.0, 0.0, 1.0]])

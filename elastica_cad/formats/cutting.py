@@ -1,0 +1,75 @@
+"""Cutting files: a drawing, with kerf on request, in the format that the file name asks for."""
+
+import os
+from collections.abc import Mapping
+from pathlib import Path
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawing import Drawing
+from elastica_cad.fabrication.kerf import with_kerf
+from elastica_cad.formats.dxf import write_dxf
+from elastica_cad.formats.layers import LayerChoice
+from elastica_cad.formats.output import checked_target
+from elastica_cad.formats.svg import write_svg
+
+__all__ = ["DRAWING_SUFFIXES", "write_drawing"]
+
+DRAWING_SUFFIXES = (".dxf", ".svg")
+
+_KERF_TOLERANCE = 1e-4
+
+
+def write_drawing(
+    drawing: Drawing,
+    path: str | os.PathLike[str],
+    *,
+    kerf: float = 0.0,
+    curves: str = "spline",
+    tolerance: float = 0.02,
+    version: str = "R2010",
+    layers: Mapping[str, LayerChoice] | None = None,
+    force: bool = False,
+) -> Path:
+    """Write a drawing for a laser cutter as .dxf or .svg.
+
+    Parameters
+    ----------
+    drawing : Drawing
+    path : path-like
+        Its suffix is the format.
+    kerf : float
+        Width of the cut, mm: closed outer loops grow by half of it, inner ones shrink. Cutting services often
+        do this themselves, so the default is 0; it may be negative.
+    curves : str
+        "spline", "arc" or "polyline".
+    tolerance : float
+        Largest distance, mm, of a replaced curve from the true one.
+    version : str
+        DXF version, R12 to R2018.
+    layers : mapping, optional
+        From a layer to a name, or to a name and a colour "#rrggbb".
+    force : bool
+        Overwrite a file of that name.
+
+    Returns
+    -------
+    pathlib.Path
+        The file written.
+
+    Raises
+    ------
+    InputError
+        An unknown suffix or option, an empty drawing, a kerf too wide for a loop, a file that can't be made.
+    MissingDependencyError
+        DXF without ezdxf.
+    """
+    suffix = Path(path).suffix.lower()
+    checked_target(path, force=force)
+    if suffix not in DRAWING_SUFFIXES:
+        raise InputError(f"{path} can't be written as a drawing: end its name with .dxf or .svg")
+    cut = with_kerf(drawing, kerf, tolerance=min(tolerance, _KERF_TOLERANCE))
+    if suffix == ".svg":
+        return write_svg(cut, path, curves=curves, tolerance=tolerance, layers=layers, force=force)
+    return write_dxf(
+        cut, path, curves=curves, tolerance=tolerance, version=version, layers=layers, force=force
+    )
