@@ -2,6 +2,7 @@
 
 from elastica_cad.fabrication.boundary import Frame
 from elastica_cad.fabrication.colors import sheet_color
+from elastica_cad.fabrication.coupon import coupon_drawing, coupon_overhang
 from elastica_cad.fabrication.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, LAYERS, MARK, Drawing, LayeredPath
 from elastica_cad.fabrication.ends import Hole, Tab
 from elastica_cad.fabrication.kerf import with_kerf
@@ -26,6 +27,8 @@ __all__ = [
     "Strip",
     "Tab",
     "Text",
+    "coupon_drawing",
+    "coupon_overhang",
     "sheet_color",
     "text_strokes",
     "text_width",
