@@ -11,7 +11,7 @@ from elastica_cad.cli.options import curve_options, pick_curve, support_options,
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication import Strip, Tab
 from elastica_cad.files import save
-from elastica_cad.formats import refuse_existing, strip_report, write_atomically
+from elastica_cad.formats import files_together, strip_report
 from elastica_cad.mechanics import Rod, Sheet, optimal_rod
 
 __all__ = ["strip"]
@@ -87,8 +87,9 @@ def strip(
     made = Strip(
         rod, sheet, max_width=max_width, min_width=min_width, ends=ends, label=name if label is None else label
     )
-    options = {"kerf": kerf_mm, "curves": curves, "tolerance": tolerance}
-    written = _write_files(made, name, output, force=force, version=dxf_version, **options)
+    written = _write_files(
+        made, name, output, force=force, version=dxf_version, kerf=kerf_mm, curves=curves, tolerance=tolerance
+    )
     _tell(made, rod, written)
     if strict and made.max_strain > sheet.max_strain:
         ctx.exit(1)
@@ -107,27 +108,26 @@ def _kerf(text: str, sheet: Sheet) -> float:
 def _write_files(
     made: Strip, name: str, folder: Path, *, force: bool, version: str, kerf: float, curves: str, tolerance: float
 ) -> list[Path]:
-    """Write every file that the installed libraries allow; all are refused before the first is written."""
+    """Write every file that the installed libraries allow: all of them, or after any error none."""
     kinds = ["dxf", "svg", "json"]
     kinds += ["png"] if find_spec("matplotlib") else []
     kinds += ["step"] if find_spec("OCP") else []
-    paths = {kind: folder / f"{name}.{kind}" for kind in kinds}
-    refuse_existing(paths.values(), force=force)
+    names = {kind: f"{name}.{kind}" for kind in kinds}
     drawing = replace(made.drawing(), name=name)
-    drawn = {"kerf": kerf, "curves": curves, "tolerance": tolerance, "force": force}
-    save(drawing, paths["dxf"], version=version, **drawn)
-    save(drawing, paths["svg"], **drawn)
-    if "png" in paths:
-        from elastica_cad.plot import save_figure, strip_sheet
+    with files_together(folder, names.values(), force=force) as workshop:
+        save(drawing, workshop / names["dxf"], version=version, kerf=kerf, curves=curves, tolerance=tolerance)
+        save(drawing, workshop / names["svg"], kerf=kerf, curves=curves, tolerance=tolerance)
+        if "png" in names:
+            from elastica_cad.plot import save_figure, strip_sheet
 
-        save_figure(strip_sheet(made), paths["png"], force=force)
-    if "step" in paths:
-        from elastica_cad.occt import write_strip_step
+            save_figure(strip_sheet(made), workshop / names["png"])
+        if "step" in names:
+            from elastica_cad.occt import write_strip_step
 
-        write_strip_step(made, paths["step"], force=force)
-    report = strip_report(made, name=name, files={kind: path.name for kind, path in paths.items()})
-    write_atomically(paths["json"], (json.dumps(report, indent=1) + "\n").encode(), force=force)
-    return [paths[kind] for kind in kinds]
+            write_strip_step(made, workshop / names["step"])
+        report = strip_report(made, name=name, files=names)
+        (workshop / names["json"]).write_text(json.dumps(report, indent=1) + "\n", encoding="utf-8")
+    return [folder / file for file in names.values()]
 
 
 def _tell(made: Strip, rod: Rod, written: list[Path]) -> None:

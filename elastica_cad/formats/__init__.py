@@ -6,10 +6,11 @@ from elastica_cad.formats.dxf import CURVES, DXF_VERSIONS, dxf_bytes, write_dxf
 from elastica_cad.formats.dxf_curves import read_dxf_curves
 from elastica_cad.formats.json_curves import curve_record, curves_json, read_json_curves
 from elastica_cad.formats.layers import LayerStyle, layer_styles
-from elastica_cad.formats.output import write_atomically
+from elastica_cad.formats.output import checked_target, write_atomically
 from elastica_cad.formats.point_files import read_csv_curves, read_text_curves
 from elastica_cad.formats.svg import svg_bytes, write_svg
 from elastica_cad.formats.svg_curves import read_svg_curves
+from elastica_cad.formats.together import files_together
 
 __all__ = [
     "CURVES",
@@ -18,9 +19,11 @@ __all__ = [
     "FIT_TOLERANCE",
     "JOIN_TOLERANCE",
     "LayerStyle",
+    "checked_target",
     "curve_record",
     "curves_json",
     "dxf_bytes",
+    "files_together",
     "layer_styles",
     "read_csv_curves",
     "read_dxf_curves",

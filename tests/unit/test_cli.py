@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import elastica_cad as ec
-from elastica_cad.formats import write_json_curve
+from elastica_cad.formats import curves_json
 
 
 def elastica(*arguments, cwd=None):
@@ -21,7 +21,7 @@ def elastica(*arguments, cwd=None):
 @pytest.fixture
 def drawn(tmp_path):
     path = tmp_path / "bow.json"
-    write_json_curve(ec.PlaneCurve.ellipse((0, 0), (200.0, 100.0), 0.0, 0.2, 2.9), path)
+    path.write_text(curves_json([ec.PlaneCurve.ellipse((0, 0), (200.0, 100.0), 0.0, 0.2, 2.9)]))
     return path
 
 
@@ -73,7 +73,7 @@ def test_not_realizable_is_exit_code_1_with_advice_and_no_files(impossible, tmp_
 
 def test_strain_warns_and_strict_makes_it_an_exit_code(tmp_path):
     path = tmp_path / "tight.json"
-    write_json_curve(ec.PlaneCurve.arc((0, 0), 20.0, 0.0, 2.0), path)
+    path.write_text(curves_json([ec.PlaneCurve.arc((0, 0), 20.0, 0.0, 2.0)]))
     arguments = ("strip", path, "--sheet", "birch-plywood-0.8", "--max-width", 20, "-o", tmp_path, "--label", "T")
     loose = elastica(*arguments, "--force")
     assert loose.returncode == 0
