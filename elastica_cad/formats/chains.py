@@ -138,7 +138,8 @@ def curve_from_run(
     """
     if all(edge.degree == 1 for edge in run):
         return curve_from_points(np.concatenate([edge.points for edge in run]), tolerance=fit_tolerance)
-    exact = [_exact(edge, fit_tolerance) for edge in run if edge.size > 0]
+    dust = 1e-9 * sum(edge.size for edge in run)
+    exact = [_exact(edge, fit_tolerance) for edge in run if edge.size > dust]
     whole = exact[0] if len(exact) == 1 else _joined(exact, tolerance)
     return PlaneCurve(whole.knots, whole.points, whole.degree, whole.weights)
 

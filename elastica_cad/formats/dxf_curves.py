@@ -1,7 +1,9 @@
 """Curves drawn in a DXF file, exact where the file is exact."""
 
+import logging
 from collections import Counter
 from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -85,6 +87,7 @@ def read_dxf_curves(
 def _opened(path: Path) -> "Drawing":
     try:
         from ezdxf import recover
+        from ezdxf.audit import AuditError
         from ezdxf.filemanagement import readfile
         from ezdxf.lldxf.const import DXFError
     except ImportError as error:
@@ -96,11 +99,27 @@ def _opened(path: Path) -> "Drawing":
     except (DXFError, OSError, ValueError, LookupError):
         pass
     try:
-        return recover.readfile(str(path))[0]
+        with _quiet("ezdxf"):
+            document, audit = recover.readfile(str(path))
     except (DXFError, OSError, ValueError, LookupError, TypeError, AttributeError) as error:
         raise InputError(
             "is not a DXF file that can be read: export it anew, as DXF R2000 or later"
         ) from error
+    guessed = [entry for entry in audit.errors if entry.code == AuditError.INVALID_FLOATING_POINT_VALUE]
+    if guessed:
+        raise InputError(f"is damaged ({guessed[0].message}): export it anew")
+    return document
+
+
+@contextmanager
+def _quiet(name: str) -> Iterator[None]:
+    """Keep a library's log off the user's screen unless somebody listens to it."""
+    logger, silence = logging.getLogger(name), logging.NullHandler()
+    logger.addHandler(silence)
+    try:
+        yield
+    finally:
+        logger.removeHandler(silence)
 
 
 def _scale(document: "Drawing") -> float:

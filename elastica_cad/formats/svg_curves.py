@@ -123,7 +123,7 @@ def _runs(path: Path, root: ElementTree.Element) -> Iterator[Run]:
         if isinstance(error, InputError):
             raise
         raise InputError(
-            f"has path data or attributes that cannot be read ({error}): export it anew"
+            "has path data or attributes that break off or make no sense: export it anew"
         ) from error
 
 
@@ -178,9 +178,15 @@ def _edge(kind: str, segment: Any) -> Edge | None:
         return _arc(segment)
     if not np.any(points != points[0]):
         return None
-    if len(points) == 4 and not np.any(points[1] != points[0]) and not np.any(points[2] != points[3]):
-        points = points[[0, 3]]  # both handles drawn in: a straight line
-    return Edge.polyline(points) if len(points) == 2 else Edge.bezier(points)
+    return Edge.polyline(points[[0, -1]]) if _is_straight(points) else Edge.bezier(points)
+
+
+def _is_straight(points: FloatArray) -> bool:
+    """Do the control points follow each other on the chord? Drawn-in handles often make straight lines."""
+    chord = points[-1] - points[0]
+    along = (points - points[0]) @ chord
+    across = (points - points[0]) @ np.array([-chord[1], chord[0]])
+    return bool(np.abs(across).max() <= 1e-12 * along[-1] and np.all(np.diff(along) >= 0))
 
 
 def _points(*points: Any) -> FloatArray:

@@ -340,6 +340,15 @@ def test_other_files_are_no_dxf_files(tmp_path, data):
         read_dxf_curves(path)
 
 
+def test_damaged_number_is_not_guessed(drawing, tmp_path, capfd):
+    drawing(lambda space, _: space.add_line((0, 0), (123.75, 4)))
+    path = tmp_path / "drawn.dxf"
+    path.write_bytes(path.read_bytes().replace(b"123.75", b"12x.75"))
+    with pytest.raises(InputError, match=r"drawn\.dxf: is damaged .*12x\.75.* near line \d+"):
+        read_dxf_curves(path)
+    assert capfd.readouterr() == ("", "")
+
+
 def test_nan_in_a_file_is_refused(drawing):
     def draw(space, _):
         space.add_lwpolyline([(0, 0), (10, float("nan")), (20, 0)])

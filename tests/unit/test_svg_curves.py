@@ -156,6 +156,17 @@ def test_what_is_not_shown_is_left_out(svg):
     assert curve.evaluate(np.array(curve.domain)) == pytest.approx(np.array([(10, 0), (15, -5)]))
 
 
+def test_handles_drawn_in_make_straight_lines(svg):
+    (curve,) = svg(path("M 0 0 Q 20 0 20 0 C 20 0 35 0 40 0") + path("M 0 50 C 0 50 90 50 90 50"))[:1]
+    assert curve.is_straight
+    assert curve.length == pytest.approx(40.0)
+
+
+def test_cusp_is_told_with_its_place(svg):
+    with pytest.raises(InputError, match=r"drawn\.svg: the curve has no tangent at \(0, 0\) mm"):
+        svg(path("M 0 0 C 0 0 30 40 60 0"))
+
+
 def test_degenerate_segments_are_passed_over(svg):
     (curve,) = svg(path("M 0 0 L 0 0 C 0 0 0 0 0 0 A 0 5 0 0 1 10 0 C 10 0 20 0 20 0 Z M 3 3 Z", fill="none"))
     assert curve.length == pytest.approx(40.0)
