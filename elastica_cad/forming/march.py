@@ -1,0 +1,284 @@
+"""The strip as the variable: the rod that unknown stiffness and start make, and how it moves with them.
+
+Everything here is in lengths of the wish: no millimetres.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.mechanics.discrete import edge_forces, edge_positions, node_weights, tangents
+from elastica_cad.mechanics.march import march
+
+__all__ = ["MarchedRod", "Sensitivities", "StripGrid", "Unknowns"]
+
+
+@dataclass(frozen=True)
+class Unknowns:
+    """Where each unknown stands in z: coefficients of K, M_0, lambda_0, gamma_0, alpha_0, length."""
+
+    coefficients: int
+
+    @property
+    def count(self) -> int:
+        """Number of unknowns p."""
+        return self.coefficients + 7
+
+    @property
+    def stiffness(self) -> slice:
+        """Coefficients of K."""
+        return slice(0, self.coefficients)
+
+    @property
+    def moment(self) -> int:
+        """M_0."""
+        return self.coefficients
+
+    @property
+    def force(self) -> slice:
+        """lambda at the very start, before the weight of the first node."""
+        return slice(self.coefficients + 1, self.coefficients + 3)
+
+    @property
+    def position(self) -> slice:
+        """gamma_0."""
+        return slice(self.coefficients + 3, self.coefficients + 5)
+
+    @property
+    def angle(self) -> int:
+        """alpha_0."""
+        return self.coefficients + 5
+
+    @property
+    def length(self) -> int:
+        """Length of the rod."""
+        return self.coefficients + 6
+
+
+@dataclass(frozen=True, eq=False)
+class MarchedRod:
+    """A discrete rod in balance (or, while it is being closed, nearly so).
+
+    Attributes
+    ----------
+    z : (p,) array
+        The unknowns.
+    stiffness, moments : (n+1,) arrays
+    angles : (n+2,) array
+        Start, edges, end.
+    force : (n+2, 2) array
+        lambda before the first node, of the edges, and behind the last node.
+    tangents : (n, 2) array
+    position : (n+1, 2) array
+    length : float
+    """
+
+    z: FloatArray
+    stiffness: FloatArray
+    angles: FloatArray
+    moments: FloatArray
+    force: FloatArray
+    tangents: FloatArray
+    position: FloatArray
+    length: float
+
+    @property
+    def edge_angles(self) -> FloatArray:
+        """Angles of the edges (n,)."""
+        return self.angles[1:-1]
+
+    @property
+    def edge_force(self) -> FloatArray:
+        """lambda of the edges (n, 2)."""
+        return self.force[1:-1]
+
+    @property
+    def edge_length(self) -> float:
+        """Length of an edge."""
+        return self.length / self.tangents.shape[0]
+
+    @property
+    def across(self) -> FloatArray:
+        """<b, T> of the edges (n,): the slope of the moment."""
+        f, T = self.edge_force, self.tangents
+        return np.asarray(f[:, 1] * T[:, 0] - f[:, 0] * T[:, 1])
+
+    @property
+    def along(self) -> FloatArray:
+        """<lambda, T> of the edges (n,): minus the axial force."""
+        f, T = self.edge_force, self.tangents
+        return np.asarray(f[:, 0] * T[:, 0] + f[:, 1] * T[:, 1])
+
+
+@dataclass(frozen=True, eq=False)
+class Sensitivities:
+    """Derivatives of a marched rod in its p unknowns; a last column more, where asked, closes its defects.
+
+    Attributes
+    ----------
+    angles : (n+2, p) array
+    moments : (n+1, p) array
+    position : (n+1, 2, p) array
+    """
+
+    grid: "StripGrid"
+    rod: MarchedRod
+    angles: FloatArray
+    moments: FloatArray
+    position: FloatArray
+
+    def along_forces(self, weights: FloatArray) -> FloatArray:
+        """Gradient (p,) of sum(weights * edge forces), weights (n, 2)."""
+        grid, z = self.grid, self.rod.z
+        u, out = grid.unknowns, np.zeros(self.angles.shape[1])
+        out[u.force] = weights.sum(axis=0)
+        if grid.heavy:
+            pull = weights @ grid.e
+            out[u.stiffness] = -self.rod.length * (pull @ grid.running[:-1])
+            out[u.length] = -float(pull @ (grid.running[:-1] @ z[u.stiffness]))
+        return out
+
+
+@dataclass(frozen=True, eq=False)
+class StripGrid:
+    """n edges, and a basis for K on the nodes.
+
+    Parameters
+    ----------
+    basis : (n+1, m) array
+        Values of the basis functions of K at the nodes; they sum to 1.
+    e : (2,) array
+        Weight vector of Eq. 5 (it points up), times the unit of length cubed.
+    natural_curvature : float or (n+1,) array
+        Times the unit of length.
+    """
+
+    basis: FloatArray
+    e: FloatArray
+    natural_curvature: float | FloatArray = 0.0
+
+    @property
+    def edges(self) -> int:
+        """Number of edges n."""
+        return self.basis.shape[0] - 1
+
+    @cached_property
+    def unknowns(self) -> Unknowns:
+        """Layout of z."""
+        return Unknowns(self.basis.shape[1])
+
+    @cached_property
+    def shares(self) -> FloatArray:
+        """Voronoi lengths of the nodes for a rod of length 1 (n+1,)."""
+        return node_weights(1 / self.edges, self.edges)
+
+    @cached_property
+    def running(self) -> FloatArray:
+        """Integral of every basis function up to and with each node, for a rod of length 1 (n+1, m)."""
+        return np.asarray(np.cumsum(self.shares[:, None] * self.basis, axis=0))
+
+    @property
+    def heavy(self) -> bool:
+        """Is there weight?"""
+        return bool(np.any(self.e))
+
+    def rod(self, z: FloatArray) -> MarchedRod:
+        """The rod in balance."""
+        K, force, length = self._given(z)
+        u = self.unknowns
+        angles, moments = march(
+            K, length * self.shares, force[1:-1], length / self.edges,
+            moment=z[u.moment], angle=z[u.angle], natural_curvature=self.natural_curvature,
+        )  # fmt: skip
+        return self._assembled(z, K, angles, moments, force, length)
+
+    def guessed(self, z: FloatArray, angles: FloatArray, moments: FloatArray) -> MarchedRod:
+        """A rod with angles (n+2,) and moments (n+1,) that need not be in balance."""
+        K, force, length = self._given(z)
+        return self._assembled(z, K, angles, moments, force, length)
+
+    def sensitivities(self, rod: MarchedRod, *, closing: bool = False) -> Sensitivities:
+        """Derivatives of angles, moments and positions in z.
+
+        The linearised march couples each angle and moment to the two before it: one banded triangular solve
+        for all columns. With `closing`, a last column p tells what brings the rod into balance to first order.
+        """
+        from scipy.linalg.lapack import dtbtrs
+
+        n, u = self.edges, self.unknowns
+        K, M, T, length = rod.stiffness, rod.moments, rod.tangents, rod.length
+        edge, w = length / n, length * self.shares
+        columns = u.count + closing
+
+        # unknowns alpha_1, M_1, alpha_2, M_2, ..., alpha_{n+1}; right-hand sides are what drives them
+        right = np.zeros((2 * n + 1, columns), order="F")
+        drive_angle, drive_moment = right[0::2], right[1::2]
+        np.multiply((-w * M / K**2)[:, None], self.basis, out=drive_angle[:, u.stiffness])
+        drive_angle[:, u.length] = self.shares * (M / K + self.natural_curvature)
+        drive_angle[0, u.moment] += w[0] / K[0]
+        drive_angle[0, u.angle] += 1
+        first, second = u.force.start, u.force.start + 1
+        drive_moment[:, first], drive_moment[:, second] = -edge * T[:, 1], edge * T[:, 0]
+        drive_moment[:, u.length] = rod.across / n
+        drive_moment[0, u.moment] += 1
+        if self.heavy:
+            lift = self.e[1] * T[:, 0] - self.e[0] * T[:, 1]
+            np.multiply((-edge * length * lift)[:, None], self.running[:-1], out=drive_moment[:, u.stiffness])
+            drive_moment[:, u.length] -= edge * lift * (self.running[:-1] @ rod.z[u.stiffness])
+        if closing:
+            late = rod.z[u.moment] - M[0]
+            drive_angle[:, -1] = rod.angles[:-1] + w * (M / K + self.natural_curvature) - rod.angles[1:]
+            drive_moment[:, -1] = M[:-1] + edge * rod.across - M[1:]
+            drive_angle[0, -1] += w[0] / K[0] * late + rod.z[u.angle] - rod.angles[0]
+            drive_moment[0, -1] += late
+        band = np.empty((3, 2 * n + 1))
+        band[0] = 1
+        band[1, 0:-1:2] = edge * rod.along  # -dM_i / dalpha_i
+        band[1, 1::2] = -(w / K)[1:]
+        band[1, -1] = 0
+        band[2] = -1
+        solved, _ = dtbtrs(band, right, uplo="L", diag="U", overwrite_b=1)
+
+        angles = np.zeros((n + 2, columns))
+        angles[0, u.angle] = 1
+        angles[1:] = solved[0::2]
+        moments = np.zeros((n + 1, columns))
+        moments[0, u.moment] = 1
+        moments[1:] = solved[1::2]
+        if closing:
+            angles[0, -1], moments[0, -1] = rod.z[u.angle] - rod.angles[0], late
+        position = np.zeros((n + 1, 2, columns))
+        step = position[1:]
+        np.multiply((-edge * T[:, 1])[:, None], angles[1:-1], out=step[:, 0])
+        np.multiply((edge * T[:, 0])[:, None], angles[1:-1], out=step[:, 1])
+        step[:, :, u.length] += T / n
+        np.cumsum(step, axis=0, out=step)
+        position[:, 0, u.position.start] += 1
+        position[:, 1, u.position.start + 1] += 1
+        return Sensitivities(self, rod, angles, moments, position)
+
+    def _given(self, z: FloatArray) -> tuple[FloatArray, FloatArray, float]:
+        """K at the nodes, forces (n+2, 2), length."""
+        u = self.unknowns
+        length = float(z[u.length])
+        K = self.basis @ z[u.stiffness]
+        load = (-length * self.shares * K)[:, None] * self.e
+        force = np.empty((self.edges + 2, 2))
+        force[0] = z[u.force]
+        force[1:-1] = edge_forces(z[u.force] + load[0], load)
+        force[-1] = force[-2] + load[-1]
+        return K, force, length
+
+    def _assembled(
+        self,
+        z: FloatArray,
+        K: FloatArray,
+        angles: FloatArray,
+        moments: FloatArray,
+        force: FloatArray,
+        length: float,
+    ) -> MarchedRod:
+        position = edge_positions(z[self.unknowns.position], angles[1:-1], length / self.edges)
+        return MarchedRod(z, K, angles, moments, force, tangents(angles[1:-1]), position, length)
