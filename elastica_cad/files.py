@@ -1,10 +1,12 @@
 """Reading curves from files and saving drawings to them, the format taken from the file name."""
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from elastica_cad.errors import InputError, MissingDependencyError
+from elastica_cad.fabrication import Drawing
 from elastica_cad.formats import (
     FIT_TOLERANCE,
     JOIN_TOLERANCE,
@@ -13,11 +15,12 @@ from elastica_cad.formats import (
     read_json_curves,
     read_svg_curves,
     read_text_curves,
+    write_drawing,
 )
 from elastica_cad.formats.opening import existing_file, millimetres, naming
 from elastica_cad.geometry import PlaneCurve
 
-__all__ = ["CURVE_SUFFIXES", "read_curves"]
+__all__ = ["CURVE_SUFFIXES", "read_curves", "save"]
 
 CURVE_SUFFIXES = (".dxf", ".svg", ".csv", ".txt", ".json", ".step", ".stp", ".brep")
 
@@ -102,3 +105,16 @@ def _kernel_curves(path: Path, unit: str | None) -> list[PlaneCurve]:
             raise InputError("holds no plane curve: export the edges that the strips are to follow")
         to_mm = np.diag([millimetres(unit or "mm")] * 2 + [1.0])
         return curves if unit is None else [curve.transformed(to_mm) for curve in curves]
+
+
+def save(drawing: Drawing, path: str | Path, **options: Any) -> Path:
+    """Write a drawing for cutting; the suffix of `path`, .dxf or .svg, is the format.
+
+    The options are those of `formats.write_drawing`: kerf, curves, tolerance, version, layers, force.
+
+    Raises
+    ------
+    InputError
+        As `formats.write_drawing`; no file is half written, none overwritten without `force=True`.
+    """
+    return write_drawing(drawing, path, **options)

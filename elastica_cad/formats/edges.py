@@ -111,11 +111,15 @@ class Edge:
     @cached_property
     def start(self) -> FloatArray:
         """First point (d,)."""
+        if self.knots[0] == self.knots[self.degree]:
+            return np.asarray(self.points[0], dtype=float)
         return np.asarray(self.at(self.spans.edges[0])[0], dtype=float)
 
     @cached_property
     def end(self) -> FloatArray:
         """Last point (d,)."""
+        if self.knots[-1] == self.knots[-self.degree - 1]:
+            return np.asarray(self.points[-1], dtype=float)
         return np.asarray(self.at(self.spans.edges[-1])[0], dtype=float)
 
     @cached_property

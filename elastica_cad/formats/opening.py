@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, NotConvergedError
 
 __all__ = ["MILLIMETRES", "existing_file", "millimetres", "naming"]
 
@@ -60,6 +60,6 @@ def naming(path: Path) -> Iterator[None]:
     """Put the file's name before any complaint about what it holds."""
     try:
         yield
-    except InputError as error:
+    except (InputError, NotConvergedError) as error:
         message = str(error)
-        raise InputError(message if str(path) in message else f"{path}: {message}") from error
+        raise type(error)(message if str(path) in message else f"{path}: {message}") from error

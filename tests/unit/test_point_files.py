@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.formats import read_csv_curves, read_text_curves
 
 pytestmark = pytest.mark.core
@@ -81,6 +81,11 @@ def test_bad_points_get_one_sentence_with_file_and_row(csv, text, words):
     with pytest.raises(InputError, match=rf"points\.csv: .*{words}") as caught:
         csv(text)
     assert "\n" not in str(caught.value)
+
+
+def test_points_that_no_smooth_curve_follows(csv):
+    with pytest.raises(NotConvergedError, match=r"points\.csv: .*larger tolerance"):
+        csv(rows(), fit_tolerance=1e-14)
 
 
 @pytest.fixture

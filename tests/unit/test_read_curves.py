@@ -4,9 +4,11 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError, MissingDependencyError
-from elastica_cad.files import CURVE_SUFFIXES, read_curves
+from elastica_cad.fabrication import Drawing, LayeredPath
+from elastica_cad.files import CURVE_SUFFIXES, read_curves, save
 from elastica_cad.formats import curves_json
-from elastica_cad.geometry import PlaneCurve
+from elastica_cad.geometry import Path as GeometryPath
+from elastica_cad.geometry import PlaneCurve, Spline
 
 pytestmark = pytest.mark.core
 
@@ -70,3 +72,20 @@ def test_file_without_permission(tmp_path, monkeypatch):
     monkeypatch.setattr(Path, "open", refuse)
     with pytest.raises(InputError, match=r"a\.csv cannot be read: Permission denied"):
         read_curves(tmp_path / "a.csv")
+
+
+@pytest.mark.parametrize("suffix", [".dxf", ".svg"])
+def test_what_is_saved_is_read_back(tmp_path, suffix):
+    pytest.importorskip("svgelements")
+    pytest.importorskip("ezdxf")
+    curve = PlaneCurve.spline([(20, 30), (50, 90), (80, -10), (110, 40), (150, 35)], degree=3)
+    mark = LayeredPath("MARK", GeometryPath((Spline(curve),), closed=False))
+    written = save(Drawing("part", (mark,), ()), tmp_path / f"part{suffix}")
+    (back,) = read_curves(written)
+    assert back.length == pytest.approx(curve.length, rel=1e-5)
+    gap = back.sample(40).position - curve.sample(40).position
+    if suffix == ".svg":  # a page has its own origin, in its upper left corner
+        gap = gap - gap[0]
+    assert np.abs(gap).max() < 1e-3
+    with pytest.raises(InputError, match="exists already"):
+        save(Drawing("part", (mark,), ()), written)
