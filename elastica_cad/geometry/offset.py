@@ -113,7 +113,7 @@ def _moved(segment: Segment, left: float, tolerance: float) -> Segment | None:
 def _moved_spline(spline: Spline, left: float, tolerance: float) -> Spline:
     curve = spline.curve
     stretches = smooth_stretches(curve, 2)
-    probes = np.concatenate([np.linspace(a, b, 18)[1:-1] for s in stretches for a, b in pairwise(s)])
+    probes = np.concatenate([np.linspace(a, b, 18) for s in stretches for a, b in pairwise(s)])
     kappa = np.asarray(curve.curvature_at(probes), dtype=float)
     sharpest = int(np.argmax(left * kappa))
     if left * kappa[sharpest] >= 1 - 1e-6:

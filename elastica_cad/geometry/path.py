@@ -84,6 +84,8 @@ class Path:
     @classmethod
     def rectangle(cls, width: float, height: float, *, corner: ArrayLike = (0.0, 0.0)) -> "Path":
         """A closed rectangle, anticlockwise from its lower left `corner`, mm."""
+        if not (np.isfinite(width) and np.isfinite(height) and width > 0 and height > 0):
+            raise InputError(f"a rectangle of {width:g} by {height:g} mm: both sides must be positive")
         x, y = np.asarray(corner, dtype=float)
         return cls.polygon([(x, y), (x + width, y), (x + width, y + height), (x, y + height)])
 

@@ -10,7 +10,17 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curve import PlaneCurve
 
-__all__ = ["Arc", "Line", "Segment", "Spline", "is_similarity", "left_of", "moved_points", "place"]
+__all__ = [
+    "Arc",
+    "Line",
+    "Segment",
+    "Spline",
+    "checked_affine",
+    "is_similarity",
+    "left_of",
+    "moved_points",
+    "place",
+]
 
 
 @dataclass(frozen=True, eq=False)
@@ -194,7 +204,7 @@ class Arc:
         InputError
             The matrix would make an ellipse of it; `Path.transformed` then takes a spline.
         """
-        m = np.asarray(matrix, dtype=float)
+        m = checked_affine(matrix)
         if not is_similarity(m):
             raise InputError("an arc stays an arc only when moved, turned, mirrored or scaled evenly")
         scale = np.hypot(m[0, 0], m[1, 0]) / m[2, 2]
@@ -297,19 +307,27 @@ Segment: TypeAlias = Line | Arc | Spline
 
 def moved_points(matrix: ArrayLike, points: ArrayLike) -> FloatArray:
     """Points (..., 2) moved by a 3x3 affine matrix."""
-    m = np.asarray(matrix, dtype=float)
-    if m.shape != (3, 3) or not np.all(np.isfinite(m)) or m[2, 2] == 0 or np.any(m[2, :2] != 0):
-        raise InputError("a path is moved by a finite 3x3 matrix with the last row 0, 0, 1")
+    m = checked_affine(matrix)
     moved = (np.asarray(points, dtype=float) @ m[:2, :2].T + m[:2, 2]) / m[2, 2]
     return np.asarray(moved, dtype=float)
 
 
+def checked_affine(matrix: ArrayLike) -> FloatArray:
+    """The matrix, refused unless it is affine and invertible."""
+    m = np.asarray(matrix, dtype=float)
+    if m.shape != (3, 3) or not np.all(np.isfinite(m)) or m[2, 2] == 0 or np.any(m[2, :2] != 0):
+        raise InputError("a path is moved by a finite 3x3 matrix with the last row 0, 0, 1")
+    if abs(np.linalg.det(m[:2, :2])) <= 1e-14 * np.abs(m[:2, :2]).max() ** 2:
+        raise InputError("a path can't be flattened to a line: use an invertible matrix")
+    return m
+
+
 def is_similarity(matrix: ArrayLike) -> bool:
     """True where a 3x3 affine matrix keeps circles circles."""
-    a = np.asarray(matrix, dtype=float)[:2, :2]
+    a = checked_affine(matrix)[:2, :2]
     size = float(np.abs(a).max())
     same = np.allclose(a[:, 1], left_of(a[:, 0]), rtol=0, atol=1e-12 * size)
-    return bool(size > 0 and (same or np.allclose(a[:, 1], -left_of(a[:, 0]), rtol=0, atol=1e-12 * size)))
+    return bool(same or np.allclose(a[:, 1], -left_of(a[:, 0]), rtol=0, atol=1e-12 * size))
 
 
 def left_of(v: FloatArray) -> FloatArray:
