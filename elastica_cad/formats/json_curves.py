@@ -9,9 +9,10 @@ import numpy as np
 
 from elastica_cad.errors import InputError
 from elastica_cad.formats.opening import existing_file, millimetres, naming
+from elastica_cad.formats.output import write_atomically
 from elastica_cad.geometry import PlaneCurve
 
-__all__ = ["CURVES_SCHEMA", "curve_record", "curves_json", "read_json_curves"]
+__all__ = ["CURVES_SCHEMA", "curve_record", "curves_json", "read_json_curves", "write_json_curves"]
 
 CURVES_SCHEMA = "elastica-curves/1"
 
@@ -30,6 +31,11 @@ def curves_json(curves: Sequence[PlaneCurve]) -> str:
     """The text of a JSON file that holds the curves; `read_json_curves` returns them bit by bit."""
     data = {"schema": CURVES_SCHEMA, "units": "mm", "curves": [curve_record(curve) for curve in curves]}
     return json.dumps(data, indent=1) + "\n"
+
+
+def write_json_curves(curves: Sequence[PlaneCurve], path: str | Path, *, force: bool = False) -> Path:
+    """Write the curves as JSON, whole or not at all; an existing file is replaced with `force` only."""
+    return write_atomically(path, curves_json(curves).encode(), force)
 
 
 def read_json_curves(path: str | Path, *, unit: str | None = None) -> list[PlaneCurve]:

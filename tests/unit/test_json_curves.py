@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.formats import curve_record, curves_json, read_json_curves
+from elastica_cad.formats import curve_record, curves_json, read_json_curves, write_json_curves
 from elastica_cad.geometry import PlaneCurve
 
 pytestmark = pytest.mark.core
@@ -34,6 +34,16 @@ def test_round_trip_is_bit_by_bit_and_reproducible(read):
         assert back.degree == curve.degree
         assert (back.weights is None) == (curve.weights is None)
         assert curve.weights is None or np.array_equal(back.weights, curve.weights)
+
+
+def test_written_file_is_whole_and_not_overwritten(tmp_path):
+    path = write_json_curves(CURVES, tmp_path / "a.json")
+    assert [c.length for c in read_json_curves(path)] == [c.length for c in CURVES]
+    with pytest.raises(InputError, match="exists already"):
+        write_json_curves(CURVES[:1], path)
+    write_json_curves(CURVES[:1], path, force=True)
+    assert len(read_json_curves(path)) == 1
+    assert [p.name for p in tmp_path.iterdir()] == ["a.json"]
 
 
 def test_report_of_a_strip_holds_its_curve(read):
