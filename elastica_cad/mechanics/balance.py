@@ -18,6 +18,7 @@ from elastica_cad.mechanics.discrete import (
     second_variation,
     tangents,
 )
+from elastica_cad.mechanics.material_laws import MaterialLaw
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.supports import Supports
 
@@ -64,6 +65,8 @@ class Balance:
         Dead force, along each coordinate at the end that leaves it free, 1/mm2.
     moments : (2,) array
         Counterclockwise moments applied at the start and at the end where the angle is free, 1/mm.
+    law : MaterialLaw, optional
+        M = K m(kappa - kappa_0) instead of K (kappa - kappa_0).
     """
 
     stiffness: FloatArray
@@ -76,6 +79,7 @@ class Balance:
     end_angles: FloatArray
     force: FloatArray
     moments: FloatArray
+    law: MaterialLaw | None = None
 
     @property
     def edges(self) -> int:
@@ -131,6 +135,26 @@ class Balance:
 
     def node_moments(self, state: State) -> FloatArray:
         """M of the nodes (n+1,), 1/mm."""
+        hooke = self._hooke_moments(state)
+        if self.law is None:
+            return hooke
+        moments = self.stiffness * self.law.effective_curvature(hooke / self.stiffness)
+        for node, held in zip((0, -1), self.ends, strict=True):
+            if held is None:
+                moments[node] = hooke[node]
+        return moments
+
+    def elastic_curvature(self, state: State) -> FloatArray:
+        """kappa - kappa_0 of the nodes (n+1,), 1/mm; at an end free to turn what its moment asks for."""
+        change = self._hooke_moments(state) / self.stiffness
+        if self.law is not None:
+            for node, held in zip((0, -1), self.ends, strict=True):
+                if held is None:
+                    change[node] = self.law.curvature(change[node])
+        return change
+
+    def _hooke_moments(self, state: State) -> FloatArray:
+        """K (kappa - kappa_0) of the nodes (n+1,), 1/mm, and the given moments at ends free to turn."""
         return bending_moments(
             self.stiffness, state.angles, self.weights, ends=self.ends,
             natural_curvature=self.natural_curvature, end_moments=(-self.moments[0], self.moments[1]),
@@ -143,10 +167,20 @@ class Balance:
         reach = self.edge_length * tangents(state.angles).sum(axis=0)
         return imbalance, np.array([reach[i] for i in self.held]) - self.chord
 
+    def tangent_stiffness(self, state: State) -> FloatArray:
+        """dM/dkappa of the nodes (n+1,): K unless a law says otherwise."""
+        if self.law is None:
+            return self.stiffness
+        return self.stiffness * self.law.slope(self._hooke_moments(state) / self.stiffness)
+
     def second_variation(self, state: State) -> tuple[FloatArray, FloatArray]:
         """Tridiagonal Hessian of the energy: diagonal and off-diagonal, 1/mm."""
         return second_variation(
-            self.stiffness, state.angles, self.edge_force(state), self.edge_length, self.supports
+            self.tangent_stiffness(state),
+            state.angles,
+            self.edge_force(state),
+            self.edge_length,
+            self.supports,
         )
 
     def constraint_rows(self, state: State) -> FloatArray:
@@ -161,8 +195,9 @@ class Balance:
 
     def energy(self, state: State) -> float:
         """Elastic and potential energy over the least bending stiffness, 1/mm; the reactions are left out."""
-        moments = self.node_moments(state)
-        spring = moments**2 * self.weights / (2 * self.stiffness)
+        change = self._hooke_moments(state) / self.stiffness
+        stored = change**2 / 2 if self.law is None else self.law.energy(change)
+        spring = self.stiffness * stored * self.weights
         work = 0.0
         for node, held, moment in zip((0, -1), self.ends, self.moments, strict=True):
             if held is None:
@@ -201,7 +236,8 @@ class Balance:
         force[-1] = edge[-1] + self.load[-1]
         angle = np.empty(self.edges + 1)
         angle[1:-1] = (state.angles[:-1] + state.angles[1:]) / 2
-        bend = self.weights * (moments / self.stiffness + self.natural_curvature)
+        curvature = self.elastic_curvature(state) + self.natural_curvature
+        bend = self.weights * curvature
         angle[0] = state.angles[0] - bend[0]
         angle[-1] = state.angles[-1] + bend[-1]
         for node, held in zip((0, -1), self.ends, strict=True):
@@ -214,7 +250,7 @@ class Balance:
         return replace(
             like,
             s=np.linspace(0.0, self.length, self.edges + 1), position=position, angle=angle,
-            curvature=moments / self.stiffness + self.natural_curvature, stiffness=self.stiffness,
+            curvature=curvature, stiffness=self.stiffness,
             moment=moments, force=force, supports=self.supports, residual=self.imbalance(state),
             natural_curvature=self.natural_curvature, shape=None, check=None, moved=0.0,
             warnings=(),

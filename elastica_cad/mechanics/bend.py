@@ -21,7 +21,7 @@ from elastica_cad.mechanics.gravity import Gravity
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.supports import Supports
 
-__all__ = ["as_steps", "balance_of", "bend", "bend_path", "resampled", "state_of"]
+__all__ = ["as_steps", "balance_of", "bend", "bend_path", "reach", "resampled", "state_of"]
 
 Keep = Literal["keep"]
 
@@ -114,7 +114,7 @@ def bend(
     )
     balance = balance_of(wanted, rod, start, end, angles, force=force, moment=moment)
     state = state_of(rod, balance) if guess is None else _guessed(guess, balance)
-    reached = _reach(balance, state, side, mode)
+    reached = reach(balance, state, side, mode)
     if reached.arrived and is_balanced(balance, reached.state):
         return balance.rod(reached.state, wanted)
     snapped = relax(balance, reached.state)
@@ -213,7 +213,7 @@ def balance_of(
         natural_curvature=rod.natural_curvature, supports=rod.supports,
         start=_pair(start, present.position[0], "start"), end=_pair(end, present.position[-1], "end"),
         end_angles=_end_angles(angles, rod.supports, present), force=_end_force(force, rod.supports,
-        present), moments=_end_moments(moment, rod.supports, present),
+        present), moments=_end_moments(moment, rod.supports, present), law=rod.law,
     )  # fmt: skip
     apart = float(np.linalg.norm(balance.chord))
     if apart > balance.length * (1 + 1e-12):
@@ -252,7 +252,7 @@ def resampled(rod: Rod, samples: int) -> Rod:
     )  # fmt: skip
 
 
-def _reach(balance: Balance, state: State, side: int | None, mode: int) -> Reached:
+def reach(balance: Balance, state: State, side: int | None, mode: int) -> Reached:
     """Follow from `state` to the wanted equilibrium; leave a straight state where it must or is told to."""
     if must_shorten(balance, state):
         if float(np.linalg.norm(balance.chord)) > balance.length * (1 - 1e-12):

@@ -12,6 +12,8 @@ from elastica_cad.mechanics.sheet import Sheet
 
 __all__ = ["ElasticPlasticLaw", "MaterialLaw", "PlasticLaw", "PolynomialLaw", "TabulatedLaw"]
 
+_ROUNDING = 1e-12
+
 
 class MaterialLaw(ABC):
     """A moment-curvature law of the unit width, divided by its stiffness at rest.
@@ -20,6 +22,16 @@ class MaterialLaw(ABC):
     wherever Hooke's law has M = K (kappa - kappa_0): M = K m(kappa - kappa_0). Theorem 1 and the linear
     program hold unchanged as long as m is injective in the range of curvatures that occurs.
     """
+
+    @property
+    @abstractmethod
+    def injective_limit(self) -> float:
+        """Curvature up to which each moment belongs to one curvature, 1/mm; inf where that is all of them."""
+
+    @property
+    def kinks(self) -> tuple[float, ...]:
+        """Curvatures (positive, 1/mm) where m is not smooth."""
+        return ()
 
     @abstractmethod
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
@@ -30,6 +42,9 @@ class MaterialLaw(ABC):
         """dm/dkappa (n,); 1 at rest."""
 
     @abstractmethod
+    def energy(self, curvature: ArrayLike) -> FloatArray:
+        """Integral of m from rest (n,), 1/mm2: the elastic energy per length over K."""
+
     def require_injective(self, largest_curvature: float) -> None:
         """Make sure that each moment up to `largest_curvature` (1/mm) belongs to one curvature.
 
@@ -38,25 +53,37 @@ class MaterialLaw(ABC):
         InputError
             When it does not; the message says from which curvature on.
         """
+        limit = self.injective_limit
+        if largest_curvature > limit * (1 + _ROUNDING):
+            raise InputError(
+                "the material law is not injective: its moment stops growing at a curvature of "
+                f"{limit:.4g} 1/mm (radius {1 / limit:.4g} mm), but {largest_curvature:.4g} 1/mm occurs; "
+                "draw a gentler curve or use a thinner sheet"
+            )
 
-    def curvature(self, effective: ArrayLike, *, largest_curvature: float) -> FloatArray:
-        """The inverse of `effective_curvature` for |kappa| up to `largest_curvature`, by bisection.
+    def curvature(self, effective: ArrayLike) -> FloatArray:
+        """The inverse of `effective_curvature` (n,) within its injective range, by bisection.
 
         Raises
         ------
         InputError
-            The law is not injective there, or the moment is beyond what it reaches.
+            A moment beyond what the law reaches.
         """
-        self.require_injective(largest_curvature)
         m = np.asarray(effective, dtype=float)
-        top = float(self.effective_curvature(largest_curvature))
-        if np.any(np.abs(m) > top * (1 + 1e-12)):
+        largest = float(np.abs(m).max(initial=0.0))
+        top = min(largest, self.injective_limit)
+        for _ in range(60):
+            if self.effective_curvature(top) >= largest or top >= self.injective_limit:
+                break
+            top = min(2 * top, self.injective_limit)
+        reached = float(self.effective_curvature(top))
+        if largest > reached * (1 + _ROUNDING):
             raise InputError(
-                f"an effective curvature of {np.abs(m).max():.4g} 1/mm is beyond the {top:.4g} 1/mm that "
-                f"this material reaches at a curvature of {largest_curvature:.4g} 1/mm"
+                f"an effective curvature of {largest:.4g} 1/mm is beyond the {reached:.4g} 1/mm that the "
+                "material law reaches"
             )
-        low, high = np.zeros(m.shape), np.full(m.shape, float(largest_curvature))
-        for _ in range(80):
+        low, high = np.zeros(m.shape), np.full(m.shape, top)
+        for _ in range(100):
             middle = (low + high) / 2
             small = self.effective_curvature(middle) < np.abs(m)
             low, high = np.where(small, middle, low), np.where(small, high, middle)
@@ -102,11 +129,18 @@ class PolynomialLaw(MaterialLaw):
         t = (np.asarray(curvature, dtype=float) / self.curvature_scale) ** 2
         return np.asarray(1 + 3 * self.quadratic * t + 5 * self.quartic * t**2)
 
-    def require_injective(self, largest_curvature: float) -> None:
-        """See `MaterialLaw`; exact: the slope's roots are those of a quadratic."""
-        for root in np.roots([5 * self.quartic, 3 * self.quadratic, 1.0]):
-            if abs(root.imag) < 1e-12 * abs(root) and root.real > 0:
-                _refuse_beyond(self.curvature_scale * float(np.sqrt(root.real)), largest_curvature)
+    def energy(self, curvature: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`."""
+        kappa = np.asarray(curvature, dtype=float)
+        t = (kappa / self.curvature_scale) ** 2
+        return np.asarray(kappa**2 * (1 / 2 + self.quadratic / 4 * t + self.quartic / 6 * t**2))
+
+    @property
+    def injective_limit(self) -> float:
+        """See `MaterialLaw`; exact: the roots of the slope are those of a quadratic."""
+        roots = np.roots([5 * self.quartic, 3 * self.quadratic, 1.0])
+        real = [float(z.real) for z in roots if z.real > 0 and abs(z.imag) <= _ROUNDING * abs(z)]
+        return self.curvature_scale * float(np.sqrt(min(real))) if real else float("inf")
 
 
 @dataclass(frozen=True)
@@ -147,9 +181,21 @@ class PlasticLaw(MaterialLaw):
         """See `MaterialLaw`; 0 beyond the limit."""
         return np.asarray(np.abs(np.asarray(curvature, dtype=float)) < self.curvature_limit, dtype=float)
 
-    def require_injective(self, largest_curvature: float) -> None:
+    def energy(self, curvature: ArrayLike) -> FloatArray:
         """See `MaterialLaw`."""
-        _refuse_beyond(self.curvature_limit, largest_curvature)
+        kappa = np.abs(np.asarray(curvature, dtype=float))
+        elastic = np.minimum(kappa, self.curvature_limit)
+        return np.asarray(elastic * (kappa - elastic / 2))
+
+    @property
+    def injective_limit(self) -> float:
+        """See `MaterialLaw`."""
+        return self.curvature_limit
+
+    @property
+    def kinks(self) -> tuple[float, ...]:
+        """See `MaterialLaw`."""
+        return (self.curvature_limit,)
 
     def permanent_curvature(self, curvature: ArrayLike) -> FloatArray:
         """What is left when the moment is taken away (n,), 1/mm: the excess beyond the limit."""
@@ -196,8 +242,22 @@ class ElasticPlasticLaw(MaterialLaw):
         """See `MaterialLaw`."""
         return self._core(np.asarray(curvature, dtype=float)) ** 3
 
-    def require_injective(self, largest_curvature: float) -> None:
-        """See `MaterialLaw`; always fulfilled."""
+    def energy(self, curvature: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`."""
+        kappa = np.abs(np.asarray(curvature, dtype=float))
+        limit, beyond = self.curvature_limit, np.maximum(kappa, self.curvature_limit)
+        yielded = 1.5 * limit * (beyond - limit) + limit**3 / 2 * (1 / beyond - 1 / limit)
+        return np.asarray(np.minimum(kappa, limit) ** 2 / 2 + yielded)
+
+    @property
+    def injective_limit(self) -> float:
+        """See `MaterialLaw`; infinite."""
+        return float("inf")
+
+    @property
+    def kinks(self) -> tuple[float, ...]:
+        """See `MaterialLaw`."""
+        return (self.curvature_limit,)
 
     def permanent_curvature(self, curvature: ArrayLike) -> FloatArray:
         """What is left when the moment is taken away (n,), 1/mm: unloading follows Hooke's law."""
@@ -222,8 +282,7 @@ class TabulatedLaw(MaterialLaw):
     Raises
     ------
     InputError
-        Fewer than two points, curvatures that do not increase, values that are not positive; when used, a
-        curvature beyond the table.
+        Fewer than two points, curvatures that do not increase, values that are not positive.
 
     Examples
     --------
@@ -255,51 +314,63 @@ class TabulatedLaw(MaterialLaw):
             )
 
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
-        """See `MaterialLaw`."""
-        return np.asarray(self._spline(self._inside(curvature)) / self._rest_slope)
+        """See `MaterialLaw`; beyond the table its last slope goes on."""
+        kappa = np.asarray(curvature, dtype=float)
+        inside, over = self._split(kappa)
+        return np.asarray(np.sign(kappa) * (self._curve(inside) + self._end_slope * over))
 
     def slope(self, curvature: ArrayLike) -> FloatArray:
         """See `MaterialLaw`."""
-        return np.asarray(self._spline(self._inside(curvature), 1) / self._rest_slope)
+        return np.asarray(self._curve(self._split(curvature)[0], 1))
+
+    def energy(self, curvature: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`."""
+        inside, over = self._split(curvature)
+        top = self._curve(self.curvatures[-1])
+        return np.asarray(self._curve.antiderivative()(inside) + over * (top + self._end_slope * over / 2))
+
+    @property
+    def injective_limit(self) -> float:
+        """See `MaterialLaw`; the end of the table, or where its moments fall."""
+        falling = np.flatnonzero(np.diff(self.moments) <= 0)
+        return float(self.curvatures[falling[0]] if falling.size else self.curvatures[-1])
+
+    @property
+    def kinks(self) -> tuple[float, ...]:
+        """See `MaterialLaw`; every point of the table but the last."""
+        return tuple(self.curvatures[:-1].tolist())
 
     def require_injective(self, largest_curvature: float) -> None:
-        """See `MaterialLaw`; a shape-preserving cubic is monotone where its points are."""
-        self._inside(largest_curvature)
-        falling = np.flatnonzero(np.diff(self.moments) <= 0)
-        if falling.size:
-            _refuse_beyond(float(self.curvatures[falling[0]]), largest_curvature)
-
-    def _inside(self, curvature: ArrayLike) -> FloatArray:
-        kappa = np.asarray(curvature, dtype=float)
-        if np.any(np.abs(kappa) > self.curvatures[-1] * (1 + 1e-12)):
+        """See `MaterialLaw`; a curvature beyond the table is refused as well."""
+        if largest_curvature > self.curvatures[-1] * (1 + _ROUNDING):
             raise InputError(
                 f"the law's table ends at a curvature of {self.curvatures[-1]:.4g} 1/mm, but "
-                f"{np.abs(kappa).max():.4g} 1/mm occurs: measure further or draw a gentler curve"
+                f"{largest_curvature:.4g} 1/mm occurs: measure further or draw a gentler curve"
             )
-        return kappa
+        super().require_injective(largest_curvature)
+
+    def _split(self, curvature: ArrayLike) -> tuple[FloatArray, FloatArray]:
+        """The part of |kappa| within the table, and the part beyond it."""
+        kappa = np.abs(np.asarray(curvature, dtype=float))
+        inside = np.minimum(kappa, self.curvatures[-1])
+        return inside, kappa - inside
 
     @cached_property
-    def _spline(self):  # type: ignore[no-untyped-def]
-        from scipy.interpolate import PchipInterpolator
+    def _curve(self):  # type: ignore[no-untyped-def]
+        """m over kappa >= 0, exactly 0 and of slope 1 at rest."""
+        from scipy.interpolate import PchipInterpolator, PPoly
 
         x = np.concatenate([-self.curvatures[::-1], [0.0], self.curvatures])
         y = np.concatenate([-self.moments[::-1], [0.0], self.moments])
-        return PchipInterpolator(x, y)
+        odd = PchipInterpolator(x, y)
+        half = self.curvatures.size
+        return PPoly(odd.c[:, half:] / float(odd(0.0, 1)), odd.x[half:])
 
-    @cached_property
-    def _rest_slope(self) -> float:
-        return float(self._spline(0.0, 1))
+    @property
+    def _end_slope(self) -> float:
+        return float(self._curve(self.curvatures[-1], 1))
 
 
 def _require_positive(value: float, name: str, unit: str) -> None:
     if not (np.isfinite(value) and value > 0):
         raise InputError(f"the law's {name} is {value}: it must be positive, in {unit}")
-
-
-def _refuse_beyond(limit: float, largest_curvature: float) -> None:
-    if largest_curvature > limit * (1 + 1e-12):
-        raise InputError(
-            f"the material law is not injective: its moment stops growing at a curvature of {limit:.4g} 1/mm "
-            f"(radius {1 / limit:.4g} mm), but {largest_curvature:.4g} 1/mm occurs; draw a gentler curve or "
-            "use a thinner sheet"
-        )

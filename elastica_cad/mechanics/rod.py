@@ -11,6 +11,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry import PlaneCurve, Profile
 from elastica_cad.mechanics.gravity import Gravity
 from elastica_cad.mechanics.loads import Weight
+from elastica_cad.mechanics.material_laws import MaterialLaw
 from elastica_cad.mechanics.supports import Supports
 
 if TYPE_CHECKING:
@@ -32,8 +33,8 @@ class Rod:
     position : (n, 2) array
         mm.
     angle : (n,) array
-        Turning angle, rad, continuous. Where a rod was marched on edges (paper, section 7.1), the end values are the
-        angles that the supports hold, the others the mean of the two edges that meet at the node.
+        Turning angle, rad, continuous. Where a rod was marched on edges (paper, section 7.1), the end values
+        are the angles that the supports hold, the others the mean of the two edges that meet at the node.
     curvature : (n,) array
         Signed, 1/mm; a marched rod has moment / stiffness + kappa_0 here.
     stiffness : (n,) array
@@ -41,14 +42,18 @@ class Rod:
     moment : (n,) array
         M = K (kappa - kappa_0), 1/mm; times the least bending stiffness (N mm2) it is N mm.
     force : (n, 2) array
-        lambda = R b, 1/mm2; times the least bending stiffness newtons, minus the usual internal force. Edge values of
-        a marched rod are averaged to the nodes in between; the end nodes take half a cell of weight off the end edge.
+        lambda = R b, 1/mm2; times the least bending stiffness newtons, minus the usual internal force. Edge
+        values of a marched rod are averaged to the nodes in between; the end nodes take half a cell of weight
+        off the end edge.
     profile : Profile
         K as a spline of arc length, from which strips take their width.
     natural_curvature : float or (n,) array
         kappa_0, 1/mm: one for the whole rod, or one a node (a strip that was bent beyond its limit).
     gravity, weight, bending_stiffness
-        What the rod carries: see `Gravity` and `Weight`; `bending_stiffness` is B, the least E I in N mm2, or None.
+        What the rod carries: see `Gravity` and `Weight`; `bending_stiffness` is B, the least E I in N mm2, or
+        None.
+    law : MaterialLaw or None
+        Where the material does not follow Hooke's law: M = K m(kappa - kappa_0) (paper, Appendix D).
     residual : float
         Largest relative moment imbalance.
     """
@@ -67,6 +72,7 @@ class Rod:
     residual: float = 0.0
     weight: Weight | None = None
     bending_stiffness: float | None = None
+    law: MaterialLaw | None = None
     shape: PlaneCurve | None = None
     check: "EquilibriumCheck | None" = None
     warnings: tuple[str, ...] = ()
@@ -75,8 +81,8 @@ class Rod:
     def __post_init__(self) -> None:
         n = np.size(self.s)
         for name, shape in {
-            "s": (n,), "position": (n, 2), "angle": (n,), "curvature": (n,), "stiffness": (n,), "moment": (n,),
-            "force": (n, 2),
+            "s": (n,), "position": (n, 2), "angle": (n,), "curvature": (n,), "stiffness": (n,),
+            "moment": (n,), "force": (n, 2),
         }.items():  # fmt: skip
             array = np.array(getattr(self, name), dtype=float)
             if array.shape != shape or not np.all(np.isfinite(array)):
@@ -84,10 +90,14 @@ class Rod:
             array.setflags(write=False)
             object.__setattr__(self, name, array)
         if np.size(self.natural_curvature) not in (1, n) or not np.all(np.isfinite(self.natural_curvature)):
-            raise InputError(f"natural curvature must be one finite number, or one for each of the {n} nodes, 1/mm")
+            raise InputError(
+                f"natural curvature must be one finite number, or one for each of the {n} nodes, 1/mm"
+            )
         if np.any(self.stiffness <= 0):
             at = float(self.s[int(np.argmin(self.stiffness))])
-            raise InputError(f"rod stiffness is not positive at {at:.6g} mm: every cross-section needs some width")
+            raise InputError(
+                f"rod stiffness is not positive at {at:.6g} mm: every cross-section needs some width"
+            )
 
     @classmethod
     def straight(
@@ -103,6 +113,7 @@ class Rod:
         natural_curvature: float = 0.0,
         weight: Weight | None = None,
         bending_stiffness: float | None = None,
+        law: MaterialLaw | None = None,
     ) -> "Rod":
         """A straight rod without a curve, to be bent by `bend`.
 
@@ -111,12 +122,13 @@ class Rod:
         length : float
             mm.
         stiffness : float, (n,) array_like or Profile
-            One value, nodal values at n uniform stations, or a profile over [0, length]; scaled to a least value 1.
+            One value, nodal values at n uniform stations, or a profile over [0, length]; scaled to a least
+            value 1.
         samples : int, optional
             Number of nodes (401 unless nodal values say otherwise).
         start, angle
             Position of the first end, mm, and direction, rad.
-        gravity, supports, natural_curvature, weight, bending_stiffness
+        gravity, supports, natural_curvature, weight, bending_stiffness, law
             As in `optimal_rod`.
 
         Returns
@@ -145,10 +157,10 @@ class Rod:
         profile = profile.scaled(1 / K.min())
         tangent = np.array([np.cos(angle), np.sin(angle)])
         rod = cls(
-            s=s, position=np.asarray(start, dtype=float) + s[:, None] * tangent, angle=np.full(n, float(angle)),
-            curvature=np.zeros(n), stiffness=K / K.min(), moment=np.zeros(n), force=np.zeros((n, 2)),
-            profile=profile, gravity=gravity, supports=supports or Supports(),
-            natural_curvature=natural_curvature, weight=weight, bending_stiffness=bending_stiffness,
+            s=s, position=np.asarray(start, dtype=float) + s[:, None] * tangent,
+            angle=np.full(n, float(angle)), curvature=np.zeros(n), stiffness=K / K.min(),
+            moment=np.zeros(n), force=np.zeros((n, 2)), profile=profile, gravity=gravity, supports=supports or Supports(),
+            natural_curvature=natural_curvature, weight=weight, bending_stiffness=bending_stiffness, law=law,
         )  # fmt: skip
         loaded = gravity is not None or weight is not None or natural_curvature != 0.0
         return replace(rod, residual=1.0) if loaded else rod
@@ -163,6 +175,19 @@ class Rod:
         """R = sup K / inf K, over the nodes and the profile between them."""
         low, high = self.profile.extremes
         return float(max(high, self.stiffness.max()) / min(low, self.stiffness.min()))
+
+    @property
+    def effective_curvature(self) -> FloatArray:
+        """What K multiplies to give the moment (n,), 1/mm: kappa - kappa_0, or the law's m of it."""
+        change = self.curvature - self.natural_curvature
+        return np.asarray(change if self.law is None else self.law.effective_curvature(change))
+
+    @property
+    def tangent_stiffness(self) -> FloatArray:
+        """dM/dkappa (n,): what small disturbances feel; K unless a law says otherwise."""
+        if self.law is None:
+            return self.stiffness
+        return self.stiffness * self.law.slope(self.curvature - self.natural_curvature)
 
     @property
     def node_lengths(self) -> FloatArray:
@@ -184,7 +209,7 @@ class Rod:
             if self.bending_stiffness is None:
                 raise InputError("a rod with weights in newtons needs its least bending stiffness (N mm2)")
             amount = self.weight.lumped(self.s, self.stiffness, self.node_lengths) / self.bending_stiffness
-        return amount[:, None] * down
+        return np.asarray(amount[:, None] * down)
 
     @cached_property
     def curve(self) -> PlaneCurve:
@@ -204,18 +229,18 @@ class Rod:
             raise InputError(f"stiffness is not positive at {self.s[int(np.argmin(K))]:.6g} mm")
         K, profile = K / K.min(), profile.scaled(1 / K.min())
         size = np.abs(self.moment).max()
-        imbalance = np.abs(K * (self.curvature - self.natural_curvature) - self.moment).max()
+        imbalance = np.abs(K * self.effective_curvature - self.moment).max()
         residual = float(imbalance / size) if size > 0 else float(imbalance > 0)
         return replace(self, stiffness=K, profile=profile, residual=residual)
 
 
-def _profile_of(
-    stiffness: "ArrayLike | Profile", length: float, samples: int | None
-) -> tuple[Profile, int]:
+def _profile_of(stiffness: "ArrayLike | Profile", length: float, samples: int | None) -> tuple[Profile, int]:
     """A profile over [0, length] and the number of nodes it asks for."""
     if isinstance(stiffness, Profile):
         if not np.isclose(stiffness.length, length, rtol=1e-9):
-            raise InputError(f"the stiffness profile is {stiffness.length:.6g} mm long, the rod {length:.6g} mm")
+            raise InputError(
+                f"the stiffness profile is {stiffness.length:.6g} mm long, the rod {length:.6g} mm"
+            )
         return stiffness, samples or DEFAULT_SAMPLES
     values = np.atleast_1d(np.asarray(stiffness, dtype=float))
     if values.ndim != 1 or not np.all(np.isfinite(values)) or np.any(values <= 0):

@@ -92,7 +92,7 @@ def stability(rod: Rod) -> Stability:
             f"the rod is out of balance (residual {rod.residual:.2g}), so it has no stability: bend it first"
         )
     angles, force = edge_state(rod)
-    K, h, supports = np.asarray(rod.stiffness), rod.length / angles.size, rod.supports
+    K, h, supports = rod.tangent_stiffness, rod.length / angles.size, rod.supports
     diagonal, off = second_variation(K, angles, force, h, supports)
     rows = constraint_rows(angles, h, supports)
     negative = constrained_inertia(diagonal, off, rows)

@@ -445,10 +445,11 @@ def _with_weight(rod: Rod, v: Variation, width_factor: float) -> Rod:
     def times(value: float | Profile, factor: float) -> float | Profile:
         return value.scaled(factor) if isinstance(value, Profile) else value * factor
 
+    alpha, beta = rod.weight.alpha, rod.weight.beta
     weight = replace(
         rod.weight,
-        alpha=times(rod.weight.alpha, heavier),
-        beta=times(rod.weight.beta, heavier * width_factor),
+        alpha=times(alpha, heavier),
+        beta=None if beta is None else times(beta, heavier * width_factor),
     )
     B = (rod.bending_stiffness or 0.0) * v.youngs_modulus * v.thickness**3 * width_factor
     return replace(rod, weight=weight, bending_stiffness=B)

@@ -29,6 +29,12 @@ def test_law_is_odd_has_slope_one_at_rest_and_its_own_derivative(law):
     step = 1e-7
     slope = (law.effective_curvature(kappa + step) - law.effective_curvature(kappa - step)) / (2 * step)
     assert law.slope(kappa) == pytest.approx(slope, abs=1e-5)
+    assert (law.energy(kappa + step) - law.energy(kappa - step)) / (2 * step) == pytest.approx(
+        law.effective_curvature(kappa), abs=1e-8
+    )
+    assert law.energy(0.0) == 0.0
+    assert law.energy(-kappa) == pytest.approx(law.energy(kappa))
+    assert law.effective_curvature(1e-12) == pytest.approx(1e-12, rel=1e-9)
     assert pickle.loads(pickle.dumps(law)).effective_curvature(kappa) == pytest.approx(
         law.effective_curvature(kappa)
     )
@@ -37,13 +43,15 @@ def test_law_is_odd_has_slope_one_at_rest_and_its_own_derivative(law):
 @pytest.mark.parametrize("law", LAWS, ids=lambda law: type(law).__name__)
 def test_inverse_returns_the_curvature(law):
     kappa = np.array([-0.038, -0.01, 0.0, 0.02, 0.038])
-    found = law.curvature(law.effective_curvature(kappa), largest_curvature=0.039)
+    found = law.curvature(law.effective_curvature(kappa))
     assert found == pytest.approx(kappa, abs=1e-13)
 
 
 def test_moment_beyond_reach_is_refused():
-    with pytest.raises(InputError, match=r"beyond the 0\.03"):
-        PlasticLaw(0.05).curvature([0.04], largest_curvature=0.03)
+    with pytest.raises(InputError, match=r"beyond the 0\.03 1/mm"):
+        PlasticLaw(0.03).curvature([0.01, 0.04])
+    with pytest.raises(InputError, match=r"beyond the 0\.03 1/mm"):
+        ElasticPlasticLaw(0.02).curvature(0.031)
 
 
 def test_softening_law_is_injective_up_to_the_crest_of_its_moment():
@@ -91,7 +99,11 @@ def test_table_that_falls_is_refused_only_where_it_falls():
     with pytest.raises(InputError, match=r"stops growing at a curvature of 0\.02"):
         law.require_injective(0.025)
     with pytest.raises(InputError, match=r"table ends at a curvature of 0\.03"):
-        law.effective_curvature([0.01, -0.04])
+        law.require_injective(0.04)
+    rising = TabulatedLaw([0.01, 0.02], [1.0, 1.5])
+    beyond = rising.effective_curvature(0.03) - rising.effective_curvature(0.02)
+    assert beyond == pytest.approx(0.01 * rising.slope(0.02))
+    assert law.kinks == (0.01, 0.02)
 
 
 @pytest.mark.parametrize(
