@@ -159,8 +159,9 @@ class Rod:
         rod = cls(
             s=s, position=np.asarray(start, dtype=float) + s[:, None] * tangent,
             angle=np.full(n, float(angle)), curvature=np.zeros(n), stiffness=K / K.min(),
-            moment=np.zeros(n), force=np.zeros((n, 2)), profile=profile, gravity=gravity, supports=supports or Supports(),
-            natural_curvature=natural_curvature, weight=weight, bending_stiffness=bending_stiffness, law=law,
+            moment=np.zeros(n), force=np.zeros((n, 2)), profile=profile, gravity=gravity,
+            supports=supports or Supports(), natural_curvature=natural_curvature, weight=weight,
+            bending_stiffness=bending_stiffness, law=law,
         )  # fmt: skip
         loaded = gravity is not None or weight is not None or natural_curvature != 0.0
         return replace(rod, residual=1.0) if loaded else rod
