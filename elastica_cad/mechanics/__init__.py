@@ -3,7 +3,11 @@
 from elastica_cad.mechanics.anticlastic import AnticlasticWidths, anticlastic_factor, anticlastic_widths
 from elastica_cad.mechanics.bend import bend, bend_path
 from elastica_cad.mechanics.calibration import Calibration, calibrate_cantilever, cantilever_droop
+from elastica_cad.mechanics.equilibrium import EquilibriumCheck, NotRealizable, check_equilibrium
 from elastica_cad.mechanics.gravity import Gravity
+from elastica_cad.mechanics.gravity_lp import SampledStiffness, sampled_stiffness
+from elastica_cad.mechanics.line import InflectionLine
+from elastica_cad.mechanics.limits_of_stability import StabilityLimit, stability_limit
 from elastica_cad.mechanics.loads import PointMass, Weight
 from elastica_cad.mechanics.material_laws import (
     ElasticPlasticLaw,
@@ -12,6 +16,7 @@ from elastica_cad.mechanics.material_laws import (
     PolynomialLaw,
     TabulatedLaw,
 )
+from elastica_cad.mechanics.optimal import optimal_rod
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import (
     LaminatedSection,
@@ -37,19 +42,24 @@ __all__ = [
     "Calibration",
     "ElasticPlasticLaw",
     "End",
+    "EquilibriumCheck",
     "Gravity",
+    "InflectionLine",
     "LaminatedSection",
     "LayerStrain",
     "MaterialLaw",
+    "NotRealizable",
     "PerforatedSection",
     "PlainSection",
     "PlasticLaw",
     "PointMass",
     "PolynomialLaw",
     "Rod",
+    "SampledStiffness",
     "ScaleRange",
     "Sheet",
     "Stability",
+    "StabilityLimit",
     "Supports",
     "TabulatedLaw",
     "ToleranceEffect",
@@ -63,9 +73,13 @@ __all__ = [
     "bend_path",
     "calibrate_cantilever",
     "cantilever_droop",
+    "check_equilibrium",
     "load_sheets",
+    "optimal_rod",
+    "sampled_stiffness",
     "sheet_names",
     "stability",
+    "stability_limit",
     "tolerance_study",
     "varied_rod",
 ]

@@ -31,14 +31,20 @@ class Weight:
         N/mm; `beta` multiplies the dimensionless stiffness K (least value 1).
     masses : tuple of PointMass
         For example a lamp holder.
+    own : bool
+        Ask `optimal_rod` to add a plain strip's own weight, B / gravity.length^3, to `beta` once the least
+        bending stiffness B is known; the rod it returns has it there, and `own` is False again.
     """
 
     alpha: float | Profile = 0.0
     beta: float | Profile = 0.0
     masses: tuple[PointMass, ...] = ()
+    own: bool = False
 
     def lumped(self, s: FloatArray, stiffness: FloatArray, node_lengths: FloatArray) -> FloatArray:
         """Weight of each node (n,), N; a point mass is shared by its two neighbours."""
+        if self.own:
+            raise InputError("a strip's own weight has no value before optimal_rod has found it: give beta in N/mm")
         at = [value(s) if isinstance(value, Profile) else np.full(s.shape, float(value))
               for value in (self.alpha, self.beta)]  # fmt: skip
         weight = node_lengths * (at[0] + at[1] * stiffness)

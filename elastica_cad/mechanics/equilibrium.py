@@ -1,0 +1,467 @@
+"""Theorem 1: can a flat strip take the drawn curve, and if not, where and why not."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import ElasticaError, InputError, NotConvergedError
+from elastica_cad.geometry import CurvatureZero, PlaneCurve
+from elastica_cad.mechanics.line import InflectionLine, fitted_line, line_meetings, pencil_of_lines
+from elastica_cad.mechanics.snap import snapped_to_line
+from elastica_cad.mechanics.supports import Supports
+
+__all__ = ["EquilibriumCheck", "NotRealizable", "check_equilibrium", "examine_curvature"]
+
+AT_END = 1e-7
+"""A zero of the curvature nearer to an end than this, in lengths of the curve, is the end's."""
+
+PINNED = 1e-6
+"""Curvature at a pinned end, relative to the largest, that counts as none."""
+
+
+@dataclass(frozen=True, eq=False)
+class EquilibriumCheck:
+    """Verdict of Theorem 1 on a curve; `str()` of it is advice to a designer.
+
+    Attributes
+    ----------
+    realizable : bool
+        Can a flat strip take this curve?
+    reasons : tuple of str
+        Why not; empty when realizable.
+    warnings : tuple of str
+        What the designer should know all the same.
+    length : float
+        mm.
+    any_stiffness : bool
+        The curve is straight (or has the natural curvature throughout): every stiffness will do.
+    inflections : tuple of float
+        Arc lengths, mm, where kappa - kappa_0 changes sign.
+    line : InflectionLine or None
+        The inflection line; for a single inflection the middle one of those that will do; None where none is
+        needed.
+    off_line : tuple of (float, float)
+        Arc length of every point that the line must pass, and its distance from it, mm.
+    crossings, touches : tuple of float
+        Arc lengths, mm, where the line crosses or touches the curve and must not.
+    curvature_touches, jumps : tuple of float
+        Arc lengths, mm, where kappa - kappa_0 touches zero without changing sign or changes it too gently,
+        and where its sign changes by a jump.
+    flats : tuple of (float, float)
+        Straight pieces from, to, mm.
+    moved : float
+        Largest move, mm, of the curve by which its inflections were brought onto one line.
+    curve : PlaneCurve
+        The curve that this check speaks of: the drawn one, or the moved one.
+    zeros : tuple of CurvatureZero
+        All zeros of kappa - kappa_0 of `curve` at which the moment must vanish.
+    """
+
+    realizable: bool
+    reasons: tuple[str, ...]
+    warnings: tuple[str, ...]
+    length: float
+    curve: PlaneCurve = field(repr=False)
+    any_stiffness: bool = False
+    inflections: tuple[float, ...] = ()
+    line: InflectionLine | None = None
+    off_line: tuple[tuple[float, float], ...] = ()
+    crossings: tuple[float, ...] = ()
+    touches: tuple[float, ...] = ()
+    curvature_touches: tuple[float, ...] = ()
+    jumps: tuple[float, ...] = ()
+    flats: tuple[tuple[float, float], ...] = ()
+    moved: float = 0.0
+    zeros: tuple[CurvatureZero, ...] = field(default=(), repr=False)
+
+    def __str__(self) -> str:
+        if not self.realizable:
+            opening = f"A flat strip cannot take this curve of {self.length:.4g} mm."
+        elif self.any_stiffness:
+            opening = f"A strip of any width takes this curve of {self.length:.4g} mm: it is not bent."
+        elif self.inflections:
+            opening = (
+                f"A flat strip can take this curve of {self.length:.4g} mm; it has "
+                f"{_count(self.inflections)}, "
+                f"{_places(self.inflections)}."
+            )
+        else:
+            opening = f"A flat strip can take this curve of {self.length:.4g} mm; it has no inflections."
+        return " ".join([opening, *self.reasons, *self.warnings])
+
+    def as_dict(self) -> dict[str, Any]:
+        """Numbers, texts and lists for a report."""
+        return {
+            "realizable": self.realizable,
+            "any_stiffness": self.any_stiffness,
+            "reasons": list(self.reasons),
+            "warnings": list(self.warnings),
+            "length": self.length,
+            "inflections": list(self.inflections),
+            "line": self.line.as_dict() if self.line else None,
+            "off_line": [list(pair) for pair in self.off_line],
+            "crossings": list(self.crossings),
+            "touches": list(self.touches),
+            "curvature_touches": list(self.curvature_touches),
+            "jumps": list(self.jumps),
+            "flats": [list(pair) for pair in self.flats],
+            "moved": self.moved,
+        }
+
+
+class NotRealizable(ElasticaError, ValueError):  # noqa: N818 - a fixed public name
+    """No admissible stiffness makes the curve a rest shape; `check` tells why and where."""
+
+    def __init__(self, check: EquilibriumCheck) -> None:
+        self.check = check
+        super().__init__(str(check))
+
+    def __reduce__(self) -> tuple[type["NotRealizable"], tuple[EquilibriumCheck]]:
+        return NotRealizable, (self.check,)
+
+
+def check_equilibrium(
+    curve: PlaneCurve,
+    supports: Supports | None = None,
+    natural_curvature: float = 0.0,
+    *,
+    tolerance: float = 1e-4,
+) -> EquilibriumCheck:
+    """Decide whether a flat strip of some admissible width can rest in this curve, without weight.
+
+    Condition (1): a line meets the curve in the zeros of its curvature, in nothing else, and is tangent in
+    none. Condition (2): the curvature changes sign in each of them with a finite slope. A pinned end must
+    have no curvature, which puts it on the line too; an end free to slide along x (y) makes the line vertical
+    (horizontal); ends that carry no force at all allow no line. A natural curvature is taken off the
+    curvature.
+
+    Parameters
+    ----------
+    supports : Supports
+        Clamped at both ends unless given.
+    natural_curvature : float
+        kappa_0, 1/mm.
+    tolerance : float
+        Inflections that lie this near to one line, in lengths of the curve, are moved onto it (`moved`,
+        `curve`).
+
+    Raises
+    ------
+    InputError
+        A closed curve, or one with corners.
+
+    References
+    ----------
+    Paper, Theorem 1 and section 4.3.
+
+    Examples
+    --------
+    >>> wave = PlaneCurve.spline([(0, 0), (40, 60), (80, -60), (120, 0)], degree=3)
+    >>> check = check_equilibrium(wave)
+    >>> check.realizable, len(check.inflections)
+    (True, 1)
+    """
+    supports = supports or Supports()
+    check = examine_curvature(curve, supports, natural_curvature)
+    if check.any_stiffness or not check.zeros:
+        return check
+    force_x, force_y = supports.transmits_force
+    if not (force_x or force_y):
+        reason = (
+            f"No force can act between its ends, so the moment is constant and the curve must bend one way "
+            f"only; it has "
+            f"{_count(check.zeros)}, {_places(z.s for z in check.zeros)}: hold both ends in x or in y."
+        )
+        return _refused(check, reason)
+    normal = None if force_x and force_y else np.array([1.0, 0.0] if force_y else [0.0, 1.0])
+    if len(check.zeros) == 1 and normal is None:
+        return _with_pencil(check)
+    return _with_line(check, normal, supports, natural_curvature, tolerance)
+
+
+def examine_curvature(
+    curve: PlaneCurve, supports: Supports, natural_curvature: float = 0.0
+) -> EquilibriumCheck:
+    """Everything of `check_equilibrium` but the line: zeros of kappa - kappa_0, jumps, straight pieces,
+    kinks.
+
+    With weight there is no line (paper, section 5), but these conditions stay. The same errors are raised.
+    """
+    if not np.isfinite(natural_curvature):
+        raise InputError(f"natural curvature is {natural_curvature}: it must be a finite number, in 1/mm")
+    _refuse_bad_curve(curve)
+    zeros = _zeros_of(curve, supports, natural_curvature)
+    flats = [z for z in zeros if z.kind == "flat"]
+    jumps = tuple(z.s for z in zeros if z.kind == "jump")
+    touches = [z.s for z in zeros if z.kind == "touch"]
+    points = tuple(z for z in zeros if z.kind in ("crossing", "end"))
+    check = EquilibriumCheck(
+        realizable=True,
+        reasons=(),
+        warnings=(),
+        length=curve.length,
+        curve=curve,
+        inflections=tuple((z.s + z.s_end) / 2 for z in zeros if z.changes_sign),
+        jumps=jumps,
+        flats=tuple((z.s, z.s_end) for z in flats),
+        zeros=points,
+    )
+    if flats and flats[0].s <= AT_END * curve.length and flats[0].s_end >= (1 - AT_END) * curve.length:
+        return replace(check, any_stiffness=True, warnings=_self_crossing(curve), zeros=())
+    gentle = [
+        z.s for z in points if _slope(curve, z) <= PINNED * _largest(curve, natural_curvature) / curve.length
+    ]
+    reasons = [
+        *_pinned_reasons(curve, supports, natural_curvature, points),
+        *_flat_reasons(flats, curve.length, natural_curvature),
+        *_jump_reasons(jumps),
+        *_touch_reasons(sorted([*touches, *gentle])),
+    ]
+    return replace(
+        check,
+        realizable=not reasons,
+        reasons=tuple(reasons),
+        warnings=(*_width_warnings(curve, jumps), *_self_crossing(curve)),
+        curvature_touches=tuple(sorted([*touches, *gentle])),
+    )
+
+
+def _with_pencil(check: EquilibriumCheck) -> EquilibriumCheck:
+    """One zero, any direction: is there a line through it that meets the curve nowhere else?"""
+    zero = check.zeros[0]
+    pencil = pencil_of_lines(check.curve, zero, zero.after or -zero.before)
+    checked = replace(check, line=pencil.line, off_line=((zero.s, 0.0),))
+    if pencil.line is not None:
+        return checked
+    near = tuple(s for s in pencil.places if abs(s - zero.s) > AT_END * check.length)
+    reason = (
+        f"Every line through the inflection at {zero.s:.4g} mm meets the curve again or touches it there "
+        f"(the curve is "
+        f"in the way {_places(near, 'near')}): wind the curve less, or support the strip between."
+    )
+    return _refused(replace(checked, crossings=near), reason)
+
+
+def _with_line(
+    check: EquilibriumCheck,
+    normal: FloatArray | None,
+    supports: Supports,
+    natural_curvature: float,
+    tolerance: float,
+) -> EquilibriumCheck:
+    """Two or more zeros, or a line of given direction: there is one line to look at."""
+    line = fitted_line(_positions(check), normal)
+    distance = line.distance(_positions(check))
+    off_line = tuple((z.s, float(d)) for z, d in zip(check.zeros, distance, strict=True))
+    check = replace(check, line=line, off_line=off_line)
+    largest = float(np.abs(distance).max())
+    if largest > tolerance * check.length:
+        return _refused(check, _off_line_reason(check, normal, tolerance * check.length))
+    if largest > 1e-10 * check.length and check.realizable:
+        try:
+            moved = snapped_to_line(
+                check.curve, check.zeros, normal=normal, natural_curvature=natural_curvature
+            )
+        except NotConvergedError:
+            return _refused(check, _off_line_reason(check, normal, 0.0))
+        again = examine_curvature(moved, supports, natural_curvature)
+        line = fitted_line(_positions(again), normal)
+        check = replace(again, line=line, off_line=off_line, moved=_largest_move(check.curve, moved))
+    meetings = line_meetings(check.curve, line, check.zeros)
+    if not meetings:
+        return check
+    crossings = tuple(m.s for m in meetings if m.kind == "crossing")
+    tangents = tuple(m.s for m in meetings if m.kind == "tangent")
+    touches = tuple(m.s for m in meetings if m.kind == "touch")
+    name = (
+        "the line through its inflections"
+        if normal is None
+        else f"the {_kind_of(normal)}line that the supports ask for"
+    )
+    parts = [
+        *([f"crosses the curve {_places(crossings)}"] if crossings else []),
+        *([f"touches the curve {_places(touches)}"] if touches else []),
+        *([f"is tangent to the curve in the inflection {_places(tangents)}"] if tangents else []),
+    ]
+    reason = (
+        f"{name[0].upper()}{name[1:]} {' and '.join(parts)}, where the moment would vanish or change sign "
+        "and the curvature does not: move the curve off the line there, or support the strip there."
+    )
+    return _refused(replace(check, crossings=crossings, touches=(*touches, *tangents)), reason)
+
+
+def _off_line_reason(check: EquilibriumCheck, normal: FloatArray | None, allowed: float) -> str:
+    small = f" (at most {allowed:.2g} mm is put right without asking)" if allowed else ""
+    return (
+        f"Its inflections do not lie on one {_kind_of(normal)}line: those "
+        f"{_places(s for s, _ in check.off_line)} are "
+        f"{_listed(f'{abs(d):.3g}' for _, d in check.off_line)} mm off the nearest one{small}. Move them "
+        f"onto one line, "
+        "or support the strip between them."
+    )
+
+
+def _refused(check: EquilibriumCheck, reason: str) -> EquilibriumCheck:
+    return replace(check, realizable=False, reasons=(*check.reasons, reason))
+
+
+def _refuse_bad_curve(curve: PlaneCurve) -> None:
+    corners = curve.tangent_breaks
+    if corners:
+        raise InputError(
+            f"the curve has a corner {_places(c.s for c in corners)}: a strip bends without kinks; "
+            "round it, or draw two curves"
+        )
+    if curve.is_closed:
+        raise InputError(
+            "the curve is closed: a strip has two ends; leave a gap between them, or cut the curve in pieces"
+        )
+
+
+def _zeros_of(curve: PlaneCurve, supports: Supports, natural_curvature: float) -> tuple[CurvatureZero, ...]:
+    """Zeros of kappa - kappa_0, those next to an end put there; a pinned end may keep a trace."""
+    low, high = curve.domain
+    length, near = curve.length, AT_END * curve.length
+    found: list[CurvatureZero] = []
+    ends: dict[bool, CurvatureZero] = {}
+    for zero in curve.curvature_equals(natural_curvature):
+        at_start, at_end = zero.s_end <= near, zero.s >= length - near
+        if zero.kind == "flat" or not (at_start or at_end):
+            found.append(zero)
+        else:
+            ends[at_end] = zero
+    largest = _largest(curve, natural_curvature)
+    for is_end, support in enumerate(supports.ends):
+        t = high if is_end else low
+        kappa = float(curve.curvature_at(np.array(t))) - natural_curvature
+        pinned = not support.angle and abs(kappa) <= PINNED * largest
+        if bool(is_end) in ends or (pinned and not any(z.t <= t <= z.t_end for z in found)):
+            slope = int(np.sign(curve.curvature_slope_at(np.array(t))))
+            sign = (0, slope) if not is_end else (-slope, 0)
+            s = length if is_end else 0.0
+            found.append(CurvatureZero(s, t, "end", s, t, *sign))
+    return tuple(sorted(found, key=lambda z: z.s))
+
+
+def _largest(curve: PlaneCurve, natural_curvature: float) -> float:
+    return float(np.abs(curve.sample(401).curvature - natural_curvature).max())
+
+
+def _slope(curve: PlaneCurve, zero: CurvatureZero) -> float:
+    """Least one-sided |d kappa / ds| at a zero."""
+    t = np.array(zero.t)
+    low, high = curve.domain
+    sides = [side for side, inside in ((True, zero.t > low), (False, zero.t < high)) if inside]
+    return min(abs(float(curve.curvature_slope_at(t, left=side))) for side in sides)
+
+
+def _pinned_reasons(
+    curve: PlaneCurve, supports: Supports, natural_curvature: float, zeros: Sequence[CurvatureZero]
+) -> Iterable[str]:
+    for name, support, t, s in zip(
+        ("start", "end"), supports.ends, curve.domain, (0.0, curve.length), strict=True
+    ):
+        if support.angle or any(z.kind == "end" and z.t == t for z in zeros):
+            continue
+        kappa = float(curve.curvature_at(np.array(t)))
+        over = f" less the natural {natural_curvature:.4g}" if natural_curvature else ""
+        yield (
+            f"The {name} (at {s:.4g} mm) is free to turn, so the curve must have no curvature there; it has "
+            f"{kappa:.4g} 1/mm{over}: clamp this end, or let the curvature run out to zero."
+        )
+
+
+def _flat_reasons(flats: Sequence[CurvatureZero], length: float, natural_curvature: float) -> Iterable[str]:
+    for flat in flats:
+        joints = [s for s in (flat.s, flat.s_end) if AT_END * length < s < (1 - AT_END) * length]
+        what = "has exactly the natural curvature" if natural_curvature else "is straight"
+        yield (
+            f"The piece from {flat.s:.4g} to {flat.s_end:.4g} mm {what} and joined to a bent one, so the "
+            f"stiffness "
+            f"would have to go to 0 at the joint: support the strip {_places(joints)}, or bend the piece a "
+            f"little."
+        )
+
+
+def _jump_reasons(jumps: Sequence[float]) -> Iterable[str]:
+    if jumps:
+        yield (
+            f"The bending is reversed by a jump of the curvature {_places(jumps)}, where the stiffness would "
+            f"have to go "
+            "to 0: support the strip there, or let the curvature pass through zero smoothly (a spline of "
+            "degree 4)."
+        )
+
+
+def _touch_reasons(touches: Sequence[float]) -> Iterable[str]:
+    if touches:
+        yield (
+            f"The curvature runs out to zero {_places(touches)} without a clear change of sign, where the "
+            f"stiffness would "
+            "have to be infinite or zero: bend the curve a little more there, or support the strip there."
+        )
+
+
+def _width_warnings(curve: PlaneCurve, jumps: Sequence[float]) -> Iterable[str]:
+    steps = [b.s for b in curve.breaks if b.continuity == 1 and b.s not in jumps]
+    kinks = [b.s for b in curve.breaks if b.continuity == 2]
+    if steps:
+        yield (
+            f"The width of the strip steps {_places(steps)}, where the curvature jumps: a spline of degree 4 "
+            f"or more "
+            "through the same points gives a smooth outline."
+        )
+    if kinks:
+        advice = (
+            "use degree 4 or more for a smooth outline"
+            if curve.degree < 4
+            else "do not repeat the knot there"
+        )
+        yield (
+            f"The width of the strip has a kink {_places(kinks)}, where the slope of the curvature jumps: "
+            f"{advice}."
+        )
+
+
+def _self_crossing(curve: PlaneCurve) -> tuple[str, ...]:
+    pairs = curve.self_intersections() if hasattr(curve, "self_intersections") else ()
+    if not len(pairs):
+        return ()
+    listed = _listed(f"{first:.4g} and {second:.4g}" for first, second in pairs)
+    return (
+        f"The curve crosses itself (at {listed} mm): two parts of the strip must pass side by side there.",
+    )
+
+
+def _positions(check: EquilibriumCheck) -> FloatArray:
+    return np.asarray(check.curve.evaluate(np.array([z.t for z in check.zeros])))
+
+
+def _largest_move(before: PlaneCurve, after: PlaneCurve) -> float:
+    """Largest distance of points of the same parameter, mm."""
+    t = np.linspace(*before.domain, 1001)
+    return float(np.hypot(*np.moveaxis(np.asarray(after.evaluate(t)) - before.evaluate(t), -1, 0)).max())
+
+
+def _kind_of(normal: FloatArray | None) -> str:
+    if normal is None:
+        return ""
+    return "vertical " if normal[0] else "horizontal "
+
+
+def _count(zeros: Sequence[object]) -> str:
+    return f"{len(zeros)} inflection{'s' if len(zeros) > 1 else ''}"
+
+
+def _places(s: Iterable[float], word: str = "at") -> str:
+    return f"{word} {_listed(f'{x:.4g}' for x in s)} mm"
+
+
+def _listed(items: Iterable[str], most: int = 6) -> str:
+    texts = list(items)
+    if len(texts) > most:
+        return ", ".join(texts[:most]) + f" and {len(texts) - most} more"
+    return " and ".join([", ".join(texts[:-1]), texts[-1]]) if len(texts) > 1 else "".join(texts)

@@ -1,0 +1,237 @@
+"""The smallest ratio of largest to least stiffness: a linear program in few numbers, by row generation."""
+
+import threading
+from dataclasses import dataclass
+from typing import Any, Literal, Protocol, TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import FloatArray, IntArray
+from elastica_cad.errors import NotConvergedError
+
+__all__ = ["MinimaxSolution", "Solver", "minimax_ratio"]
+
+Solver: TypeAlias = Literal["auto", "highspy", "scipy"]
+
+_START_ROWS = 9
+_MAX_ROUNDS = 200
+
+
+@dataclass(frozen=True, eq=False)
+class MinimaxSolution:
+    """Answer of `minimax_ratio`.
+
+    Attributes
+    ----------
+    x : (m,) array
+        The unknown numbers.
+    ratio : float
+        R, the largest value; the least one is at least 1.
+    values : (n,) array
+        rows @ x + offset: the stiffness at all samples.
+    rounds : int
+        Linear programs solved.
+    """
+
+    x: FloatArray
+    ratio: float
+    values: FloatArray
+    rounds: int
+
+
+def minimax_ratio(
+    rows: FloatArray,
+    *,
+    offset: FloatArray | None = None,
+    side_rows: FloatArray | None = None,
+    tolerance: float = 1e-10,
+    solver: Solver = "auto",
+) -> MinimaxSolution | None:
+    """Minimise R subject to 1 <= rows @ x + offset <= R (paper, Eq. 4), to global optimality.
+
+    The optimum is fixed by a handful of samples. So HiGHS starts with nine of them and gets the two most
+    violated ones (one below 1, one above R) until none is left; each round starts from the last one's basis.
+
+    Parameters
+    ----------
+    rows : (n, m) array
+        Stiffness at sample i is rows[i] @ x + offset[i]; m is small.
+    offset : (n,) array, optional
+        Zero unless given.
+    side_rows : (k, m) array, optional
+        Further conditions side_rows @ x >= 0.
+    tolerance : float
+        Largest violation left, relative to the bound.
+    solver
+        "highspy" keeps the basis between rounds; "scipy" needs scipy alone; "auto" takes highspy where it is
+        installed.
+
+    Returns
+    -------
+    MinimaxSolution or None
+        None when no x makes every sample positive.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> s = np.linspace(0, 1, 50)
+    >>> round(minimax_ratio(np.column_stack([1 + s, 1 + s**2])).ratio, 6)
+    2.0
+    """
+    n, m = rows.shape
+    offset = np.zeros(n) if offset is None else offset
+    if m == 0:
+        low, high = float(offset.min()), float(offset.max())
+        return MinimaxSolution(np.zeros(0), high, offset, 0) if low >= 1 - tolerance else None
+    if m == 1 and side_rows is None and not offset.any():
+        return _single(rows[:, 0])
+    basis = _conditioned(rows)
+    program = _program(solver, basis.shape[1])
+    if side_rows is not None:
+        program.add(side_rows @ basis, np.zeros(len(side_rows)), np.zeros(0, dtype=int))
+    first = np.unique(np.linspace(0, n - 1, min(n, _START_ROWS)).astype(int))
+
+    def demand(below: IntArray, above: IntArray) -> None:
+        """Samples `below` must rise to 1, samples `above` sink to R."""
+        chosen = np.concatenate([below, above])
+        program.add(rows[chosen] @ basis, offset[chosen], np.arange(len(below), len(chosen)), bound=1.0)
+
+    demand(first, first)
+    for rounds in range(1, _MAX_ROUNDS + 1):
+        answer = program.solve()
+        if answer is None:
+            return None
+        x = basis @ answer[:-1]
+        ratio = float(answer[-1])
+        values = rows @ x + offset
+        low, high = int(values.argmin()), int(values.argmax())
+        below = np.array([low] if values[low] < 1 - tolerance else [], dtype=np.intp)
+        above = np.array([high] if values[high] > ratio + tolerance * max(1.0, ratio) else [], dtype=np.intp)
+        if not below.size and not above.size:
+            return MinimaxSolution(x, max(ratio, float(values[high])), values, rounds)
+        demand(below, above)
+    raise NotConvergedError(
+        f"the linear program for the stiffness ratio did not settle in {_MAX_ROUNDS} rounds (ratio "
+        f"{ratio:.6g}): "
+        "the curve has almost straight places; move its control points a little"
+    )
+
+
+def _single(row: FloatArray) -> MinimaxSolution | None:
+    """One unknown is a scale: nothing to optimise."""
+    low, high = row.min(), row.max()
+    if low > 0:
+        return MinimaxSolution(np.array([1 / low]), float(high / low), row / low, 0)
+    if high < 0:
+        return MinimaxSolution(np.array([1 / high]), float(low / high), row / high, 0)
+    return None
+
+
+def _conditioned(rows: FloatArray) -> FloatArray:
+    """Columns (m, k) that span the unknowns such that stiffness is of order 1 for coefficients of order 1."""
+    thinned = rows[:: max(1, len(rows) // 64)]
+    _, size, vt = np.linalg.svd(thinned, full_matrices=False)
+    keep = size > 1e-13 * size[0] if size[0] > 0 else np.ones(size.size, dtype=bool)
+    return np.asarray(vt[keep].T * (np.sqrt(len(thinned)) / np.where(size[keep] > 0, size[keep], 1.0)))
+
+
+class _Program(Protocol):
+    """Minimise R over (x, R), rows being added between solutions."""
+
+    def add(self, rows: FloatArray, offset: FloatArray, above: IntArray, bound: float = 0.0) -> None:
+        """Demand rows @ x + offset >= bound, except of the rows `above`: rows @ x + offset <= R."""
+
+    def solve(self) -> FloatArray | None:
+        """(x, R), or None when infeasible."""
+
+
+def _program(solver: Solver, unknowns: int) -> _Program:
+    if solver == "scipy":
+        return _ScipyProgram(unknowns)
+    try:
+        return _HighsProgram(unknowns)
+    except ImportError:
+        if solver == "highspy":
+            raise
+        return _ScipyProgram(unknowns)
+
+
+_local = threading.local()
+
+
+def _highs() -> Any:
+    """One silent HiGHS a thread: making one costs as much as solving."""
+    if not hasattr(_local, "highs"):
+        import highspy
+
+        _local.highs = highspy.Highs()
+        for name, value in {
+            "output_flag": False, "presolve": "off", "solver": "simplex", "parallel": "off",
+            "primal_feasibility_tolerance": 1e-10, "dual_feasibility_tolerance": 1e-10,
+        }.items():  # fmt: skip
+            _local.highs.setOptionValue(name, value)
+        _local.optimal, _local.infeasible = (
+            highspy.HighsModelStatus.kOptimal,
+            (highspy.HighsModelStatus.kInfeasible, highspy.HighsModelStatus.kUnboundedOrInfeasible),
+        )
+    return _local.highs
+
+
+class _HighsProgram:
+    def __init__(self, unknowns: int) -> None:
+        self.highs = _highs()
+        self.highs.clearModel()
+        self.columns = unknowns + 1
+        free = np.full(self.columns, np.inf)
+        self.highs.addVars(self.columns, -free, free)
+        self.highs.changeColCost(unknowns, 1.0)
+
+    def add(self, rows: FloatArray, offset: FloatArray, above: IntArray, bound: float = 0.0) -> None:
+        count = len(rows)
+        matrix = np.zeros((count, self.columns))
+        matrix[:, :-1] = rows
+        matrix[above, -1] = -1.0
+        lower, upper = bound - offset, np.full(count, np.inf)
+        lower[above], upper[above] = -np.inf, -offset[above]
+        start = np.arange(0, count * self.columns, self.columns, dtype=np.int32)
+        column = np.tile(np.arange(self.columns, dtype=np.int32), count)
+        self.highs.addRows(count, lower, upper, matrix.size, start, column, matrix.ravel())
+
+    def solve(self) -> FloatArray | None:
+        self.highs.run()
+        status = self.highs.getModelStatus()
+        if status == _local.optimal:
+            return np.array(self.highs.getSolution().col_value)
+        if status in _local.infeasible:
+            return None
+        raise NotConvergedError(f"HiGHS stopped on the stiffness program with status {status}")
+
+
+class _ScipyProgram:
+    """The same rounds with `scipy.optimize.linprog`, from scratch each time."""
+
+    def __init__(self, unknowns: int) -> None:
+        self.matrix = np.zeros((0, unknowns + 1))
+        self.limit = np.zeros(0)
+
+    def add(self, rows: FloatArray, offset: FloatArray, above: IntArray, bound: float = 0.0) -> None:
+        matrix = np.column_stack([-rows, np.zeros(len(rows))])
+        limit = offset - bound
+        matrix[above, :-1] *= -1
+        matrix[above, -1] = -1.0
+        limit[above] = -offset[above]
+        self.matrix = np.vstack([self.matrix, matrix])
+        self.limit = np.concatenate([self.limit, limit])
+
+    def solve(self) -> FloatArray | None:
+        from scipy.optimize import linprog
+
+        cost = np.zeros(self.matrix.shape[1])
+        cost[-1] = 1.0
+        options = {"primal_feasibility_tolerance": 1e-10, "dual_feasibility_tolerance": 1e-10}
+        result = linprog(cost, self.matrix, self.limit, bounds=(None, None), method="highs", options=options)
+        if result.status == 0:
+            return np.asarray(result.x, dtype=float)
+        if result.status == 2:
+            return None
+        raise NotConvergedError(f"the linear program for the stiffness ratio stopped: {result.message}")

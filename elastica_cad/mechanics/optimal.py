@@ -1,0 +1,256 @@
+"""From a drawn curve to the rod of least stiffness ratio that rests in it."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.geometry import PlaneCurve, Profile
+from elastica_cad.mechanics.equilibrium import (
+    EquilibriumCheck,
+    NotRealizable,
+    check_equilibrium,
+    examine_curvature,
+)
+from elastica_cad.mechanics.gravity import Gravity
+from elastica_cad.mechanics.line import InflectionLine
+from elastica_cad.mechanics.loads import Weight
+from elastica_cad.mechanics.rod import DEFAULT_SAMPLES, Rod
+from elastica_cad.mechanics.supports import Supports
+from elastica_cad.mechanics.weighing import Balance, balance_with_weight, balance_without_weight
+
+__all__ = ["optimal_rod"]
+
+PROFILE_TOLERANCE = 1e-8
+"""Error of the stiffness profile, relative to its largest value."""
+
+STEP_LENGTH = 1e-5
+"""A step of the stiffness is spread over this part of the length, so that the outline stays one edge."""
+
+
+def optimal_rod(
+    curve: PlaneCurve,
+    gravity: Gravity | None = None,
+    supports: Supports | None = None,
+    natural_curvature: float = 0.0,
+    samples: int | None = None,
+    *,
+    weight: Weight | None = None,
+    bending_stiffness: float | None = None,
+    tolerance: float = 1e-4,
+) -> Rod:
+    """The rod whose rest shape is the curve, with the least possible ratio of largest to least stiffness.
+
+    Parameters
+    ----------
+    gravity : Gravity, optional
+        Weight proportional to the stiffness, as of a plain strip; its direction serves for `weight` too.
+    supports : Supports
+        Clamped at both ends unless given.
+    natural_curvature : float
+        kappa_0, 1/mm.
+    samples : int, optional
+        Nodes of the rod, and the only places where its ratio is judged. Unless given, the ratio is that of
+        the continuous curve and the rod has 401 nodes.
+    weight : Weight, optional
+        Weight in newtons instead of a proportional one; with `own=True` the strip's own weight, which is
+        B / gravity.length^3 per length and stiffness, is added to it.
+    bending_stiffness : float, optional
+        Lower bound B of the bending stiffness E I, N mm2, that the weight in newtons is set against. Unless
+        given it is solved for: that of least ratio, or where the ratio only falls with growing B, the least B
+        whose ratio is within 1 % of the weightless one.
+    tolerance : float
+        Inflections this near to one line, in lengths of the curve, are moved onto it; `Rod.moved` tells how
+        far the curve moved, and `Rod.shape` is the moved curve.
+
+    Returns
+    -------
+    Rod
+        Least nodal stiffness 1. Under weight, where inflections leave a choice, the smoothest stiffness
+        within 1 % of the least ratio is taken (section 5.3).
+
+    Raises
+    ------
+    NotRealizable
+        No admissible stiffness exists; `check` of the error says why and where.
+    InputError
+        Options that do not fit together, a closed or kinked curve.
+
+    References
+    ----------
+    Paper, Eqs. 4 to 6 and section 5.3.
+
+    Examples
+    --------
+    >>> import math
+    >>> arch = PlaneCurve.ellipse((0, 0), (200, 100), start=0, end=math.pi)
+    >>> round(optimal_rod(arch).ratio, 4)
+    1.5699
+    """
+    supports = supports or Supports()
+    _check_options(gravity, samples, weight, bending_stiffness)
+    if gravity is None:
+        check = check_equilibrium(curve, supports, natural_curvature, tolerance=tolerance)
+    else:
+        check = examine_curvature(curve, supports, natural_curvature)
+    if not check.realizable:
+        raise NotRealizable(check)
+    problem = _Problem(check, gravity, supports, natural_curvature, samples, weight, bending_stiffness)
+    if check.any_stiffness:
+        return _unbent_rod(problem)
+    nodes = None if samples is None else check.curve.parameter(_stations(problem))
+    if gravity is None:
+        balance = balance_without_weight(check, supports, natural_curvature, nodes=nodes)
+    else:
+        balance = balance_with_weight(
+            check,
+            supports,
+            natural_curvature,
+            gravity,
+            weight=weight,
+            bending_stiffness=bending_stiffness,
+            nodes=nodes,
+        )
+    return _bent_rod(problem, balance)
+
+
+@dataclass(frozen=True, eq=False)
+class _Problem:
+    check: EquilibriumCheck
+    gravity: Gravity | None
+    supports: Supports
+    natural_curvature: float
+    samples: int | None
+    weight: Weight | None
+    bending_stiffness: float | None
+
+
+def _check_options(
+    gravity: Gravity | None, samples: int | None, weight: Weight | None, bending_stiffness: float | None
+) -> None:
+    if samples is not None and not (samples >= 3 and int(samples) == samples):
+        raise InputError(f"samples is {samples!r}: a rod needs 3 nodes or more")
+    if weight is not None and gravity is None:
+        raise InputError("a weight in newtons needs gravity too: pass gravity=Gravity(...) for its direction")
+    if bending_stiffness is not None:
+        if weight is None:
+            raise InputError(
+                "bending_stiffness is for rods with a weight in newtons: pass weight=Weight(...) as well"
+            )
+        if not (np.isfinite(bending_stiffness) and bending_stiffness > 0):
+            raise InputError(f"bending stiffness is {bending_stiffness}: it must be positive, in N mm2")
+
+
+def _stations(problem: _Problem) -> FloatArray:
+    return np.linspace(0.0, problem.check.curve.length, problem.samples or DEFAULT_SAMPLES)
+
+
+def _unbent_rod(problem: _Problem) -> Rod:
+    """A curve of the natural curvature throughout: no moment; under weight it must hang or stand upright."""
+    curve, check = problem.check.curve, problem.check
+    nodes = curve.at(_stations(problem))
+    force = np.zeros_like(nodes.position)
+    n = nodes.s.size
+    rod = Rod(
+        s=nodes.s, position=nodes.position, angle=nodes.angle, curvature=nodes.curvature,
+        stiffness=np.ones(n), moment=np.zeros(n), force=force, profile=Profile.interpolate(nodes.s[[0, -1]],
+        np.ones(2)), gravity=problem.gravity, supports=problem.supports,
+        natural_curvature=problem.natural_curvature, weight=problem.weight,
+        bending_stiffness=problem.bending_stiffness, shape=curve, check=check, warnings=check.warnings,
+    )  # fmt: skip
+    if problem.gravity is None:
+        return rod
+    down = np.asarray(problem.gravity.direction)
+    chord = nodes.position[-1] - nodes.position[0]
+    sideways = abs(chord[0] * down[1] - chord[1] * down[0]) / np.hypot(*chord)
+    if problem.natural_curvature or sideways > 1e-9:
+        reason = "Under its weight an unbent strip sags, unless it is upright: draw the shape it may hang in."
+        refused = replace(check, realizable=False, any_stiffness=False, reasons=(reason,))
+        raise NotRealizable(refused)
+    if problem.weight is not None and problem.bending_stiffness is None:
+        raise InputError(
+            "an upright straight strip takes any stiffness: give bending_stiffness for its weight"
+        )
+    # the end that holds the strip upright carries all; lambda' = load
+    load = rod.nodal_load
+    force = np.cumsum(load, axis=0) - load / 2
+    held_at_end = sum((problem.supports.ends[1].x, problem.supports.ends[1].y)) == 2
+    return replace(rod, force=force if held_at_end else force - load.sum(axis=0))
+
+
+def _bent_rod(problem: _Problem, balance: Balance) -> Rod:
+    check, curve, panels = problem.check, problem.check.curve, balance.panels
+    nodes = curve.at(_stations(problem))
+    panel, x = panels.locate(nodes.t)
+    K = balance.stiffness.at(panel, x)
+    if K.min() <= 0:
+        raise NotRealizable(check)
+    least = float(K.min())
+    moment = balance.moment.at(panel, x) / least
+    b = balance.force.at(panel, x) / least
+    K = K / least
+    size = np.abs(moment).max()
+    residual = float(np.abs(K * (nodes.curvature - problem.natural_curvature) - moment).max() / size)
+    warnings = list(check.warnings)
+    if check.moved:
+        warnings.append(
+            f"The curve was moved by at most {check.moved:.3g} mm to bring its inflections onto one line."
+        )
+    if problem.gravity is None and check.zeros and np.hypot(*b[0]) > 0:
+        check = replace(check, line=_moment_line(moment[0], b[0], nodes.position[0]))
+    weight = balance.weight
+    if weight is not None:
+        # beta K stays what it is when K is divided by its least value
+        own = weight.beta.scaled(least) if isinstance(weight.beta, Profile) else weight.beta * least
+        weight = replace(weight, beta=own)
+    return Rod(
+        s=nodes.s, position=nodes.position, angle=nodes.angle, curvature=nodes.curvature, stiffness=K,
+        moment=moment, force=np.column_stack([-b[:, 1], b[:, 0]]),
+        profile=_profile(check, balance, 1 / least),
+        gravity=problem.gravity, supports=problem.supports, natural_curvature=problem.natural_curvature,
+        residual=residual, weight=weight,
+        bending_stiffness=None if balance.bending_stiffness is None else balance.bending_stiffness * least,
+        shape=curve, check=check, warnings=tuple(warnings), moved=check.moved,
+    )  # fmt: skip
+
+
+def _moment_line(moment: float, b: FloatArray, position: FloatArray) -> InflectionLine:
+    """The line on which M = moment + <b, x - position> vanishes."""
+    size = np.hypot(*b)
+    foot = position - b * moment / size**2
+    return InflectionLine((float(foot[0]), float(foot[1])), (float(b[1] / size), float(-b[0] / size)))
+
+
+def _profile(check: EquilibriumCheck, balance: Balance, scale: float) -> Profile:
+    """K as a cubic spline of arc length.
+
+    K has two derivatives less than the curve, and one less again in an inflection at a knot; a kink stays a
+    kink. A step is spread over a ramp.
+    """
+    curve, panels, K = check.curve, balance.panels, balance.stiffness
+    length = curve.length
+    zeros = np.array([z.s for z in check.zeros])
+    breaks: list[tuple[float, int]] = list(balance.kinks)
+    steps: list[float] = []
+    for knot in curve.breaks:
+        at_zero = zeros.size > 0 and np.abs(zeros - knot.s).min() < 1e-9 * length
+        continuity = knot.continuity - 2 - int(at_zero)
+        if continuity < 0:
+            steps.append(knot.s)
+        else:
+            breaks.append((knot.s, continuity))
+    half = STEP_LENGTH * length / 2
+    breaks += [(s + side * half, 0) for s in steps for side in (-1, 1)]
+
+    def stiffness(s: FloatArray) -> FloatArray:
+        values = K.at(*panels.locate(curve.parameter(s))) * scale
+        for step in steps:
+            inside = np.abs(s - step) < half
+            if inside.any():
+                ends = K.at(*panels.locate(curve.parameter(np.array([step - half, step + half])))) * scale
+                values[inside] = np.interp(s[inside], [step - half, step + half], ends)
+        return values
+
+    largest = float(np.abs(stiffness(np.linspace(0.0, length, 257))).max())
+    return Profile.fit(stiffness, length, breaks=breaks, tolerance=PROFILE_TOLERANCE * largest)

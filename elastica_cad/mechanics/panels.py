@@ -1,0 +1,229 @@
+"""A curve cut into panels with Gauss nodes: quotients and integrals along it to near rounding error."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, fields, replace
+
+import numpy as np
+
+from elastica_cad._types import BoolArray, FloatArray, IntArray
+from elastica_cad.geometry import PlaneCurve
+
+__all__ = ["LEFT", "NODES", "RIGHT", "WEIGHTS", "PanelFunction", "Panels", "cut_into_panels"]
+
+ORDER = 12
+MAX_PANELS = 4000
+RESOLVED = 1e-11
+NOISE = 1e-6
+
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(ORDER)
+_DEGREES = np.arange(ORDER)
+_VANDER = np.polynomial.legendre.legvander(NODES, ORDER - 1)
+TO_COEFFICIENTS = (_VANDER * WEIGHTS[:, None]).T * (_DEGREES + 0.5)[:, None]
+
+
+def _antiderivatives() -> tuple[FloatArray, FloatArray]:
+    """Matrices (p, p) that integrate nodal values from -1 to each node, and from each node to 1."""
+    longer = np.polynomial.legendre.legvander(NODES, ORDER)
+    primitive = np.empty((ORDER, ORDER))
+    primitive[:, 0] = NODES + 1
+    for n in range(1, ORDER):
+        primitive[:, n] = (longer[:, n + 1] - longer[:, n - 1]) / (2 * n + 1)
+    left = primitive @ TO_COEFFICIENTS
+    return left, WEIGHTS - left
+
+
+LEFT, RIGHT = _antiderivatives()
+
+
+@dataclass(frozen=True, eq=False)
+class Panels:
+    """N panels with p Gauss nodes each; no node lies on a knot or a zero of the curvature.
+
+    Attributes
+    ----------
+    edges, edge_s : (N + 1,) arrays
+        Parameters and arc lengths (mm) of the panel ends.
+    edge_position : (N + 1, 2) array
+        mm.
+    zero_left, zero_right : (N,) bool arrays
+        Does the curvature vanish at this end of the panel? Never at both.
+    t, s, curvature : (N, p) arrays
+        Parameters, arc lengths and kappa - kappa_0 at the nodes; beside a zero integrated from it, so that
+        the relative accuracy is kept.
+    stretch : (N, p) array
+        ds/dx, where x in [-1, 1] runs over the panel.
+    from_left, from_right : (N, p, 2) arrays
+        Position less that of the panel's left, right end, mm.
+    """
+
+    edges: FloatArray
+    edge_s: FloatArray
+    edge_position: FloatArray
+    zero_left: BoolArray
+    zero_right: BoolArray
+    t: FloatArray
+    s: FloatArray
+    curvature: FloatArray
+    stretch: FloatArray
+    from_left: FloatArray
+    from_right: FloatArray
+
+    @property
+    def count(self) -> int:
+        """Number of panels."""
+        return len(self.t)
+
+    def chosen(self, which: BoolArray) -> "Panels":
+        """Some panels, of arrays with one entry a panel."""
+        return Panels(**{f.name: getattr(self, f.name)[which] for f in fields(self)})
+
+    def locate(self, t: FloatArray) -> tuple[IntArray, FloatArray]:
+        """Panel numbers and places x in [-1, 1] of parameters `t` (n,)."""
+        panel = np.clip(np.searchsorted(self.edges, t, side="right") - 1, 0, self.count - 1)
+        start, end = self.edges[panel], self.edges[panel + 1]
+        return panel, np.clip((2 * t - start - end) / (end - start), -1.0, 1.0)
+
+    def arc_length(self, panel: IntArray, x: FloatArray) -> FloatArray:
+        """Arc lengths of places x in panels, mm."""
+        return np.asarray(PanelFunction.through(self.s).at(panel, x))
+
+
+@dataclass(frozen=True, eq=False)
+class PanelFunction:
+    """A piecewise polynomial: Legendre coefficients (N, p, ...) over the panels."""
+
+    coefficients: FloatArray
+
+    @classmethod
+    def through(cls, values: FloatArray) -> "PanelFunction":
+        """The interpolant of nodal values (N, p, ...)."""
+        return cls(np.einsum("ij,nj...->ni...", TO_COEFFICIENTS, values))
+
+    def at(self, panel: IntArray, x: FloatArray) -> FloatArray:
+        """Values (n, ...) at places x (n,) of panels (n,)."""
+        basis = np.polynomial.legendre.legvander(x, ORDER - 1)
+        return np.asarray(np.einsum("ni,ni...->n...", basis, self.coefficients[panel]))
+
+    def slopes_at(self, panel: IntArray, x: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """First and second derivatives with respect to x (n, ...)."""
+        first = np.polynomial.legendre.legder(self.coefficients, axis=1)
+        second = np.polynomial.legendre.legder(self.coefficients, 2, axis=1)
+        one = np.polynomial.legendre.legvander(x, ORDER - 2)
+        return (
+            np.einsum("ni,ni...->n...", one, first[panel]),
+            np.einsum("ni,ni...->n...", one[:, :-1], second[panel]),
+        )
+
+    def combined(self, numbers: FloatArray) -> "PanelFunction":
+        """The last axis contracted with `numbers`."""
+        return PanelFunction(self.coefficients @ numbers)
+
+
+def cut_into_panels(
+    curve: PlaneCurve,
+    zeros: Sequence[float],
+    *,
+    cuts: Sequence[float] = (),
+    natural_curvature: float = 0.0,
+    tolerance: float = RESOLVED,
+) -> Panels:
+    """Panels that resolve the curve, and any moment over its curvature.
+
+    A panel is halved until the Legendre coefficients of the speed and of (t - zero)/(kappa - kappa_0) have
+    died away.
+
+    Parameters
+    ----------
+    zeros : sequence of float
+        Parameters where kappa - kappa_0 vanishes: they become panel ends.
+    cuts : sequence of float
+        Further parameters that must be panel ends, such as places of point masses.
+    tolerance : float
+        Size of the last coefficients relative to the function.
+    """
+    low, high = curve.domain
+    close = 1e-10 * (high - low)
+    fixed = np.array([low, *sorted(z for z in zeros if low + close < z < high - close), high])
+    others = [t for t in (*(b.t for b in curve.breaks), *cuts) if np.abs(fixed - t).min() > close]
+    edges = np.unique(np.concatenate([fixed, others]))
+    edges = edges[np.concatenate([[True], np.diff(edges) > close])]
+    flags = np.array([any(abs(z - e) <= close for z in zeros) for e in edges])
+    cut = _Cut(edges[:-1], edges[1:], flags[:-1], flags[1:], np.full(edges.size - 1, np.inf))
+    cut = cut.halved(cut.zero_left & cut.zero_right)
+    done: list[Panels] = []
+    while cut.left.size:
+        found, tail = _evaluated(curve, cut, natural_curvature)
+        # where halving no longer helps, the rest is rounding noise
+        settled = (tail <= tolerance) | ((tail < NOISE) & (tail > 0.3 * cut.tail))
+        settled |= cut.right - cut.left < 1e-7 * (high - low)
+        if sum(p.count for p in done) + 2 * cut.left.size > MAX_PANELS:
+            settled[:] = True
+        done.append(found.chosen(settled))
+        cut = replace(cut, tail=tail).chosen(~settled).halved()
+    return _joined(done, float(high), np.asarray(curve.evaluate(np.array([high]))))
+
+
+@dataclass(frozen=True, eq=False)
+class _Cut:
+    """Panels before they are evaluated; `tail` is how badly their parent was resolved."""
+
+    left: FloatArray
+    right: FloatArray
+    zero_left: BoolArray
+    zero_right: BoolArray
+    tail: FloatArray
+
+    def chosen(self, which: BoolArray) -> "_Cut":
+        return _Cut(*(getattr(self, f.name)[which] for f in fields(self)))
+
+    def halved(self, which: BoolArray | None = None) -> "_Cut":
+        """Every panel, or every one of `which`, as two."""
+        if which is None:
+            which = np.ones(self.left.size, dtype=bool)
+        kept, split = self.chosen(~which), self.chosen(which)
+        middle = (split.left + split.right) / 2
+        no = np.zeros(middle.size, dtype=bool)
+        return _Cut(
+            np.concatenate([kept.left, split.left, middle]),
+            np.concatenate([kept.right, middle, split.right]),
+            np.concatenate([kept.zero_left, split.zero_left, no]),
+            np.concatenate([kept.zero_right, no, split.zero_right]),
+            np.concatenate([kept.tail, split.tail, split.tail]),
+        )
+
+
+def _evaluated(curve: PlaneCurve, cut: _Cut, kappa_0: float) -> tuple[Panels, FloatArray]:
+    """Panels one by one (`edges` and its likes hold their left ends), and how much of them is unresolved."""
+    half = (cut.right - cut.left)[:, None] / 2
+    t = cut.left[:, None] + half * (1 + NODES)
+    velocity = np.asarray(curve.evaluate(t, 1)) * half[..., None]
+    stretch = np.hypot(velocity[..., 0], velocity[..., 1])
+    kappa = np.asarray(curve.curvature_at(t)) - kappa_0
+    beside = cut.zero_left | cut.zero_right
+    if beside.any():
+        growth = np.asarray(curve.curvature_slope_at(t[beside])) * stretch[beside]
+        kappa[beside] = np.where(cut.zero_left[beside, None], growth @ LEFT.T, -(growth @ RIGHT.T))
+    to_zero = np.where(cut.zero_left[:, None], 1 + NODES, np.where(cut.zero_right[:, None], NODES - 1, 1.0))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        functions = np.stack([stretch, to_zero / kappa])
+        tails = np.abs(functions @ TO_COEFFICIENTS[-2:].T).max(axis=-1) / np.abs(functions).max(axis=-1)
+    panels = Panels(
+        edges=cut.left, edge_s=stretch @ WEIGHTS, edge_position=np.asarray(curve.evaluate(cut.left)),
+        zero_left=cut.zero_left, zero_right=cut.zero_right, t=t, s=stretch @ LEFT.T, curvature=kappa,
+        stretch=stretch, from_left=np.einsum("ij,njk->nik", LEFT, velocity),
+        from_right=-np.einsum("ij,njk->nik", RIGHT, velocity),
+    )  # fmt: skip
+    return panels, np.asarray(tails.max(axis=0))
+
+
+def _joined(parts: list[Panels], last: float, last_position: FloatArray) -> Panels:
+    """One chain of panels from loose ones."""
+    columns = {f.name: np.concatenate([getattr(p, f.name) for p in parts]) for f in fields(Panels)}
+    order = np.argsort(columns["edges"])
+    columns = {name: column[order] for name, column in columns.items()}
+    edge_s = np.concatenate([[0.0], np.cumsum(columns["edge_s"])])
+    columns["s"] = edge_s[:-1, None] + columns["s"]
+    columns["edge_s"] = edge_s
+    columns["edges"] = np.append(columns["edges"], last)
+    columns["edge_position"] = np.concatenate([columns["edge_position"], last_position])
+    return Panels(**columns)
