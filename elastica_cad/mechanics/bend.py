@@ -9,12 +9,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.mechanics.balance import Balance, State, edge_state
-from elastica_cad.mechanics.bifurcation import (
-    buckled_by_load,
-    buckled_by_shortening,
-    is_straight,
-    must_shorten,
-)
+from elastica_cad.mechanics.bifurcation import from_straight, is_straight, stretched
 from elastica_cad.mechanics.continuation import Reached, follow, is_balanced, relax
 from elastica_cad.mechanics.discrete import edge_positions
 from elastica_cad.mechanics.gravity import Gravity
@@ -254,19 +249,15 @@ def resampled(rod: Rod, samples: int) -> Rod:
 
 def reach(balance: Balance, state: State, side: int | None, mode: int) -> Reached:
     """Follow from `state` to the wanted equilibrium; leave a straight state where it must or is told to."""
-    if must_shorten(balance, state):
-        if float(np.linalg.norm(balance.chord)) > balance.length * (1 - 1e-12):
+    if len(balance.held) == 2 and float(np.linalg.norm(balance.chord)) > balance.length * (1 - 1e-12):
+        taut = stretched(balance, state)
+        if not is_balanced(balance, taut):
             raise InputError(
                 f"the ends are as far apart as the rod is long ({balance.length:.6g} mm), so it must be "
-                "straight, which its present direction does not allow: bring the ends closer together"
+                "straight, which its end angles or its weight do not allow: bring the ends closer together"
             )
-        _, state = buckled_by_shortening(balance, state, side or 1, mode)
-    elif side is not None and is_straight(state):
-        straight = follow(balance, state)
-        if straight.arrived and is_straight(straight.state):
-            return Reached(buckled_by_load(balance, straight.state, side, mode), 1.0, straight.steps)
-        return straight
-    return follow(balance, state)
+        return Reached(taut, 1.0, 0)
+    return from_straight(balance, state, side, mode) if is_straight(state) else follow(balance, state)
 
 
 def _guessed(guess: "Rod | ArrayLike", balance: Balance) -> State:

@@ -7,12 +7,21 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.mechanics.balance import Balance, State
-from elastica_cad.mechanics.banded import constrained_inertia, lowest_constrained, solve_bordered
-from elastica_cad.mechanics.continuation import correct, is_balanced, trace
+from elastica_cad.mechanics.banded import lowest_constrained, solve_bordered
+from elastica_cad.mechanics.continuation import (
+    Reached,
+    correct,
+    follow,
+    is_balanced,
+    relax,
+    trace,
+    unstable_modes,
+)
 
-__all__ = ["buckled_by_load", "buckled_by_shortening", "is_straight", "must_shorten"]
+__all__ = ["from_straight", "is_straight", "stretched"]
 
 STRAIGHT = 1e-7  # rad
+LARGE_TURN = 0.5  # rad between the end angles, above which they decide the side
 FIRST_CHORD = 0.9  # of the length: the first shortening away from the straight state
 
 
@@ -21,36 +30,72 @@ def is_straight(state: State) -> bool:
     return float(np.ptp(state.angles)) < STRAIGHT
 
 
-def must_shorten(balance: Balance, state: State) -> bool:
+def stretched(balance: Balance, state: State) -> State:
+    """The straight, unloaded state along the line between the ends."""
+    chord = balance.end - balance.start
+    angle = float(np.arctan2(chord[1], chord[0]))
+    angle += 2 * np.pi * np.round((_direction(balance, state) - angle) / (2 * np.pi))
+    return State(np.full(balance.edges, angle), np.zeros(len(balance.held)))
+
+
+def from_straight(balance: Balance, state: State, side: int | None, mode: int) -> Reached:
+    """The way from a straight state to an equilibrium, to the chosen side where it bends."""
+    straight = State(np.full(balance.edges, _direction(balance, state)), state.reactions)
+    if _must_shorten(balance, straight):
+        turn = _turn(balance)
+        if side is None and mode == 1 and abs(turn) > LARGE_TURN:
+            middles = (np.arange(balance.edges) + 0.5) / balance.edges - 0.5
+            arc = follow(balance, State(straight.angles + turn * middles, state.reactions))
+            if arc.arrived and not unstable_modes(balance, arc.state):
+                return arc
+            rest = relax(balance, arc.state)
+            if rest is not None:
+                return Reached(rest, 1.0, arc.steps)
+        return follow(balance, _buckled_by_shortening(balance, straight, side or 1, mode))
+    found = follow(balance, straight)
+    if side is not None and found.arrived and is_straight(found.state):
+        return Reached(_buckled_by_load(balance, found.state, side, mode), 1.0, found.steps)
+    return found
+
+
+def _direction(balance: Balance, state: State) -> float:
+    """Angle of the straight rod that the ends ask for: mean of the held angles, or the line between them."""
+    held = [angle for angle in balance.ends if angle is not None]
+    if held:
+        return float(np.mean(held))
+    chord = balance.end - balance.start
+    own = float(state.angles.mean())
+    if len(balance.held) < 2 or float(np.hypot(*chord)) < 1e-9 * balance.length:
+        return own
+    angle = float(np.arctan2(chord[1], chord[0]))
+    return angle + 2 * np.pi * float(np.round((own - angle) / (2 * np.pi)))
+
+
+def _turn(balance: Balance) -> float:
+    a, b = balance.ends
+    return 0.0 if a is None or b is None else b - a
+
+
+def _must_shorten(balance: Balance, state: State) -> bool:
     """True when a straight state has to bend before its ends can come to their places."""
     gap = balance.residual(state)[1]
-    if not is_straight(state) or np.abs(gap).max(initial=0.0) <= 1e-9 * balance.length:
+    if np.abs(gap).max(initial=0.0) <= 1e-9 * balance.length:
         return False
     rows = balance.constraint_rows(state)
     normal = rows @ rows.T
     size = balance.edge_length**2 * balance.edges
-    across = (
-        np.linalg.lstsq(normal, gap, rcond=1e-9)[0]
-        if np.abs(normal).max() > 1e-12 * size
-        else np.zeros(gap.size)
-    )
+    across = np.zeros_like(gap)
+    if np.abs(normal).max() > 1e-12 * size:
+        across += np.linalg.lstsq(normal, gap, rcond=1e-9)[0]
     return bool(np.abs(normal @ across - gap).max() > 1e-9 * balance.length)
 
 
-def buckled_by_shortening(balance: Balance, state: State, side: int, mode: int) -> tuple[Balance, State]:
-    """The unloaded straight rod, its ends pushed towards each other, in buckling mode `mode`.
-
-    Returns
-    -------
-    balance, state
-        A problem near the straight state and its equilibrium, from which to follow on to the wanted one.
-    """
+def _buckled_by_shortening(balance: Balance, state: State, side: int, mode: int) -> State:
+    """The unloaded straight rod, its ends pushed a little towards each other, in buckling mode `mode`."""
     angle = float(state.angles[0])
     tangent = np.array([np.cos(angle), np.sin(angle)])
-    want = np.zeros(2)
-    want[list(balance.held)] = balance.chord
     # what is to be reached along the held coordinates decides how far the first push goes
-    wanted = float(np.hypot(*want))
+    wanted = float(np.linalg.norm(balance.chord))
     chord = balance.length * min(max(wanted / balance.length, FIRST_CHORD), 1 - 1e-12)
     first = replace(
         balance, load=np.zeros_like(balance.load), natural_curvature=0.0, force=np.zeros(2),
@@ -70,10 +115,10 @@ def buckled_by_shortening(balance: Balance, state: State, side: int, mode: int) 
         raise NotConvergedError(
             f"the straight rod of {balance.length:.6g} mm could not be buckled in mode {mode}"
         )
-    return first, found[0]
+    return found[0]
 
 
-def buckled_by_load(balance: Balance, state: State, side: int, mode: int) -> State:
+def _buckled_by_load(balance: Balance, state: State, side: int, mode: int) -> State:
     """The equilibrium under the full dead load that branches off the straight state in mode `mode`.
 
     Raises
@@ -81,10 +126,9 @@ def buckled_by_load(balance: Balance, state: State, side: int, mode: int) -> Sta
     InputError
         When the load is too small to buckle the rod in this mode.
     """
-    rows = balance.constraint_rows(state)
 
-    def unstable_modes(factor: float) -> int:
-        return constrained_inertia(*loaded(factor).second_variation(scaled(factor)), rows)
+    def modes(factor: float) -> int:
+        return unstable_modes(loaded(factor), scaled(factor))
 
     def loaded(factor: float) -> Balance:
         return balance.loaded(factor)
@@ -92,7 +136,7 @@ def buckled_by_load(balance: Balance, state: State, side: int, mode: int) -> Sta
     def scaled(factor: float) -> State:
         return State(state.angles, factor * state.reactions)
 
-    if unstable_modes(1.0) < mode:
+    if modes(1.0) < mode:
         raise InputError(
             f"the load is too small to buckle the straight rod in mode {mode}: "
             "leave out side, or raise the load or the length"
@@ -100,7 +144,7 @@ def buckled_by_load(balance: Balance, state: State, side: int, mode: int) -> Sta
     low, high = 0.0, 1.0
     while high - low > 1e-7:
         middle = (low + high) / 2
-        low, high = (low, middle) if unstable_modes(middle) >= mode else (middle, high)
+        low, high = (low, middle) if modes(middle) >= mode else (middle, high)
     shape = _sided(_mode(loaded(high), scaled(high), mode)[1], side)
     shape = shape / np.abs(shape).max()
     for amplitude in (0.2, 0.05, 0.01, 0.002):

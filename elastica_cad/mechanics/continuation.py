@@ -24,6 +24,7 @@ __all__ = [
 TOLERANCE = 1e-10  # of the moments' size, and of the length
 LARGEST_TURN = 0.5  # rad that one step of continuation may turn an edge
 SMALL_TURN = 0.02  # rad; shorter steps may pass a crossing of branches
+SADDLE_PUSH = 0.05  # rad along an unstable mode in each step of descent
 LEAST_STEP = 1e-7
 
 Gap = tuple[FloatArray, FloatArray]
@@ -87,7 +88,7 @@ def correct(
     for iteration in range(most):
         step = newton_step(balance, current, gap)
         turned = float(np.abs(step.angles).max())
-        if not turned <= turn or (turned > contraction * before and turned > 1e-7):
+        if not turned <= turn or (turned > contraction * before and turned > SMALL_TURN / 4):
             return None
         before = turned
         factor = 1.0
@@ -100,11 +101,11 @@ def correct(
             factor /= 2
             if factor < 1 / 64:
                 # rounding stops the descent: fine when the answer is already good to the tolerance
-                return (current, iteration) if size < TOLERANCE / 10 or turned < 1e-11 else None
+                return (current, iteration) if size < TOLERANCE / 10 else None
         current, gap, size = trial, trial_gap, trial_size
         if float(np.abs(current.angles - state.angles).max()) > turn:
             return None
-        if turned < 1e-9 and factor == 1.0:
+        if turned < 1e-9 and factor == 1.0 and size < TOLERANCE:
             return current, iteration + 1
     return None
 
@@ -181,49 +182,69 @@ def polished(balance: Balance, state: State) -> State:
     return state
 
 
-def relax(balance: Balance, state: State, *, most: int = 400) -> State | None:
-    """Descend the energy to a stable equilibrium (SQP with an exact penalty); None when that fails."""
-    push = np.zeros_like(state.angles)
+def relax(balance: Balance, state: State, *, most: int = 300) -> State | None:
+    """Descend the energy to a stable equilibrium, the ends kept in place; None when that fails."""
+    start = _with_ends_in_place(balance, state)
+    if start is None:
+        return None
+    state = start
     for _ in range(most):
         gap = balance.residual(state)
         diagonal, off = balance.second_variation(state)
         rows = balance.constraint_rows(state)
         inertia = constrained_inertia(diagonal, off, rows)
+        convex, push = diagonal, np.zeros_like(state.angles)
         if inertia:
             values, vectors = lowest_constrained(diagonal, off, rows)
-            diagonal = diagonal + 2 * abs(values[0]) + 1e-3 * balance.edge_length / balance.length**2
-            push = vectors[0]
-        step = State(*solve_bordered(diagonal, off, rows, right=-gap[0], below=-gap[1]))
+            convex = diagonal + 2 * abs(values[0]) + 1e-3 * balance.edge_length / balance.length**2
+            push = vectors[0] / np.abs(vectors[0]).max()
+        step = State(*solve_bordered(convex, off, rows, right=-gap[0], below=-gap[1]))
         turned = float(np.abs(step.angles).max())
         if not np.isfinite(turned):
             return None
-        if inertia and turned < 1e-6:  # a saddle: leave it along its unstable mode
-            side = np.sign(push @ gap[0]) or 1.0
-            state = State(state.angles - side * 1e-2 * push / np.abs(push).max(), state.reactions)
-            continue
-        if not inertia and turned < 1e-3:
+        if not inertia and turned < 1e-2:
             found = correct(balance, state)
-            if found is not None and is_balanced(balance, found[0]):
+            if found is not None and is_balanced(balance, found[0]) and not unstable_modes(balance, found[0]):
                 return polished(balance, found[0])
-        state = _descended(balance, state, step, gap, min(1.0, LARGEST_TURN / turned) if turned else 1.0)
+        if inertia:  # along the unstable mode too, downhill: no saddle holds
+            side = -1.0 if push @ gap[0] > 0 else 1.0
+            step = State(step.angles + side * SADDLE_PUSH * push, step.reactions)
+            turned = float(np.abs(step.angles).max())
+        descended = _descended(balance, state, step, min(1.0, LARGEST_TURN / turned) if turned else 1.0)
+        if descended is None:
+            return None
+        state = descended
     return None
 
 
-def _descended(balance: Balance, state: State, step: State, gap: Gap, factor: float) -> State:
-    """Backtracking on energy + penalty * |gap of the ends|, forces taken from the step."""
-    reactions = state.reactions + step.reactions
-    weight = 2 * float(np.abs(reactions).max(initial=0.0)) + 1 / balance.length**2
-    given = gap[0] - balance.constraint_rows(state).T @ state.reactions
-    miss = float(np.abs(gap[1]).sum())
-    slope = float(given @ step.angles) - weight * miss
-    before = balance.energy(state) + weight * miss
-    for _ in range(40):
-        trial = State(state.angles + factor * step.angles, state.reactions + factor * step.reactions)
-        miss = float(np.abs(balance.residual(trial)[1]).sum())
-        if balance.energy(trial) + weight * miss <= before + 1e-4 * factor * min(slope, 0.0):
-            break
+def _descended(balance: Balance, state: State, step: State, factor: float) -> State | None:
+    """Backtracking on the energy; the reactions are taken from the step."""
+    before = balance.energy(state)
+    least = 1e-12 * (abs(before) + 1 / balance.length)
+    for _ in range(30):
+        trial = _with_ends_in_place(
+            balance, State(state.angles + factor * step.angles, state.reactions + factor * step.reactions)
+        )
+        if trial is not None and balance.energy(trial) < before + least:
+            return trial
         factor /= 2
-    return trial
+    return None
+
+
+def _with_ends_in_place(balance: Balance, state: State) -> State | None:
+    """The nearest angles (least squares) that bring the ends to their places."""
+    for _ in range(60):
+        miss = balance.residual(state)[1]
+        if np.abs(miss).max(initial=0.0) <= 1e-12 * balance.length:
+            return state
+        rows = balance.constraint_rows(state)
+        share = np.linalg.lstsq(rows @ rows.T, miss, rcond=1e-12)[0]
+        step = rows.T @ share
+        turned = float(np.abs(step).max())
+        if not (np.isfinite(turned) and turned > 0):
+            return None
+        state = State(state.angles - min(1.0, LARGEST_TURN / turned) * step, state.reactions)
+    return None
 
 
 def unstable_modes(balance: Balance, state: State) -> int:
