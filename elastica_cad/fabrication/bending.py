@@ -157,7 +157,7 @@ def _refuse_tight(maps: Sequence[BentMap], thickness: float) -> None:
         if abs(kappa[i]) * thickness / 2 >= 1:
             raise InputError(
                 f"the radius at {s[i]:.4g} mm is {1 / abs(kappa[i]):.4g} mm, less than half the thickness of "
-                f"{thickness:g} mm: the inner face would fold over itself; use a thinner sheet or a gentler curve"
+                f"{thickness:g} mm: the inner face would fold over; take a thinner sheet or a gentler curve"
             )
 
 

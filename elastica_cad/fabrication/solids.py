@@ -1,6 +1,6 @@
 """Solid records that a CAD kernel only translates: flat parts, and strips bent into their curves."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
@@ -47,6 +47,8 @@ class FlatSolid:
         mm, from z = 0 to z = thickness of the frame.
     frame : Frame
         Where the drawing's plane lies in space.
+    joints : mapping of str to Frame
+        Places to join other parts to.
 
     Raises
     ------
@@ -64,6 +66,7 @@ class FlatSolid:
     holes: tuple[Path, ...] = ()
     thickness: float = 1.0
     frame: Frame = field(default_factory=Frame)
+    joints: Mapping[str, Frame] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         if not (np.isfinite(self.thickness) and self.thickness > 0):
@@ -73,8 +76,16 @@ class FlatSolid:
 
     @classmethod
     def of(cls, strip: Strip, frame: Frame | None = None) -> "FlatSolid":
-        """The strip as cut: x runs from the start of the free part, the sheet from z = 0 upward."""
-        return cls(strip.outline, strip.holes, strip.sheet.thickness, frame or Frame())
+        """The strip as cut: x runs from the start of the free part, the sheet from z = 0 upward.
+
+        Its joints are called as those of `BentSolid`.
+        """
+        frame = frame or Frame()
+        middle = frame.shifted(z=strip.sheet.thickness / 2)
+        joints = {
+            name: _turned(middle.shifted(x, y), way) for name, (x, y, way) in _joint_places(strip).items()
+        }
+        return cls(strip.outline, strip.holes, strip.sheet.thickness, frame, joints)
 
     @property
     def area(self) -> float:
@@ -102,12 +113,16 @@ class BentSolid:
         The open sheet half way through the thickness; its area is the flat area.
     frame : Frame
         The plane in which the curve is drawn.
+    joints : mapping of str to Frame
+        "start" and "end" of the free part, "hole1", "hole2", ...: half way through the thickness, z off the
+        strip's upper side, x along the strip (outward at the ends).
     """
 
     boundary: Boundary
     middle: Boundary
     thickness: float
     frame: Frame
+    joints: Mapping[str, Frame]
 
     @classmethod
     def of(cls, strip: Strip, frame: Frame | None = None) -> "BentSolid":
@@ -130,7 +145,12 @@ class BentSolid:
         half = thickness / 2
         skin = _Sheets(pattern.points, maps, (-half, half)).solid(pattern.regions)
         middle = _Sheets(pattern.points, maps, (0.0,)).sheet(pattern.regions)
-        return cls(skin, middle, thickness, frame)
+        joints = {}
+        for name, (x, y, way) in _joint_places(strip).items():
+            shape = maps[int(np.searchsorted(stations, x))]
+            tangent = shape.frame_at(x) if isinstance(shape, BentMap) else shape
+            joints[name] = _turned(tangent.shifted(x, y), way)
+        return cls(skin, middle, thickness, frame, joints)
 
 
 @dataclass
@@ -266,6 +286,20 @@ class _Sheets:
             self.posts[corner] = len(self.edges)
             self.edges.append(Edge(line, 0.0, height, low, low + 1))
         return self.posts[corner]
+
+
+def _joint_places(strip: Strip) -> dict[str, tuple[float, float, int]]:
+    """Flat place (x, y) of every joint, and +1 where its x axis runs along the strip, -1 against it."""
+    places = {"start": (0.0, 0.0, -1), "end": (strip.rod.length, 0.0, 1)}
+    for number, hole in enumerate(strip.holes, start=1):
+        x, y = map(float, hole.bounds.mean(axis=0))
+        places[f"hole{number}"] = (x, y, 1)
+    return places
+
+
+def _turned(frame: Frame, way: int) -> Frame:
+    """The frame, half a turn about its z axis where `way` is -1."""
+    return Frame(frame.origin, way * frame.x_axis, way * frame.y_axis)
 
 
 def _ends(piece: Piece) -> tuple[int, int]:

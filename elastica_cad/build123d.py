@@ -1,0 +1,206 @@
+"""Strips in build123d: sketch and part objects, and an operation on pending edges."""
+
+from collections.abc import Iterable
+from typing import Any, Literal, TypeAlias
+
+import build123d as bd
+
+from elastica_cad import occt
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication import BentSolid, FlatSolid, Frame, Strip, sheet_color
+from elastica_cad.fabrication.making import make_strip
+from elastica_cad.geometry import PlaneCurve
+from elastica_cad.mechanics import EquilibriumCheck, Rod, Sheet
+
+__all__ = ["BentStrip", "FlatStrip", "StripOutline", "elastic_strip"]
+
+Drawn: TypeAlias = bd.Edge | bd.Wire | PlaneCurve | Iterable[bd.Edge]
+
+
+class _Made:
+    """The strip behind a shape; copies of the shape share it."""
+
+    _made: "_Shared"
+
+    @property
+    def strip(self) -> Strip:
+        """The strip: widths, outline, strain, mass."""
+        return self._made.strip
+
+    @property
+    def rod(self) -> Rod:
+        """The bent rod: shape, stiffness, moment, force."""
+        return self.strip.rod
+
+    @property
+    def check(self) -> EquilibriumCheck | None:
+        """The verdict of Theorem 1 on the drawn curve, where one was asked for."""
+        return self.rod.check
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What a maker should know before cutting."""
+        return self.strip.warnings
+
+
+class _Shared:
+    """A record that copies of a shape need not copy."""
+
+    def __init__(self, strip: Strip) -> None:
+        self.strip = strip
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> "_Shared":
+        return self
+
+
+class StripOutline(_Made, bd.BaseSketchObject):
+    """Sketch object: the flat pattern of the strip that bends into a curve.
+
+    The x axis runs along the strip from the start of its free part, y = 0 is the centre line.
+
+    Parameters
+    ----------
+    path : Edge, Wire, edges that follow each other, or PlaneCurve
+        The curve that the strip is to take.
+    sheet : Sheet or str
+        The material, or the name of a built-in one.
+    rotation, align, mode
+        As in every sketch object of build123d.
+    **options
+        `max_width` or `min_width` (mm), `limits`, `keep`, `gravity`, `supports`, and the options of `Strip`.
+
+    Raises
+    ------
+    NotRealizable
+        No strip takes the curve and neither limits nor keep allow it to change.
+    InputError
+        A path that is not one open, plane, smooth curve; numbers that make no strip.
+
+    Examples
+    --------
+    >>> arch = bd.Edge.make_spline([(0, 0), (60, 50), (120, 0)])
+    >>> StripOutline(arch, "card-200gsm", max_width=20).face().is_planar
+    True
+    """
+
+    def __init__(
+        self,
+        path: Drawn,
+        sheet: Sheet | str,
+        *,
+        rotation: float = 0,
+        align: bd.Align | tuple[bd.Align, bd.Align] | None = None,
+        mode: bd.Mode = bd.Mode.ADD,
+        **options: Any,
+    ) -> None:
+        curve, _ = _curve_and_frame(path)
+        made = make_strip(curve, sheet, **options)
+        super().__init__(bd.Face(occt.make_face(made.outline, made.holes)), rotation, align, mode)
+        _dress(self, made)
+
+
+class FlatStrip(_Made, bd.BasePartObject):
+    """Part object: the strip as cut, lying on the xy plane.
+
+    Rigid joints "start", "end", "hole1", "hole2", ... lie half way through the thickness: z off the sheet, x
+    outward along the strip. Parameters, errors and frame as in `StripOutline`.
+    """
+
+    def __init__(
+        self,
+        path: Drawn,
+        sheet: Sheet | str,
+        *,
+        rotation: bd.RotationLike = (0, 0, 0),
+        align: bd.Align | tuple[bd.Align, bd.Align, bd.Align] | None = None,
+        mode: bd.Mode = bd.Mode.ADD,
+        **options: Any,
+    ) -> None:
+        curve, _ = _curve_and_frame(path)
+        made = make_strip(curve, sheet, **options)
+        super().__init__(_jointed(FlatSolid.of(made)), rotation, align, mode)
+        _dress(self, made)
+
+
+class BentStrip(_Made, bd.BasePartObject):
+    """Part object: the strip bent, standing on the drawn curve with half its thickness to either side.
+
+    Inside a builder the path is in the coordinates of its workplane, as all that is drawn there. Joints as on
+    `FlatStrip`, parameters and errors as in `StripOutline`.
+    """
+
+    def __init__(
+        self,
+        path: Drawn,
+        sheet: Sheet | str,
+        *,
+        rotation: bd.RotationLike = (0, 0, 0),
+        align: bd.Align | tuple[bd.Align, bd.Align, bd.Align] | None = None,
+        mode: bd.Mode = bd.Mode.ADD,
+        **options: Any,
+    ) -> None:
+        curve, frame = _curve_and_frame(path)
+        made = make_strip(curve, sheet, **options)
+        super().__init__(_jointed(BentSolid.of(made, frame)), rotation, align, mode)
+        _dress(self, made)
+
+
+def elastic_strip(
+    path: Drawn | None = None,
+    *,
+    sheet: Sheet | str,
+    form: Literal["flat", "bent", "outline"] = "flat",
+    mode: bd.Mode = bd.Mode.ADD,
+    **options: Any,
+) -> FlatStrip | BentStrip | StripOutline:
+    """Operation: the strip of a curve, of the builder's pending edges unless `path` is given.
+
+    Parameters
+    ----------
+    path : Edge, Wire, edges or PlaneCurve, optional
+    sheet : Sheet or str
+        The material, or the name of a built-in one.
+    form : "flat", "bent" or "outline"
+        The strip as cut (`FlatStrip`), as bent (`BentStrip`), or its flat pattern (`StripOutline`).
+    mode : Mode
+        How it joins the builder's part or sketch.
+    **options
+        `max_width` or `min_width` (mm) and all others of `StripOutline`.
+
+    Raises
+    ------
+    InputError
+        No path and no pending edges, an unknown form, and as `StripOutline`.
+    """
+    forms: dict[str, Any] = {"flat": FlatStrip, "bent": BentStrip, "outline": StripOutline}
+    if form not in forms:
+        raise InputError(f"form {form!r} is not known: choose one of {', '.join(forms)}")
+    builder = bd.BuildSketch if form == "outline" else bd.BuildPart
+    context = builder._get_context("elastic_strip")
+    if path is None:
+        path = list(context.pending_edges) if context is not None else []
+        if not path:
+            raise InputError(
+                "there is no curve: give a path, or draw one with BuildLine in the builder first"
+            )
+        context.pending_edges = bd.ShapeList()
+    strip: FlatStrip | BentStrip | StripOutline = forms[form](path, sheet, mode=mode, **options)
+    return strip
+
+
+def _curve_and_frame(path: Drawn) -> tuple[PlaneCurve, Frame]:
+    return (path, Frame()) if isinstance(path, PlaneCurve) else occt.plane_curve(path)
+
+
+def _jointed(record: FlatSolid | BentSolid) -> bd.Solid:
+    solid = bd.Solid(occt.make_solid(record))
+    for name, frame in record.joints.items():
+        plane = bd.Plane(tuple(frame.origin), tuple(frame.x_axis), tuple(frame.z_axis))
+        bd.RigidJoint(name, solid, plane.location)
+    return solid
+
+
+def _dress(shape: Any, made: Strip) -> None:
+    shape._made = _Shared(made)
+    shape.label = made.label or "strip"
+    shape.color = bd.Color(*sheet_color(made.sheet))

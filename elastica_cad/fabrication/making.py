@@ -1,0 +1,70 @@
+"""From a drawn curve and a sheet to a strip in one call: what every CAD skin does for its user."""
+
+from typing import TYPE_CHECKING, Any
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.strip import Strip
+from elastica_cad.geometry import PlaneCurve
+from elastica_cad.mechanics import Gravity, Sheet, Supports, optimal_rod
+
+if TYPE_CHECKING:
+    from elastica_cad.forming import Keep, Limits
+
+__all__ = ["make_strip"]
+
+
+def make_strip(
+    curve: PlaneCurve,
+    sheet: Sheet | str,
+    *,
+    limits: "Limits | None" = None,
+    keep: "Keep | None" = None,
+    gravity: Gravity | bool | None = None,
+    supports: Supports | None = None,
+    natural_curvature: float = 0.0,
+    **options: Any,
+) -> Strip:
+    """The strip that bends into a curve, or into the nearest one that meets `limits`.
+
+    Parameters
+    ----------
+    curve : PlaneCurve
+    sheet : Sheet or str
+        The material, or the name of a built-in one.
+    limits, keep : Limits, Keep, optional
+        With one of them the curve may be changed, by `nearest_rod`; without them it is followed exactly.
+    gravity : Gravity or bool, optional
+        True for the sheet's own weight, falling along -y.
+    supports, natural_curvature
+        As in `optimal_rod`.
+    **options
+        The other arguments of `Strip`: max_width, min_width, style, ends, slots, label.
+
+    Raises
+    ------
+    NotRealizable
+        No strip takes the curve and neither limits nor keep allow it to change.
+    InputError, NotConvergedError
+        As `optimal_rod`, `nearest_rod` and `Strip`.
+
+    Examples
+    --------
+    >>> arch = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
+    >>> make_strip(arch, "birch-plywood-0.8", max_width=30).width.extremes[1]
+    30.0
+    """
+    if isinstance(sheet, str):
+        sheet = Sheet.named(sheet)
+    if not isinstance(sheet, Sheet):
+        raise InputError(f"the sheet is a {type(sheet).__name__}: give a Sheet or the name of one")
+    if isinstance(gravity, bool):
+        gravity = sheet.gravity() if gravity else None
+    held = supports or Supports()
+    if limits is None and keep is None:
+        rod = optimal_rod(curve, gravity=gravity, supports=held, natural_curvature=natural_curvature)
+        return Strip(rod, sheet, **options)
+    from elastica_cad.forming import nearest_rod
+
+    wish = {name: value for name, value in {"limits": limits, "keep": keep}.items() if value is not None}
+    near = nearest_rod(curve, gravity=gravity, supports=held, **wish)
+    return Strip(near.rod, sheet, **options)
