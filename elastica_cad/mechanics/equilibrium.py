@@ -85,8 +85,7 @@ class EquilibriumCheck:
         elif self.inflections:
             opening = (
                 f"A flat strip can take this curve of {self.length:.4g} mm; it has "
-                f"{_count(self.inflections)}, "
-                f"{_places(self.inflections)}."
+                f"{_count(self.inflections)}, {_places(self.inflections)}."
             )
         else:
             opening = f"A flat strip can take this curve of {self.length:.4g} mm; it has no inflections."
@@ -171,9 +170,9 @@ def check_equilibrium(
     force_x, force_y = supports.transmits_force
     if not (force_x or force_y):
         reason = (
-            f"No force can act between its ends, so the moment is constant and the curve must bend one way "
-            f"only; it has "
-            f"{_count(check.zeros)}, {_places(z.s for z in check.zeros)}: hold both ends in x or in y."
+            "No force can act between its ends, so the moment is constant and the curve must bend one way "
+            f"only; it has {_count(check.zeros)}, {_places(z.s for z in check.zeros)}: hold both ends in x "
+            "or in y."
         )
         return _refused(check, reason)
     normal = None if force_x and force_y else np.array([1.0, 0.0] if force_y else [0.0, 1.0])
@@ -239,8 +238,8 @@ def _with_pencil(check: EquilibriumCheck) -> EquilibriumCheck:
     near = tuple(s for s in pencil.places if abs(s - zero.s) > AT_END * check.length)
     reason = (
         f"Every line through the inflection at {zero.s:.4g} mm meets the curve again or touches it there "
-        f"(the curve is "
-        f"in the way {_places(near, 'near')}): wind the curve less, or support the strip between."
+        f"(the curve is in the way {_places(near, 'near')}): wind the curve less, or support the strip "
+        "between."
     )
     return _refused(replace(checked, crossings=near), reason)
 
@@ -297,10 +296,8 @@ def _off_line_reason(check: EquilibriumCheck, normal: FloatArray | None, allowed
     small = f" (at most {allowed:.2g} mm is put right without asking)" if allowed else ""
     return (
         f"Its inflections do not lie on one {_kind_of(normal)}line: those "
-        f"{_places(s for s, _ in check.off_line)} are "
-        f"{_listed(f'{abs(d):.3g}' for _, d in check.off_line)} mm off the nearest one{small}. Move them "
-        f"onto one line, "
-        "or support the strip between them."
+        f"{_places(s for s, _ in check.off_line)} are {_listed(f'{abs(d):.3g}' for _, d in check.off_line)} "
+        f"mm off the nearest one{small}. Move them onto one line, or support the strip between them."
     )
 
 
@@ -312,8 +309,8 @@ def _refuse_bad_curve(curve: PlaneCurve) -> None:
     corners = curve.tangent_breaks
     if corners:
         raise InputError(
-            f"the curve has a corner {_places(c.s for c in corners)}: a strip bends without kinks; "
-            "round it, or draw two curves"
+            f"the curve has a corner {_places(c.s for c in corners)}: a strip bends without kinks; round it, "
+            "or draw two curves"
         )
     if curve.is_closed:
         raise InputError(
@@ -379,10 +376,9 @@ def _flat_reasons(flats: Sequence[CurvatureZero], length: float, natural_curvatu
         joints = [s for s in (flat.s, flat.s_end) if AT_END * length < s < (1 - AT_END) * length]
         what = "has exactly the natural curvature" if natural_curvature else "is straight"
         yield (
-            f"The piece from {flat.s:.4g} to {flat.s_end:.4g} mm {what} and joined to a bent one, so the "
-            f"stiffness "
-            f"would have to go to 0 at the joint: support the strip {_places(joints)}, or bend the piece a "
-            f"little."
+            f"The piece from {_figure(flat.s)} to {flat.s_end:.4g} mm {what} and joined to a bent one, so "
+            f"the stiffness would have to go to 0 at the joint: support the strip {_places(joints)}, or bend "
+            "the piece a little."
         )
 
 
@@ -390,9 +386,8 @@ def _jump_reasons(jumps: Sequence[float]) -> Iterable[str]:
     if jumps:
         yield (
             f"The bending is reversed by a jump of the curvature {_places(jumps)}, where the stiffness would "
-            f"have to go "
-            "to 0: support the strip there, or let the curvature pass through zero smoothly (a spline of "
-            "degree 4)."
+            "have to go to 0: support the strip there, or let the curvature pass through zero smoothly (a "
+            "spline of degree 4)."
         )
 
 
@@ -400,8 +395,8 @@ def _touch_reasons(touches: Sequence[float]) -> Iterable[str]:
     if touches:
         yield (
             f"The curvature runs out to zero {_places(touches)} without a clear change of sign, where the "
-            f"stiffness would "
-            "have to be infinite or zero: bend the curve a little more there, or support the strip there."
+            "stiffness would have to be infinite or zero: bend the curve a little more there, or support "
+            "the strip there."
         )
 
 
@@ -411,8 +406,7 @@ def _width_warnings(curve: PlaneCurve, jumps: Sequence[float]) -> Iterable[str]:
     if steps:
         yield (
             f"The width of the strip steps {_places(steps)}, where the curvature jumps: a spline of degree 4 "
-            f"or more "
-            "through the same points gives a smooth outline."
+            "or more through the same points gives a smooth outline."
         )
     if kinks:
         advice = (
@@ -457,7 +451,12 @@ def _count(zeros: Sequence[object]) -> str:
 
 
 def _places(s: Iterable[float], word: str = "at") -> str:
-    return f"{word} {_listed(f'{x:.4g}' for x in s)} mm"
+    return f"{word} {_listed(_figure(x) for x in s)} mm"
+
+
+def _figure(x: float) -> str:
+    """Four figures, and no traces of rounding instead of 0."""
+    return f"{round(x, 6):.4g}"
 
 
 def _listed(items: Iterable[str], most: int = 6) -> str:

@@ -172,11 +172,12 @@ def _unbent_rod(problem: _Problem) -> Rod:
         raise InputError(
             "an upright straight strip takes any stiffness: give bending_stiffness for its weight"
         )
-    # the end that holds the strip upright carries all; lambda' = load
+    # lambda grows by the load; the end that holds the strip upright carries all
     load = rod.nodal_load
     force = np.cumsum(load, axis=0) - load / 2
-    held_at_end = sum((problem.supports.ends[1].x, problem.supports.ends[1].y)) == 2
-    return replace(rod, force=force if held_at_end else force - load.sum(axis=0))
+    force[0], force[-1] = 0.0, load.sum(axis=0)
+    lower = problem.supports.ends[1]
+    return replace(rod, force=force if lower.x and lower.y else force - load.sum(axis=0))
 
 
 def _bent_rod(problem: _Problem, balance: Balance) -> Rod:

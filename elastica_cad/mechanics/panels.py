@@ -114,6 +114,11 @@ class PanelFunction:
             np.einsum("ni,ni...->n...", one[:, :-1], second[panel]),
         )
 
+    def unresolved(self, tolerance: float) -> BoolArray:
+        """Panels (N,) whose last coefficients exceed `tolerance` times the largest one."""
+        size = np.abs(self.coefficients)
+        return np.asarray(size[:, -2:].max(axis=1) > tolerance * size.max(axis=1))
+
     def combined(self, numbers: FloatArray) -> "PanelFunction":
         """The last axis contracted with `numbers`."""
         return PanelFunction(self.coefficients @ numbers)

@@ -143,7 +143,8 @@ def _basis(curve: PlaneCurve, t: FloatArray) -> tuple[FloatArray, FloatArray, Fl
 
     count = len(curve.control_points)
     weights = np.ones(count) if curve.weights is None else curve.weights
-    spline = BSpline(curve.knots, np.diag(weights), curve.degree)
+    # a copy: scipy before 1.11 evaluates writable arrays only
+    spline = BSpline(np.array(curve.knots), np.diag(weights), curve.degree)
     A, A1, A2 = (np.asarray(spline(t, nu)) for nu in range(3))
     w, w1, w2 = (part.sum(axis=1, keepdims=True) for part in (A, A1, A2))
     B = A / w

@@ -1,6 +1,6 @@
 """The stiffness of least ratio on a curve: supports and inflections as conditions, weight as a load."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import NoReturn
 
@@ -25,6 +25,11 @@ SMOOTHING = 0.01
 
 NO_GAIN = 1e-6
 """Relative gain in ratio below which a heavier strip is no better than a weightless one."""
+
+ROUGH = 1e-9
+"""Last Legendre coefficients of K in a panel, relative to K, that call for smaller panels."""
+
+REFINEMENTS = 6
 
 RANK = 1e-7
 """Conditions that depend on each other to this accuracy count as dependent."""
@@ -75,26 +80,55 @@ def balance_with_weight(
     """Eq. 6 on the continuous curve, with weight proportional to the stiffness, or in newtons."""
     cuts, kinks = _load_places(check, weight)
     panels = _panels(check, natural_curvature, cuts)
-    if weight is None:
-        own = np.full(panels.t.shape, gravity.length**-3)
-        rows = moment_rows(panels, _line_load(panels, gravity, own))
-        problem = _Conditioned(check, supports, panels, rows, nodes)
-        return problem.balance(problem.least(problem.homogeneous(3)))
-
-    def against(tau: float) -> _Conditioned:
-        """The problem with own weight for B = 1 / tau."""
-        own = _along(weight.beta, panels.s) * tau + weight.own * gravity.length**-3
-        rows = moment_rows(panels, _line_load(panels, gravity, own, weight))
-        return _Conditioned(check, supports, panels, rows, nodes)
-
-    tau = (
-        1 / bending_stiffness if bending_stiffness is not None else _least_compliance(against, weight, check)
-    )
-    problem = against(tau)
-    balance = problem.balance(problem.least(problem.at_compliance(tau)))
+    if weight is None or weight.own:
+        cuts = [*cuts, *_heavy_cuts(panels, gravity)]
+        panels = _panels(check, natural_curvature, cuts)
+    tau = None if bending_stiffness is None else 1 / bending_stiffness
+    for _ in range(REFINEMENTS):
+        load = _Load(check, supports, panels, gravity, weight, nodes)
+        if weight is None:
+            problem = load.against(0.0)
+            balance = problem.balance(problem.least(problem.homogeneous(3)))
+        else:
+            tau = _least_compliance(load, weight) if tau is None else tau
+            problem = load.against(tau)
+            balance = problem.balance(problem.least(problem.at_compliance(tau)))
+        rough = balance.stiffness.unresolved(ROUGH)
+        if not rough.any():
+            break
+        cuts = [*cuts, *((panels.edges[1:] + panels.edges[:-1]) / 2)[rough]]
+        panels = _panels(check, natural_curvature, cuts)
+    if weight is None or tau is None:
+        return balance
     beta = _raised(weight.beta, gravity.length**-3 / tau) if weight.own else weight.beta
     carried = replace(weight, beta=beta, own=False)
     return replace(balance, bending_stiffness=1 / tau, weight=carried, kinks=kinks)
+
+
+@dataclass(frozen=True, eq=False)
+class _Load:
+    """A curve cut into panels, with the weight it is to carry."""
+
+    check: EquilibriumCheck
+    supports: Supports
+    panels: Panels
+    gravity: Gravity
+    weight: Weight | None
+    nodes: FloatArray | None
+
+    def against(self, tau: float) -> "_Conditioned":
+        """The problem with weights in newtons set against B = 1 / tau."""
+        panels, weight = self.panels, self.weight
+        proportional = self.gravity.length**-3
+        own = np.full(panels.t.shape, proportional if weight is None or weight.own else 0.0)
+        dead, points = np.zeros(panels.t.shape), np.zeros(panels.count + 1)
+        if weight is not None:
+            own += _along(weight.beta, panels.s) * tau
+            dead = _along(weight.alpha, panels.s)
+            for mass in weight.masses:
+                points[int(np.abs(panels.edge_s - mass.at).argmin())] += mass.mass * 1e-3 * STANDARD_GRAVITY
+        load = LineLoad(-np.asarray(self.gravity.direction), own, dead, points)
+        return _Conditioned(self.check, self.supports, panels, moment_rows(panels, load), self.nodes)
 
 
 @dataclass(frozen=True, eq=False)
@@ -200,35 +234,30 @@ class _Conditioned:
         listed = ", ".join(f"{z.s:.4g}" for z in self.check.zeros)
         if family is None or (family.freedom == 0 and family.offset is None):
             reason = (
-                f"Under this weight and with these supports the moment cannot vanish in all places without "
-                f"curvature "
-                f"(at {listed} mm) at once: move the inflections (nearest_rod does), or hold more at the "
-                f"ends."
+                "Under this weight and with these supports the moment cannot vanish in all places without "
+                f"curvature (at {listed} mm) at once: move the inflections (nearest_rod does), or hold more "
+                "at the ends."
             )
         else:
             wrong = wrong_places(family)
             where = f" near {_stretches(wrong, self.check.length)} mm" if wrong.size else ""
             reason = (
                 f"Under this weight the moment would have to act against the curvature{where}, so no "
-                f"positive stiffness "
-                "balances the curve: use a lighter or stiffer sheet, support the strip there, or change the "
-                "curve."
+                "positive stiffness balances the curve: use a lighter or stiffer sheet, support the strip "
+                "there, or change the curve."
             )
         raise NotRealizable(replace(self.check, realizable=False, reasons=(*self.check.reasons, reason)))
 
 
-def _least_compliance(
-    against: Callable[[float], _Conditioned], weight: Weight, check: EquilibriumCheck
-) -> float:
+def _least_compliance(load: _Load, weight: Weight) -> float:
     """tau = 1 / B of least ratio; where lighter is always better, the largest within 1 % of the best."""
     if isinstance(weight.beta, Profile) or weight.beta:
-        return _searched_compliance(against, weight, check)
-    problem = against(1.0)
+        return _searched_compliance(load, weight)
+    problem = load.against(1.0)
     if problem.scale.size == 3:
         raise InputError(
-            "the weight is proportional to the stiffness, so every bending stiffness will do: leave `weight` "
-            "out, or "
-            "give bending_stiffness"
+            "the weight is proportional to the stiffness, so every bending stiffness will do: leave "
+            "`weight` out, or give bending_stiffness"
         )
     light, numbers = problem.ratio(problem.homogeneous(3)), problem.homogeneous(4)
     heavy = problem.ratio(numbers)
@@ -241,27 +270,25 @@ def _least_compliance(
     return largest_number(rows, numbers.basis[3], light[1] * (1 + SMOOTHING))
 
 
-def _searched_compliance(
-    against: Callable[[float], _Conditioned], weight: Weight, check: EquilibriumCheck
-) -> float:
+def _searched_compliance(load: _Load, weight: Weight) -> float:
     """The same where an own weight in newtons makes tau enter twice: by search along tau."""
     from scipy.optimize import brentq, minimize_scalar
 
     def ratio(logarithm: float) -> float:
         tau = float(np.exp(logarithm))
         try:
-            problem = against(tau)
+            problem = load.against(tau)
             found = problem.ratio(problem.at_compliance(tau))
         except NotRealizable:
             return np.inf
         return np.inf if found is None else found[1]
 
-    s = np.linspace(0.0, check.length, 101)
+    s = np.linspace(0.0, load.check.length, 101)
     newtons = float(replace(weight, own=False).lumped(s, np.ones(101), np.full(101, s[1])).sum())
-    weightless = against(0.0)
+    weightless = load.against(0.0)
     light = weightless.ratio(weightless.homogeneous(3))
     bent = float(np.abs(weightless.panels.curvature).max())
-    trial = np.log(bent / (newtons * check.length)) + np.linspace(-8.0, 4.0, 25)
+    trial = np.log(bent / (newtons * load.check.length)) + np.linspace(-8.0, 4.0, 25)
     ratios = np.array([ratio(x) for x in trial])
     best = int(ratios.argmin())
     if not np.isfinite(ratios[best]):
@@ -283,13 +310,13 @@ def _panels(check: EquilibriumCheck, natural_curvature: float, cuts: Sequence[fl
     return cut_into_panels(check.curve, zeros, cuts=cuts, natural_curvature=natural_curvature)
 
 
-def _line_load(panels: Panels, gravity: Gravity, own: FloatArray, weight: Weight | None = None) -> LineLoad:
-    dead, points = np.zeros(panels.t.shape), np.zeros(panels.count + 1)
-    if weight is not None:
-        dead = _along(weight.alpha, panels.s)
-        for mass in weight.masses:
-            points[int(np.abs(panels.edge_s - mass.at).argmin())] += mass.mass * 1e-3 * STANDARD_GRAVITY
-    return LineLoad(-np.asarray(gravity.direction), own, dead, points)
+def _heavy_cuts(panels: Panels, gravity: Gravity) -> FloatArray:
+    """Parameters at which to cut panels longer than sqrt(kappa l_eg^3), on which a heavy K varies."""
+    steep = np.sqrt(gravity.length**-3 / np.abs(panels.curvature).max(axis=1))
+    parts = np.clip(np.ceil(np.diff(panels.edge_s) * steep / 2), 1, 50).astype(int)
+    edges = panels.edges
+    inner = [np.linspace(a, b, n + 1)[1:-1] for a, b, n in zip(edges[:-1], edges[1:], parts, strict=True)]
+    return np.concatenate(inner)
 
 
 def _load_places(
