@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry.flatten import chord_parameters
-from elastica_cad.geometry.segments import Segment
+from elastica_cad.geometry.segments import Line, Segment
 
 IndexArray: TypeAlias = NDArray[np.intp]
 
@@ -22,6 +22,9 @@ def segment_crossings(a: Segment, b: Segment) -> tuple[tuple[float, float], ...]
 
     The end of `a` and the start of `b` are tried first, so that a crossing close to a shared corner is found.
     """
+    if isinstance(a, Line) and isinstance(b, Line):
+        u, v = (float(x[0]) for x in _line_parameters(a.start[None], a.end[None], b.start[None], b.end[None]))
+        return ((u, v),) if 0 <= u <= 1 and 0 <= v <= 1 else ()
     starts = [(1.0, 0.0), *_chord_guesses(a, b)]
     found: list[tuple[float, float]] = []
     for guess in starts:
