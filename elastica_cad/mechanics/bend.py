@@ -10,7 +10,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.mechanics.balance import Balance, State, edge_state
 from elastica_cad.mechanics.bifurcation import from_straight, is_straight, stretched
-from elastica_cad.mechanics.continuation import Reached, follow, is_balanced, relax
+from elastica_cad.mechanics.continuation import Reached, follow, is_balanced, relax, unstable_modes
 from elastica_cad.mechanics.discrete import edge_positions
 from elastica_cad.mechanics.gravity import Gravity
 from elastica_cad.mechanics.rod import Rod
@@ -35,6 +35,7 @@ def bend(
     side: int | None = None,
     mode: int = 1,
     samples: int | None = None,
+    settle: bool = False,
 ) -> Rod:
     """The rest shape of a rod whose ends are moved, turned, loaded or supported anew.
 
@@ -74,6 +75,8 @@ def bend(
         Buckling mode to leave the straight state in; modes above 1 are unstable as a rule.
     samples : int, optional
         Number of nodes; the rod's own unless given.
+    settle : bool
+        Let an unstable shape go: it snaps to the stable one that descending the energy leads to.
 
     Returns
     -------
@@ -110,7 +113,8 @@ def bend(
     balance = balance_of(wanted, rod, start, end, angles, force=force, moment=moment)
     state = state_of(rod, balance) if guess is None else _guessed(guess, balance)
     reached = reach(balance, state, side, mode)
-    if reached.arrived and is_balanced(balance, reached.state):
+    balanced = reached.arrived and is_balanced(balance, reached.state)
+    if balanced and not (settle and unstable_modes(balance, reached.state)):
         return balance.rod(reached.state, wanted)
     snapped = relax(balance, reached.state)
     if snapped is None:
