@@ -1,0 +1,220 @@
+"""Strips in CadQuery: free functions, and methods of Workplane and Sketch after `register()`."""
+
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any, Literal, TypeAlias
+
+import cadquery as cq
+
+from elastica_cad import occt
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication import BentSolid, FlatSolid, Frame, Strip
+from elastica_cad.fabrication.making import make_strip
+from elastica_cad.geometry import PlaneCurve
+from elastica_cad.mechanics import EquilibriumCheck, Rod, Sheet
+
+__all__ = ["StripFace", "StripSolid", "bent_strip", "flat_strip", "register", "strip_outline"]
+
+Drawn: TypeAlias = cq.Edge | cq.Wire | cq.Workplane | PlaneCurve | Iterable[cq.Edge]
+Form: TypeAlias = Literal["flat", "bent"]
+
+METHOD = "elasticStrip"
+
+
+class _Made(cq.Shape):
+    """The strip behind a shape; a shape moved by `moved` or `located` keeps it."""
+
+    strip: Strip
+
+    @property
+    def rod(self) -> Rod:
+        """The bent rod: shape, stiffness, moment, force."""
+        return self.strip.rod
+
+    @property
+    def check(self) -> EquilibriumCheck | None:
+        """The verdict of Theorem 1 on the drawn curve, where one was asked for."""
+        return self.rod.check
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What a maker should know before cutting."""
+        return self.strip.warnings
+
+    def moved(self, *args: Any, **options: Any) -> Any:
+        """As `Shape.moved`; a single copy still knows its strip."""
+        return self._told(super().moved(*args, **options))
+
+    def located(self, loc: cq.Location) -> Any:
+        """As `Shape.located`; the copy still knows its strip."""
+        return self._told(super().located(loc))
+
+    def _told(self, copy: Any) -> Any:
+        if isinstance(copy, type(self)):
+            copy.__dict__.update({k: v for k, v in self.__dict__.items() if k in ("strip", "_joints")})
+        return copy
+
+
+class StripFace(_Made, cq.Face):
+    """The flat pattern of a strip; `strip`, `rod`, `check`, `warnings` tell about it."""
+
+
+class StripSolid(_Made, cq.Solid):
+    """A strip, flat or bent; `strip`, `rod`, `check`, `warnings` tell about it."""
+
+    _joints: Mapping[str, cq.Location]
+
+    @property
+    def joints(self) -> dict[str, cq.Location]:
+        """Places to join other parts to: "start" and "end" of the free part, "hole1", "hole2", ...
+
+        Half way through the thickness, z off the strip, x along it (outward at the ends).
+        """
+        return {name: self.location() * place for name, place in self._joints.items()}
+
+    def end_face(self, end: Literal["start", "end"]) -> cq.Face:
+        """The plane face that closes the strip at one end."""
+        tab = self.strip.ends[0 if end == "start" else 1].length
+        tip = cq.Vector(*(self.joints[end] * cq.Location((tab, 0, 0))).toTuple()[0])
+        return min(self.Faces(), key=lambda face: (face.Center() - tip).Length)
+
+
+def strip_outline(path: Drawn, sheet: Sheet | str, **options: Any) -> StripFace:
+    """The flat pattern of the strip that bends into a curve, on the xy plane.
+
+    The x axis runs along the strip from the start of its free part, y = 0 is the centre line.
+
+    Parameters
+    ----------
+    path : Edge, Wire, Workplane, edges that follow each other, or PlaneCurve
+        The curve that the strip is to take.
+    sheet : Sheet or str
+        The material, or the name of a built-in one.
+    **options
+        `max_width` or `min_width` (mm), `limits`, `keep`, `gravity`, `supports`, and the options of `Strip`.
+
+    Raises
+    ------
+    NotRealizable
+        No strip takes the curve and neither limits nor keep allow it to change.
+    InputError
+        A path that is not one open, plane, smooth curve; numbers that make no strip.
+
+    Examples
+    --------
+    >>> arch = cq.Edge.makeSpline([cq.Vector(0, 0), cq.Vector(60, 50), cq.Vector(120, 0)])
+    >>> strip_outline(arch, "card-200gsm", max_width=20).geomType()
+    'PLANE'
+    """
+    strip, _ = _designed(path, sheet, options)
+    face = StripFace(occt.make_face(strip.outline, strip.holes))
+    face.strip = strip
+    return face
+
+
+def flat_strip(path: Drawn, sheet: Sheet | str, **options: Any) -> StripSolid:
+    """The strip as cut, from z = 0 upward; parameters, errors and axes as in `strip_outline`."""
+    strip, _ = _designed(path, sheet, options)
+    return _solid(FlatSolid.of(strip), strip)
+
+
+def bent_strip(path: Drawn, sheet: Sheet | str, **options: Any) -> StripSolid:
+    """The strip bent, standing on the drawn curve with half its thickness to either side.
+
+    Parameters and errors as in `strip_outline`.
+    """
+    strip, frame = _designed(path, sheet, options)
+    return _solid(BentSolid.of(strip, frame), strip)
+
+
+def register() -> None:
+    """Add `elasticStrip` to cq.Workplane and cq.Sketch; calling it again does no harm.
+
+    Raises
+    ------
+    InputError
+        Another library has put an `elasticStrip` there.
+    """
+    methods: dict[type, Callable[..., Any]] = {cq.Workplane: _workplane_strip, cq.Sketch: _sketch_strip}
+    for owner, method in methods.items():
+        if getattr(owner, METHOD, method) is not method:
+            raise InputError(
+                f"cq.{owner.__name__} has an {METHOD} of another library already: use the functions of "
+                "elastica_cad.cadquery instead"
+            )
+    for owner, method in methods.items():
+        setattr(owner, METHOD, method)
+
+
+def _workplane_strip(
+    self: cq.Workplane,
+    sheet: Sheet | str,
+    *,
+    form: Form = "flat",
+    combine: bool | str = False,
+    clean: bool = True,
+    **options: Any,
+) -> cq.Workplane:
+    """The strip of the pending edges and wires, or of the edges and wires selected.
+
+    Parameters
+    ----------
+    sheet : Sheet or str
+        The material, or the name of a built-in one.
+    form : "flat" or "bent"
+        Flat it lies on the workplane, the start of its free part at the origin; bent it stands on the edges.
+    combine, clean
+        As in `Workplane.eachpoint`.
+    **options
+        As in `strip_outline`.
+
+    Returns
+    -------
+    Workplane
+        With the strip on its stack; its end faces are tagged "start" and "end".
+    """
+    if form not in ("flat", "bent"):
+        raise InputError(f"form {form!r} is not known: choose flat or bent")
+    pending = [*self.ctx.popPendingEdges(False), *self.ctx.popPendingWires(False)]
+    drawn = pending or [item for item in self.objects if isinstance(item, cq.Edge | cq.Wire)]
+    if not drawn:
+        raise InputError("there is no curve: draw one on the workplane, or select edges")
+    solid = (flat_strip if form == "flat" else bent_strip)(drawn, sheet, **options)
+    here = self.plane.location if form == "flat" else cq.Location()
+    for end in ("start", "end"):
+        self.newObject([solid.end_face(end).moved(here)]).tag(end)
+    origin = self.newObject([cq.Location()])
+    return origin.eachpoint(
+        lambda at: solid.moved(at) if form == "flat" else solid, form == "flat", combine, clean
+    )
+
+
+def _sketch_strip(
+    self: cq.Sketch, sheet: Sheet | str, *, mode: str = "a", tag: str | None = None, **options: Any
+) -> cq.Sketch:
+    """Add the flat pattern of the strip that bends into the sketch's edges; these are used up.
+
+    `mode` and `tag` as in `Sketch.face`, other options as in `strip_outline`.
+    """
+    if not self._edges:
+        raise InputError("there is no curve: draw edges in the sketch first")
+    face = strip_outline(list(self._edges), sheet, **options)
+    self._edges = []
+    return self.reset().face(face, mode=mode, tag=tag)
+
+
+def _designed(path: Drawn, sheet: Sheet | str, options: dict[str, Any]) -> tuple[Strip, Frame]:
+    if isinstance(path, cq.Workplane):
+        path = [*path.ctx.pendingEdges, *path.ctx.pendingWires] or path.vals()
+    curve, frame = (path, Frame()) if isinstance(path, PlaneCurve) else occt.plane_curve(path)
+    return make_strip(curve, sheet, **options), frame
+
+
+def _solid(record: FlatSolid | BentSolid, strip: Strip) -> StripSolid:
+    solid = StripSolid(occt.make_solid(record))
+    solid.strip = strip
+    solid._joints = {name: _location(frame) for name, frame in record.joints.items()}
+    return solid
+
+
+def _location(frame: Frame) -> cq.Location:
+    return cq.Location(cq.Plane(tuple(frame.origin), tuple(frame.x_axis), tuple(frame.z_axis)))
