@@ -37,7 +37,9 @@ class _Sentences(click.Group):
             ctx.exit(BAD_INPUT)
 
 
-@click.group(cls=_Sentences, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})
+@click.group(
+    cls=_Sentences, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100}
+)
 @click.version_option(_version(), prog_name="elastica")
 def elastica() -> None:
     """Draw a curve, cut a flat strip, bend it: it takes exactly that curve.

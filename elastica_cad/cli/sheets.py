@@ -15,7 +15,9 @@ def sheets(name: str | None) -> None:
     Materials vary: cut a coupon and measure your own before a large job.
     """
     if name is None:
-        click.echo(f"{'name':26} {'mm':>5} {'E MPa':>8} {'kg/m3':>6} {'strain %':>8} {'radius mm':>9} {'kerf':>5}")
+        click.echo(
+            f"{'name':26} {'mm':>5} {'E MPa':>8} {'kg/m3':>6} {'strain %':>8} {'radius mm':>9} {'kerf':>5}"
+        )
         for known in sheet_names():
             one = Sheet.named(known)
             click.echo(

@@ -20,9 +20,13 @@ __all__ = ["strip"]
 @click.command()
 @curve_options
 @click.option("--curve", "number", type=int, metavar="N", help="Which curve of the file, counted from 1.")
-@click.option("--sheet", "sheet_name", required=True, metavar="NAME", help="Material; `elastica sheets` lists them.")
+@click.option(
+    "--sheet", "sheet_name", required=True, metavar="NAME", help="Material; `elastica sheets` lists them."
+)
 @click.option("--max-width", type=float, metavar="MM", help="Width of the widest place.")
-@click.option("--min-width", type=float, metavar="MM", help="Width of the narrowest place (or a limit for it).")
+@click.option(
+    "--min-width", type=float, metavar="MM", help="Width of the narrowest place (or a limit for it)."
+)
 @support_options
 @click.option("--gravity", is_flag=True, help="Let the strip carry its own weight.")
 @click.option("--down", type=(float, float), default=(0.0, -1.0), show_default=True, metavar="X Y",
@@ -36,7 +40,9 @@ __all__ = ["strip"]
               help="How curved edges are written.")  # fmt: skip
 @click.option("--tolerance", type=float, default=0.02, show_default=True, metavar="MM",
               help="Largest error of arcs and polylines.")  # fmt: skip
-@click.option("--dxf-version", default="R2010", show_default=True, help="R12, R2000, R2004, R2007, R2010, R2013, R2018.")
+@click.option(
+    "--dxf-version", default="R2010", show_default=True, help="R12, R2000, R2004, R2007, R2010, R2013, R2018."
+)
 @click.option("--samples", type=int, help="Number of samples along the curve [default: chosen].")
 @click.option("--strict", is_flag=True, help="Exit with 1 when the strain is beyond what the sheet bears.")
 @click.option("--force", is_flag=True, help="Overwrite files that exist.")
@@ -85,7 +91,12 @@ def strip(
     name = curve.stem if number is None else f"{curve.stem}-{number}"
     ends = (Tab(tab, corner_radius=tab_radius), Tab(tab, corner_radius=tab_radius))
     made = Strip(
-        rod, sheet, max_width=max_width, min_width=min_width, ends=ends, label=name if label is None else label
+        rod,
+        sheet,
+        max_width=max_width,
+        min_width=min_width,
+        ends=ends,
+        label=name if label is None else label,
     )
     written = _write_files(
         made, name, output, force=force, version=dxf_version, kerf=kerf_mm, curves=curves, tolerance=tolerance
@@ -106,7 +117,15 @@ def _kerf(text: str, sheet: Sheet) -> float:
 
 
 def _write_files(
-    made: Strip, name: str, folder: Path, *, force: bool, version: str, kerf: float, curves: str, tolerance: float
+    made: Strip,
+    name: str,
+    folder: Path,
+    *,
+    force: bool,
+    version: str,
+    kerf: float,
+    curves: str,
+    tolerance: float,
 ) -> list[Path]:
     """Write every file that the installed libraries allow: all of them, or after any error none."""
     kinds = ["dxf", "svg", "json"]

@@ -84,7 +84,9 @@ class Strip:
             if value is not None and not (np.isfinite(value) and value > 0):
                 raise InputError(f"{name} is {value}: it must be positive, in mm")
         if self.max_width is None and self.min_width is None and self.rod.bending_stiffness is None:
-            raise InputError("a strip needs max_width or min_width (mm): the rod only fixes how widths compare")
+            raise InputError(
+                "a strip needs max_width or min_width (mm): the rod only fixes how widths compare"
+            )
         narrow, wide = self.width.extremes
         slack = 1 + 1e-9
         if self.min_width is not None and narrow * slack < self.min_width:
@@ -104,7 +106,9 @@ class Strip:
         rod, sheet = self.rod, self.sheet
         low, high = rod.profile.extremes
         if rod.bending_stiffness is not None:
-            return rod.profile.scaled(12 * rod.bending_stiffness / (sheet.youngs_modulus * sheet.thickness**3))
+            return rod.profile.scaled(
+                12 * rod.bending_stiffness / (sheet.youngs_modulus * sheet.thickness**3)
+            )
         if self.max_width is not None:
             return rod.profile.scaled(self.max_width / high)
         return rod.profile.scaled((self.min_width or 0.0) / low)
@@ -146,7 +150,9 @@ class Strip:
 
     @cached_property
     def _strain_peak(self) -> tuple[float, float]:
-        samples = self.rod.curve.sample(max(2001, self.rod.s.size)) if self.rod.shape is not None else self.rod
+        samples = (
+            self.rod.curve.sample(max(2001, self.rod.s.size)) if self.rod.shape is not None else self.rod
+        )
         bend = np.abs(samples.curvature - self.rod.natural_curvature)
         i = int(np.argmax(bend))
         return float(self.sheet.thickness / 2 * bend[i]), float(samples.s[i])

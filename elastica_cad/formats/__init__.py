@@ -8,6 +8,7 @@ from elastica_cad.formats.json_curves import curve_record, curves_json, read_jso
 from elastica_cad.formats.layers import LayerStyle, layer_styles
 from elastica_cad.formats.output import checked_target, write_atomically
 from elastica_cad.formats.point_files import read_csv_curves, read_text_curves
+from elastica_cad.formats.report import REPORT_SCHEMA, check_report, strip_report
 from elastica_cad.formats.svg import svg_bytes, write_svg
 from elastica_cad.formats.svg_curves import read_svg_curves
 from elastica_cad.formats.together import files_together
@@ -18,7 +19,9 @@ __all__ = [
     "DXF_VERSIONS",
     "FIT_TOLERANCE",
     "JOIN_TOLERANCE",
+    "REPORT_SCHEMA",
     "LayerStyle",
+    "check_report",
     "checked_target",
     "curve_record",
     "curves_json",
@@ -30,6 +33,7 @@ __all__ = [
     "read_json_curves",
     "read_svg_curves",
     "read_text_curves",
+    "strip_report",
     "svg_bytes",
     "write_atomically",
     "write_drawing",

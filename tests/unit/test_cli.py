@@ -14,7 +14,11 @@ from elastica_cad.formats import curves_json
 def elastica(*arguments, cwd=None):
     code = "from elastica_cad.cli import main; main()"
     return subprocess.run(
-        [sys.executable, "-c", code, *map(str, arguments)], cwd=cwd, capture_output=True, text=True, check=False
+        [sys.executable, "-c", code, *map(str, arguments)],
+        cwd=cwd,
+        capture_output=True,
+        text=True,
+        check=False,
     )
 
 
@@ -53,7 +57,7 @@ def test_nothing_is_overwritten_without_force(drawn, tmp_path):
     before = {p.name: p.read_bytes() for p in (tmp_path / "out").iterdir()}
     again = elastica(*arguments)
     assert again.returncode == 2
-    assert "--force" in again.stderr
+    assert "overwritten (force)" in again.stderr
     assert {p.name: p.read_bytes() for p in (tmp_path / "out").iterdir()} == before
     assert elastica(*arguments, "--force").returncode == 0
     after = {p.name: p.read_bytes() for p in (tmp_path / "out").iterdir()}
@@ -63,7 +67,9 @@ def test_nothing_is_overwritten_without_force(drawn, tmp_path):
 
 
 def test_not_realizable_is_exit_code_1_with_advice_and_no_files(impossible, tmp_path):
-    result = elastica("strip", impossible, "--sheet", "card-200gsm", "--max-width", 40, "-o", tmp_path / "out")
+    result = elastica(
+        "strip", impossible, "--sheet", "card-200gsm", "--max-width", 40, "-o", tmp_path / "out"
+    )
     assert result.returncode == 1
     assert "mm" in result.stderr
     assert "Traceback" not in result.stderr
@@ -74,7 +80,18 @@ def test_not_realizable_is_exit_code_1_with_advice_and_no_files(impossible, tmp_
 def test_strain_warns_and_strict_makes_it_an_exit_code(tmp_path):
     path = tmp_path / "tight.json"
     path.write_text(curves_json([ec.PlaneCurve.arc((0, 0), 20.0, 0.0, 2.0)]))
-    arguments = ("strip", path, "--sheet", "birch-plywood-0.8", "--max-width", 20, "-o", tmp_path, "--label", "T")
+    arguments = (
+        "strip",
+        path,
+        "--sheet",
+        "birch-plywood-0.8",
+        "--max-width",
+        20,
+        "-o",
+        tmp_path,
+        "--label",
+        "T",
+    )
     loose = elastica(*arguments, "--force")
     assert loose.returncode == 0
     assert "strain" in loose.stderr
@@ -88,7 +105,9 @@ def test_kerf_widens_the_part_by_the_kerf_in_all(drawn, tmp_path):
     sizes = []
     for kerf in ("0", "0.2"):
         out = tmp_path / f"kerf{kerf}"
-        done = elastica("strip", drawn, "--sheet", "card-200gsm", "--max-width", 40, "--kerf", kerf, "-o", out)
+        done = elastica(
+            "strip", drawn, "--sheet", "card-200gsm", "--max-width", 40, "--kerf", kerf, "-o", out
+        )
         assert done.returncode == 0, done.stderr
         cut = ezdxf.readfile(out / "bow.dxf").modelspace().query('*[layer=="CUT_OUTER"]')
         box = bbox.extents(cut)

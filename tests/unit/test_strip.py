@@ -24,14 +24,16 @@ def test_width_is_proportional_to_stiffness():
 
 
 def test_outline_is_one_closed_anticlockwise_loop_with_two_splines():
-    strip = ec.Strip(tapered(), CARD, max_width=20.0, ends=(ec.Tab(5), ec.Tab(8, width=6.0, corner_radius=1.0)))
+    strip = ec.Strip(
+        tapered(), CARD, max_width=20.0, ends=(ec.Tab(5), ec.Tab(8, width=6.0, corner_radius=1.0))
+    )
     outline = strip.outline
     assert outline.closed
     assert sum(type(segment).__name__ == "Spline" for segment in outline.segments) == 2
     for here, following in zip(outline.segments, (*outline.segments[1:], outline.segments[0]), strict=True):
         assert here.end == pytest.approx(following.start, abs=1e-9)
     free = 10.0 * 100 * (1 + 1 / 3)
-    assert outline.area == pytest.approx(free + 5 * 10 + 8 * 6 - (4 - np.pi), rel=1e-9)
+    assert outline.area == pytest.approx(free + 5 * 10 + 8 * 6 - (2 - np.pi / 2), rel=1e-9)
 
 
 def test_holes_and_mass():

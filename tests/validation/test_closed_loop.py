@@ -67,7 +67,9 @@ def bent(s, stiffness, drawn, load=None):
 
     def rhs(x, z, b):
         alpha, _, _, M = z
-        return np.vstack([M / K(x), np.cos(alpha), np.sin(alpha), b[0] * np.cos(alpha) + b[1] * np.sin(alpha)])
+        return np.vstack(
+            [M / K(x), np.cos(alpha), np.sin(alpha), b[0] * np.cos(alpha) + b[1] * np.sin(alpha)]
+        )
 
     def ends(za, zb, b):
         return np.array([
