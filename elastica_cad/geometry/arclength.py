@@ -62,8 +62,7 @@ class ArcLength:
 
     @property
     def _slopes(self) -> FloatArray:
-        derivative: FloatArray = np.polynomial.chebyshev.chebder(self.series, axis=1)
-        return derivative
+        return np.asarray(np.polynomial.chebyshev.chebder(self.series, axis=1), dtype=float)
 
 
 def arc_length_table(speed: Callable[[FloatArray], FloatArray], edges: FloatArray) -> ArcLength:
@@ -105,7 +104,7 @@ def _chebyshev() -> tuple[FloatArray, FloatArray, FloatArray]:
     phase = np.pi * (np.arange(n) + 0.5) / n
     to_series = 2 / n * np.cos(np.arange(n)[:, None] * phase)
     to_series[0] /= 2
-    integrate: FloatArray = np.polynomial.chebyshev.chebint(np.eye(n), lbnd=-1, axis=0)
+    integrate = np.asarray(np.polynomial.chebyshev.chebint(np.eye(n), lbnd=-1, axis=0), dtype=float)
     return np.cos(phase), to_series, integrate
 
 

@@ -1,5 +1,6 @@
 """Plane NURBS curves: the drawn curve that a strip is to take."""
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -10,6 +11,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry import arclength, zeros
+from elastica_cad.geometry.approximation import adaptive_spline
 from elastica_cad.geometry.bernstein import interior_roots
 from elastica_cad.geometry.checks import check_knots, finite
 from elastica_cad.geometry.conics import unit_circle_arc
@@ -138,7 +140,8 @@ class PlaneCurve:
         tolerance : float
             Largest distance of a point from the curve, mm.
         smoothing : float, optional
-            Weight of the penalty on the third derivative (length normalised to 1); chosen when not given.
+            Weight of the mean square third derivative (mm, parameter from 0 to 1) beside the mean square
+            distance (mm2); it may then miss the tolerance. Chosen by the noise of the points when not given.
 
         Examples
         --------
@@ -148,6 +151,37 @@ class PlaneCurve:
         300.0
         """
         knots, control_points = fitted_spline(points, degree, tolerance, smoothing)
+        return cls(knots, control_points, degree)
+
+    @classmethod
+    def fit_function(
+        cls,
+        function: Callable[[FloatArray], FloatArray],
+        start: float,
+        end: float,
+        *,
+        tolerance: float = 1e-6,
+        degree: int = 4,
+        breaks: Sequence[tuple[float, int]] = (),
+    ) -> "PlaneCurve":
+        """The spline that follows a smooth function within `tolerance` mm, in the function's own parameter.
+
+        Parameters
+        ----------
+        function : callable
+            Maps parameters (k,) between `start` and `end` to points (k, 2), mm.
+        breaks : sequence of (parameter, continuity)
+            Places where the function is only `continuity` times differentiable; they become knots.
+
+        Examples
+        --------
+        >>> spiral = PlaneCurve.fit_function(lambda v: np.column_stack([v * np.cos(v), v * np.sin(v)]), 3, 9)
+        >>> round(spiral.length, 4)
+        36.5433
+        """
+        knots, control_points = adaptive_spline(
+            function, (float(start), float(end)), degree=degree, tolerance=tolerance, breaks=breaks
+        )
         return cls(knots, control_points, degree)
 
     @property

@@ -44,6 +44,10 @@ class Spans:
         width = np.diff(self.edges)[index]
         return index, np.clip((t - self.edges[index]) / width, 0.0, 1.0)
 
+    def bernstein(self, u: FloatArray) -> FloatArray:
+        """Values (n, degree + 1) of the Bernstein polynomials at local coordinates u (n,)."""
+        return _bernstein_values(self.degree, u, 0)
+
     def basis(self, t: FloatArray, derivative: int = 0) -> FloatArray:
         """Values (n, m) of the d-th derivative of all m basis functions at parameters (n,)."""
         count = int(self.first[-1]) + self.degree + 1

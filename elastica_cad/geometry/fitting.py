@@ -1,105 +1,209 @@
 """Few control points for measured or computed points: least-squares splines with fixed ends."""
 
-from itertools import pairwise
-
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
+from elastica_cad.geometry.bernstein import elevated
 from elastica_cad.geometry.checks import finite
 from elastica_cad.geometry.extraction import Spans, bezier_spans
 
 __all__ = ["fitted_spline"]
 
-_CORRECTIONS = 4
+_CORRECTIONS = 2
+_POINTS_EACH = 4  # points a control point must have before a fit goes below its tolerance
+_STRIDE = 0.4  # of the way to its neighbour that a point may go where points would overtake each other
+_RESTING = 1e-11  # penalty beside the data that only decides what the data leave open
+_ALLOWED_INCREASE = 1.1  # of the root mean square distance, in exchange for a smoother curve
 
 
 def fitted_spline(
     points: ArrayLike, degree: int, tolerance: float, smoothing: float | None
 ) -> tuple[FloatArray, FloatArray]:
-    """Knots and control points of a clamped spline within `tolerance` of `points` (n, 2)."""
+    """Knots and control points of a clamped spline within `tolerance` of `points` (n, 2).
+
+    Knots are added where points lie too far off; between rounds every point's parameter moves to the foot
+    of its perpendicular. What is left then tells noise from shape by its correlation from point to point:
+    shape is followed to a third of the tolerance, for the sake of the curvature; noise is taken out by the
+    largest penalty on the third derivative that hardly increases the mean distance (parabolas, which have no
+    inflection, cost nothing). Points that no such curve follows are interpolated.
+    """
     data = _cleaned(points)
+    _check_options(degree, tolerance, smoothing)
+    if data.shape[0] <= degree:
+        return _through(data, degree)
+    ends = np.repeat([0.0, 1.0], degree + 1)
+    inner, t = np.empty(0), _chord_parameters(data)
+    before, aim = np.inf, tolerance
+    while True:
+        problem = _Problem(np.sort(np.concatenate([ends, inner])), degree, data)
+        try:
+            control, t = problem.solved(t, problem.weight(smoothing), _CORRECTIONS)
+        except np.linalg.LinAlgError:
+            return _through(data, degree)
+        error = problem.distance(control, t)
+        shape = problem.follows_shape(control, t)
+        if error.max() <= tolerance:
+            ample = data.shape[0] >= _POINTS_EACH * control.shape[0]
+            aim = tolerance / 3 if shape and ample and not smoothing else tolerance
+        if error.max() <= aim:
+            break
+        room = data.shape[0] + degree - control.shape[0]
+        added = _new_knots(problem.spans.edges, t, error, aim)[: max(room, 0)]
+        if smoothing and error.max() > 0.95 * before:
+            break
+        if not added.size:
+            return _through(data, degree)
+        before = error.max()
+        inner = np.concatenate([inner, added])
+    if smoothing is None and not shape:
+        control = _smoothed(problem, control, t, tolerance)
+    return problem.knots, control
+
+
+class _Problem:
+    """Least squares over the control points for one knot vector."""
+
+    def __init__(self, knots: FloatArray, degree: int, data: FloatArray) -> None:
+        self.knots = knots
+        self.spans = bezier_spans(knots, degree)
+        self.data = data
+        gram = _third_derivative_gram(self.spans)
+        self.scale = float(np.trace(gram))
+        self.penalty = gram * (data.shape[0] / self.scale)
+
+    def weight(self, smoothing: float | None) -> float:
+        """The user's smoothing as a factor of the penalty, which is scaled to the data."""
+        return max(_RESTING, (smoothing or 0.0) * self.scale)
+
+    def solved(self, t: FloatArray, weight: float, corrections: int) -> tuple[FloatArray, FloatArray]:
+        """Control points, after moving the parameters `corrections` times; the parameters they belong to."""
+        control = self.at(t, weight)
+        for _ in range(corrections):
+            t = self.feet(control, t)
+            control = self.at(t, weight)
+        return control, t
+
+    def at(self, t: FloatArray, weight: float) -> FloatArray:
+        """Control points (m, 2) of the best spline when the data belong to parameters t (n,)."""
+        basis = self.spans.basis(t)
+        weighted = basis.T * self._end_emphasis(t)
+        normal = weighted @ basis + weight * self.penalty
+        ends = self.data[[0, -1]]
+        right = weighted @ self.data - normal[:, [0, -1]] @ ends
+        inner: FloatArray = np.linalg.solve(normal[1:-1, 1:-1], right[1:-1])
+        return np.asarray(np.concatenate([ends[:1], inner, ends[1:]]))
+
+    def _end_emphasis(self, t: FloatArray) -> FloatArray:
+        """Chebyshev-like weights in the first and last span, where least squares would err most."""
+        edges = self.spans.edges
+        from_ends = np.minimum(t / (edges[1] - edges[0]), (1 - t) / (edges[-1] - edges[-2]))
+        return np.asarray(1 / np.sqrt(np.clip(from_ends, 1e-3, 1.0)))
+
+    def feet(self, control: FloatArray, t: FloatArray) -> FloatArray:
+        """Parameters of the points of the curve nearest to the data, one Gauss-Newton step from t."""
+        gap = self.data - self.spans.basis(t) @ control
+        velocity = self.spans.basis(t, 1) @ control
+        gap[[0, -1]] = 0.0
+        speed2 = (velocity**2).sum(axis=1)
+        step = (gap * velocity).sum(axis=1) / np.maximum(speed2, 1e-12 * speed2.max())
+        moved = t + step
+        if np.all(np.diff(moved) > 0) and moved[0] >= 0 and moved[-1] <= 1:
+            return np.asarray(moved)
+        reach = _STRIDE * np.diff(t, prepend=0.0, append=1.0)
+        return np.asarray(t + np.clip(step, -reach[:-1], reach[1:]))
+
+    def distance(self, control: FloatArray, t: FloatArray) -> FloatArray:
+        """Distances (n,) of the points from the curve, mm, at parameters that are feet."""
+        gap = self.data - self.spans.basis(t) @ control
+        return np.asarray(np.hypot(gap[:, 0], gap[:, 1]))
+
+    def follows_shape(self, control: FloatArray, t: FloatArray) -> bool:
+        """Are the gaps of neighbouring points alike (a shape not yet followed) rather than random (noise)?"""
+        gap = self.data - self.spans.basis(t) @ control
+        return bool((gap[1:] * gap[:-1]).sum() > 0.5 * (gap**2).sum())
+
+
+def _smoothed(problem: _Problem, control: FloatArray, t: FloatArray, tolerance: float) -> FloatArray:
+    """The control points under the largest penalty that data and tolerance bear."""
+    mean = np.sqrt((problem.distance(control, t) ** 2).mean())
+    low, high = np.log10(_RESTING), 6.0
+    for _ in range(12):
+        middle = (low + high) / 2
+        try:
+            candidate = problem.at(t, 10.0**middle)
+        except np.linalg.LinAlgError:
+            high = middle
+            continue
+        error = problem.distance(candidate, t)
+        if error.max() <= tolerance and np.sqrt((error**2).mean()) <= _ALLOWED_INCREASE * mean:
+            low, control = middle, candidate
+        else:
+            high = middle
+    return control
+
+
+def _check_options(degree: int, tolerance: float, smoothing: float | None) -> None:
     if degree not in (3, 4, 5):
         raise InputError(f"curves are fitted with degree 3, 4 or 5, not {degree!r}")
-    if not tolerance > 0:
+    if not (np.isfinite(tolerance) and tolerance > 0):
         raise InputError(f"the tolerance of a fit must be positive, not {tolerance!r} mm")
-    chord = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(data, axis=0).T))])
-    t = chord / chord[-1]
-    inner = np.empty(0)
-    most = max(data.shape[0] - degree - 1, 0)
-    while True:
-        knots = np.concatenate([np.zeros(degree + 1), inner, np.ones(degree + 1)])
-        spans = bezier_spans(knots, degree)
-        for _ in range(_CORRECTIONS):
-            control = _least_squares(spans, t, data, smoothing)
-            t = _corrected(spans, control, t, data)
-        control = _least_squares(spans, t, data, smoothing)
-        error = _distance(spans, control, t, data)
-        if error.max() <= tolerance or inner.size >= most:
-            return knots, control
-        added = _new_knots(spans.edges, t, error, tolerance)
-        if not added.size:
-            return knots, control
-        inner = np.sort(np.concatenate([inner, added]))[: most + inner.size]
+    if smoothing is not None and not (np.isfinite(smoothing) and smoothing >= 0):
+        raise InputError(f"the smoothing of a fit must be 0 or more, not {smoothing!r}")
+
+
+def _through(data: FloatArray, degree: int) -> tuple[FloatArray, FloatArray]:
+    """Knots and control points of the spline through all points, at chord-length parameters."""
+    from scipy.interpolate import make_interp_spline
+
+    spline = make_interp_spline(_chord_parameters(data), data, k=min(degree, data.shape[0] - 1))
+    knots, control = np.asarray(spline.t), np.asarray(spline.c)
+    for _ in range(
+        degree - spline.k
+    ):  # too few points: a single polynomial, written with the degree asked for
+        knots, control = np.concatenate([[0.0], knots, [1.0]]), elevated(control.T).T
+    control[[0, -1]] = data[[0, -1]]
+    return knots, control
 
 
 def _cleaned(points: ArrayLike) -> FloatArray:
     data = finite("points", points)
     if data.ndim != 2 or data.shape[1] != 2:
         raise InputError(f"points to fit must be rows of x, y: shape (n, 2), not {data.shape}")
-    kept = (
-        np.concatenate([[True], np.any(np.diff(data, axis=0) != 0, axis=1)])
-        if len(data)
-        else np.empty(0, bool)
-    )
-    data = data[kept]
+    moved = np.hypot(*np.diff(data, axis=0).T) > 1e-12 * np.abs(data).max(initial=0.0)
+    data = data[np.concatenate([[True], moved])] if data.shape[0] > 1 else data
     if data.shape[0] < 2:
         raise InputError(
-            "points to fit all coincide or are fewer than two: give at least two different points"
+            "the points to fit are fewer than two, or all the same: give at least two different points"
         )
     return data
 
 
-def _least_squares(spans: Spans, t: FloatArray, data: FloatArray, smoothing: float | None) -> FloatArray:
-    basis = spans.basis(t)
-    normal, right = basis.T @ basis, basis.T @ data
-    weight = 1e-12 if smoothing is None else float(smoothing)
-    normal = normal + (weight * data.shape[0]) * _penalty(spans)
-    ends = data[[0, -1]]
-    right = right - normal[:, [0, -1]] @ ends
-    inner: FloatArray = np.linalg.solve(normal[1:-1, 1:-1], right[1:-1])
-    return np.asarray(np.concatenate([ends[:1], inner, ends[1:]]))
+def _chord_parameters(data: FloatArray) -> FloatArray:
+    chord = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(data, axis=0).T))])
+    return np.asarray(chord / chord[-1])
 
 
-def _penalty(spans: Spans) -> FloatArray:
-    """Gram matrix (m, m) of the third derivatives of the basis functions."""
-    x, w = np.polynomial.legendre.leggauss(max(spans.degree - 2, 1))
+def _third_derivative_gram(spans: Spans) -> FloatArray:
+    """Integrals (m, m) of products of the basis functions' third derivatives."""
+    x, w = np.polynomial.legendre.leggauss(spans.degree - 2)
     width = np.diff(spans.edges)
     t = (spans.edges[:-1, None] + width[:, None] * (1 + x) / 2).ravel()
     rows = spans.basis(t, 3) * np.sqrt((width[:, None] / 2 * w).ravel())[:, None]
     return np.asarray(rows.T @ rows)
 
 
-def _corrected(spans: Spans, control: FloatArray, t: FloatArray, data: FloatArray) -> FloatArray:
-    """Parameters moved to the feet of the points on the curve (one Gauss-Newton step), order kept."""
-    gap = data - spans.basis(t) @ control
-    velocity = spans.basis(t, 1) @ control
-    speed2 = np.maximum((velocity**2).sum(axis=1), 1e-30)
-    moved = np.clip(t + (gap * velocity).sum(axis=1) / speed2, 0.0, 1.0)
-    moved[[0, -1]] = 0.0, 1.0
-    return moved if np.all(np.diff(moved) > 0) else t
-
-
-def _distance(spans: Spans, control: FloatArray, t: FloatArray, data: FloatArray) -> FloatArray:
-    gap = data - spans.basis(t) @ control
-    return np.asarray(np.hypot(gap[:, 0], gap[:, 1]))
-
-
 def _new_knots(edges: FloatArray, t: FloatArray, error: FloatArray, tolerance: float) -> FloatArray:
-    """One knot in the middle of every span that misses the tolerance and holds points on both sides of it."""
+    """A knot for every span that misses the tolerance, worst first: in its middle, or amid its few points."""
+    span = np.clip(np.searchsorted(edges, t, side="right") - 1, 0, edges.size - 2)
+    worst = np.zeros(edges.size - 1)
+    np.maximum.at(worst, span, error)
     added = []
-    for a, b in pairwise(edges):
-        inside = (t >= a) & (t <= b)
-        if inside.sum() >= 2 and error[inside].max() > tolerance:
-            added.append((a + b) / 2)
+    for i in np.argsort(-worst, kind="stable"):
+        inside = np.sort(t[span == i])
+        if worst[i] <= tolerance or inside.size < 2:
+            continue
+        half = inside.size // 2
+        many = inside.size >= 8
+        added.append((edges[i] + edges[i + 1]) / 2 if many else (inside[half - 1] + inside[half]) / 2)
     return np.array(added)

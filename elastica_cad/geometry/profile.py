@@ -3,12 +3,16 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import pairwise
+from typing import Any
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
+from elastica_cad.geometry.approximation import adaptive_spline
+from elastica_cad.geometry.bernstein import elevated, interior_roots, value_and_slope
+from elastica_cad.geometry.checks import finite
+from elastica_cad.geometry.extraction import bezier_spans
 
 __all__ = ["Profile"]
 
@@ -40,16 +44,20 @@ class Profile:
 
     def __post_init__(self) -> None:
         for name in ("knots", "coefficients"):
-            array = np.array(getattr(self, name), dtype=float)
-            if array.ndim != 1 or not np.all(np.isfinite(array)):
-                raise InputError(f"profile {name} must be a row of finite numbers")
-            array.setflags(write=False)
+            array = finite(f"profile {name}", getattr(self, name))
+            if array.ndim != 1:
+                raise InputError(
+                    f"profile {name} must be a row of numbers, not an array of shape {array.shape}"
+                )
             object.__setattr__(self, name, array)
         if self.knots.size != self.coefficients.size + self.degree + 1:
             raise InputError(
                 f"profile has {self.knots.size} knots and {self.coefficients.size} coefficients: "
                 f"degree {self.degree} needs {self.coefficients.size + self.degree + 1} knots"
             )
+        clamped = self.knots[0] == self.knots[self.degree] and self.knots[-1] == self.knots[-self.degree - 1]
+        if np.any(np.diff(self.knots) < 0) or not self.knots[-1] > self.knots[0] or not clamped:
+            raise InputError("profile knots must increase and be repeated at both ends (clamped)")
 
     @classmethod
     def fit(
@@ -66,41 +74,43 @@ class Profile:
         Parameters
         ----------
         function : callable
-            Maps arc lengths (k,) to values (k,).
+            Maps arc lengths (k,) to values (k,); never asked at a break or an end.
         breaks : sequence of (s, continuity)
             Places where the function is only `continuity` times differentiable; -1 is a jump.
             They become knots of the matching multiplicity, so that a kink stays a kink.
-        """
-        from scipy.interpolate import make_lsq_spline
 
-        spans = sorted({0.0, float(length), *(float(s) for s, _ in breaks if 0 < s < length)})
-        interior = {float(s): int(np.clip(degree - c, 1, degree)) for s, c in breaks if 0 < s < length}
-        edges = np.array(spans)
-        while True:
-            knots = _clamped(edges, interior, degree)
-            x, weight = _sites(edges, degree)
-            spline = make_lsq_spline(x, function(x), knots, k=degree, w=weight)
-            probe = edges[:-1, None] + np.diff(edges)[:, None] * _PROBES
-            error = np.abs(spline(probe) - function(probe.ravel()).reshape(probe.shape)).max(axis=1)
-            bad = error > tolerance
-            if not bad.any() or edges.size > 3000:
-                return cls(knots, spline.c, degree)
-            edges = np.sort(np.concatenate([edges, (edges[:-1] + np.diff(edges) / 2)[bad]]))
+        Raises
+        ------
+        NotConvergedError
+            When the function has a break that was not declared, or noise above the tolerance.
+        """
+        if not (np.isfinite(length) and length > 0):
+            raise InputError(f"a profile needs a positive length, not {length!r} mm")
+        knots, coefficients = adaptive_spline(
+            function, (0.0, float(length)), degree=degree, tolerance=tolerance, breaks=breaks
+        )
+        return cls(knots, coefficients, degree)
 
     @classmethod
     def interpolate(cls, s: ArrayLike, values: ArrayLike) -> "Profile":
         """The cubic spline through `values` (n,) at increasing arc lengths `s` (n,)."""
         from scipy.interpolate import make_interp_spline
 
-        s = np.asarray(s, dtype=float)
-        degree = min(3, s.size - 1)
-        spline = make_interp_spline(s, np.asarray(values, dtype=float), k=degree)
-        return cls(spline.t, spline.c, degree)
+        s, values = finite("arc lengths", s), finite("values", values)
+        if s.ndim != 1 or s.shape != values.shape or s.size < 2 or np.any(np.diff(s) <= 0):
+            raise InputError(
+                "a profile is interpolated at two or more increasing arc lengths, one value each"
+            )
+        spline = make_interp_spline(s, values, k=min(3, s.size - 1))
+        knots, coefficients = spline.t, spline.c
+        while knots.size < 8:
+            knots = np.concatenate([knots[:1], knots, knots[-1:]])
+            coefficients = elevated(coefficients)
+        return cls(knots, coefficients)
 
     def __call__(self, s: ArrayLike, derivative: int = 0) -> FloatArray:
-        """Values (or derivatives per mm) at arc lengths `s`, same shape as `s`."""
-        spline = self._spline.derivative(derivative) if derivative else self._spline
-        return np.asarray(spline(np.asarray(s, dtype=float)), dtype=float)
+        """Values (or derivatives per mm) at arc lengths `s`, same shape; continued beyond the ends."""
+        return np.asarray(self._spline(np.asarray(s, dtype=float), nu=derivative), dtype=float)
 
     @property
     def length(self) -> float:
@@ -109,15 +119,12 @@ class Profile:
 
     @cached_property
     def extremes(self) -> tuple[float, float]:
-        """Smallest and largest value over the whole domain, to rounding error."""
-        slope = self._spline.derivative()
-        inner = np.unique(self.knots)
-        dense = np.concatenate([np.linspace(a, b, 9) for a, b in pairwise(inner)])
-        values = slope(dense)
-        candidates = [self.knots[0], self.knots[-1], *inner]
-        for i in np.flatnonzero(values[:-1] * values[1:] < 0):
-            candidates.append(_bisected(slope, dense[i], dense[i + 1]))
-        found = self(np.array(candidates))
+        """Smallest and largest value over the domain, both sides of a jump included, to rounding error."""
+        pieces = bezier_spans(self.knots, self.degree).bezier(self.coefficients)
+        turning = interior_roots(np.diff(pieces)) if self.degree > 1 else []
+        index = np.array([root.piece for root in turning], dtype=int)
+        inside, _ = value_and_slope(pieces[index], np.array([root.u for root in turning]))
+        found = np.concatenate([pieces[:, 0], pieces[:, -1], inside])
         return float(found.min()), float(found.max())
 
     @property
@@ -131,30 +138,8 @@ class Profile:
         return Profile(self.knots, self.coefficients * factor, self.degree)
 
     @cached_property
-    def _spline(self):  # type: ignore[no-untyped-def]
+    def _spline(self) -> Any:
         from scipy.interpolate import BSpline
 
-        return BSpline(self.knots, self.coefficients, self.degree)
-
-
-_PROBES = np.array([0.02, 0.11, 0.27, 0.43, 0.58, 0.72, 0.88, 0.98])
-
-
-def _clamped(edges: FloatArray, interior: dict[float, int], degree: int) -> FloatArray:
-    """Knot vector with the ends repeated and every edge as often as its break asks."""
-    inner = [np.full(interior.get(float(e), 1), e) for e in edges[1:-1]]
-    return np.concatenate([np.full(degree + 1, edges[0]), *inner, np.full(degree + 1, edges[-1])])
-
-
-def _sites(edges: FloatArray, degree: int) -> tuple[FloatArray, FloatArray]:
-    """Gauss points and root weights of every span: strictly inside, so jumps at edges are never sampled."""
-    x, w = np.polynomial.legendre.leggauss(degree + 3)
-    half = np.diff(edges)[:, None] / 2
-    middle = edges[:-1, None] + half
-    return (middle + half * x).ravel(), np.sqrt(half * w).ravel()
-
-
-def _bisected(function: Callable[[FloatArray], FloatArray], a: float, b: float) -> float:
-    from scipy.optimize import brentq
-
-    return float(brentq(function, a, b, xtol=1e-14 * max(1.0, abs(b))))
+        # copies: scipy before 1.11 evaluates writable arrays only
+        return BSpline(np.array(self.knots), np.array(self.coefficients), self.degree)
