@@ -6,8 +6,9 @@ from elastica_cad.mechanics.calibration import Calibration, calibrate_cantilever
 from elastica_cad.mechanics.equilibrium import EquilibriumCheck, NotRealizable, check_equilibrium
 from elastica_cad.mechanics.gravity import Gravity
 from elastica_cad.mechanics.gravity_lp import SampledStiffness, sampled_stiffness
-from elastica_cad.mechanics.line import InflectionLine
+from elastica_cad.mechanics.laminate import Laminate, optimal_laminate
 from elastica_cad.mechanics.limits_of_stability import StabilityLimit, stability_limit
+from elastica_cad.mechanics.line import InflectionLine
 from elastica_cad.mechanics.loads import PointMass, Weight
 from elastica_cad.mechanics.material_laws import (
     ElasticPlasticLaw,
@@ -45,6 +46,7 @@ __all__ = [
     "EquilibriumCheck",
     "Gravity",
     "InflectionLine",
+    "Laminate",
     "LaminatedSection",
     "LayerStrain",
     "MaterialLaw",
@@ -75,6 +77,7 @@ __all__ = [
     "cantilever_droop",
     "check_equilibrium",
     "load_sheets",
+    "optimal_laminate",
     "optimal_rod",
     "sampled_stiffness",
     "sheet_names",

@@ -14,6 +14,7 @@ from elastica_cad.mechanics.sheet import Sheet
 __all__ = ["LaminatedSection", "LayerStrain", "PerforatedSection", "PlainSection", "ScaleRange"]
 
 _ROUNDING = 1e-9  # relative slack on limits that the design may touch
+_TOUCH = 1e-7  # the same for a stiffness that comes out of an optimization
 
 
 @dataclass(frozen=True, eq=False)
@@ -237,12 +238,12 @@ class LaminatedSection:
         w1, EI = np.broadcast_arrays(w1, EI)
         least, most = self.bending_stiffness(w1, 0.0), self.bending_stiffness(w1, w1)
         _refuse_stations(
-            least * (1 - _ROUNDING) > EI,
+            least * (1 - _TOUCH) > EI,
             EI,
             "less than the base alone has: narrow the base or raise the scale",
         )
         _refuse_stations(
-            most * (1 + _ROUNDING) < EI,
+            most * (1 + _TOUCH) < EI,
             EI,
             "more than two full layers have: widen the base or lower the scale",
         )

@@ -1,0 +1,70 @@
+"""A laminate under its own weight: the fixed point of stiffness, scale and weight, bent forward again."""
+
+import numpy as np
+import pytest
+
+from elastica_cad.errors import InputError
+from elastica_cad.geometry import PlaneCurve, Profile
+from elastica_cad.mechanics.bend import bend
+from elastica_cad.mechanics.laminate import optimal_laminate
+from elastica_cad.mechanics.loads import PointMass
+from elastica_cad.mechanics.optimal import optimal_rod
+from elastica_cad.mechanics.sections import LaminatedSection
+from elastica_cad.mechanics.sheet import Sheet
+
+BASE = Sheet("card", 0.2, 2300.0, density=900.0, max_strain=0.005)
+SECTION = LaminatedSection(BASE, Sheet("other card", 0.22, 2000.0, density=800.0, max_strain=0.005))
+
+
+def arch():
+    return PlaneCurve.ellipse((0, 0), (100, 70), start=0.0, end=np.pi)
+
+
+def wave():
+    """One inflection in the middle."""
+    return PlaneCurve.spline([(0, 0), (40, 60), (90, 70), (140, -10), (190, 10), (230, 60)], degree=4)
+
+
+@pytest.mark.parametrize("curve", [arch(), wave()], ids=["arch", "wave"])
+def test_the_laminate_rests_in_the_curve_under_the_weight_of_its_layers(curve):
+    width = Profile.interpolate([0.0, curve.length / 2, curve.length], [20.0, 22.0, 21.0])
+    laminate = optimal_laminate(curve, SECTION, width, direction=(0, -1))
+    rod = laminate.rod
+    EI = SECTION.bending_stiffness(laminate.base_width, laminate.backing_width)
+    assert rod.bending_stiffness * rod.stiffness == pytest.approx(EI, rel=1e-7)
+    newtons = rod.node_lengths * SECTION.weight_per_length(laminate.base_width, laminate.backing_width)
+    assert -rod.nodal_load[:, 1] * rod.bending_stiffness == pytest.approx(newtons, rel=2e-4)
+    assert laminate.backing_width.max() <= 22.0
+    assert np.max(laminate.backing_width / laminate.base_width) == pytest.approx(1.0, abs=1e-4)
+    bent = bend(rod)
+    assert np.hypot(*(bent.position - rod.position).T).max() < 1e-5 * curve.length
+
+
+def test_weight_matters_and_so_does_the_true_law():
+    """Taking the weight as ~ K, as for a plain strip, would leave the curve."""
+    weightless = optimal_laminate(arch(), SECTION, 20.0)
+    heavy = optimal_laminate(arch(), SECTION, 20.0, direction=(0, -1))
+    assert weightless.rounds == 1 < heavy.rounds
+    assert weightless.rod.stiffness == pytest.approx(optimal_rod(arch()).stiffness)
+    assert np.abs(heavy.rod.stiffness / weightless.rod.stiffness - 1).max() > 0.02
+
+
+def test_a_hung_mass_is_carried():
+    mass = (PointMass(60.0, 3.0),)
+    laminate = optimal_laminate(arch(), SECTION, 20.0, direction=(0, -1), masses=mass)
+    assert laminate.rod.weight.masses == mass
+    bent = bend(laminate.rod)
+    assert np.hypot(*(bent.position - laminate.rod.position).T).max() < 2e-5 * arch().length
+
+
+def test_bad_laminates():
+    with pytest.raises(InputError, match=r"backing \d.* times as thick as the base \(now 0\.05 times\)"):
+        optimal_laminate(
+            arch(),
+            LaminatedSection(BASE, Sheet("foil", 0.01, 2000.0, density=800.0, max_strain=0.005)),
+            Profile.interpolate([0.0, arch().length], [10.0, 30.0]),
+        )
+    with pytest.raises(InputError, match="base width is given over 50 mm"):
+        optimal_laminate(arch(), SECTION, Profile.interpolate([0.0, 50.0], [10.0, 30.0]))
+    with pytest.raises(InputError, match="base width is 0"):
+        optimal_laminate(arch(), SECTION, 0.0)
