@@ -8,12 +8,9 @@ from elastica_cad.geometry.cubics import smooth_stretches
 from elastica_cad.geometry.flatten import checked_tolerance
 from elastica_cad.geometry.nearest import distances
 from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.segments import Arc, Line, Segment, Spline, place
+from elastica_cad.geometry.segments import Segment, Spline, bulged, place
 
 __all__ = ["as_arcs", "as_polyline"]
-
-_FLAT = 1e-7
-"""An arc that rises less than this over its chord (mm) is a line."""
 
 _SHORTEST = 1e-6
 """Splines are never cut into pieces shorter than this part of their parameter."""
@@ -109,7 +106,4 @@ def _arc(p: FloatArray, q: FloatArray, tangent: FloatArray, end: float) -> Segme
     """The arc from p to q that has `tangent` at p (end = 1) or at q (end = -1)."""
     chord = q - p
     half_turn = end * float(np.arctan2(tangent[0] * chord[1] - tangent[1] * chord[0], tangent @ chord))
-    bulge = float(np.tan(half_turn / 2))
-    if abs(bulge) * np.hypot(*chord) / 2 < _FLAT:
-        return Line(p, q)
-    return Arc.from_bulge(p, q, bulge)
+    return bulged(p, q, float(np.tan(half_turn / 2)))

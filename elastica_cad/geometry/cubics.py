@@ -76,8 +76,8 @@ def cubic_through(motion: Motion, stretches: tuple[FloatArray, ...], tolerance: 
     Parameters
     ----------
     motion : callable
-        Maps parameters (n,), order (0 or 1) and side (True: the left limit) to positions or derivatives (n, 2);
-        smooth inside each stretch.
+        Maps parameters (n,), order (0 or 1) and side (True: the left limit) to positions or derivatives
+        (n, 2); smooth inside each stretch.
     stretches : tuple of arrays
         Sites from which each stretch is refined; the end of one is the start of the next.
     """

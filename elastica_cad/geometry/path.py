@@ -9,7 +9,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.flatten import chord_parameters
-from elastica_cad.geometry.segments import Arc, Line, Segment, Spline, is_similarity, place
+from elastica_cad.geometry.segments import Arc, Segment, Spline, bulged, is_similarity, place
 
 __all__ = ["JOIN", "Path"]
 
@@ -70,7 +70,7 @@ class Path:
             raise InputError("a polyline needs one finite bulge per point")
         after = np.roll(p, -1, axis=0) if closed else p[1:]
         segments = [
-            Arc.from_bulge(start, end, bulge) if bulge else Line(start, end)
+            bulged(start, end, float(bulge))
             for start, end, bulge in zip(p, after, b, strict=False)
             if np.any(start != end)
         ]

@@ -15,12 +15,20 @@ __all__ = [
     "Line",
     "Segment",
     "Spline",
+    "bulged",
     "checked_affine",
     "is_similarity",
     "left_of",
     "moved_points",
     "place",
 ]
+
+
+_FLATTEST = 1e-7
+"""An arc that rises less than this over its chord (mm) is a line."""
+
+_FARTHEST = 1e9
+"""So is one of a larger radius (mm): in double precision its ends could not be told to 1e-6 mm."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -189,8 +197,9 @@ class Arc:
 
     def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
         """Signed area swept by the ray from `origin`, mm2."""
-        offset = self.center - np.asarray(origin, dtype=float)
-        return 0.5 * (self.radius**2 * self.sweep + _cross(offset, self.end - self.start))
+        origin = np.asarray(origin, dtype=float)
+        triangle = _cross(self.start - origin, self.end - origin)
+        return 0.5 * (triangle + self.radius**2 * _beyond_sine(self.sweep))
 
     def reversed(self) -> "Arc":
         """The arc run the other way."""
@@ -305,6 +314,15 @@ class Spline:
 Segment: TypeAlias = Line | Arc | Spline
 
 
+def bulged(start: ArrayLike, end: ArrayLike, bulge: float) -> Line | Arc:
+    """The arc from start to end with `bulge` = tan(turn / 4), or a line where it is too flat for a centre."""
+    chord = float(np.hypot(*(np.asarray(end, dtype=float) - np.asarray(start, dtype=float))))
+    rise = abs(bulge) * chord / 2
+    if rise < _FLATTEST or chord**2 > 8 * rise * _FARTHEST:
+        return Line(start, end)
+    return Arc.from_bulge(start, end, bulge)
+
+
 def moved_points(matrix: ArrayLike, points: ArrayLike) -> FloatArray:
     """Points (..., 2) moved by a 3x3 affine matrix."""
     m = checked_affine(matrix)
@@ -328,6 +346,14 @@ def is_similarity(matrix: ArrayLike) -> bool:
     size = float(np.abs(a).max())
     same = np.allclose(a[:, 1], left_of(a[:, 0]), rtol=0, atol=1e-12 * size)
     return bool(same or np.allclose(a[:, 1], -left_of(a[:, 0]), rtol=0, atol=1e-12 * size))
+
+
+def _beyond_sine(x: float) -> float:
+    """x - sin x without cancellation, so that the segment of a flat arc keeps its digits."""
+    if abs(x) > 0.3:
+        return x - float(np.sin(x))
+    y = x * x
+    return x * y / 6 * (1 - y / 20 * (1 - y / 42 * (1 - y / 72 * (1 - y / 110))))
 
 
 def left_of(v: FloatArray) -> FloatArray:
