@@ -48,7 +48,7 @@ def anticlastic_factor(
     Examples
     --------
     >>> anticlastic_factor([0.1, 1000.0], 0.01, thickness=1.0, poisson_ratio=0.3).round(3).tolist()
-    [1.0, 1.096]
+    [1.0, 1.098]
     """
     h, nu = _checked(thickness, poisson_ratio)
     w, kappa = np.asarray(width, dtype=float), np.abs(np.asarray(curvature, dtype=float))

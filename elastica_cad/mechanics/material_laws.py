@@ -29,8 +29,8 @@ class MaterialLaw(ABC):
         """Curvature up to which each moment belongs to one curvature, 1/mm; inf where that is all of them."""
 
     @property
-    def kinks(self) -> tuple[float, ...]:
-        """Curvatures (positive, 1/mm) where m is not smooth."""
+    def kinks(self) -> tuple[tuple[float, int], ...]:
+        """Curvatures (positive, 1/mm) where m is not smooth, each with the continuity of m there."""
         return ()
 
     @abstractmethod
@@ -60,6 +60,16 @@ class MaterialLaw(ABC):
                 f"{limit:.4g} 1/mm (radius {1 / limit:.4g} mm), but {largest_curvature:.4g} 1/mm occurs; "
                 "draw a gentler curve or use a thinner sheet"
             )
+
+    def require_design(self, largest_curvature: float) -> None:
+        """Make sure that a strip can be designed for curvatures up to `largest_curvature` (1/mm).
+
+        Raises
+        ------
+        InputError
+            Where the law is not injective.
+        """
+        self.require_injective(largest_curvature)
 
     def curvature(self, effective: ArrayLike) -> FloatArray:
         """The inverse of `effective_curvature` (n,) within its injective range, by bisection.
@@ -193,9 +203,12 @@ class PlasticLaw(MaterialLaw):
         return self.curvature_limit
 
     @property
-    def kinks(self) -> tuple[float, ...]:
+    def kinks(self) -> tuple[tuple[float, int], ...]:
         """See `MaterialLaw`."""
-        return (self.curvature_limit,)
+        return ((self.curvature_limit, 0),)
+
+    def require_design(self, largest_curvature: float) -> None:
+        """See `MaterialLaw`; every curvature will do, as in the paper."""
 
     def permanent_curvature(self, curvature: ArrayLike) -> FloatArray:
         """What is left when the moment is taken away (n,), 1/mm: the excess beyond the limit."""
@@ -255,9 +268,9 @@ class ElasticPlasticLaw(MaterialLaw):
         return float("inf")
 
     @property
-    def kinks(self) -> tuple[float, ...]:
+    def kinks(self) -> tuple[tuple[float, int], ...]:
         """See `MaterialLaw`."""
-        return (self.curvature_limit,)
+        return ((self.curvature_limit, 1),)
 
     def permanent_curvature(self, curvature: ArrayLike) -> FloatArray:
         """What is left when the moment is taken away (n,), 1/mm: unloading follows Hooke's law."""
@@ -336,9 +349,9 @@ class TabulatedLaw(MaterialLaw):
         return float(self.curvatures[falling[0]] if falling.size else self.curvatures[-1])
 
     @property
-    def kinks(self) -> tuple[float, ...]:
-        """See `MaterialLaw`; every point of the table but the last."""
-        return tuple(self.curvatures[:-1].tolist())
+    def kinks(self) -> tuple[tuple[float, int], ...]:
+        """See `MaterialLaw`; the points of the table."""
+        return tuple((kappa, 1) for kappa in self.curvatures.tolist())
 
     def require_injective(self, largest_curvature: float) -> None:
         """See `MaterialLaw`; a curvature beyond the table is refused as well."""

@@ -16,14 +16,17 @@ from elastica_cad.mechanics.equilibrium import (
 from elastica_cad.mechanics.gravity import Gravity
 from elastica_cad.mechanics.line import InflectionLine
 from elastica_cad.mechanics.loads import Weight
+from elastica_cad.mechanics.material_laws import MaterialLaw
 from elastica_cad.mechanics.rod import DEFAULT_SAMPLES, Rod
 from elastica_cad.mechanics.supports import Supports
-from elastica_cad.mechanics.weighing import Balance, balance_with_weight, balance_without_weight
+from elastica_cad.mechanics.weighing import BalancedStiffness, balance_with_weight, balance_without_weight
 
 __all__ = ["optimal_rod"]
 
 PROFILE_TOLERANCE = 1e-8
 """Error of the stiffness profile, relative to its largest value."""
+
+_LAW_SAMPLES = 2001
 
 STEP_LENGTH = 1e-5
 """A step of the stiffness is spread over this part of the length, so that the outline stays one edge."""
@@ -38,6 +41,7 @@ def optimal_rod(
     *,
     weight: Weight | None = None,
     bending_stiffness: float | None = None,
+    law: MaterialLaw | None = None,
     tolerance: float = 1e-4,
 ) -> Rod:
     """The rod whose rest shape is the curve, with the least possible ratio of largest to least stiffness.
@@ -60,6 +64,8 @@ def optimal_rod(
         Lower bound B of the bending stiffness E I, N mm2, that the weight in newtons is set against. Unless
         given it is solved for: that of least ratio, or where the ratio only falls with growing B, the least B
         whose ratio is within 1 % of the weightless one.
+    law : MaterialLaw, optional
+        Nonlinear material: its effective curvature takes the place of kappa - kappa_0 (Appendix D).
     tolerance : float
         Inflections this near to one line, in lengths of the curve, are moved onto it; `Rod.moved` tells how
         far the curve moved, and `Rod.shape` is the moved curve.
@@ -96,18 +102,23 @@ def optimal_rod(
         check = examine_curvature(curve, supports, natural_curvature)
     if not check.realizable:
         raise NotRealizable(check)
-    problem = _Problem(check, gravity, supports, natural_curvature, samples, weight, bending_stiffness)
+    if law is not None:
+        law.require_design(
+            float(np.abs(check.curve.sample(_LAW_SAMPLES).curvature - natural_curvature).max())
+        )
+    problem = _Problem(check, gravity, supports, natural_curvature, samples, weight, bending_stiffness, law)
     if check.any_stiffness:
         return _unbent_rod(problem)
     nodes = None if samples is None else check.curve.parameter(_stations(problem))
     if gravity is None:
-        balance = balance_without_weight(check, supports, natural_curvature, nodes=nodes)
+        balance = balance_without_weight(check, supports, natural_curvature, law=law, nodes=nodes)
     else:
         balance = balance_with_weight(
             check,
             supports,
             natural_curvature,
             gravity,
+            law=law,
             weight=weight,
             bending_stiffness=bending_stiffness,
             nodes=nodes,
@@ -124,6 +135,7 @@ class _Problem:
     samples: int | None
     weight: Weight | None
     bending_stiffness: float | None
+    law: MaterialLaw | None
 
 
 def _check_options(
@@ -156,7 +168,7 @@ def _unbent_rod(problem: _Problem) -> Rod:
         s=nodes.s, position=nodes.position, angle=nodes.angle, curvature=nodes.curvature,
         stiffness=np.ones(n), moment=np.zeros(n), force=force, profile=Profile.interpolate(nodes.s[[0, -1]],
         np.ones(2)), gravity=problem.gravity, supports=problem.supports,
-        natural_curvature=problem.natural_curvature, weight=problem.weight,
+        natural_curvature=problem.natural_curvature, weight=problem.weight, law=problem.law,
         bending_stiffness=problem.bending_stiffness, shape=curve, check=check, warnings=check.warnings,
     )  # fmt: skip
     if problem.gravity is None:
@@ -180,7 +192,7 @@ def _unbent_rod(problem: _Problem) -> Rod:
     return replace(rod, force=force if lower.x and lower.y else force - load.sum(axis=0))
 
 
-def _bent_rod(problem: _Problem, balance: Balance) -> Rod:
+def _bent_rod(problem: _Problem, balance: BalancedStiffness) -> Rod:
     check, curve, panels = problem.check, problem.check.curve, balance.panels
     nodes = curve.at(_stations(problem))
     panel, x = panels.locate(nodes.t)
@@ -192,7 +204,9 @@ def _bent_rod(problem: _Problem, balance: Balance) -> Rod:
     b = balance.force.at(panel, x) / least
     K = K / least
     size = np.abs(moment).max()
-    residual = float(np.abs(K * (nodes.curvature - problem.natural_curvature) - moment).max() / size)
+    change = nodes.curvature - problem.natural_curvature
+    effective = change if problem.law is None else problem.law.effective_curvature(change)
+    residual = float(np.abs(K * effective - moment).max() / size)
     warnings = list(check.warnings)
     if check.moved:
         warnings.append(
@@ -210,7 +224,7 @@ def _bent_rod(problem: _Problem, balance: Balance) -> Rod:
         moment=moment, force=np.column_stack([-b[:, 1], b[:, 0]]),
         profile=_profile(check, balance, 1 / least),
         gravity=problem.gravity, supports=problem.supports, natural_curvature=problem.natural_curvature,
-        residual=residual, weight=weight,
+        residual=residual, weight=weight, law=problem.law,
         bending_stiffness=None if balance.bending_stiffness is None else balance.bending_stiffness * least,
         shape=curve, check=check, warnings=tuple(warnings), moved=check.moved,
     )  # fmt: skip
@@ -223,7 +237,7 @@ def _moment_line(moment: float, b: FloatArray, position: FloatArray) -> Inflecti
     return InflectionLine((float(foot[0]), float(foot[1])), (float(b[1] / size), float(-b[0] / size)))
 
 
-def _profile(check: EquilibriumCheck, balance: Balance, scale: float) -> Profile:
+def _profile(check: EquilibriumCheck, balance: BalancedStiffness, scale: float) -> Profile:
     """K as a cubic spline of arc length.
 
     K has two derivatives less than the curve, and one less again in an inflection at a knot; a kink stays a

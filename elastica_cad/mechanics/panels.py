@@ -7,6 +7,7 @@ import numpy as np
 
 from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.geometry import PlaneCurve
+from elastica_cad.mechanics.material_laws import MaterialLaw
 
 __all__ = ["LEFT", "NODES", "RIGHT", "WEIGHTS", "PanelFunction", "Panels", "cut_into_panels"]
 
@@ -130,6 +131,7 @@ def cut_into_panels(
     *,
     cuts: Sequence[float] = (),
     natural_curvature: float = 0.0,
+    law: MaterialLaw | None = None,
     tolerance: float = RESOLVED,
 ) -> Panels:
     """Panels that resolve the curve, and any moment over its curvature.
@@ -143,6 +145,8 @@ def cut_into_panels(
         Parameters where kappa - kappa_0 vanishes: they become panel ends.
     cuts : sequence of float
         Further parameters that must be panel ends, such as places of point masses.
+    law : MaterialLaw, optional
+        Its effective curvature stands for kappa - kappa_0; where it is not smooth there should be cuts.
     tolerance : float
         Size of the last coefficients relative to the function.
     """
@@ -157,7 +161,7 @@ def cut_into_panels(
     cut = cut.halved(cut.zero_left & cut.zero_right)
     done: list[Panels] = []
     while cut.left.size:
-        found, tail = _evaluated(curve, cut, natural_curvature)
+        found, tail = _evaluated(curve, cut, natural_curvature, law)
         # where halving no longer helps, the rest is rounding noise
         settled = (tail <= tolerance) | ((tail < NOISE) & (tail > 0.3 * cut.tail))
         settled |= cut.right - cut.left < 1e-7 * (high - low)
@@ -197,7 +201,9 @@ class _Cut:
         )
 
 
-def _evaluated(curve: PlaneCurve, cut: _Cut, kappa_0: float) -> tuple[Panels, FloatArray]:
+def _evaluated(
+    curve: PlaneCurve, cut: _Cut, kappa_0: float, law: MaterialLaw | None
+) -> tuple[Panels, FloatArray]:
     """Panels one by one (`edges` and its likes hold their left ends), and how much of them is unresolved."""
     half = (cut.right - cut.left)[:, None] / 2
     t = cut.left[:, None] + half * (1 + NODES)
@@ -208,6 +214,8 @@ def _evaluated(curve: PlaneCurve, cut: _Cut, kappa_0: float) -> tuple[Panels, Fl
     if beside.any():
         growth = np.asarray(curve.curvature_slope_at(t[beside])) * stretch[beside]
         kappa[beside] = np.where(cut.zero_left[beside, None], growth @ LEFT.T, -(growth @ RIGHT.T))
+    if law is not None:
+        kappa = law.effective_curvature(kappa)
     to_zero = np.where(cut.zero_left[:, None], 1 + NODES, np.where(cut.zero_right[:, None], NODES - 1, 1.0))
     with np.errstate(divide="ignore", invalid="ignore"):
         functions = np.stack([stretch, to_zero / kappa])

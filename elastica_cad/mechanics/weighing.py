@@ -13,12 +13,13 @@ from elastica_cad.mechanics.equilibrium import EquilibriumCheck, NotRealizable
 from elastica_cad.mechanics.gravity import Gravity
 from elastica_cad.mechanics.gravity_lp import largest_number
 from elastica_cad.mechanics.loads import STANDARD_GRAVITY, Weight
+from elastica_cad.mechanics.material_laws import MaterialLaw
 from elastica_cad.mechanics.moment_rows import LineLoad, MomentRows, moment_rows
 from elastica_cad.mechanics.panels import PanelFunction, Panels, cut_into_panels
 from elastica_cad.mechanics.stiffness_family import StiffnessFamily, least_ratio, smoothest, wrong_places
 from elastica_cad.mechanics.supports import Supports
 
-__all__ = ["Balance", "balance_with_weight", "balance_without_weight"]
+__all__ = ["BalancedStiffness", "balance_with_weight", "balance_without_weight"]
 
 SMOOTHING = 0.01
 """How much ratio section 5.3 gives for smoothness."""
@@ -36,7 +37,7 @@ RANK = 1e-7
 
 
 @dataclass(frozen=True, eq=False)
-class Balance:
+class BalancedStiffness:
     """A stiffness in balance on a curve, least value about 1, as functions over panels.
 
     Attributes
@@ -46,7 +47,7 @@ class Balance:
     bending_stiffness, weight
         B in N mm2 and the weight it goes with, where the weight is in newtons.
     kinks : sequence of (s, continuity)
-        Places where the load makes K less smooth than the curve does.
+        Places where the load or the material law makes K less smooth than the curve does.
     """
 
     panels: Panels
@@ -59,12 +60,18 @@ class Balance:
 
 
 def balance_without_weight(
-    check: EquilibriumCheck, supports: Supports, natural_curvature: float, *, nodes: FloatArray | None = None
-) -> Balance:
+    check: EquilibriumCheck,
+    supports: Supports,
+    natural_curvature: float,
+    *,
+    law: MaterialLaw | None = None,
+    nodes: FloatArray | None = None,
+) -> BalancedStiffness:
     """Eq. 4 on the continuous curve, or with its ratio judged at the parameters `nodes` only."""
-    panels = _panels(check, natural_curvature)
+    cuts, kinks = _law_places(check, natural_curvature, law)
+    panels = _panels(check, natural_curvature, law, cuts)
     problem = _Conditioned(check, supports, panels, moment_rows(panels), nodes)
-    return problem.balance(problem.least(problem.homogeneous(3), smooth=False))
+    return replace(problem.balance(problem.least(problem.homogeneous(3), smooth=False)), kinks=kinks)
 
 
 def balance_with_weight(
@@ -73,16 +80,19 @@ def balance_with_weight(
     natural_curvature: float,
     gravity: Gravity,
     *,
+    law: MaterialLaw | None = None,
     weight: Weight | None = None,
     bending_stiffness: float | None = None,
     nodes: FloatArray | None = None,
-) -> Balance:
+) -> BalancedStiffness:
     """Eq. 6 on the continuous curve, with weight proportional to the stiffness, or in newtons."""
-    cuts, kinks = _load_places(check, weight)
-    panels = _panels(check, natural_curvature, cuts)
+    cuts, kinks = _law_places(check, natural_curvature, law)
+    load_cuts, load_kinks = _load_places(check, weight)
+    cuts, kinks = [*cuts, *load_cuts], [*kinks, *load_kinks]
+    panels = _panels(check, natural_curvature, law, cuts)
     if weight is None or weight.own:
         cuts = [*cuts, *_heavy_cuts(panels, gravity)]
-        panels = _panels(check, natural_curvature, cuts)
+        panels = _panels(check, natural_curvature, law, cuts)
     tau = None if bending_stiffness is None else 1 / bending_stiffness
     for _ in range(REFINEMENTS):
         load = _Load(check, supports, panels, gravity, weight, nodes)
@@ -97,9 +107,9 @@ def balance_with_weight(
         if not rough.any():
             break
         cuts = [*cuts, *((panels.edges[1:] + panels.edges[:-1]) / 2)[rough]]
-        panels = _panels(check, natural_curvature, cuts)
+        panels = _panels(check, natural_curvature, law, cuts)
     if weight is None or tau is None:
-        return balance
+        return replace(balance, kinks=kinks)
     beta = _raised(weight.beta, gravity.length**-3 / tau) if weight.own else weight.beta
     carried = replace(weight, beta=beta, own=False)
     return replace(balance, bending_stiffness=1 / tau, weight=carried, kinks=kinks)
@@ -219,10 +229,10 @@ class _Conditioned:
             y = smoothest(numbers.family, ratio * (1 + SMOOTHING))
         return np.asarray(numbers.fixed + numbers.basis @ y)
 
-    def balance(self, state: FloatArray) -> Balance:
+    def balance(self, state: FloatArray) -> BalancedStiffness:
         """The functions that a state at the curve's end belongs to."""
         K = self.rows.stiffness @ state
-        return Balance(
+        return BalancedStiffness(
             self.panels,
             PanelFunction.through(K),
             PanelFunction.through(K * self.panels.curvature),
@@ -305,9 +315,11 @@ def _searched_compliance(load: _Load, weight: Weight) -> float:
     return float(np.exp(brentq(lambda x: min(ratio(x), 2 * limit) - limit, low, high, xtol=1e-6)))
 
 
-def _panels(check: EquilibriumCheck, natural_curvature: float, cuts: Sequence[float] = ()) -> Panels:
+def _panels(
+    check: EquilibriumCheck, natural_curvature: float, law: MaterialLaw | None, cuts: Sequence[float]
+) -> Panels:
     zeros = [z.t for z in check.zeros]
-    return cut_into_panels(check.curve, zeros, cuts=cuts, natural_curvature=natural_curvature)
+    return cut_into_panels(check.curve, zeros, cuts=cuts, natural_curvature=natural_curvature, law=law)
 
 
 def _heavy_cuts(panels: Panels, gravity: Gravity) -> FloatArray:
@@ -317,6 +329,19 @@ def _heavy_cuts(panels: Panels, gravity: Gravity) -> FloatArray:
     edges = panels.edges
     inner = [np.linspace(a, b, n + 1)[1:-1] for a, b, n in zip(edges[:-1], edges[1:], parts, strict=True)]
     return np.concatenate(inner)
+
+
+def _law_places(
+    check: EquilibriumCheck, natural_curvature: float, law: MaterialLaw | None
+) -> tuple[list[float], list[tuple[float, int]]]:
+    """Parameters at which the material law is not smooth, and the kinks (s, continuity) of K there."""
+    found = [
+        (place, continuity)
+        for curvature, continuity in (() if law is None else law.kinks)
+        for side in (-curvature, curvature)
+        for place in check.curve.curvature_equals(natural_curvature + side)
+    ]
+    return [place.t for place, _ in found], [(place.s, continuity) for place, continuity in found]
 
 
 def _load_places(
@@ -370,7 +395,7 @@ def _solutions(matrix: FloatArray, right: FloatArray) -> tuple[FloatArray, Float
 
 def _stretches(s: FloatArray, length: float) -> str:
     """Places, those closer than a twentieth of the length put together."""
-    s = np.sort(s)
+    s = np.sort(np.round(s, 6))
     groups = np.split(s, np.flatnonzero(np.diff(s) > length / 20) + 1)
     return ", ".join(
         f"{g[0]:.4g}" if np.ptp(g) < length / 200 else f"{g[0]:.4g} to {g[-1]:.4g}" for g in groups

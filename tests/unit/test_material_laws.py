@@ -103,7 +103,7 @@ def test_table_that_falls_is_refused_only_where_it_falls():
     rising = TabulatedLaw([0.01, 0.02], [1.0, 1.5])
     beyond = rising.effective_curvature(0.03) - rising.effective_curvature(0.02)
     assert beyond == pytest.approx(0.01 * rising.slope(0.02))
-    assert law.kinks == (0.01, 0.02)
+    assert law.kinks == ((0.01, 1), (0.02, 1), (0.03, 1))
 
 
 @pytest.mark.parametrize(
