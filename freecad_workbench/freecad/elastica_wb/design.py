@@ -1,0 +1,113 @@
+"""From what a user asks for to a strip: solved once for equal wishes, whoever asks."""
+
+from dataclasses import dataclass, field
+from functools import lru_cache
+from typing import Any
+
+import Part
+from freecad.elastica_wb.shapes import make_solid
+
+from elastica_cad.errors import ElasticaError, MissingDependencyError
+from elastica_cad.fabrication import BentSolid, FlatSolid, Strip, Tab
+from elastica_cad.geometry import PlaneCurve
+from elastica_cad.mechanics import Gravity, Rod, Sheet, Stability, Supports, optimal_rod, stability
+
+__all__ = ["Wish", "bent_shape", "flat_shape", "judged", "solved"]
+
+
+@dataclass(frozen=True)
+class _Same:
+    """A curve that equals another one with the same numbers."""
+
+    degree: int
+    knots: bytes
+    points: bytes
+    weights: bytes | None
+
+    @classmethod
+    def of(cls, curve: PlaneCurve) -> "_Same":
+        weights = None if curve.weights is None else curve.weights.tobytes()
+        return cls(curve.degree, curve.knots.tobytes(), curve.control_points.tobytes(), weights)
+
+    def curve(self) -> PlaneCurve:
+        import numpy as np
+
+        rows = [
+            None if raw is None else np.frombuffer(raw) for raw in (self.knots, self.points, self.weights)
+        ]
+        return PlaneCurve(rows[0], rows[1].reshape(-1, 2), self.degree, rows[2])
+
+
+@dataclass(frozen=True)
+class Wish:
+    """Everything that a strip depends on."""
+
+    sheet: Sheet
+    max_width: float | None = None
+    min_width: float | None = None
+    supports: Supports = field(default_factory=Supports)
+    gravity: Gravity | None = None
+    natural_curvature: float = 0.0
+    samples: int | None = None
+    ends: tuple[Tab, Tab] = (Tab(10.0), Tab(10.0))
+    label: str = ""
+
+
+def solved(curve: PlaneCurve, wish: Wish) -> Strip:
+    """The strip for a curve.
+
+    Raises
+    ------
+    ElasticaError
+        With the core's own sentence: what is wrong, where, what to do.
+    """
+    try:
+        return _strip(_Same.of(curve), wish)
+    except ImportError as error:
+        raise MissingDependencyError(
+            f"{error.name or 'a library'} is not installed in this FreeCAD: strips need numpy and scipy"
+        ) from error
+
+
+def judged(rod: Rod) -> Stability | None:
+    """Its stability, None where it cannot be decided."""
+    try:
+        return _stability(rod)
+    except ElasticaError:
+        return None
+
+
+@lru_cache(maxsize=32)
+def bent_shape(strip: Strip) -> Part.Shape:
+    """The strip bent, its curve in the xy plane."""
+    return make_solid(BentSolid.of(strip))
+
+
+@lru_cache(maxsize=32)
+def flat_shape(strip: Strip) -> Part.Shape:
+    """The strip as cut, lying on the xy plane."""
+    return make_solid(FlatSolid.of(strip))
+
+
+@lru_cache(maxsize=32)
+def _rod(drawn: _Same, options: tuple[tuple[str, Any], ...]) -> Rod:
+    return optimal_rod(drawn.curve(), **dict(options))
+
+
+@lru_cache(maxsize=32)
+def _strip(drawn: _Same, wish: Wish) -> Strip:
+    options = ("gravity", "supports", "natural_curvature", "samples")
+    rod = _rod(drawn, tuple((name, getattr(wish, name)) for name in options))
+    return Strip(
+        rod,
+        wish.sheet,
+        max_width=wish.max_width,
+        min_width=wish.min_width,
+        ends=wish.ends,
+        label=wish.label,
+    )
+
+
+@lru_cache(maxsize=32)
+def _stability(rod: Rod) -> Stability:
+    return stability(rod)

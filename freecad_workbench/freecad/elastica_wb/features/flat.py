@@ -1,0 +1,65 @@
+"""The flat twin of a strip: a body of its own for assemblies, drawings and cutting."""
+
+from typing import Any
+
+import FreeCAD as App
+from freecad.elastica_wb.design import flat_shape
+from freecad.elastica_wb.features.properties import Property, ensure
+from freecad.elastica_wb.features.strip import is_strip, strip_of
+
+from elastica_cad.errors import ElasticaError
+
+__all__ = ["FlatFeature", "create", "is_flat"]
+
+PROPERTIES = (Property("LinkGlobal", "Strip", "Strip", "The strip whose flat part this is"),)
+
+
+class FlatFeature:
+    """Proxy of the flat part; it may be placed anywhere."""
+
+    def __init__(self, obj: Any) -> None:
+        obj.Proxy = self
+        ensure(obj, PROPERTIES)
+
+    def onDocumentRestored(self, obj: Any) -> None:
+        """Bring a file of an earlier version up to date."""
+        ensure(obj, PROPERTIES)
+
+    def execute(self, obj: Any) -> None:
+        """Take the flat shape of the strip."""
+        if obj.Strip is None or not is_strip(obj.Strip):
+            raise ValueError("the strip is missing: choose one in the property Strip")
+        try:
+            obj.Shape = flat_shape(strip_of(obj.Strip)).copy()
+        except ElasticaError as error:
+            raise ValueError(str(error)) from None
+
+    def dumps(self) -> None:
+        """Nothing to save."""
+
+    def loads(self, state: Any) -> None:
+        """Nothing to load."""
+
+    __getstate__ = dumps
+    __setstate__ = loads
+
+
+def create(document: Any, strip: Any) -> Any:
+    """The flat part of a strip, lying in front of it; recompute the document to see it."""
+    obj = document.addObject("Part::FeaturePython", "Flat")
+    FlatFeature(obj)
+    obj.Strip = strip
+    obj.Label = f"{strip.Label} flat"
+    group = strip.getParentGeoFeatureGroup()
+    if group is not None and group.TypeId == "App::Part":
+        group.addObject(obj)
+    if App.GuiUp:
+        from freecad.elastica_wb.features.views import FlatView
+
+        FlatView(obj.ViewObject)
+    return obj
+
+
+def is_flat(obj: Any) -> bool:
+    """Is this object the flat part of a strip?"""
+    return isinstance(getattr(obj, "Proxy", None), FlatFeature)

@@ -1,0 +1,222 @@
+"""The parametric strip in a document, without a window."""
+
+import re
+from pathlib import Path
+
+import FreeCAD as App
+import numpy as np
+import Part
+import pytest
+from freecad.elastica_wb.features import flat, strip
+from freecad.elastica_wb.shapes import make_solid, make_wire
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication import BentSolid, FlatSolid, Strip
+from elastica_cad.geometry import PlaneCurve
+from elastica_cad.mechanics import Sheet, optimal_rod
+
+ARCH = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]
+WAVE = [(0, 0), (40, 60), (80, -60), (120, 0)]
+BAD = [(0, 0), (40, 60), (80, -60), (120, 20), (160, 30), (180, 0)]
+
+
+def core_strip(points, degree, weights=None, **options):
+    curve = PlaneCurve.spline(points, degree)
+    curve = PlaneCurve(curve.knots, curve.control_points, degree, weights)
+    return Strip(optimal_rod(curve), Sheet.named("birch-plywood-0.8"), max_width=30.0, **options)
+
+
+def mesh_area(face):
+    """OpenCASCADE integrates along splines of many spans to some percent only; its triangles are true."""
+    points, triangles = face.tessellate(0.001)
+    corners = np.array([tuple(p) for p in points])[np.array(triangles)]
+    return np.linalg.norm(np.cross(*np.diff(corners, axis=1).transpose(1, 0, 2)), axis=1).sum() / 2
+
+
+@pytest.mark.parametrize(
+    ("points", "degree", "weights"),
+    [(ARCH, 4, None), (WAVE, 3, None), (ARCH, 4, [1, 1.3, 0.8, 1.2, 1]), (ARCH, 3, [1, 2, 0.5, 1, 1])],
+)
+def test_outline_and_volume_are_the_cores(document, drawn, points, degree, weights):
+    feature = strip.create(document, drawn(points, degree, weights))
+    twin = flat.create(document, feature)
+    document.recompute()
+    assert feature.State == ["Up-to-date"]
+    assert feature.Shape.isValid()
+    assert twin.Shape.isValid()
+    expected = core_strip(points, degree, weights)
+    s = np.linspace(0, expected.rod.length, 301)[1:-1]
+    half = expected.width(s) / 2
+    outer = make_wire(expected.outline)
+    top = max(twin.Shape.Faces, key=lambda f: (len(f.Edges), f.CenterOfMass.z))
+    for x, y in zip(s[::20], half[::20], strict=True):
+        for side in (-y, y):
+            point = Part.Vertex(x, side, top.CenterOfMass.z)
+            assert top.OuterWire.distToShape(point)[0] < 1e-9
+    assert outer.Length == pytest.approx(top.OuterWire.Length, rel=1e-9)
+    assert twin.Shape.Volume == pytest.approx(make_solid(FlatSolid.of(expected)).Volume, rel=1e-9)
+    assert mesh_area(top) == pytest.approx(expected.area, rel=1e-4)
+    assert feature.Shape.Volume == pytest.approx(make_solid(BentSolid.of(expected)).Volume, rel=1e-9)
+    assert feature.Ratio == pytest.approx(expected.rod.ratio, rel=1e-12)
+    assert feature.Length.Value == pytest.approx(expected.rod.length, rel=1e-12)
+    assert feature.Mass == pytest.approx(expected.mass, rel=1e-9)
+
+
+def test_the_bent_strip_stands_on_the_drawn_curve(document, sketch):
+    feature = strip.create(document, sketch)
+    sketch.Placement = App.Placement(App.Vector(5, -7, 11), App.Rotation(20, 40, 60))
+    document.recompute()
+    edge = sketch.Shape.Edges[0]
+    normal = sketch.Placement.Rotation.multVec(App.Vector(0, 0, 1))
+    for t in np.linspace(0.02, 0.98, 9):
+        point, along = edge.valueAt(t), edge.tangentAt(t)
+        aside = normal.cross(along)
+        for sign in (-1, 1):
+            skin = Part.Vertex(point + aside * (sign * 0.4))
+            assert min(face.distToShape(skin)[0] for face in feature.Shape.Faces) < 2e-6
+    assert feature.Shape.isInside(edge.valueAt(0.5), 1e-6, True)
+
+
+def test_a_moved_pole_changes_the_strip(document, sketch, move_pole):
+    feature = strip.create(document, sketch)
+    document.recompute()
+    before = feature.Shape.Volume
+    move_pole(sketch, 2, (70, 95))
+    document.recompute()
+    expected = core_strip([*ARCH[:2], (70, 95), *ARCH[3:]], 4)
+    assert feature.Ratio == pytest.approx(expected.rod.ratio, rel=1e-12)
+    assert feature.Shape.Volume != pytest.approx(before, rel=1e-3)
+
+
+def test_a_curve_that_cannot_be_bent_is_a_state_and_passes(document, sketch, spline_geometry, move_pole):
+    feature = strip.create(document, sketch)
+    document.recompute()
+    volume = feature.Shape.Volume
+    good = sketch.Geometry[0]
+    sketch.delGeometry(0)
+    sketch.addGeometry(spline_geometry(BAD), False)
+    document.recompute()
+    assert "Invalid" in feature.State
+    assert "crosses the curve" in feature.getStatusString()
+    assert feature.Verdict == "A flat strip cannot take this curve."
+    assert "crosses the curve" in feature.Reasons[0]
+    assert feature.Shape.Volume == volume
+    assert not feature.Visibility
+    sketch.delGeometry(0)
+    sketch.addGeometry(good, False)
+    document.recompute()
+    assert feature.State == ["Up-to-date"]
+    assert feature.Visibility
+    assert feature.Shape.Volume == pytest.approx(volume, rel=1e-9)
+
+
+def test_save_and_reload(document, sketch, tmp_path: Path, move_pole):
+    feature = strip.create(document, sketch)
+    feature.MaxWidth = 22
+    feature.EngravedText = "A1"
+    flat.create(document, feature)
+    document.recompute()
+    volume = feature.Shape.Volume
+    file = tmp_path / "arch.FCStd"
+    document.saveAs(str(file))
+    App.closeDocument(document.Name)
+    again = App.openDocument(str(file))
+    try:
+        loaded = again.getObject("Strip")
+        assert loaded.Proxy.__class__ is strip.StripFeature
+        assert loaded.Shape.Volume == pytest.approx(volume, rel=1e-12)
+        assert (loaded.MaxWidth.Value, loaded.EngravedText) == (22, "A1")
+        move_pole(again.getObject("Sketch"), 2, (70, 90))
+        again.recompute()
+        assert loaded.State == ["Up-to-date"]
+        assert again.getObject("Flat").State == ["Up-to-date"]
+        assert loaded.Shape.Volume != pytest.approx(volume, rel=1e-3)
+    finally:
+        App.closeDocument(again.Name)
+
+
+def test_flat_record_and_core_agree(document, sketch):
+    feature = strip.create(document, sketch)
+    document.recompute()
+    record = FlatSolid.of(strip.strip_of(feature))
+    assert make_solid(record).Volume == pytest.approx(record.volume, rel=1e-6)
+
+
+def empty(sketch):
+    sketch.delGeometry(0)
+
+
+def construction_only(sketch):
+    sketch.setConstruction(0, True)
+
+
+def two_curves(sketch):
+    sketch.addGeometry(Part.LineSegment(App.Vector(500, 0, 0), App.Vector(600, 50, 0)), False)
+
+
+def closed(sketch):
+    sketch.delGeometry(0)
+    sketch.addGeometry(Part.Circle(App.Vector(0, 0, 0), App.Vector(0, 0, 1), 50), False)
+
+
+def corner(sketch):
+    sketch.addGeometry(Part.LineSegment(App.Vector(150, 0, 0), App.Vector(250, 0, 0)), False)
+
+
+def deleted(sketch):
+    sketch.Document.removeObject(sketch.Name)
+
+
+@pytest.mark.parametrize(
+    ("spoil", "says"),
+    [
+        (empty, "is empty"),
+        (construction_only, "construction geometry"),
+        (two_curves, "2 separate chains"),
+        (closed, "closed"),
+        (corner, "corner"),
+        (deleted, "missing"),
+    ],
+)
+def test_bad_sketches_are_sentences(document, sketch, spoil, says):
+    feature = strip.create(document, sketch)
+    document.recompute()
+    spoil(sketch)
+    feature.touch()
+    document.recompute()
+    assert "Invalid" in feature.State
+    assert says in feature.getStatusString()
+    with pytest.raises(InputError, match=says):
+        strip.strip_of(feature)
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "says"),
+    [
+        ("Thickness", 0, "thickness"),
+        ("MaxWidth", 0, "max_width or min_width"),
+        ("MinWidth", 29.9, "below min_width"),
+        ("TabRadius", 50, "tab corners"),
+        ("TabHole", 12, "does not fit"),
+        ("StartSupport", "free", "pinned|free|curvature"),
+        ("GravityDirection", App.Vector(0, 0, 0), "zero"),
+    ],
+)
+def test_bad_properties_are_sentences(document, sketch, name, value, says):
+    feature = strip.create(document, sketch)
+    if name == "GravityDirection":
+        feature.Gravity = True
+    setattr(feature, name, value)
+    document.recompute()
+    assert "Invalid" in feature.State
+    assert re.search(says, feature.getStatusString())
+
+
+@pytest.mark.parametrize("size", [0.1 / 150, 100_000 / 150])
+def test_tiny_and_huge_sketches_work_or_say_why(document, drawn, size):
+    feature = strip.create(document, drawn([(x * size, y * size) for x, y in ARCH]))
+    document.recompute()
+    if "Invalid" in feature.State:
+        assert feature.getStatusString().strip().endswith((".", "it", "curve", "thickness"))
+    else:
+        assert feature.Shape.isValid()
