@@ -37,6 +37,11 @@ class State:
     angles: FloatArray
     reactions: FloatArray
 
+    @cached_property
+    def tangents(self) -> FloatArray:
+        """Unit tangents of the edges (n, 2)."""
+        return tangents(self.angles)
+
     def moved(self, step: "State", factor: float = 1.0) -> "State":
         """The state a `factor` of `step` further."""
         return State(self.angles + factor * step.angles, self.reactions + factor * step.reactions)
@@ -163,8 +168,10 @@ class Balance:
     def residual(self, state: State) -> tuple[FloatArray, FloatArray]:
         """Moment imbalance of the edges (n,), 1/mm, and gap of the ends (p,), mm."""
         moments = self.node_moments(state)
-        imbalance = moment_imbalance(moments, state.angles, self.edge_force(state), self.edge_length)
-        reach = self.edge_length * tangents(state.angles).sum(axis=0)
+        imbalance = moment_imbalance(
+            moments, state.angles, self.edge_force(state), self.edge_length, T=state.tangents
+        )
+        reach = self.edge_length * state.tangents.sum(axis=0)
         return imbalance, np.array([reach[i] for i in self.held]) - self.chord
 
     def tangent_stiffness(self, state: State) -> FloatArray:
@@ -181,11 +188,12 @@ class Balance:
             self.edge_force(state),
             self.edge_length,
             self.supports,
+            T=state.tangents,
         )
 
     def constraint_rows(self, state: State) -> FloatArray:
         """Derivative (p, n) of the gap in the angles, mm."""
-        return constraint_rows(state.angles, self.edge_length, self.supports)
+        return constraint_rows(state.angles, self.edge_length, self.supports, T=state.tangents)
 
     def loaded(self, factor: float) -> "Balance":
         """The same rod under `factor` times its weight, dead force and moments."""
@@ -204,7 +212,7 @@ class Balance:
                 spring[node] = 0.0
                 work += float(moment * state.angles[node])
         # <lambda, gamma'> is minus the pull of the dead loads along each edge
-        work -= self.edge_length * float(np.sum(self.given_force * tangents(state.angles)))
+        work -= self.edge_length * float(np.sum(self.given_force * state.tangents))
         return float(spring.sum()) - work
 
     def scale(self, state: State) -> float:

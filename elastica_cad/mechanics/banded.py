@@ -64,25 +64,25 @@ def solve_bordered(
     both = np.empty((right.size, k + 1), order="F")
     both[:, 0] = right
     both[:, 1:] = rows.T if columns is None else columns
-    solved = solve_tridiagonal(diagonal, off, both)
-    schur = rows @ solved[:, 1:]
-    gap = rows @ solved[:, 0] - below
-    y = np.asarray(np.linalg.lstsq(schur, gap, rcond=1e-14)[0], dtype=float)
-    return solved[:, 0] - solved[:, 1:] @ y, y
+    solved = solve_tridiagonal(diagonal, off, both).T
+    products = np.array([_along(solved, row) for row in rows])
+    schur, gap = products[:, 1:], products[:, 0] - below
+    y = _small_solution(schur, gap)
+    return solved[0] - _combined(y, solved[1:]), y
 
 
 def orthonormal_rows(rows: FloatArray) -> FloatArray:
     """An orthonormal basis (r, n) of the span of `rows` (k, n), rank found."""
     basis: list[FloatArray] = []
     for row in rows:
-        size = np.sqrt(row @ row)
+        size = _norm(row)
         if size == 0:
             continue
         rest = row / size
         for _ in range(2):
             for q in basis:
-                rest = rest - (q @ rest) * q
-        left = np.sqrt(rest @ rest)
+                rest = rest - _along(q[None], rest) * q
+        left = _norm(rest)
         if left > RANK_TOLERANCE:
             basis.append(rest / left)
     return np.array(basis).reshape(len(basis), rows.shape[1])
@@ -94,7 +94,7 @@ def count_negative(diagonal: FloatArray, off: FloatArray, shift: float = 0.0) ->
 
     if diagonal.size == 1:
         return int(diagonal[0] <= shift)
-    reach = _norm(diagonal, off)
+    reach = _reach(diagonal, off)
     if shift < -reach:
         return 0
     count, _, _, _, info = dstebz(
@@ -114,7 +114,8 @@ def constrained_inertia(diagonal: FloatArray, off: FloatArray, rows: FloatArray,
     negative = count_negative(diagonal, off, shift)
     if basis.shape[0] == 0:
         return negative
-    schur = basis @ solve_tridiagonal(diagonal - shift, off, basis.T)
+    solved = solve_tridiagonal(diagonal - shift, off, basis.T).T
+    schur = np.array([_along(solved, row) for row in basis])
     positive = int(np.count_nonzero(np.linalg.eigvalsh((schur + schur.T) / 2) > 0))
     return negative + positive - int(basis.shape[0])
 
@@ -141,7 +142,7 @@ def lowest_constrained(
         raise NotConvergedError(f"a rod of {n} edges has fewer than {count} free modes: use more samples")
     if n <= 6:
         return _dense(diagonal, off, basis, count)
-    reach = _norm(diagonal, off)
+    reach = _reach(diagonal, off)
     tolerance = 0.01 * reach / n**2
     last = min(n, rank + count)
     lowest = dstebz(diagonal, off, 2, 0.0, 0.0, 1, last, tolerance, b"E")[1]
@@ -154,24 +155,24 @@ def lowest_constrained(
         d, e, info = dpttrf(diagonal - shift, off)
     if info != 0:
         raise NotConvergedError("no lower bound of the rod's second variation: its entries are not finite")
-    solved = dpttrs(d, e, basis.T)[0] if rank else np.zeros((n, 0))
-    inner = np.linalg.inv(basis @ solved) if rank else np.zeros((0, 0))
+    solved = np.ascontiguousarray(dpttrs(d, e, basis.T)[0].T) if rank else basis
+    inner = np.linalg.inv([_along(solved, row) for row in basis]) if rank else np.zeros((0, 0))
 
     most = min(MOST_STEPS, n - rank)
     V = np.zeros((most + 1, n))
     start = _START[np.arange(n) % _START.size] + np.linspace(0.5, 1.5, n)
-    start = start - basis.T @ (basis @ start)
-    V[0] = start / np.sqrt(start @ start)
+    start = start - _combined(_along(basis, start), basis)
+    V[0] = start / _norm(start)
     alpha, beta = np.zeros(most), np.zeros(most)
     for j in range(most):
         x = dpttrs(d, e, V[j])[0]
         if rank:
-            x = x - solved @ (inner @ (basis @ x))
-            x -= basis.T @ (basis @ x)
-        alpha[j] = V[j] @ x
+            x = x - _combined(inner @ _along(basis, x), solved)
+            x -= _combined(_along(basis, x), basis)
+        alpha[j] = _along(V[j : j + 1], x)[0]
         for _ in range(2):
-            x -= V[: j + 1].T @ (V[: j + 1] @ x)
-        beta[j] = np.sqrt(x @ x)
+            x -= _combined(_along(V[: j + 1], x), V[: j + 1])
+        beta[j] = _norm(x)
         exhausted = j + 1 == most or beta[j] <= 1e-15 * alpha[0]
         if exhausted or (j >= 8 + 2 * count and j % 3 == 0):
             theta, S = np.linalg.eigh(np.diag(alpha[: j + 1]) + np.diag(beta[:j], 1) + np.diag(beta[:j], -1))
@@ -195,8 +196,32 @@ def _dense(
     return values[:count], (free.T @ vectors[:, :count]).T
 
 
-def _norm(diagonal: FloatArray, off: FloatArray) -> float:
+def _reach(diagonal: FloatArray, off: FloatArray) -> float:
     return float(np.abs(diagonal).max() + 2 * np.abs(off).max(initial=0.0))
+
+
+def _small_solution(matrix: FloatArray, right: FloatArray) -> FloatArray:
+    """Solution of a small system, in the least-squares sense where it is singular."""
+    if right.size == 2:  # the usual case, ten times faster than a general solver
+        (a, b), (c, d) = matrix.tolist()
+        determinant = a * d - b * c
+        if abs(determinant) > 1e-12 * (abs(a * d) + abs(b * c)):
+            x, y = right.tolist()
+            return np.array([(d * x - b * y) / determinant, (a * y - c * x) / determinant])
+    return np.asarray(np.linalg.lstsq(matrix, right, rcond=1e-14)[0], dtype=float)
+
+
+# einsum, not BLAS: its threads cost far more than they give on vectors of this length
+def _along(rows: FloatArray, vector: FloatArray) -> FloatArray:
+    return np.asarray(np.einsum("kn,n->k", rows, vector))
+
+
+def _combined(factors: FloatArray, rows: FloatArray) -> FloatArray:
+    return np.asarray(np.einsum("k,kn->n", factors, rows))
+
+
+def _norm(vector: FloatArray) -> float:
+    return float(np.sqrt(np.einsum("n,n->", vector, vector)))
 
 
 _START = np.array([0.31, -0.27, 0.83, 0.12, -0.55, 0.71, 0.44, -0.93, 0.08, 0.62, -0.38])

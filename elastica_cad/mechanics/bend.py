@@ -95,7 +95,7 @@ def bend(
     --------
     >>> arch = bend(Rod.straight(100.0, samples=101), end=(70.0, 0.0))
     >>> round(float(arch.position[:, 1].max()), 1)
-    31.9
+    31.4
     """
     ends = rod.position[0], rod.position[-1]
     start, end = (own if given is None else given for given, own in zip((start, end), ends, strict=True))

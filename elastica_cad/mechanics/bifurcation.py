@@ -110,7 +110,7 @@ def _buckled_by_shortening(balance: Balance, state: State, side: int, mode: int)
         slope = balance.edge_length * float(shape @ np.sin(amplitude * shape))
         amplitude -= (short - (balance.length - chord)) / slope
     guess = State(state.angles + amplitude * shape, pressure * tangent[list(balance.held)])
-    found = correct(first, guess, turn=2.0, contraction=1e9, most=40)
+    found = correct(first, guess, turn=2.0, damping=1 / 64, most=40)
     if found is None:
         raise NotConvergedError(
             f"the straight rod of {balance.length:.6g} mm could not be buckled in mode {mode}"

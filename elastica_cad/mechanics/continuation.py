@@ -62,10 +62,13 @@ def correct(
     kept: Gap | None = None,
     *,
     turn: float = LARGEST_TURN,
-    contraction: float = 0.5,
+    damping: float = 0.5,
     most: int = 12,
 ) -> tuple[State, int] | None:
     """Newton's method with line search; None when it does not converge nearby.
+
+    A step is taken when the Newton step that would follow it is smaller (natural monotonicity: independent of
+    units and of the number of edges), else halved.
 
     Parameters
     ----------
@@ -73,40 +76,37 @@ def correct(
         Imbalance and gap that are to remain (artificial loads of a continuation).
     turn : float
         Largest turn of an edge on the way, rad.
-    contraction : float
-        Each step must be smaller than the one before by this factor: what keeps to one branch of
-        equilibria.
+    damping : float
+        Smallest part of a step that is tried. A state that needs a smaller one is a long way off, and what is
+        found then may lie on another branch of equilibria.
 
     Returns
     -------
     state, iterations
     """
-    current, gap = state, _left(balance, state, kept)
-    unit = max(balance.scale(state), 1e-3 / balance.length)
-    size = _size(balance, gap, unit)
-    before = np.inf
+    current = state
+    step = newton_step(balance, current, _left(balance, current, kept))
+    turned = _turned(step)
     for iteration in range(most):
-        step = newton_step(balance, current, gap)
-        turned = float(np.abs(step.angles).max())
-        if not turned <= turn or (turned > contraction * before and turned > SMALL_TURN / 4):
+        if not turned <= turn:
             return None
-        before = turned
         factor = 1.0
         while True:
             trial = current.moved(step, factor)
-            trial_gap = _left(balance, trial, kept)
-            trial_size = _size(balance, trial_gap, unit)
-            if trial_size < (1 - 0.1 * factor) * size or trial_size < 1e-13:
+            next_step = newton_step(balance, trial, _left(balance, trial, kept))
+            next_turned = _turned(next_step)
+            if next_turned <= (1 - factor / 2) * turned or next_turned < min(SMALL_TURN / 4, 2 * turned):
                 break
             factor /= 2
-            if factor < 1 / 64:
-                # rounding stops the descent: fine when the answer is already good to the tolerance
-                return (current, iteration) if size < TOLERANCE / 10 else None
-        current, gap, size = trial, trial_gap, trial_size
+            if factor < damping:
+                return None
+        current, step, turned = trial, next_step, next_turned
         if float(np.abs(current.angles - state.angles).max()) > turn:
             return None
-        if turned < 1e-9 and factor == 1.0 and size < TOLERANCE:
-            return current, iteration + 1
+        if turned < 1e-9:
+            current = current.moved(step)
+            size = _size(balance, current, _left(balance, current, kept))
+            return (current, iteration + 1) if size < TOLERANCE else None
     return None
 
 
@@ -168,14 +168,13 @@ def trace(
 def polished(balance: Balance, state: State) -> State:
     """Newton steps as long as they help: the rounding limit."""
     gap = balance.residual(state)
-    unit = max(balance.scale(state), 1e-3 / balance.length)
-    size = _size(balance, gap, unit)
+    size = _size(balance, state, gap)
     for _ in range(6):
         if size == 0:
             break
         trial = state.moved(newton_step(balance, state, gap))
         trial_gap = balance.residual(trial)
-        trial_size = _size(balance, trial_gap, unit)
+        trial_size = _size(balance, trial, trial_gap)
         if not trial_size < 0.5 * size:
             break
         state, gap, size = trial, trial_gap, trial_size
@@ -252,10 +251,16 @@ def unstable_modes(balance: Balance, state: State) -> int:
     return constrained_inertia(*balance.second_variation(state), balance.constraint_rows(state))
 
 
+def _turned(step: State) -> float:
+    return float(np.abs(step.angles).max())
+
+
 def _left(balance: Balance, state: State, kept: Gap | None) -> Gap:
     imbalance, miss = balance.residual(state)
     return (imbalance, miss) if kept is None else (imbalance - kept[0], miss - kept[1])
 
 
-def _size(balance: Balance, gap: Gap, unit: float) -> float:
+def _size(balance: Balance, state: State, gap: Gap) -> float:
+    """Imbalance over the moments' size (that of a bend of 1e-3 rad at least), and gap over the length."""
+    unit = max(balance.scale(state), 1e-3 / balance.length)
     return float(max(np.abs(gap[0]).max() / unit, np.abs(gap[1]).max(initial=0.0) / balance.length))

@@ -100,10 +100,15 @@ def bending_moments(
 
 
 def moment_imbalance(
-    moments: FloatArray, angles: FloatArray, force: FloatArray, edge_length: float | FloatArray
+    moments: FloatArray,
+    angles: FloatArray,
+    force: FloatArray,
+    edge_length: float | FloatArray,
+    *,
+    T: FloatArray | None = None,
 ) -> FloatArray:
     """M_{i-1} - M_i + l_i <b_i, T_i> of every edge (n,), 1/mm: the energy's gradient in the edge angles."""
-    T = tangents(angles)
+    T = tangents(angles) if T is None else T
     return np.asarray(
         moments[:-1] - moments[1:] + edge_length * (force[:, 1] * T[:, 0] - force[:, 0] * T[:, 1])
     )
@@ -115,6 +120,8 @@ def second_variation(
     force: FloatArray,
     edge_length: float | FloatArray,
     supports: Supports | None = None,
+    *,
+    T: FloatArray | None = None,
 ) -> tuple[FloatArray, FloatArray]:
     """Tridiagonal Hessian H of the energy with respect to the edge angles (paper, section 7.1).
 
@@ -133,6 +140,8 @@ def second_variation(
         mm.
     supports : Supports, optional
         Clamped at both ends unless given.
+    T : (n, 2) array, optional
+        `tangents(angles)` when already at hand.
 
     Returns
     -------
@@ -144,23 +153,29 @@ def second_variation(
     for node, held in zip((0, -1), held_angles(supports), strict=True):
         if not held:
             spring[node] = 0.0
-    pull = force[..., 0] * np.cos(angles) + force[..., 1] * np.sin(angles)
+    T = tangents(angles) if T is None else T
+    pull = force[..., 0] * T[:, 0] + force[..., 1] * T[:, 1]
     return spring[:-1] + spring[1:] - edge_length * pull, -spring[1:-1]
 
 
 def constraint_rows(
-    angles: FloatArray, edge_length: float | FloatArray, supports: Supports | None = None
+    angles: FloatArray,
+    edge_length: float | FloatArray,
+    supports: Supports | None = None,
+    *,
+    T: FloatArray | None = None,
 ) -> FloatArray:
     """Rows C (p, n), mm, of d(gamma_l - gamma_0) = C d(alpha), for the coordinates held at both ends.
 
     C = l_i (-sin alpha_i, cos alpha_i).
     """
+    T = tangents(angles) if T is None else T
     rows = []
     held = (True, True) if supports is None else supports.transmits_force
     if held[0]:
-        rows.append(-edge_length * np.sin(angles))
+        rows.append(-edge_length * T[:, 1])
     if held[1]:
-        rows.append(edge_length * np.cos(angles))
+        rows.append(edge_length * T[:, 0])
     return np.array(rows).reshape(len(rows), angles.size)
 
 
@@ -240,7 +255,11 @@ def constrained_margin(
         i for i, flag in enumerate((True, True) if supports is None else supports.transmits_force) if flag
     ]
     if held:
-        nu[held] = np.linalg.lstsq((rows / lengths) @ rows.T, (rows / lengths) @ left, rcond=1e-12)[0]
+        nu[held] = np.linalg.lstsq(
+            np.einsum("in,jn->ij", rows / lengths, rows),
+            np.einsum("in,n->i", rows / lengths, left),
+            rcond=1e-12,
+        )[0]
     return Margin(float(values[0] * lengths.sum() ** 2), v, nu)
 
 

@@ -1,6 +1,7 @@
 """Cantilevers under a tip load and under their own weight against published numbers."""
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -40,7 +41,7 @@ def tip_of(solve):
     ids=lambda tip: f"PL2/EI={tip.load:g}",
 )
 def mattiasson(request) -> Tip:
-    """Mattiasson 1981, Int. J. Numer. Meth. Eng. 17, 145-153, table for the cantilever under a vertical tip load."""
+    """Mattiasson 1981, Int. J. Numer. Meth. Eng. 17, 145-153: cantilever under a vertical tip load."""
     return request.param
 
 
@@ -91,7 +92,7 @@ def test_upright_column_under_its_own_weight():
         limit = stability_limit(column, [8.0])
         assert limit.kind == "bifurcation"
         critical.append(limit.at["load"])
-    first = [(4 * b - a) / 3 for a, b in zip(critical[:-1], critical[1:], strict=True)]
+    first = [(4 * b - a) / 3 for a, b in pairwise(critical)]
     assert (16 * first[1] - first[0]) / 15 == pytest.approx(7.83734744, abs=3e-8)
 
 

@@ -29,8 +29,8 @@ class Elastica:
     ids=lambda e: f"{e.alpha:g}deg",
 )
 def elastica(request) -> Elastica:
-    """P/Pcr = (2K/pi)^2, chord/L = 2E/K - 1, rise/L = k/K, k = sin(alpha/2): Timoshenko & Gere, Theory of Elastic
-    Stability, section 2.7; computed from complete elliptic integrals and printed to five decimals."""
+    """P/Pcr = (2K/pi)^2, chord/L = 2E/K - 1, rise/L = k/K, k = sin(alpha/2): Timoshenko & Gere, Theory of
+    Elastic Stability, section 2.7; computed from complete elliptic integrals, printed to five decimals."""
     return request.param
 
 

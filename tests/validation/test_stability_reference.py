@@ -14,8 +14,8 @@ from elastica_cad.mechanics.march import march
 
 @pytest.fixture(scope="module")
 def state(shared_data):
-    """One equilibrium with determinant and gradient, from AbsoluteAngleElastica.m of the authors' code (010fb77e);
-    finite differences added."""
+    """One equilibrium with determinant and gradient, from AbsoluteAngleElastica.m of the authors' code
+    (010fb77e); finite differences added."""
     data = json.loads((shared_data / "reference" / "adjoint_check.json").read_text())
     return {name: np.array(value) if isinstance(value, list) else value for name, value in data.items()}
 
@@ -27,12 +27,12 @@ def bump(data, s):
 
 
 def test_state_is_balanced_with_our_sign_of_the_force(state):
-    l, angles = state["segment_lengths"], state["segment_angles"]
+    lengths, angles = state["segment_lengths"], state["segment_angles"]
     ends = (state["alpha_start"], state["alpha_end"])
-    moments = bending_moments(state["K"], angles, node_weights(l, l.size), ends=ends)
-    force = np.tile(state["lambda"], (l.size, 1))
-    assert np.abs(moment_imbalance(moments, angles, force, l)).max() < 1e-10
-    assert np.abs(moment_imbalance(moments, angles, -force, l)).max() > 1e-2
+    moments = bending_moments(state["K"], angles, node_weights(lengths, lengths.size), ends=ends)
+    force = np.tile(state["lambda"], (lengths.size, 1))
+    assert np.abs(moment_imbalance(moments, angles, force, lengths)).max() < 1e-10
+    assert np.abs(moment_imbalance(moments, angles, -force, lengths)).max() > 1e-2
 
 
 def test_determinant_and_conjugate_point(state):
@@ -44,12 +44,12 @@ def test_determinant_and_conjugate_point(state):
 
 
 def gradient_of(data):
-    l, angles, K = data["segment_lengths"], data["segment_angles"], data["K"]
+    lengths, angles, K = data["segment_lengths"], data["segment_angles"], data["K"]
     moments = bending_moments(
-        K, angles, node_weights(l, l.size), ends=(data["alpha_start"], data["alpha_end"])
+        K, angles, node_weights(lengths, lengths.size), ends=(data["alpha_start"], data["alpha_end"])
     )
-    weights = np.append(l * bump(data, np.cumsum(l) - l / 2), 0.0)
-    return determinant_gradient(K, angles, data["lambda"], l, weights=weights, moments=moments)
+    weights = np.append(lengths * bump(data, np.cumsum(lengths) - lengths / 2), 0.0)
+    return determinant_gradient(K, angles, data["lambda"], lengths, weights=weights, moments=moments)
 
 
 def test_adjoint_gradient(state):

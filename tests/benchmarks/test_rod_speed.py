@@ -1,0 +1,83 @@
+"""Speed as ratios within one run: bend and stability against dense and adaptive methods."""
+
+from time import perf_counter
+
+import numpy as np
+import pytest
+import scipy.linalg
+from scipy.integrate import solve_bvp
+
+from elastica_cad.mechanics import Rod, bend, stability
+from elastica_cad.mechanics.balance import edge_state
+from elastica_cad.mechanics.discrete import constraint_rows, second_variation
+
+
+def seconds(function, repeats=5):
+    best = np.inf
+    for _ in range(repeats):
+        start = perf_counter()
+        function()
+        best = min(best, perf_counter() - start)
+    return best
+
+
+def arch(samples):
+    return bend(Rod.straight(1.0, [1.0, 2.0, 1.5], samples=samples), end=(0.7, 0.1))
+
+
+def test_stability_against_the_dense_constrained_eigenproblem(benchmark):
+    rod = arch(1001)
+    angles, force = edge_state(rod)
+    diagonal, off = second_variation(rod.stiffness, angles, force, 1e-3)
+    rows = constraint_rows(angles, 1e-3)
+
+    def dense():
+        free = scipy.linalg.null_space(rows)
+        H = np.diag(diagonal) + np.diag(off, 1) + np.diag(off, -1)
+        return np.linalg.eigvalsh(free.T @ H @ free)
+
+    reference = seconds(dense, 1)
+    benchmark(stability, rod)
+    ratio = seconds(lambda: stability(rod)) / reference
+    benchmark.extra_info["ratio"] = ratio
+    assert ratio <= 0.02
+
+
+def test_bend_against_solve_bvp(benchmark):
+    rod = Rod.straight(1.0, [1.0, 2.0, 1.5], samples=201)
+    profile = rod.profile
+
+    def slopes(s, y, p):
+        angle, moment = y[0], y[1]
+        return np.vstack([
+            moment / profile(s), p[1] * np.cos(angle) - p[0] * np.sin(angle), np.cos(angle), np.sin(angle)
+        ])  # fmt: skip
+
+    def ends(a, b, p):
+        return np.array([a[0], a[2], a[3], b[0], b[2] - 0.7, b[3] - 0.1])
+
+    s = np.linspace(0.0, 1.0, 41)
+    guess = np.vstack([1.2 * np.sin(2 * np.pi * s), np.zeros_like(s), 0.7 * s, 0.3 * np.sin(np.pi * s)])
+
+    def adaptive():
+        return solve_bvp(slopes, ends, s, guess, p=[40.0, 0.0], tol=1e-6)
+
+    solved = adaptive()
+    assert solved.success
+    bent = benchmark(lambda: bend(rod, end=(0.7, 0.1)))
+    assert bent.position == pytest.approx(solved.sol(bent.s)[2:].T, abs=1e-3)
+    ratio = seconds(lambda: bend(rod, end=(0.7, 0.1))) / seconds(adaptive)
+    benchmark.extra_info["ratio"] = ratio
+    assert ratio <= 0.5
+
+
+@pytest.mark.parametrize("what", ["bend", "stability"])
+def test_cost_is_linear_up_to_20000(benchmark, what):
+    def cost(samples):
+        rod = arch(samples)
+        again = rod.with_stiffness(1.0 + 0.1 * rod.s)
+        return seconds((lambda: bend(again)) if what == "bend" else (lambda: stability(rod)), 3)
+
+    small, large = cost(2001), benchmark.pedantic(cost, (20001,), rounds=1)
+    benchmark.extra_info["ratio"] = large / small
+    assert large <= 16 * small
