@@ -2,13 +2,14 @@
 
 from elastica_cad.formats.chains import FIT_TOLERANCE, JOIN_TOLERANCE
 from elastica_cad.formats.cutting import DRAWING_SUFFIXES, write_drawing
-from elastica_cad.formats.dxf import CURVES, DXF_VERSIONS, dxf_bytes, write_dxf
+from elastica_cad.formats.dxf import DXF_VERSIONS, dxf_bytes, write_dxf
 from elastica_cad.formats.dxf_curves import read_dxf_curves
 from elastica_cad.formats.json_curves import curve_record, curves_json, read_json_curves, write_json_curves
 from elastica_cad.formats.layers import LayerStyle, layer_styles
 from elastica_cad.formats.output import checked_target, write_atomically
 from elastica_cad.formats.point_files import read_csv_curves, read_text_curves
 from elastica_cad.formats.report import REPORT_SCHEMA, check_report, strip_report
+from elastica_cad.formats.shaping import CURVES
 from elastica_cad.formats.svg import svg_bytes, write_svg
 from elastica_cad.formats.svg_curves import read_svg_curves
 from elastica_cad.formats.together import files_together

@@ -17,7 +17,8 @@ from elastica_cad.errors import InputError, MissingDependencyError
 from elastica_cad.fabrication.drawing import LAYERS, Drawing
 from elastica_cad.formats.layers import LayerChoice, LayerStyle, layer_styles
 from elastica_cad.formats.output import checked_target, write_atomically
-from elastica_cad.geometry import Arc, Path, Segment, Spline, as_arcs, as_cubics, as_polyline
+from elastica_cad.formats.shaping import checked_curves, shaped
+from elastica_cad.geometry import Arc, Path, Segment, Spline
 from elastica_cad.geometry.trim import trimmed
 
 if TYPE_CHECKING:
@@ -25,13 +26,9 @@ if TYPE_CHECKING:
     from ezdxf.entities.dxfgfx import DXFGraphic
     from ezdxf.layouts.layout import Modelspace
 
-__all__ = ["CURVES", "DXF_VERSIONS", "dxf_bytes", "write_dxf"]
+__all__ = ["DXF_VERSIONS", "dxf_bytes", "write_dxf"]
 
 DXF_VERSIONS = ("R12", "R2000", "R2004", "R2007", "R2010", "R2013", "R2018")
-CURVES = ("spline", "arc", "polyline")
-
-SPLINE_TOLERANCE = 1e-3
-"""Splines cost few bytes: approximated ones stay this near (mm) even where a coarser tolerance is given."""
 
 _TRUE_COLOR = DXF_VERSIONS[2:]
 _OPTIONS = Lock()
@@ -102,8 +99,7 @@ def dxf_bytes(
     MissingDependencyError
         ezdxf is not installed.
     """
-    if curves not in CURVES:
-        raise InputError(f"curves is {curves!r}: use one of {', '.join(CURVES)}")
+    curves = checked_curves(curves)
     if version not in DXF_VERSIONS:
         raise InputError(f"there is no DXF version {version!r}: use one of {', '.join(DXF_VERSIONS)}")
     styles = layer_styles(layers)
@@ -136,25 +132,18 @@ class _Writer:
             self.path(item.path, {"layer": styles[item.layer].name})
 
     def path(self, path: Path, attributes: dict[str, Any]) -> None:
-        shaped = self._shaped(path)
-        first = shaped.segments[0]
-        if len(shaped.segments) == 1 and isinstance(first, Arc) and first.is_circle:
+        path = shaped(path, self.curves, self.tolerance)
+        first = path.segments[0]
+        alone = len(path.segments) == 1
+        if alone and isinstance(first, Arc) and first.is_circle:
             self.space.add_circle(tuple(first.center), first.radius, dxfattribs=attributes)
-        elif not shaped.has_splines:
-            self._polyline(shaped, attributes)
+        elif not path.has_splines:
+            self._polyline(path, attributes)
         else:
-            alone = len(shaped.segments) == 1
-            chain = [
-                self._entity(segment, attributes, shaped.closed and alone) for segment in shaped.segments
-            ]
+            chain = [self._entity(segment, attributes, path.closed and alone) for segment in path.segments]
             if not alone:
                 self.loops += 1
                 self.document.groups.new(f"LOOP_{self.loops}").extend(chain)
-
-    def _shaped(self, path: Path) -> Path:
-        if self.curves == "spline":
-            return as_cubics(path, min(self.tolerance, SPLINE_TOLERANCE))
-        return (as_arcs if self.curves == "arc" else as_polyline)(path, self.tolerance)
 
     def _polyline(self, path: Path, attributes: dict[str, Any]) -> None:
         segments = [piece for segment in path.segments for piece in _up_to_half_turns(segment)]

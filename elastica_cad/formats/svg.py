@@ -8,12 +8,11 @@ from xml.sax.saxutils import escape, quoteattr
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawing import LAYERS, Drawing
-from elastica_cad.formats.dxf import CURVES, SPLINE_TOLERANCE
 from elastica_cad.formats.layers import LayerChoice, layer_styles
 from elastica_cad.formats.output import checked_target, write_atomically
-from elastica_cad.geometry import Arc, Line, Path, Segment, Spline, as_arcs, as_cubics, as_polyline
+from elastica_cad.formats.shaping import checked_curves, shaped
+from elastica_cad.geometry import Arc, Line, Path, Segment, Spline
 
 __all__ = ["svg_bytes", "write_svg"]
 
@@ -85,8 +84,7 @@ def svg_bytes(
     >>> 'width="42mm" height="12mm"' in svg_bytes(plate).decode()
     True
     """
-    if curves not in CURVES:
-        raise InputError(f"curves is {curves!r}: use one of {', '.join(CURVES)}")
+    curves = checked_curves(curves)
     styles = layer_styles(layers)
     (left, low), (right, high) = drawing.bounds
     sheet = _Sheet(left - _MARGIN, high + _MARGIN)
@@ -108,16 +106,12 @@ def svg_bytes(
             f'<g id={key} inkscape:groupmode="layer" inkscape:label={label} '
             f'fill="none" stroke="{style.color}" stroke-width="{_STROKE:g}">'
         )
-        rows.extend(f'<path d="{sheet.data(_shaped(path, curves, tolerance))}"/>' for path in paths)
+        rows.extend(
+            f'<path d="{sheet.data(shaped(path, curves, tolerance, rational=False))}"/>' for path in paths
+        )
         rows.append("</g>")
     rows.append("</svg>\n")
     return "\n".join(rows).encode()
-
-
-def _shaped(path: Path, curves: str, tolerance: float) -> Path:
-    if curves == "spline":
-        return as_cubics(path, min(tolerance, SPLINE_TOLERANCE), rational=False)
-    return (as_arcs if curves == "arc" else as_polyline)(path, tolerance)
 
 
 class _Sheet:

@@ -34,7 +34,7 @@ def as_arcs(path: Path, tolerance: float = 0.02) -> Path:
 
     Examples
     --------
-    >>> from elastica_cad.geometry import PlaneCurve
+    >>> from elastica_cad.geometry import Arc, PlaneCurve
     >>> arch = Path([Spline(PlaneCurve.spline([(0, 0), (10, 20), (30, 20), (50, 20), (60, 0)]))])
     >>> all(isinstance(piece, Arc) for piece in as_arcs(arch, 0.05).segments)
     True

@@ -1,0 +1,25 @@
+"""How curves are written: as splines, arcs or polylines."""
+
+from elastica_cad.errors import InputError
+from elastica_cad.geometry import Path, as_arcs, as_cubics, as_polyline
+
+__all__ = ["CURVES", "checked_curves", "shaped"]
+
+CURVES = ("spline", "arc", "polyline")
+
+_SPLINE_TOLERANCE = 1e-3
+"""Splines cost few bytes: approximated ones stay this near (mm) even where a coarser tolerance is given."""
+
+
+def checked_curves(curves: str) -> str:
+    """The mode, refused unless it is one of `CURVES`."""
+    if curves not in CURVES:
+        raise InputError(f"curves is {curves!r}: use one of {', '.join(CURVES)}")
+    return curves
+
+
+def shaped(path: Path, curves: str, tolerance: float, *, rational: bool = True) -> Path:
+    """The path as a file holds it: splines of degree 3 at most (`rational` where allowed), arcs, or lines."""
+    if curves == "spline":
+        return as_cubics(path, min(tolerance, _SPLINE_TOLERANCE), rational=rational)
+    return (as_arcs if curves == "arc" else as_polyline)(path, tolerance)
