@@ -150,7 +150,10 @@ class Path:
         The first point of a closed path is not repeated at the end.
         """
         rows = [segment.at(chord_parameters(segment, tolerance)[:-1]) for segment in self.segments]
-        return np.concatenate(rows if self.closed else [*rows, self.end[None]])
+        points = np.concatenate(rows if self.closed else [*rows, self.end[None]])
+        if self.closed and len(points) < 3 and not all(isinstance(s, Line) for s in self.segments):
+            return self.points(tolerance / 4)  # a thin lens keeps its inside
+        return points
 
     @property
     def has_splines(self) -> bool:

@@ -119,6 +119,12 @@ def test_points_stay_within_the_tolerance(tolerance):
         assert off.max() > tolerance / 30
 
 
+def test_a_thin_lens_keeps_its_inside():
+    lens = Path.polyline([(0, 0), (10, 0)], [0.1, 0.0], closed=True)
+    assert len(lens.points(5.0)) >= 3
+    assert Path.polygon(lens.points(5.0)).area > 0.5 * lens.area
+
+
 def test_trimmed_pieces_are_the_same_curve():
     unclamped = PlaneCurve(np.arange(10.0), wavy().control_points[:5], 4)
     rational = wavy(3, [1, 2, 0.5, 3, 1, 1.5])
