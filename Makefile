@@ -23,7 +23,7 @@ lint: $(VENV)/test-installed
 
 # The core on the oldest libraries that a Debian FreeCAD brings: numpy 1.24, scipy 1.10, no highspy, no ezdxf.
 test-core: .venv-core/installed
-	PYTHONPATH=. .venv-core/bin/python -m pytest -m core
+	PYTHONPATH=. .venv-core/bin/python -m pytest $(shell grep -rl "mark.core" tests --include="test_*.py") -o addopts="-q --import-mode=importlib"
 
 benchmark: $(VENV)/test-installed
 	$(BIN)/python -m pytest tests/benchmarks --benchmark-enable --benchmark-only -o addopts="-q --import-mode=importlib"
