@@ -9,7 +9,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.flatten import chord_parameters
-from elastica_cad.geometry.segments import Arc, Segment, Spline, bulged, is_similarity, place
+from elastica_cad.geometry.segments import Arc, Line, Segment, Spline, bulged, is_similarity, place
 
 __all__ = ["JOIN", "Path"]
 
