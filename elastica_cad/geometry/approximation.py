@@ -131,7 +131,7 @@ def _least_squares(spans: Spans, values: FloatArray, places: FloatArray, weight:
     """Coefficients (m, ...) of the spline nearest in mean square to values (p, k, ...) at places of spans."""
     from scipy.linalg import solveh_banded
 
-    degree, count = spans.degree, int(spans.first[-1]) + spans.degree + 1
+    degree, count = spans.degree, spans.count
     width = np.diff(spans.edges)
     basis = np.einsum("ki,pij->pkj", spans.bernstein(places), spans.matrix)
     weighted = basis * (width[:, None] * weight)[..., None]

@@ -3,25 +3,27 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import pairwise
-from typing import Any
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
 from elastica_cad.errors import InputError
-from elastica_cad.geometry import arclength, zeros
+from elastica_cad.geometry import zeros
 from elastica_cad.geometry.approximation import adaptive_spline
+from elastica_cad.geometry.arclength import ArcLength, arc_length_table
 from elastica_cad.geometry.bernstein import interior_roots
 from elastica_cad.geometry.checks import check_knots, finite
 from elastica_cad.geometry.conics import unit_circle_arc
-from elastica_cad.geometry.extraction import Spans, bezier_spans
+from elastica_cad.geometry.continuity import continuity_orders, refuse_standstill
+from elastica_cad.geometry.extraction import bezier_spans
 from elastica_cad.geometry.fitting import fitted_spline
+from elastica_cad.geometry.jets import Jets, curvature, curvature_slope, quotient
 from elastica_cad.geometry.projective import projected
-from elastica_cad.geometry.records import Break, CurvatureZero, CurveSamples, LineCrossing, TangentBreak
-from elastica_cad.geometry.turning import Turning, hodograph, turning_table, zero_speed
+from elastica_cad.geometry.records import Break, CurvatureZero, CurveSamples, TangentBreak
+from elastica_cad.geometry.selfcrossings import self_meeting_places
+from elastica_cad.geometry.turning import Turning, hodograph, turning_table
 
-__all__ = ["PlaneCurve", "line_crossings"]
+__all__ = ["PlaneCurve"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,7 +80,7 @@ class PlaneCurve:
                     f"weight {int(weights.argmin())} is {weights.min():g}: weights must be positive"
                 )
             object.__setattr__(self, "weights", weights if np.ptp(weights) > 0 else None)
-        self._check_speed()
+        refuse_standstill(self._jets, self.control_points)
 
     @classmethod
     def spline(cls, control_points: ArrayLike, degree: int = 4) -> "PlaneCurve":
@@ -202,26 +204,38 @@ class PlaneCurve:
         if not 0 <= derivative <= 3:
             raise InputError(f"derivatives of order 0 to 3 are known, not {derivative}")
         t = np.asarray(t, dtype=float)
-        return self._derivatives(t.ravel(), derivative, left)[derivative].reshape(*t.shape, 2)
+        return self._jets.at(t.ravel(), derivative, left=left)[derivative].reshape(*t.shape, 2)
+
+    def basis(self, t: ArrayLike, derivative: int = 0) -> FloatArray:
+        """Derivatives (n, m) of the position (or of its derivative) at t (n,) by the m control points.
+
+        The rational basis functions R_i: position = sum of R_i(t) times control point i.
+        """
+        t = self._jets.inside(np.atleast_1d(np.asarray(t, dtype=float)))
+        spans = self._jets.spans
+        if self.weights is None:
+            return spans.basis(t, derivative)
+        numerators = [(spans.basis(t, k) * self.weights).T for k in range(derivative + 1)]
+        return quotient(numerators, [rows.sum(axis=0) for rows in numerators])[derivative].T
+
+    def with_control_points(self, control_points: ArrayLike) -> "PlaneCurve":
+        """The curve with the same knots and weights over other control points (m, 2)."""
+        return PlaneCurve(self.knots, np.asarray(control_points, dtype=float), self.degree, self.weights)
 
     def curvature_at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
         """Signed curvature, 1/mm, at parameters t."""
         t = np.asarray(t, dtype=float)
-        _, d1, d2 = self._derivatives(t.ravel(), 2, left)
-        return np.asarray((_cross(d1, d2) / _norm(d1) ** 3).reshape(t.shape))
+        return curvature(*self._jets.at(t.ravel(), 2, left=left)[1:]).reshape(t.shape)
 
     def curvature_slope_at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
         """Derivative of the curvature by arc length, 1/mm2, at parameters t."""
         t = np.asarray(t, dtype=float)
-        _, d1, d2, d3 = self._derivatives(t.ravel(), 3, left)
-        speed2 = (d1**2).sum(axis=1)
-        slope = _cross(d1, d3) / speed2**2 - 3 * _cross(d1, d2) * (d1 * d2).sum(axis=1) / speed2**3
-        return np.asarray(slope.reshape(t.shape))
+        return curvature_slope(*self._jets.at(t.ravel(), 3, left=left)[1:]).reshape(t.shape)
 
     def angle_at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
         """Turning angle, rad, at parameters t: continuous along the curve, in (-pi, pi] near the start."""
         t = np.asarray(t, dtype=float)
-        _, d1 = self._derivatives(t.ravel(), 1, left)
+        _, d1 = self._jets.at(t.ravel(), 1, left=left)
         return self._turning.at(t.ravel(), d1, left=left).reshape(t.shape)
 
     @cached_property
@@ -232,7 +246,7 @@ class PlaneCurve:
     def arc_length(self, t: ArrayLike) -> FloatArray:
         """Arc length from the start, mm, at parameters t."""
         t = np.asarray(t, dtype=float)
-        return self._arc_length.length_at(self._inside(t.ravel())).reshape(t.shape)
+        return self._arc_length.length_at(self._jets.inside(t.ravel())).reshape(t.shape)
 
     def parameter(self, s: ArrayLike) -> FloatArray:
         """Parameters at arc lengths s (mm)."""
@@ -242,12 +256,17 @@ class PlaneCurve:
             raise InputError(f"arc length outside the curve: use 0 to {self.length:g} mm")
         return self._arc_length.parameter_at(np.clip(s.ravel(), 0.0, self.length)).reshape(s.shape)
 
+    @property
+    def smooth_panels(self) -> FloatArray:
+        """Parameters, both ends included, between which a Gauss rule of 16 points integrates to rounding."""
+        return self._arc_length.t
+
     def at(self, s: ArrayLike) -> CurveSamples:
         """Position, angle and curvature at arc lengths s (n,)."""
         s = np.atleast_1d(np.asarray(s, dtype=float))
         t = self.parameter(s)
-        position, d1, d2 = self._derivatives(t, 2, False)
-        return CurveSamples(s, position, self._turning.at(t, d1), _cross(d1, d2) / _norm(d1) ** 3, t)
+        position, d1, d2 = self._jets.at(t, 2)
+        return CurveSamples(s, position, self._turning.at(t, d1), curvature(d1, d2), t)
 
     def sample(self, count: int) -> CurveSamples:
         """`count` points at equal distances along the curve, both ends included."""
@@ -258,8 +277,8 @@ class PlaneCurve:
     @cached_property
     def curvature_zeros(self) -> tuple[CurvatureZero, ...]:
         """All zeros and sign changes of the curvature, in order."""
-        found = zeros.curvature_zero_places(self._bezier, self._spans.edges, self._curvature_continuous)
-        return tuple(CurvatureZero(*self._measured(place)) for place in found)
+        found = zeros.curvature_zero_places(self._jets.bezier, self._jets.edges, self._curvature_continuous)
+        return self._measured(found)
 
     def curvature_equals(self, level: float) -> tuple[CurvatureZero, ...]:
         """All places where the curvature is `level` (1/mm); before, after: signs of curvature - level."""
@@ -267,9 +286,9 @@ class PlaneCurve:
         if level == 0:
             return self.curvature_zeros
         found = zeros.curvature_level_places(
-            self._bezier, self._spans.edges, self._curvature_continuous, level
+            self._jets.bezier, self._jets.edges, self._curvature_continuous, level
         )
-        return tuple(CurvatureZero(*self._measured(place)) for place in found)
+        return self._measured(found)
 
     @cached_property
     def inflections(self) -> FloatArray:
@@ -279,7 +298,7 @@ class PlaneCurve:
     @cached_property
     def breaks(self) -> tuple[Break, ...]:
         """All interior knots with their continuity."""
-        t = self._spans.edges[1:-1]
+        t = self._jets.edges[1:-1]
         return tuple(
             Break(float(s), float(at), int(order))
             for s, at, order in zip(self.arc_length(t), t, self._continuity, strict=True)
@@ -288,7 +307,7 @@ class PlaneCurve:
     @cached_property
     def tangent_breaks(self) -> tuple[TangentBreak, ...]:
         """Corners of more than 1e-5 rad."""
-        t = self._spans.edges[1:-1]
+        t = self._jets.edges[1:-1]
         angle = self.angle_at(t) - self.angle_at(t, left=True)
         s = self.arc_length(t)
         return tuple(
@@ -311,12 +330,17 @@ class PlaneCurve:
         start, end = self.evaluate(np.array(self.domain), left=False)
         return bool(np.hypot(*(end - start)) <= 1e-9 * self.length)
 
+    def self_intersections(self) -> FloatArray:
+        """Pairs of arc lengths (k, 2), mm, at which the curve crosses or touches itself, in order."""
+        jets = self._jets
+        return self.arc_length(self_meeting_places(jets.bezier, jets.edges, jets.position_and_velocity))
+
     def bezier_pieces(self) -> tuple[tuple[float, float, FloatArray], ...]:
         """The knot spans as (t0, t1, homogeneous control points (degree + 1, 3): rows x w, y w, w)."""
-        edges = self._spans.edges
+        edges = self._jets.edges
         return tuple(
             (float(a), float(b), piece.copy())
-            for a, b, piece in zip(edges[:-1], edges[1:], self._bezier, strict=True)
+            for a, b, piece in zip(edges[:-1], edges[1:], self._jets.bezier, strict=True)
         )
 
     def reversed(self) -> "PlaneCurve":
@@ -342,170 +366,49 @@ class PlaneCurve:
             self.weights,
             matrix,
             degree=self.degree,
-            bezier=self._bezier,
-            edges=self._spans.edges,
+            bezier=self._jets.bezier,
+            edges=self._jets.edges,
         )
         return PlaneCurve(knots, points, self.degree, weights)
 
     @cached_property
     def bounds(self) -> FloatArray:
         """The smallest box around the curve, [[x_min, y_min], [x_max, y_max]], mm."""
-        edges = self._spans.edges
+        edges = self._jets.edges
         found = [
             edges[root.piece] + root.u * (edges[root.piece + 1] - edges[root.piece])
             for axis in (0, 1)
-            for root in interior_roots(hodograph(self._bezier)[..., axis])
+            for root in interior_roots(hodograph(self._jets.bezier)[..., axis])
         ]
         points = self.evaluate(np.concatenate([edges, found]))
         return np.array([points.min(axis=0), points.max(axis=0)])
 
     @cached_property
-    def _spans(self) -> Spans:
-        return bezier_spans(self.knots, self.degree)
-
-    @cached_property
-    def _bezier(self) -> FloatArray:
+    def _jets(self) -> Jets:
+        spans = bezier_spans(self.knots, self.degree)
         weights = np.ones(self.control_points.shape[0]) if self.weights is None else self.weights
-        return self._spans.bezier(np.column_stack([self.control_points * weights[:, None], weights]))
+        homogeneous = np.column_stack([self.control_points * weights[:, None], weights])
+        return Jets(spans, spans.bezier(homogeneous), self.is_rational)
 
     @cached_property
     def _turning(self) -> Turning:
-        return turning_table(hodograph(self._bezier), self._spans.edges)
+        return turning_table(hodograph(self._jets.bezier), self._jets.edges)
 
     @cached_property
-    def _arc_length(self) -> arclength.ArcLength:
-        return arclength.arc_length_table(
-            lambda t: _norm(self._derivatives(t, 1, False)[1]), self._spans.edges
-        )
+    def _arc_length(self) -> ArcLength:
+        return arc_length_table(self._jets.speed, self._jets.edges)
 
     @cached_property
     def _continuity(self) -> IntArray:
-        """Orders of continuity (p - 1,) at the interior knots, by arc length."""
-        t = self._spans.edges[1:-1]
-        multiplicity = (self.knots[None, :] == t[:, None]).sum(axis=1)
-        order = self.degree - multiplicity
-        left, right = (
-            [f(t, left=side) for f in (self.angle_at, self.curvature_at, self.curvature_slope_at)]
-            for side in (True, False)
-        )
-        scale = 1 / self.length + np.maximum(np.abs(left[1]), np.abs(right[1]))
-        same = np.abs(np.array(left) - np.array(right)) <= np.array(
-            [1e-9 + 0 * scale, 1e-8 * scale, 1e-6 * scale**2]
-        )
-        measured = np.cumprod(same, axis=0).sum(axis=0)
-        return np.asarray(np.maximum(order, measured))
+        return continuity_orders(self._jets, self._turning, self.knots, self.length)
 
     @cached_property
     def _curvature_continuous(self) -> BoolArray:
         return self._continuity >= 2
 
-    def _measured(self, place: zeros.ZeroPlace) -> tuple[Any, ...]:
-        s, s_end = self.arc_length(np.array([place.t, place.t_end]))
-        return float(s), place.t, place.kind, float(s_end), place.t_end, place.before, place.after
-
-    def _inside(self, t: FloatArray) -> FloatArray:
-        a, b = self.domain
-        slack = 1e-9 * (b - a)
-        if t.size and not (np.all(t >= a - slack) and np.all(t <= b + slack)):
-            raise InputError(f"parameter outside the curve: use {a:g} to {b:g}")
-        return np.clip(t, a, b)
-
-    def _derivatives(self, t: FloatArray, order: int, left: bool) -> list[FloatArray]:
-        """Position and derivatives d/dt up to `order`, each (n, 2), by de Casteljau's scheme."""
-        spans = self._spans
-        index, u = spans.locate(self._inside(t), left=left)
-        scale = 1 / np.diff(spans.edges)[index]
-        degree = self.degree
-        c = self._bezier_columns[:, :, index]
-        jets: list[FloatArray] = []
-        factor = np.ones_like(u)
-        for k in range(degree + 1):
-            remaining = degree - k
-            if remaining <= order:
-                jets.append(_differences(c, remaining))
-            if remaining:
-                c = c[:-1] + (c[1:] - c[:-1]) * u
-        homogeneous = []
-        for k, jet in enumerate(reversed(jets)):
-            homogeneous.append(jet * factor)
-            factor = factor * scale * (degree - k)
-        zero = np.zeros_like(homogeneous[0])
-        homogeneous += [zero] * (order + 1 - len(homogeneous))
-        if not self.is_rational:
-            return [np.ascontiguousarray(h[:2].T) for h in homogeneous]
-        return [np.ascontiguousarray(v.T) for v in _quotient(homogeneous)]
-
-    @cached_property
-    def _bezier_columns(self) -> FloatArray:
-        """Bezier pieces as (degree + 1, 3 or 2, p), the layout in which many points are evaluated fast."""
-        kept = self._bezier if self.is_rational else self._bezier[..., :2]
-        return np.ascontiguousarray(np.moveaxis(kept, 0, 2))
-
-    def _check_speed(self) -> None:
-        points = self.control_points
-        if np.ptp(points, axis=0).max() == 0:
-            raise InputError("all control points coincide: the curve has zero length")
-        t = zero_speed(hodograph(self._bezier), self._spans.edges)
-        if t is None:
-            return
-        x, y = self.evaluate(t)
-        twins = np.flatnonzero((np.diff(points, axis=0) == 0).all(axis=1))
-        cause = f" (control points {twins[0]} and {twins[0] + 1} coincide)" if twins.size else ""
-        raise InputError(
-            f"the curve has no tangent at ({x:g}, {y:g}) mm, {self._length_until(t):.4g} mm from its start: "
-            f"a cusp or coincident control points{cause}; move or delete a control point there"
+    def _measured(self, found: tuple[zeros.ZeroPlace, ...]) -> tuple[CurvatureZero, ...]:
+        s = self.arc_length(np.array([[place.t, place.t_end] for place in found]).reshape(-1, 2))
+        return tuple(
+            CurvatureZero(float(at), p.t, p.kind, float(to), p.t_end, p.before, p.after)
+            for p, (at, to) in zip(found, s, strict=True)
         )
-
-    def _length_until(self, t: float) -> float:
-        edges = self._spans.edges
-        edges = np.append(edges[edges < t], t)
-        if edges.size < 2:
-            return 0.0
-        dense = np.concatenate([np.linspace(a, b, 65) for a, b in pairwise(edges)])
-        return float(_norm(np.diff(self.evaluate(dense), axis=0)).sum())
-
-
-def line_crossings(curve: PlaneCurve, a: float, b: ArrayLike) -> tuple[LineCrossing, ...]:
-    """All points that a curve has in common with the line a + <b, x> = 0, in order along the curve.
-
-    Parameters
-    ----------
-    a : float
-        Constant of the line.
-    b : (2,) array_like
-        Its normal (any length but 0).
-    """
-    normal = finite("b", b)
-    if normal.shape != (2,) or not normal.any():
-        raise InputError(
-            f"the normal b of a line must be two numbers, not both zero: {np.asarray(b).tolist()}"
-        )
-    found = zeros.line_places(curve._bezier, curve._spans.edges, float(a), normal)
-    return tuple(LineCrossing(*curve._measured(place)) for place in found)
-
-
-def _norm(v: FloatArray) -> FloatArray:
-    return np.asarray(np.hypot(v[:, 0], v[:, 1]))
-
-
-def _cross(u: FloatArray, v: FloatArray) -> FloatArray:
-    return np.asarray(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
-
-
-def _differences(c: FloatArray, order: int) -> FloatArray:
-    for _ in range(order):
-        c = c[1:] - c[:-1]
-    return np.asarray(c[0])
-
-
-def _quotient(jet: list[FloatArray]) -> list[FloatArray]:
-    """Derivatives of P / w from those of (P, w), each (3, n), by Leibniz' rule."""
-    w = [h[2] for h in jet]
-    binomial = [[1], [1, 1], [1, 2, 1], [1, 3, 3, 1]]
-    out: list[FloatArray] = []
-    for k, h in enumerate(jet):
-        value = h[:2].copy()
-        for j in range(1, k + 1):
-            value -= binomial[k][j] * w[j] * out[k - j]
-        out.append(value / w[0])
-    return out

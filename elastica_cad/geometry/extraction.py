@@ -15,6 +15,8 @@ class Spans:
 
     Attributes
     ----------
+    count : int
+        Number m of control points.
     edges : (p + 1,) array
         Ends of the spans in the parameter t, increasing.
     first : (p,) int array
@@ -23,6 +25,7 @@ class Spans:
         Bezier control points of a span = matrix @ its B-spline control points.
     """
 
+    count: int
     edges: FloatArray
     first: IntArray
     matrix: FloatArray
@@ -50,9 +53,8 @@ class Spans:
 
     def basis(self, t: FloatArray, derivative: int = 0) -> FloatArray:
         """Values (n, m) of the d-th derivative of all m basis functions at parameters (n,)."""
-        count = int(self.first[-1]) + self.degree + 1
         local, index = self.local_basis(t, derivative)
-        out = np.zeros((t.size, count))
+        out = np.zeros((t.size, self.count))
         columns = self.first[index][:, None] + np.arange(self.degree + 1)
         out[np.arange(t.size)[:, None], columns] = local
         return out
@@ -83,7 +85,7 @@ def bezier_spans(knots: FloatArray, degree: int) -> Spans:
         low, high = knots[i], knots[i + size - level]
         alpha = (arguments[:, :, level - 1 : level] - low[:, None, :]) / (high - low)[:, None, :]
         points = points[:, :, :-1] * (1 - alpha[..., None]) + points[:, :, 1:] * alpha[..., None]
-    return Spans(np.append(a, b[-1]), span - degree, np.ascontiguousarray(points[:, :, 0]))
+    return Spans(knots.size - size, np.append(a, b[-1]), span - degree, np.ascontiguousarray(points[:, :, 0]))
 
 
 def _bernstein_values(degree: int, u: FloatArray, derivative: int) -> FloatArray:
