@@ -19,13 +19,8 @@ from elastica_cad.mechanics.material_laws import (
 )
 from elastica_cad.mechanics.optimal import optimal_rod
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sections import (
-    LaminatedSection,
-    LayerStrain,
-    PerforatedSection,
-    PlainSection,
-    ScaleRange,
-)
+from elastica_cad.mechanics.section_limits import LayerStrain, ScaleRange
+from elastica_cad.mechanics.sections import LaminatedSection, PerforatedSection, PlainSection
 from elastica_cad.mechanics.sheet import Sheet, load_sheets, sheet_names
 from elastica_cad.mechanics.stability import Stability, stability
 from elastica_cad.mechanics.supports import End, Supports
@@ -33,10 +28,9 @@ from elastica_cad.mechanics.tolerance import (
     ToleranceEffect,
     ToleranceRanges,
     ToleranceStudy,
-    Variation,
     tolerance_study,
-    varied_rod,
 )
+from elastica_cad.mechanics.variation import Variation, varied_rod
 
 __all__ = [
     "AnticlasticWidths",

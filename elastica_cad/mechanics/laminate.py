@@ -11,7 +11,8 @@ from elastica_cad.mechanics.gravity import Gravity
 from elastica_cad.mechanics.loads import PointMass, Weight
 from elastica_cad.mechanics.optimal import optimal_rod
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sections import LaminatedSection, ScaleRange
+from elastica_cad.mechanics.section_limits import ScaleRange
+from elastica_cad.mechanics.sections import LaminatedSection
 from elastica_cad.mechanics.supports import Supports
 
 __all__ = ["Laminate", "optimal_laminate"]

@@ -9,97 +9,12 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry import Profile
 from elastica_cad.mechanics.loads import STANDARD_GRAVITY, Weight
+from elastica_cad.mechanics.section_limits import ROUNDING, LayerStrain, ScaleRange, positive
 from elastica_cad.mechanics.sheet import Sheet
 
-__all__ = ["LaminatedSection", "LayerStrain", "PerforatedSection", "PlainSection", "ScaleRange"]
+__all__ = ["LaminatedSection", "PerforatedSection", "PlainSection"]
 
-_ROUNDING = 1e-9  # relative slack on limits that the design may touch
-_TOUCH = 1e-7  # the same for a stiffness that comes out of an optimization
-
-
-@dataclass(frozen=True, eq=False)
-class LayerStrain:
-    """Strain of the outermost fibre of one layer.
-
-    Attributes
-    ----------
-    name : str
-        The sheet.
-    strain : (n,) array
-        Distance from the neutral axis times |kappa - kappa_0|; 0 where the layer is missing.
-    limit : float
-        What the sheet bears.
-    """
-
-    name: str
-    strain: FloatArray
-    limit: float
-
-    @property
-    def largest(self) -> float:
-        """The largest strain along the strip."""
-        return float(self.strain.max())
-
-    @property
-    def station(self) -> int:
-        """Index of the largest strain."""
-        return int(np.argmax(self.strain))
-
-    @property
-    def exceeded(self) -> bool:
-        """True when the layer is bent beyond its limit."""
-        return self.largest > self.limit * (1 + _ROUNDING)
-
-
-@dataclass(frozen=True)
-class ScaleRange:
-    """Scales c for which E I = c K can be built inside a given outer width (paper, section 8.1).
-
-    Attributes
-    ----------
-    lowest, highest : float
-        max c_min and min c_max over the stations, N mm2 (with min K = 1, c is the least bending stiffness).
-    lowest_at, highest_at : int
-        Stations that decide them.
-    """
-
-    lowest: float
-    highest: float
-    lowest_at: int
-    highest_at: int
-
-    @classmethod
-    def of(cls, least: ArrayLike, most: ArrayLike, stiffness: ArrayLike) -> "ScaleRange":
-        """The range from the least and most E I (n,), N mm2, that each station can have, and K (n,)."""
-        K = _positive(stiffness, "stiffness")
-        c_min, c_max = np.broadcast_arrays(
-            np.asarray(least, dtype=float) / K, np.asarray(most, dtype=float) / K
-        )
-        low, high = int(np.argmax(c_min)), int(np.argmin(c_max))
-        return cls(float(c_min.flat[low]), float(c_max.flat[high]), low, high)
-
-    @property
-    def feasible(self) -> bool:
-        """Can the stiffness be built at all?"""
-        return self.lowest <= self.highest * (1 + _ROUNDING)
-
-    @property
-    def scale(self) -> float:
-        """The paper's choice c = min c_max: as much added material as the outer width takes.
-
-        Raises
-        ------
-        InputError
-            When nothing fits; the message says which stations disagree.
-        """
-        if not self.feasible:
-            raise InputError(
-                f"no scale fits: station {self.lowest_at} needs E I of at least {self.lowest:.4g} N mm2 per "
-                f"unit of stiffness and station {self.highest_at} takes at most {self.highest:.4g}; widen "
-                f"the strip at station {self.highest_at}, narrow it at station {self.lowest_at} or lower the "
-                "stiffness ratio"
-            )
-        return self.highest
+_TOUCH = 1e-7  # relative slack on limits for a stiffness that comes out of an optimization
 
 
 @dataclass(frozen=True)
@@ -122,15 +37,15 @@ class PlainSection:
 
     def bending_stiffness(self, width: ArrayLike) -> FloatArray:
         """E I (n,), N mm2, of widths (n,), mm."""
-        return self.rigidity * _positive(width, "width")
+        return self.rigidity * positive(width, "width")
 
     def width(self, bending_stiffness: ArrayLike) -> FloatArray:
         """Width (n,), mm, that gives the E I (n,), N mm2."""
-        return _positive(bending_stiffness, "bending stiffness") / self.rigidity
+        return positive(bending_stiffness, "bending stiffness") / self.rigidity
 
     def weight_per_length(self, width: ArrayLike) -> FloatArray:
         """N/mm (n,) of widths (n,), mm."""
-        return _areal_weight(self.sheet) * _positive(width, "width")
+        return _areal_weight(self.sheet) * positive(width, "width")
 
     def weight(self, bending_stiffness: float) -> Weight:
         """The weight law: beta K with beta = 12 rho g B / (E h^2), whatever the profile.
@@ -233,8 +148,8 @@ class LaminatedSection:
         InputError
             E I below that of the base alone or above that of two full layers; says at which station.
         """
-        w1 = _positive(base_width, "base width")
-        EI = _positive(bending_stiffness, "bending stiffness")
+        w1 = positive(base_width, "base width")
+        EI = positive(bending_stiffness, "bending stiffness")
         w1, EI = np.broadcast_arrays(w1, EI)
         least, most = self.bending_stiffness(w1, 0.0), self.bending_stiffness(w1, w1)
         _refuse_stations(
@@ -339,8 +254,8 @@ class LaminatedSection:
         Iterated with an optimal K this is Newton's method for the laminate's fixed point; `optimal_laminate`
         does it.
         """
-        K = _positive(stiffness, "stiffness")
-        w1 = np.broadcast_to(_positive(base_width, "base width"), K.shape)
+        K = positive(stiffness, "stiffness")
+        w1 = np.broadcast_to(positive(base_width, "base width"), K.shape)
         w2 = self.backing_width(w1, bending_stiffness * K)
         beta = _areal_weight(self.backing) * bending_stiffness / self.stiffening(w1, w2)
         alpha = self.weight_per_length(w1, w2) - beta * K
@@ -358,7 +273,7 @@ class LaminatedSection:
         least_backing : float
             Narrowest backing that can be cut and glued, mm; a base narrower than that is backed fully.
         """
-        w1 = _positive(base_width, "base width")
+        w1 = positive(base_width, "base width")
         if not (np.isfinite(least_backing) and least_backing >= 0):
             raise InputError(f"least backing width is {least_backing}: it can't be negative, in mm")
         return ScaleRange.of(
@@ -379,7 +294,7 @@ class LaminatedSection:
         InputError
             When no thickness would do, because `least_backing` fills the base where it should stay soft.
         """
-        K, w1 = _positive(stiffness, "stiffness"), _positive(base_width, "base width")
+        K, w1 = positive(stiffness, "stiffness"), positive(base_width, "base width")
 
         def feasible(ratio: float) -> bool:
             backing = replace(self.backing, thickness=self.base.thickness / ratio)
@@ -414,24 +329,15 @@ class LaminatedSection:
 
     def _widths(self, base_width: ArrayLike, backing_width: ArrayLike) -> tuple[FloatArray, FloatArray]:
         w1, w2 = np.broadcast_arrays(
-            _positive(base_width, "base width"), np.asarray(backing_width, dtype=float)
+            positive(base_width, "base width"), np.asarray(backing_width, dtype=float)
         )
-        if not np.all((w2 >= 0) & (w2 <= w1 * (1 + _ROUNDING))):
-            i = int(np.argmin((w2 >= 0) & (w2 <= w1 * (1 + _ROUNDING))))
+        if not np.all((w2 >= 0) & (w2 <= w1 * (1 + ROUNDING))):
+            i = int(np.argmin((w2 >= 0) & (w2 <= w1 * (1 + ROUNDING))))
             raise InputError(
                 f"backing width at station {i} is {w2.flat[i]:.6g} mm: it must lie between 0 and the base's "
                 f"{w1.flat[i]:.6g} mm"
             )
         return w1, w2
-
-
-def _positive(values: ArrayLike, name: str) -> FloatArray:
-    array = np.asarray(values, dtype=float)
-    good = np.isfinite(array) & (array > 0)
-    if not good.all():
-        i = int(np.argmin(good))
-        raise InputError(f"{name} is {array.flat[i]:.6g} at station {i}: it must be positive")
-    return array
 
 
 def _refuse_stations(bad: NDArray[np.bool_], bending_stiffness: FloatArray, text: str) -> None:

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.mechanics.sections import LaminatedSection, PerforatedSection, PlainSection, ScaleRange
+from elastica_cad.mechanics.section_limits import ScaleRange
+from elastica_cad.mechanics.sections import LaminatedSection, PerforatedSection, PlainSection
 from elastica_cad.mechanics.sheet import Sheet
 
 pytestmark = pytest.mark.core

@@ -15,7 +15,8 @@ from elastica_cad.mechanics.gravity import Gravity
 from elastica_cad.mechanics.loads import PointMass, Weight
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheet import Sheet
-from elastica_cad.mechanics.tolerance import ToleranceRanges, Variation, tolerance_study, varied_rod
+from elastica_cad.mechanics.tolerance import ToleranceRanges, tolerance_study
+from elastica_cad.mechanics.variation import Variation, varied_rod
 
 STIFFNESS = 1 + np.sin(np.linspace(0, np.pi, 61)) ** 2
 

@@ -8,7 +8,7 @@ import pytest
 from elastica_cad.mechanics.bend import bend
 from elastica_cad.mechanics.gravity import Gravity
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.tolerance import Variation, varied_rod
+from elastica_cad.mechanics.variation import Variation, varied_rod
 
 CARD = Gravity(1e3 * 8.86e-4 ** (1 / 3))  # elasto-gravity length of the study's card, mm
 
