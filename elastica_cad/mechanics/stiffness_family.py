@@ -9,7 +9,7 @@ from elastica_cad.mechanics.gravity_lp import least_variation
 from elastica_cad.mechanics.minimax_lp import MinimaxSolution, Solver, minimax_ratio
 from elastica_cad.mechanics.panels import NODES, WEIGHTS, PanelFunction, Panels
 
-__all__ = ["StiffnessFamily", "least_ratio", "smoothest", "wrong_places"]
+__all__ = ["StiffnessFamily", "dense_places", "least_ratio", "smoothest", "wrong_places"]
 
 DENSE = np.concatenate([[-1.0], np.cos(np.pi * (np.arange(1, 24)[::-1] / 24)), [1.0]])
 """Places in each panel at which bounds are first watched."""
@@ -50,10 +50,10 @@ class StiffnessFamily:
         K = self.rows.combined(y)
         return K if self.offset is None else PanelFunction(K.coefficients + self.offset.coefficients)
 
-    def dense(self) -> tuple[IntArray, FloatArray]:
-        """Panel numbers and places x of a dense sampling, panel ends included."""
-        count = self.panels.count
-        return np.repeat(np.arange(count), DENSE.size), np.tile(DENSE, count)
+
+def dense_places(panels: Panels) -> tuple[IntArray, FloatArray]:
+    """Panel numbers and places x of a dense sampling, panel ends included."""
+    return np.repeat(np.arange(panels.count), DENSE.size), np.tile(DENSE, panels.count)
 
 
 def least_ratio(
@@ -69,11 +69,11 @@ def least_ratio(
     samples are found on its polynomials and join the program until R moves by less than `tolerance`.
     """
     watch = places is None
-    panel, x = family.dense() if places is None else places
+    panel, x = dense_places(family.panels) if places is None else places
     rows, offset = family.at(panel, x)
     solution = _solved(family, rows, offset, solver)
     while solution is not None and watch:
-        panel, x = _extreme_places(family.stiffness(solution.x), family.dense())
+        panel, x = _extreme_places(family.stiffness(solution.x), dense_places(family.panels))
         more, more_offset = family.at(panel, x)
         K = more @ solution.x + more_offset
         exact = K.max() / min(1.0, K.min())
@@ -105,10 +105,17 @@ def smoothest(family: StiffnessFamily, ratio: float) -> FloatArray:
     at_ends = np.einsum("ij,njm->nim", to_ends, slope)
     jumps = at_ends[1:, 0] - at_ends[:-1, 1]
     bends = np.concatenate([bend.reshape(count * order, -1), jumps])
-    rows, offset = family.at(*family.dense())
     d = family.freedom
     bend_offset = bends[:, d] if family.offset is not None else np.zeros(len(bends))
-    return least_variation(rows, offset, bends[:, :d], bend_offset, ratio)
+    rows, offset = family.at(*dense_places(family.panels))
+    for _ in range(4):
+        y = least_variation(rows, offset, bends[:, :d], bend_offset, ratio)
+        more, more_offset = family.at(*_extreme_places(family.stiffness(y), dense_places(family.panels)))
+        K = more @ y + more_offset
+        if K.min() >= 1 - 1e-9 and K.max() <= ratio * (1 + 1e-9):
+            break
+        rows, offset = np.concatenate([rows, more]), np.concatenate([offset, more_offset])
+    return y
 
 
 def wrong_places(family: StiffnessFamily) -> FloatArray:
@@ -119,7 +126,7 @@ def wrong_places(family: StiffnessFamily) -> FloatArray:
     """
     from scipy.optimize import linprog
 
-    panel, x = family.dense()
+    panel, x = dense_places(family.panels)
     rows, offset = family.at(panel, x)
     s = family.panels.arc_length(panel, x)
     d = family.freedom

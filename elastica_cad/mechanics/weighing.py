@@ -6,7 +6,7 @@ from typing import NoReturn
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
+from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry import Profile
 from elastica_cad.mechanics.equilibrium import EquilibriumCheck, NotRealizable
@@ -16,7 +16,13 @@ from elastica_cad.mechanics.loads import STANDARD_GRAVITY, Weight
 from elastica_cad.mechanics.material_laws import MaterialLaw
 from elastica_cad.mechanics.moment_rows import LineLoad, MomentRows, moment_rows
 from elastica_cad.mechanics.panels import PanelFunction, Panels, cut_into_panels
-from elastica_cad.mechanics.stiffness_family import StiffnessFamily, least_ratio, smoothest, wrong_places
+from elastica_cad.mechanics.stiffness_family import (
+    StiffnessFamily,
+    dense_places,
+    least_ratio,
+    smoothest,
+    wrong_places,
+)
 from elastica_cad.mechanics.supports import Supports
 
 __all__ = ["BalancedStiffness", "balance_with_weight", "balance_without_weight"]
@@ -31,6 +37,9 @@ ROUGH = 1e-9
 """Last Legendre coefficients of K in a panel, relative to K, that call for smaller panels."""
 
 REFINEMENTS = 6
+
+WIDEST = 1e10
+"""A stiffness that may vary by this factor is beyond all strips, and beyond the numbers of a computer."""
 
 RANK = 1e-7
 """Conditions that depend on each other to this accuracy count as dependent."""
@@ -71,7 +80,8 @@ def balance_without_weight(
     cuts, kinks = _law_places(check, natural_curvature, law)
     panels = _panels(check, natural_curvature, law, cuts)
     problem = _Conditioned(check, supports, panels, moment_rows(panels), nodes)
-    return replace(problem.balance(problem.least(problem.homogeneous(3), smooth=False)), kinks=kinks)
+    state = problem.least(problem.homogeneous(3), smooth=False)
+    return replace(problem.balance(problem.steadied(state)), kinks=kinks)
 
 
 def balance_with_weight(
@@ -215,8 +225,27 @@ class _Conditioned:
         """Free numbers of least ratio, and that ratio."""
         if numbers.family.freedom == 0 and numbers.family.offset is None:
             return None
-        places = None if self.nodes is None else self.panels.locate(self.nodes)
-        return least_ratio(numbers.family, places)
+        if numbers.family.freedom > 0:
+            rows, _ = numbers.family.at(*dense_places(self.panels))
+            sizes = np.abs(rows).sum(axis=1)
+            if not sizes.max() < WIDEST * sizes.min():
+                return None
+        return least_ratio(numbers.family, self.places)
+
+    @property
+    def places(self) -> tuple[IntArray, FloatArray] | None:
+        """Panels and places x of the nodes at which alone the ratio is judged, if so wished."""
+        return None if self.nodes is None else self.panels.locate(self.nodes)
+
+    def steadied(self, state: FloatArray) -> FloatArray:
+        """A constant moment instead of `state` where that is as good: on arcs the program has many optima."""
+        if self.check.zeros:
+            return state
+        rows = PanelFunction.through(self.rows.stiffness).at(*(self.places or dense_places(self.panels)))
+        K, steady = rows @ state, np.abs(rows[:, 0])
+        if steady.max() * K.min() > (1 + NO_GAIN) * K.max() * steady.min():
+            return state
+        return np.array([np.sign(rows[0, 0]), 0.0, 0.0])
 
     def least(self, numbers: _Numbers, *, smooth: bool = True) -> FloatArray:
         """The state (m,) at the curve's end of the least ratio, smoothed where inflections leave a choice."""
@@ -244,7 +273,7 @@ class _Conditioned:
         listed = ", ".join(f"{z.s:.4g}" for z in self.check.zeros)
         if family is None or (family.freedom == 0 and family.offset is None):
             reason = (
-                "Under this weight and with these supports the moment cannot vanish in all places without "
+                "With this weight and these supports the moment cannot vanish in all places without "
                 f"curvature (at {listed} mm) at once: move the inflections (nearest_rod does), or hold more "
                 "at the ends."
             )
@@ -252,9 +281,9 @@ class _Conditioned:
             wrong = wrong_places(family)
             where = f" near {_stretches(wrong, self.check.length)} mm" if wrong.size else ""
             reason = (
-                f"Under this weight the moment would have to act against the curvature{where}, so no "
-                "positive stiffness balances the curve: use a lighter or stiffer sheet, support the strip "
-                "there, or change the curve."
+                f"With this weight and these supports the moment would have to act against the "
+                f"curvature{where}, so no positive stiffness balances the curve: use a lighter or stiffer "
+                "sheet, support the strip there, or change the curve."
             )
         raise NotRealizable(replace(self.check, realizable=False, reasons=(*self.check.reasons, reason)))
 
@@ -276,7 +305,7 @@ def _least_compliance(load: _Load, weight: Weight) -> float:
     tau = float((numbers.basis @ heavy[0])[3])
     if light is None or heavy[1] < light[1] * (1 - NO_GAIN):
         return tau
-    rows, _ = numbers.family.at(*numbers.family.dense())
+    rows, _ = numbers.family.at(*dense_places(numbers.family.panels))
     return largest_number(rows, numbers.basis[3], light[1] * (1 + SMOOTHING))
 
 
