@@ -421,8 +421,8 @@ def _width_warnings(curve: PlaneCurve, jumps: Sequence[float]) -> Iterable[str]:
 
 
 def _self_crossing(curve: PlaneCurve) -> tuple[str, ...]:
-    pairs = curve.self_intersections() if hasattr(curve, "self_intersections") else ()
-    if not len(pairs):
+    pairs = curve.self_intersections()
+    if not pairs.size:
         return ()
     listed = _listed(f"{first:.4g} and {second:.4g}" for first, second in pairs)
     return (

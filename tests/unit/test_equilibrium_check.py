@@ -94,6 +94,13 @@ class TestRealizable:
         assert "degree 4" in str(kinks)
         assert check_equilibrium(ONE).warnings == ()
 
+    def test_a_loop_is_announced(self):
+        loop = PlaneCurve.spline([(0, 0), (200, 100), (-100, 100), (100, 0)], 3)
+        check = check_equilibrium(loop)
+        assert check.realizable
+        ((first, second),) = loop.self_intersections()
+        assert f"crosses itself (at {first:.4g} and {second:.4g} mm)" in str(check)
+
     def test_report_is_plain_json(self):
         for curve in (ARC, ONE, chain((100, 1), (-60, 1))):
             restored = json.loads(json.dumps(check_equilibrium(curve).as_dict()))
