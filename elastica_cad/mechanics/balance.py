@@ -220,13 +220,16 @@ class Balance:
         force = np.abs(self.edge_force(state)).max(initial=0.0)
         return float(max(np.abs(self.node_moments(state)).max(), force * self.length))
 
+    def noise(self, state: State) -> float:
+        """Imbalance that rounding of the angles makes, 1/mm."""
+        turning = 1.0 + float(np.abs(state.angles).max())
+        return 8 * ROUNDING * turning * float((self.stiffness / self.weights).max())
+
     def imbalance(self, state: State) -> float:
         """Largest moment imbalance over the moments' size; rounding of the angles is not counted."""
         largest = float(np.abs(self.residual(state)[0]).max())
-        turning = 1.0 + float(np.abs(state.angles).max())
-        noise = 8 * ROUNDING * turning * float((self.stiffness / self.weights).max())
         size = self.scale(state)
-        if largest <= noise:
+        if largest <= self.noise(state):
             return min(largest / size, 1e-12) if size > 0 else 0.0
         return largest / size
 

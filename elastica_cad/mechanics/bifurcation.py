@@ -68,7 +68,8 @@ def _direction(balance: Balance, state: State) -> float:
     if len(balance.held) < 2 or float(np.hypot(*chord)) < 1e-9 * balance.length:
         return own
     angle = float(np.arctan2(chord[1], chord[0]))
-    return angle + 2 * np.pi * float(np.round((own - angle) / (2 * np.pi)))
+    angle += 2 * np.pi * float(np.round((own - angle) / (2 * np.pi)))
+    return angle if abs(angle - own) < np.pi / 2 else own  # an end that goes past the start is pushed there
 
 
 def _turn(balance: Balance) -> float:

@@ -25,6 +25,7 @@ TOLERANCE = 1e-10  # of the moments' size, and of the length
 LARGEST_TURN = 0.5  # rad that one step of continuation may turn an edge
 SMALL_TURN = 0.02  # rad; shorter steps may pass a crossing of branches
 SADDLE_PUSH = 0.05  # rad along an unstable mode in each step of descent
+CONVERGED = 1e-9  # rad: a Newton step that needs no other after it
 LEAST_STEP = 1e-7
 
 Gap = tuple[FloatArray, FloatArray]
@@ -95,7 +96,8 @@ def correct(
             trial = current.moved(step, factor)
             next_step = newton_step(balance, trial, _left(balance, trial, kept))
             next_turned = _turned(next_step)
-            if next_turned <= (1 - factor / 2) * turned or next_turned < min(SMALL_TURN / 4, 2 * turned):
+            settled = next_turned < max(CONVERGED, min(SMALL_TURN / 4, 2 * turned))
+            if settled or next_turned <= (1 - factor / 2) * turned:
                 break
             factor /= 2
             if factor < damping:
@@ -103,7 +105,7 @@ def correct(
         current, step, turned = trial, next_step, next_turned
         if float(np.abs(current.angles - state.angles).max()) > turn:
             return None
-        if turned < 1e-9:
+        if turned < CONVERGED:
             current = current.moved(step)
             size = _size(balance, current, _left(balance, current, kept))
             return (current, iteration + 1) if size < TOLERANCE else None
@@ -261,6 +263,7 @@ def _left(balance: Balance, state: State, kept: Gap | None) -> Gap:
 
 
 def _size(balance: Balance, state: State, gap: Gap) -> float:
-    """Imbalance over the moments' size (that of a bend of 1e-3 rad at least), and gap over the length."""
+    """Imbalance beyond rounding over the moments' size (a bend of 1e-3 rad at least), gap over the length."""
     unit = max(balance.scale(state), 1e-3 / balance.length)
-    return float(max(np.abs(gap[0]).max() / unit, np.abs(gap[1]).max(initial=0.0) / balance.length))
+    imbalance = max(float(np.abs(gap[0]).max()) - balance.noise(state), 0.0)
+    return max(imbalance / unit, float(np.abs(gap[1]).max(initial=0.0)) / balance.length)
