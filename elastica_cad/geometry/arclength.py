@@ -37,7 +37,8 @@ class ArcLength:
         panel = np.clip(np.searchsorted(self.t, t, side="right") - 1, 0, self.series.shape[0] - 1)
         width = np.diff(self.t)[panel]
         x = np.clip(2 * (t - self.t[panel]) / width - 1, -1.0, 1.0)
-        return np.asarray(self.s[panel] + _clenshaw(self.series[panel].T, x))
+        s = self.s[panel] + _clenshaw(self.series[panel].T, x)
+        return np.asarray(np.where(x <= -1, self.s[panel], np.where(x >= 1, self.s[panel + 1], s)))
 
     def parameter_at(self, s: FloatArray) -> FloatArray:
         """Parameters (n,) of arc lengths (n,), by Newton steps kept inside the panel."""

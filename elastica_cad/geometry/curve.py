@@ -233,7 +233,7 @@ class PlaneCurve:
         return curvature_slope(*self._jets.at(t.ravel(), 3, left=left)[1:]).reshape(t.shape)
 
     def angle_at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
-        """Turning angle, rad, at parameters t: continuous along the curve, in (-pi, pi] near the start."""
+        """Turning angle, rad, at parameters t: continuous along the curve, in [-pi, pi] at its start."""
         t = np.asarray(t, dtype=float)
         _, d1 = self._jets.at(t.ravel(), 1, left=left)
         return self._turning.at(t.ravel(), d1, left=left).reshape(t.shape)

@@ -63,7 +63,7 @@ def turning_table(hodographs: FloatArray, edges: FloatArray) -> Turning:
     to_start = _signed_angle(axis, first)
     across = _signed_angle(last[:-1], first[1:])
     steps = to_end[:-1] + across - to_start[1:]
-    start = np.arctan2(axis[0, 1], axis[0, 0])
+    start = np.arctan2(first[0, 1], first[0, 0]) - to_start[0]
     angle = start + np.concatenate([[0.0], np.cumsum(steps)])
     return Turning(np.append(low, edges[-1]), axis, angle)
 
