@@ -183,8 +183,9 @@ def _workplane_strip(
     for end in ("start", "end"):
         self.newObject([solid.end_face(end).moved(here)]).tag(end)
     origin = self.newObject([cq.Location()])
+    tidy = clean and bool(combine)  # alone the strip is clean, and stays the object that knows its rod
     return origin.eachpoint(
-        lambda at: solid.moved(at) if form == "flat" else solid, form == "flat", combine, clean
+        lambda at: solid.moved(at) if form == "flat" else solid, form == "flat", combine, tidy
     )
 
 

@@ -4,13 +4,11 @@ The only module that touches OCP, the Python face of OpenCASCADE that build123d 
 works with OCP's 7.x and 8.x lines.
 """
 
-import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from importlib import import_module
 from io import BytesIO
-from itertools import count
 from os import PathLike
 from pathlib import Path as FilePath
 from types import SimpleNamespace
@@ -38,6 +36,7 @@ from elastica_cad.formats.edges import Edge as DrawnEdge
 from elastica_cad.formats.opening import existing_file, naming
 from elastica_cad.formats.output import write_atomically
 from elastica_cad.formats.placed import placed_curve, placed_curves
+from elastica_cad.formats.step_text import canonical_step
 from elastica_cad.geometry import Arc, Line, Path, PlaneCurve, Segment, Spline
 
 __all__ = [
@@ -59,8 +58,6 @@ Shape: TypeAlias = Any
 CONFUSION = 1e-7  # mm: OpenCASCADE's own tolerance of edges
 CORNER = 1e-6  # mm: gap that paths may have between segments
 OFFSET = 1e-6  # mm: offset curves are no NURBS and are followed this closely
-
-OCCURRENCE = re.compile(rb"NEXT_ASSEMBLY_USAGE_OCCURRENCE\('\d+'(.*?\);)", re.DOTALL)
 
 MODULES = (
     "APIHeaderSection", "BRep", "BRepAdaptor", "BRepPrimAPI", "BRepTools", "GeomAbs", "GeomConvert", "Geom",
@@ -303,8 +300,8 @@ def _drawn_edges(shape: Shape | Iterable[Shape]) -> list[DrawnEdge]:
     k = kernel()
     shape = getattr(shape, "wrapped", shape)
     if not isinstance(shape, k.TopoDS_Shape):
-        if not isinstance(shape, Iterable):
-            raise InputError(f"a {type(shape).__name__} is no edge or wire of a CAD kernel")
+        if isinstance(shape, str) or not isinstance(shape, Iterable):
+            raise InputError(f"an edge or wire of a CAD kernel is needed, not {type(shape).__name__}")
         return [edge for item in shape for edge in _drawn_edges(item)]
     edges = []
     explorer = k.TopExp_Explorer(shape, k.TopAbs_ShapeEnum.TopAbs_EDGE)
@@ -406,19 +403,7 @@ def step_bytes(parts: Sequence[Part], *, name: str) -> bytes:
     header.SetOriginatingSystem(k.TCollection_HAsciiString("elastica_cad"))
     if not done or writer.WriteStream(stream) != k.IFSelect_ReturnStatus.IFSelect_RetDone:
         raise InputError("OpenCASCADE could not write these parts as STEP: check that they are valid solids")
-    return OCCURRENCE.sub(_numbered(), stream.getvalue())
-
-
-def _numbered() -> Callable[[re.Match[bytes]], bytes]:
-    """Counts occurrences from 1 in each file: OpenCASCADE counts on through the life of the process."""
-    numbers = count(1)
-    return lambda found: (
-        b"NEXT_ASSEMBLY_USAGE_OCCURRENCE('%d'%s"
-        % (
-            next(numbers),
-            re.sub(rb"\n\s*", b"", found[1]),
-        )
-    )
+    return canonical_step(stream.getvalue())
 
 
 def write_strip_step(strip: Strip, path: str | PathLike[str], *, force: bool = False) -> None:

@@ -122,19 +122,21 @@ class BentMap:
         return np.concatenate([np.full(degree + 1, first), *rows, np.full(degree + 1, last)]), degree
 
 
-def bent_maps(rod: Rod, frame: Frame, thickness: float) -> tuple[BentMap, ...]:
+def bent_maps(rod: Rod, frame: Frame, reach: float) -> tuple[BentMap, ...]:
     """Maps of the stretches between jumps of curvature, from the start of the rod to its end.
+
+    `reach` is how far faces lie off the centre line, mm.
 
     Raises
     ------
     InputError
-        The radius is smaller than half the thickness somewhere.
+        The radius is smaller than the reach somewhere.
     NotConvergedError
         The curve is too wild to be followed to 1e-6 mm.
     """
     shape, breaks = _shape_of(rod)
     cuts = [0.0, *(s for s, continuity in breaks if continuity < 2), rod.length]
-    tolerance = np.array([POSITION_TOLERANCE] * 2 + [2 * SURFACE_TOLERANCE / thickness] * 2)
+    tolerance = np.array([POSITION_TOLERANCE] * 2 + [SURFACE_TOLERANCE / reach] * 2)
 
     def values(s: FloatArray) -> FloatArray:
         position, tangent = shape(s)
@@ -146,18 +148,18 @@ def bent_maps(rod: Rod, frame: Frame, thickness: float) -> tuple[BentMap, ...]:
         spans = _first_spans(rod, np.array([a, *inner, b]))
         knots, rows = _fitted(values, spans, {s: c - 1 for s, c in inner.items()}, tolerance)
         maps.append(BentMap(knots, rows, frame))
-    _refuse_tight(maps, thickness)
+    _refuse_tight(maps, reach)
     return tuple(maps)
 
 
-def _refuse_tight(maps: Sequence[BentMap], thickness: float) -> None:
+def _refuse_tight(maps: Sequence[BentMap], reach: float) -> None:
     for bent in maps:
         s, kappa = bent.curvature
         i = int(np.argmax(np.abs(kappa)))
-        if abs(kappa[i]) * thickness / 2 >= 1:
+        if abs(kappa[i]) * reach >= 1:
             raise InputError(
-                f"the radius at {s[i]:.4g} mm is {1 / abs(kappa[i]):.4g} mm, less than half the thickness of "
-                f"{thickness:g} mm: the inner face would fold over; take a thinner sheet or a gentler curve"
+                f"the radius at {s[i]:.4g} mm is {1 / abs(kappa[i]):.4g} mm, but the strip's face lies "
+                f"{reach:g} mm off the curve and would fold over: take a thinner sheet or a gentler curve"
             )
 
 

@@ -56,7 +56,7 @@ def make_strip(
     if isinstance(sheet, str):
         sheet = Sheet.named(sheet)
     if not isinstance(sheet, Sheet):
-        raise InputError(f"the sheet is a {type(sheet).__name__}: give a Sheet or the name of one")
+        raise InputError(f"a Sheet or the name of one is needed, not {type(sheet).__name__}")
     if isinstance(gravity, bool):
         gravity = sheet.gravity() if gravity else None
     held = supports or Supports()

@@ -27,6 +27,7 @@ from elastica_cad.fabrication.boundary import (
 from elastica_cad.fabrication.regions import Piece, Region, cut_across
 from elastica_cad.fabrication.strip import Strip
 from elastica_cad.geometry import Arc, Line, Path
+from elastica_cad.mechanics import Rod
 
 __all__ = ["BentSolid", "FlatSolid"]
 
@@ -120,7 +121,6 @@ class BentSolid:
 
     boundary: Boundary
     middle: Boundary
-    thickness: float
     frame: Frame
     joints: Mapping[str, Frame]
 
@@ -135,22 +135,61 @@ class BentSolid:
         NotConvergedError
             A curve too wild to be followed to 1e-6 mm.
         """
+        half = strip.sheet.thickness / 2
+        return cls.wrapped(
+            strip.rod,
+            strip.outline,
+            strip.holes,
+            heights=(-half, half),
+            frame=frame,
+            joints=_joint_places(strip),
+        )
+
+    @classmethod
+    def wrapped(
+        cls,
+        rod: Rod,
+        outline: Path,
+        holes: Sequence[Path] = (),
+        *,
+        heights: tuple[float, float],
+        frame: Frame | None = None,
+        joints: Mapping[str, tuple[float, float, int]] | None = None,
+    ) -> "BentSolid":
+        """Wrap any flat pattern onto a rod's curve.
+
+        Parameters
+        ----------
+        rod : Rod
+            Its curve carries y = 0 of the pattern, x being arc length; beyond its ends the pattern is plane.
+        outline, holes : Path
+            Closed loops, mm.
+        heights : (lower, upper)
+            Where the two faces lie over the curve, mm, upward being its right side.
+        frame : Frame, optional
+            The plane of the curve.
+        joints : mapping of str to (x, y, way), optional
+            Flat places; the x axis of a joint runs along the strip where way is 1, against it where -1.
+
+        Raises
+        ------
+        InputError, NotConvergedError
+            As `of`.
+        """
         frame = frame or Frame()
-        thickness, length = strip.sheet.thickness, strip.rod.length
-        bent = bent_maps(strip.rod, frame, thickness)
-        stations = [0.0, *(float(part.knots[-1]) for part in bent)]
-        stations[-1] = length
-        pattern = cut_across(strip.outline, strip.holes, stations)
-        maps: list[Map] = [bent[0].frame_at(0.0), *bent, bent[-1].frame_at(length)]
-        half = thickness / 2
-        skin = _Sheets(pattern.points, maps, (-half, half)).solid(pattern.regions)
-        middle = _Sheets(pattern.points, maps, (0.0,)).sheet(pattern.regions)
-        joints = {}
-        for name, (x, y, way) in _joint_places(strip).items():
+        lower, upper = heights
+        bent = bent_maps(rod, frame, max(abs(lower), abs(upper)))
+        stations = [0.0, *(float(part.knots[-1]) for part in bent[:-1]), rod.length]
+        pattern = cut_across(outline, holes, stations)
+        maps: list[Map] = [bent[0].frame_at(0.0), *bent, bent[-1].frame_at(rod.length)]
+        skin = _Sheets(pattern.points, maps, (lower, upper)).solid(pattern.regions)
+        middle = _Sheets(pattern.points, maps, ((lower + upper) / 2,)).sheet(pattern.regions)
+        places = {}
+        for name, (x, y, way) in (joints or {}).items():
             shape = maps[int(np.searchsorted(stations, x))]
             tangent = shape.frame_at(x) if isinstance(shape, BentMap) else shape
-            joints[name] = _turned(tangent.shifted(x, y), way)
-        return cls(skin, middle, thickness, frame, joints)
+            places[name] = _turned(tangent.shifted(x, y, (lower + upper) / 2), way)
+        return cls(skin, middle, frame, places)
 
 
 @dataclass
@@ -220,8 +259,7 @@ class _Sheets:
             surface = PlaneSurface(shape.shifted(z=up))
         else:
             boxes = np.array([p.segment.bounds for loop in region.loops for p in loop])[..., 1]
-            low, high = float(boxes.min()), float(boxes.max())
-            surface = shape.surface(low - 0.01 * (high - low), high + 0.01 * (high - low), up)
+            surface = shape.surface(float(boxes.min()), float(boxes.max()), up)
         self.faces.append(Face(surface, loops, outward=level == len(self.heights) - 1))
 
     def _use(self, piece: Piece, shape: Map, level: int) -> EdgeUse:

@@ -1,0 +1,113 @@
+"""Curves, strips and independent measurements for the CAD tests."""
+
+import numpy as np
+import pytest
+
+from elastica_cad.fabrication import Hole, Strip, Tab
+from elastica_cad.geometry import PlaneCurve
+from elastica_cad.mechanics import Sheet, optimal_rod
+
+CURVES = {
+    "arch": PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)], degree=4),
+    "cubic arch": PlaneCurve.spline([(0, 0), (20, 50), (60, 70), (110, 60), (140, 20), (150, 0)], degree=3),
+    "S": PlaneCurve.spline([(0, 0), (50, 60), (100, 10), (150, -40), (200, 20)], degree=4),
+    "circle": PlaneCurve.arc((10, 20), 60, 0.3, 3.1),
+    "ellipse": PlaneCurve.ellipse((0, 0), (90, 50), 0.4, 0.2, 2.0),
+}
+ENDS = {
+    "holes": (
+        Tab(12, holes=(Hole(6, 3.2),)),
+        Tab(14, corner_radius=3, holes=(Hole(5, 2, -3), Hole(8, 2, 3))),
+    ),
+    "none": (Tab(0), Tab(0)),
+    "wide and narrow": (Tab(8, width=40), Tab(12, width=8, chamfer=2)),
+}
+
+
+@pytest.fixture(params=sorted(CURVES))
+def curve(request):
+    return CURVES[request.param]
+
+
+@pytest.fixture(params=sorted(ENDS))
+def ends(request):
+    return ENDS[request.param]
+
+
+@pytest.fixture(scope="session")
+def card():
+    return Sheet.named("birch-plywood-0.8")
+
+
+@pytest.fixture(scope="session")
+def arch_strip(card):
+    return Strip(optimal_rod(CURVES["arch"]), card, max_width=30, ends=ENDS["holes"], label="arch")
+
+
+@pytest.fixture(scope="session")
+def measure():
+    return Measure()
+
+
+class Measure:
+    """Volumes, areas and validity by OpenCASCADE.
+
+    Its adaptive integration is right on bent faces, where the plain one uses too few points; the plain one is
+    right on plane faces, where the adaptive one stops early.
+    """
+
+    def volume(self, shape, *, bent=True):
+        from OCP.BRepGProp import BRepGProp
+
+        return self._mass(BRepGProp.VolumeProperties_s, shape, bent)
+
+    def area(self, shape, *, bent=True):
+        from OCP.BRepGProp import BRepGProp
+
+        return self._mass(BRepGProp.SurfaceProperties_s, shape, bent)
+
+    def is_valid(self, shape):
+        from OCP.BRepCheck import BRepCheck_Analyzer
+
+        return BRepCheck_Analyzer(shape).IsValid()
+
+    def faces(self, shape):
+        from OCP.BRepAdaptor import BRepAdaptor_Surface
+        from OCP.TopAbs import TopAbs_ShapeEnum
+        from OCP.TopExp import TopExp_Explorer
+        from OCP.TopoDS import TopoDS
+
+        cast = getattr(TopoDS, "Face_s", None) or TopoDS.Face
+        explorer = TopExp_Explorer(shape, TopAbs_ShapeEnum.TopAbs_FACE)
+        found = []
+        while explorer.More():
+            found.append(BRepAdaptor_Surface(cast(explorer.Current())))
+            explorer.Next()
+        return found
+
+    def distance(self, shape, points):
+        """Largest distance of points (n, 3) from a shape, mm."""
+        from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeVertex
+        from OCP.BRepExtrema import BRepExtrema_DistShapeShape
+        from OCP.gp import gp_Pnt
+
+        vertices = [BRepBuilderAPI_MakeVertex(gp_Pnt(*map(float, p))).Vertex() for p in points]
+        return max(BRepExtrema_DistShapeShape(vertex, shape).Value() for vertex in vertices)
+
+    @staticmethod
+    def _mass(integral, shape, bent):
+        from OCP.GProp import GProp_GProps
+
+        sums = GProp_GProps()
+        integral(shape, sums, *([1e-7] if bent else []))
+        return sums.Mass()
+
+
+@pytest.fixture(scope="session")
+def tilted():
+    """A frame that is none of the world's, and orthonormal."""
+    from elastica_cad.fabrication import Frame
+
+    x = np.array([2.0, -1.0, 2.0]) / 3
+    y = np.array([2.0, 2.0, -1.0]) / 3
+    return Frame((5.0, -7.0, 11.0), x, y)

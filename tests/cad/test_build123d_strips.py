@@ -1,0 +1,169 @@
+"""The build123d skin: algebra and builder mode, pending edges, joints, copies."""
+
+import copy
+
+import numpy as np
+import pytest
+
+pytest.importorskip("build123d")
+
+import build123d as bd
+
+from elastica_cad.build123d import BentStrip, FlatStrip, StripOutline, elastic_strip
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication import Hole, Tab
+from elastica_cad.mechanics import NotRealizable
+
+POINTS = [(0, 0), (40, 40), (90, 50), (140, 0)]
+SHEET = "birch-plywood-0.8"
+OPTIONS = {"max_width": 30, "ends": (Tab(12, holes=(Hole(6, 3.2),)), Tab(12)), "label": "A1"}
+
+
+@pytest.fixture(scope="module")
+def edge():
+    return bd.Edge.make_spline(POINTS)
+
+
+@pytest.fixture(scope="module")
+def bent(edge):
+    return BentStrip(edge, SHEET, **OPTIONS)
+
+
+def place(location):
+    return np.array([*location.position])
+
+
+class TestAlgebraMode:
+    def test_outline(self, edge):
+        outline = StripOutline(edge, SHEET, **OPTIONS)
+        assert outline.area == pytest.approx(outline.strip.area, rel=1e-6)
+        assert len(outline.face().outer_wire().edges()) == 8
+        assert isinstance(outline, bd.Sketch)
+
+    def test_flat(self, edge):
+        flat = FlatStrip(edge, SHEET, **OPTIONS)
+        assert flat.is_valid
+        assert flat.volume == pytest.approx(flat.strip.area * 0.8, rel=1e-6)
+        assert pytest.approx(0, abs=1e-6) == flat.bounding_box().min.Z
+        assert pytest.approx(edge.length + 24, abs=1e-5) == flat.bounding_box().size.X
+
+    def test_bent_stands_on_the_edge(self, edge, bent):
+        assert bent.is_valid
+        assert isinstance(bent, bd.Part)
+        on_face = [edge @ u + 0.4 * side * normal(edge, u) for u in (0.3, 0.7) for side in (-1, 1)]
+        assert all(bd.Vertex(*p).distance_to(bent) < 1e-6 for p in on_face)
+        off_face = [edge @ u + 0.6 * side * normal(edge, u) for u in (0.3, 0.7) for side in (-1, 1)]
+        assert all(bd.Vertex(*p).distance_to(bent) == pytest.approx(0.2, abs=1e-6) for p in off_face)
+
+    def test_attributes(self, bent):
+        assert bent.label == "A1"
+        assert tuple(bent.color)[:3] == pytest.approx((0.85, 0.70, 0.48))
+        assert bent.rod is bent.strip.rod
+        assert bent.check.realizable
+        assert bent.warnings == bent.strip.warnings
+
+    @pytest.mark.parametrize(
+        "made",
+        [lambda s: bd.Pos(7, 0, 0) * s, copy.copy, copy.deepcopy, lambda s: s.moved(bd.Location((7, 0, 0)))],
+    )
+    def test_copies_keep_all(self, bent, made):
+        other = made(bent)
+        assert isinstance(other, BentStrip)
+        assert (other.label, tuple(other.color)) == (bent.label, tuple(bent.color))
+        assert other.strip is bent.strip
+        assert set(other.joints) == set(bent.joints)
+
+    def test_booleans_give_a_plain_part(self, bent):
+        cut = bent - bd.Pos(70, 40, 0) * bd.Box(10, 60, 5)
+        assert cut.is_valid
+        assert not isinstance(cut, BentStrip)
+        assert cut.volume < bent.volume
+
+    def test_align_and_rotation(self, edge):
+        strip = FlatStrip(edge, SHEET, align=bd.Align.CENTER, rotation=(0, 0, 90), **OPTIONS)
+        box = strip.bounding_box()
+        assert place(bd.Location(box.center())) == pytest.approx([0, 0, 0], abs=1e-6)
+        assert box.size.Y > box.size.X
+        assert place(strip.joints["start"].location)[0] == pytest.approx(0, abs=1e-6)
+
+
+def normal(edge, u):
+    return bd.Vector(-(edge % u).Y, (edge % u).X)
+
+
+class TestJoints:
+    def test_places(self, edge, bent):
+        assert set(bent.joints) == {"start", "end", "hole1"}
+        assert place(bent.joints["start"].location) == pytest.approx([0, 0, 0], abs=1e-9)
+        assert place(bent.joints["end"].location) == pytest.approx([140, 0, 0], abs=1e-9)
+        outward = bd.Plane(bent.joints["end"].location).x_dir
+        assert (outward - edge % 1).length < 1e-9
+
+    def test_connect(self, bent):
+        block = bd.Box(10, 10, 10)
+        bd.RigidJoint("top", block, bd.Location((0, 0, 5)))
+        bent.joints["start"].connect_to(block.joints["top"])
+        assert place(block.joints["top"].location) == pytest.approx(place(bent.joints["start"].location))
+
+    def test_moved_strip_takes_its_joints_along(self, bent):
+        assert place((bd.Pos(1, 2, 3) * bent).joints["start"].location) == pytest.approx([1, 2, 3])
+
+
+class TestBuilderMode:
+    def test_pending_edges_in_a_part(self, bent):
+        with bd.BuildPart() as part:
+            with bd.BuildLine():
+                bd.Spline(*POINTS)
+            strip = elastic_strip(sheet=SHEET, form="bent", **OPTIONS)
+        assert isinstance(strip, BentStrip)
+        assert part.part.volume == pytest.approx(bent.volume, rel=1e-4)
+        assert len(part.pending_edges) == 0
+
+    def test_on_another_plane(self):
+        with bd.BuildPart(bd.Plane.XZ.offset(5)) as part:
+            with bd.BuildLine():
+                bd.Spline(*POINTS)
+            elastic_strip(sheet=SHEET, form="bent", **OPTIONS)
+        box = part.part.bounding_box()
+        assert pytest.approx((-20, 10), abs=1e-5) == (box.min.Y, box.max.Y)
+        assert pytest.approx(51, abs=0.5) == box.max.Z
+
+    def test_pending_edges_in_a_sketch(self, edge):
+        with bd.BuildSketch() as sketch:
+            with bd.BuildLine():
+                bd.Spline(*POINTS)
+            outline = elastic_strip(sheet=SHEET, form="outline", **OPTIONS)
+        assert sketch.sketch.area == pytest.approx(outline.strip.area, rel=1e-6)
+
+    def test_locations_and_modes(self, edge):
+        with bd.BuildPart() as part:
+            bd.Box(400, 100, 10, align=(bd.Align.CENTER, bd.Align.CENTER, bd.Align.MAX))
+            with bd.Locations((-100, -25, -0.8), (-100, 25, -0.8)):
+                strip = FlatStrip(edge, SHEET, mode=bd.Mode.SUBTRACT, **OPTIONS)
+        assert part.part.volume == pytest.approx(400 * 100 * 10 - 2 * strip.strip.area * 0.8, rel=1e-6)
+
+    def test_private_mode(self, edge):
+        with bd.BuildPart() as part:
+            FlatStrip(edge, SHEET, mode=bd.Mode.PRIVATE, **OPTIONS)
+        assert part.part is None
+
+
+class TestBadInput:
+    def test_nothing_drawn(self):
+        with pytest.raises(InputError, match="there is no curve"):
+            elastic_strip(sheet=SHEET, max_width=10)
+        with bd.BuildPart(), pytest.raises(InputError, match="there is no curve"):
+            elastic_strip(sheet=SHEET, max_width=10)
+
+    def test_unknown_form(self, edge):
+        with pytest.raises(InputError, match="flat, bent, outline"):
+            elastic_strip(edge, sheet=SHEET, max_width=10, form="rolled")
+
+    def test_no_strip_takes_the_curve(self):
+        wild = bd.Edge.make_spline([(0, 0), (10, 20), (20, 0), (30, 25), (40, 0), (50, 31), (60, 0)])
+        with pytest.raises(NotRealizable):
+            FlatStrip(wild, SHEET, max_width=10)
+
+    def test_closed(self):
+        with pytest.raises(ValueError, match="closed"):
+            StripOutline(bd.Edge.make_circle(50), SHEET, max_width=10)

@@ -1,0 +1,214 @@
+"""STEP files: names, colours, units and edges, read back by OpenCASCADE and by FreeCAD."""
+
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+pytest.importorskip("OCP")
+
+from elastica_cad import occt
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication import BentSolid, FlatSolid, Frame, Strip, Tab, sheet_color
+from elastica_cad.geometry import Path as Chain
+from elastica_cad.geometry import Spline
+
+FREECAD = shutil.which("freecadcmd")
+
+
+@pytest.fixture(scope="module")
+def plain(arch_strip):
+    return Strip(arch_strip.rod, arch_strip.sheet, max_width=30, ends=(Tab(10), Tab(10)), label="plain")
+
+
+def entities(path, name):
+    return re.findall(rf"= {name}\(", Path(path).read_text())
+
+
+def test_header_units_names_colours(arch_strip, tmp_path):
+    path = tmp_path / "arch.step"
+    occt.write_strip_step(arch_strip, path)
+    text = path.read_text()
+    assert "AUTOMOTIVE_DESIGN { 1 0 10303 214" in text
+    assert "SI_UNIT(.MILLI.,.METRE.)" in text.replace(" ", "")
+    assert re.findall(r"= PRODUCT\('([^']*)'", text) == ["arch", "arch flat", "arch bent"]
+    colors = {tuple(map(float, c)) for c in re.findall(r"COLOUR_RGB\('',([\d.]+),([\d.]+),([\d.]+)\)", text)}
+    assert len(colors) == 1
+    assert len(entities(path, "MANIFOLD_SOLID_BREP")) == 2
+
+
+def test_same_bytes_every_time(plain, tmp_path):
+    """Also with several colours, which the kernel writes in the order of addresses in memory."""
+    colors = [(1, 0, 0), (0, 0, 1), (1, 0, 0), (0.2, 0.3, 0.4)]
+    seen = set()
+    for number in range(8):
+        solids = [occt.make_solid(FlatSolid.of(plain)) for _ in colors]
+        parts = [occt.Part(f"part {k}", *pair) for k, pair in enumerate(zip(solids, colors, strict=True))]
+        path = tmp_path / f"{number}.step"
+        occt.write_step(parts, path, name="all")
+        seen.add(path.read_bytes())
+    assert len(seen) == 1
+    content = seen.pop().decode()
+    numbers = [int(n) for n in re.findall(r"^#(\d+) = ", content, re.MULTILINE)]
+    assert numbers == list(range(1, len(numbers) + 1))
+    assert {int(n) for n in re.findall(r"#(\d+)", content)} == set(numbers)
+
+
+def entity(text, number):
+    """Name of an entity of the file and what stands in its brackets."""
+    return re.search(rf"#{number} = (\w+)\((.*?)\);", text, re.DOTALL).groups()
+
+
+def test_outline_is_a_few_spline_edges(plain, tmp_path):
+    """The flat face has 8 edges in the file itself, its two long sides one spline each."""
+    path = tmp_path / "flat.step"
+    occt.write_step([occt.Part("flat", occt.make_face(plain.outline))], path)
+    text = path.read_text()
+    kinds = []
+    for number in re.findall(r"= EDGE_CURVE\('',#\d+,#\d+,#(\d+),", text):
+        name, content = entity(text, number)
+        if name == "SURFACE_CURVE":
+            name, _ = entity(text, re.search(r"#(\d+)", content)[1])
+        kinds.append(name)
+    assert sorted(kinds) == ["B_SPLINE_CURVE_WITH_KNOTS"] * 2 + ["LINE"] * 6
+
+
+def test_curves_come_back_from_a_file(curve, tilted, tmp_path):
+    path = tmp_path / "curve.step"
+    occt.write_step([occt.Part("curve", occt.make_wire(Chain([Spline(curve)]), tilted))], path)
+    (back,) = occt.read_step_curves(path)
+    assert back.length == pytest.approx(curve.length, rel=1e-9)
+    assert back.degree == curve.degree
+    mine, theirs = curve.sample(9), back.sample(9)
+    side = np.sign(mine.curvature @ theirs.curvature)  # the plane may be seen from behind
+    assert side * theirs.curvature == pytest.approx(mine.curvature, rel=1e-6, abs=1e-9)
+
+
+def test_several_curves_and_a_solid_in_one_file(plain, tmp_path):
+    from elastica_cad.geometry import Arc, Line
+
+    path = tmp_path / "mixed.step"
+    occt.write_step(
+        [
+            occt.Part("one", occt.make_wire(Chain([Arc((0, 0), 10, 0, 2)]))),
+            occt.Part("two", occt.make_wire(Chain([Line((0, 0), (30, 0))]), Frame((0, 0, 50)))),
+            occt.Part("body", occt.make_solid(FlatSolid.of(plain))),
+        ],
+        path,
+    )
+    assert sorted(c.length for c in occt.read_step_curves(path)) == pytest.approx([20, 30])
+
+
+def test_brep_files_are_read_too(curve, tmp_path):
+    from OCP.BRepTools import BRepTools
+
+    path = tmp_path / "curve.brep"
+    BRepTools.Write_s(occt.make_wire(Chain([Spline(curve)])), str(path))
+    (back,) = occt.read_step_curves(path)
+    assert np.array_equal(back.control_points, curve.control_points)
+
+
+EMPTY = "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;\n"
+
+
+class TestBadInput:
+    def test_nothing_to_write(self, tmp_path):
+        with pytest.raises(InputError, match="nothing to write"):
+            occt.write_step([], tmp_path / "none.step")
+
+    def test_file_that_is_there(self, plain, tmp_path):
+        path = tmp_path / "there.step"
+        path.write_text("mine")
+        with pytest.raises(InputError, match="exists already"):
+            occt.write_strip_step(plain, path)
+        assert path.read_text() == "mine"
+        occt.write_strip_step(plain, path, force=True)
+        assert path.stat().st_size > 1000
+
+    @pytest.mark.parametrize(
+        "text", ["no step at all", "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;\n"]
+    )
+    def test_no_step_file(self, tmp_path, text, capfd):
+        path = tmp_path / "odd.step"
+        path.write_text(text)
+        with pytest.raises(InputError, match=r"odd\.step.*STEP"):
+            occt.read_step_curves(path)
+
+    def test_only_solids(self, plain, tmp_path):
+        path = tmp_path / "solid.step"
+        occt.write_step([occt.Part("body", occt.make_solid(FlatSolid.of(plain)))], path)
+        with pytest.raises(InputError, match=r"solid\.step.*no free edges"):
+            occt.read_step_curves(path)
+
+    def test_missing_file(self, tmp_path):
+        with pytest.raises(InputError, match=r"none\.step"):
+            occt.read_step_curves(tmp_path / "none.step")
+
+
+READER = """
+import json, sys, traceback
+try:
+    import FreeCAD, Import, Part
+    seen = {}
+    for path in PATHS:
+        shape = Part.Shape()
+        shape.read(path)
+        box = shape.BoundBox
+        document = FreeCAD.newDocument()
+        Import.insert(path, document.Name)
+        names = [o.Label for o in document.Objects if hasattr(o, "Shape")]
+        seen[path] = {
+            "valid": shape.isValid(), "kind": shape.ShapeType, "volume": shape.Volume, "names": names,
+            "box": [box.XMin, box.YMin, box.ZMin, box.XMax, box.YMax, box.ZMax],
+            "edges": len(shape.Edges), "faces": len(shape.Faces),
+        }
+    open(OUT, "w").write(json.dumps(seen))
+except BaseException:
+    traceback.print_exc()
+    sys.exit(1)
+"""
+
+
+@pytest.mark.skipif(FREECAD is None, reason="FreeCAD is not installed")
+def test_freecad_sees_the_same(arch_strip, plain, tmp_path, measure):
+    """Names, volumes and boxes by another program (with an OpenCASCADE of its own, three years older)."""
+    import json
+
+    bodies = {
+        "arch flat": FlatSolid.of(arch_strip),
+        "arch bent": BentSolid.of(arch_strip, Frame((0, 0, 0), (1, 0, 0), (0, 0, 1))),
+        "plain bent": BentSolid.of(plain),
+    }
+    paths = {}
+    for name, record in bodies.items():
+        shape = occt.make_solid(record)
+        paths[str(tmp_path / f"{name}.step")] = name, shape
+        occt.write_step([occt.Part(name, shape, sheet_color(plain.sheet))], tmp_path / f"{name}.step")
+    script, out = tmp_path / "reader.py", tmp_path / "seen.json"
+    script.write_text(READER.replace("PATHS", repr(list(paths))).replace("OUT", repr(str(out))))
+    subprocess.run(
+        [FREECAD, str(script)], stdin=subprocess.DEVNULL, capture_output=True, timeout=120, check=True
+    )
+    seen = json.loads(out.read_text())
+    for path, (name, shape) in paths.items():
+        found = seen[path]
+        assert found["valid"]
+        assert found["kind"] == "Solid"
+        assert found["names"] == [name]
+        assert found["volume"] == pytest.approx(measure.volume(shape, bent=False), rel=1e-7)
+        assert found["box"] == pytest.approx(box_of(shape), abs=0.02)
+
+
+def box_of(shape):
+    from OCP.Bnd import Bnd_Box
+    from OCP.BRepBndLib import BRepBndLib
+
+    box = Bnd_Box()
+    BRepBndLib.Add_s(shape, box)
+    return [
+        *(getattr(box.CornerMin(), axis)() for axis in "XYZ"),
+        *(getattr(box.CornerMax(), axis)() for axis in "XYZ"),
+    ]
