@@ -17,8 +17,8 @@ _FOLD = re.compile(rb"\n\s*")
 def canonical_step(content: bytes) -> bytes:
     """A STEP file with occurrences counted from 1 and colours in the order of the parts.
 
-    OpenCASCADE counts occurrences on through the life of a process, and writes the colours, which end the file,
-    in the order of addresses in memory.
+    OpenCASCADE counts occurrences on through the life of a process, and writes the colours, which end the
+    file, in the order of addresses in memory.
     """
     numbers = count(1)
     counted = _OCCURRENCE.sub(
