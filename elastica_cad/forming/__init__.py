@@ -1,1 +1,7 @@
 """forming"""
+
+from elastica_cad.forming.binding import Binding
+from elastica_cad.forming.limits import Box, HalfPlane, Keep, Limits
+from elastica_cad.forming.nearest import NearestRod, Status, nearest_rod
+
+__all__ = ["Binding", "Box", "HalfPlane", "Keep", "Limits", "NearestRod", "Status", "nearest_rod"]

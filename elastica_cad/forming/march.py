@@ -3,8 +3,10 @@
 Everything here is in lengths of the wish: no millimetres.
 """
 
-from dataclasses import dataclass
+from collections.abc import Callable, Hashable
+from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -73,6 +75,8 @@ class MarchedRod:
     tangents : (n, 2) array
     position : (n+1, 2) array
     length : float
+    memory : dict
+        Dear results that the merit and the model of one rod share.
     """
 
     z: FloatArray
@@ -83,6 +87,13 @@ class MarchedRod:
     tangents: FloatArray
     position: FloatArray
     length: float
+    memory: dict[Hashable, Any] = field(default_factory=dict)
+
+    def remembered(self, key: Hashable, compute: Callable[[], Any]) -> Any:
+        """What `compute` gives, computed once for this rod."""
+        if key not in self.memory:
+            self.memory[key] = compute()
+        return self.memory[key]
 
     @property
     def edge_angles(self) -> FloatArray:
@@ -138,6 +149,15 @@ class Sensitivities:
             pull = weights @ grid.e
             out[u.stiffness] = -self.rod.length * (pull @ grid.running[:-1])
             out[u.length] = -float(pull @ (grid.running[:-1] @ z[u.stiffness]))
+        return out
+
+    def last_load_row(self, axis: int) -> FloatArray:
+        """Gradient (p,) of the last node's load -w K e along `axis` (0: x, 1: y)."""
+        grid, z = self.grid, self.rod.z
+        u, out = grid.unknowns, np.zeros(self.angles.shape[1])
+        per_length = -grid.shares[-1] * grid.e[axis]
+        out[u.stiffness] = per_length * self.rod.length * grid.basis[-1]
+        out[u.length] = per_length * float(grid.basis[-1] @ z[u.stiffness])
         return out
 
 

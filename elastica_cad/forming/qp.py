@@ -4,16 +4,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from numpy.typing import NDArray
-
-from elastica_cad._types import FloatArray
+from elastica_cad._types import BoolArray, FloatArray
 
 __all__ = ["QuadraticProgram", "QuadraticSolution", "solve_quadratic"]
 
-# Interior points, not an active set: the programs are dense, at most some hundred rows by some tens of
-# unknowns, and every unknown has finite bounds (a trust region), so a dozen factorisations always suffice.
-# HiGHS' active-set QP was tried first and cycled without end on programs scaled by a nearly solved problem.
-ITERATIONS = 50
+# Interior points, not HiGHS: its active-set QP was tried first and cycled without end on the programs of a
+# nearly solved problem. These programs are dense, at most some hundred rows by some tens of unknowns, and
+# every unknown has finite bounds (a trust region), so a dozen factorisations always suffice.
+ITERATIONS = 60
 TOLERANCE = 1e-10
 _BACKOFF = 0.995
 
@@ -22,7 +20,7 @@ _BACKOFF = 0.995
 class QuadraticProgram:
     """Minimise x^T H x / 2 + g^T x + sum of row prices, with lower <= x <= upper.
 
-    A row k stands for A_k x = r_k (or A_k x >= r_k where `one_sided`); breaking it by u costs `price[k]` times u.
+    A row k stands for A_k x = r_k (or A_k x >= r_k where `one_sided`); breaking it by u costs `price[k]` u.
     A price larger than the row's multiplier makes the row exact.
 
     Attributes
@@ -44,12 +42,15 @@ class QuadraticProgram:
     rows: FloatArray
     right: FloatArray
     price: FloatArray
-    one_sided: NDArray[np.bool_]
+    one_sided: BoolArray
 
 
 @dataclass(frozen=True, eq=False)
 class QuadraticSolution:
-    """x, the multipliers of rows (positive pushes A x up) and of bounds, and whether the tolerance was reached."""
+    """The minimum: x, and the multipliers of rows (positive pushes A x up) and of bounds.
+
+    `converged` tells whether the tolerance was reached, `iterations` after how many factorisations.
+    """
 
     x: FloatArray
     row_multipliers: FloatArray
@@ -62,7 +63,7 @@ class QuadraticSolution:
 def solve_quadratic(program: QuadraticProgram) -> QuadraticSolution:
     """Primal-dual interior points with Mehrotra's predictor and corrector.
 
-    The price of a row bounds its multiplier y: the row is the pair p (y - y_low) = 0, q (y_high - y) = 0 with
+    The price of a row bounds its multiplier y: the row is the pairs p (y - y_low) = 0, q (y_high - y) = 0 with
     A x - r = p - q, so that equalities, inequalities and their elastic forms are one case.
 
     Examples
@@ -80,42 +81,42 @@ def solve_quadratic(program: QuadraticProgram) -> QuadraticSolution:
     H, A, r = program.hessian, program.rows, program.right
     scale = 1 / max(1e-30, float(np.abs(program.gradient).max()), float(np.abs(np.diag(H)).max()))
     H, g, y_high = H * scale, program.gradient * scale, program.price * scale
-    y_low = np.where(program.one_sided, 0.0, -y_high)
     tolerance = TOLERANCE * float(np.clip(np.abs(g).max(), 1e-6, 1.0))
+    y_low = np.where(program.one_sided, 0.0, -y_high)
     n, m = g.size, r.size
-    parts = np.cumsum([n, n, m])
+    low, high, up, down = slice(n), slice(n, 2 * n), slice(2 * n, 2 * n + m), slice(2 * n + m, None)
 
-    # Complementary pairs u v = mu: u is linear in (x, y), its partner v is free.
-    x, y = (lower + upper) / 2, (y_low + y_high) / 2
+    # Complementary pairs u v = mu: u is linear in (x, y), its partner v (z_low, z_high, p, q) is free.
     inner = 0.1 * (upper - lower)
-    x = np.clip(0.0, lower + inner, upper - inner)
+    x, y = np.clip(0.0, lower + inner, upper - inner), (y_low + y_high) / 2
     u = np.concatenate([x - lower, upper - x, y - y_low, y_high - y])
     mu = max(1e-3, 0.1 * float(np.abs(g) @ inner) / n)
-    gap, room = A @ x - r, mu / u[2 * n : 2 * n + m]
-    p = room + gap / 2 + np.hypot(room, gap / 2)
-    v = np.concatenate([mu / u[: 2 * n], p, np.maximum(p - gap, mu)])
+    v = mu / u
+    gap, room = A @ x - r, v[up]
+    v[up] = room + gap / 2 + np.hypot(room, gap / 2)
+    v[down] = np.maximum(v[up] - gap, mu)
+    du, dv = np.empty_like(u), np.empty_like(v)
 
-    for iteration in range(ITERATIONS):
-        z_low, z_high, p, q = np.split(v, parts)
-        dual = H @ x + g - A.T @ y - z_low + z_high
-        primal = A @ x - r - p + q
+    converged, iteration = False, 0
+    while iteration < ITERATIONS:
+        dual = H @ x + g - y @ A - v[low] + v[high]
+        primal = A @ x - r - v[up] + v[down]
         mu = float(u @ v) / u.size
         if mu < tolerance and _largest(dual) < 10 * tolerance and _largest(primal) < 10 * TOLERANCE:
-            return QuadraticSolution(x, y / scale, z_low / scale, z_high / scale, True, iteration)
+            converged = True
+            break
+        iteration += 1
         ratio = v / u
-        low, high, up, down = np.split(ratio, parts)
-        system = _factorised(H, low + high, A, up + down)
+        system = _factorised(H, ratio[low] + ratio[high], A, ratio[up] + ratio[down])
         if system is None:
             break
-
         # Predictor straight to mu = 0, then Mehrotra's corrector towards the centre it leaves room for.
         aim = -u * v
         for corrector in (False, True):
             change = aim / u
-            low, high, up, down = np.split(change, parts)
-            dx, dy = _solved(system, A, -dual + low - high, -primal + up - down)
-            du = np.concatenate([dx, -dx, dy, -dy])
-            dv = change - ratio * du
+            dx, dy = _solved(system, change[low] - change[high] - dual, change[up] - change[down] - primal)
+            du[low], du[high], du[up], du[down] = dx, -dx, dy, -dy
+            np.subtract(change, ratio * du, out=dv)
             step = min(_reach(u, du), _reach(v, dv))
             if not corrector:
                 after = float((u + step * du) @ (v + step * dv)) / u.size
@@ -123,48 +124,52 @@ def solve_quadratic(program: QuadraticProgram) -> QuadraticSolution:
         step *= _BACKOFF
         x, y = x + step * dx, y + step * dy
         u, v = u + step * du, v + step * dv
-    return QuadraticSolution(x, y / scale, z_low / scale, z_high / scale, False, ITERATIONS)
+    return QuadraticSolution(x, y / scale, v[low] / scale, v[high] / scale, converged, iteration)
 
 
 def _factorised(
     H: FloatArray, diagonal: FloatArray, A: FloatArray, D: FloatArray
 ) -> tuple[FloatArray, FloatArray, FloatArray] | None:
-    """Cholesky factors of H + diagonal and of its Schur complement A (H + diagonal)^-1 A^T + D."""
-    from scipy.linalg.lapack import dpotrf, dtrtrs
+    """L^-1 of L L^T = G = H + diagonal, W = L^-1 A^T, and the Cholesky factor of W^T W + D.
+
+    L is inverted because LAPACK's triangular solves with several right-hand sides start threads, which on a
+    busy machine costs a thousand times the work.
+    """
+    from scipy.linalg.lapack import dpotrf, dtrtri
 
     G = H.copy()
-    G[np.diag_indices_from(G)] += diagonal
+    G.flat[:: G.shape[0] + 1] += diagonal
     L, info = dpotrf(G, lower=1)
     if info != 0:
         return None
-    W, _ = dtrtrs(L, A.T, lower=1)
+    inverse, _ = dtrtri(L, lower=1)
+    W = inverse @ A.T
     S = W.T @ W
-    S[np.diag_indices_from(S)] += D
     if not S.size:
-        return L, W, S
+        return inverse, W, S
+    S.flat[:: S.shape[0] + 1] += D
     C, info = dpotrf(S, lower=1)
-    return None if info != 0 else (L, W, C)
+    return None if info != 0 else (inverse, W, C)
 
 
 def _solved(
-    system: tuple[FloatArray, FloatArray, FloatArray], A: FloatArray, a: FloatArray, b: FloatArray
+    system: tuple[FloatArray, FloatArray, FloatArray], a: FloatArray, b: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
     """(dx, dy) with G dx - A^T dy = a and A dx + D dy = b."""
-    from scipy.linalg.lapack import dpotrs, dtrtrs
+    from scipy.linalg.lapack import dpotrs
 
-    L, W, C = system
-    half, _ = dtrtrs(L, a, lower=1)
+    inverse, W, C = system
+    half = inverse @ a
     dy = np.zeros(0)
     if C.size:
-        dy, _ = dpotrs(C, b - W.T @ half, lower=1)
+        dy, _ = dpotrs(C, b - half @ W, lower=1)
         half = half + W @ dy
-    dx, _ = dtrtrs(L, half, lower=1, trans=1)
-    return dx, dy
+    return half @ inverse, dy
 
 
 def _reach(value: FloatArray, change: FloatArray) -> float:
     """The longest step, at most 1 / backoff, that keeps `value` + step `change` nonnegative."""
-    worst = float((-change / value).max())
+    worst = -float((change / value).min())
     return min(1 / _BACKOFF, 1 / worst) if worst > 0 else 1 / _BACKOFF
 
 
@@ -172,7 +177,7 @@ def _largest(values: FloatArray) -> float:
     return float(np.abs(values).max()) if values.size else 0.0
 
 
-def _without(program: QuadraticProgram, fixed: NDArray[np.bool_]) -> QuadraticSolution:
+def _without(program: QuadraticProgram, fixed: BoolArray) -> QuadraticSolution:
     """The program with its fixed unknowns put in."""
     free = ~fixed
     known = np.where(fixed, program.lower, 0.0)
@@ -185,7 +190,7 @@ def _without(program: QuadraticProgram, fixed: NDArray[np.bool_]) -> QuadraticSo
     )  # fmt: skip
     x = known.copy()
     x[free] = inner.x
-    reduced = program.hessian @ x + program.gradient - program.rows.T @ inner.row_multipliers
+    reduced = program.hessian @ x + program.gradient - inner.row_multipliers @ program.rows
     low, high = np.where(fixed, np.maximum(reduced, 0), 0.0), np.where(fixed, np.maximum(-reduced, 0), 0.0)
     low[free], high[free] = inner.lower_multipliers, inner.upper_multipliers
     return QuadraticSolution(x, inner.row_multipliers, low, high, inner.converged, inner.iterations)

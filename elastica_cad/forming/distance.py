@@ -1,0 +1,177 @@
+"""How far a rod is from the wish: three measures and their local models for the solver."""
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.forming.constraints import thinned
+from elastica_cad.forming.march import MarchedRod, Sensitivities
+from elastica_cad.forming.wish import Wish
+
+__all__ = ["ClosestDistance", "Distance", "LargestDistance", "LocalModel", "MeanDistance"]
+
+
+_UNTHREADED = 200_000  # multiplications
+
+
+@dataclass(frozen=True, eq=False)
+class LocalModel:
+    """h^T d + d^T H d / 2, plus the largest of peaks + peak_rows d where there are peaks.
+
+    Attributes
+    ----------
+    hessian, gradient : (p, p), (p,) arrays
+    peaks, peak_rows : (k,), (k, p) arrays
+        Empty for smooth measures.
+    """
+
+    hessian: FloatArray
+    gradient: FloatArray
+    peaks: FloatArray
+    peak_rows: FloatArray
+
+
+class Distance(Protocol):
+    """A measure: its value, and a convex model of it around a rod."""
+
+    def value(self, rod: MarchedRod) -> float:
+        """The number to be minimised, in lengths of the wish or their squares."""
+
+    def model(self, rod: MarchedRod, sensitivities: Sensitivities) -> LocalModel:
+        """Gauss-Newton model in the steps of the unknowns."""
+
+
+@dataclass(frozen=True, eq=False)
+class MeanDistance:
+    """Half the weighted mean square distance, arc length against arc length.
+
+    Attributes
+    ----------
+    targets : (n+1, 2) array
+        Where each node should lie.
+    shares : (n+1,) array
+        Weights, sum 1.
+    """
+
+    targets: FloatArray
+    shares: FloatArray
+
+    def value(self, rod: MarchedRod) -> float:
+        """Half the mean square distance."""
+        off = rod.position - self.targets
+        return 0.5 * float(self.shares @ (off**2).sum(axis=1))
+
+    def model(self, rod: MarchedRod, sensitivities: Sensitivities) -> LocalModel:
+        """Gauss-Newton: J^T W J and J^T W r."""
+        root = np.sqrt(self.shares)
+        columns = sensitivities.position.shape[2]
+        J = (sensitivities.position * root[:, None, None]).reshape(-1, columns)
+        r = ((rod.position - self.targets) * root[:, None]).ravel()
+        return _least_squares(J, r, rod.z.size)
+
+
+@dataclass(frozen=True, eq=False)
+class ClosestDistance:
+    """Half the weighted mean square distance of the nodes from their nearest points on the wish.
+
+    Attributes
+    ----------
+    wish : Wish
+    shares : (n+1,) array
+        Weights, sum 1.
+    """
+
+    wish: Wish
+    shares: FloatArray
+
+    def value(self, rod: MarchedRod) -> float:
+        """Half the mean square distance."""
+        off, _ = offsets(self.wish, rod)
+        return 0.5 * float(self.shares @ (off**2).sum(axis=1))
+
+    def model(self, rod: MarchedRod, sensitivities: Sensitivities) -> LocalModel:
+        """Gauss-Newton across the wish; along it a node slides freely."""
+        off, normal = offsets(self.wish, rod)
+        root = np.sqrt(self.shares)
+        J = _across(normal, sensitivities) * root[:, None]
+        return _least_squares(J, (off * normal).sum(axis=1) * root, rod.z.size)
+
+
+@dataclass(frozen=True, eq=False)
+class LargestDistance:
+    """The largest weighted distance of a node from its nearest point on the wish.
+
+    Attributes
+    ----------
+    wish : Wish
+    factors : (n+1,) array
+        Weights, largest 1.
+    """
+
+    wish: Wish
+    factors: FloatArray
+
+    def value(self, rod: MarchedRod) -> float:
+        """The largest distance."""
+        off, _ = offsets(self.wish, rod)
+        return float((self.factors * np.hypot(off[:, 0], off[:, 1])).max())
+
+    def model(self, rod: MarchedRod, sensitivities: Sensitivities) -> LocalModel:
+        """Every node that is at least half as far off as the worst is a peak."""
+        off, normal = offsets(self.wish, rod)
+        distance = self.factors * (off * normal).sum(axis=1)
+        size = np.abs(distance)
+        far = thinned(np.flatnonzero(size >= 0.5 * size.max()), size)
+        sign = np.sign(distance[far])
+        p = rod.z.size
+        rows = (self.factors[far] * sign)[:, None] * _across(normal, sensitivities)[far, :p]
+        # the mean-square curvature only decides what the peaks leave open
+        J = _across(normal, sensitivities)[:, :p] / np.sqrt(distance.size)
+        return LocalModel(1e-3 * _gram(J), np.zeros(p), size[far], rows)
+
+
+def offsets(wish: Wish, rod: MarchedRod) -> tuple[FloatArray, FloatArray]:
+    """Offsets (n+1, 2) of the nodes from their feet on the wish, and unit normals there (the offset past an end)."""
+    found: tuple[FloatArray, FloatArray] = rod.remembered("offsets", lambda: _offsets(wish, rod))
+    return found
+
+
+def _offsets(wish: Wish, rod: MarchedRod) -> tuple[FloatArray, FloatArray]:
+    n = rod.position.shape[0] - 1
+    feet = wish.feet(rod.position, np.linspace(0, 1, n + 1))
+    position, direction = wish.at(feet)
+    off = rod.position - position
+    normal = np.column_stack([-direction[:, 1], direction[:, 0]])
+    normal /= np.hypot(normal[:, 0], normal[:, 1])[:, None]
+    size = np.hypot(off[:, 0], off[:, 1])
+    past = ((feet <= 0) | (feet >= 1)) & (size > 0)
+    normal[past] = off[past] / size[past, None]
+    return off, normal
+
+
+def _across(normal: FloatArray, sensitivities: Sensitivities) -> FloatArray:
+    """Derivatives (n+1, p) of the nodes' displacements along `normal`."""
+    d = sensitivities.position
+    return np.asarray(normal[:, 0, None] * d[:, 0] + normal[:, 1, None] * d[:, 1])
+
+
+def _least_squares(J: FloatArray, r: FloatArray, p: int) -> LocalModel:
+    """Model of |r + J d|^2 / 2; a closing column of J belongs to r."""
+    if J.shape[1] > p:
+        r = r + J[:, p]
+    joined = np.empty((J.shape[0], p + 1))
+    joined[:, :p], joined[:, p] = J[:, :p], r
+    gram = _gram(joined)
+    return LocalModel(gram[:p, :p], gram[:p, p], np.zeros(0), np.zeros((0, p)))
+
+
+def _gram(A: FloatArray) -> FloatArray:
+    """A^T A in blocks of rows so small that no BLAS starts threads, whose waiting costs more than the product."""
+    block = max(1, _UNTHREADED // A.shape[1] ** 2)
+    total = np.zeros((A.shape[1], A.shape[1]))
+    for first in range(0, A.shape[0], block):
+        part = A[first : first + block]
+        total += part.T @ part
+    return total

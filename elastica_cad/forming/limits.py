@@ -1,0 +1,244 @@
+"""What a strip may be (limits, all hard) and what of the wish must stay (keep)."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Literal, TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.mechanics import Sheet
+
+__all__ = ["Box", "HalfPlane", "Keep", "Limits", "Symmetry"]
+
+Symmetry: TypeAlias = Literal["mirror", "turn"]
+Bound: TypeAlias = "float | ArrayLike | Callable[[FloatArray], FloatArray] | None"
+
+UNLIMITED_RATIO = 1000.0  # widths of 0.1 mm beside 100 mm: nothing that anybody cuts
+
+
+@dataclass(frozen=True)
+class HalfPlane:
+    """Ground or a wall: the rod stays where <normal, x - point> >= 0.
+
+    Parameters
+    ----------
+    point : (2,) array_like
+        A point of the border, mm.
+    normal : (2,) array_like
+        Points to the allowed side; any length but 0.
+
+    Examples
+    --------
+    >>> HalfPlane((0, 0), (0, 2)).normal
+    (0.0, 1.0)
+    """
+
+    point: tuple[float, float] = (0.0, 0.0)
+    normal: tuple[float, float] = (0.0, 1.0)
+
+    def __post_init__(self) -> None:
+        point, normal = (
+            _pair("point of a half plane", self.point),
+            _pair("normal of a half plane", self.normal),
+        )
+        size = float(np.hypot(*normal))
+        if size == 0:
+            raise InputError("the normal of a half plane is zero: give the direction of the allowed side")
+        object.__setattr__(self, "point", (float(point[0]), float(point[1])))
+        object.__setattr__(self, "normal", (float(normal[0] / size), float(normal[1] / size)))
+
+    def clearance(self, points: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Signed distances (n,) of points (n, 2), positive outside, and their gradients (n, 2)."""
+        normal = np.asarray(self.normal)
+        return (points - np.asarray(self.point)) @ normal, np.broadcast_to(normal, points.shape)
+
+
+@dataclass(frozen=True)
+class Box:
+    """A rectangle, edges along x and y, that the rod keeps out of.
+
+    Parameters
+    ----------
+    lower, upper : (2,) array_like
+        Opposite corners, mm.
+    """
+
+    lower: tuple[float, float]
+    upper: tuple[float, float]
+
+    def __post_init__(self) -> None:
+        lower, upper = _pair("lower corner of a box", self.lower), _pair("upper corner of a box", self.upper)
+        if np.any(lower >= upper):
+            raise InputError(
+                f"box corners {lower.tolist()} and {upper.tolist()}: the first must be lower left"
+            )
+        object.__setattr__(self, "lower", (float(lower[0]), float(lower[1])))
+        object.__setattr__(self, "upper", (float(upper[0]), float(upper[1])))
+
+    def clearance(self, points: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Signed distances (n,) of points (n, 2) from the nearest side, positive outside, and gradients (n, 2)."""
+        low, high = np.asarray(self.lower), np.asarray(self.upper)
+        off = np.maximum(low - points, points - high)  # outside along each axis
+        sign = np.where(points - high > low - points, 1.0, -1.0)
+        beyond = np.maximum(off, 0)
+        outside = np.hypot(beyond[:, 0], beyond[:, 1])
+        axis = np.argmax(off, axis=1)
+        rows = np.arange(points.shape[0])
+        gradient = np.zeros_like(points)
+        gradient[rows, axis] = sign[rows, axis]
+        corner = outside > 0
+        gradient[corner] = (beyond * sign)[corner] / outside[corner, None]
+        return np.where(corner, outside, off[rows, axis]), gradient
+
+
+@dataclass(frozen=True, eq=False)
+class Limits:
+    """Hard limits of material, machine and place; any mix, None where there is none.
+
+    Parameters
+    ----------
+    ratio : float, optional
+        Largest stiffness ratio R = max K / min K, at least 1.
+    margin : float, optional
+        Least stability margin (see `stability`); 0 is the border of stability, 5 is safely stable.
+    curvature : float, optional
+        Largest |kappa - kappa_0|, 1/mm.
+    sheet : Sheet, optional
+        Limits the curvature to what its skin can take: 2 strain / thickness.
+    strain : float, optional
+        Used instead of the sheet's largest strain; needs `sheet` for its thickness.
+    width : (2,) array_like, optional
+        Least and largest width of a plain strip, mm: bounds the ratio by their quotient.
+    length : (2,) array_like, optional
+        Least and largest length, mm.
+    keep_out : sequence of HalfPlane and Box
+        Where the rod may not go.
+    stiffness_bounds : pair, optional
+        Lower and upper bound of K / min K along the strip, each None, a number, values at equal distances, or a
+        function of the arc length of the drawn curve (mm).
+
+    Raises
+    ------
+    InputError
+        Limits that contradict each other or make no sense.
+
+    Examples
+    --------
+    >>> Limits(ratio=5.0, width=(10, 30)).largest_ratio
+    3.0
+    """
+
+    ratio: float | None = None
+    margin: float | None = None
+    curvature: float | None = None
+    sheet: Sheet | None = None
+    strain: float | None = None
+    width: tuple[float, float] | None = None
+    length: tuple[float, float] | None = None
+    keep_out: tuple[HalfPlane | Box, ...] = ()
+    stiffness_bounds: tuple[Bound, Bound] | None = None
+
+    def __post_init__(self) -> None:
+        if self.ratio is not None and not (np.isfinite(self.ratio) and self.ratio >= 1):
+            raise InputError(
+                f"limit ratio={self.ratio}: max K / min K cannot be below 1; plain strips allow 2 to 4"
+            )
+        if self.margin is not None and not np.isfinite(self.margin):
+            raise InputError(
+                f"limit margin={self.margin} must be a number; 0 is the border of stability, try 5"
+            )
+        for name in ("curvature", "strain"):
+            value = getattr(self, name)
+            if value is not None and not (np.isfinite(value) and value > 0):
+                raise InputError(f"limit {name}={value} must be positive")
+        if self.strain is not None and self.sheet is None:
+            raise InputError("a strain limit needs sheet=: the curvature it allows is 2 strain / thickness")
+        for name in ("width", "length"):
+            value = getattr(self, name)
+            if value is None:
+                continue
+            low, high = _pair(f"limit {name}", value)
+            if not 0 < low <= high:
+                raise InputError(f"limit {name}={value!r} must be a range (least, largest) of positive mm")
+            object.__setattr__(self, name, (float(low), float(high)))
+        keep_out = (self.keep_out,) if isinstance(self.keep_out, (HalfPlane, Box)) else tuple(self.keep_out)
+        for region in keep_out:
+            if not isinstance(region, (HalfPlane, Box)):
+                raise InputError(f"keep_out takes HalfPlane and Box records, not {region!r}")
+        object.__setattr__(self, "keep_out", keep_out)
+        if self.stiffness_bounds is not None and len(self.stiffness_bounds) != 2:
+            raise InputError("stiffness_bounds is a pair (lower, upper); put None where there is no bound")
+
+    @property
+    def largest_ratio(self) -> float:
+        """The ratio that `ratio` and `width` allow together."""
+        by_width = UNLIMITED_RATIO if self.width is None else self.width[1] / self.width[0]
+        return float(min(UNLIMITED_RATIO if self.ratio is None else self.ratio, by_width))
+
+    @property
+    def largest_curvature(self) -> float | None:
+        """The curvature that `curvature`, `sheet` and `strain` allow together, 1/mm."""
+        found = [] if self.curvature is None else [self.curvature]
+        if self.sheet is not None:
+            strain = self.sheet.max_strain if self.strain is None else self.strain
+            found.append(2 * strain / self.sheet.thickness)
+        return min(found) if found else None
+
+
+@dataclass(frozen=True, eq=False)
+class Keep:
+    """What the nearest rod has in common with the drawn curve.
+
+    Parameters
+    ----------
+    ends, tangents : bool or (bool, bool)
+        Positions and tangents of both ends, or of (start, end).
+    length : bool
+    symmetry : "mirror", "turn" or None
+        The mirror image, or half turn, that the drawn curve has and the rod keeps exactly.
+    points : sequence of float
+        Arc lengths (mm) on the drawn curve of points that the rod still passes through.
+    line : True, or two points
+        The rod's inflections lie on the drawn curve's inflection line, or on the line through two points (mm).
+
+    Examples
+    --------
+    >>> Keep(tangents=(True, False)).tangents
+    (True, False)
+    """
+
+    ends: bool | tuple[bool, bool] = True
+    tangents: bool | tuple[bool, bool] = False
+    length: bool = False
+    symmetry: Symmetry | None = None
+    points: tuple[float, ...] = ()
+    line: bool | tuple[tuple[float, float], tuple[float, float]] | None = None
+
+    def __post_init__(self) -> None:
+        for name in ("ends", "tangents"):
+            value = getattr(self, name)
+            both = (value, value) if isinstance(value, (bool, np.bool_)) else tuple(value)
+            if len(both) != 2 or not all(isinstance(v, (bool, np.bool_)) for v in both):
+                raise InputError(f"keep {name}={value!r}: use True, False, or a pair for (start, end)")
+            object.__setattr__(self, name, (bool(both[0]), bool(both[1])))
+        if self.symmetry not in (None, "mirror", "turn"):
+            raise InputError(f"keep symmetry={self.symmetry!r}: use 'mirror', 'turn' (a half turn) or None")
+        points = np.atleast_1d(np.asarray(self.points, dtype=float))
+        if points.ndim != 1 or not np.all(np.isfinite(points)):
+            raise InputError("keep points= takes arc lengths on the drawn curve, mm")
+        object.__setattr__(self, "points", tuple(float(s) for s in points))
+        if self.line is None or isinstance(self.line, bool):
+            return
+        line = np.asarray(self.line, dtype=float)
+        if line.shape != (2, 2) or not np.all(np.isfinite(line)) or np.all(line[0] == line[1]):
+            raise InputError("keep line= takes True, or two different points ((x, y), (x, y)) in mm")
+        object.__setattr__(self, "line", tuple((float(x), float(y)) for x, y in line))
+
+
+def _pair(what: str, value: ArrayLike) -> FloatArray:
+    pair = np.asarray(value, dtype=float)
+    if pair.shape != (2,) or not np.all(np.isfinite(pair)):
+        raise InputError(f"{what} must be two finite numbers, not {value!r}")
+    return pair

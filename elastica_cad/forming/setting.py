@@ -1,0 +1,254 @@
+"""From a wish with its limits to a problem in numbers."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Literal, TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.forming import constraints as rows
+from elastica_cad.forming.distance import ClosestDistance, Distance, LargestDistance, MeanDistance
+from elastica_cad.forming.limits import Keep, Limits
+from elastica_cad.forming.march import StripGrid
+from elastica_cad.forming.sqp import Problem
+from elastica_cad.forming.wish import Wish, symmetry_frame
+from elastica_cad.mechanics import Gravity, Supports
+
+__all__ = ["Measure", "Setting", "Weights", "spline_basis"]
+
+Measure: TypeAlias = Literal["mean", "closest", "max"]
+Weights: TypeAlias = "ArrayLike | Callable[[FloatArray], ArrayLike] | None"
+
+_LENGTHS = (0.2, 5.0)  # how much shorter or longer than the wish a rod may be when nothing says so
+
+
+@dataclass(frozen=True, eq=False)
+class Setting:
+    """All that is given, in lengths of the wish; `problem` builds what the solver needs.
+
+    Attributes
+    ----------
+    wish : Wish
+    limits : Limits
+    keep : Keep
+    supports : Supports
+    gravity : Gravity or None
+    weights : (nodes,) array
+        Of the nodes, mean 1.
+    nodes, coefficients : int
+    line : pair of points or None
+        Inflection line to be kept, mm.
+    """
+
+    wish: Wish
+    limits: Limits
+    keep: Keep
+    supports: Supports
+    gravity: Gravity | None
+    weights: FloatArray
+    nodes: int
+    coefficients: int
+    line: tuple[FloatArray, FloatArray] | None = None
+
+    def problem(self, measure: Measure, *, weight: float = 1.0, with_margin: bool = True) -> Problem:
+        """The problem with a share `weight` of gravity."""
+        grid = self.grid(weight)
+        lower, upper = self._box(grid)
+        return Problem(
+            grid, self._distance(measure), tuple(self._constraints(grid, with_margin)), lower, upper,
+            self._scale(grid),
+        )  # fmt: skip
+
+    def grid(self, weight: float = 1.0) -> StripGrid:
+        """Nodes and basis of K, in mirrored pairs where symmetry is kept."""
+        basis = spline_basis(np.linspace(0, 1, self.nodes), self.coefficients)
+        if self.keep.symmetry:
+            half = (self.coefficients + 1) // 2
+            mirrored = basis[:, ::-1][:, :half].copy()
+            if self.coefficients % 2:
+                mirrored[:, -1] = 0
+            basis = basis[:, :half] + mirrored
+        e = np.zeros(2) if self.gravity is None else self.gravity.e * self.wish.size**3 * weight
+        return StripGrid(basis, e)
+
+    def coefficients_of(self, z: FloatArray) -> FloatArray:
+        """All coefficients of K, mirrored where symmetry is kept."""
+        m = self.coefficients
+        if not self.keep.symmetry:
+            return z[:m].copy()
+        half = (m + 1) // 2
+        return np.concatenate([z[:half], z[: m // 2][::-1]])
+
+    @property
+    def moment_scale(self) -> float:
+        """Typical moment."""
+        bend = float(np.sqrt(np.mean(self.wish.curvature**2)))
+        return max(1.0, bend * min(2.0, np.sqrt(self.limits.largest_ratio)))
+
+    def _scale(self, grid: StripGrid) -> FloatArray:
+        u = grid.unknowns
+        scale = np.ones(u.count)
+        scale[u.moment] = self.moment_scale
+        scale[u.force] = 5 * self.moment_scale
+        return scale
+
+    def _box(self, grid: StripGrid) -> tuple[FloatArray, FloatArray]:
+        u, wish = grid.unknowns, self.wish
+        lower, upper = np.full(u.count, -np.inf), np.full(u.count, np.inf)
+        lower[u.stiffness], upper[u.stiffness] = 1.0, self.limits.largest_ratio
+        start = self.supports.ends[0]
+        if self.keep.ends[0]:
+            lower[u.position] = upper[u.position] = wish.position[0]
+        if self.keep.tangents[0]:
+            lower[u.angle] = upper[u.angle] = wish.angle[0]
+        if not start.angle:
+            lower[u.moment] = upper[u.moment] = 0.0
+        for axis, held in enumerate((start.x, start.y)):
+            if not held:
+                lower[u.force.start + axis] = upper[u.force.start + axis] = 0.0
+        lower[u.length], upper[u.length] = self._lengths()
+        return lower, upper
+
+    def _lengths(self) -> tuple[float, float]:
+        wish, limits = self.wish, self.limits
+        low, high = _LENGTHS if limits.length is None else np.asarray(limits.length) / wish.size
+        if self.keep.length:
+            if not low * (1 - 1e-12) <= 1 <= high * (1 + 1e-12):
+                raise InputError(
+                    f"keep length asks for {wish.size:.6g} mm, outside the limit length of "
+                    f"{low * wish.size:.6g} to {high * wish.size:.6g} mm: drop one of them"
+                )
+            low = high = 1.0
+        if all(self.keep.ends):
+            chord = float(np.hypot(*(wish.position[-1] - wish.position[0])))
+            if high < chord * (1 - 1e-12):
+                raise InputError(
+                    f"the rod may be at most {high * wish.size:.6g} mm long, but its kept ends are "
+                    f"{chord * wish.size:.6g} mm apart: allow more length or free an end"
+                )
+        return float(low), float(high)
+
+    def _distance(self, measure: Measure) -> Distance:
+        if measure == "mean":
+            targets, _ = self.wish.at(np.linspace(0, 1, self.nodes))
+            return MeanDistance(targets, self._shares)
+        if measure == "closest":
+            return ClosestDistance(self.wish, self._shares)
+        if measure == "max":
+            return LargestDistance(self.wish, self.weights / self.weights.max())
+        raise InputError(f"unknown measure {measure!r}: use 'mean', 'closest' or 'max'")
+
+    @property
+    def _shares(self) -> FloatArray:
+        shares = self.weights.copy()
+        shares[[0, -1]] /= 2
+        return shares / shares.sum()
+
+    def _constraints(self, grid: StripGrid, with_margin: bool) -> list[rows.Constraint]:
+        wish, limits, keep = self.wish, self.limits, self.keep
+        end = self.supports.ends[1]
+        found: list[rows.Constraint] = []
+        if keep.symmetry:
+            found.append(self._symmetry())
+        else:
+            if keep.ends[1]:
+                found.append(rows.EndPosition(target=_pair(wish.position[-1])))
+            if keep.tangents[1]:
+                found.append(rows.EndAngle(target=float(wish.angle[-1])))
+            if not end.angle:
+                found.append(rows.EndMoment(scale=self.moment_scale))
+            found += [
+                rows.EndForce(axis=axis, scale=5 * self.moment_scale)
+                for axis, held in enumerate((end.x, end.y))
+                if not held
+            ]
+        for s in keep.points:
+            if not 0 <= s <= wish.size * (1 + 1e-9):
+                raise InputError(f"keep point at {s:.6g} mm lies off the drawn curve of {wish.size:.6g} mm")
+            place = min(s / wish.size, 1.0)
+            target, _ = wish.at(np.array([place]))
+            found.append(rows.Through(target=_pair(target[0]), place=place))
+        if self.line is not None:
+            a, b = ((np.asarray(p) - wish.origin) / wish.size for p in self.line)
+            direction = (b - a) / np.hypot(*(b - a))
+            found.append(
+                rows.InflectionLine(point=_pair(a), direction=_pair(direction), scale=self.moment_scale)
+            )
+        curvature = limits.largest_curvature
+        if curvature is not None:
+            found.append(rows.CurvatureLimit(curvature * wish.size))
+        found += [rows.KeepOut(region, wish.size, _pair(wish.origin)) for region in limits.keep_out]
+        if limits.stiffness_bounds is not None:
+            for bound, sign in zip(limits.stiffness_bounds, (1.0, -1.0), strict=True):
+                if bound is not None:
+                    values = self._coefficient_bounds(bound, sign)[: grid.unknowns.coefficients]
+                    found.append(rows.RelativeStiffness(values, sign))
+        if with_margin and limits.margin is not None:
+            found.append(rows.MarginLimit(limits.margin, self.supports))
+        return found
+
+    def _symmetry(self) -> rows.Constraint:
+        wish, kind = self.wish, self.keep.symmetry
+        centre, axis = symmetry_frame(wish, kind)
+        if kind == "turn":
+            if self.gravity is not None:
+                raise InputError("a half turn turns gravity over: keep symmetry='turn' only without weight")
+            return rows.MiddleOfTurn(centre=_pair(centre), scale=self.moment_scale)
+        if self.gravity is not None and abs(np.dot(self.gravity.direction, axis)) < 1 - 1e-9:
+            raise InputError(
+                "gravity pulls across the mirror axis: a strip with weight cannot stay symmetric"
+            )
+        across = np.array([-axis[1], axis[0]])
+        middle = float(wish.angles(np.array([0.5]))[0])
+        angle = float(np.arctan2(across[1], across[0]))
+        angle += np.pi * np.round((middle - angle) / np.pi)
+        return rows.MiddleOfMirror(
+            centre=_pair(centre), axis=_pair(axis), angle=angle, scale=5 * self.moment_scale
+        )
+
+    def _coefficient_bounds(self, bound: object, sign: float) -> FloatArray:
+        """The strictest bound over the support of every basis function."""
+        s = np.linspace(0, 1, 20 * self.coefficients + 1)
+        values = _along(bound, s, self.wish.size, "stiffness bounds")
+        support = spline_basis(s, self.coefficients) > 0
+        pick = np.where(support, values[:, None], -np.inf if sign > 0 else np.inf)
+        return np.asarray(pick.max(axis=0) if sign > 0 else pick.min(axis=0))
+
+
+def spline_basis(x: FloatArray, count: int) -> FloatArray:
+    """Values (n, count) of the cubic B-splines with uniform clamped knots at x (n,) in 0..1."""
+    from scipy.interpolate import BSpline
+
+    return np.asarray(BSpline.design_matrix(np.clip(x, 0, 1), spline_knots(count), 3).toarray())
+
+
+def spline_knots(count: int) -> FloatArray:
+    """Their knots."""
+    return np.concatenate([np.zeros(3), np.linspace(0, 1, count - 2), np.ones(3)])
+
+
+def node_factors(weights: Weights, nodes: int, size: float) -> FloatArray:
+    """Weights along the curve at the nodes, mean 1."""
+    values = _along(1.0 if weights is None else weights, np.linspace(0, 1, nodes), size, "weights")
+    if np.any(values < 0) or not values.any():
+        raise InputError("weights along the curve must be 0 or more, and not all 0")
+    return values / values.mean()
+
+
+def _along(given: object, x: FloatArray, size: float, what: str) -> FloatArray:
+    """Values at x (0..1) of a number, of values at equal distances, or of a function of arc length in mm."""
+    values = given(x * size) if callable(given) else given
+    array = np.asarray(values, dtype=float)
+    if array.ndim == 0:
+        array = np.full(2, float(array))
+    if array.ndim != 1 or array.size < 2 or not np.all(np.isfinite(array)):
+        raise InputError(
+            f"{what} must be a finite number, values at equal distances, or a function of arc length"
+        )
+    return np.interp(x, np.linspace(0, 1, array.size), array)
+
+
+def _pair(point: FloatArray) -> tuple[float, float]:
+    return float(point[0]), float(point[1])

@@ -1,0 +1,347 @@
+"""Sequential quadratic programming with a trust region and an exact penalty: every iterate is a rod in balance."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from elastica_cad._types import FloatArray, IntArray
+from elastica_cad.forming.constraints import Constraint
+from elastica_cad.forming.distance import Distance, LocalModel
+from elastica_cad.forming.march import MarchedRod, Sensitivities, StripGrid
+from elastica_cad.forming.qp import QuadraticProgram, QuadraticSolution, solve_quadratic
+
+__all__ = ["Outcome", "Problem", "lifted", "solve"]
+
+STEPS = 80
+SETTLED = 3e-4  # a step that promises less than this share of the distance ends the search
+CLOSED = 1e-9
+SMALLEST_RADIUS = 1e-7
+_DAMPING = 1e-7
+
+
+@dataclass(frozen=True, eq=False)
+class Problem:
+    """Minimise `distance` over z in a box under `constraints`.
+
+    Attributes
+    ----------
+    lower, upper : (p,) arrays
+        Equal where an unknown is given.
+    scale : (p,) array
+        Typical sizes of the unknowns.
+    """
+
+    grid: StripGrid
+    distance: Distance
+    constraints: tuple[Constraint, ...]
+    lower: FloatArray
+    upper: FloatArray
+    scale: FloatArray
+
+    def merit(self, rod: MarchedRod, values: Sequence[FloatArray], prices: Sequence[float]) -> float:
+        """Distance and the price of what is broken."""
+        return self.distance.value(rod) + sum(
+            price * float(_broken(c, v).sum())
+            for c, v, price in zip(self.constraints, values, prices, strict=True)
+        )
+
+    def values(self, rod: MarchedRod) -> list[FloatArray]:
+        """Values of all constraints."""
+        return [c.values(rod) for c in self.constraints]
+
+    def violation(self, values: Sequence[FloatArray]) -> float:
+        """The worst broken constraint."""
+        return max(
+            (float(_broken(c, v).max()) for c, v in zip(self.constraints, values, strict=True)), default=0.0
+        )
+
+    def relaxed(self, factor: float) -> "Problem":
+        """The same with `factor` times the largest stiffness."""
+        upper = self.upper.copy()
+        upper[self.grid.unknowns.stiffness] *= factor
+        return replace(self, upper=upper)
+
+    def eager(self) -> "Problem":
+        """The same without the constraints that make no sense far from balance."""
+        return replace(self, constraints=tuple(c for c in self.constraints if not c.patient))
+
+
+@dataclass(frozen=True, eq=False)
+class Outcome:
+    """Where the search ended.
+
+    Attributes
+    ----------
+    rod : MarchedRod
+    distance, violation : float
+    multipliers : tuple of (k,) arrays
+        Of every constraint's values: d(distance) / d(value).
+    at_lower, at_upper : (p,) arrays
+        Multipliers of the box.
+    iterations : int
+    settled : bool
+    """
+
+    rod: MarchedRod
+    distance: float
+    violation: float
+    multipliers: tuple[FloatArray, ...]
+    at_lower: FloatArray
+    at_upper: FloatArray
+    iterations: int
+    settled: bool
+
+
+def lifted(
+    problem: Problem, z: FloatArray, angles: FloatArray, moments: FloatArray, steps: int = 3
+) -> FloatArray:
+    """Unknowns of a rod near given angles (n+2,) and moments (n+1,) that are not in balance.
+
+    Angles and moments are unknowns of their own here and the march is one more constraint, linearised about
+    them: the start may be the wish itself, and the program is convex whatever the wish (the first step weighs
+    the equation's error K kappa - M by its effect on the shape).
+    """
+    problem = problem.eager()
+    for _ in range(steps):
+        rod = problem.grid.guessed(z, angles, moments)
+        sensitivities = problem.grid.sensitivities(rod, closing=True)
+        model = problem.distance.model(rod, sensitivities)
+        rows = _rows(problem, rod, sensitivities, problem.values(rod))
+        step, _ = _step(problem, z, model, rows, 20.0)
+        if step is None:
+            break
+        z = np.clip(z + step, problem.lower, problem.upper)
+        angles = angles + sensitivities.angles @ np.append(step, 1.0)
+        moments = moments + sensitivities.moments @ np.append(step, 1.0)
+    return z
+
+
+def solve(problem: Problem, z: FloatArray, *, steps: int = STEPS, radius: float = 1.0) -> Outcome:
+    """The local minimum downhill from z.
+
+    The Gauss-Newton model of the distance, linearised constraints with prices, a box of size `radius` (in
+    scales), one quadratic program a step. What a step breaks of the constraints by their curvature is mended
+    by one least step of the unknowns that are free; the merit prices follow the multipliers (Powell's rule).
+    """
+    rod = problem.grid.rod(np.clip(z, problem.lower, problem.upper))
+    values = problem.values(rod)
+    prices = [0.0] * len(problem.constraints)
+    found: tuple[_Rows, QuadraticSolution] | None = None
+    settled, iteration = False, 0
+    while iteration < steps and not settled and radius > SMALLEST_RADIUS:
+        iteration += 1
+        sensitivities = problem.grid.sensitivities(rod)
+        model = problem.distance.model(rod, sensitivities)
+        rows = _rows(problem, rod, sensitivities, values)
+        floor = SETTLED * problem.distance.value(rod) + 1e-16
+        accepted = False
+        while not accepted and radius > SMALLEST_RADIUS:
+            step, solution = _step(problem, rod.z, model, rows, radius)
+            if step is None or solution is None:
+                radius *= 0.25
+                continue
+            found = rows, solution
+            prices = _prices(problem, rows, solution, prices)
+            merit = problem.merit(rod, values, prices)
+            promised = _promised(model, rows, step, np.array(prices))
+            size = float(np.abs(step / problem.scale).max())
+            settled = promised <= floor
+            trial = problem.grid.rod(np.clip(rod.z + step, problem.lower, problem.upper))
+            trial_values = problem.values(trial)
+            trial_merit = problem.merit(trial, trial_values, prices)
+            mended = _mended(problem, rows, solution, trial, trial_values, step)
+            if mended is not None:
+                mended_values = problem.values(mended)
+                mended_merit = problem.merit(mended, mended_values, prices)
+                if mended_merit < trial_merit:
+                    trial, trial_values, trial_merit = mended, mended_values, mended_merit
+            gain = (merit - trial_merit) / max(promised, 1e-300)
+            accepted = gain > 1e-4
+            if accepted:
+                rod, values = trial, trial_values
+            if settled:
+                break
+            if gain > 0.75:
+                radius = max(radius, min(5.0, 2 * size))
+            elif gain < 0.25:
+                radius = (0.5 if accepted else 0.3) * size
+    rod = _closed(problem, rod, values)
+    values = problem.values(rod)
+    multipliers, low, high = _multipliers(problem, values, found)
+    return Outcome(
+        rod,
+        problem.distance.value(rod),
+        problem.violation(values),
+        multipliers,
+        low,
+        high,
+        iteration,
+        settled,
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class _Rows:
+    """The constraints' rows that matter, stacked."""
+
+    constraint: IntArray
+    index: IntArray
+    value: FloatArray
+    jacobian: FloatArray
+    price: FloatArray
+    one_sided: FloatArray
+
+
+def _broken(constraint: Constraint, values: FloatArray) -> FloatArray:
+    return np.maximum(-values, 0.0) if constraint.one_sided else np.abs(values)
+
+
+def _rows(
+    problem: Problem, rod: MarchedRod, sensitivities: Sensitivities, values: Sequence[FloatArray]
+) -> _Rows:
+    p = rod.z.size
+    parts: list[tuple[FloatArray, ...]] = []
+    for k, (constraint, value) in enumerate(zip(problem.constraints, values, strict=True)):
+        index, jacobian = constraint.rows(rod, sensitivities)
+        at = value[index] + (jacobian[:, p] if jacobian.shape[1] > p else 0.0)
+        same = np.ones(index.size)
+        parts.append(
+            (k * same, index, at, jacobian[:, :p], constraint.price * same, constraint.one_sided * same)
+        )
+    if not parts:
+        none, empty = np.zeros(0), np.zeros(0, dtype=int)
+        return _Rows(empty, empty, none, np.zeros((0, p)), none, none)
+    number, index, at, jacobian, price, one_sided = (
+        np.concatenate(part) for part in zip(*parts, strict=True)
+    )
+    return _Rows(number.astype(int), index.astype(int), at, jacobian, price, one_sided)
+
+
+def _step(
+    problem: Problem, z: FloatArray, model: LocalModel, rows: _Rows, radius: float
+) -> tuple[FloatArray | None, QuadraticSolution | None]:
+    """The step of the quadratic program within `radius` scales, and its solution in scales."""
+    s = problem.scale
+    p = z.size
+    hessian = model.hessian * np.outer(s, s)
+    damping = _DAMPING * max(float(np.diag(hessian).max()), 1e-12)
+    hessian[np.diag_indices(p)] += damping
+    lower = np.maximum((problem.lower - z) / s, -radius)
+    upper = np.minimum((problem.upper - z) / s, radius)
+    jacobian, value = rows.jacobian * s, rows.value
+    gradient, price, one_sided = model.gradient * s, rows.price, rows.one_sided > 0
+    if model.peaks.size:
+        # one more unknown t >= every peak; its rows cannot be worth breaking
+        k, top = model.peaks.size, float(model.peaks.max())
+        grown = np.zeros((p + 1, p + 1))
+        grown[:p, :p] = hessian
+        hessian, gradient = grown, np.append(gradient, 1.0)
+        lower, upper = np.append(lower, -2 * top - 1e-9), np.append(upper, 2 * top + 1e-9)
+        jacobian = np.block([[jacobian, np.zeros((value.size, 1))], [-model.peak_rows * s, np.ones((k, 1))]])
+        value = np.append(value, top - model.peaks)
+        price = np.append(price, np.full(k, 10.0))
+        one_sided = np.append(one_sided, np.ones(k, dtype=bool))
+    solution = solve_quadratic(
+        QuadraticProgram(hessian, gradient, lower, upper, jacobian, -value, price, one_sided)
+    )
+    if not np.all(np.isfinite(solution.x)):
+        return None, None
+    return solution.x[:p] * s, solution
+
+
+def _promised(model: LocalModel, rows: _Rows, step: FloatArray, prices: FloatArray) -> float:
+    """What the local model expects a step to gain."""
+    gain = -float(model.gradient @ step + 0.5 * step @ model.hessian @ step)
+    if model.peaks.size:
+        gain += float(model.peaks.max() - (model.peaks + model.peak_rows @ step).max())
+    after = rows.value + rows.jacobian @ step
+    if not rows.value.size:
+        return gain
+    return gain + float(prices[rows.constraint] @ (_cost(rows, rows.value) - _cost(rows, after)))
+
+
+def _cost(rows: _Rows, value: FloatArray) -> FloatArray:
+    return np.where(rows.one_sided > 0, np.maximum(-value, 0.0), np.abs(value))
+
+
+def _prices(
+    problem: Problem, rows: _Rows, solution: QuadraticSolution, before: Sequence[float]
+) -> list[float]:
+    """Prices for the merit: half as much again as the multipliers, falling step by step (Powell's rule)."""
+    y = np.abs(solution.row_multipliers[: rows.value.size])
+    prices = []
+    for k, price in enumerate(before):
+        largest = 1.5 * float(y[rows.constraint == k].max(initial=0.0))
+        prices.append(min(problem.constraints[k].price, max(largest, 0.1 * price)))
+    return prices
+
+
+def _mended(
+    problem: Problem, rows: _Rows, solution: QuadraticSolution, trial: MarchedRod, values: list[FloatArray],
+    step: FloatArray,
+) -> MarchedRod | None:  # fmt: skip
+    """The trial moved least so that the constraints are where the quadratic program thought them (Maratos)."""
+    y = solution.row_multipliers[: rows.value.size]
+    touched = (rows.one_sided == 0) | (y > 1e-6 * rows.price)
+    if not touched.any():
+        return None
+    there = np.array([values[k][i] for k, i in zip(rows.constraint, rows.index, strict=True)])
+    gap = (there - rows.value - rows.jacobian @ step)[touched]
+    s = problem.scale
+    p = s.size
+    free = np.minimum(trial.z - problem.lower, problem.upper - trial.z) > 1e-9 * s
+    free &= np.maximum(solution.lower_multipliers[:p], solution.upper_multipliers[:p]) < 1e-3 * (
+        np.abs(y).max() + 1e-12
+    )
+    jacobian = (rows.jacobian * s)[np.ix_(touched, free)]
+    change = np.linalg.lstsq(jacobian, -gap, rcond=1e-10)[0]
+    z = trial.z.copy()
+    z[free] += change * s[free]
+    return problem.grid.rod(np.clip(z, problem.lower, problem.upper))
+
+
+def _closed(problem: Problem, rod: MarchedRod, values: list[FloatArray]) -> MarchedRod:
+    """Newton's method on the equalities and on the limits that are touched, by least steps of what is free."""
+    s = problem.scale
+    for _ in range(6):
+        rows = _rows(problem, rod, problem.grid.sensitivities(rod), values)
+        touched = (rows.one_sided == 0) | (rows.value < CLOSED)
+        if not touched.any():
+            return rod
+        aim = np.where(rows.one_sided > 0, CLOSED, 0.0) - rows.value
+        worst = float(np.abs(aim[touched]).max())
+        if worst > 1e-3 or worst < 1e-14:
+            return rod
+        slack = 1e-9 * s
+        free = (rod.z - problem.lower > slack) & (problem.upper - rod.z > slack)
+        jacobian = (rows.jacobian * s)[np.ix_(touched, free)]
+        step = np.linalg.lstsq(jacobian, aim[touched], rcond=1e-10)[0]
+        z = rod.z.copy()
+        z[free] += step * s[free]
+        trial = problem.grid.rod(np.clip(z, problem.lower, problem.upper))
+        trial_values = problem.values(trial)
+        if problem.violation(trial_values) >= problem.violation(values) and worst < 1e-10:
+            return rod
+        if problem.violation(trial_values) > 2 * problem.violation(values) + 1e-12:
+            return rod
+        rod, values = trial, trial_values
+    return rod
+
+
+def _multipliers(
+    problem: Problem, values: Sequence[FloatArray], found: tuple[_Rows, QuadraticSolution] | None
+) -> tuple[tuple[FloatArray, ...], FloatArray, FloatArray]:
+    """d(distance) / d(value) of every constraint and of the box, from the last quadratic program."""
+    p = problem.scale.size
+    out = [np.zeros_like(v) for v in values]
+    if found is None:
+        return tuple(out), np.zeros(p), np.zeros(p)
+    rows, solution = found
+    for k, i, y in zip(rows.constraint, rows.index, solution.row_multipliers, strict=False):
+        out[k][i] = y
+    return (
+        tuple(out),
+        solution.lower_multipliers[:p] / problem.scale,
+        solution.upper_multipliers[:p] / problem.scale,
+    )
