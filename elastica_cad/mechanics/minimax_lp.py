@@ -6,7 +6,7 @@ from typing import Any, Literal, Protocol, TypeAlias
 
 import numpy as np
 
-from elastica_cad._types import FloatArray, IntArray
+from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
 
 __all__ = ["MinimaxSolution", "Solver", "minimax_ratio"]
@@ -81,41 +81,35 @@ def minimax_ratio(
     n, m = rows.shape
     offset = np.zeros(n) if offset is None else offset
     if m == 0:
-        low, high = float(offset.min()), float(offset.max())
-        return MinimaxSolution(np.zeros(0), high, offset, 0) if low >= 1 - tolerance else None
+        fits = bool(offset.min() >= 1 - tolerance)
+        return MinimaxSolution(np.zeros(0), float(offset.max()), offset, 0) if fits else None
     if m == 1 and side_rows is None and not offset.any():
         return _single(rows[:, 0])
     basis = _conditioned(rows)
     program = _program(solver, basis.shape[1])
     if side_rows is not None:
-        program.add(side_rows @ basis, np.zeros(len(side_rows)), np.zeros(0, dtype=int))
-    first = np.unique(np.linspace(0, n - 1, min(n, _START_ROWS)).astype(int))
-
-    def demand(below: IntArray, above: IntArray) -> None:
-        """Samples `below` must rise to 1, samples `above` sink to R."""
-        chosen = np.concatenate([below, above])
-        program.add(rows[chosen] @ basis, offset[chosen], np.arange(len(below), len(chosen)), bound=1.0)
-
-    demand(first, first)
-    asked = [set(first.tolist()), set(first.tolist())]
+        program.add(side_rows @ basis, np.zeros(len(side_rows)), len(side_rows))
+    first = np.arange(_START_ROWS) * (n - 1) // (_START_ROWS - 1)
+    low, high = first.tolist(), first.tolist()
+    asked_low, asked_high = set(low), set(high)
     for rounds in range(1, _MAX_ROUNDS + 1):
+        new = low + high
+        program.add(rows[new] @ basis, offset[new] - 1.0 * (np.arange(len(new)) < len(low)), len(low))
         answer = program.solve()
         if answer is None:
             return None
-        x = basis @ answer[:-1]
-        ratio = float(answer[-1])
-        values = rows @ x + offset
-        low, high = int(values.argmin()), int(values.argmax())
+        x, ratio = basis @ answer[:-1], float(answer[-1])
+        values = rows @ x
+        values += offset
+        least, most = int(values.argmin()), int(values.argmax())
         # a sample that was asked for and still fails does so by the solver's own tolerance
-        wants = (values[low] < 1 - tolerance and low not in asked[0],
-                 values[high] > ratio + tolerance * max(1.0, ratio) and high not in asked[1])  # fmt: skip
-        below = np.array([low] if wants[0] else [], dtype=np.intp)
-        above = np.array([high] if wants[1] else [], dtype=np.intp)
-        asked[0].update(below.tolist())
-        asked[1].update(above.tolist())
-        if not any(wants):
-            return MinimaxSolution(x, max(ratio, float(values[high])), values, rounds)
-        demand(below, above)
+        fails_low = values[least] < 1 - tolerance and least not in asked_low
+        fails_high = values[most] > ratio + tolerance * max(1.0, ratio) and most not in asked_high
+        if not (fails_low or fails_high):
+            return MinimaxSolution(x, max(ratio, float(values[most])), values, rounds)
+        low, high = [least] if fails_low else [], [most] if fails_high else []
+        asked_low.update(low)
+        asked_high.update(high)
     raise NotConvergedError(
         f"the linear program for the stiffness ratio did not settle in {_MAX_ROUNDS} rounds (ratio "
         f"{ratio:.6g}): the curve has almost straight places; move its control points a little"
@@ -143,8 +137,8 @@ def _conditioned(rows: FloatArray) -> FloatArray:
 class _Program(Protocol):
     """Minimise R over (x, R), rows being added between solutions."""
 
-    def add(self, rows: FloatArray, offset: FloatArray, above: IntArray, bound: float = 0.0) -> None:
-        """Demand rows @ x + offset >= bound, except of the rows `above`: rows @ x + offset <= R."""
+    def add(self, rows: FloatArray, offset: FloatArray, low: int) -> None:
+        """Demand rows @ x + offset >= 0 of the first `low` rows and rows @ x + offset <= R of the others."""
 
     def solve(self) -> FloatArray | None:
         """(x, R), or None when infeasible."""
@@ -191,16 +185,17 @@ class _HighsProgram:
         self.highs.addVars(self.columns, -free, free)
         self.highs.changeColCost(unknowns, 1.0)
 
-    def add(self, rows: FloatArray, offset: FloatArray, above: IntArray, bound: float = 0.0) -> None:
+    def add(self, rows: FloatArray, offset: FloatArray, low: int) -> None:
         count = len(rows)
         matrix = np.zeros((count, self.columns))
         matrix[:, :-1] = rows
-        matrix[above, -1] = -1.0
-        lower, upper = bound - offset, np.full(count, np.inf)
-        lower[above], upper[above] = -np.inf, -offset[above]
-        start = np.arange(0, count * self.columns, self.columns, dtype=np.int32)
-        column = np.tile(np.arange(self.columns, dtype=np.int32), count)
-        self.highs.addRows(count, lower, upper, matrix.size, start, column, matrix.ravel())
+        matrix[low:, -1] = -1.0
+        lower, upper = -offset, -offset
+        lower[low:], upper[:low] = -np.inf, np.inf
+        entry = np.arange(matrix.size, dtype=np.int32)
+        self.highs.addRows(
+            count, lower, upper, matrix.size, entry[:: self.columns], entry % self.columns, matrix.ravel()
+        )
 
     def solve(self) -> FloatArray | None:
         self.highs.run()
@@ -219,14 +214,11 @@ class _ScipyProgram:
         self.matrix = np.zeros((0, unknowns + 1))
         self.limit = np.zeros(0)
 
-    def add(self, rows: FloatArray, offset: FloatArray, above: IntArray, bound: float = 0.0) -> None:
-        matrix = np.column_stack([-rows, np.zeros(len(rows))])
-        limit = offset - bound
-        matrix[above, :-1] *= -1
-        matrix[above, -1] = -1.0
-        limit[above] = -offset[above]
+    def add(self, rows: FloatArray, offset: FloatArray, low: int) -> None:
+        above = np.arange(len(rows)) >= low
+        matrix = np.column_stack([np.where(above[:, None], rows, -rows), np.where(above, -1.0, 0.0)])
         self.matrix = np.vstack([self.matrix, matrix])
-        self.limit = np.concatenate([self.limit, limit])
+        self.limit = np.concatenate([self.limit, np.where(above, -offset, offset)])
 
     def solve(self) -> FloatArray | None:
         from scipy.optimize import linprog
