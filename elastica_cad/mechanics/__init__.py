@@ -3,9 +3,11 @@
 from elastica_cad.mechanics.anticlastic import AnticlasticWidths, anticlastic_factor, anticlastic_widths
 from elastica_cad.mechanics.bend import bend, bend_path
 from elastica_cad.mechanics.calibration import Calibration, calibrate_cantilever, cantilever_droop
+from elastica_cad.mechanics.discrete import constrained_margin, margin_derivatives
 from elastica_cad.mechanics.equilibrium import EquilibriumCheck, NotRealizable, check_equilibrium
 from elastica_cad.mechanics.gravity import Gravity
 from elastica_cad.mechanics.gravity_lp import SampledStiffness, sampled_stiffness
+from elastica_cad.mechanics.jacobi import conjugate_point, determinant_gradient, stability_determinant
 from elastica_cad.mechanics.laminate import Laminate, optimal_laminate
 from elastica_cad.mechanics.limits_of_stability import StabilityLimit, stability_limit
 from elastica_cad.mechanics.line import InflectionLine
@@ -70,12 +72,17 @@ __all__ = [
     "calibrate_cantilever",
     "cantilever_droop",
     "check_equilibrium",
+    "conjugate_point",
+    "constrained_margin",
+    "determinant_gradient",
     "load_sheets",
+    "margin_derivatives",
     "optimal_laminate",
     "optimal_rod",
     "sampled_stiffness",
     "sheet_names",
     "stability",
+    "stability_determinant",
     "stability_limit",
     "tolerance_study",
     "varied_rod",

@@ -274,9 +274,9 @@ def edge_state(rod: Rod) -> tuple[FloatArray, FloatArray]:
     if not np.all(np.any(steps != 0, axis=1)):
         at = float(rod.s[int(np.argmin(np.any(steps != 0, axis=1)))])
         raise InputError(f"two neighbouring nodes of the rod coincide at {at:.6g} mm")
-    angles = np.unwrap(np.arctan2(steps[:, 1], steps[:, 0]))
+    angles = np.arctan2(steps[:, 1], steps[:, 0])
     middle = (rod.angle[:-1] + rod.angle[1:]) / 2
-    angles += 2 * np.pi * np.round(np.mean(middle - angles) / (2 * np.pi))
+    angles += 2 * np.pi * np.round((middle - angles) / (2 * np.pi))
     load = rod.nodal_load
     force = edge_forces(np.zeros(2), load)
     nodal = np.empty_like(rod.force)

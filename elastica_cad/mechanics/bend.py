@@ -20,6 +20,8 @@ __all__ = ["as_steps", "balance_of", "bend", "bend_path", "reach", "resampled", 
 
 Keep = Literal["keep"]
 
+COARSE = 60.0  # degrees between neighbouring edges
+
 
 def bend(
     rod: Rod,
@@ -115,7 +117,7 @@ def bend(
     reached = reach(balance, state, side, mode)
     balanced = reached.arrived and is_balanced(balance, reached.state)
     if balanced and not (settle and unstable_modes(balance, reached.state)):
-        return balance.rod(reached.state, wanted)
+        return replace(balance.rod(reached.state, wanted), warnings=_too_coarse(reached.state))
     snapped = relax(balance, reached.state)
     if snapped is None:
         raise NotConvergedError(
@@ -123,7 +125,14 @@ def bend(
             "move the ends in smaller steps, or give a guess nearer to the answer"
         )
     warning = f"the rod snaps {reached.fraction:.1%} of the way from its present shape; here it comes to rest"
-    return replace(balance.rod(snapped, wanted), warnings=(warning,))
+    return replace(balance.rod(snapped, wanted), warnings=(warning, *_too_coarse(snapped)))
+
+
+def _too_coarse(state: State) -> tuple[str, ...]:
+    turn = float(np.degrees(np.abs(np.diff(state.angles)).max()))
+    if turn < COARSE:
+        return ()
+    return (f"the rod turns by {turn:.0f} degrees between two nodes: its shape is rough, use more samples",)
 
 
 def bend_path(

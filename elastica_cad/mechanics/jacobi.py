@@ -267,7 +267,7 @@ def _recursion(
     """Lower triangular band (3, n+1) of the recursion for zeta_1 .. zeta_{n+1}."""
     n = angles.size
     w = node_weights(edge_length, n)
-    pull = edge_length * (force[..., 0] * np.cos(angles) + force[..., 1] * np.sin(angles))
+    pull = edge_length * np.sum(force * tangents(angles), axis=1)
     spring = stiffness / w
     if not held_angles(supports)[0]:
         spring[0] = 0.0

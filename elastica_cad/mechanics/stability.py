@@ -134,11 +134,11 @@ def stability(rod: Rod) -> Stability:
 
 
 def _agree(determinant: Determinant, negative: int) -> None:
-    """Every unstable mode comes in by a sign change of Z, unless Z drowns in rounding noise."""
+    """Unstable modes come in by sign changes of Z, unless Z drowns in rounding noise."""
     if abs(determinant.value[-1]) <= determinant.noise[-1]:
         return
     changes = determinant.sign_changes.size
-    if (changes > 0) != (negative > 0) and (changes - negative) % 2 != 0:
+    if (changes > 0) != (negative > 0):
         raise NotConvergedError(
             f"stability is undecided: Z(s) changes sign {changes} times, "
             f"but {negative} unstable modes were counted"
