@@ -7,6 +7,8 @@ from elastica_cad.fabrication.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, LAYE
 from elastica_cad.fabrication.ends import Hole, Tab
 from elastica_cad.fabrication.kerf import with_kerf
 from elastica_cad.fabrication.lettering import Text, text_strokes, text_width
+from elastica_cad.fabrication.model import Model, Part, Placed
+from elastica_cad.fabrication.slots import Slot
 from elastica_cad.fabrication.solids import BentSolid, FlatSolid
 from elastica_cad.fabrication.strip import Plain, Reactions, Strip
 
@@ -22,8 +24,12 @@ __all__ = [
     "Frame",
     "Hole",
     "LayeredPath",
+    "Model",
+    "Part",
+    "Placed",
     "Plain",
     "Reactions",
+    "Slot",
     "Strip",
     "Tab",
     "Text",

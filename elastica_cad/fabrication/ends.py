@@ -1,6 +1,6 @@
 """The ends of a strip: tabs to hold it by, with holes, rounded or chamfered corners."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -80,6 +80,10 @@ class Tab:
                     f"a {hole.diameter:g} mm hole {hole.at:g} mm into the tab does not fit its length of "
                     f"{self.length:g} mm: move it or lengthen the tab"
                 )
+
+    def mirrored(self) -> "Tab":
+        """The tab of the strip turned over about its centre line."""
+        return replace(self, holes=tuple(replace(hole, across=-hole.across) for hole in self.holes))
 
     def corners(self, width: float) -> tuple[Line | Arc, ...]:
         """The tab's rim seen from its free part, run outward, across and back (local frame: x outward).

@@ -1,6 +1,6 @@
 """A strip: the flat part whose width gives a rod its stiffness."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -10,6 +10,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, MARK, Drawing, LayeredPath, Text
 from elastica_cad.fabrication.ends import Tab
 from elastica_cad.fabrication.lettering import text_width
+from elastica_cad.fabrication.slots import Slot
 from elastica_cad.geometry import Arc, Line, Path, PlaneCurve, Profile, Spline
 from elastica_cad.mechanics import Rod, Sheet
 
@@ -49,6 +50,8 @@ class Strip:
         How stiffness becomes material.
     ends : pair of Tab
         Tabs at the start and at the end.
+    slots : tuple of Slot
+        Cuts for other strips; they become part of the outline.
     label : str
         Engraved on the strip; empty for none.
 
@@ -76,6 +79,7 @@ class Strip:
     min_width: float | None = None
     style: Plain = Plain()
     ends: tuple[Tab, Tab] = (Tab(10.0), Tab(10.0))
+    slots: tuple[Slot, ...] = ()
     label: str = ""
 
     def __post_init__(self) -> None:
@@ -132,6 +136,12 @@ class Strip:
         start = [_placed_path(path, 0.0, -1) for path in self.ends[0].hole_paths(w0)]
         end = [_placed_path(path, self.rod.length, 1) for path in self.ends[1].hole_paths(w1)]
         return (*start, *end)
+
+    def mirrored(self) -> "Strip":
+        """The strip turned over about its centre line (y to -y), bent into the same curve."""
+        start, end = self.ends
+        slots = tuple(slot.mirrored() for slot in self.slots)
+        return replace(self, ends=(start.mirrored(), end.mirrored()), slots=slots)
 
     @property
     def end_widths(self) -> tuple[float, float]:

@@ -1,0 +1,239 @@
+"""A model: strips in space, how many of them are equal, and patterns of them."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.boundary import Frame
+from elastica_cad.fabrication.strip import Strip
+from elastica_cad.geometry import Path
+from elastica_cad.geometry.nearest import distances
+
+__all__ = ["Model", "Part", "Placed"]
+
+SAME = 1e-6
+"""Parts whose loops stay this near to each other (mm) are equal."""
+
+
+@dataclass(frozen=True, eq=False)
+class Placed:
+    """A strip in space: its curve is drawn in the plane of x_axis and y_axis, its width stands across.
+
+    Parameters
+    ----------
+    strip : Strip
+    origin : (3,) array_like
+        Where the origin of the curve's plane lies, mm.
+    x_axis, y_axis : (3,) array_like
+        Directions of the curve's plane, at right angles; the rulings follow x_axis cross y_axis.
+
+    Raises
+    ------
+    InputError
+        Axes that are not at right angles.
+    """
+
+    strip: Strip
+    origin: FloatArray
+    x_axis: FloatArray
+    y_axis: FloatArray
+
+    def __init__(
+        self,
+        strip: Strip,
+        origin: ArrayLike = (0.0, 0.0, 0.0),
+        x_axis: ArrayLike = (1.0, 0.0, 0.0),
+        y_axis: ArrayLike = (0.0, 1.0, 0.0),
+    ) -> None:
+        frame = Frame(origin, x_axis, y_axis)
+        object.__setattr__(self, "strip", strip)
+        for name in ("origin", "x_axis", "y_axis"):
+            object.__setattr__(self, name, getattr(frame, name))
+
+    @property
+    def frame(self) -> Frame:
+        """The plane of the curve."""
+        return Frame(self.origin, self.x_axis, self.y_axis)
+
+    def with_strip(self, strip: Strip) -> "Placed":
+        """Another strip in the same place."""
+        return Placed(strip, self.origin, self.x_axis, self.y_axis)
+
+    def moved(self, turn: ArrayLike, shift: ArrayLike = (0.0, 0.0, 0.0)) -> "Placed":
+        """The placed strip after x -> turn @ x + shift; a mirror (determinant -1) turns the flat part over.
+
+        Raises
+        ------
+        InputError
+            `turn` is no 3x3 rotation or mirror.
+        """
+        m = np.asarray(turn, dtype=float)
+        if m.shape != (3, 3) or not np.allclose(m @ m.T, np.eye(3), rtol=0, atol=1e-9):
+            raise InputError(
+                "a strip is moved by a 3x3 rotation or mirror and a shift: others would deform it"
+            )
+        strip = self.strip if np.linalg.det(m) > 0 else self.strip.mirrored()
+        origin = m @ self.origin + np.asarray(shift, dtype=float)
+        return Placed(strip, origin, m @ self.x_axis, m @ self.y_axis)
+
+
+@dataclass(frozen=True, eq=False)
+class Part:
+    """Equal strips of a model: cut as often as there are `members`.
+
+    Attributes
+    ----------
+    strip : Strip
+        The first of them, whose drawing is cut.
+    name : str
+        Its label, or "strip 3" after its place in the model.
+    members : tuple of int
+        Places in the model.
+    """
+
+    strip: Strip
+    name: str
+    members: tuple[int, ...]
+
+    @property
+    def count(self) -> int:
+        """How many are cut."""
+        return len(self.members)
+
+
+@dataclass(frozen=True, eq=False)
+class Model:
+    """Strips in space.
+
+    Parameters
+    ----------
+    placed : sequence of Placed
+        In the order of assembly.
+    name : str
+        Titles and file names come from it.
+    reports : tuple of str
+        What was found on the way, one sentence each.
+
+    Raises
+    ------
+    InputError
+        No strips, or two different parts with the same label.
+    """
+
+    placed: tuple[Placed, ...]
+    name: str = "model"
+    reports: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "placed", tuple(self.placed))
+        object.__setattr__(self, "reports", tuple(self.reports))
+        if not self.placed:
+            raise InputError(f"the model {self.name!r} has no strips")
+
+    @property
+    def strips(self) -> tuple[Strip, ...]:
+        """The strips in order, equal ones repeated."""
+        return tuple(placed.strip for placed in self.placed)
+
+    def name_of(self, index: int) -> str:
+        """How messages call a strip: its label, or its place counted from 1."""
+        return self.placed[index].strip.label or f"strip {index + 1}"
+
+    @cached_property
+    def parts(self) -> tuple[Part, ...]:
+        """What must be cut: equal strips once, with their count.
+
+        Strips are equal where sheet, label and all cut loops are, after turning the part about or over.
+        """
+        found: list[tuple[Strip, list[int]]] = []
+        for index, strip in enumerate(self.strips):
+            for first, members in found:
+                if first is strip or _equal(first, strip):
+                    members.append(index)
+                    break
+            else:
+                found.append((strip, [index]))
+        return tuple(Part(strip, self.name_of(members[0]), tuple(members)) for strip, members in found)
+
+    def with_strips(self, strips: Sequence[Strip]) -> "Model":
+        """The model with other strips in the same places."""
+        pairs = zip(self.placed, strips, strict=True)
+        return replace(self, placed=tuple(placed.with_strip(strip) for placed, strip in pairs))
+
+    def mirrored(self, point: ArrayLike, normal: ArrayLike, *, keep: bool = True) -> "Model":
+        """The mirror image in the plane through `point` across `normal`, and the strips themselves if kept."""
+        n, p = np.asarray(normal, dtype=float), np.asarray(point, dtype=float)
+        size = float(np.linalg.norm(n))
+        if not (n.shape == p.shape == (3,) and np.isfinite(size) and size > 0):
+            raise InputError("a mirror needs a point and a normal of three numbers, the normal not zero")
+        n = n / size
+        turn = np.eye(3) - 2 * np.outer(n, n)
+        images = tuple(placed.moved(turn, 2 * (p @ n) * n) for placed in self.placed)
+        return replace(self, placed=(*(self.placed if keep else ()), *images))
+
+    def rotated(
+        self,
+        count: int,
+        *,
+        axis: ArrayLike = (0.0, 0.0, 1.0),
+        point: ArrayLike = (0.0, 0.0, 0.0),
+        step: float | None = None,
+    ) -> "Model":
+        """The strips `count` times about an axis, the first where they are, each `step` rad further.
+
+        `step` is the full turn divided by `count` where not given.
+        """
+        k, p = np.asarray(axis, dtype=float), np.asarray(point, dtype=float)
+        size = float(np.linalg.norm(k))
+        if count < 1 or not (np.isfinite(size) and size > 0):
+            raise InputError("a rotation pattern needs a count of 1 or more and an axis that is not zero")
+        angle = 2 * np.pi / count if step is None else float(step)
+        k = k / size
+        cross = np.array([[0, -k[2], k[1]], [k[2], 0, -k[0]], [-k[1], k[0], 0]])
+        copies: list[Placed] = []
+        for i in range(count):
+            turn = np.eye(3) + np.sin(i * angle) * cross + (1 - np.cos(i * angle)) * cross @ cross
+            copies += [placed.moved(turn, p - turn @ p) if i else placed for placed in self.placed]
+        return replace(self, placed=tuple(copies))
+
+    def repeated(self, count: int, step: ArrayLike) -> "Model":
+        """The strips `count` times, the first where they are, each `step` (3,) mm further."""
+        if count < 1:
+            raise InputError(f"a pattern repeats 1 time or more, not {count}")
+        d = np.asarray(step, dtype=float)
+        copies = [placed.moved(np.eye(3), i * d) for i in range(count) for placed in self.placed]
+        return replace(self, placed=tuple(copies))
+
+
+def _equal(a: Strip, b: Strip) -> bool:
+    """The same part, perhaps turned about or over?"""
+    if a.label != b.label or a.sheet != b.sheet or len(a.holes) != len(b.holes):
+        return False
+    if abs(a.area - b.area) > SAME * a.outline.length or abs(a.rod.length - b.rod.length) > SAME:
+        return False
+    size = np.diff(np.array([a.outline.bounds, b.outline.bounds]), axis=1)[:, 0]
+    if np.abs(size[0] - size[1]).max() > SAME:
+        return False
+    return any(_covers(a, b, way) for way in ((1, 1), (1, -1), (-1, 1), (-1, -1)))
+
+
+def _covers(a: Strip, b: Strip, way: tuple[int, int]) -> bool:
+    """Do the loops of b, turned about or over and laid onto the middle of a, run along those of a?"""
+    center = a.outline.bounds.mean(axis=0) - way * b.outline.bounds.mean(axis=0)
+    m = np.array([[way[0], 0.0, center[0]], [0.0, way[1], center[1]], [0.0, 0.0, 1.0]])
+    if not _along(a.outline, b.outline.transformed(m)):
+        return False
+    return all(any(_along(hole, other.transformed(m)) for hole in a.holes) for other in b.holes)
+
+
+def _along(path: Path, other: Path) -> bool:
+    """Does `other` run within 1e-6 mm of `path`, over the same length?"""
+    if abs(path.length - other.length) > 10 * SAME or np.abs(path.bounds - other.bounds).max() > SAME:
+        return False
+    points = np.concatenate([s.at(np.linspace(0.0, 1.0, 9)[:-1]) for s in other.segments])
+    near = np.min([distances(segment, points) for segment in path.segments], axis=0)
+    return bool(near.max() <= SAME)
