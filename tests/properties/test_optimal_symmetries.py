@@ -85,7 +85,9 @@ def test_the_verdict_follows_too(heights, motion, backwards):
     places = np.array(check.inflections) * scale
     if backwards:
         places = after.length - places[::-1]
-    np.testing.assert_allclose(then.inflections, places, rtol=1e-6, atol=1e-6 * after.length)
+    # the smallest move of the control points is not quite the same both ways
+    slack = 1e-6 * after.length + 10 * (check.moved * scale + then.moved)
+    np.testing.assert_allclose(then.inflections, places, rtol=1e-6, atol=slack)
     # verdicts may differ only where the inflections are 1e-3 off the line to rounding
     worst = max((abs(d) for _, d in check.off_line), default=0.0) / curve.length
     assume(abs(worst - 1e-3) > 1e-6)
