@@ -12,7 +12,7 @@ __all__ = ["adaptive_spline"]
 
 _PROBES = np.array([0.02, 0.11, 0.27, 0.43, 0.58, 0.72, 0.88, 0.98])
 _MOST_SPANS = 3000
-_ROUNDING = 1e-9  # of the largest value: functions along a curve are rarely known better
+_WORST = 0.05
 _NARROWEST = 1e-9  # of the domain
 
 
@@ -23,6 +23,7 @@ def adaptive_spline(
     degree: int,
     tolerance: float,
     breaks: Sequence[tuple[float, int]] = (),
+    rounding: float = 1e-13,
 ) -> tuple[FloatArray, FloatArray]:
     """Knots and coefficients (m, ...) of a clamped spline within `tolerance` of a function on `domain`.
 
@@ -36,6 +37,8 @@ def adaptive_spline(
     breaks : sequence of (place, continuity)
         Places where the function is only `continuity` times differentiable, -1 where it jumps: they become
         knots of the matching multiplicity.
+    rounding : float
+        Relative error of the function's values; nothing closer is asked for.
 
     Raises
     ------
@@ -58,8 +61,9 @@ def adaptive_spline(
         spans = bezier_spans(knots, degree)
         coefficients = _least_squares(spans, samples[:, : sites.size], places[: sites.size], weight)
         error = _largest_errors(spans, coefficients, samples[:, sites.size :])
-        accepted = max(tolerance, _ROUNDING * float(np.abs(samples).max()))
-        bad = np.flatnonzero(error > accepted)
+        accepted = max(tolerance, rounding * float(np.abs(samples).max()))
+        # a steep place spoils its neighbourhood too: only the worst is refined before the rest is judged
+        bad = np.flatnonzero(error > max(accepted, _WORST * error.max()))
         if not bad.size:
             return knots, coefficients
         worst = int(bad[error[bad].argmax()])

@@ -3,8 +3,7 @@
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.bernstein import elevated
+from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.checks import finite
 from elastica_cad.geometry.extraction import Spans, bezier_spans
 
@@ -12,6 +11,7 @@ __all__ = ["fitted_spline"]
 
 _CORRECTIONS = 2
 _POINTS_EACH = 4  # points a control point must have before a fit goes below its tolerance
+_MANY = 100  # points of which noise can be told from shape; fewer are met one by one if need be
 _STRIDE = 0.4  # of the way to its neighbour that a point may go where points would overtake each other
 _RESTING = 1e-11  # penalty beside the data that only decides what the data leave open
 _ALLOWED_INCREASE = 1.1  # of the root mean square distance, in exchange for a smoother curve
@@ -30,9 +30,12 @@ def fitted_spline(
     """
     data = _cleaned(points)
     _check_options(degree, tolerance, smoothing)
+    ends = np.repeat([0.0, 1.0], degree + 1)
+    if data.shape[0] == 2:
+        u = np.linspace(0.0, 1.0, degree + 1)[:, None]
+        return ends, data[0] * (1 - u) + data[1] * u
     if data.shape[0] <= degree:
         return _through(data, degree)
-    ends = np.repeat([0.0, 1.0], degree + 1)
     inner, t = np.empty(0), _chord_parameters(data)
     before, aim = np.inf, tolerance
     while True:
@@ -42,21 +45,27 @@ def fitted_spline(
         except np.linalg.LinAlgError:
             return _through(data, degree)
         error = problem.distance(control, t)
-        shape = problem.follows_shape(control, t)
+        alike = problem.likeness(control, t)
         if error.max() <= tolerance:
             ample = data.shape[0] >= _POINTS_EACH * control.shape[0]
-            aim = tolerance / 3 if shape and ample and not smoothing else tolerance
+            aim = tolerance / 3 if alike > 0.5 and ample and not smoothing else tolerance
         if error.max() <= aim:
             break
-        room = data.shape[0] + degree - control.shape[0]
-        added = _new_knots(problem.spans.edges, t, error, aim)[: max(room, 0)]
         if smoothing and error.max() > 0.95 * before:
             break
-        if not added.size:
+        added = _new_knots(problem.spans.edges, t, error, aim)
+        crowded = control.shape[0] + added.size > data.shape[0] / 2 + degree
+        many = data.shape[0] >= _MANY
+        noisy = many and alike < 0.2 and np.median(error) > tolerance / 3
+        if not added.size or crowded or noisy:
+            if error.max() <= tolerance:
+                break
+            if many:
+                raise NotConvergedError(_scatter(data, error, tolerance))
             return _through(data, degree)
         before = error.max()
         inner = np.concatenate([inner, added])
-    if smoothing is None and not shape:
+    if smoothing is None and alike <= 0.5:
         control = _smoothed(problem, control, t, tolerance)
     return problem.knots, control
 
@@ -68,7 +77,7 @@ class _Problem:
         self.knots = knots
         self.spans = bezier_spans(knots, degree)
         self.data = data
-        gram = _third_derivative_gram(self.spans)
+        gram = _derivative_gram(self.spans)
         self.scale = float(np.trace(gram))
         self.penalty = gram * (data.shape[0] / self.scale)
 
@@ -118,10 +127,11 @@ class _Problem:
         gap = self.data - self.spans.basis(t) @ control
         return np.asarray(np.hypot(gap[:, 0], gap[:, 1]))
 
-    def follows_shape(self, control: FloatArray, t: FloatArray) -> bool:
-        """Are the gaps of neighbouring points alike (a shape not yet followed) rather than random (noise)?"""
+    def likeness(self, control: FloatArray, t: FloatArray) -> float:
+        """Correlation of the gaps of neighbouring points: near 1 for shape, near 0 for noise."""
         gap = self.data - self.spans.basis(t) @ control
-        return bool((gap[1:] * gap[:-1]).sum() > 0.5 * (gap**2).sum())
+        total = float((gap**2).sum())
+        return float((gap[1:] * gap[:-1]).sum()) / total if total > 0 else 0.0
 
 
 def _smoothed(problem: _Problem, control: FloatArray, t: FloatArray, tolerance: float) -> FloatArray:
@@ -153,17 +163,27 @@ def _check_options(degree: int, tolerance: float, smoothing: float | None) -> No
 
 
 def _through(data: FloatArray, degree: int) -> tuple[FloatArray, FloatArray]:
-    """Knots and control points of the spline through all points, at chord-length parameters."""
-    from scipy.interpolate import make_interp_spline
-
-    spline = make_interp_spline(_chord_parameters(data), data, k=min(degree, data.shape[0] - 1))
-    knots, control = np.asarray(spline.t), np.asarray(spline.c)
-    for _ in range(
-        degree - spline.k
-    ):  # too few points: a single polynomial, written with the degree asked for
-        knots, control = np.concatenate([[0.0], knots, [1.0]]), elevated(control.T).T
+    """Knots and control points of the spline through all points with the least third derivative."""
+    t = _chord_parameters(data)
+    knots = np.concatenate([np.zeros(degree), t, np.ones(degree)])
+    spans = bezier_spans(knots, degree)
+    gram, basis = _derivative_gram(spans), spans.basis(t)
+    n, m = basis.shape
+    gram = gram / np.trace(gram)
+    saddle = np.block([[gram, basis.T], [basis, np.zeros((n, n))]])
+    right = np.concatenate([np.zeros((m, 2)), data - data[0]])
+    control: FloatArray = np.linalg.lstsq(saddle, right, rcond=1e-15)[0][:m] + data[0]
     control[[0, -1]] = data[[0, -1]]
     return knots, control
+
+
+def _scatter(data: FloatArray, error: FloatArray, tolerance: float) -> str:
+    worst, typical = int(error.argmax()), float(np.sqrt((error**2).mean()))
+    return (
+        f"the points scatter by {typical:.2g} mm about a smooth curve, by {error[worst]:.2g} mm at "
+        f"({data[worst][0]:g}, {data[worst][1]:g}): that is more than the tolerance of {tolerance:g} mm; "
+        f"allow {1.5 * error[worst]:.1g} mm, give a smoothing, or remove stray points"
+    )
 
 
 def _cleaned(points: ArrayLike) -> FloatArray:
@@ -184,7 +204,7 @@ def _chord_parameters(data: FloatArray) -> FloatArray:
     return np.asarray(chord / chord[-1])
 
 
-def _third_derivative_gram(spans: Spans) -> FloatArray:
+def _derivative_gram(spans: Spans) -> FloatArray:
     """Integrals (m, m) of products of the basis functions' third derivatives."""
     x, w = np.polynomial.legendre.leggauss(spans.degree - 2)
     width = np.diff(spans.edges)

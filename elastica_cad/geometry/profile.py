@@ -87,7 +87,12 @@ class Profile:
         if not (np.isfinite(length) and length > 0):
             raise InputError(f"a profile needs a positive length, not {length!r} mm")
         knots, coefficients = adaptive_spline(
-            function, (0.0, float(length)), degree=degree, tolerance=tolerance, breaks=breaks
+            function,
+            (0.0, float(length)),
+            degree=degree,
+            tolerance=tolerance,
+            breaks=breaks,
+            rounding=1e-9,  # quotients of moment and curvature are rarely known better
         )
         return cls(knots, coefficients, degree)
 
