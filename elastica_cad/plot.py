@@ -2,6 +2,7 @@
 
 from io import BytesIO
 from os import PathLike
+from textwrap import fill
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -73,9 +74,10 @@ def strip_sheet(strip: Strip, *, wish: PlaneCurve | None = None) -> Figure:
     tall, flat = _curve_height(strip.rod, wish), _flat_height(strip)
     figure = _figure(tall + flat + 3.3)
     axes = figure.subplots(3, 1, height_ratios=[tall, 2.2, flat])
-    sheet, strain = strip.sheet, f"{100 * strip.max_strain:.2f} % of {100 * strip.sheet.max_strain:.2f} %"
-    title = f"{strip.label or 'Strip'}: {sheet.name}, {sheet.thickness:g} mm thick, {strip.mass:.3g} g"
-    figure.suptitle(f"{title}, largest strain {strain} allowed", fontsize=11, color=INK)
+    sheet = strip.sheet
+    facts = f"{sheet.name}, {sheet.thickness:g} mm thick, {strip.mass:.3g} g"
+    strain = f"largest strain {100 * strip.max_strain:.2f} %, {100 * sheet.max_strain:.2f} % allowed"
+    figure.suptitle(f"{fill(strip.label or 'Strip', 90)}\n{facts}; {strain}", fontsize=11, color=INK)
     _draw_curve(axes[0], strip.rod, wish)
     _draw_stiffness(axes[1], strip.rod)
     _draw_flat(axes[2], strip)
@@ -140,8 +142,17 @@ def _draw_curve(axes: Axes, rod: Rod, wish: PlaneCurve | None) -> None:
         ends = _clipped(*line, low - reach, high + reach)
         if ends is not None:
             axes.plot(*ends.T, color=LINE, linewidth=1.0, linestyle="--", label="inflection line")
+    _widen(axes)
     _plain_axes(axes, f"Bent: {rod.length:.1f} mm along the curve")
     _legend_above(axes)
+
+
+def _widen(axes: Axes) -> None:
+    """Give a curve that is nearly straight some room across, for its axis to be read."""
+    size, middle = axes.dataLim.size, axes.dataLim.min + axes.dataLim.size / 2
+    least = 0.55 * np.maximum(size, 0.3 * size.max())
+    axes.set_xlim(middle[0] - least[0], middle[0] + least[0])
+    axes.set_ylim(middle[1] - least[1], middle[1] + least[1])
 
 
 def _draw_stiffness(axes: Axes, rod: Rod) -> None:

@@ -1,14 +1,13 @@
 """From a drawn curve and a sheet to a strip in one call: what every CAD skin does for its user."""
 
-from typing import TYPE_CHECKING, Any
+from dataclasses import replace
+from typing import Any
 
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication.strip import Strip
+from elastica_cad.forming import Keep, Limits, NearestRod, Status, nearest_rod
 from elastica_cad.geometry import PlaneCurve
-from elastica_cad.mechanics import Gravity, Sheet, Supports, optimal_rod
-
-if TYPE_CHECKING:
-    from elastica_cad.forming import Keep, Limits
+from elastica_cad.mechanics import Gravity, Rod, Sheet, Supports, optimal_rod
 
 __all__ = ["make_strip"]
 
@@ -17,8 +16,8 @@ def make_strip(
     curve: PlaneCurve,
     sheet: Sheet | str,
     *,
-    limits: "Limits | None" = None,
-    keep: "Keep | None" = None,
+    limits: Limits | None = None,
+    keep: Keep | None = None,
     gravity: Gravity | bool | None = None,
     supports: Supports | None = None,
     natural_curvature: float = 0.0,
@@ -44,7 +43,9 @@ def make_strip(
     ------
     NotRealizable
         No strip takes the curve and neither limits nor keep allow it to change.
-    InputError, NotConvergedError
+    NotConvergedError
+        No rod near the curve meets the limits.
+    InputError
         As `optimal_rod`, `nearest_rod` and `Strip`.
 
     Examples
@@ -63,8 +64,19 @@ def make_strip(
     if limits is None and keep is None:
         rod = optimal_rod(curve, gravity=gravity, supports=held, natural_curvature=natural_curvature)
         return Strip(rod, sheet, **options)
-    from elastica_cad.forming import nearest_rod
+    if natural_curvature != 0.0:
+        raise InputError(
+            "a strip with a natural curvature follows its curve exactly: leave limits and keep out"
+        )
+    near = nearest_rod(curve, limits, keep, gravity, supports=held)
+    return Strip(_accepted(near), sheet, **options)
 
-    wish = {name: value for name, value in {"limits": limits, "keep": keep}.items() if value is not None}
-    near = nearest_rod(curve, gravity=gravity, supports=held, **wish)
-    return Strip(near.rod, sheet, **options)
+
+def _accepted(near: NearestRod) -> Rod:
+    """The rod, with a warning where the search says one."""
+    if not near.met:
+        names = ", ".join(binding.name for binding in near.binding[:3]) or "the limits"
+        raise NotConvergedError(f"{near.status.value} What binds most: {names}.")
+    if near.status is Status.MET:
+        return near.rod
+    return replace(near.rod, warnings=(*near.rod.warnings, near.status.value))
