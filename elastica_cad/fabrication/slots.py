@@ -1,14 +1,19 @@
 """Slots: narrow cuts that let strips interlock, open at the edge of the flat pattern."""
 
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
+from elastica_cad.geometry import Arc, Line, Path, PlaneCurve, Profile, Segment, Spline
+from elastica_cad.geometry.segments import left_of
 
-__all__ = ["Relief", "Side", "Slot"]
+__all__ = ["Relief", "Side", "Slot", "slot_cut"]
+
+STRAIGHT = 1e-7
+"""Sides that bend less than this (mm) are lines."""
 
 Side = Literal["upper", "lower"]
 Relief = Literal["square", "round"]
@@ -101,3 +106,79 @@ class Slot:
         """The slot of the strip turned over about its centre line (y to -y)."""
         path = None if self.path is None else self.path * (1.0, -1.0)
         return replace(self, side="lower" if self.side == "upper" else "upper", path=path)
+
+    def center_line(self, width: Profile) -> tuple[FloatArray, FloatArray]:
+        """Points (k, 2) from the inner end to the edge and widths (k,), in a strip of that width, mm."""
+        if self.path is not None and self.widths is not None:
+            return self.path, self.widths
+        sign = 1.0 if self.side == "upper" else -1.0
+        half = float(width(np.clip(self.at, 0.0, width.length))) / 2
+        depth = half if self.depth is None else self.depth
+        outward = np.array([np.sin(self.lean), sign * np.cos(self.lean)])
+        inner = np.array([self.at, sign * (half - depth)])
+        return np.array([inner, inner + outward * depth / np.cos(self.lean)]), np.full(2, self.width)
+
+
+def slot_cut(slot: Slot, width: Profile, *, beyond: float) -> Path:
+    """The open path that a cutter follows: from outside the edge inward, about the inner end, and out again.
+
+    Parameters
+    ----------
+    slot : Slot
+    width : Profile
+        Full width of the strip.
+    beyond : float
+        How far the sides run on, straight, beyond the end of the centre line, mm.
+    """
+    points, widths = slot.center_line(width)
+    normals = _normals(points)
+    sides = [points + sign * widths[:, None] / 2 * normals for sign in (-1, 1)]
+    right, left = ([*_through(side), _onward(side, beyond)] for side in sides)
+    end: Segment = Line(sides[0][0], sides[1][0])
+    if slot.relief == "round":
+        end = Arc.from_bulge(sides[0][0], sides[1][0], -1.0)
+    return Path([*(segment.reversed() for segment in reversed(right)), end, *left])
+
+
+def _normals(points: FloatArray) -> FloatArray:
+    """Unit normals (k, 2) to the left of a smooth line through points."""
+    if len(points) == 2:
+        tangent = np.repeat(np.diff(points, axis=0), 2, axis=0)
+    else:
+        t = _chords(points)
+        tangent = _spline(t, points)(t, 1)
+    return np.stack([-tangent[:, 1], tangent[:, 0]], axis=1) / np.hypot(*tangent.T)[:, None]
+
+
+def _through(points: FloatArray) -> list[Segment]:
+    """One segment through points in order: a line where they lie on one, else a B-spline."""
+    chord = points[-1] - points[0]
+    off = (points - points[0]) @ left_of(chord) / np.hypot(*chord)
+    if len(points) == 2 or np.abs(off).max() < STRAIGHT:
+        return [Line(points[0], points[-1])]
+    spline = _spline(_chords(points), points)
+    if spline.k < 2:
+        raise InputError("a bent slot needs three points or more along its centre line")
+    return [Spline(PlaneCurve(spline.t, spline.c, spline.k))]
+
+
+def _onward(points: FloatArray, distance: float) -> Line:
+    """The straight continuation beyond the last point."""
+    if len(points) == 2:
+        direction = points[1] - points[0]
+    else:
+        t = _chords(points)
+        direction = _spline(t, points)(t[-1], 1)
+    return Line(points[-1], points[-1] + direction * distance / np.hypot(*direction))
+
+
+def _chords(points: FloatArray) -> FloatArray:
+    """Parameters (k,) of points: summed chord lengths."""
+    return np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
+
+
+def _spline(t: FloatArray, points: FloatArray) -> Any:
+    """The interpolating spline, of degree 3 where there are points enough."""
+    from scipy.interpolate import make_interp_spline
+
+    return make_interp_spline(t, points, k=min(3, len(points) - 1))

@@ -11,6 +11,7 @@ from elastica_cad.fabrication.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, MARK
 from elastica_cad.fabrication.ends import Tab
 from elastica_cad.fabrication.lettering import text_width
 from elastica_cad.fabrication.slots import Slot
+from elastica_cad.fabrication.slotting import with_slots
 from elastica_cad.geometry import Arc, Line, Path, PlaneCurve, Profile, Spline
 from elastica_cad.mechanics import Rod, Sheet
 
@@ -119,7 +120,12 @@ class Strip:
 
     @cached_property
     def outline(self) -> Path:
-        """The closed outer loop, anticlockwise; its long sides are B-splines."""
+        """The closed outer loop with its slots, anticlockwise; its long sides are B-splines."""
+        return with_slots(self._rim, self.holes, self.slots, self.width, name=self.label or "strip")
+
+    @cached_property
+    def _rim(self) -> Path:
+        """The outer loop without slots."""
         pieces = _pieces(self.width)
         lower = [_side(piece, -0.5) for piece in pieces]
         upper = [_side(piece, 0.5).reversed() for piece in reversed(pieces)]
