@@ -29,8 +29,8 @@ def check(
 ) -> None:
     """Tell whether the curves in CURVE can be bent from a flat strip, and if not, where and why.
 
-    A curve can be bent when one straight line meets it exactly in its inflections and is tangent to it in none of
-    them. Exit code 1 when any curve fails.
+    A curve can be bent when one straight line meets it exactly in its inflections and is tangent to it in none
+    of them. Exit code 1 when any curve fails.
     """
     supports = supports_of(start, end)
     checks = [

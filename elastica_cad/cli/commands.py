@@ -8,6 +8,7 @@ import click
 from elastica_cad.cli.check import check
 from elastica_cad.cli.sheets import sheets
 from elastica_cad.cli.strip import strip
+from elastica_cad.cli.wish import NotMetError
 from elastica_cad.errors import ElasticaError
 from elastica_cad.mechanics import NotRealizable
 
@@ -31,6 +32,9 @@ class _Sentences(click.Group):
             return super().invoke(ctx)
         except NotRealizable as problem:
             click.echo(f"Not realizable: {problem}", err=True)
+            ctx.exit(NOT_REALIZABLE)
+        except NotMetError as problem:
+            click.echo(f"Not within these limits: {problem}", err=True)
             ctx.exit(NOT_REALIZABLE)
         except ElasticaError as problem:
             click.echo(f"Error: {problem}", err=True)

@@ -1,161 +1,178 @@
 """`elastica strip`: from a drawn curve to the files that a laser cutter needs."""
 
 import json
-from dataclasses import replace
+from collections.abc import Callable
+from dataclasses import dataclass, fields, replace
 from importlib.util import find_spec
 from pathlib import Path
+from typing import Any, TypeVar
 
 import click
 
 from elastica_cad.cli.options import curve_options, pick_curve, support_options, supports_of
+from elastica_cad.cli.wish import WishOptions, wish_options
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication import Strip, Tab
 from elastica_cad.files import save
 from elastica_cad.formats import files_together, strip_report
-from elastica_cad.mechanics import Rod, Sheet, optimal_rod
+from elastica_cad.forming import NearestRod
+from elastica_cad.mechanics import Rod, Sheet, Stability, optimal_rod, stability
 
 __all__ = ["strip"]
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+
+@dataclass(frozen=True)
+class _Cut:
+    """How the cutting files are written."""
+
+    kerf: str
+    curves: str
+    tolerance: float
+    dxf_version: str
+    force: bool
+    output: Path
+
+    def width_burnt(self, sheet: Sheet) -> float:
+        """The kerf in mm: a number, or the sheet's own."""
+        if self.kerf == "sheet":
+            if sheet.kerf == 0:
+                raise InputError(f"no kerf is known for {sheet.name}: give your own, e.g. --kerf 0.15")
+            return sheet.kerf
+        try:
+            return float(self.kerf)
+        except ValueError:
+            raise InputError(f"--kerf {self.kerf!r} is neither a number of mm nor the word sheet") from None
+
+
+def _cut_options(function: F) -> F:
+    added = [
+        click.option("--kerf", default="0", metavar="MM|sheet", show_default=True,
+                     help="Width that the laser burns away; `sheet`: the sheet's. Most shops add it themselves."),
+        click.option("--curves", type=click.Choice(["spline", "arc", "polyline"]), default="spline",
+                     show_default=True, help="How curved edges are written."),
+        click.option("--tolerance", type=float, default=0.02, show_default=True, metavar="MM",
+                     help="Largest error of arcs and polylines."),
+        click.option("--dxf-version", default="R2010", show_default=True,
+                     help="R12, R2000, R2004, R2007, R2010, R2013 or R2018."),
+        click.option("--force", is_flag=True, help="Overwrite files that exist."),
+        click.option("-o", "--output", type=click.Path(path_type=Path), default=Path(), help="Folder for files."),
+    ]  # fmt: skip
+    for option in reversed(added):
+        function = option(function)
+    return function
 
 
 @click.command()
 @curve_options
 @click.option("--curve", "number", type=int, metavar="N", help="Which curve of the file, counted from 1.")
-@click.option(
-    "--sheet", "sheet_name", required=True, metavar="NAME", help="Material; `elastica sheets` lists them."
-)
+@click.option("--sheet", required=True, metavar="NAME", help="Material; `elastica sheets` lists them.")
 @click.option("--max-width", type=float, metavar="MM", help="Width of the widest place.")
-@click.option(
-    "--min-width", type=float, metavar="MM", help="Width of the narrowest place (or a limit for it)."
-)
+@click.option("--min-width", type=float, metavar="MM", help="Width of the narrowest place (or its limit).")
 @support_options
 @click.option("--gravity", is_flag=True, help="Let the strip carry its own weight.")
 @click.option("--down", type=(float, float), default=(0.0, -1.0), show_default=True, metavar="X Y",
               help="The direction in which things fall, in the drawing.")  # fmt: skip
+@wish_options
 @click.option("--tab", type=float, default=10.0, show_default=True, metavar="MM", help="Length of both tabs.")
 @click.option("--tab-radius", type=float, default=0.0, metavar="MM", help="Rounding of the tabs' corners.")
 @click.option("--label", help="Text engraved on the strip [default: the file's name].")
-@click.option("--kerf", default="0", metavar="MM|sheet", show_default=True,
-              help="Width that the laser burns away; `sheet` takes the sheet's. Most shops add it themselves.")  # fmt: skip
-@click.option("--curves", type=click.Choice(["spline", "arc", "polyline"]), default="spline", show_default=True,
-              help="How curved edges are written.")  # fmt: skip
-@click.option("--tolerance", type=float, default=0.02, show_default=True, metavar="MM",
-              help="Largest error of arcs and polylines.")  # fmt: skip
-@click.option(
-    "--dxf-version", default="R2010", show_default=True, help="R12, R2000, R2004, R2007, R2010, R2013, R2018."
-)
 @click.option("--samples", type=int, help="Number of samples along the curve [default: chosen].")
 @click.option("--strict", is_flag=True, help="Exit with 1 when the strain is beyond what the sheet bears.")
-@click.option("--force", is_flag=True, help="Overwrite files that exist.")
-@click.option("-o", "--output", type=click.Path(path_type=Path), default=Path(), help="Folder for the files.")
+@_cut_options
 @click.pass_context
-def strip(
-    ctx: click.Context,
-    curve: Path,
-    unit: str | None,
-    number: int | None,
-    sheet_name: str,
-    max_width: float | None,
-    min_width: float | None,
-    start: str,
-    end: str,
-    natural_curvature: float,
-    gravity: bool,
-    down: tuple[float, float],
-    tab: float,
-    tab_radius: float,
-    label: str | None,
-    kerf: str,
-    curves: str,
-    tolerance: float,
-    dxf_version: str,
-    samples: int | None,
-    strict: bool,
-    force: bool,
-    output: Path,
-) -> None:
+def strip(ctx: click.Context, /, **chosen: Any) -> None:
     """Make the strip that bends into the curve in CURVE, and write its cutting files.
 
-    Writes NAME.dxf and NAME.svg (the cut pattern), NAME.json (the report), NAME.png (the picture; needs matplotlib)
-    and NAME.step (flat and bent strip; needs build123d or CadQuery), NAME being the name of the file read.
+    Writes NAME.dxf and NAME.svg (the cut pattern), NAME.json (the report), NAME.png (the picture; needs
+    matplotlib) and NAME.step (flat and bent strip; needs build123d or CadQuery); NAME is that of the file read.
+
+    The curve is taken exactly as drawn, or refused. With --nearest, --ratio, --stable, --margin or --keep-strain
+    the strip may leave it, as little as it must.
     """
-    sheet = Sheet.named(sheet_name)
-    kerf_mm = _kerf(kerf, sheet)
-    drawn = pick_curve(curve, number, unit)
-    rod = optimal_rod(
-        drawn,
-        gravity=sheet.gravity(down) if gravity else None,
-        supports=supports_of(start, end),
-        natural_curvature=natural_curvature,
-        samples=samples,
-    )
-    name = curve.stem if number is None else f"{curve.stem}-{number}"
-    ends = (Tab(tab, corner_radius=tab_radius), Tab(tab, corner_radius=tab_radius))
+    cut = _picked(_Cut, chosen)
+    sheet = Sheet.named(chosen["sheet"])
+    rod, near = _rod(chosen, _picked(WishOptions, chosen), sheet)
+    path, number = chosen["curve"], chosen["number"]
+    name = path.stem if number is None else f"{path.stem}-{number}"
+    tab = Tab(chosen["tab"], corner_radius=chosen["tab_radius"])
     made = Strip(
-        rod,
-        sheet,
-        max_width=max_width,
-        min_width=min_width,
-        ends=ends,
-        label=name if label is None else label,
-    )
-    written = _write_files(
-        made, name, output, force=force, version=dxf_version, kerf=kerf_mm, curves=curves, tolerance=tolerance
-    )
-    _tell(made, rod, written)
-    if strict and made.max_strain > sheet.max_strain:
+        rod, sheet, max_width=chosen["max_width"], min_width=chosen["min_width"], ends=(tab, tab),
+        label=name if chosen["label"] is None else chosen["label"],
+    )  # fmt: skip
+    verdict = stability(rod)
+    written = _write_files(made, name, cut, near, verdict)
+    _tell(made, near, verdict, written)
+    if chosen["strict"] and made.max_strain > sheet.max_strain:
         ctx.exit(1)
 
 
-def _kerf(text: str, sheet: Sheet) -> float:
-    """The kerf in mm: a number, or the sheet's own."""
-    if text == "sheet":
-        return sheet.kerf
-    try:
-        return float(text)
-    except ValueError:
-        raise InputError(f"--kerf {text!r} is neither a number of mm nor the word sheet") from None
+def _picked(record: type[Any], chosen: dict[str, Any]) -> Any:
+    """The record whose fields are named like the options."""
+    return record(**{field.name: chosen[field.name] for field in fields(record)})
+
+
+def _rod(chosen: dict[str, Any], wish: WishOptions, sheet: Sheet) -> tuple[Rod, NearestRod | None]:
+    """The rod that takes the drawn curve, or the nearest one where the curve may change."""
+    drawn = pick_curve(chosen["curve"], chosen["number"], chosen["unit"])
+    gravity = sheet.gravity(chosen["down"]) if chosen["gravity"] else None
+    supports = supports_of(chosen["start"], chosen["end"])
+    if not wish.asked:
+        rod = optimal_rod(
+            drawn, gravity, supports, natural_curvature=chosen["natural_curvature"], samples=chosen["samples"]
+        )
+        return rod, None
+    if chosen["natural_curvature"]:
+        raise InputError("--natural-curvature takes the curve as drawn: do without --nearest and the limits")
+    near = wish.fulfilled(drawn, sheet, gravity, supports)
+    return near.rod, near
 
 
 def _write_files(
-    made: Strip,
-    name: str,
-    folder: Path,
-    *,
-    force: bool,
-    version: str,
-    kerf: float,
-    curves: str,
-    tolerance: float,
+    made: Strip, name: str, cut: _Cut, near: NearestRod | None, verdict: Stability
 ) -> list[Path]:
     """Write every file that the installed libraries allow: all of them, or after any error none."""
-    kinds = ["dxf", "svg", "json"]
-    kinds += ["png"] if find_spec("matplotlib") else []
-    kinds += ["step"] if find_spec("OCP") else []
-    names = {kind: f"{name}.{kind}" for kind in kinds}
+    # R12 has no header for its unit, so the name says it
+    names = {"dxf": f"{name}-mm.dxf" if cut.dxf_version == "R12" else f"{name}.dxf"}
+    names |= {kind: f"{name}.{kind}" for kind in ("svg", "json")}
+    names |= {"png": f"{name}.png"} if find_spec("matplotlib") else {}
+    names |= {"step": f"{name}.step"} if find_spec("OCP") else {}
     drawing = replace(made.drawing(), name=name)
-    with files_together(folder, names.values(), force=force) as workshop:
-        save(drawing, workshop / names["dxf"], version=version, kerf=kerf, curves=curves, tolerance=tolerance)
-        save(drawing, workshop / names["svg"], kerf=kerf, curves=curves, tolerance=tolerance)
+    drawn: dict[str, Any] = {
+        "kerf": cut.width_burnt(made.sheet), "curves": cut.curves, "tolerance": cut.tolerance
+    }  # fmt: skip
+    with files_together(cut.output, names.values(), force=cut.force) as workshop:
+        save(drawing, workshop / names["dxf"], version=cut.dxf_version, **drawn)
+        save(drawing, workshop / names["svg"], **drawn)
         if "png" in names:
             from elastica_cad.plot import save_figure, strip_sheet
 
-            save_figure(strip_sheet(made), workshop / names["png"])
+            wish = None if near is None else near.wish
+            save_figure(strip_sheet(made, wish=wish), workshop / names["png"])
         if "step" in names:
-            from elastica_cad.occt import write_strip_step
+            from elastica_cad.step import write_strip_step
 
             write_strip_step(made, workshop / names["step"])
-        report = strip_report(made, name=name, files=names)
+        report = strip_report(made, name=name, files=names, near=near, stability=verdict)
         (workshop / names["json"]).write_text(json.dumps(report, indent=1) + "\n", encoding="utf-8")
-    return [folder / file for file in names.values()]
+    return [cut.output / file for file in names.values()]
 
 
-def _tell(made: Strip, rod: Rod, written: list[Path]) -> None:
+def _tell(made: Strip, near: NearestRod | None, verdict: Stability, written: list[Path]) -> None:
     """What was made, in a few lines."""
-    low, high = made.width.extremes
+    rod, (low, high) = made.rod, made.width.extremes
     click.echo(f"{made.label or 'strip'}: {rod.length:.2f} mm long, {low:.2f} to {high:.2f} mm wide, "
                f"stiffness ratio {rod.ratio:.4g}, {made.mass:.3g} g")  # fmt: skip
     click.echo(f"largest strain {100 * made.max_strain:.2f} % at {made.max_strain_at:.1f} mm "
                f"({made.sheet.name} bears {100 * made.sheet.max_strain:.2f} %)")  # fmt: skip
+    if near is not None:
+        click.echo(f"largest distance from the drawn curve {near.deviation:.2f} mm. {near.status.value}")
+    if verdict.stable:
+        click.echo(f"stable, margin {verdict.margin:.3g}")
+    else:
+        click.echo("Warning: this shape is in balance but will not stay: it snaps into another one. "
+                   "--stable finds the nearest that stays.", err=True)  # fmt: skip
     for warning in made.warnings:
         click.echo(f"Warning: {warning}", err=True)
     for kind, package in (("png", "matplotlib"), ("step", "build123d")):

@@ -7,7 +7,8 @@ import numpy as np
 
 from elastica_cad.fabrication import Strip
 from elastica_cad.formats.json_curves import curve_record
-from elastica_cad.mechanics import EquilibriumCheck
+from elastica_cad.forming import NearestRod
+from elastica_cad.mechanics import EquilibriumCheck, Stability
 
 __all__ = ["REPORT_SCHEMA", "check_report", "strip_report"]
 
@@ -24,7 +25,15 @@ _UNITS = {
 }
 
 
-def strip_report(strip: Strip, *, name: str, files: dict[str, str], stations: int = 201) -> dict[str, Any]:
+def strip_report(
+    strip: Strip,
+    *,
+    name: str,
+    files: dict[str, str],
+    near: NearestRod | None = None,
+    stability: Stability | None = None,
+    stations: int = 201,
+) -> dict[str, Any]:
     """The report of one strip, ready for JSON.
 
     Parameters
@@ -34,6 +43,10 @@ def strip_report(strip: Strip, *, name: str, files: dict[str, str], stations: in
         What the part is called.
     files : dict
         Kind of file (dxf, svg, ...) to file name.
+    near : NearestRod, optional
+        Where the strip left the drawn curve: how far, and what it cost.
+    stability : Stability, optional
+        The verdict on its rest shape.
     stations : int
         Number of stations at which stiffness and width are listed, uniform in arc length.
     """
@@ -49,6 +62,10 @@ def strip_report(strip: Strip, *, name: str, files: dict[str, str], stations: in
         "files": files,
         "curve": curve_record(rod.curve),
         "check": None if rod.check is None else check_report(rod.check),
+        "nearest": None if near is None else _nearest_report(near),
+        "stability": None
+        if stability is None
+        else {"stable": stability.stable, "margin": _rounded(stability.margin)},
         "moved_by_snapping": _rounded(rod.moved),
         "length": _rounded(rod.length),
         "ratio": _rounded(rod.ratio),
@@ -83,6 +100,19 @@ def strip_report(strip: Strip, *, name: str, files: dict[str, str], stations: in
             "end_moment": _rounded(reactions.end_moment),
         },
         "warnings": list(strip.warnings),
+    }
+
+
+def _nearest_report(near: NearestRod) -> dict[str, Any]:
+    return {
+        "wish": curve_record(near.wish),
+        "status": near.status.name.lower(),
+        "message": near.status.value,
+        "met": near.met,
+        "deviation": _rounded(near.deviation),
+        "binding": [
+            {"name": one.name, "limit": one.limit, "cost": _rounded(one.cost)} for one in near.binding
+        ],
     }
 
 

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 __all__ = ["Rod"]
 
-DEFAULT_SAMPLES = 401
+DEFAULT_SAMPLES = 601
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,7 +125,7 @@ class Rod:
             One value, nodal values at n uniform stations, or a profile over [0, length]; scaled to a least
             value 1.
         samples : int, optional
-            Number of nodes (401 unless nodal values say otherwise).
+            Number of nodes (601 unless nodal values say otherwise).
         start, angle
             Position of the first end, mm, and direction, rad.
         gravity, supports, natural_curvature, weight, bending_stiffness, law

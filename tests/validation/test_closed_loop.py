@@ -1,7 +1,7 @@
 """From the cutting file back to the drawn curve, by a reader and a solver that share no code with ours.
 
-The DXF is read with ezdxf, the widths become stiffness, and scipy's collocation solver for boundary-value problems
-bends that strip between the drawn ends. It must land on the drawn curve within 1e-4 of its length.
+The DXF is read with ezdxf, the widths become stiffness, and scipy's collocation solver for boundary-value
+problems bends that strip between the drawn ends. It must land on the drawn curve within 1e-4 of its length.
 """
 
 import ezdxf
