@@ -94,7 +94,7 @@ def read_curves(
 def _kernel_curves(path: Path, unit: str | None) -> list[PlaneCurve]:
     """Curves of a STEP or BREP file, through the OCCT of an installed kernel."""
     try:
-        from elastica_cad.occt import read_step_curves
+        from elastica_cad.step import read_step_curves
     except ImportError as error:
         raise MissingDependencyError(
             f'reading {path.name} needs a CAD kernel: pip install "elastica-cad[build123d]"'

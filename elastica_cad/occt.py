@@ -1,16 +1,12 @@
-"""OpenCASCADE: solid records become its shapes, its edges become plane curves, STEP is written and read.
+"""OpenCASCADE: solid records become its shapes, its edges become plane curves.
 
 The only module that touches OCP, the Python face of OpenCASCADE that build123d and CadQuery bring along; it
 works with OCP's 7.x and 8.x lines.
 """
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 from importlib import import_module
-from io import BytesIO
-from os import PathLike
-from pathlib import Path as FilePath
 from types import SimpleNamespace
 from typing import Any, TypeAlias
 
@@ -29,27 +25,21 @@ from elastica_cad.fabrication.boundary import (
     StraightTrace,
     Surface,
 )
-from elastica_cad.fabrication.colors import sheet_color
 from elastica_cad.fabrication.solids import BentSolid, FlatSolid
-from elastica_cad.fabrication.strip import Strip
 from elastica_cad.formats.edges import Edge as DrawnEdge
-from elastica_cad.formats.opening import existing_file, naming
-from elastica_cad.formats.output import write_atomically
 from elastica_cad.formats.placed import placed_curve, placed_curves
-from elastica_cad.formats.step_text import canonical_step
 from elastica_cad.geometry import Arc, Line, Path, PlaneCurve, Segment, Spline
 
 __all__ = [
-    "Part",
+    "Shape",
+    "free_curves",
     "kernel",
     "make_face",
+    "make_location",
     "make_shell",
     "make_solid",
     "make_wire",
     "plane_curve",
-    "read_step_curves",
-    "write_step",
-    "write_strip_step",
 ]
 
 Shape: TypeAlias = Any
@@ -166,6 +156,14 @@ def make_shell(boundary: Boundary) -> Shape:
         builder.Add(shell, face if record.outward else face.Reversed())
     shell.Closed(boundary.is_closed)
     return shell
+
+
+def make_location(frame: Frame) -> Any:
+    """The TopLoc_Location that takes the world's axes to those of a frame."""
+    k = kernel()
+    place = k.gp_Trsf()
+    place.SetTransformation(_ax3(frame), k.gp_Ax3())
+    return k.TopLoc_Location(place)
 
 
 def _vertex(point: FloatArray) -> Shape:
@@ -295,6 +293,18 @@ def plane_curve(shape: Shape | Iterable[Shape]) -> tuple[PlaneCurve, Frame]:
     return placed_curve(_drawn_edges(shape))
 
 
+def free_curves(shape: Shape) -> list[PlaneCurve]:
+    """The plane curves that the edges of a shape make, without the edges that bound faces."""
+    k = kernel()
+    kinds = k.TopAbs_ShapeEnum
+    explorer = k.TopExp_Explorer(shape, kinds.TopAbs_EDGE, kinds.TopAbs_FACE)
+    edges = []
+    while explorer.More():
+        edges.append(_drawn_edge(k.as_edge(explorer.Current())))
+        explorer.Next()
+    return [curve for curve, _ in placed_curves(edges)]
+
+
 def _drawn_edges(shape: Shape | Iterable[Shape]) -> list[DrawnEdge]:
     """All edges of a shape, a wrapper of one, or several of these, in order."""
     k = kernel()
@@ -340,122 +350,3 @@ def _drawn_edge(edge: Shape) -> DrawnEdge:
     knots = [np.full(spline.Multiplicity(i), spline.Knot(i)) for i in range(1, spline.NbKnots() + 1)]
     drawn = DrawnEdge(np.concatenate(knots), points, spline.Degree(), weights)
     return drawn.reversed() if edge.Orientation() == k.TopAbs_Orientation.TopAbs_REVERSED else drawn
-
-
-@dataclass(frozen=True, eq=False)
-class Part:
-    """A shape, and the name and colour (red, green, blue in 0..1, as on a screen) it has in an assembly."""
-
-    name: str
-    shape: Shape
-    color: tuple[float, float, float] = (0.8, 0.65, 0.42)
-
-
-def write_step(
-    parts: Sequence[Part], path: str | PathLike[str], *, name: str | None = None, force: bool = False
-) -> None:
-    """Write parts to a STEP file: AP214, millimetres, names, colours, the same bytes for the same parts.
-
-    Several parts make one assembly, called `name` (the file's own unless told).
-
-    Raises
-    ------
-    InputError
-        No parts, a file that is there already (without `force`), or a folder that cannot be written to.
-    """
-    if not parts:
-        raise InputError("there is nothing to write: give one part or more")
-    write_atomically(path, step_bytes(parts, name=name or FilePath(path).stem), force=force)
-
-
-def step_bytes(parts: Sequence[Part], *, name: str) -> bytes:
-    """The STEP file of the parts; several of them make one assembly called `name`."""
-    k = kernel()
-    document = k.TDocStd_Document(k.TCollection_ExtendedString("XmlOcaf"))
-    shapes = k.XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
-    colors = k.XCAFDoc_DocumentTool.ColorTool_s(document.Main())
-    k.XCAFDoc_DocumentTool.SetLengthUnit_s(document, 0.001)
-    labels = []
-    for part in parts:
-        label = shapes.AddShape(getattr(part.shape, "wrapped", part.shape), False)
-        color = k.Quantity_Color(*part.color, k.Quantity_TypeOfColor.Quantity_TOC_sRGB)
-        colors.SetColor(label, color, k.XCAFDoc_ColorType.XCAFDoc_ColorGen)
-        labels.append((label, part.name))
-    if len(parts) > 1:
-        root = shapes.NewShape()
-        labels += [(shapes.AddComponent(root, label, k.TopLoc_Location()), text) for label, text in labels]
-        labels.append((root, name))
-        shapes.UpdateAssemblies()
-    for label, text in labels:
-        k.TDataStd_Name.Set_s(label, k.TCollection_ExtendedString(text, True))
-    for printer in k.Message.DefaultMessenger_s().Printers():
-        printer.SetTraceLevel(k.Message_Gravity.Message_Fail)
-    writer = k.STEPCAFControl_Writer()
-    writer.SetColorMode(True)
-    writer.SetNameMode(True)
-    k.Interface_Static.SetCVal_s("write.step.schema", "AP214IS")
-    k.Interface_Static.SetCVal_s("write.step.unit", "MM")
-    stream = BytesIO()
-    done = writer.Transfer(document, k.STEPControl_StepModelType.STEPControl_AsIs)
-    header = k.APIHeaderSection_MakeHeader(writer.Writer().Model())
-    header.SetName(k.TCollection_HAsciiString(name))
-    header.SetTimeStamp(k.TCollection_HAsciiString("2000-01-01T00:00:00"))
-    header.SetOriginatingSystem(k.TCollection_HAsciiString("elastica_cad"))
-    if not done or writer.WriteStream(stream) != k.IFSelect_ReturnStatus.IFSelect_RetDone:
-        raise InputError("OpenCASCADE could not write these parts as STEP: check that they are valid solids")
-    return canonical_step(stream.getvalue())
-
-
-def write_strip_step(strip: Strip, path: str | PathLike[str], *, force: bool = False) -> None:
-    """Write a strip as cut and as bent to one STEP file; the bent one stands on the curve in the xy plane."""
-    name = strip.label or "strip"
-    color = sheet_color(strip.sheet)
-    flat, bent = make_solid(FlatSolid.of(strip)), make_solid(BentSolid.of(strip))
-    write_step(
-        [Part(f"{name} flat", flat, color), Part(f"{name} bent", bent, color)], path, name=name, force=force
-    )
-
-
-def read_step_curves(path: str | PathLike[str]) -> list[PlaneCurve]:
-    """The plane curves drawn in a STEP (or BREP) file; edges that belong to faces are not curves of strips.
-
-    Raises
-    ------
-    InputError
-        No such file, no STEP file, no free edges in it, or edges that no strip can follow.
-    """
-    path = existing_file(FilePath(path))
-    with naming(path):
-        edges = [_drawn_edge(edge) for edge in _free_edges(_read_shape(path))]
-        if not edges:
-            raise InputError(
-                "the file holds no free edges or wires: export the curves themselves, not solids or faces"
-            )
-        return [curve for curve, _ in placed_curves(edges)]
-
-
-def _read_shape(path: FilePath) -> Shape:
-    k = kernel()
-    if path.suffix.lower() in (".brep", ".brp"):
-        shape = k.TopoDS_Shape()
-        if not k.BRepTools.Read_s(shape, str(path), k.BRep_Builder()):
-            raise InputError("this is no BREP file that OpenCASCADE can read")
-        return shape
-    for printer in k.Message.DefaultMessenger_s().Printers():
-        printer.SetTraceLevel(k.Message_Gravity.Message_Fail)
-    reader = k.STEPControl_Reader()
-    if reader.ReadFile(str(path)) != k.IFSelect_ReturnStatus.IFSelect_RetDone or not reader.TransferRoots():
-        raise InputError("this is no STEP file that OpenCASCADE can read")
-    return reader.OneShape()
-
-
-def _free_edges(shape: Shape) -> list[Shape]:
-    """Edges that bound no face."""
-    k = kernel()
-    kinds = k.TopAbs_ShapeEnum
-    explorer = k.TopExp_Explorer(shape, kinds.TopAbs_EDGE, kinds.TopAbs_FACE)
-    edges = []
-    while explorer.More():
-        edges.append(k.as_edge(explorer.Current()))
-        explorer.Next()
-    return edges

@@ -10,7 +10,7 @@ import pytest
 
 pytest.importorskip("OCP")
 
-from elastica_cad import occt
+from elastica_cad import occt, step
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication import BentSolid, FlatSolid, Frame, Strip, Tab, sheet_color
 from elastica_cad.geometry import Path as Chain
@@ -30,7 +30,7 @@ def entities(path, name):
 
 def test_header_units_names_colours(arch_strip, tmp_path):
     path = tmp_path / "arch.step"
-    occt.write_strip_step(arch_strip, path)
+    step.write_strip_step(arch_strip, path)
     text = path.read_text()
     assert "AUTOMOTIVE_DESIGN { 1 0 10303 214" in text
     assert "SI_UNIT(.MILLI.,.METRE.)" in text.replace(" ", "")
@@ -46,9 +46,9 @@ def test_same_bytes_every_time(plain, tmp_path):
     seen = set()
     for number in range(8):
         solids = [occt.make_solid(FlatSolid.of(plain)) for _ in colors]
-        parts = [occt.Part(f"part {k}", *pair) for k, pair in enumerate(zip(solids, colors, strict=True))]
+        parts = [step.Part(f"part {k}", *pair) for k, pair in enumerate(zip(solids, colors, strict=True))]
         path = tmp_path / f"{number}.step"
-        occt.write_step(parts, path, name="all")
+        step.write_step(parts, path, name="all")
         seen.add(path.read_bytes())
     assert len(seen) == 1
     content = seen.pop().decode()
@@ -65,7 +65,7 @@ def entity(text, number):
 def test_outline_is_a_few_spline_edges(plain, tmp_path):
     """The flat face has 8 edges in the file itself, its two long sides one spline each."""
     path = tmp_path / "flat.step"
-    occt.write_step([occt.Part("flat", occt.make_face(plain.outline))], path)
+    step.write_step([step.Part("flat", occt.make_face(plain.outline))], path)
     text = path.read_text()
     kinds = []
     for number in re.findall(r"= EDGE_CURVE\('',#\d+,#\d+,#(\d+),", text):
@@ -78,8 +78,8 @@ def test_outline_is_a_few_spline_edges(plain, tmp_path):
 
 def test_curves_come_back_from_a_file(curve, tilted, tmp_path):
     path = tmp_path / "curve.step"
-    occt.write_step([occt.Part("curve", occt.make_wire(Chain([Spline(curve)]), tilted))], path)
-    (back,) = occt.read_step_curves(path)
+    step.write_step([step.Part("curve", occt.make_wire(Chain([Spline(curve)]), tilted))], path)
+    (back,) = step.read_step_curves(path)
     assert back.length == pytest.approx(curve.length, rel=1e-9)
     assert back.degree == curve.degree
     mine, theirs = curve.sample(9), back.sample(9)
@@ -91,15 +91,15 @@ def test_several_curves_and_a_solid_in_one_file(plain, tmp_path):
     from elastica_cad.geometry import Arc, Line
 
     path = tmp_path / "mixed.step"
-    occt.write_step(
+    step.write_step(
         [
-            occt.Part("one", occt.make_wire(Chain([Arc((0, 0), 10, 0, 2)]))),
-            occt.Part("two", occt.make_wire(Chain([Line((0, 0), (30, 0))]), Frame((0, 0, 50)))),
-            occt.Part("body", occt.make_solid(FlatSolid.of(plain))),
+            step.Part("one", occt.make_wire(Chain([Arc((0, 0), 10, 0, 2)]))),
+            step.Part("two", occt.make_wire(Chain([Line((0, 0), (30, 0))]), Frame((0, 0, 50)))),
+            step.Part("body", occt.make_solid(FlatSolid.of(plain))),
         ],
         path,
     )
-    assert sorted(c.length for c in occt.read_step_curves(path)) == pytest.approx([20, 30])
+    assert sorted(c.length for c in step.read_step_curves(path)) == pytest.approx([20, 30])
 
 
 def test_brep_files_are_read_too(curve, tmp_path):
@@ -107,7 +107,7 @@ def test_brep_files_are_read_too(curve, tmp_path):
 
     path = tmp_path / "curve.brep"
     BRepTools.Write_s(occt.make_wire(Chain([Spline(curve)])), str(path))
-    (back,) = occt.read_step_curves(path)
+    (back,) = step.read_step_curves(path)
     assert np.array_equal(back.control_points, curve.control_points)
 
 
@@ -117,15 +117,15 @@ EMPTY = "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;\n"
 class TestBadInput:
     def test_nothing_to_write(self, tmp_path):
         with pytest.raises(InputError, match="nothing to write"):
-            occt.write_step([], tmp_path / "none.step")
+            step.write_step([], tmp_path / "none.step")
 
     def test_file_that_is_there(self, plain, tmp_path):
         path = tmp_path / "there.step"
         path.write_text("mine")
         with pytest.raises(InputError, match="exists already"):
-            occt.write_strip_step(plain, path)
+            step.write_strip_step(plain, path)
         assert path.read_text() == "mine"
-        occt.write_strip_step(plain, path, force=True)
+        step.write_strip_step(plain, path, force=True)
         assert path.stat().st_size > 1000
 
     @pytest.mark.parametrize(
@@ -135,17 +135,17 @@ class TestBadInput:
         path = tmp_path / "odd.step"
         path.write_text(text)
         with pytest.raises(InputError, match=r"odd\.step.*STEP"):
-            occt.read_step_curves(path)
+            step.read_step_curves(path)
 
     def test_only_solids(self, plain, tmp_path):
         path = tmp_path / "solid.step"
-        occt.write_step([occt.Part("body", occt.make_solid(FlatSolid.of(plain)))], path)
+        step.write_step([step.Part("body", occt.make_solid(FlatSolid.of(plain)))], path)
         with pytest.raises(InputError, match=r"solid\.step.*no free edges"):
-            occt.read_step_curves(path)
+            step.read_step_curves(path)
 
     def test_missing_file(self, tmp_path):
         with pytest.raises(InputError, match=r"none\.step"):
-            occt.read_step_curves(tmp_path / "none.step")
+            step.read_step_curves(tmp_path / "none.step")
 
 
 READER = """
@@ -186,7 +186,7 @@ def test_freecad_sees_the_same(arch_strip, plain, tmp_path, measure):
     for name, record in bodies.items():
         shape = occt.make_solid(record)
         paths[str(tmp_path / f"{name}.step")] = name, shape
-        occt.write_step([occt.Part(name, shape, sheet_color(plain.sheet))], tmp_path / f"{name}.step")
+        step.write_step([step.Part(name, shape, sheet_color(plain.sheet))], tmp_path / f"{name}.step")
     script, out = tmp_path / "reader.py", tmp_path / "seen.json"
     script.write_text(READER.replace("PATHS", repr(list(paths))).replace("OUT", repr(str(out))))
     subprocess.run(
