@@ -78,7 +78,7 @@ def wish_options(function: F) -> F:
         click.option("--stable", is_flag=True, help=f"Make sure that it stays put (a margin of {SAFE_MARGIN:g})."),
         click.option("--margin", type=float, metavar="MU", help="Least stability margin, instead of --stable's."),
         click.option("--keep-strain", is_flag=True, help="Keep within the strain that the sheet bears."),
-        click.option("--keep-tangents", is_flag=True, help="When the curve changes, keep the tangents of its ends."),
+        click.option("--keep-tangents", is_flag=True, help="When the curve changes, keep its end tangents."),
         click.option("--keep-length", is_flag=True, help="When the curve changes, keep its length."),
     ]  # fmt: skip
     for option in reversed(added):

@@ -1,6 +1,7 @@
 """The ends of a strip: tabs to hold it by, with holes, rounded or chamfered corners."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+from itertools import pairwise, replace
 
 import numpy as np
 
@@ -128,4 +129,4 @@ class Tab:
 def _chain(points: list[tuple[float, float]]) -> tuple[Line, ...]:
     """Lines between successive points, without the ones of no length."""
     rows: list[FloatArray] = [np.array(p) for p in points]
-    return tuple(Line(p, q) for p, q in zip(rows[:-1], rows[1:], strict=True) if np.any(p != q))
+    return tuple(Line(p, q) for p, q in pairwise(rows) if np.any(p != q))

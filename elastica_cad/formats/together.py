@@ -13,7 +13,9 @@ __all__ = ["files_together"]
 
 
 @contextmanager
-def files_together(folder: str | os.PathLike[str], names: Iterable[str], *, force: bool = False) -> Iterator[Path]:
+def files_together(
+    folder: str | os.PathLike[str], names: Iterable[str], *, force: bool = False
+) -> Iterator[Path]:
     """A workshop folder whose files move to `folder` only when the whole block has succeeded.
 
     Parameters
