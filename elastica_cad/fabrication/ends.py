@@ -1,7 +1,7 @@
 """The ends of a strip: tabs to hold it by, with holes, rounded or chamfered corners."""
 
-from dataclasses import dataclass
-from itertools import pairwise, replace
+from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 

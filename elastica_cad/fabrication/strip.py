@@ -44,9 +44,9 @@ class Strip:
     sheet : Sheet
         The material it is cut from.
     max_width, min_width : float, optional
-        Width of the widest, of the narrowest place, mm; one of them sets the scale. With both, `max_width` sets it and
-        a strip that would be narrower than `min_width` is refused. A rod that knows its bending stiffness in N mm2
-        (a weight in newtons) fixes its own width; the two are then limits.
+        Width of the widest, of the narrowest place, mm; one of them sets the scale. With both, `max_width` sets
+        it and a strip that would be narrower than `min_width` is refused. A rod that knows its bending stiffness
+        in N mm2 (a weight in newtons) fixes its own width; the two are then limits.
     style : Plain
         How stiffness becomes material.
     ends : pair of Tab
@@ -64,8 +64,8 @@ class Strip:
     Notes
     -----
     Flat pattern: x is arc length from the start of the free part, y = 0 the centre line. The long sides are cubic
-    B-splines whose x control points are the Greville abscissae of the knots, so that y(x) is exactly half the spline
-    width.
+    B-splines whose x control points are the Greville abscissae of the knots, so that y(x) is exactly half the
+    spline width.
 
     Examples
     --------

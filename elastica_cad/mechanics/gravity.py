@@ -37,10 +37,14 @@ class Gravity:
 
     def __post_init__(self) -> None:
         if not (np.isfinite(self.length) and self.length > 0):
-            raise InputError(f"gravity length is {self.length}; it must be positive, in mm (200 gsm card: 96)")
+            raise InputError(
+                f"gravity length is {self.length}; it must be positive, in mm (200 gsm card: 96)"
+            )
         d = np.asarray(self.direction, dtype=float)
         if d.shape != (2,) or not np.all(np.isfinite(d)) or not np.any(d):
-            raise InputError(f"gravity direction {self.direction!r} must be two numbers, not both zero, e.g. (0, -1)")
+            raise InputError(
+                f"gravity direction {self.direction!r} must be two numbers, not both zero, e.g. (0, -1)"
+            )
         d = d / np.hypot(*d)
         object.__setattr__(self, "direction", (float(d[0]), float(d[1])))
 
