@@ -139,7 +139,7 @@ def make_shell(boundary: Boundary) -> Shape:
     k = kernel()
     builder, shell = k.BRep_Builder(), k.TopoDS_Shell()
     builder.MakeShell(shell)
-    vertices = [_vertex(p) for p in boundary.vertices]
+    vertices = [_vertex(point) for point in boundary.vertices]
     edges = [_edge(e.curve, e.first, e.last, vertices[e.start], vertices[e.end]) for e in boundary.edges]
     for record in boundary.faces:
         face = k.TopoDS_Face()
@@ -195,7 +195,7 @@ def _curve(curve: SpaceCurve | PlacedSegment) -> Any:
     k = kernel()
     if isinstance(curve, SpaceCurve):
         return k.Geom_BSplineCurve(
-            _array(k.Points, map(_pnt, curve.control_points)), *_knots(curve.knots), curve.degree
+            _array(k.Points, _pnts(curve.control_points)), *_knots(curve.knots), curve.degree
         )
     segment, frame = curve.segment, curve.frame
     if isinstance(segment, Line):
@@ -206,7 +206,7 @@ def _curve(curve: SpaceCurve | PlacedSegment) -> Any:
         axes = k.gp_Ax2(_pnt(frame.point(segment.center)), _dir(frame.z_axis), _dir(frame.x_axis))
         return k.Geom_Circle(axes, segment.radius)
     return _spline(
-        k.Geom_BSplineCurve, _array(k.Points, map(_pnt, frame.point(segment.curve.control_points))), segment
+        k.Geom_BSplineCurve, _array(k.Points, _pnts(frame.point(segment.curve.control_points))), segment
     )
 
 
@@ -229,9 +229,9 @@ def _surface(surface: Surface) -> Any:
         return k.Geom_SurfaceOfLinearExtrusion(_curve(surface.profile), _dir(surface.profile.frame.z_axis))
     rows, columns, _ = surface.control_points.shape
     grid = k.Grid(1, rows, 1, columns)
-    for i in range(rows):
-        for j in range(columns):
-            grid.SetValue(i + 1, j + 1, _pnt(surface.control_points[i, j]))
+    for i, row in enumerate(surface.control_points, start=1):
+        for j, point in enumerate(_pnts(row), start=1):
+            grid.SetValue(i, j, point)
     (u, u_count), (v, v_count) = map(_knots, surface.knots)
     return k.Geom_BSplineSurface(grid, u, v, u_count, v_count, *surface.degree)
 
@@ -247,7 +247,7 @@ def _trace(trace: StraightTrace | Segment) -> Any:
     if isinstance(trace, Arc):
         axis = k.gp_Ax2d(k.gp_Pnt2d(*map(float, trace.center)), k.gp_Dir2d(1.0, 0.0))
         return k.Geom2d_Circle(axis, trace.radius)
-    points = (k.gp_Pnt2d(*map(float, p)) for p in trace.curve.control_points)
+    points = (k.gp_Pnt2d(*row) for row in trace.curve.control_points.tolist())
     return _spline(k.Geom2d_BSplineCurve, _array(k.Points2d, points), trace)
 
 
@@ -264,15 +264,20 @@ def _knots(knots: FloatArray) -> tuple[Any, Any]:
     """Distinct knots and their multiplicities."""
     k = kernel()
     values, counts = np.unique(knots, return_counts=True)
-    return _array(k.Reals, map(float, values)), _array(k.Integers, map(int, counts))
+    return _array(k.Reals, values.tolist()), _array(k.Integers, counts.tolist())
 
 
 def _pnt(point: FloatArray) -> Any:
-    return kernel().gp_Pnt(*map(float, point))
+    return kernel().gp_Pnt(*point.tolist())
+
+
+def _pnts(points: FloatArray) -> list[Any]:
+    make = kernel().gp_Pnt
+    return [make(*row) for row in points.tolist()]
 
 
 def _dir(direction: FloatArray) -> Any:
-    return kernel().gp_Dir(*map(float, direction))
+    return kernel().gp_Dir(*direction.tolist())
 
 
 def _ax3(frame: Frame) -> Any:

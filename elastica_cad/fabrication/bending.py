@@ -2,7 +2,9 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 
@@ -67,7 +69,9 @@ class BentMap:
 
         def values(t: FloatArray) -> FloatArray:
             flat = on_segment(segment, t)
-            return np.concatenate([self.point(flat, up) for up in heights], axis=-1)
+            rows = self._spline(flat[:, 0])
+            planes = [np.column_stack([rows[:, :2] - up * rows[:, 2:], flat[:, 1]]) for up in heights]
+            return self.frame.point(np.stack(planes, axis=1)).reshape(len(t), -1)
 
         if pace is None:
             spans = np.linspace(first, last, 9)
@@ -93,10 +97,14 @@ class BentMap:
         d1, d2 = (self._spline(s, k)[:, :2] for k in (1, 2))
         return s, (d1[:, 0] * d2[:, 1] - d1[:, 1] * d2[:, 0]) / np.hypot(*d1.T) ** 3
 
-    def _spline(self, s: FloatArray, derivative: int = 0) -> FloatArray:
+    @cached_property
+    def _rows(self) -> Any:
         from scipy.interpolate import BSpline
 
-        return np.asarray(BSpline(self.knots, self.coefficients, DEGREE)(s, derivative), dtype=float)
+        return BSpline(self.knots, self.coefficients, DEGREE)
+
+    def _spline(self, s: FloatArray, derivative: int = 0) -> FloatArray:
+        return np.asarray(self._rows(s, derivative), dtype=float)
 
     def _common_knots(
         self, segment: Segment, pace: tuple[float, float], first: float, last: float

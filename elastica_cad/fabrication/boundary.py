@@ -1,6 +1,7 @@
 """Boundaries of bodies in space, free of any CAD kernel: frames, splines, edges, faces."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TypeAlias
 
 import numpy as np
@@ -73,12 +74,16 @@ class Frame:
     @property
     def z_axis(self) -> FloatArray:
         """Unit normal of the plane, x_axis cross y_axis."""
-        return np.cross(self.x_axis, self.y_axis)
+        return np.asarray(self.axes[2], dtype=float)
 
-    @property
+    @cached_property
     def axes(self) -> FloatArray:
         """The three unit axes as rows (3, 3)."""
-        return np.array([self.x_axis, self.y_axis, self.z_axis])
+        a, b, c = self.x_axis
+        d, e, f = self.y_axis
+        rows = np.array([self.x_axis, self.y_axis, (b * f - c * e, c * d - a * f, a * e - b * d)])
+        rows.setflags(write=False)
+        return rows
 
     def point(self, local: ArrayLike) -> FloatArray:
         """Points in space (..., 3) of local coordinates (..., 2) or (..., 3), mm."""

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import TypeAlias
 
 import numpy as np
@@ -24,7 +25,7 @@ from elastica_cad.fabrication.boundary import (
     StraightTrace,
     Surface,
 )
-from elastica_cad.fabrication.regions import Piece, Region, cut_across
+from elastica_cad.fabrication.regions import CutPattern, Piece, Region, cut_across
 from elastica_cad.fabrication.strip import Strip
 from elastica_cad.geometry import Arc, Line, Path
 from elastica_cad.mechanics import Rod
@@ -108,10 +109,12 @@ class BentSolid:
 
     Attributes
     ----------
-    boundary : Boundary
-        The closed skin: B-spline faces on the free part, planes and cylinders on the tabs.
-    middle : Boundary
-        The open sheet half way through the thickness; its area is the flat area.
+    pattern : CutPattern
+        The flat pattern cut where tabs begin and where the curvature jumps.
+    maps : tuple
+        How each interval of it gets into space: a `BentMap`, or the plane of a tab as a `Frame`.
+    heights : (lower, upper)
+        Where the two faces lie over the curve, mm.
     frame : Frame
         The plane in which the curve is drawn.
     joints : mapping of str to Frame
@@ -119,10 +122,22 @@ class BentSolid:
         strip's upper side, x along the strip (outward at the ends).
     """
 
-    boundary: Boundary
-    middle: Boundary
+    pattern: CutPattern
+    maps: tuple[Map, ...]
+    heights: tuple[float, float]
     frame: Frame
     joints: Mapping[str, Frame]
+
+    @cached_property
+    def boundary(self) -> Boundary:
+        """The closed skin: B-spline faces on the free part, planes and cylinders on the tabs."""
+        return _Sheets(self.pattern.points, self.maps, self.heights).solid(self.pattern.regions)
+
+    @cached_property
+    def middle(self) -> Boundary:
+        """The open sheet half way through the thickness; its area is the flat area."""
+        half_way = (self.heights[0] + self.heights[1]) / 2
+        return _Sheets(self.pattern.points, self.maps, (half_way,)).sheet(self.pattern.regions)
 
     @classmethod
     def of(cls, strip: Strip, frame: Frame | None = None) -> "BentSolid":
@@ -181,15 +196,16 @@ class BentSolid:
         bent = bent_maps(rod, frame, max(abs(lower), abs(upper)))
         stations = [0.0, *(float(part.knots[-1]) for part in bent[:-1]), rod.length]
         pattern = cut_across(outline, holes, stations)
-        maps: list[Map] = [bent[0].frame_at(0.0), *bent, bent[-1].frame_at(rod.length)]
-        skin = _Sheets(pattern.points, maps, (lower, upper)).solid(pattern.regions)
-        middle = _Sheets(pattern.points, maps, ((lower + upper) / 2,)).sheet(pattern.regions)
+        maps: tuple[Map, ...] = (bent[0].frame_at(0.0), *bent, bent[-1].frame_at(rod.length))
         places = {}
         for name, (x, y, way) in (joints or {}).items():
             shape = maps[int(np.searchsorted(stations, x))]
             tangent = shape.frame_at(x) if isinstance(shape, BentMap) else shape
             places[name] = _turned(tangent.shifted(x, y, (lower + upper) / 2), way)
-        return cls(skin, middle, frame, places)
+        made = cls(pattern, maps, (lower, upper), frame, places)
+        if not made.boundary.is_closed:
+            raise InputError("the flat pattern's loops cross or touch: the bent strip has no closed skin")
+        return made
 
 
 @dataclass
@@ -223,10 +239,7 @@ class _Sheets:
                 for piece in loop:
                     if not piece.seam:
                         self._add_side(piece, self.maps[region.interval])
-        boundary = self._boundary()
-        if not boundary.is_closed:
-            raise InputError("the flat pattern's loops cross or touch: the bent strip has no closed skin")
-        return boundary
+        return self._boundary()
 
     def _boundary(self) -> Boundary:
         return Boundary(np.array(self.vertices), tuple(self.edges), tuple(self.faces))
@@ -234,11 +247,13 @@ class _Sheets:
     def _add_edges(self, region: Region) -> None:
         """Vertices and edges at every height, in the order of the heights."""
         shape = self.maps[region.interval]
-        for piece in (piece for loop in region.loops for piece in loop):
-            if piece.start not in self.at_corner:
-                self.at_corner[piece.start] = len(self.vertices)
-                self.vertices += [_point(shape, self.corners[piece.start], up) for up in self.heights]
-        for piece in (piece for loop in region.loops for piece in loop):
+        pieces = [piece for loop in region.loops for piece in loop]
+        fresh = [piece.start for piece in pieces if piece.start not in self.at_corner]
+        if fresh:
+            for corner, rows in zip(fresh, _points(shape, self.corners[fresh], self.heights), strict=True):
+                self.at_corner[corner] = len(self.vertices)
+                self.vertices += list(rows)
+        for piece in pieces:
             if piece.number in self.at_piece:
                 continue
             self.at_piece[piece.number] = len(self.edges)
@@ -345,8 +360,11 @@ def _ends(piece: Piece) -> tuple[int, int]:
     return (piece.start, piece.end) if piece.forward else (piece.end, piece.start)
 
 
-def _point(shape: Map, flat: FloatArray, up: float) -> FloatArray:
-    return shape.point((*flat, up)) if isinstance(shape, Frame) else shape.point(flat, up)
+def _points(shape: Map, flat: FloatArray, heights: Sequence[float]) -> FloatArray:
+    """Points in space (k, levels, 3) of flat points (k, 2) at several heights."""
+    if isinstance(shape, BentMap):
+        return np.stack([shape.point(flat, up) for up in heights], axis=1)
+    return np.stack([shape.point(np.column_stack([flat, np.full(len(flat), up)])) for up in heights], axis=1)
 
 
 def _curves(shape: Map, piece: Piece, heights: Sequence[float]) -> Sequence[SpaceCurve | PlacedSegment]:
