@@ -56,7 +56,7 @@ def optimal_rod(
         kappa_0, 1/mm.
     samples : int, optional
         Nodes of the rod, and the only places where its ratio is judged. Unless given, the ratio is that of
-        the continuous curve and the rod has 401 nodes.
+        the continuous curve and the rod has 601 nodes.
     weight : Weight, optional
         Weight in newtons instead of a proportional one; with `own=True` the strip's own weight, which is
         B / gravity.length^3 per length and stiffness, is added to it.
@@ -256,7 +256,9 @@ def _profile(check: EquilibriumCheck, balance: BalancedStiffness, scale: float) 
         else:
             breaks.append((knot.s, continuity))
     half = STEP_LENGTH * length / 2
-    breaks += [(s + side * half, 0) for s in steps for side in (-1, 1)]
+    feet = [s + side * half for s in steps for side in (-1, 1)]
+    # fitted apart, or the ramp, which weighs nothing, would have to take over its neighbours' errors
+    breaks += [(s, -1) for s in feet]
 
     def stiffness(s: FloatArray) -> FloatArray:
         values = K.at(*panels.locate(curve.parameter(s))) * scale
@@ -268,4 +270,14 @@ def _profile(check: EquilibriumCheck, balance: BalancedStiffness, scale: float) 
         return values
 
     largest = float(np.abs(stiffness(np.linspace(0.0, length, 257))).max())
-    return Profile.fit(stiffness, length, breaks=breaks, tolerance=PROFILE_TOLERANCE * largest)
+    fitted = Profile.fit(stiffness, length, breaks=breaks, tolerance=PROFILE_TOLERANCE * largest)
+    for i, foot in enumerate(feet):
+        fitted = _joined(fitted, foot, keep_left=i % 2 == 0)
+    return fitted
+
+
+def _joined(profile: Profile, place: float, *, keep_left: bool) -> Profile:
+    """The profile with the gap at `place` closed: both sides get the value of the one kept."""
+    first = int(np.searchsorted(profile.knots, place - 1e-9 * profile.length))
+    coefficients = np.delete(profile.coefficients, first if keep_left else first - 1)
+    return Profile(np.delete(profile.knots, first), coefficients, profile.degree)
