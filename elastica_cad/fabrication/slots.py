@@ -133,7 +133,7 @@ def slot_cut(slot: Slot, width: Profile, *, beyond: float) -> Path:
     points, widths = slot.center_line(width)
     normals = _normals(points)
     sides = [points + sign * widths[:, None] / 2 * normals for sign in (-1, 1)]
-    right, left = ([*_through(side), _onward(side, beyond)] for side in sides)
+    right, left = (_through(side, beyond) for side in sides)
     end: Segment = Line(sides[0][0], sides[1][0])
     if slot.relief == "round":
         end = Arc.from_bulge(sides[0][0], sides[1][0], -1.0)
@@ -150,26 +150,18 @@ def _normals(points: FloatArray) -> FloatArray:
     return np.stack([-tangent[:, 1], tangent[:, 0]], axis=1) / np.hypot(*tangent.T)[:, None]
 
 
-def _through(points: FloatArray) -> list[Segment]:
-    """One segment through points in order: a line where they lie on one, else a B-spline."""
+def _through(points: FloatArray, beyond: float) -> list[Segment]:
+    """Segments through points in order and straight on: lines where they lie on one, else a B-spline first."""
     chord = points[-1] - points[0]
     off = (points - points[0]) @ left_of(chord) / np.hypot(*chord)
     if len(points) == 2 or np.abs(off).max() < STRAIGHT:
-        return [Line(points[0], points[-1])]
+        return [Line(points[0], points[-1] + chord * beyond / np.hypot(*chord))]
+    if len(points) < 4:
+        raise InputError("a bent slot needs four points or more along its centre line")
     spline = _spline(_chords(points), points)
-    if spline.k < 2:
-        raise InputError("a bent slot needs three points or more along its centre line")
-    return [Spline(PlaneCurve(spline.t, spline.c, spline.k))]
-
-
-def _onward(points: FloatArray, distance: float) -> Line:
-    """The straight continuation beyond the last point."""
-    if len(points) == 2:
-        direction = points[1] - points[0]
-    else:
-        t = _chords(points)
-        direction = _spline(t, points)(t[-1], 1)
-    return Line(points[-1], points[-1] + direction * distance / np.hypot(*direction))
+    direction = spline(spline.t[-1], 1)
+    onward = Line(points[-1], points[-1] + direction * beyond / np.hypot(*direction))
+    return [Spline(PlaneCurve(spline.t, spline.c, spline.k)), onward]
 
 
 def _chords(points: FloatArray) -> FloatArray:

@@ -9,7 +9,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.slots import Slot, slot_cut
 from elastica_cad.geometry import Path, Profile, Segment
-from elastica_cad.geometry.crossings import polylines_cross, segment_crossings
+from elastica_cad.geometry.crossings import Chords, chord_crossings, polylines_cross
 from elastica_cad.geometry.segments import place
 from elastica_cad.geometry.trim import trimmed
 
@@ -75,7 +75,9 @@ class _Edge:
 
     def __init__(self, outline: Path) -> None:
         self.segments = outline.segments
-        self.boxes = np.array([segment.bounds for segment in self.segments])
+        self.chords = [Chords.of(segment) for segment in self.segments]
+        ends = [(c.points.min(axis=0) - FLAT, c.points.max(axis=0) + FLAT) for c in self.chords]
+        self.boxes = np.array(ends)
 
     def opening(self, slot: Slot, width: Profile, name: str) -> _Opening:
         """Where the slot meets the edge; its sides are drawn on until they do."""
@@ -98,10 +100,11 @@ class _Edge:
     def _crossings(self, cut: Sequence[Segment]) -> list[tuple[_Place, _Place]]:
         found: list[tuple[_Place, _Place]] = []
         for k, part in enumerate(cut):
-            low, high = part.bounds
+            chords = Chords.of(part)
+            low, high = chords.points.min(axis=0) - FLAT, chords.points.max(axis=0) + FLAT
             near = np.all((self.boxes[:, 0] <= high) & (self.boxes[:, 1] >= low), axis=1)
             for i in np.flatnonzero(near):
-                for u, v in segment_crossings(self.segments[i], part):
+                for u, v in chord_crossings(self.chords[i], chords):
                     point = part.at(v)
                     if all(np.hypot(*(cut[p.segment].at(p.u) - point)) > 1e-9 for _, p in found):
                         found.append((_Place(int(i), u), _Place(k, v)))

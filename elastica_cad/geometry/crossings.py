@@ -1,5 +1,6 @@
 """Where segments and paths cross."""
 
+from dataclasses import dataclass
 from typing import TypeAlias
 
 import numpy as np
@@ -11,10 +12,28 @@ from elastica_cad.geometry.segments import Line, Segment
 
 IndexArray: TypeAlias = NDArray[np.intp]
 
-__all__ = ["polylines_cross", "segment_crossings", "self_crossing"]
+__all__ = ["Chords", "chord_crossings", "polylines_cross", "segment_crossings", "self_crossing"]
 
 _FLAT = 1e-3
 """Chords this near to a segment (mm) are good enough to start Newton's method from."""
+
+
+@dataclass(frozen=True, eq=False)
+class Chords:
+    """Points (n, 2) along a segment at its u (n,), close enough to start Newton's method from.
+
+    Made once for a segment that is crossed many times.
+    """
+
+    segment: Segment
+    u: FloatArray
+    points: FloatArray
+
+    @classmethod
+    def of(cls, segment: Segment) -> "Chords":
+        """The chords of a segment."""
+        u = chord_parameters(segment, _FLAT)
+        return cls(segment, u, segment.at(u))
 
 
 def segment_crossings(a: Segment, b: Segment) -> tuple[tuple[float, float], ...]:
@@ -22,10 +41,16 @@ def segment_crossings(a: Segment, b: Segment) -> tuple[tuple[float, float], ...]
 
     The end of `a` and the start of `b` are tried first, so that a crossing close to a shared corner is found.
     """
+    return chord_crossings(Chords.of(a), Chords.of(b))
+
+
+def chord_crossings(first: Chords, second: Chords) -> tuple[tuple[float, float], ...]:
+    """As `segment_crossings`, for segments whose chords are known."""
+    a, b = first.segment, second.segment
     if isinstance(a, Line) and isinstance(b, Line):
         u, v = (float(x[0]) for x in _line_parameters(a.start[None], a.end[None], b.start[None], b.end[None]))
         return ((u, v),) if 0 <= u <= 1 and 0 <= v <= 1 else ()
-    starts = [(1.0, 0.0), *_chord_guesses(a, b)]
+    starts = [(1.0, 0.0), *_chord_guesses(first, second)]
     found: list[tuple[float, float]] = []
     for guess in starts:
         pair = _newton(a, b, *guess)
@@ -97,10 +122,9 @@ def _line_parameters(
     ) / det
 
 
-def _chord_guesses(a: Segment, b: Segment) -> list[tuple[float, float]]:
+def _chord_guesses(a: Chords, b: Chords) -> list[tuple[float, float]]:
     """Crossings of chords of the two segments, a little beyond their ends too."""
-    u, v = chord_parameters(a, _FLAT), chord_parameters(b, _FLAT)
-    p, q = a.at(u), b.at(v)
+    u, v, p, q = a.u, b.u, a.points, b.points
     i, j = _candidate_pairs(p, q)
     f, g = _line_parameters(p[i], p[i + 1], q[j], q[j + 1])
     hit = (np.abs(f - 0.5) <= 0.6) & (np.abs(g - 0.5) <= 0.6)
