@@ -22,6 +22,7 @@ __all__ = [
     "EndTangents",
     "FixedLength",
     "InflectionsOnLine",
+    "directed_rows",
     "least_norm_newton",
 ]
 
@@ -55,7 +56,7 @@ class EndPositions:
             return np.zeros(0), np.zeros((0, curve.control_points.size))
         t = np.array([at for at, _ in held])
         gap = curve.evaluate(t) - np.array([p for _, p in held])
-        return gap.ravel(), _directed(curve.basis(t).repeat(2, axis=0), np.tile(np.eye(2), (t.size, 1)))
+        return gap.ravel(), directed_rows(curve.basis(t).repeat(2, axis=0), np.tile(np.eye(2), (t.size, 1)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,7 +82,7 @@ class EndTangents:
             return np.zeros(0), np.zeros((0, curve.control_points.size))
         t, normal = np.array([at for at, _ in held]), np.array([n for _, n in held])
         residual = (curve.evaluate(t, 1) * normal).sum(axis=1)
-        return residual, _directed(curve.basis(t, 1), normal)
+        return residual, directed_rows(curve.basis(t, 1), normal)
 
 
 @dataclass(frozen=True)
@@ -215,8 +216,8 @@ def _assembled(curve: PlaneCurve, constraints: Sequence[Constraint]) -> tuple[Fl
     return np.concatenate([r for r, _ in parts]), np.concatenate([j for _, j in parts])
 
 
-def _directed(basis: FloatArray, direction: FloatArray) -> FloatArray:
-    """Derivatives (k, 2 m) of <direction_k, sum_i basis_ki q_i>."""
+def directed_rows(basis: FloatArray, direction: FloatArray) -> FloatArray:
+    """Derivatives (k, 2 m) of <direction_k, sum_i basis_ki q_i> by the control points q_i."""
     return np.asarray((basis[:, :, None] * direction[:, None, :]).reshape(basis.shape[0], -1))
 
 
@@ -229,9 +230,9 @@ def _inflections(curve: PlaneCurve, near: FloatArray) -> tuple[FloatArray, Float
     d1, d2, d3 = (curve.evaluate(t, order) for order in (1, 2, 3))
     turned1, turned2 = (np.column_stack([-d[:, 1], d[:, 0]]) for d in (d1, d2))
     slope = (turned1 * d3).sum(axis=1)
-    change = _directed(curve.basis(t, 2), turned1) - _directed(curve.basis(t, 1), turned2)
+    change = directed_rows(curve.basis(t, 2), turned1) - directed_rows(curve.basis(t, 1), turned2)
     moved = -change / slope[:, None]
-    fixed = np.stack([_directed(curve.basis(t), np.tile(e, (t.size, 1))) for e in np.eye(2)], axis=1)
+    fixed = np.stack([directed_rows(curve.basis(t), np.tile(e, (t.size, 1))) for e in np.eye(2)], axis=1)
     return curve.evaluate(t), fixed + d1[:, :, None] * moved[:, None, :]
 
 

@@ -9,6 +9,7 @@ from elastica_cad.geometry.bernstein import product, split
 
 __all__ = ["Turning", "hodograph", "turning_table", "zero_speed"]
 
+_SLOWEST = 1e-9  # of the largest speed on the span; a curve slower than that stands still
 _DEEPEST = 27  # halvings of a knot span; a direction that still is undecided there is a cusp
 
 
@@ -80,19 +81,20 @@ def _sectors(hodographs: FloatArray, edges: FloatArray) -> tuple[float | None, F
     if stopped.size:
         return float(stopped.min()), low, part
     starts, sectors = [], []
+    slowest = _SLOWEST * largest
     for _ in range(_DEEPEST):
         if not low.size:
             break
         axis = _unit(part[:, 0]) + _unit(part[:, -1])
         along = np.einsum("pnk,pk->pn", part, axis)
         length = np.linalg.norm(part, axis=-1)
-        decided = (along > 1e-9 * length).all(axis=1) & (length[:, [0, -1]] > 0).all(axis=1)
+        decided = (along > 1e-9 * length).all(axis=1) & (length[:, [0, -1]].min(axis=1) > slowest)
         starts.append(low[decided])
         sectors.append(part[decided])
         rest = ~decided
         left, right = split(np.swapaxes(part[rest], 1, 2))
         part = np.swapaxes(np.concatenate([left, right]), 1, 2)
-        width = np.tile(width[rest] / 2, 2)
+        width, slowest = np.tile(width[rest] / 2, 2), np.tile(slowest[rest], 2)
         low = np.concatenate([low[rest], low[rest] + width[: rest.sum()]])
     if low.size:
         return float((low + width / 2).min()), low, part

@@ -55,7 +55,8 @@ def curvature_zero_places(bezier: FloatArray, edges: FloatArray, smooth: BoolArr
     """
     bezier = _unit_sized(bezier)
     numerator, noise = _curvature_numerator(bezier)
-    return _places(_Pieces(numerator, noise, straight_pieces(bezier), smooth), edges)
+    flat = straight_pieces(bezier) | (np.abs(numerator).max(axis=1) <= noise)
+    return _places(_Pieces(numerator, noise, flat, smooth), edges)
 
 
 def curvature_level_places(
