@@ -1,17 +1,17 @@
 """Theorem 1: can a flat strip take the drawn curve, and if not, where and why not."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field, replace
-from typing import Any
+from dataclasses import replace
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import ElasticaError, InputError, NotConvergedError
+from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry import CurvatureZero, PlaneCurve
-from elastica_cad.mechanics.line import InflectionLine, fitted_line, line_meetings, pencil_of_lines
+from elastica_cad.mechanics.line import fitted_line, line_meetings, pencil_of_lines
 from elastica_cad.mechanics.snap import snapped_to_line
 from elastica_cad.mechanics.supports import Supports
+from elastica_cad.mechanics.verdict import EquilibriumCheck, NotRealizable, count, figure, listed, places
 
 __all__ = ["EquilibriumCheck", "NotRealizable", "check_equilibrium", "examine_curvature"]
 
@@ -20,106 +20,6 @@ AT_END = 1e-7
 
 PINNED = 1e-6
 """Curvature at a pinned end, relative to the largest, that counts as none."""
-
-
-@dataclass(frozen=True, eq=False)
-class EquilibriumCheck:
-    """Verdict of Theorem 1 on a curve; `str()` of it is advice to a designer.
-
-    Attributes
-    ----------
-    realizable : bool
-        Can a flat strip take this curve?
-    reasons : tuple of str
-        Why not; empty when realizable.
-    warnings : tuple of str
-        What the designer should know all the same.
-    length : float
-        mm.
-    any_stiffness : bool
-        The curve is straight (or has the natural curvature throughout): every stiffness will do.
-    inflections : tuple of float
-        Arc lengths, mm, where kappa - kappa_0 changes sign.
-    line : InflectionLine or None
-        The inflection line; for a single inflection the middle one of those that will do; None where none is
-        needed.
-    off_line : tuple of (float, float)
-        Arc length of every point that the line must pass, and its distance from it, mm.
-    crossings, touches : tuple of float
-        Arc lengths, mm, where the line crosses or touches the curve and must not.
-    curvature_touches, jumps : tuple of float
-        Arc lengths, mm, where kappa - kappa_0 touches zero without changing sign or changes it too gently,
-        and where its sign changes by a jump.
-    flats : tuple of (float, float)
-        Straight pieces from, to, mm.
-    moved : float
-        Largest move, mm, of the curve by which its inflections were brought onto one line.
-    curve : PlaneCurve
-        The curve that this check speaks of: the drawn one, or the moved one.
-    zeros : tuple of CurvatureZero
-        All zeros of kappa - kappa_0 of `curve` at which the moment must vanish.
-    """
-
-    realizable: bool
-    reasons: tuple[str, ...]
-    warnings: tuple[str, ...]
-    length: float
-    curve: PlaneCurve = field(repr=False)
-    any_stiffness: bool = False
-    inflections: tuple[float, ...] = ()
-    line: InflectionLine | None = None
-    off_line: tuple[tuple[float, float], ...] = ()
-    crossings: tuple[float, ...] = ()
-    touches: tuple[float, ...] = ()
-    curvature_touches: tuple[float, ...] = ()
-    jumps: tuple[float, ...] = ()
-    flats: tuple[tuple[float, float], ...] = ()
-    moved: float = 0.0
-    zeros: tuple[CurvatureZero, ...] = field(default=(), repr=False)
-
-    def __str__(self) -> str:
-        if not self.realizable:
-            opening = f"A flat strip cannot take this curve of {self.length:.4g} mm."
-        elif self.any_stiffness:
-            opening = f"A strip of any width takes this curve of {self.length:.4g} mm: it is not bent."
-        elif self.inflections:
-            opening = (
-                f"A flat strip can take this curve of {self.length:.4g} mm; it has "
-                f"{_count(self.inflections)}, {_places(self.inflections)}."
-            )
-        else:
-            opening = f"A flat strip can take this curve of {self.length:.4g} mm; it has no inflections."
-        return " ".join([opening, *self.reasons, *self.warnings])
-
-    def as_dict(self) -> dict[str, Any]:
-        """Numbers, texts and lists for a report."""
-        return {
-            "realizable": self.realizable,
-            "any_stiffness": self.any_stiffness,
-            "reasons": list(self.reasons),
-            "warnings": list(self.warnings),
-            "length": self.length,
-            "inflections": list(self.inflections),
-            "line": self.line.as_dict() if self.line else None,
-            "off_line": [list(pair) for pair in self.off_line],
-            "crossings": list(self.crossings),
-            "touches": list(self.touches),
-            "curvature_touches": list(self.curvature_touches),
-            "jumps": list(self.jumps),
-            "flats": [list(pair) for pair in self.flats],
-            "moved": self.moved,
-        }
-
-
-class NotRealizable(ElasticaError, ValueError):  # noqa: N818 - a fixed public name
-    """No admissible stiffness makes the curve a rest shape; `check` tells why and where."""
-
-    def __init__(self, check: EquilibriumCheck) -> None:
-        self.check = check
-        super().__init__(str(check))
-
-    def __reduce__(self) -> tuple[type["NotRealizable"], tuple[EquilibriumCheck]]:
-        return NotRealizable, (self.check,)
 
 
 def check_equilibrium(
@@ -171,7 +71,7 @@ def check_equilibrium(
     if not (force_x or force_y):
         reason = (
             "No force can act between its ends, so the moment is constant and the curve must bend one way "
-            f"only; it has {_count(check.zeros)}, {_places(z.s for z in check.zeros)}: hold both ends in x "
+            f"only; it has {count(check.zeros)}, {places(z.s for z in check.zeros)}: hold both ends in x "
             "or in y."
         )
         return _refused(check, reason)
@@ -238,7 +138,7 @@ def _with_pencil(check: EquilibriumCheck) -> EquilibriumCheck:
     near = tuple(s for s in pencil.places if abs(s - zero.s) > AT_END * check.length)
     reason = (
         f"Every line through the inflection at {zero.s:.4g} mm meets the curve again or touches it there "
-        f"(the curve is in the way {_places(near, 'near')}): wind the curve less, or support the strip "
+        f"(the curve is in the way {places(near, 'near')}): wind the curve less, or support the strip "
         "between."
     )
     return _refused(replace(checked, crossings=near), reason)
@@ -281,9 +181,9 @@ def _with_line(
         else f"the {_kind_of(normal)}line that the supports ask for"
     )
     parts = [
-        *([f"crosses the curve {_places(crossings)}"] if crossings else []),
-        *([f"touches the curve {_places(touches)}"] if touches else []),
-        *([f"is tangent to the curve in the inflection {_places(tangents)}"] if tangents else []),
+        *([f"crosses the curve {places(crossings)}"] if crossings else []),
+        *([f"touches the curve {places(touches)}"] if touches else []),
+        *([f"is tangent to the curve in the inflection {places(tangents)}"] if tangents else []),
     ]
     reason = (
         f"{name[0].upper()}{name[1:]} {' and '.join(parts)}, where the moment would vanish or change sign "
@@ -296,7 +196,7 @@ def _off_line_reason(check: EquilibriumCheck, normal: FloatArray | None, allowed
     small = f" (at most {allowed:.2g} mm is put right without asking)" if allowed else ""
     return (
         f"Its inflections do not lie on one {_kind_of(normal)}line: those "
-        f"{_places(s for s, _ in check.off_line)} are {_listed(f'{abs(d):.3g}' for _, d in check.off_line)} "
+        f"{places(s for s, _ in check.off_line)} are {listed(f'{abs(d):.3g}' for _, d in check.off_line)} "
         f"mm off the nearest one{small}. Move them onto one line, or support the strip between them."
     )
 
@@ -309,7 +209,7 @@ def _refuse_bad_curve(curve: PlaneCurve) -> None:
     corners = curve.tangent_breaks
     if corners:
         raise InputError(
-            f"the curve has a corner {_places(c.s for c in corners)}: a strip bends without kinks; round it, "
+            f"the curve has a corner {places(c.s for c in corners)}: a strip bends without kinks; round it, "
             "or draw two curves"
         )
     if curve.is_closed:
@@ -376,8 +276,8 @@ def _flat_reasons(flats: Sequence[CurvatureZero], length: float, natural_curvatu
         joints = [s for s in (flat.s, flat.s_end) if AT_END * length < s < (1 - AT_END) * length]
         what = "has exactly the natural curvature" if natural_curvature else "is straight"
         yield (
-            f"The piece from {_figure(flat.s)} to {flat.s_end:.4g} mm {what} and joined to a bent one, so "
-            f"the stiffness would have to go to 0 at the joint: support the strip {_places(joints)}, or bend "
+            f"The piece from {figure(flat.s)} to {flat.s_end:.4g} mm {what} and joined to a bent one, so "
+            f"the stiffness would have to go to 0 at the joint: support the strip {places(joints)}, or bend "
             "the piece a little."
         )
 
@@ -385,7 +285,7 @@ def _flat_reasons(flats: Sequence[CurvatureZero], length: float, natural_curvatu
 def _jump_reasons(jumps: Sequence[float]) -> Iterable[str]:
     if jumps:
         yield (
-            f"The bending is reversed by a jump of the curvature {_places(jumps)}, where the stiffness would "
+            f"The bending is reversed by a jump of the curvature {places(jumps)}, where the stiffness would "
             "have to go to 0: support the strip there, or let the curvature pass through zero smoothly (a "
             "spline of degree 4)."
         )
@@ -394,7 +294,7 @@ def _jump_reasons(jumps: Sequence[float]) -> Iterable[str]:
 def _touch_reasons(touches: Sequence[float]) -> Iterable[str]:
     if touches:
         yield (
-            f"The curvature runs out to zero {_places(touches)} without a clear change of sign, where the "
+            f"The curvature runs out to zero {places(touches)} without a clear change of sign, where the "
             "stiffness would have to be infinite or zero: bend the curve a little more there, or support "
             "the strip there."
         )
@@ -405,7 +305,7 @@ def _width_warnings(curve: PlaneCurve, jumps: Sequence[float]) -> Iterable[str]:
     kinks = [b.s for b in curve.breaks if b.continuity == 2]
     if steps:
         yield (
-            f"The width of the strip steps {_places(steps)}, where the curvature jumps: a spline of degree 4 "
+            f"The width of the strip steps {places(steps)}, where the curvature jumps: a spline of degree 4 "
             "or more through the same points gives a smooth outline."
         )
     if kinks:
@@ -415,7 +315,7 @@ def _width_warnings(curve: PlaneCurve, jumps: Sequence[float]) -> Iterable[str]:
             else "do not repeat the knot there"
         )
         yield (
-            f"The width of the strip has a kink {_places(kinks)}, where the slope of the curvature jumps: "
+            f"The width of the strip has a kink {places(kinks)}, where the slope of the curvature jumps: "
             f"{advice}."
         )
 
@@ -424,9 +324,9 @@ def _self_crossing(curve: PlaneCurve) -> tuple[str, ...]:
     pairs = curve.self_intersections()
     if not pairs.size:
         return ()
-    listed = _listed(f"{first:.4g} and {second:.4g}" for first, second in pairs)
+    where = listed(f"{first:.4g} and {second:.4g}" for first, second in pairs)
     return (
-        f"The curve crosses itself (at {listed} mm): two parts of the strip must pass side by side there.",
+        f"The curve crosses itself (at {where} mm): two parts of the strip must pass side by side there.",
     )
 
 
@@ -444,23 +344,3 @@ def _kind_of(normal: FloatArray | None) -> str:
     if normal is None:
         return ""
     return "vertical " if normal[0] else "horizontal "
-
-
-def _count(zeros: Sequence[object]) -> str:
-    return f"{len(zeros)} inflection{'s' if len(zeros) > 1 else ''}"
-
-
-def _places(s: Iterable[float], word: str = "at") -> str:
-    return f"{word} {_listed(_figure(x) for x in s)} mm"
-
-
-def _figure(x: float) -> str:
-    """Four figures, and no traces of rounding instead of 0."""
-    return f"{round(x, 6):.4g}"
-
-
-def _listed(items: Iterable[str], most: int = 6) -> str:
-    texts = list(items)
-    if len(texts) > most:
-        return ", ".join(texts[:most]) + f" and {len(texts) - most} more"
-    return " and ".join([", ".join(texts[:-1]), texts[-1]]) if len(texts) > 1 else "".join(texts)
