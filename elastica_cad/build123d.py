@@ -7,12 +7,13 @@ import build123d as bd
 
 from elastica_cad import occt
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication import BentSolid, FlatSolid, Frame, Strip, sheet_color
+from elastica_cad.fabrication import BentSolid, FlatSolid, Frame, Model, Strip, sheet_color
+from elastica_cad.fabrication.assembly import bent_parts
 from elastica_cad.fabrication.making import make_strip
 from elastica_cad.geometry import PlaneCurve
 from elastica_cad.mechanics import EquilibriumCheck, Rod, Sheet
 
-__all__ = ["BentStrip", "FlatStrip", "StripOutline", "elastic_strip"]
+__all__ = ["BentStrip", "FlatStrip", "PlacedStrip", "StripOutline", "elastic_strip", "model_compound"]
 
 Drawn: TypeAlias = bd.Edge | bd.Wire | PlaneCurve | Iterable[bd.Edge]
 
@@ -188,16 +189,51 @@ def elastic_strip(
     return strip
 
 
+class PlacedStrip(_Made, bd.Part):
+    """A bent strip of a model, in its place; `strip`, `rod`, `check`, `warnings` tell about it."""
+
+
+def model_compound(model: Model) -> bd.Compound:
+    """The bent strips of a model as an assembly: a compound whose children are called like the parts.
+
+    Equal strips share one body. Every child has the joints of `BentStrip` and knows its `strip`.
+
+    Parameters
+    ----------
+    model : Model
+
+    Returns
+    -------
+    Compound
+        Called like the model, with one `PlacedStrip` a strip.
+    """
+    bodies: dict[int, bd.Solid] = {}
+    children = []
+    for part in bent_parts(model):
+        if id(part.solid) not in bodies:
+            bodies[id(part.solid)] = bd.Solid(occt.make_solid(part.solid))
+        child = PlacedStrip(bd.Compound([bodies[id(part.solid)]]).wrapped)
+        _join(child, part.solid)
+        _dress(child, part.strip)
+        child.label = part.name
+        child.location = bd.Location(occt.make_location(part.frame))
+        children.append(child)
+    return bd.Compound(label=model.name, children=children)
+
+
 def _curve_and_frame(path: Drawn) -> tuple[PlaneCurve, Frame]:
     return (path, Frame()) if isinstance(path, PlaneCurve) else occt.plane_curve(path)
 
 
 def _jointed(record: FlatSolid | BentSolid) -> bd.Solid:
     solid = bd.Solid(occt.make_solid(record))
-    for name, frame in record.joints.items():
-        plane = bd.Plane(tuple(frame.origin), tuple(frame.x_axis), tuple(frame.z_axis))
-        bd.RigidJoint(name, solid, plane.location)
+    _join(solid, record)
     return solid
+
+
+def _join(shape: Any, record: FlatSolid | BentSolid) -> None:
+    for name, frame in record.joints.items():
+        bd.RigidJoint(name, shape, bd.Location(occt.make_location(frame)))
 
 
 def _dress(shape: Any, made: Strip) -> None:

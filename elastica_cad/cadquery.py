@@ -1,5 +1,6 @@
 """Strips in CadQuery: free functions, and methods of Workplane and Sketch after `register()`."""
 
+import re
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any, Literal, TypeAlias
 
@@ -7,17 +8,28 @@ import cadquery as cq
 
 from elastica_cad import occt
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication import BentSolid, FlatSolid, Frame, Strip
+from elastica_cad.fabrication import BentSolid, FlatSolid, Frame, Model, Strip, sheet_color
+from elastica_cad.fabrication.assembly import bent_parts
 from elastica_cad.fabrication.making import make_strip
 from elastica_cad.geometry import PlaneCurve
 from elastica_cad.mechanics import EquilibriumCheck, Rod, Sheet
 
-__all__ = ["StripFace", "StripSolid", "bent_strip", "flat_strip", "register", "strip_outline"]
+__all__ = [
+    "StripFace",
+    "StripSolid",
+    "bent_strip",
+    "flat_strip",
+    "model_assembly",
+    "register",
+    "strip_outline",
+]
 
 Drawn: TypeAlias = cq.Edge | cq.Wire | cq.Workplane | PlaneCurve | Iterable[cq.Edge]
 Form: TypeAlias = Literal["flat", "bent"]
+End: TypeAlias = Literal["start", "end"]
 
 METHOD = "elasticStrip"
+ENDS: tuple[End, End] = ("start", "end")
 
 
 class _Made(cq.Shape):
@@ -71,7 +83,7 @@ class StripSolid(_Made, cq.Solid):
         """
         return {name: self.location() * place for name, place in self._joints.items()}
 
-    def end_face(self, end: Literal["start", "end"]) -> cq.Face:
+    def end_face(self, end: End) -> cq.Face:
         """The plane face that closes the strip at one end."""
         tab = self.strip.ends[0 if end == "start" else 1].length
         tip = cq.Vector(*(self.joints[end] * cq.Location((tab, 0, 0))).toTuple()[0])
@@ -124,6 +136,42 @@ def bent_strip(path: Drawn, sheet: Sheet | str, **options: Any) -> StripSolid:
     """
     strip, frame = _designed(path, sheet, options)
     return _solid(BentSolid.of(strip, frame), strip)
+
+
+def model_assembly(model: Model) -> cq.Assembly:
+    """The bent strips of a model as an assembly with names, colours and places.
+
+    The ends of every strip are held by constraints (points and axes of their end faces), so that parts which are
+    added and constrained to them find their places in `solve()` while the strips stay. Equal strips share one body.
+
+    Parameters
+    ----------
+    model : Model
+
+    Returns
+    -------
+    Assembly
+        Called like the model; its children like the parts (with "_" for what queries cannot hold), each with
+        its end faces tagged "start" and "end" and its `Strip` as metadata "strip".
+    """
+    assembly = cq.Assembly(name=model.name)
+    bodies: dict[int, StripSolid] = {}
+    for part in bent_parts(model):
+        if id(part.solid) not in bodies:
+            bodies[id(part.solid)] = _solid(part.solid, part.strip)
+        solid, place = bodies[id(part.solid)], _location(part.frame)
+        work = cq.Workplane(obj=solid)
+        faces = {end: solid.end_face(end) for end in ENDS}
+        for end, face in faces.items():
+            work.newObject([face]).tag(end)
+        color = cq.Color(*sheet_color(part.strip.sheet))
+        name = _called(part.name, assembly)
+        assembly.add(work, name=name, loc=place, color=color, metadata={"strip": part.strip})
+        for end, face in faces.items():
+            there = face.moved(place)
+            assembly.constrain(f"{name}?{end}", "FixedPoint", there.Center().toTuple())
+            assembly.constrain(f"{name}?{end}", "FixedAxis", there.normalAt().toTuple())
+    return assembly
 
 
 def register() -> None:
@@ -180,7 +228,7 @@ def _workplane_strip(
         raise InputError("there is no curve: draw one on the workplane, or select edges")
     solid = (flat_strip if form == "flat" else bent_strip)(drawn, sheet, **options)
     here = self.plane.location if form == "flat" else cq.Location()
-    for end in ("start", "end"):
+    for end in ENDS:
         self.newObject([solid.end_face(end).moved(here)]).tag(end)
     origin = self.newObject([cq.Location()])
     tidy = clean and bool(combine)  # alone the strip is clean, and stays the object that knows its rod
@@ -217,5 +265,13 @@ def _solid(record: FlatSolid | BentSolid, strip: Strip) -> StripSolid:
     return solid
 
 
+def _called(name: str, assembly: cq.Assembly) -> str:
+    """A name that CadQuery's queries can hold, unlike those in the assembly."""
+    plain = re.sub(r"\W", "_", name, flags=re.ASCII)
+    plain = plain if plain[:1].isalpha() else f"strip_{plain}"
+    tries = (plain, *(f"{plain}_{number}" for number in range(2, len(assembly.children) + 3)))
+    return next(text for text in tries if text not in assembly.objects)
+
+
 def _location(frame: Frame) -> cq.Location:
-    return cq.Location(cq.Plane(tuple(frame.origin), tuple(frame.x_axis), tuple(frame.z_axis)))
+    return cq.Location(occt.make_location(frame))

@@ -1,6 +1,5 @@
 """STEP files: strips and models written by OpenCASCADE, curves read by it."""
 
-from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 from io import BytesIO
@@ -10,6 +9,7 @@ from typing import Any
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication import BentSolid, FlatSolid, Frame, Model, Strip, sheet_color
+from elastica_cad.fabrication.assembly import bent_parts
 from elastica_cad.formats.opening import existing_file, naming
 from elastica_cad.formats.output import write_atomically
 from elastica_cad.formats.step_text import canonical_step
@@ -43,16 +43,12 @@ class Part:
 def model_parts(model: Model) -> list[Part]:
     """The bent strips of a model, each in its place; equal strips share one shape."""
     shapes: dict[int, Shape] = {}
-    names = Counter(model.name_of(i) for i in range(len(model.placed)))
-    used: Counter[str] = Counter()
     parts = []
-    for i, placed in enumerate(model.placed):
-        strip, name = placed.strip, model.name_of(i)
-        if id(strip) not in shapes:
-            shapes[id(strip)] = make_solid(BentSolid.of(strip))
-        used[name] += 1
-        full = f"{name} {used[name]}" if names[name] > 1 else name
-        parts.append(Part(full, shapes[id(strip)], sheet_color(strip.sheet), placed.frame))
+    for part in bent_parts(model):
+        if id(part.solid) not in shapes:
+            shapes[id(part.solid)] = make_solid(part.solid)
+        shape, color = shapes[id(part.solid)], sheet_color(part.strip.sheet)
+        parts.append(Part(part.name, shape, color, part.frame))
     return parts
 
 

@@ -1,0 +1,110 @@
+"""A whole model in build123d, CadQuery and STEP: every strip in its place, equal ones sharing a body."""
+
+import re
+
+import numpy as np
+import pytest
+
+pytest.importorskip("OCP")
+
+from elastica_cad import occt, step
+from elastica_cad.fabrication import Frame, Model, Placed, Slot
+from elastica_cad.fabrication.making import make_strip
+from elastica_cad.geometry import PlaneCurve
+
+ARCH = PlaneCurve.spline([(20, 0), (40, 60), (70, 80), (120, 60), (150, 0)])
+S = PlaneCurve.spline([(20, 0), (50, 60), (100, 10), (150, -40), (200, 20)])
+
+
+@pytest.fixture(scope="module")
+def model():
+    """A crown of three equal arches, an S with slots, and its mirror image."""
+    arch = make_strip(ARCH, "birch-plywood-0.8", max_width=15, label="arch")
+    slots = (Slot(at=60, width=1), Slot(at=120, width=1, side="lower"))
+    bow = make_strip(S, "card-200gsm", max_width=15, slots=slots)
+    crown = Model((Placed(arch, (0, 0, 0), (1, 0, 0), (0, 0, 1)),), name="crown").rotated(3)
+    one = Model((Placed(bow, (0, 0, 100), (1, 0, 0), (0, 1, 0)),))
+    both = one.mirrored((0, -50, 0), (0, 1, 0))
+    return Model((*crown.placed, *both.placed), name="crown")
+
+
+NAMES = ["arch_1", "arch_2", "arch_3", "strip 4", "strip 5"]
+
+
+def middle_of(placed, s):
+    return placed.frame.point(placed.strip.rod.curve.at(np.array([s])).position)[0]
+
+
+def test_step_has_each_body_once(model, tmp_path):
+    path = tmp_path / "crown.step"
+    step.write_model_step(model, path)
+    text = path.read_text()
+    assert re.findall(r"NEXT_ASSEMBLY_USAGE_OCCURRENCE\('\d+','([^']*)'", text) == NAMES
+    assert "PRODUCT('crown'" in text
+    assert text.count("MANIFOLD_SOLID_BREP(") == 3
+
+
+def test_step_is_read_back_in_place(model, tmp_path, measure):
+    from OCP.STEPControl import STEPControl_Reader
+
+    path = tmp_path / "crown.step"
+    step.write_model_step(model, path)
+    reader = STEPControl_Reader()
+    reader.ReadFile(str(path))
+    reader.TransferRoots()
+    whole = reader.OneShape()
+    assert measure.volume(whole) == pytest.approx(
+        sum(p.strip.area * p.strip.sheet.thickness for p in model.placed), rel=1e-6
+    )
+    for placed in model.placed:
+        middle = middle_of(placed, 0.3 * placed.strip.rod.length)
+        assert measure.distance(whole, [middle]) == pytest.approx(placed.strip.sheet.thickness / 2, abs=1e-6)
+
+
+def test_place_of_a_frame(tilted):
+    from OCP.gp import gp_Pnt
+
+    there = gp_Pnt(1, 2, 3).Transformed(occt.make_location(tilted).Transformation())
+    assert (there.X(), there.Y(), there.Z()) == pytest.approx(tilted.point([1, 2, 3]))
+    assert (
+        occt.make_location(Frame()).IsIdentity()
+        or occt.make_location(Frame()).Transformation().Value(1, 1) == 1
+    )
+
+
+def test_build123d_compound(model):
+    pytest.importorskip("build123d")
+    from elastica_cad.build123d import BentStrip, PlacedStrip, model_compound
+
+    made = model_compound(model)
+    assert made.label == "crown"
+    assert [child.label for child in made.children] == NAMES
+    assert made.is_valid
+    for child, placed in zip(made.children, model.placed, strict=True):
+        assert isinstance(child, PlacedStrip)
+        assert child.strip is placed.strip
+        assert [*child.joints["start"].location.position] == pytest.approx(middle_of(placed, 0.0))
+        assert [*child.joints["end"].location.position] == pytest.approx(
+            middle_of(placed, placed.strip.rod.length)
+        )
+    first = made.children[0]
+    assert first.volume == pytest.approx(BentStrip(ARCH, "birch-plywood-0.8", max_width=15).volume, rel=1e-4)
+    assert first.solid().wrapped.IsPartner(made.children[1].solid().wrapped)
+
+
+def test_cadquery_assembly(model):
+    pytest.importorskip("cadquery")
+    from elastica_cad.cadquery import model_assembly
+
+    made = model_assembly(model)
+    assert made.name == "crown"
+    assert [child.name for child in made.children] == [name.replace(" ", "_") for name in NAMES]
+    assert [child.metadata["strip"] for child in made.children] == list(model.strips)
+    for child, placed in zip(made.children, model.placed, strict=True):
+        start = child.obj.val().joints["start"]
+        assert (child.loc * start).toTuple()[0] == pytest.approx(middle_of(placed, 0.0))
+    before = [child.loc.toTuple() for child in made.children]
+    made.solve()
+    for child, (position, angles) in zip(made.children, before, strict=True):
+        assert child.loc.toTuple()[0] == pytest.approx(position, abs=1e-4)
+        assert np.cos(child.loc.toTuple()[1]) == pytest.approx(np.cos(angles), abs=1e-5)
