@@ -106,6 +106,7 @@ class Root:
 
 _SPLITS = (0.5, 0.4375, 0.578125)  # exact binary fractions, so that interval ends carry no rounding
 _DEEPEST = 48
+_EPS = float(np.finfo(float).eps)
 
 
 def roots(c: FloatArray, noise: FloatArray) -> list[Root]:
@@ -147,7 +148,7 @@ def roots(c: FloatArray, noise: FloatArray) -> list[Root]:
 
 def interior_roots(c: FloatArray) -> list[Root]:
     """Zeros in (0, 1) of polynomials (k, n+1), not those at the ends, none of vanishing polynomials."""
-    noise = 32 * float(np.finfo(float).eps) * np.abs(c).max(axis=1)
+    noise = 32 * _EPS * np.abs(c).max(axis=1)
     noise = np.maximum(noise, 1e-15 * np.abs(c).max(initial=0.0))
     c = c.copy()
     for i in range(c.shape[0]):
@@ -193,6 +194,7 @@ def _bracketed(c: FloatArray) -> FloatArray:
     """The one sign change (k,) of polynomials whose end values differ in sign, to rounding error."""
     low, high = np.zeros(c.shape[0]), np.ones(c.shape[0])
     rising = c[:, -1] > 0
+    blurred = _EPS * np.abs(c).max(axis=1)
     u = c[:, 0] / (c[:, 0] - c[:, -1])
     for _ in range(80):
         value, slope = value_and_slope(c, u)
@@ -202,8 +204,8 @@ def _bracketed(c: FloatArray) -> FloatArray:
             newton = u - value / slope
         inside = (newton > low) & (newton < high)
         following = np.where(inside, newton, (low + high) / 2)
-        following = np.where(value == 0, u, following)
-        if np.all(np.abs(following - u) <= 2e-16 * np.abs(u)):
+        following = np.where(np.abs(value) <= blurred, u, following)
+        if np.abs(following - u).max() <= 4e-16:
             return following
         u = following
     return u

@@ -92,15 +92,12 @@ def _bernstein_values(degree: int, u: FloatArray, derivative: int) -> FloatArray
     """Derivatives (n, degree + 1) of the Bernstein polynomials at local coordinates (n,)."""
     if derivative > degree:
         return np.zeros((u.size, degree + 1))
-    values = np.ones((u.size, 1))
-    for k in range(1, degree - derivative + 1):
-        raised = np.zeros((u.size, k + 1))
-        raised[:, :-1] = values * (1 - u)[:, None]
-        raised[:, 1:] += values * u[:, None]
+    values = np.ones((1, u.size))
+    for _ in range(degree - derivative):
+        raised = np.empty((len(values) + 1, u.size))
+        raised[0], raised[-1] = values[0] * (1 - u), values[-1] * u
+        raised[1:-1] = values[1:] + (values[:-1] - values[1:]) * u
         values = raised
     for k in range(degree - derivative + 1, degree + 1):
-        raised = np.zeros((u.size, k + 1))
-        raised[:, :-1] = -k * values
-        raised[:, 1:] += k * values
-        values = raised
-    return values
+        values = k * np.diff(values, axis=0, prepend=0.0, append=0.0) * -1.0
+    return np.ascontiguousarray(values.T)

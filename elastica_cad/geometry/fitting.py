@@ -12,6 +12,7 @@ __all__ = ["fitted_spline"]
 _CORRECTIONS = 2
 _POINTS_EACH = 4  # points a control point must have before a fit goes below its tolerance
 _MANY = 100  # points of which noise can be told from shape; fewer are met one by one if need be
+_MOST_INTERPOLATED = 1000
 _STRIDE = 0.4  # of the way to its neighbour that a point may go where points would overtake each other
 _RESTING = 1e-11  # penalty beside the data that only decides what the data leave open
 _ALLOWED_INCREASE = 1.1  # of the root mean square distance, in exchange for a smoother curve
@@ -60,7 +61,7 @@ def fitted_spline(
         if not added.size or crowded or noisy:
             if error.max() <= tolerance:
                 break
-            if many:
+            if many and (alike < 0.2 or data.shape[0] > _MOST_INTERPOLATED):
                 raise NotConvergedError(_scatter(data, error, tolerance))
             return _through(data, degree)
         before = error.max()
@@ -80,6 +81,7 @@ class _Problem:
         gram = _derivative_gram(self.spans)
         self.scale = float(np.trace(gram))
         self.penalty = gram * (data.shape[0] / self.scale)
+        self._latest: tuple[FloatArray, FloatArray] = (np.empty(0), np.empty((0, 0)))
 
     def weight(self, smoothing: float | None) -> float:
         """The user's smoothing as a factor of the penalty, which is scaled to the data."""
@@ -95,13 +97,22 @@ class _Problem:
 
     def at(self, t: FloatArray, weight: float) -> FloatArray:
         """Control points (m, 2) of the best spline when the data belong to parameters t (n,)."""
-        basis = self.spans.basis(t)
+        basis = self._basis(t)
         weighted = basis.T * self._end_emphasis(t)
         normal = weighted @ basis + weight * self.penalty
         ends = self.data[[0, -1]]
         right = weighted @ self.data - normal[:, [0, -1]] @ ends
         inner: FloatArray = np.linalg.solve(normal[1:-1, 1:-1], right[1:-1])
         return np.asarray(np.concatenate([ends[:1], inner, ends[1:]]))
+
+    def _basis(self, t: FloatArray) -> FloatArray:
+        """Basis functions at t; those of the latest parameters are kept, as each are used several times."""
+        if self._latest[0] is not t:
+            self._latest = t, self.spans.basis(t)
+        return self._latest[1]
+
+    def _gap(self, control: FloatArray, t: FloatArray) -> FloatArray:
+        return np.asarray(self.data - self._basis(t) @ control)
 
     def _end_emphasis(self, t: FloatArray) -> FloatArray:
         """Chebyshev-like weights in the first and last span, where least squares would err most."""
@@ -111,7 +122,7 @@ class _Problem:
 
     def feet(self, control: FloatArray, t: FloatArray) -> FloatArray:
         """Parameters of the points of the curve nearest to the data, one Gauss-Newton step from t."""
-        gap = self.data - self.spans.basis(t) @ control
+        gap = self._gap(control, t)
         velocity = self.spans.basis(t, 1) @ control
         gap[[0, -1]] = 0.0
         speed2 = (velocity**2).sum(axis=1)
@@ -124,12 +135,12 @@ class _Problem:
 
     def distance(self, control: FloatArray, t: FloatArray) -> FloatArray:
         """Distances (n,) of the points from the curve, mm, at parameters that are feet."""
-        gap = self.data - self.spans.basis(t) @ control
+        gap = self._gap(control, t)
         return np.asarray(np.hypot(gap[:, 0], gap[:, 1]))
 
     def likeness(self, control: FloatArray, t: FloatArray) -> float:
         """Correlation of the gaps of neighbouring points: near 1 for shape, near 0 for noise."""
-        gap = self.data - self.spans.basis(t) @ control
+        gap = self._gap(control, t)
         total = float((gap**2).sum())
         return float((gap[1:] * gap[:-1]).sum()) / total if total > 0 else 0.0
 
@@ -172,7 +183,11 @@ def _through(data: FloatArray, degree: int) -> tuple[FloatArray, FloatArray]:
     gram = gram / np.trace(gram)
     saddle = np.block([[gram, basis.T], [basis, np.zeros((n, n))]])
     right = np.concatenate([np.zeros((m, 2)), data - data[0]])
-    control: FloatArray = np.linalg.lstsq(saddle, right, rcond=1e-15)[0][:m] + data[0]
+    try:
+        solution = np.linalg.solve(saddle, right)
+    except np.linalg.LinAlgError:
+        solution = np.linalg.lstsq(saddle, right, rcond=1e-15)[0]
+    control: FloatArray = solution[:m] + data[0]
     control[[0, -1]] = data[[0, -1]]
     return knots, control
 
