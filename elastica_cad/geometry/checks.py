@@ -7,7 +7,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 
-__all__ = ["check_knots", "finite"]
+__all__ = ["check_knots", "finite", "whole_degree"]
 
 
 def finite(name: str, values: ArrayLike | Sequence[float] | float) -> FloatArray:
@@ -21,6 +21,15 @@ def finite(name: str, values: ArrayLike | Sequence[float] | float) -> FloatArray
         raise InputError(f"{name} holds NaN or infinite values, the first at index {first}")
     array.setflags(write=False)
     return array
+
+
+def whole_degree(degree: int) -> int:
+    """The degree as a plain int; refuses what is no whole number of 2 or more."""
+    if isinstance(degree, bool) or not isinstance(degree, int | float | np.integer | np.floating):
+        raise InputError(f"a curve needs degree 2 or more, not {degree!r}")
+    if not (degree == np.floor(degree) and 2 <= degree < 100):
+        raise InputError(f"a curve needs a whole degree of 2 or more, not {degree!r}")
+    return int(degree)
 
 
 def check_knots(knots: FloatArray, count: int, degree: int) -> None:

@@ -12,7 +12,7 @@ from elastica_cad.geometry import zeros
 from elastica_cad.geometry.approximation import adaptive_spline
 from elastica_cad.geometry.arclength import ArcLength, arc_length_table
 from elastica_cad.geometry.bernstein import interior_roots
-from elastica_cad.geometry.checks import check_knots, finite
+from elastica_cad.geometry.checks import check_knots, finite, whole_degree
 from elastica_cad.geometry.conics import unit_circle_arc
 from elastica_cad.geometry.continuity import continuity_orders, refuse_standstill
 from elastica_cad.geometry.extraction import bezier_spans
@@ -61,10 +61,7 @@ class PlaneCurve:
     weights: FloatArray | None = None
 
     def __post_init__(self) -> None:
-        degree = self.degree
-        if isinstance(degree, bool) or int(degree) != degree or degree < 2:
-            raise InputError(f"a curve needs degree 2 or more, not {degree!r}")
-        object.__setattr__(self, "degree", int(degree))
+        object.__setattr__(self, "degree", whole_degree(self.degree))
         points = finite("control_points", self.control_points)
         if points.ndim != 2 or points.shape[1] != 2:
             raise InputError(f"control_points must be rows of x, y: shape (m, 2), not {points.shape}")
@@ -85,7 +82,7 @@ class PlaneCurve:
     @classmethod
     def spline(cls, control_points: ArrayLike, degree: int = 4) -> "PlaneCurve":
         """The clamped B-spline with uniform knots over `control_points` (m, 2), m > degree."""
-        points = np.asarray(control_points, dtype=float)
+        points, degree = finite("control_points", control_points), whole_degree(degree)
         count = points.shape[0] if points.ndim else 0
         if count <= degree:
             raise InputError(
@@ -206,6 +203,10 @@ class PlaneCurve:
         t = np.asarray(t, dtype=float)
         return self._jets.at(t.ravel(), derivative, left=left)[derivative].reshape(*t.shape, 2)
 
+    def derivatives(self, t: FloatArray, order: int) -> list[FloatArray]:
+        """Position and derivatives d/dt up to `order` (at most 3), each (n, 2), at parameters t (n,)."""
+        return self._jets.at(t, order)
+
     def basis(self, t: ArrayLike, derivative: int = 0) -> FloatArray:
         """Derivatives (n, m) of the position (or of its derivative) at t (n,) by the m control points.
 
@@ -270,8 +271,8 @@ class PlaneCurve:
 
     def sample(self, count: int) -> CurveSamples:
         """`count` points at equal distances along the curve, both ends included."""
-        if count < 2:
-            raise InputError(f"a curve is sampled at 2 points or more, not {count}")
+        if not count >= 2:
+            raise InputError(f"a curve is sampled at 2 points or more, not {count!r}")
         return self.at(np.linspace(0.0, self.length, int(count)))
 
     @cached_property

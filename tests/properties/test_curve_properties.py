@@ -1,11 +1,14 @@
 """Move, turn, scale, mirror, project or reverse a curve, and every answer follows."""
 
 import numpy as np
+import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from elastica_cad.errors import InputError
 from elastica_cad.geometry import PlaneCurve, line_crossings
+
+pytestmark = pytest.mark.core
 
 EXAMPLES = settings(max_examples=40, deadline=None)
 

@@ -5,6 +5,8 @@ import pytest
 
 from elastica_cad.geometry import bernstein
 
+pytestmark = pytest.mark.core
+
 
 def from_roots(roots, scale=1.0):
     """Bernstein coefficients of scale times the product of (u - root)."""

@@ -4,6 +4,8 @@ from scipy.interpolate import make_interp_spline
 
 from elastica_cad.geometry import PlaneCurve, line_crossings
 
+pytestmark = pytest.mark.core
+
 
 def graph(coefficients, degree=None, pieces=1, inner=None):
     """The graph y = p(x) over [0, 1] of a polynomial (coefficients, highest first) as a spline."""

@@ -27,6 +27,8 @@ WAVE = np.array(
     ]
 )
 
+pytestmark = pytest.mark.core
+
 
 def curves():
     knots = np.cumsum(np.random.default_rng(2).uniform(0.5, 2, len(WAVE) + 5))

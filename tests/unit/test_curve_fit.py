@@ -3,6 +3,8 @@ import pytest
 
 from elastica_cad.geometry import PlaneCurve
 
+pytestmark = pytest.mark.core
+
 
 def sine(count=401):
     x = np.linspace(0, 300, count)

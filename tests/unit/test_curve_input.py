@@ -4,6 +4,8 @@ import pytest
 from elastica_cad.errors import InputError
 from elastica_cad.geometry import PlaneCurve, line_crossings
 
+pytestmark = pytest.mark.core
+
 GOOD = [(0, 0), (1, 2), (3, 2), (4, 0)]
 KNOTS = [0, 0, 0, 0, 1, 1, 1, 1]
 
@@ -20,8 +22,11 @@ KNOTS = [0, 0, 0, 0, 1, 1, 1, 1]
         ([0, 0, 0, 0, 1, 1, np.nan, 1], GOOD, 3, None, "knots holds NaN"),
         ([0, 0, 0, 0, 1, 1, 0.5, 1], GOOD, 3, None, "must not decrease: knot 6"),
         ([0] * 8, GOOD, 3, None, "no domain"),
-        (KNOTS, GOOD, 1, None, "degree 2 or more"),
-        (KNOTS, GOOD, 2.5, None, "degree 2 or more"),
+        (KNOTS, GOOD, 1, None, "degree of 2 or more"),
+        (KNOTS, GOOD, 2.5, None, "degree of 2 or more"),
+        (KNOTS, GOOD, np.nan, None, "degree of 2 or more"),
+        (KNOTS, GOOD, None, None, "degree 2 or more"),
+        (KNOTS, [(0, 0), (1, 2), (3,)], 3, None, "must be numbers"),
         (KNOTS, GOOD, 3, [1, 1, 1], "as many weights"),
         (KNOTS, GOOD, 3, [1, 1, 0, 1], "weight 2 is 0: weights must be positive"),
         (KNOTS, GOOD, 3, [1, 1, np.inf, 1], "weights holds NaN or infinite"),
@@ -68,6 +73,8 @@ def test_standing_still_at_repeated_control_points_inside():
     [
         (lambda: PlaneCurve.spline(GOOD, degree=4), "4 control points are too few for degree 4"),
         (lambda: PlaneCurve.spline([], degree=4), "0 control points are too few"),
+        (lambda: PlaneCurve.spline("no"), "must be numbers"),
+        (lambda: PlaneCurve.spline(GOOD, degree="2"), "degree 2 or more"),
         (lambda: PlaneCurve.line((1, 1), (1, 1)), "zero length"),
         (lambda: PlaneCurve.arc((0, 0), -3, 0, 1), "must be positive"),
         (lambda: PlaneCurve.arc((0, 0), 3, 1, 1), "zero length"),

@@ -9,6 +9,8 @@ from scipy.special import ellipeinc
 from elastica_cad.errors import InputError
 from elastica_cad.geometry import PlaneCurve
 
+pytestmark = pytest.mark.core
+
 POINTS = np.array([(0, 0), (20, 35), (45, 30), (60, -10), (95, -25), (120, 10), (130, 40), (160, 45)], float)
 
 
@@ -278,3 +280,15 @@ def test_parameters_and_arc_lengths_outside_are_refused():
         curve.evaluate(0.5, 4)
     with pytest.raises(InputError, match="2 points or more"):
         curve.sample(1)
+
+
+@pytest.mark.parametrize("size", [1e-7, 1e-3, 1e5, 1e9])
+def test_any_size_of_drawing(size):
+    curve, scaled = PlaneCurve.spline(POINTS), PlaneCurve.spline(POINTS * size)
+    assert scaled.length == pytest.approx(curve.length * size, rel=1e-12)
+    np.testing.assert_allclose(scaled.inflections, curve.inflections * size, rtol=1e-9)
+    np.testing.assert_allclose(scaled.sample(9).curvature * size, curve.sample(9).curvature, rtol=1e-9)
+    assert scaled.tangent_breaks == ()
+    assert [k.continuity for k in scaled.breaks] == [k.continuity for k in curve.breaks]
+    fitted = PlaneCurve.fit(scaled.sample(200).position, tolerance=1e-3 * size)
+    assert fitted.length == pytest.approx(scaled.length, rel=1e-5)

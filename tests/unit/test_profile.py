@@ -5,6 +5,8 @@ from scipy.interpolate import BSpline
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry import PlaneCurve, Profile
 
+pytestmark = pytest.mark.core
+
 
 def bump(s):
     return 1 + np.exp(-(((s - 150) / 40) ** 2)) + 0.3 * np.sin(s / 30)

@@ -3,6 +3,8 @@ import pytest
 
 from elastica_cad.geometry import PlaneCurve
 
+pytestmark = pytest.mark.core
+
 
 def test_a_loop_crosses_once():
     curve = PlaneCurve.spline([(0, 0), (100, 100), (-50, 100), (50, 0)], degree=3)
