@@ -29,7 +29,7 @@ def test_straight_rods_have_dependent_constraints():
 @pytest.mark.parametrize(("pressure", "negative"), [(39.0, 0), (40.0, 1), (85.0, 2), (160.0, 3)])
 def test_straight_strut_under_pressure(pressure, negative):
     """Clamped buckling loads 39.48, 80.76, 157.9 (pi^2 times 4, 8.18, 16)."""
-    rod = replace(Rod.straight(1.0), force=np.tile([pressure, 0.0], (401, 1)))
+    rod = replace(Rod.straight(1.0, samples=401), force=np.tile([pressure, 0.0], (401, 1)))
     found = stability(rod)
     assert found.negative == negative
     assert found.stable is (negative == 0)
