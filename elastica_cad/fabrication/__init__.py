@@ -10,7 +10,8 @@ from elastica_cad.fabrication.lettering import Text, text_strokes, text_width
 from elastica_cad.fabrication.model import Model, Part, Placed
 from elastica_cad.fabrication.slots import Slot
 from elastica_cad.fabrication.solids import BentSolid, FlatSolid
-from elastica_cad.fabrication.strip import Plain, Reactions, Strip
+from elastica_cad.fabrication.strip import Layer, Reactions, Strip
+from elastica_cad.fabrication.styles import Plain
 
 __all__ = [
     "CUT_INNER",
@@ -23,6 +24,7 @@ __all__ = [
     "FlatSolid",
     "Frame",
     "Hole",
+    "Layer",
     "LayeredPath",
     "Model",
     "Part",

@@ -5,22 +5,20 @@ from functools import cached_property
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
+from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, MARK, Drawing, LayeredPath, Text
 from elastica_cad.fabrication.ends import Tab
+from elastica_cad.fabrication.flat import end_holes, flat_rim, widths_held
 from elastica_cad.fabrication.lettering import text_width
+from elastica_cad.fabrication.material import made_rod, material_width
 from elastica_cad.fabrication.slots import Slot
 from elastica_cad.fabrication.slotting import with_slots
-from elastica_cad.geometry import Arc, Line, Path, PlaneCurve, Profile, Spline
-from elastica_cad.mechanics import Rod, Sheet
+from elastica_cad.fabrication.styles import PLAIN, Layout, Style
+from elastica_cad.geometry import Line, Path, Profile
+from elastica_cad.mechanics import LayerStrain, Rod, Sheet, bend
 
-__all__ = ["Plain", "Reactions", "Strip"]
-
-
-@dataclass(frozen=True)
-class Plain:
-    """A solid strip of one sheet: the width is proportional to the stiffness (paper, section 8.1)."""
+__all__ = ["Layer", "Reactions", "Strip"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,6 +29,38 @@ class Reactions:
     start_moment: float
     end_force: FloatArray
     end_moment: float
+
+
+@dataclass(frozen=True, eq=False)
+class Layer:
+    """One sheet of a strip as it is cut, in the flat frame of the strip.
+
+    Attributes
+    ----------
+    sheet : Sheet
+    outline : Path
+        Closed, anticlockwise.
+    holes : tuple of Path
+        Closed inner loops.
+    """
+
+    sheet: Sheet
+    outline: Path
+    holes: tuple[Path, ...] = ()
+
+    @cached_property
+    def area(self) -> float:
+        """mm2."""
+        return abs(self.outline.area) - sum(abs(hole.area) for hole in self.holes)
+
+    @property
+    def mass(self) -> float:
+        """g."""
+        return self.area * self.sheet.thickness * self.sheet.density * 1e-6
+
+    def material(self, s: ArrayLike) -> FloatArray:
+        """Summed width (n,), mm, that is really left at stations `s` (n,)."""
+        return material_width(self.outline, self.holes, s)
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,8 +77,9 @@ class Strip:
         Width of the widest, of the narrowest place, mm; one of them sets the scale. With both, `max_width` sets
         it and a strip that would be narrower than `min_width` is refused. A rod that knows its bending stiffness
         in N mm2 (a weight in newtons) fixes its own width; the two are then limits.
-    style : Plain
-        How stiffness becomes material.
+    style : Plain, Perforated or Laminated
+        How stiffness becomes material. The last two give the strip a width of its own; `max_width` and `min_width`
+        then limit the material: the ligaments' sum, the backing.
     ends : pair of Tab
         Tabs at the start and at the end.
     slots : tuple of Slot
@@ -78,7 +109,7 @@ class Strip:
     sheet: Sheet
     max_width: float | None = None
     min_width: float | None = None
-    style: Plain = Plain()
+    style: Style = PLAIN
     ends: tuple[Tab, Tab] = (Tab(10.0), Tab(10.0))
     slots: tuple[Slot, ...] = ()
     label: str = ""
@@ -88,35 +119,17 @@ class Strip:
             value = getattr(self, name)
             if value is not None and not (np.isfinite(value) and value > 0):
                 raise InputError(f"{name} is {value}: it must be positive, in mm")
-        if self.max_width is None and self.min_width is None and self.rod.bending_stiffness is None:
-            raise InputError(
-                "a strip needs max_width or min_width (mm): the rod only fixes how widths compare"
-            )
-        narrow, wide = self.width.extremes
-        slack = 1 + 1e-9
-        if self.min_width is not None and narrow * slack < self.min_width:
-            raise InputError(
-                f"the narrowest place is {narrow:.4g} mm, below min_width {self.min_width:g} mm: the ratio is "
-                f"{self.rod.ratio:.3g}, so max_width must be {self.min_width * self.rod.ratio:.4g} mm or more"
-            )
-        if self.max_width is not None and wide > self.max_width * slack:
-            raise InputError(
-                f"the rod's bending stiffness asks for a width of {wide:.4g} mm, above max_width "
-                f"{self.max_width:g} mm: choose a thicker or stiffer sheet"
-            )
+        _ = self.layout
 
     @cached_property
+    def layout(self) -> Layout:
+        """What the style makes of the rod."""
+        return self.style.laid_out(self.rod, self.sheet, max_width=self.max_width, min_width=self.min_width)
+
+    @property
     def width(self) -> Profile:
         """Full width (mm) along the free part [0, length]."""
-        rod, sheet = self.rod, self.sheet
-        low, high = rod.profile.extremes
-        if rod.bending_stiffness is not None:
-            return rod.profile.scaled(
-                12 * rod.bending_stiffness / (sheet.youngs_modulus * sheet.thickness**3)
-            )
-        if self.max_width is not None:
-            return rod.profile.scaled(self.max_width / high)
-        return rod.profile.scaled((self.min_width or 0.0) / low)
+        return self.layout.width
 
     @cached_property
     def outline(self) -> Path:
@@ -126,22 +139,30 @@ class Strip:
     @cached_property
     def _rim(self) -> Path:
         """The outer loop without slots."""
-        pieces = _pieces(self.width)
-        lower = [_side(piece, -0.5) for piece in pieces]
-        upper = [_side(piece, 0.5).reversed() for piece in reversed(pieces)]
-        w0, w1 = self.end_widths
-        length = self.rod.length
-        far = [_placed(segment, length, 1) for segment in self.ends[1].corners(w1)]
-        near = [_placed(segment, 0.0, -1) for segment in self.ends[0].corners(w0)]
-        return Path(_joined([*lower, *far, *upper, *near]), closed=True)
+        return flat_rim(self.width, self.ends)
 
     @cached_property
     def holes(self) -> tuple[Path, ...]:
         """Closed inner loops."""
-        w0, w1 = self.end_widths
-        start = [_placed_path(path, 0.0, -1) for path in self.ends[0].hole_paths(w0)]
-        end = [_placed_path(path, self.rod.length, 1) for path in self.ends[1].hole_paths(w1)]
-        return (*start, *end)
+        return (
+            *end_holes(self.width, self.ends),
+            *self.layout.hole_paths(self.ends, self.slots),
+        )
+
+    @cached_property
+    def layers(self) -> tuple[Layer, ...]:
+        """The sheets that the strip is made of, the base first."""
+        base = Layer(self.sheet, self.outline, self.holes)
+        if self.layout.backing is None:
+            return (base,)
+        sheet, width = self.layout.backing.sheet, self.layout.backing.width
+        held = widths_held(self.width, self.ends)
+        reaching = [slot for slot in self.slots if _reaches(slot, self.width, width)]
+        holes = end_holes(width, held)
+        rim = with_slots(
+            flat_rim(width, held), holes, reaching, self.width, name=f"{self.label or 'strip'}, backing"
+        )
+        return base, Layer(sheet, rim, holes)
 
     def mirrored(self) -> "Strip":
         """The strip turned over about its centre line (y to -y), bent into the same curve."""
@@ -156,51 +177,75 @@ class Strip:
 
     @property
     def max_strain(self) -> float:
-        """Largest strain of the skin, h/2 |kappa - kappa_0| (dimensionless)."""
-        return self._strain_peak[0]
+        """Largest strain of the skin (dimensionless): of the layer that comes nearest to its limit."""
+        return self._strained[0].largest
 
     @property
     def max_strain_at(self) -> float:
         """Arc length of the largest strain, mm."""
-        return self._strain_peak[1]
+        layer, s = self._strained
+        return float(s[layer.station])
 
     @cached_property
-    def _strain_peak(self) -> tuple[float, float]:
-        samples = (
-            self.rod.curve.sample(max(2001, self.rod.s.size)) if self.rod.shape is not None else self.rod
-        )
-        bend = np.abs(samples.curvature - self.rod.natural_curvature)
-        i = int(np.argmax(bend))
-        return float(self.sheet.thickness / 2 * bend[i]), float(samples.s[i])
+    def strains(self) -> tuple[LayerStrain, ...]:
+        """Skin strain of each layer at uniform stations, with the limit of its sheet."""
+        s, bend = self._bend
+        return self.layout.strains(s, bend)
+
+    @property
+    def _strained(self) -> tuple[LayerStrain, FloatArray]:
+        return max(self.strains, key=lambda layer: layer.largest / layer.limit), self._bend[0]
+
+    @cached_property
+    def _bend(self) -> tuple[FloatArray, FloatArray]:
+        """Stations (n,) and what each is bent by, |kappa - kappa_0|, 1/mm."""
+        rod = self.rod
+        samples = rod.curve.sample(max(2001, rod.s.size)) if rod.shape is not None else rod
+        rest = np.broadcast_to(np.asarray(rod.natural_curvature, dtype=float), rod.s.shape)
+        s = np.minimum(samples.s, rod.length)
+        return s, np.abs(samples.curvature - np.interp(s, rod.s, rest))
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What a maker should know before cutting: the rod's warnings and a strain beyond the sheet's limit."""
-        limit = self.sheet.max_strain
-        if self.max_strain <= limit:
-            return self.rod.warnings
-        radius = self.sheet.thickness / 2 / self.max_strain
-        return (
-            *self.rod.warnings,
-            f"strain {100 * self.max_strain:.2f} % at {self.max_strain_at:.1f} mm is beyond the "
-            f"{100 * limit:.2f} % that {self.sheet.name} bears: its radius there is {radius:.1f} mm, the least "
-            f"advisable {self.sheet.least_radius:.1f} mm; use a thinner sheet or a gentler curve",
-        )
+        """What a maker should know before cutting: the rod's and the style's warnings, strains beyond a limit."""
+        found = [*self.rod.warnings, *self.layout.warnings]
+        s, bend = self._bend
+        for layer in self.strains:
+            if layer.exceeded:
+                at = layer.station
+                bearable = bend[at] * layer.limit / layer.largest
+                found.append(
+                    f"strain {100 * layer.largest:.2f} % at {s[at]:.1f} mm is beyond the {100 * layer.limit:.2f} % "
+                    f"that {layer.name} bears: its radius there is {1 / bend[at]:.1f} mm, the least advisable "
+                    f"{1 / bearable:.1f} mm; use a thinner sheet or a gentler curve"
+                )
+        return tuple(found)
 
-    @cached_property
+    @property
     def area(self) -> float:
-        """Area of the flat part, mm2."""
-        return abs(self.outline.area) - sum(abs(hole.area) for hole in self.holes)
+        """Area of the flat part (the base of a laminate), mm2."""
+        return self.layers[0].area
 
     @property
     def mass(self) -> float:
-        """Mass in g."""
-        return self.area * self.sheet.thickness * self.sheet.density * 1e-6
+        """Mass in g, of all layers."""
+        return sum(layer.mass for layer in self.layers)
 
     @property
     def bending_stiffness(self) -> float:
-        """B, the least E I along the strip, N mm2; the rod's numbers times B are newtons."""
-        return self.sheet.youngs_modulus * self.sheet.thickness**3 / 12 * self.width.extremes[0]
+        """B, the E I where K = 1, N mm2; the rod's numbers times B are newtons."""
+        return self.layout.bending_stiffness
+
+    @cached_property
+    def as_made(self) -> Rod:
+        """The rod with the stiffness and weight of what is really cut, to be bent: see `made_rod`."""
+        return made_rod(self)
+
+    @cached_property
+    def deviation_as_made(self) -> float:
+        """How far the strip as made, bent and held as designed, strays from the design, mm."""
+        bent = bend(self.as_made)
+        return float(np.hypot(*(bent.position - self.rod.position).T).max())
 
     def reactions(self) -> Reactions:
         """Forces (N) and moments (N mm) that the supports exert on the strip.
@@ -211,68 +256,53 @@ class Strip:
         return Reactions(B * force[0], float(-B * moment[0]), -B * force[-1], float(B * moment[-1]))
 
     def drawing(self) -> Drawing:
-        """The cut pattern on its layers: engraved label, end marks, inner cuts, outer cut."""
-        marks = [_tick(x, w) for x, w in zip((0.0, self.rod.length), self.end_widths, strict=True)]
-        paths = (
-            *(LayeredPath(MARK, mark) for mark in marks),
-            *(LayeredPath(CUT_INNER, hole) for hole in self.holes),
-            LayeredPath(CUT_OUTER, self.outline),
-        )
-        texts = (self._label_text(),) if self.label else ()
-        return Drawing(name=self.label or "strip", paths=paths, texts=texts)
+        """The cut pattern on its layers: label, marks, inner cuts, outer cut; of a laminate that of the base."""
+        return self.drawings()[0]
 
-    def _label_text(self) -> Text:
-        """The label, lying along the middle of the strip, as large as fits up to 5 mm."""
-        middle = self.rod.length / 2
-        height = min(5.0, 0.4 * float(self.width(middle)))
+    def drawings(self) -> tuple[Drawing, ...]:
+        """The cut pattern of each layer, the base first; they register: same frame, same holes in the tabs.
+
+        Where the backing of a laminate comes to lie is marked on the base.
+        """
+        name = self.label or "strip"
+        names = (name, f"{name}-backing")
+        ticks = [_tick(x, w) for x, w in zip((0.0, self.rod.length), self.end_widths, strict=True)]
+        if self.layout.pattern is not None:
+            ticks = []  # they would run along the flat ends of the first and last holes
+        drawn = []
+        for i, layer in enumerate(self.layers):
+            marks = ticks if i else [*ticks, *self.layout.guides]
+            paths = (
+                *(LayeredPath(MARK, mark) for mark in marks),
+                *(LayeredPath(CUT_INNER, hole) for hole in layer.holes),
+                LayeredPath(CUT_OUTER, layer.outline),
+            )
+            texts = (self._label_text(i),) if self.label else ()
+            drawn.append(Drawing(name=names[i], paths=paths, texts=texts))
+        return tuple(drawn)
+
+    def _label_text(self, layer: int = 0) -> Text:
+        """The label as large as fits up to 5 mm: along the middle, across the first tab where there are holes."""
+        if self.layout.pattern is not None:
+            room, across = self.end_widths[0], self.ends[0].length
+            x, y, angle = -across / 2, 0.0, np.pi / 2
+        else:
+            x, y, angle = self.rod.length / 2, 0.0, 0.0
+            width = self.width if layer == 0 or self.layout.backing is None else self.layout.backing.width
+            room, across = self.rod.length, float(width(x))
+        height = min(5.0, 0.4 * across)
         long = text_width(self.label, height)
-        height *= min(1.0, 0.8 * self.rod.length / long) if long > 0 else 1.0
-        x = middle - text_width(self.label, height) / 2
-        return Text(position=(x, -height / 2), text=self.label, height=height, layer=ENGRAVE)
+        height *= min(1.0, 0.8 * room / long) if long > 0 else 1.0
+        along, up = text_width(self.label, height) / 2, height / 2
+        c, s = np.cos(angle), np.sin(angle)
+        corner = (x - c * along + s * up, y - s * along - c * up)
+        return Text(position=corner, text=self.label, height=height, angle=float(angle), layer=ENGRAVE)
 
 
-def _pieces(width: Profile) -> list[Profile]:
-    """The profile cut at its jumps (interior knots of multiplicity degree + 1)."""
-    k = width.degree
-    knots, counts = np.unique(width.knots, return_counts=True)
-    cuts = knots[(counts > k) & (knots > knots[0]) & (knots < knots[-1])]
-    pieces, first = [], 0
-    for cut in [*cuts, None]:
-        last = width.coefficients.size if cut is None else int(np.searchsorted(width.knots, cut))
-        pieces.append(Profile(width.knots[first : last + k + 1], width.coefficients[first:last], k))
-        first = last
-    return pieces
-
-
-def _side(width: Profile, factor: float) -> Spline:
-    """One long side: the graph of `factor` times the width, with Greville abscissae as x."""
-    points = np.column_stack([width.greville, factor * width.coefficients])
-    return Spline(PlaneCurve(width.knots, points, width.degree))
-
-
-def _placed(segment: Line | Arc, x: float, direction: int) -> Line | Arc:
-    """A tab's segment in the strip's frame: at the end as it is, at the start turned by half a turn."""
-    return segment.transformed(_frame(x, direction))
-
-
-def _placed_path(path: Path, x: float, direction: int) -> Path:
-    return path.transformed(_frame(x, direction))
-
-
-def _frame(x: float, direction: int) -> FloatArray:
-    return np.array([[direction, 0.0, x], [0.0, direction, 0.0], [0.0, 0.0, 1.0]])
-
-
-def _joined(segments: list[Line | Arc | Spline]) -> tuple[Line | Arc | Spline, ...]:
-    """The closed chain, with a step of the width drawn as a line wherever two neighbours do not meet."""
-    chain: list[Line | Arc | Spline] = []
-    for segment in segments:
-        if chain and not np.allclose(chain[-1].end, segment.start, rtol=0, atol=1e-9):
-            chain.append(Line(chain[-1].end, segment.start))
-        chain.append(segment)
-    if not np.allclose(chain[-1].end, chain[0].start, rtol=0, atol=1e-9):
-        chain.append(Line(chain[-1].end, chain[0].start))
-    return tuple(chain)
+def _reaches(slot: Slot, outer: Profile, inner: Profile) -> bool:
+    """Does a slot of a strip of one width go deep enough to cut a narrower one?"""
+    points, _ = slot.center_line(outer)
+    return bool(abs(points[0, 1]) < float(inner(np.clip(points[0, 0], 0.0, inner.length))) / 2)
 
 
 def _tick(x: float, width: float) -> Path:

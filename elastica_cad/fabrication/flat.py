@@ -1,0 +1,94 @@
+"""The rim of a flat part: two long sides from a width, and the tabs at both ends."""
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.fabrication.ends import Tab
+from elastica_cad.geometry import Line, Path, PlaneCurve, Profile, Segment, Spline
+
+__all__ = ["Ends", "chained", "end_holes", "flat_rim", "graph", "long_sides", "widths_held"]
+
+Ends = tuple[Tab, Tab]
+
+
+def flat_rim(width: Profile, ends: Ends) -> Path:
+    """The closed outer loop, anticlockwise, of a strip of full width `width` (mm) with its tabs.
+
+    Its long sides are B-splines whose x control points are the Greville abscissae of the knots, so that y(x)
+    is exactly half the width.
+    """
+    lower, upper = long_sides(width)
+    start, end = _end_widths(width)
+    far = [segment.transformed(_frame(width.length, 1)) for segment in ends[1].corners(end)]
+    near = [segment.transformed(_frame(0.0, -1)) for segment in ends[0].corners(start)]
+    return Path(chained([*lower, *far, *(side.reversed() for side in reversed(upper)), *near]), closed=True)
+
+
+def long_sides(width: Profile) -> tuple[list[Spline], list[Spline]]:
+    """The lower and the upper long side from start to end, each in the pieces between the width's jumps."""
+    pieces = _pieces(width)
+    lower, upper = ([_side(piece, factor) for piece in pieces] for factor in (-0.5, 0.5))
+    return lower, upper
+
+
+def end_holes(width: Profile, ends: Ends) -> tuple[Path, ...]:
+    """The round holes of both tabs as closed loops in the frame of the strip."""
+    start, end = _end_widths(width)
+    first = [path.transformed(_frame(0.0, -1)) for path in ends[0].hole_paths(start)]
+    last = [path.transformed(_frame(width.length, 1)) for path in ends[1].hole_paths(end)]
+    return (*first, *last)
+
+
+def widths_held(width: Profile, ends: Ends) -> Ends:
+    """The tabs with the width that they have on a strip of full width `width`, written into them."""
+    start, end = ends
+    first, last = _end_widths(width)
+    return replace(start, width=start.width or first), replace(end, width=end.width or last)
+
+
+def graph(knots: FloatArray, values: FloatArray, degree: int = 3) -> Spline:
+    """The graph of a spline function as a segment: with Greville abscissae as x it is the curve itself."""
+    x = np.lib.stride_tricks.sliding_window_view(knots[1:-1], degree).mean(axis=1)
+    return Spline(PlaneCurve(knots, np.column_stack([x, values]), degree))
+
+
+def chained(segments: Iterable[Segment]) -> tuple[Segment, ...]:
+    """The closed chain, with a line wherever two neighbours do not meet, as at a step of the width."""
+    chain: list[Segment] = []
+    for segment in segments:
+        if chain and not np.allclose(chain[-1].end, segment.start, rtol=0, atol=1e-9):
+            chain.append(Line(chain[-1].end, segment.start))
+        chain.append(segment)
+    if not np.allclose(chain[-1].end, chain[0].start, rtol=0, atol=1e-9):
+        chain.append(Line(chain[-1].end, chain[0].start))
+    return tuple(chain)
+
+
+def _pieces(width: Profile) -> list[Profile]:
+    """The profile cut at its jumps (interior knots of multiplicity degree + 1)."""
+    k = width.degree
+    knots, counts = np.unique(width.knots, return_counts=True)
+    cuts = knots[(counts > k) & (knots > knots[0]) & (knots < knots[-1])]
+    pieces, first = [], 0
+    for cut in [*cuts, None]:
+        last = width.coefficients.size if cut is None else int(np.searchsorted(width.knots, cut))
+        pieces.append(Profile(width.knots[first : last + k + 1], width.coefficients[first:last], k))
+        first = last
+    return pieces
+
+
+def _side(width: Profile, factor: float) -> Spline:
+    """One long side: the graph of `factor` times the width."""
+    return graph(width.knots, factor * width.coefficients, width.degree)
+
+
+def _end_widths(width: Profile) -> tuple[float, float]:
+    return float(width(0.0)), float(width(width.length))
+
+
+def _frame(x: float, direction: int) -> FloatArray:
+    """A tab's frame in that of the strip: at the end as it is, at the start turned by half a turn."""
+    return np.array([[direction, 0.0, x], [0.0, direction, 0.0], [0.0, 0.0, 1.0]])

@@ -1,0 +1,105 @@
+"""How much material is left at a station of a flat part, measured on its loops, and the rod that this makes."""
+
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.geometry import Path, Profile
+from elastica_cad.mechanics import Rod, Weight
+
+if TYPE_CHECKING:
+    from elastica_cad.fabrication.strip import Strip
+
+__all__ = ["made_rod", "material_width"]
+
+_CUTS = 8  # stations a cell of the rod
+
+_FLAT = 1e-6  # mm, of the polylines that are measured
+
+
+def material_width(outline: Path, holes: Iterable[Path], s: ArrayLike) -> FloatArray:
+    """Summed width (n,), mm, of what a straight cut across at the stations `s` (n,) meets.
+
+    Parameters
+    ----------
+    outline, holes : Path
+        Closed loops of a flat pattern, x along the strip.
+    s : (n,) array_like
+        mm; at a station where a loop has an edge straight across, the side beyond it counts.
+
+    Examples
+    --------
+    >>> plate = Path.rectangle(40, 10)
+    >>> material_width(plate, [Path.rectangle(10, 4, corner=(5, 3))], [2.0, 8.0]).round(6).tolist()
+    [10.0, 6.0]
+    """
+    s = np.asarray(s, dtype=float)
+    return _chord(outline, s) - sum((_chord(hole, s) for hole in holes), np.zeros(s.shape))
+
+
+def made_rod(strip: "Strip") -> Rod:
+    """The rod of a strip with the stiffness and weight of what is really cut: slots, solid ends, rounded tips.
+
+    Stiffness is measured on the loops of all layers. Each node takes the mean compliance of its cell, which is what
+    the angle across the cell feels. Weight follows; a rod whose own weight is in newtons has it scaled with the
+    material, hung masses stay.
+
+    Returns
+    -------
+    Rod
+        The design's shape, supports and gravity: out of balance until bent.
+    """
+    rod = strip.rod
+    n = rod.s.size
+    ends = np.linspace(0.0, rod.length, _CUTS * (n - 1) + 1)
+    s = (ends[1:] + ends[:-1]) / 2
+    left = [layer.material(s) for layer in strip.layers]
+    material, backing = left[0], left[1] if len(left) > 1 else None
+    EI = 1 / _cell_means(1 / strip.layout.stiffness(material, backing), n)
+    least = float(EI.min())
+    made = replace(rod.with_stiffness(Profile.interpolate(rod.s, EI)), bending_stiffness=least)
+    if rod.gravity is None:
+        return made
+    weight = rod.weight or Weight()
+    newtons = strip.layout.weight_per_length(material, backing)
+    if newtons is not None:
+        along = Profile.interpolate(rod.s, _cell_means(newtons, n))
+        return replace(made, weight=replace(weight, alpha=along, beta=0.0))
+    if rod.weight is None:
+        return made
+    factor = least / strip.bending_stiffness
+    beta = weight.beta.scaled(factor) if isinstance(weight.beta, Profile) else weight.beta * factor
+    return replace(made, weight=replace(weight, beta=beta))
+
+
+def _cell_means(values: FloatArray, nodes: int) -> FloatArray:
+    """Mean (n,) over the cell of each node of values at uniform stations, `_CUTS` between neighbouring nodes."""
+    halves = values.reshape(2 * (nodes - 1), _CUTS // 2).mean(axis=1)
+    inner = (halves[1:-1:2] + halves[2::2]) / 2
+    return np.concatenate([halves[:1], inner, halves[-1:]])
+
+
+def _chord(loop: Path, s: FloatArray) -> FloatArray:
+    """Length (n,) inside a loop of the lines across at `s`: the signed sum of its crossings' y."""
+    (low, _), (high, _) = loop.bounds
+    total = np.zeros(s.shape)
+    met = np.flatnonzero((s >= low) & (s <= high))
+    if not met.size:
+        return total
+    order = met[np.argsort(s[met], kind="stable")]
+    at = s[order]
+    points = loop.points(_FLAT)
+    x, y = points.T
+    x1, y1 = np.roll(x, -1), np.roll(y, -1)
+    # an edge meets the stations with min(x, x1) <= s < max(x, x1)
+    first = np.searchsorted(at, np.minimum(x, x1), side="left")
+    count = np.searchsorted(at, np.maximum(x, x1), side="left") - first
+    edge = np.repeat(np.arange(x.size), count)
+    station = np.arange(edge.size) - np.repeat(np.cumsum(count) - count, count) + np.repeat(first, count)
+    u = (at[station] - x[edge]) / (x1 - x)[edge]
+    crossing = np.sign(x[edge] - x1[edge]) * (y[edge] * (1 - u) + y1[edge] * u)
+    total[order] = np.bincount(station, crossing, minlength=at.size)
+    return np.abs(total)

@@ -1,0 +1,188 @@
+"""Styles: how stiffness becomes material. The plain one, and what a style answers."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Protocol, TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.flat import Ends, long_sides
+from elastica_cad.fabrication.slots import Slot
+from elastica_cad.geometry import Path, Profile
+from elastica_cad.mechanics import LaminatedSection, LayerStrain, PlainSection, Rod, Sheet
+
+__all__ = ["PLAIN", "Backing", "Layout", "Pattern", "Plain", "Style", "Width", "along", "stations_of"]
+
+Width: TypeAlias = "float | Profile | Callable[[FloatArray], FloatArray]"
+"""An outer width: one number, or a profile or function of arc length, all in mm."""
+
+WIDTH_TOLERANCE = 1e-7
+"""Largest error, mm, of a width given as a function."""
+
+
+class Pattern(Protocol):
+    """Holes in the free part of a strip."""
+
+    def paths(self, ends: Ends, slots: Sequence[Slot]) -> tuple[Path, ...]:
+        """The holes as closed loops, clear of the slots."""
+        ...
+
+
+@dataclass(frozen=True, eq=False)
+class Backing:
+    """A narrower strip that is glued on.
+
+    Attributes
+    ----------
+    sheet : Sheet
+    width : Profile
+        mm along the free part.
+    """
+
+    sheet: Sheet
+    width: Profile
+
+
+@dataclass(frozen=True, eq=False)
+class Layout:
+    """What a style makes of a rod and a sheet.
+
+    Attributes
+    ----------
+    sheet : Sheet
+        The sheet that makes the outline.
+    width : Profile
+        Full width of the outline along the free part, mm.
+    material : Profile
+        Summed width that the style means to leave of the sheet, mm.
+    bending_stiffness : float
+        B, N mm2: the E I where K = 1.
+    pattern : Pattern or None
+        Holes.
+    backing : Backing or None
+        What is glued on.
+    warnings : tuple of str
+        What a maker should know.
+    """
+
+    sheet: Sheet
+    width: Profile
+    material: Profile
+    bending_stiffness: float
+    pattern: Pattern | None = None
+    backing: Backing | None = None
+    warnings: tuple[str, ...] = ()
+
+    def hole_paths(self, ends: Ends, slots: Sequence[Slot] = ()) -> tuple[Path, ...]:
+        """Closed loops cut out of the free part, clear of the slots."""
+        return () if self.pattern is None else self.pattern.paths(ends, slots)
+
+    @property
+    def guides(self) -> tuple[Path, ...]:
+        """Lines marked on the base, where the edges of the backing come to lie."""
+        if self.backing is None:
+            return ()
+        return tuple(Path([side]) for sides in long_sides(self.backing.width) for side in sides)
+
+    def strains(self, s: FloatArray, bend: FloatArray) -> tuple[LayerStrain, ...]:
+        """Skin strain of each layer at stations `s` (n,) bent by `bend` (n,) = |kappa - kappa_0|, 1/mm."""
+        if self.backing is None:
+            return PlainSection(self.sheet).strains(bend)
+        section = LaminatedSection(self.sheet, self.backing.sheet)
+        return section.strains(bend, self.width(s), self.backing.width(s))
+
+    def stiffness(self, material: FloatArray, backing: FloatArray | None = None) -> FloatArray:
+        """E I (n,), N mm2, of widths (n,), mm, that are really there of the sheet and of the backing."""
+        if self.backing is None or backing is None:
+            return PlainSection(self.sheet).bending_stiffness(material)
+        return LaminatedSection(self.sheet, self.backing.sheet).bending_stiffness(material, backing)
+
+    def weight_per_length(self, material: FloatArray, backing: FloatArray | None = None) -> FloatArray | None:
+        """N/mm (n,) of such widths; None for a single sheet, whose weight is proportional to its stiffness."""
+        if self.backing is None or backing is None:
+            return None
+        return LaminatedSection(self.sheet, self.backing.sheet).weight_per_length(material, backing)
+
+
+class Style(Protocol):
+    """How stiffness becomes material."""
+
+    def laid_out(
+        self, rod: Rod, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
+    ) -> Layout:
+        """Widths for a rod; refuses what can't be made and says where."""
+        ...
+
+
+@dataclass(frozen=True)
+class Plain:
+    """A solid strip of one sheet: the width is proportional to the stiffness (paper, section 8.1)."""
+
+    def laid_out(
+        self, rod: Rod, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
+    ) -> Layout:
+        """One of the widths sets the scale; a rod that knows its bending stiffness sets it itself."""
+        if max_width is None and min_width is None and rod.bending_stiffness is None:
+            raise InputError(
+                "a strip needs max_width or min_width (mm): the rod only fixes how widths compare"
+            )
+        rigidity = PlainSection(sheet).rigidity
+        low, high = rod.profile.extremes
+        if rod.bending_stiffness is not None:
+            factor = rod.bending_stiffness / rigidity
+        else:
+            factor = (min_width or 0.0) / low if max_width is None else max_width / high
+        width = rod.profile.scaled(factor)
+        narrow, wide = width.extremes
+        slack = 1 + 1e-9
+        if min_width is not None and narrow * slack < min_width:
+            raise InputError(
+                f"the narrowest place is {narrow:.4g} mm, below min_width {min_width:g} mm: the ratio is "
+                f"{rod.ratio:.3g}, so max_width must be {min_width * rod.ratio:.4g} mm or more"
+            )
+        if max_width is not None and wide > max_width * slack:
+            raise InputError(
+                f"the rod's bending stiffness asks for a width of {wide:.4g} mm, above max_width "
+                f"{max_width:g} mm: choose a thicker or stiffer sheet"
+            )
+        return Layout(sheet, width, material=width, bending_stiffness=factor * rigidity)
+
+
+PLAIN = Plain()
+"""The style of a strip for which none is chosen."""
+
+
+def along(width: Width, length: float, name: str) -> Profile:
+    """A width as a profile over [0, length], positive everywhere.
+
+    Raises
+    ------
+    InputError
+        Not positive somewhere, a profile of another length, a function that gives no numbers.
+    """
+    if isinstance(width, Profile):
+        if not np.isclose(width.length, length, rtol=1e-6):
+            raise InputError(f"{name} is given over {width.length:.6g} mm, the strip is {length:.6g} mm long")
+        profile = width
+    elif callable(width):
+        profile = Profile.fit(width, length, tolerance=WIDTH_TOLERANCE)
+    else:
+        value = float(width)
+        if not (np.isfinite(value) and value > 0):
+            raise InputError(f"{name} is {value:g}: it must be positive, in mm")
+        return Profile(np.repeat([0.0, length], 4), np.full(4, value))
+    if profile.extremes[0] <= 0:
+        s = stations_of(length, profile)
+        at = float(s[int(np.argmin(profile(s)))])
+        raise InputError(
+            f"{name} is {float(profile(at)):.4g} mm at {at:.4g} mm: it must be positive everywhere"
+        )
+    return profile
+
+
+def stations_of(length: float, *profiles: Profile, count: int = 2001) -> FloatArray:
+    """Stations (n,) in [0, length], mm, dense, with the knots of the profiles among them."""
+    knots = [profile.knots[(profile.knots >= 0) & (profile.knots <= length)] for profile in profiles]
+    return np.unique(np.concatenate([np.linspace(0.0, length, count), *knots]))
