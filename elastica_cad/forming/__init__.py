@@ -1,7 +1,27 @@
 """forming"""
 
 from elastica_cad.forming.binding import Binding
+from elastica_cad.forming.enforce import EnforcedCurve, enforce_constraints
 from elastica_cad.forming.limits import Box, HalfPlane, Keep, Limits
 from elastica_cad.forming.nearest import NearestRod, Status, nearest_rod
+from elastica_cad.forming.ratio import OptimizedRatio, RatioStatus, optimize_ratio
+from elastica_cad.forming.recovery import RecoveredStability, RecoveryStatus, recover_stability
 
-__all__ = ["Binding", "Box", "HalfPlane", "Keep", "Limits", "NearestRod", "Status", "nearest_rod"]
+__all__ = [
+    "Binding",
+    "Box",
+    "EnforcedCurve",
+    "HalfPlane",
+    "Keep",
+    "Limits",
+    "NearestRod",
+    "OptimizedRatio",
+    "RatioStatus",
+    "RecoveredStability",
+    "RecoveryStatus",
+    "Status",
+    "enforce_constraints",
+    "nearest_rod",
+    "optimize_ratio",
+    "recover_stability",
+]

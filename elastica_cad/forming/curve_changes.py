@@ -18,11 +18,12 @@ from elastica_cad.geometry import InflectionsOnLine, PlaneCurve
 from elastica_cad.geometry.constraints import Constraint, directed_rows
 from elastica_cad.mechanics.discrete import margin_derivatives
 from elastica_cad.mechanics.panels import LEFT, NODES, WEIGHTS, PanelFunction
-from elastica_cad.mechanics.stiffness_family import dense_places
 
 __all__ = ["CurveChanges", "curvature_rows"]
 
 _ALONG = 0.1  # a move along the curve counts this much of one across it
+_BEND = 0.005  # a move that changes the curvature by 1 / length counts as this share of the length
+_STRETCH = 0.05  # one that changes the velocity d/dt by all of itself counts as this share of the length
 _LINE_STEP = 0.02  # moves of the line that count as much as moving the curve by this share of its length
 _RANK = 1e-11
 
@@ -106,12 +107,20 @@ class CurveChanges:
         size, length = np.abs(self._moment).max(), curve.length
         centre = curve.evaluate(self._t).mean(axis=0)
         # the line in numbers of order 1: moment at the middle of the curve, and its slope
-        line = np.array([[1.0, -centre[0] / length, -centre[1] / length], [0, 1 / length, 0], [0, 0, 1 / length]])
+        line = np.array(
+            [[1.0, -centre[0] / length, -centre[1] / length], [0, 1 / length, 0], [0, 0, 1 / length]]
+        )
         line *= size / (_LINE_STEP * length)
         rows.append(np.concatenate([np.zeros(count), np.linalg.inv(line) @ [a, *b]])[None] @ np.block(
             [[np.eye(count), np.zeros((count, 3))], [np.zeros((3, count)), np.linalg.inv(line)]]
         ))  # fmt: skip
-        gram = self.distance_rows.T @ self.distance_rows
+        bends = curvature_rows(curve, self._t) * (self._root_share * _BEND * length**2)
+        d1, slope = curve.evaluate(self._t, 1), curve.basis(self._t, 1)
+        share = self._root_share * (_STRETCH * length) / (d1**2).sum(axis=1, keepdims=True)
+        turned = np.column_stack([-d1[:, 1], d1[:, 0]])
+        stretches = np.concatenate([directed_rows(slope, d * share) for d in (d1, turned)])
+        metric = np.concatenate([self.distance_rows, bends, stretches])
+        gram = metric.T @ metric
         gram.flat[:: count + 1] += 1e-12 * np.trace(gram)
         to_moves = np.zeros((count + 3, count + 3))
         to_moves[:count, :count] = np.linalg.inv(np.linalg.cholesky(gram)).T
@@ -145,17 +154,19 @@ class CurveChanges:
         across = directed_rows(curve.basis(self._t), np.broadcast_to(b, position.shape))
         moment = np.column_stack([across, np.ones(len(position)), position]) @ self.basis
         kappa = curvature_rows(curve, self._t) @ self._moves
-        K = state.balance.stiffness.at(np.repeat(np.arange(panels.count), NODES.size), np.tile(NODES, panels.count))
-        M = state.balance.moment.at(np.repeat(np.arange(panels.count), NODES.size), np.tile(NODES, panels.count))
+        K = state.balance.stiffness.at(
+            np.repeat(np.arange(panels.count), NODES.size), np.tile(NODES, panels.count)
+        )
+        M = state.balance.moment.at(
+            np.repeat(np.arange(panels.count), NODES.size), np.tile(NODES, panels.count)
+        )
         C, M = state.scale / K, M / state.scale
         change = (kappa - C[:, None] * moment) / M[:, None]
         return PanelFunction.through(change.reshape(*panels.t.shape, -1))
 
     def watched(self) -> tuple[FloatArray, FloatArray]:
-        """C = 1/K (n,) at dense places, and its changes (n, r)."""
-        places = dense_places(self.state.balance.panels)
-        K = self.state.balance.stiffness.at(*places)
-        return self.state.scale / K, self.compliance.at(*places)
+        """C = 1/K (n,) at the places of the state, and its changes (n, r)."""
+        return 1 / self.state.stiffness, self.compliance.at(*self.state.places)
 
     @cached_property
     def _stretching(self) -> tuple[PanelFunction, FloatArray, FloatArray]:
@@ -167,7 +178,11 @@ class CurveChanges:
         rate = rate.reshape(*panels.t.shape, -1) * (np.diff(panels.edges) / 2)[:, None, None]
         within = np.einsum("ij,njr->nir", LEFT, rate)
         whole = np.cumsum(np.einsum("j,njr->nr", WEIGHTS, rate), axis=0)
-        return PanelFunction.through(within), np.concatenate([np.zeros((1, whole.shape[1])), whole[:-1]]), whole[-1]
+        return (
+            PanelFunction.through(within),
+            np.concatenate([np.zeros((1, whole.shape[1])), whole[:-1]]),
+            whole[-1],
+        )
 
     @cached_property
     def margin(self) -> FloatArray:
@@ -190,8 +205,6 @@ class CurveChanges:
         turned = np.column_stack([-edge[:, 1], edge[:, 0]]) / (edge**2).sum(axis=1)[:, None]
         angles = np.einsum("nk,nkr->nr", turned, np.diff(moved, axis=0))
         db = self.basis[-2:]
-        by = margin_derivatives(
-            rod.stiffness, rod.angles, rod.force, rod.edge_length, margin=state.stability
-        )
+        by = margin_derivatives(rod.stiffness, rod.angles, rod.force, rod.edge_length, margin=state.stability)
         force = by.force.sum(axis=0) @ np.stack([-db[1], db[0]])
         return np.asarray(by.stiffness @ K + by.angles @ angles + force + by.length * length)

@@ -7,13 +7,11 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.forming.constraints import thinned
+from elastica_cad.forming.dense import gram
 from elastica_cad.forming.march import MarchedRod, Sensitivities
 from elastica_cad.forming.wish import Wish
 
 __all__ = ["ClosestDistance", "Distance", "LargestDistance", "LocalModel", "MeanDistance"]
-
-
-_UNTHREADED = 200_000  # multiplications
 
 
 @dataclass(frozen=True, eq=False)
@@ -129,7 +127,7 @@ class LargestDistance:
         rows = (self.factors[far] * sign)[:, None] * _across(normal, sensitivities)[far, :p]
         # the mean-square curvature only decides what the peaks leave open
         J = _across(normal, sensitivities)[:, :p] / np.sqrt(distance.size)
-        return LocalModel(1e-3 * _gram(J), np.zeros(p), size[far], rows)
+        return LocalModel(1e-3 * gram(J), np.zeros(p), size[far], rows)
 
 
 def offsets(wish: Wish, rod: MarchedRod) -> tuple[FloatArray, FloatArray]:
@@ -163,15 +161,5 @@ def _least_squares(J: FloatArray, r: FloatArray, p: int) -> LocalModel:
         r = r + J[:, p]
     joined = np.empty((J.shape[0], p + 1))
     joined[:, :p], joined[:, p] = J[:, :p], r
-    gram = _gram(joined)
-    return LocalModel(gram[:p, :p], gram[:p, p], np.zeros(0), np.zeros((0, p)))
-
-
-def _gram(A: FloatArray) -> FloatArray:
-    """A^T A in blocks of rows so small that no BLAS starts threads, whose waiting costs more than the product."""
-    block = max(1, _UNTHREADED // A.shape[1] ** 2)
-    total = np.zeros((A.shape[1], A.shape[1]))
-    for first in range(0, A.shape[0], block):
-        part = A[first : first + block]
-        total += part.T @ part
-    return total
+    product = gram(joined)
+    return LocalModel(product[:p, :p], product[:p, p], np.zeros(0), np.zeros((0, p)))

@@ -6,20 +6,24 @@ Everything here is without weight and clamped at both ends, where Theorem 1 hold
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TypeAlias
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
+from elastica_cad._types import FloatArray, IntArray
+from elastica_cad.errors import InputError
 from elastica_cad.geometry import CollinearInflections, EndPositions, EndTangents, FixedLength, PlaneCurve
 from elastica_cad.geometry.constraints import Constraint
 from elastica_cad.mechanics.discrete import Margin, constrained_margin
 from elastica_cad.mechanics.equilibrium import EquilibriumCheck, NotRealizable, check_equilibrium
 from elastica_cad.mechanics.rod import DEFAULT_SAMPLES
-from elastica_cad.mechanics.stiffness_family import dense_places
+from elastica_cad.mechanics.stiffness_family import dense_places, extreme_places
 from elastica_cad.mechanics.supports import Supports
 from elastica_cad.mechanics.weighing import BalancedStiffness, balance_without_weight
 
-__all__ = ["EquilibriumCurve", "NodalRod", "collinear", "kept"]
+__all__ = ["BothEnds", "EquilibriumCurve", "NodalRod", "collinear", "kept"]
+
+BothEnds: TypeAlias = "bool | tuple[bool, bool]"
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,12 +63,15 @@ class EquilibriumCurve:
     check : EquilibriumCheck
     balance : BalancedStiffness
         Scaled by `scale`.
+    places : (panel, x)
+        Dense samples of the curve in order, with the extremes of K between them.
     scale : float
         What `balance` is divided by to make the least stiffness 1.
     """
 
     check: EquilibriumCheck
     balance: BalancedStiffness
+    places: tuple[IntArray, FloatArray]
     scale: float
 
     @classmethod
@@ -74,16 +81,25 @@ class EquilibriumCurve:
         Raises
         ------
         NotRealizable, InputError
-            As `check_equilibrium`; straight curves too, which have nothing to optimise.
+            As `check_equilibrium`; a straight curve too, which leaves nothing to optimise.
         """
         check = check_equilibrium(curve, tolerance=1e-9)
-        if not check.realizable or check.any_stiffness:
+        if not check.realizable:
             raise NotRealizable(check)
+        if check.any_stiffness:
+            raise InputError(
+                "the curve is straight, so a strip of one width takes it: there is nothing to change"
+            )
         balance = balance_without_weight(check, Supports(), 0.0)
-        least = float(balance.stiffness.at(*dense_places(balance.panels)).min())
+        dense = dense_places(balance.panels)
+        extremes = extreme_places(balance.stiffness, dense)
+        panel, x = (np.concatenate(pair) for pair in zip(dense, extremes, strict=True))
+        order = np.lexsort((x, panel))
+        places = (panel[order], x[order])
+        least = float(balance.stiffness.at(*places).min())
         if least <= 0:
             raise NotRealizable(check)
-        return cls(check, balance, least)
+        return cls(check, balance, places, least)
 
     @property
     def curve(self) -> PlaneCurve:
@@ -99,9 +115,14 @@ class EquilibriumCurve:
         return moment - float(b @ self.balance.panels.edge_position[0]), np.asarray(b)
 
     @cached_property
+    def stiffness(self) -> FloatArray:
+        """K at `places`, least value 1."""
+        return self.balance.stiffness.at(*self.places) / self.scale
+
+    @property
     def ratio(self) -> float:
-        """R = max K / min K over a dense sampling."""
-        return float(self.balance.stiffness.at(*dense_places(self.balance.panels)).max()) / self.scale
+        """R = max K / min K of the continuous curve."""
+        return float(self.stiffness.max())
 
     @cached_property
     def rod(self) -> NodalRod:
@@ -127,16 +148,26 @@ class EquilibriumCurve:
         return self.stability.value
 
 
-def kept(curve: PlaneCurve, *, ends: bool, tangents: bool, length: bool) -> tuple[Constraint, ...]:
-    """The constraints that keep what a curve has."""
+def kept(curve: PlaneCurve, *, ends: BothEnds, tangents: BothEnds, length: bool) -> tuple[Constraint, ...]:
+    """The constraints that keep what a curve has; `ends` and `tangents` at both ends, or (start, end)."""
     found: list[Constraint] = []
-    if ends:
-        found.append(EndPositions.of(curve))
-    if tangents:
-        found.append(EndTangents.of(curve))
+    at_start, at_end = _both(ends)
+    if at_start or at_end:
+        there = EndPositions.of(curve)
+        found.append(EndPositions(there.start if at_start else None, there.end if at_end else None))
+    at_start, at_end = _both(tangents)
+    if at_start or at_end:
+        along = EndTangents.of(curve)
+        found.append(
+            EndTangents(along.start_normal if at_start else None, along.end_normal if at_end else None)
+        )
     if length:
         found.append(FixedLength(curve.length))
     return tuple(found)
+
+
+def _both(ends: BothEnds) -> tuple[bool, bool]:
+    return ends if isinstance(ends, tuple) else (ends, ends)
 
 
 def collinear(curve: PlaneCurve) -> Sequence[Constraint]:

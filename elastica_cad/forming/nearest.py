@@ -23,7 +23,7 @@ from elastica_cad.mechanics.equilibrium import check_equilibrium
 __all__ = ["NearestRod", "Status", "nearest_rod"]
 
 DEFAULT_NODES = 201
-DEFAULT_COEFFICIENTS = 32
+FEWEST, MOST, PER_HALF_TURN = 20, 60, 4.2  # coefficients of the stiffness unless told
 FAR = 0.05  # largest distance, in diagonals of the wish, beyond which a rod no longer looks like it
 
 
@@ -87,7 +87,7 @@ class NearestRod:
         It follows the rod to 1e-3 mm; without weight its inflections lie on one line, so that
         `check_equilibrium` accepts it.
         """
-        return editable_curve(self.rod, self.keep)
+        return editable_curve(self.rod, tangents=self.keep.tangents)
 
 
 def nearest_rod(
@@ -100,7 +100,7 @@ def nearest_rod(
     weights: Weights = None,
     measure: Measure = "mean",
     samples: int = DEFAULT_NODES,
-    coefficients: int = DEFAULT_COEFFICIENTS,
+    coefficients: int | None = None,
 ) -> NearestRod:
     """The rod nearest to a drawn curve, realizable or not, that meets all limits.
 
@@ -128,7 +128,7 @@ def nearest_rod(
     samples : int
         Nodes of the rod.
     coefficients : int
-        B-spline coefficients of the stiffness.
+        B-spline coefficients of the stiffness; unless given 20, and 4 more for each half turn of the curve.
 
     Returns
     -------
@@ -172,20 +172,23 @@ def nearest_rod(
 
 def _setting(
     curve: PlaneCurve, limits: Limits | None, keep: Keep | None, gravity: Gravity | None,
-    supports: Supports | None, weights: Weights, samples: int, coefficients: int,
+    supports: Supports | None, weights: Weights, samples: int, coefficients: int | None,
 ) -> Setting:  # fmt: skip
     """Checked input."""
     if not isinstance(curve, PlaneCurve):
         raise InputError(f"nearest_rod takes a PlaneCurve, not {type(curve).__name__}")
     if int(samples) != samples or not 20 <= samples <= 5000:
         raise InputError(f"samples={samples!r}: a rod needs 20 to 5000 nodes, 201 are usual")
+    wish = Wish.of(curve)
+    if coefficients is None:
+        half_turns = float(np.abs(np.diff(wish.angle)).sum()) / np.pi
+        coefficients = min(MOST, FEWEST + round(PER_HALF_TURN * half_turns), (samples - 1) // 2)
     if int(coefficients) != coefficients or not 4 <= coefficients <= (samples - 1) // 2:
         raise InputError(
             f"coefficients={coefficients!r}: the stiffness needs 4 coefficients or more, and at most half as many "
             f"as there are edges ({samples - 1})"
         )
     limits, keep = limits or Limits(), keep or Keep()
-    wish = Wish.of(curve)
     for region in limits.keep_out:
         for side, kept, point in zip(("start", "end"), keep.ends, wish.position[[0, -1]], strict=True):
             inside = -float(region.clearance((point * wish.size + wish.origin)[None])[0][0])

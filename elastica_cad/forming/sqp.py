@@ -316,7 +316,7 @@ def _closed(problem: Problem, rod: MarchedRod, values: list[FloatArray]) -> Marc
         worst = float(np.abs(aim[touched]).max())
         if worst > 1e-3 or worst < 1e-14:
             return rod
-        slack = 1e-9 * s
+        slack = 1e-6 * s
         free = (rod.z - problem.lower > slack) & (problem.upper - rod.z > slack)
         jacobian = (rows.jacobian * s)[np.ix_(touched, free)]
         step = np.linalg.lstsq(jacobian, aim[touched], rcond=1e-10)[0]

@@ -1,0 +1,19 @@
+"""Small dense products that no BLAS spreads over threads."""
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+
+__all__ = ["gram"]
+
+_UNTHREADED = 200_000  # multiplications
+
+
+def gram(A: FloatArray) -> FloatArray:
+    """A^T A in blocks of rows so small that no BLAS starts threads, whose waiting costs more than the product."""
+    block = max(1, _UNTHREADED // A.shape[1] ** 2)
+    total = np.zeros((A.shape[1], A.shape[1]))
+    for first in range(0, A.shape[0], block):
+        part = A[first : first + block]
+        total += part.T @ part
+    return total
