@@ -144,8 +144,8 @@ class EquilibriumCurve:
 
     @property
     def margin(self) -> float:
-        """Stability margin, as `mechanics.stability` has it."""
-        return self.stability.value
+        """Stability margin, as `mechanics.stability` has it of `optimal_rod`: least nodal K is 1."""
+        return self.stability.value / float(self.rod.stiffness.min())
 
 
 def kept(curve: PlaneCurve, *, ends: BothEnds, tangents: BothEnds, length: bool) -> tuple[Constraint, ...]:

@@ -9,7 +9,7 @@ from elastica_cad.mechanics.gravity_lp import least_variation
 from elastica_cad.mechanics.minimax_lp import MinimaxSolution, Solver, minimax_ratio
 from elastica_cad.mechanics.panels import NODES, WEIGHTS, PanelFunction, Panels
 
-__all__ = ["StiffnessFamily", "dense_places", "least_ratio", "smoothest", "wrong_places"]
+__all__ = ["StiffnessFamily", "dense_places", "extreme_places", "least_ratio", "smoothest", "wrong_places"]
 
 DENSE = np.concatenate([[-1.0], np.cos(np.pi * (np.arange(1, 24)[::-1] / 24)), [1.0]])
 """Places in each panel at which bounds are first watched."""
@@ -73,7 +73,7 @@ def least_ratio(
     rows, offset = family.at(panel, x)
     solution = _solved(family, rows, offset, solver)
     while solution is not None and watch:
-        panel, x = _extreme_places(family.stiffness(solution.x), dense_places(family.panels))
+        panel, x = extreme_places(family.stiffness(solution.x), dense_places(family.panels))
         more, more_offset = family.at(panel, x)
         K = more @ solution.x + more_offset
         exact = K.max() / min(1.0, K.min())
@@ -110,7 +110,7 @@ def smoothest(family: StiffnessFamily, ratio: float) -> FloatArray:
     rows, offset = family.at(*dense_places(family.panels))
     for _ in range(4):
         y = least_variation(rows, offset, bends[:, :d], bend_offset, ratio)
-        more, more_offset = family.at(*_extreme_places(family.stiffness(y), dense_places(family.panels)))
+        more, more_offset = family.at(*extreme_places(family.stiffness(y), dense_places(family.panels)))
         K = more @ y + more_offset
         if K.min() >= 1 - 1e-9 and K.max() <= ratio * (1 + 1e-9):
             break
@@ -161,7 +161,7 @@ def _derivative_rows(x: FloatArray) -> FloatArray:
     )
 
 
-def _extreme_places(
+def extreme_places(
     K: PanelFunction, dense: tuple[IntArray, FloatArray], steps: int = 3
 ) -> tuple[IntArray, FloatArray]:
     """Places of the local extremes of K near its largest and least value, by Newton's method from samples."""
