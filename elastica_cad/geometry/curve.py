@@ -11,7 +11,6 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry import zeros
 from elastica_cad.geometry.approximation import adaptive_spline
 from elastica_cad.geometry.arclength import ArcLength, arc_length_table
-from elastica_cad.geometry.bernstein import interior_roots
 from elastica_cad.geometry.checks import check_knots, finite, whole_degree
 from elastica_cad.geometry.conics import unit_circle_arc
 from elastica_cad.geometry.continuity import continuity_orders, refuse_standstill
@@ -319,11 +318,7 @@ class PlaneCurve:
     @cached_property
     def is_straight(self) -> bool:
         """Is the whole curve a straight segment?"""
-        return (
-            all(z.kind == "flat" for z in self.curvature_zeros)
-            and len(self.curvature_zeros) == 1
-            and (not self.tangent_breaks)
-        )
+        return [z.kind for z in self.curvature_zeros] == ["flat"] and not self.tangent_breaks
 
     @property
     def is_closed(self) -> bool:
@@ -375,13 +370,7 @@ class PlaneCurve:
     @cached_property
     def bounds(self) -> FloatArray:
         """The smallest box around the curve, [[x_min, y_min], [x_max, y_max]], mm."""
-        edges = self._jets.edges
-        found = [
-            edges[root.piece] + root.u * (edges[root.piece + 1] - edges[root.piece])
-            for axis in (0, 1)
-            for root in interior_roots(hodograph(self._jets.bezier)[..., axis])
-        ]
-        points = self.evaluate(np.concatenate([edges, found]))
+        points = self.evaluate(self._jets.stationary())
         return np.array([points.min(axis=0), points.max(axis=0)])
 
     @cached_property

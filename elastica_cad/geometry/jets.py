@@ -8,7 +8,9 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
+from elastica_cad.geometry.bernstein import interior_roots
 from elastica_cad.geometry.extraction import Spans
+from elastica_cad.geometry.turning import hodograph
 
 __all__ = ["Jets", "cross", "curvature", "curvature_slope", "norm", "quotient"]
 
@@ -74,6 +76,14 @@ class Jets:
     def speed(self, t: FloatArray) -> FloatArray:
         """Lengths (n,) of the velocities d/dt, mm."""
         return norm(self.at(t, 1)[1])
+
+    def stationary(self) -> FloatArray:
+        """Parameters (k,) of the knots and of all places where x or y is stationary."""
+        velocity, edges = hodograph(self.bezier), self.edges
+        inner = [root for axis in (0, 1) for root in interior_roots(velocity[..., axis])]
+        return np.array(
+            [*edges, *(edges[r.piece] + r.u * (edges[r.piece + 1] - edges[r.piece]) for r in inner)]
+        )
 
     @cached_property
     def _columns(self) -> FloatArray:

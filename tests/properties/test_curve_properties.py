@@ -192,3 +192,26 @@ def test_crossings_of_a_polyline_with_itself_are_found(curve):
         near = np.abs(found - np.array([i[k] + u[k], j[k] + v[k]]) * step).max(axis=1)
         assert near.size
         assert near.min() < 2 * step
+
+
+@EXAMPLES
+@given(curves(), st.floats(0.05, 0.95))
+def test_no_crossing_of_a_curvature_level_is_missed(curve, share):
+    t = np.linspace(*curve.domain, 3001)
+    kappa = curve.curvature_at(t)
+    low, high = np.quantile(kappa, [0.1, 0.9])
+    level = float(low + share * (high - low))
+    assume(high - low > 1e-6 / curve.length)
+    assume(abs(level) * curve.length > 1e-3)
+    off = kappa - level
+    firm = np.abs(off) > 1e-6 * np.abs(kappa).max()
+    sign = np.sign(off[firm])
+    seen = np.flatnonzero(sign[:-1] != sign[1:])
+    found = curve.curvature_equals(level)
+    places = np.array([(z.t + z.t_end) / 2 for z in found if z.changes_sign])
+    for a, b in zip(t[firm][seen], t[firm][seen + 1], strict=True):
+        assert ((places >= a - 1e-9) & (places <= b + 1e-9)).sum() % 2 == 1
+    for z in found:
+        if z.kind in ("crossing", "touch", "end"):
+            ours = [curve.curvature_at(z.t), curve.curvature_at(z.t, left=True)]
+            assert np.abs(np.array(ours) - level).min() < 1e-5 * np.abs(kappa).max()
