@@ -1,26 +1,21 @@
-"""Pictures of rods, strips and drawings (needs matplotlib)."""
+"""A strip on one page: its curve, its stiffness, its flat pattern; and drawings in the colours of their layers."""
 
-from io import BytesIO
-from os import PathLike
 from textwrap import fill
 from typing import Any, TypeAlias
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import InputError, MissingDependencyError
 from elastica_cad.fabrication import Drawing, Strip, sheet_color
-from elastica_cad.formats.output import write_atomically
 from elastica_cad.geometry import Path, PlaneCurve
 from elastica_cad.mechanics import Rod
+from elastica_cad.plot.canvas import INK, WIDTH, Figure, new_figure
 
-__all__ = ["drawing", "rod", "save_figure", "strip", "strip_sheet"]
+__all__ = ["drawing", "rod", "strip", "strip_sheet"]
 
-Figure: TypeAlias = Any
 Axes: TypeAlias = Any
 
-WIDTH = 9.0  # inches
-INK, COMB, LINE, FAINT, WISH = "#1f2430", "#2f6db3", "#c2452d", "#8a8f98", "#e0962b"
+COMB, LINE, FAINT, WISH = "#2f6db3", "#c2452d", "#8a8f98", "#e0962b"
 LAYER_COLORS = {"CUT_OUTER": "#c2452d", "CUT_INNER": "#2f6db3", "ENGRAVE": INK, "MARK": "#3a8f4d"}
 SMOOTH = 0.02  # mm, how closely polylines follow splines in pictures
 
@@ -31,7 +26,7 @@ def rod(rod: Rod, *, wish: PlaneCurve | None = None) -> Figure:
     `wish` is drawn beside it where the rod is the nearest one to a curve that was asked for.
     """
     tall = _curve_height(rod, wish)
-    figure = _figure(tall + 2.4)
+    figure = new_figure(tall + 2.4)
     above, below = figure.subplots(2, 1, height_ratios=[tall, 2.2])
     _draw_curve(above, rod, wish)
     _draw_stiffness(below, rod)
@@ -40,7 +35,7 @@ def rod(rod: Rod, *, wish: PlaneCurve | None = None) -> Figure:
 
 def strip(strip: Strip) -> Figure:
     """The flat strip with its dimensions."""
-    figure = _figure(_flat_height(strip) + 0.4)
+    figure = new_figure(_flat_height(strip) + 0.4)
     _draw_flat(figure.subplots(), strip)
     return figure
 
@@ -49,7 +44,7 @@ def drawing(drawing: Drawing) -> Figure:
     """A drawing in the colours of its layers."""
     low, high = drawing.bounds
     size = np.maximum(high - low, 1e-9)
-    figure = _figure(float(np.clip(WIDTH * size[1] / size[0], 1.6, 11.0)) + 0.8)
+    figure = new_figure(float(np.clip(WIDTH * size[1] / size[0], 1.6, 11.0)) + 0.8)
     axes = figure.subplots()
     shown: list[str] = []
     for item in drawing.strokes:
@@ -72,7 +67,7 @@ def strip_sheet(strip: Strip, *, wish: PlaneCurve | None = None) -> Figure:
         The curve that was asked for, where the rod is the nearest one that can be made.
     """
     tall, flat = _curve_height(strip.rod, wish), _flat_height(strip)
-    figure = _figure(tall + flat + 3.3)
+    figure = new_figure(tall + flat + 3.3)
     axes = figure.subplots(3, 1, height_ratios=[tall, 2.2, flat])
     sheet = strip.sheet
     facts = f"{sheet.name}, {sheet.thickness:g} mm thick, {strip.mass:.3g} g"
@@ -86,31 +81,6 @@ def strip_sheet(strip: Strip, *, wish: PlaneCurve | None = None) -> Figure:
     for below in axes[1:]:
         below.set_xlim(start - margin, end + margin)
     return figure
-
-
-def save_figure(
-    figure: Figure, path: str | PathLike[str], *, force: bool = False, resolution: float = 150.0
-) -> None:
-    """Write a figure as PNG, whole or not at all; `resolution` in dots per inch.
-
-    Raises
-    ------
-    InputError
-        The file exists (without `force`) or cannot be written.
-    """
-    if not (np.isfinite(resolution) and resolution > 0):
-        raise InputError(f"resolution is {resolution}: it must be positive, in dots per inch")
-    stream = BytesIO()
-    figure.savefig(stream, format="png", dpi=resolution, metadata={"Software": None})
-    write_atomically(path, stream.getvalue(), force=force)
-
-
-def _figure(height: float) -> Figure:
-    try:
-        from matplotlib.figure import Figure as MatplotlibFigure
-    except ImportError as error:
-        raise MissingDependencyError("pictures need matplotlib: pip install matplotlib") from error
-    return MatplotlibFigure(figsize=(WIDTH, height), layout="constrained")
 
 
 def _draw_curve(axes: Axes, rod: Rod, wish: PlaneCurve | None) -> None:

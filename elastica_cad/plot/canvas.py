@@ -1,0 +1,43 @@
+"""Figures without a display, and PNG files of them."""
+
+from io import BytesIO
+from os import PathLike
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from elastica_cad.errors import InputError, MissingDependencyError
+from elastica_cad.formats.output import write_atomically
+
+__all__ = ["INK", "WIDTH", "Figure", "new_figure", "save_figure"]
+
+Figure: TypeAlias = Any
+
+WIDTH = 9.0  # inches
+INK = "#1f2430"
+
+
+def save_figure(
+    figure: Figure, path: str | PathLike[str], *, force: bool = False, resolution: float = 150.0
+) -> None:
+    """Write a figure as PNG, whole or not at all; `resolution` in dots per inch.
+
+    Raises
+    ------
+    InputError
+        The file exists (without `force`) or cannot be written.
+    """
+    if not (np.isfinite(resolution) and resolution > 0):
+        raise InputError(f"resolution is {resolution}: it must be positive, in dots per inch")
+    stream = BytesIO()
+    figure.savefig(stream, format="png", dpi=resolution, metadata={"Software": None})
+    write_atomically(path, stream.getvalue(), force=force)
+
+
+def new_figure(height: float) -> Figure:
+    """An empty figure `WIDTH` wide and `height` tall, inches."""
+    try:
+        from matplotlib.figure import Figure as MatplotlibFigure
+    except ImportError as error:
+        raise MissingDependencyError("pictures need matplotlib: pip install matplotlib") from error
+    return MatplotlibFigure(figsize=(WIDTH, height), layout="constrained")

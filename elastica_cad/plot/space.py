@@ -1,0 +1,117 @@
+"""Models and bodies in space, drawn from behind to before."""
+
+from collections.abc import Sequence
+from itertools import pairwise
+from textwrap import fill
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication import Model, Placed, sheet_color
+from elastica_cad.plot.canvas import INK, WIDTH, Figure, new_figure
+
+__all__ = ["bodies", "model"]
+
+LIGHT = np.array([0.35, -0.45, 0.82])
+
+
+def model(model: Model, *, elevation: float = 25.0, azimuth: float = -60.0) -> Figure:
+    """The bent strips of a model in the colours of their sheets, seen from two angles in degrees."""
+    patches, colors = (np.concatenate(part) for part in zip(*map(_ruled, model.placed), strict=True))
+    count = f"{len(model.placed)} strips" if len(model.placed) > 1 else "1 strip"
+    return _seen(patches, colors, f"{fill(model.name, 90)}\n{count}", elevation, azimuth)
+
+
+def bodies(
+    meshes: Sequence[tuple[ArrayLike, ArrayLike, tuple[float, float, float]]],
+    *,
+    title: str = "",
+    elevation: float = 25.0,
+    azimuth: float = -60.0,
+) -> Figure:
+    """Triangle meshes in space, as `tessellate` of CAD kernels gives them.
+
+    Parameters
+    ----------
+    meshes : sequence of (vertices (n, 3), triangles (m, 3), color)
+        mm; rows of vertices; red, green, blue in 0..1.
+    title : str
+    elevation, azimuth : float
+        Where the eye is, degrees.
+
+    Raises
+    ------
+    InputError
+        No meshes, or arrays of another shape.
+    """
+    patches, colors = [], []
+    for vertices, triangles, color in meshes:
+        points, rows = np.asarray(vertices, dtype=float), np.asarray(triangles, dtype=int)
+        if points.ndim != 2 or points.shape[1] != 3 or rows.ndim != 2 or rows.shape[1] != 3:
+            raise InputError("a mesh is vertices (n, 3) in mm and triangles (m, 3) of their rows")
+        patches.append(points[rows])
+        colors.append(np.tile(np.asarray(color, dtype=float), (len(rows), 1)))
+    if not patches:
+        raise InputError("there is nothing to draw: give one mesh or more")
+    corners, tints = np.concatenate(patches), np.concatenate(colors)
+    corners, tints = _fine(corners, tints, float(np.ptp(corners.reshape(-1, 3), axis=0).max()) / 40)
+    return _seen(corners, _lit(corners) * tints, title, elevation, azimuth)
+
+
+def _seen(patches: FloatArray, colors: FloatArray, title: str, elevation: float, azimuth: float) -> Figure:
+    """Patches (n, k, 3) painted from the farthest to the nearest."""
+    from matplotlib.collections import PolyCollection
+
+    e, a = np.radians([elevation, azimuth])
+    toward = np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
+    right = np.array([-np.sin(a), np.cos(a), 0.0])
+    plane = patches @ np.column_stack([right, np.cross(toward, right)])
+    order = np.argsort(patches.mean(axis=1) @ toward)
+    size = np.maximum(np.ptp(plane.reshape(-1, 2), axis=0), 1e-9)
+    figure = new_figure(float(np.clip(WIDTH * size[1] / size[0], 2.0, 9.0)) + 0.6)
+    axes = figure.subplots()
+    tints = colors[order]
+    axes.add_collection(
+        PolyCollection(list(plane[order]), facecolors=tints, edgecolors=tints, linewidths=0.6)
+    )
+    axes.autoscale_view()
+    axes.set_aspect("equal")
+    axes.set_axis_off()
+    extent = " by ".join(f"{d:.0f}" for d in np.ptp(patches.reshape(-1, 3), axis=0))
+    figure.suptitle(f"{title}, {extent} mm" if title else f"{extent} mm", fontsize=11, color=INK)
+    return figure
+
+
+def _lit(patches: FloatArray) -> FloatArray:
+    """Brightness (n, 1) of patches by their slope to the light, the same on both sides."""
+    normal = np.cross(patches[:, 2] - patches[:, 0], patches[:, -1] - patches[:, 1])
+    normal = normal / np.maximum(np.linalg.norm(normal, axis=1), 1e-300)[:, None]
+    return np.asarray(0.6 + 0.4 * np.abs(normal @ LIGHT)[:, None], dtype=float)
+
+
+def _fine(triangles: FloatArray, colors: FloatArray, longest: float) -> tuple[FloatArray, FloatArray]:
+    """Triangles halved across their longest edge until none is longer than `longest`, to be sorted by depth."""
+    while True:
+        edges = np.linalg.norm(np.roll(triangles, -1, axis=1) - triangles, axis=2)
+        large = edges.max(axis=1) > longest
+        if not large.any():
+            return triangles, colors
+        turn = (np.argmax(edges[large], axis=1)[:, None] + np.arange(3)) % 3
+        a, b, c = np.moveaxis(np.take_along_axis(triangles[large], turn[..., None], axis=1), 1, 0)
+        middle = (a + b) / 2
+        halves = [np.stack([a, middle, c], axis=1), np.stack([middle, b, c], axis=1)]
+        triangles = np.concatenate([triangles[~large], *halves])
+        colors = np.concatenate([colors[~large], colors[large], colors[large]])
+
+
+def _ruled(placed: Placed) -> tuple[FloatArray, FloatArray]:
+    """The free part in space: patches (n, 4, 3) from ruling to ruling with dark rims, and colours (n, 3)."""
+    strip = placed.strip
+    s = np.linspace(0.0, strip.rod.length, 81)
+    curve = np.column_stack([np.interp(s, strip.rod.s, column) for column in strip.rod.position.T])
+    half = strip.width(s) / 2
+    lines = [placed.frame.point(np.column_stack([curve, share * half])) for share in (-1.0, -0.93, 0.93, 1.0)]
+    bands = [np.stack([a[:-1], a[1:], b[1:], b[:-1]], axis=1) for a, b in pairwise(lines)]
+    lit = _lit(bands[1]) * np.array(sheet_color(strip.sheet))
+    return np.concatenate(bands), np.concatenate([0.45 * lit, lit, 0.45 * lit])
