@@ -40,6 +40,7 @@ def mesh_area(face):
 def test_outline_and_volume_are_the_cores(document, drawn, points, degree, weights):
     feature = strip.create(document, drawn(points, degree, weights))
     twin = flat.create(document, feature)
+    twin.Placement = App.Placement()
     document.recompute()
     assert feature.State == ["Up-to-date"]
     assert feature.Shape.isValid()

@@ -5,14 +5,17 @@ from functools import lru_cache
 from typing import Any
 
 import Part
+from freecad.elastica_wb.patience import patiently
 from freecad.elastica_wb.shapes import make_solid
 
-from elastica_cad.errors import ElasticaError, MissingDependencyError
+from elastica_cad.errors import ElasticaError, MissingDependencyError, NotConvergedError
 from elastica_cad.fabrication import BentSolid, FlatSolid, Strip, Tab
+from elastica_cad.forming.limits import Keep, Limits
+from elastica_cad.forming.nearest import NearestRod, nearest_rod
 from elastica_cad.geometry import PlaneCurve
 from elastica_cad.mechanics import Gravity, Rod, Sheet, Stability, Supports, optimal_rod, stability
 
-__all__ = ["Wish", "bent_shape", "flat_shape", "judged", "solved"]
+__all__ = ["Wish", "bent_shape", "flat_shape", "judged", "nearest", "nearest_now", "solved"]
 
 
 @dataclass(frozen=True)
@@ -51,6 +54,12 @@ class Wish:
     samples: int | None = None
     ends: tuple[Tab, Tab] = (Tab(10.0), Tab(10.0))
     label: str = ""
+    nearest: bool = False
+    ratio: float | None = None
+    margin: float | None = None
+    strain: float | None = None
+    tangents: bool = False
+    keeps_length: bool = False
 
 
 def solved(curve: PlaneCurve, wish: Wish) -> Strip:
@@ -62,11 +71,23 @@ def solved(curve: PlaneCurve, wish: Wish) -> Strip:
         With the core's own sentence: what is wrong, where, what to do.
     """
     try:
+        if wish.nearest:
+            patiently("Searching the nearest curve", _near, _Same.of(curve), _question(wish))
         return _strip(_Same.of(curve), wish)
     except ImportError as error:
         raise MissingDependencyError(
             f"{error.name or 'a library'} is not installed in this FreeCAD: strips need numpy and scipy"
         ) from error
+
+
+def nearest_now(curve: PlaneCurve, wish: Wish) -> NearestRod:
+    """As `nearest`, for threads of their own: no progress bar."""
+    return _near(_Same.of(curve), _question(wish))
+
+
+def nearest(curve: PlaneCurve, wish: Wish) -> NearestRod:
+    """The nearest rod that meets the limits of a wish, whether or not the curve is to be followed exactly."""
+    return patiently("Searching the nearest curve", _near, _Same.of(curve), _question(wish))
 
 
 def judged(rod: Rod) -> Stability | None:
@@ -89,15 +110,35 @@ def flat_shape(strip: Strip) -> Part.Shape:
     return make_solid(FlatSolid.of(strip))
 
 
+def _question(wish: Wish) -> tuple[Any, ...]:
+    """What the nearest rod depends on."""
+    names = ("sheet", "ratio", "margin", "strain", "tangents", "keeps_length", "gravity", "supports")
+    return tuple(getattr(wish, name) for name in names)
+
+
 @lru_cache(maxsize=32)
 def _rod(drawn: _Same, options: tuple[tuple[str, Any], ...]) -> Rod:
     return optimal_rod(drawn.curve(), **dict(options))
 
 
 @lru_cache(maxsize=32)
+def _near(drawn: _Same, question: tuple[Any, ...]) -> NearestRod:
+    sheet, ratio, margin, strain, tangents, keeps_length, gravity, supports = question
+    limits = Limits(ratio=ratio, margin=margin, sheet=sheet, strain=strain)
+    keep = Keep(tangents=tangents, length=keeps_length)
+    return nearest_rod(drawn.curve(), limits, keep, gravity, supports=supports)
+
+
+@lru_cache(maxsize=32)
 def _strip(drawn: _Same, wish: Wish) -> Strip:
-    options = ("gravity", "supports", "natural_curvature", "samples")
-    rod = _rod(drawn, tuple((name, getattr(wish, name)) for name in options))
+    if wish.nearest:
+        near = _near(drawn, _question(wish))
+        if not near.met:
+            raise NotConvergedError(near.status.value)
+        rod = near.rod
+    else:
+        options = ("gravity", "supports", "natural_curvature", "samples")
+        rod = _rod(drawn, tuple((name, getattr(wish, name)) for name in options))
     return Strip(
         rod,
         wish.sheet,

@@ -6,13 +6,13 @@ from typing import Any
 import FreeCAD as App
 import numpy as np
 import Part
-from freecad.elastica_wb.shapes import plane_curve
+from freecad.elastica_wb.shapes import plane_curve, spline_geometry
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication import Frame
 from elastica_cad.geometry import PlaneCurve
 
-__all__ = ["DrawnCurve", "drawn_curve", "frame_of", "is_sketch", "placement_of", "sketch_curve"]
+__all__ = ["DrawnCurve", "curve_into", "drawn_curve", "frame_of", "is_sketch", "placement_of", "sketch_curve"]
 
 SKETCH = "Sketcher::SketchObject"
 
@@ -106,3 +106,24 @@ def _edges(source: Any, names: list[str]) -> list[Part.Edge]:
 def _container(follower: Any) -> App.Placement:
     group = None if follower is None else follower.getParentGeoFeatureGroup()
     return App.Placement() if group is None else group.getGlobalPlacement()
+
+
+def curve_into(sketch: Any, curve: PlaneCurve) -> None:
+    """Replace everything drawn in a sketch by one spline with poles to drag; construction geometry stays."""
+    for i in reversed(range(len(sketch.Geometry))):
+        if not sketch.getConstruction(i):
+            sketch.delGeometry(i)
+    for i in reversed(range(len(sketch.Geometry))):
+        # what FreeCAD left of the old spline's poles and knots
+        if sketch.Geometry[i].TypeId in ("Part::GeomCircle", "Part::GeomPoint") and not _held(sketch, i):
+            sketch.delGeometry(i)
+    number = sketch.addGeometry(spline_geometry(curve), False)
+    sketch.exposeInternalGeometry(number)
+
+
+def _held(sketch: Any, number: int) -> bool:
+    """Does a constraint of the user speak of this geometry?"""
+    return any(
+        number in (c.First, c.Second, c.Third) and c.Type not in ("Weight", "Equal")
+        for c in sketch.Constraints
+    )

@@ -11,6 +11,8 @@ from elastica_cad.errors import ElasticaError
 
 __all__ = ["FlatFeature", "create", "is_flat"]
 
+GAP = 10.0  # mm between the curve and the flat part
+
 PROPERTIES = (Property("LinkGlobal", "Strip", "Strip", "The strip whose flat part this is"),)
 
 
@@ -50,6 +52,7 @@ def create(document: Any, strip: Any) -> Any:
     FlatFeature(obj)
     obj.Strip = strip
     obj.Label = f"{strip.Label} flat"
+    obj.Placement = _beside(strip)
     group = strip.getParentGeoFeatureGroup()
     if group is not None and group.TypeId == "App::Part":
         group.addObject(obj)
@@ -57,7 +60,16 @@ def create(document: Any, strip: Any) -> Any:
         from freecad.elastica_wb.features.views import FlatView
 
         FlatView(obj.ViewObject)
+        obj.ViewObject.ShapeColor = strip.ViewObject.ShapeColor
     return obj
+
+
+def _beside(strip: Any) -> App.Placement:
+    """On the ground in front of the drawn curve."""
+    box = strip.Curve[0].Shape.BoundBox
+    if not box.isValid():  # a sketch that was not recomputed yet
+        return App.Placement(App.Vector(0, -GAP - strip.MaxWidth.Value, 0), App.Rotation())
+    return App.Placement(App.Vector(box.XMin, box.YMin - GAP - strip.MaxWidth.Value, 0), App.Rotation())
 
 
 def is_flat(obj: Any) -> bool:

@@ -1,22 +1,25 @@
 """The parametric strip: follows a sketch, stands on its curve, says in its properties what it found."""
 
+from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
 import FreeCAD as App
 from freecad.elastica_wb import preferences
-from freecad.elastica_wb.design import Wish, bent_shape, flat_shape, judged, solved
+from freecad.elastica_wb.design import Wish, bent_shape, flat_shape, judged, nearest, solved
 from freecad.elastica_wb.drawn import DrawnCurve, drawn_curve, frame_of, is_sketch
 from freecad.elastica_wb.features.properties import Property, ensure, put
 from freecad.elastica_wb.library import sheet_called, sheet_list
 
 from elastica_cad.errors import ElasticaError, InputError
-from elastica_cad.fabrication import Hole, Strip, Tab
+from elastica_cad.fabrication import Hole, Strip, Tab, sheet_color
+from elastica_cad.geometry import PlaneCurve
 from elastica_cad.mechanics import Gravity, NotRealizable, Sheet, Supports
 
-__all__ = ["FORMS", "StripFeature", "create", "is_strip", "strip_of"]
+__all__ = ["FORMS", "StripFeature", "create", "hide_failed", "is_strip", "strip_of", "wish_of"]
 
 FORMS = ["Bent", "Flat"]
+FOLLOW = ["Exactly", "Nearest"]
 ENDS = ["clamped", "pinned", "slide-x", "slide-y", "guided", "free"]
 BODY = "PartDesign::Body"
 
@@ -49,6 +52,18 @@ PROPERTIES = (
     ),
     Property("Float", "NaturalCurvature", "Mechanics", "Curvature of the strip before bending, 1/mm", 0.0),
     Property("Integer", "Samples", "Mechanics", "Nodes of the rod; 0 chooses", 0),
+    Property(
+        "Enumeration",
+        "Follow",
+        "Nearest",
+        "Follow the curve exactly, or the nearest one within limits",
+        FOLLOW,
+    ),
+    Property("Float", "RatioLimit", "Nearest", "Largest stiffness ratio; 0 for none", 3.5),
+    Property("Float", "MarginLimit", "Nearest", "Least stability margin; 5 is safely stable", 5.0),
+    Property("Float", "StrainLimit", "Nearest", "Largest strain in percent; 0 takes the sheet's", 0.0),
+    Property("Bool", "KeepTangents", "Nearest", "Keep the tangents of both ends", False),
+    Property("Bool", "KeepLength", "Nearest", "Keep the length", False),
     Property("Length", "StartTab", "Ends", "Length of the tab at the start", 10.0),
     Property("Length", "EndTab", "Ends", "Length of the tab at the end", 10.0),
     Property("Length", "TabRadius", "Ends", "Rounding of the tabs' corners", 0.0),
@@ -114,7 +129,7 @@ class StripFeature:
         obj.Shape = shape.copy()
         if obj.Form == "Bent":
             obj.Placement = drawn.placement
-        _tell_results(obj, strip)
+        _tell_results(obj, strip, drawn.curve)
 
     def dumps(self) -> None:
         """Nothing to save."""
@@ -149,6 +164,7 @@ def create(document: Any, sketch: Any, edges: tuple[str, ...] = ()) -> Any:
         from freecad.elastica_wb.features.views import StripView
 
         StripView(obj.ViewObject)
+        obj.ViewObject.ShapeColor = sheet_color(sheet_called(obj.Sheet))
     return obj
 
 
@@ -182,6 +198,12 @@ def wish_of(obj: Any, drawn: DrawnCurve) -> Wish:
         samples=obj.Samples or None,
         ends=(_tab(obj, obj.StartTab.Value), _tab(obj, obj.EndTab.Value)),
         label=obj.EngravedText,
+        nearest=obj.Follow == "Nearest",
+        ratio=obj.RatioLimit or None,
+        margin=obj.MarginLimit,
+        strain=obj.StrainLimit / 100 or None,
+        tangents=obj.KeepTangents,
+        keeps_length=obj.KeepLength,
     )
 
 
@@ -211,24 +233,27 @@ def _solids(body: Any) -> bool:
     return shape is not None and not shape.isNull() and bool(shape.Solids)
 
 
-def _tell_results(obj: Any, strip: Strip) -> None:
+def _tell_results(obj: Any, strip: Strip, curve: PlaneCurve) -> None:
     rod, found = strip.rod, judged(strip.rod)
+    near = obj.Follow == "Nearest"
+    deviation = nearest(curve, wish_of(obj, drawn_curve(obj.Curve, obj))).deviation if near else rod.moved
     notes = list(strip.warnings)
     if found is not None and not found.stable:
         where = (
             "" if found.conjugate_point is None else f" (conjugate point at {found.conjugate_point:.4g} mm)"
         )
         notes.append(f"it does not stay in this shape: the stability margin is {found.margin:.3g}{where}")
+    taken = f"a curve {deviation:.3g} mm from this one" if near else "this curve"
     put(
         obj,
-        Verdict="A flat strip takes this curve" + (", with remarks." if notes else "."),
+        Verdict=f"A flat strip takes {taken}{', with remarks' if notes else ''}.",
         Reasons=notes,
         Ratio=rod.ratio,
         Margin=0.0 if found is None else found.margin,
         ConjugatePoint=0.0 if found is None or found.conjugate_point is None else found.conjugate_point,
         LargestStrain=100 * strip.max_strain,
         StrainUse=min(100, round(100 * strip.max_strain / strip.sheet.max_strain)),
-        Deviation=rod.moved,
+        Deviation=deviation,
         Length=rod.length,
         NarrowestWidth=strip.width.extremes[0],
         Mass=strip.mass,
@@ -244,9 +269,17 @@ def _tell_error(obj: Any, error: ElasticaError) -> None:
         "A flat strip cannot take this curve." if isinstance(error, NotRealizable) else "There is no strip."
     )
     put(obj, Verdict=verdict, Reasons=reasons)
-    if obj.Visibility and not obj.Shape.isNull() and not is_edited(obj):
+    if obj.Visibility and not is_edited(obj):
         obj.HiddenByError = True
         obj.Visibility = False
+
+
+def hide_failed(strips: Iterable[Any]) -> None:
+    """Hide the strips whose shape is not that of their curve any more."""
+    for obj in strips:
+        if "Invalid" in obj.State and obj.Visibility:
+            obj.HiddenByError = True
+            obj.Visibility = False
 
 
 def is_edited(obj: Any) -> bool:

@@ -1,0 +1,20 @@
+"""Export cutting files."""
+
+import FreeCADGui as Gui
+from freecad.elastica_wb.commands.base import Command, chosen_strips
+from freecad.elastica_wb.panels.export import ExportPanel
+
+__all__ = ["ExportCommand"]
+
+
+class ExportCommand(Command):
+    """DXF, SVG, STEP and a cut list."""
+
+    name = "Elastica_Export"
+    text = "Export cutting files"
+    tip = "Write DXF, SVG and STEP files and a cut list of the selected strips"
+    shortcut = "E, X"
+
+    def run(self) -> None:
+        """Open the panel."""
+        Gui.Control.showDialog(ExportPanel(chosen_strips()))

@@ -1,0 +1,19 @@
+"""Tolerance study."""
+
+import FreeCADGui as Gui
+from freecad.elastica_wb.commands.base import Command, chosen_strips
+from freecad.elastica_wb.panels.tolerance import TolerancePanel
+
+__all__ = ["ToleranceCommand"]
+
+
+class ToleranceCommand(Command):
+    """How far the strip strays when sheet, cut and clamps are not as designed."""
+
+    name = "Elastica_Tolerance"
+    text = "Tolerance study"
+    tip = "Find how far the bent strip strays when sheet, cut and clamps vary within their ranges"
+
+    def run(self) -> None:
+        """Open the panel."""
+        Gui.Control.showDialog(TolerancePanel(chosen_strips()[0]))

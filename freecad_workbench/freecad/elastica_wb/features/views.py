@@ -1,0 +1,72 @@
+"""How the features look in the tree and the view."""
+
+from typing import Any
+
+import FreeCADGui as Gui
+from freecad.elastica_wb.text import icon
+
+__all__ = ["FlatView", "StripView"]
+
+
+class _View:
+    """What all views share; they keep nothing."""
+
+    icon_name = "Elastica"
+
+    def __init__(self, provider: Any) -> None:
+        provider.Proxy = self
+
+    def attach(self, provider: Any) -> None:
+        """FreeCAD hands over the view provider, at creation and after loading."""
+        self.Object = provider.Object
+        from freecad.elastica_wb import live
+
+        live.install()
+
+    def getIcon(self) -> str:
+        """Path of the icon."""
+        return icon(self.icon_name)
+
+    def dumps(self) -> None:
+        """Nothing to save."""
+
+    def loads(self, state: Any) -> None:
+        """Nothing to load."""
+
+    __getstate__ = dumps
+    __setstate__ = loads
+
+
+class StripView(_View):
+    """The strip; its sketch hangs under it in the tree, a double click opens its panel."""
+
+    icon_name = "Elastica_Strip"
+
+    def claimChildren(self) -> list[Any]:
+        """The sketch, unless a body holds it already."""
+        source = self.Object.Curve[0] if self.Object.Curve else None
+        group = None if source is None else source.getParentGeoFeatureGroup()
+        return (
+            [] if source is None or (group is not None and group.TypeId == "PartDesign::Body") else [source]
+        )
+
+    def setEdit(self, provider: Any, _mode: int = 0) -> bool:
+        """Open the panel."""
+        from freecad.elastica_wb.panels.strip import StripPanel
+
+        Gui.Control.showDialog(StripPanel(provider.Object))
+        return True
+
+    def unsetEdit(self, _provider: Any, _mode: int = 0) -> None:
+        """Close the panel."""
+        Gui.Control.closeDialog()
+
+    def doubleClicked(self, provider: Any) -> bool:
+        """A double click edits."""
+        return bool(Gui.getDocument(provider.Object.Document.Name).setEdit(provider.Object.Name))
+
+
+class FlatView(_View):
+    """The flat part."""
+
+    icon_name = "Elastica_Flat"

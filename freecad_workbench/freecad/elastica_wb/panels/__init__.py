@@ -1,0 +1,1 @@
+"""Task panels; their widgets are .ui files named as the modules."""

@@ -1,0 +1,153 @@
+"""What all task panels share: a form, one undo step from opening to OK, numbers a moment after a change."""
+
+from collections.abc import Callable
+from typing import Any
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from freecad.elastica_wb import live
+from freecad.elastica_wb.qt import QtCore, QtWidgets
+from freecad.elastica_wb.text import icon, load_panel
+
+from elastica_cad.errors import ElasticaError
+
+__all__ = ["Panel"]
+
+PAUSE = 60  # ms after the last key before anything is computed
+
+
+class Panel:
+    """A task panel; `changed` is called a moment after the user touches a widget."""
+
+    file = ""
+    icon_name = "Elastica"
+    step = ""
+    opened: "Panel | None" = None
+
+    def __init__(self, document: Any = None) -> None:
+        Panel.opened = self
+        self.form = load_panel(self.file)
+        self.form.setWindowIcon(_qicon(self.icon_name))
+        self.document = document
+        self._timer = QtCore.QTimer(self.form)
+        self._timer.setSingleShot(True)
+        self._timer.setInterval(PAUSE)
+        self._timer.timeout.connect(self._safely_changed)
+        if document is not None and self.step and not document.HasPendingTransaction:
+            document.openTransaction(self.step)
+
+    def accept(self) -> bool:
+        """OK: everything since the opening is one undo step."""
+        try:
+            self.finished()
+        except ElasticaError as error:
+            self.tell(str(error))
+            return False
+        if self.document is not None:
+            self.document.recompute()
+            self.document.commitTransaction()
+        self._close()
+        return True
+
+    def reject(self) -> bool:
+        """Cancel: everything as it was."""
+        self._timer.stop()
+        if self.document is not None:
+            self.document.abortTransaction()
+            self.document.recompute()
+        self._close()
+        return True
+
+    def isAllowedAlterSelection(self) -> bool:
+        """The user may select while the panel is open."""
+        return True
+
+    def isAllowedAlterView(self) -> bool:
+        """The user may look around."""
+        return True
+
+    def changed(self) -> None:
+        """Show what the widgets ask for."""
+
+    def finished(self) -> None:
+        """The user said OK; raise to stay open."""
+
+    def closed(self) -> None:
+        """Take previews away."""
+
+    def tell(self, sentence: str) -> None:
+        """A sentence in the panel."""
+        self.form.message.setText(sentence)
+
+    def watch(self, *names: str) -> None:
+        """Call `changed` after the user touches one of these widgets."""
+        for name in names:
+            _signal(getattr(self.form, name)).connect(self.soon)
+
+    def soon(self, *_: Any) -> None:
+        """Call `changed` after a pause."""
+        self._timer.start()
+
+    def now(self) -> None:
+        """Do what waits, now."""
+        if self._timer.isActive():
+            self._timer.stop()
+            self._safely_changed()
+
+    def _safely_changed(self) -> None:
+        try:
+            self.changed()
+        except ElasticaError as error:
+            self.tell(str(error))
+
+    def _close(self) -> None:
+        self._timer.stop()
+        self.closed()
+        live.stop()
+        if Gui.ActiveDocument is not None:
+            Gui.ActiveDocument.resetEdit()
+        Gui.Control.closeDialog()
+
+
+def _signal(widget: Any) -> Any:
+    """What a widget sends when its value changes."""
+    if isinstance(widget, QtWidgets.QComboBox):
+        return widget.currentIndexChanged
+    if isinstance(widget, (QtWidgets.QDoubleSpinBox, QtWidgets.QSpinBox, QtWidgets.QSlider)):
+        return widget.valueChanged
+    if isinstance(widget, QtWidgets.QLineEdit):
+        return widget.textEdited
+    return widget.toggled
+
+
+def _qicon(name: str) -> Any:
+    from freecad.elastica_wb.qt import QtGui
+
+    return QtGui.QIcon(icon(name))
+
+
+def progress(title: str, count: int) -> Callable[[int], bool]:
+    """A progress bar with a cancel button; the function it gives is told how much is done, False: stop."""
+    bar = QtWidgets.QProgressDialog(title, None, 0, count, Gui.getMainWindow())
+    bar.setCancelButtonText("Cancel")
+    bar.setMinimumDuration(500)
+
+    def step(done: int) -> bool:
+        bar.setValue(done)
+        QtWidgets.QApplication.processEvents()
+        return not bar.wasCanceled()
+
+    return step
+
+
+def active_view() -> Any:
+    """The 3D view, or None where something else is in front."""
+    view = Gui.ActiveDocument.activeView() if Gui.ActiveDocument else None
+    return view if hasattr(view, "getSceneGraph") else None
+
+
+def placement_of_strip(obj: Any) -> App.Placement:
+    """Where the plane of a strip's curve lies in the document."""
+    from freecad.elastica_wb.drawn import drawn_curve
+
+    return drawn_curve(obj.Curve, obj).world

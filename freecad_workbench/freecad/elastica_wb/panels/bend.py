@@ -1,0 +1,110 @@
+"""The panel that bends: ends are moved and turned, the strip follows; nothing else is changed until OK."""
+
+import math
+from typing import Any
+
+import numpy as np
+from freecad.elastica_wb.features.strip import strip_of
+from freecad.elastica_wb.panels.base import Panel, active_view, placement_of_strip
+from freecad.elastica_wb.preview import Preview
+from freecad.elastica_wb.shapes import spline_geometry
+from freecad.elastica_wb.text import tr
+
+from elastica_cad.errors import ElasticaError
+from elastica_cad.mechanics import Rod, bend, stability
+
+__all__ = ["BendPanel", "moved"]
+
+ANGLES = ("startAngle", "endAngle")
+FIELDS = ("startX", "startY", "endX", "endY", *ANGLES)
+
+
+class BendPanel(Panel):
+    """Displacements and turns of both ends; a dragger in the view moves the end too."""
+
+    file = "bend"
+    icon_name = "Elastica_Bend"
+    step = "Bend forward"
+
+    def __init__(self, obj: Any) -> None:
+        self.rest = strip_of(obj).rod
+        super().__init__(obj.Document)
+        self.object = obj
+        self.rod = self.rest
+        self.preview = None
+        view = active_view()
+        if view is not None:
+            self.preview = Preview(view, placement_of_strip(obj))
+            self.preview.show(self.rest.position, self.rest.position)
+            self.preview.add_dragger(self.rest.position[-1], self.dragged)
+        self.watch(*FIELDS)
+        self.form.play.clicked.connect(self.play)
+        self.tell(tr("Move or turn an end: type numbers, or drag the handle in the view."))
+
+    def changed(self) -> None:
+        """Bend to what the widgets say, from the present shape."""
+        self.rod = self._bent(1.0, self.rod)
+        self._show(self.rod)
+
+    def dragged(self, place: tuple[float, float]) -> None:
+        """The handle of the end was moved to a place in the curve's plane."""
+        shift = np.asarray(place) - self.rest.position[-1]
+        for widget, value in zip((self.form.endX, self.form.endY), shift, strict=True):
+            widget.blockSignals(True)
+            widget.setValue(float(value))
+            widget.blockSignals(False)
+        self._safely_changed()
+
+    def play(self, *_: Any) -> None:
+        """Go the whole way in small steps, seen on the screen: kinetic."""
+        from freecad.elastica_wb.qt import QtWidgets
+
+        rod = self.rest
+        for share in np.linspace(0.0, 1.0, 21)[1:]:
+            try:
+                rod = self._bent(float(share), rod)
+            except ElasticaError as error:
+                self.tell(str(error))
+                return
+            self._show(rod)
+            QtWidgets.QApplication.processEvents()
+        self.rod = rod
+
+    def finished(self) -> None:
+        """Keep the bent curve as an object of its own."""
+        self.now()
+        if self.rod is self.rest:
+            return
+        curve = self.document.addObject("Part::Feature", "Bent")
+        curve.Label = f"{self.object.Label} {tr('bent further')}"
+        curve.Shape = spline_geometry(self.rod.curve).toShape()
+        curve.Placement = placement_of_strip(self.object)
+
+    def closed(self) -> None:
+        """Take the preview off the view."""
+        if self.preview is not None:
+            self.preview.remove()
+            self.preview = None
+
+    def _bent(self, share: float, guess: Rod) -> Rod:
+        return moved(self.rest, {name: share * getattr(self.form, name).value() for name in FIELDS}, guess)
+
+    def _show(self, rod: Rod) -> None:
+        if self.preview is not None:
+            self.preview.show(self.rest.position, rod.position)
+        found = stability(rod)
+        state = tr("stays") if found.stable else tr("does not stay")
+        largest = float(np.hypot(*(rod.position - self.rest.position).T).max())
+        words = [f"{tr('largest move')} {largest:.2f} mm; {state}, {tr('margin')} {found.margin:.3g}"]
+        self.tell(". ".join([*words, *(w for w in rod.warnings if w not in self.rest.warnings)]))
+
+
+def moved(rest: Rod, change: dict[str, float], guess: Rod | None = None) -> Rod:
+    """The rest shape after the ends were displaced (mm) and turned (degrees)."""
+    start = rest.position[0] + (change["startX"], change["startY"])
+    end = rest.position[-1] + (change["endX"], change["endY"])
+    angles = [
+        float(rest.angle[i]) + math.radians(change[name]) if held.angle else None
+        for i, name, held in zip((0, -1), ANGLES, rest.supports.ends, strict=True)
+    ]
+    return bend(rest if guess is None else guess, start=start, end=end, angles=(angles[0], angles[1]))

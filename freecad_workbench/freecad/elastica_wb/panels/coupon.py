@@ -1,0 +1,111 @@
+"""The panel of the coupon: a strip to cut, and what its droop says about the sheet."""
+
+from typing import Any
+
+from freecad.elastica_wb import preferences
+from freecad.elastica_wb.library import own_sheets, save_own_sheets, sheet_called, sheet_list
+from freecad.elastica_wb.panels.base import Panel
+from freecad.elastica_wb.panels.files import ask_file, save_drawing
+from freecad.elastica_wb.shapes import make_solid
+from freecad.elastica_wb.text import tr
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication import FlatSolid, coupon_drawing, coupon_overhang
+from elastica_cad.fabrication.drawing import CUT_OUTER
+from elastica_cad.mechanics import Calibration, calibrate_cantilever
+
+__all__ = ["CouponPanel", "readings_of"]
+
+
+class CouponPanel(Panel):
+    """Makes the coupon in the document and on disk, reads droops, keeps the calibrated sheet."""
+
+    file = "coupon"
+    icon_name = "Elastica_Coupon"
+    step = "Coupon and calibrate"
+
+    def __init__(self, document: Any) -> None:
+        super().__init__(document)
+        self.calibration: Calibration | None = None
+        self.form.sheet.addItems(sheet_list())
+        self.form.sheet.setCurrentText(preferences.default_sheet())
+        self.watch("sheet", "readings", "error")
+        self.form.make.clicked.connect(self.make)
+        self.form.write.clicked.connect(self.write)
+        self.form.keep.clicked.connect(self.keep)
+        self.changed()
+
+    def changed(self) -> None:
+        """The overhang to use, and what the readings say."""
+        sheet = sheet_called(self.form.sheet.currentText())
+        words = [f"{tr('Longest overhang of the coupon')}: {coupon_overhang(sheet):g} mm"]
+        self.calibration = None
+        if self.form.readings.text().strip():
+            overhangs, droops = readings_of(self.form.readings.text())
+            self.calibration = calibrate_cantilever(
+                overhangs,
+                droops,
+                thickness=sheet.thickness,
+                density=sheet.density,
+                reading_error=self.form.error.value(),
+            )
+            words.append(str(self.calibration))
+        self.tell("\n".join(words))
+
+    def make(self, *_: Any) -> None:
+        """The coupon as a flat body."""
+        drawing = coupon_drawing(sheet_called(self.form.sheet.currentText()))
+        sheet = sheet_called(self.form.sheet.currentText())
+        (outline,) = drawing.on(CUT_OUTER)
+        body = self.document.addObject("Part::Feature", "Coupon")
+        body.Label = drawing.name
+        body.Shape = make_solid(FlatSolid(outline, (), sheet.thickness))
+
+    def write(self, *_: Any) -> None:
+        """Its cutting file."""
+        drawing = coupon_drawing(sheet_called(self.form.sheet.currentText()))
+        path = ask_file(tr("Save the coupon"), f"{drawing.name}.dxf", "DXF (*.dxf);;SVG (*.svg)")
+        if path:
+            self.tell(f"{tr('wrote')} {save_drawing(drawing, path)}")
+
+    def keep(self, *_: Any) -> None:
+        """The calibrated sheet into the user's library."""
+        try:
+            self.tell(f"{tr('kept as')} {self.kept()}")
+        except InputError as error:
+            self.tell(str(error))
+
+    def kept(self) -> str:
+        """Keep the sheet and say its name."""
+        if self.calibration is None:
+            raise InputError(
+                tr("type the readings first: overhang = droop, in mm, such as 120 = 14.5, 150 = 31")
+            )
+        base = sheet_called(self.form.sheet.currentText())
+        name = self.form.name.text().strip() or f"{base.name}-measured"
+        sheet = self.calibration.sheet(
+            name, max_strain=base.max_strain, kerf=base.kerf, grain=base.grain, kind=base.kind
+        )
+        save_own_sheets((own_sheets() | {name: sheet}).values())
+        return name
+
+
+def readings_of(text: str) -> tuple[list[float], list[float]]:
+    """Overhangs and droops of a text such as "120 = 14.5, 150 = 31".
+
+    Raises
+    ------
+    InputError
+        Anything else.
+    """
+    pairs = []
+    for part in text.replace(";", ",").split(","):
+        numbers = part.split("=")
+        try:
+            overhang, droop = (float(number) for number in numbers)
+        except ValueError as error:
+            raise InputError(
+                f"{part.strip()!r} is no reading: write overhang = droop in mm, such as 120 = 14.5, 150 = 31"
+            ) from error
+        pairs.append((overhang, droop))
+    return [o for o, _ in pairs], [d for _, d in pairs]

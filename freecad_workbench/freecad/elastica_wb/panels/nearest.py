@@ -1,0 +1,83 @@
+"""The panel of the nearest curve: limits, what to keep, the curve found shown beside the drawn one."""
+
+from typing import Any
+
+from freecad.elastica_wb import preferences
+from freecad.elastica_wb.design import Wish, nearest
+from freecad.elastica_wb.drawn import curve_into, sketch_curve
+from freecad.elastica_wb.library import sheet_called, sheet_list
+from freecad.elastica_wb.panels.base import Panel, active_view
+from freecad.elastica_wb.preview import Preview
+from freecad.elastica_wb.text import tr
+
+from elastica_cad.errors import InputError
+from elastica_cad.forming.nearest import NearestRod
+
+__all__ = ["NearestPanel"]
+
+FIELDS = ("sheet", "ratio", "useMargin", "margin", "useStrain", "tangents", "length")
+FREE_STRAIN = 0.4  # what no sheet stands
+
+
+class NearestPanel(Panel):
+    """OK adds a sketch with the curve found, or replaces the spline in the drawn one."""
+
+    file = "nearest"
+    icon_name = "Elastica_Nearest"
+    step = "Nearest curve to sketch"
+
+    def __init__(self, sketch: Any) -> None:
+        self.curve = sketch_curve(sketch)
+        super().__init__(sketch.Document)
+        self.sketch = sketch
+        self.near: NearestRod | None = None
+        self.form.sheet.addItems(sheet_list())
+        self.form.sheet.setCurrentText(preferences.default_sheet())
+        self.form.ends.setEnabled(False)
+        view = active_view()
+        self.preview = None if view is None else Preview(view, sketch.getGlobalPlacement())
+        self.watch(*FIELDS)
+        self._safely_changed()
+
+    def changed(self) -> None:
+        """Search."""
+        self.near = None
+        form = self.form
+        self.near = nearest(
+            self.curve,
+            Wish(
+                sheet_called(form.sheet.currentText()),
+                ratio=form.ratio.value(),
+                margin=form.margin.value() if form.useMargin.isChecked() else None,
+                strain=None if form.useStrain.isChecked() else FREE_STRAIN,
+                tangents=form.tangents.isChecked(),
+                keeps_length=form.length.isChecked(),
+            ),
+        )
+        if self.preview is not None:
+            self.preview.show(self.curve.sample(201).position, self.near.rod.position)
+        words = [self.near.status.value, f"{tr('Largest distance')}: {self.near.deviation:.3g} mm."]
+        held = [f"{tr(b.name)} ({b.limit:.3g})" if b.limit else tr(b.name) for b in self.near.binding[:3]]
+        words += [f"{tr('Held away by')}: {', '.join(held)}."] if held else []
+        self.tell("\n".join(words))
+
+    def finished(self) -> None:
+        """Keep the curve found."""
+        self.now()
+        if self.near is None:
+            raise InputError(tr("no curve was found: change the limits"))
+        target = self.sketch
+        if not self.form.replace.isChecked():
+            target = self.document.addObject("Sketcher::SketchObject", "Nearest")
+            target.Label = f"{self.sketch.Label} {tr('nearest')}"
+            group = self.sketch.getParentGeoFeatureGroup()
+            if group is not None:
+                group.addObject(target)
+            target.Placement = self.sketch.Placement
+        curve_into(target, self.near.curve)
+
+    def closed(self) -> None:
+        """Take the preview off the view."""
+        if self.preview is not None:
+            self.preview.remove()
+            self.preview = None

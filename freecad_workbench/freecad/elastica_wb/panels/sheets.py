@@ -1,0 +1,80 @@
+"""The panel of the sheet library: the built-in sheets with their sources, and the user's own."""
+
+from typing import Any
+
+from freecad.elastica_wb.library import own_sheets, save_own_sheets, sheet_called, sheet_list
+from freecad.elastica_wb.panels.base import Panel
+from freecad.elastica_wb.text import tr
+
+from elastica_cad.errors import InputError
+from elastica_cad.mechanics import Sheet
+
+__all__ = ["SheetsPanel"]
+
+NUMBERS = ("thickness", "youngs_modulus", "density", "max_strain", "kerf", "poisson_ratio")
+
+
+class SheetsPanel(Panel):
+    """Shows one sheet; a changed one is kept under a name of its own. Cancel keeps nothing."""
+
+    file = "sheets"
+    icon_name = "Elastica_Sheets"
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.own = own_sheets()
+        self.before = dict(self.own)
+        self._list()
+        self.form.sheets.currentIndexChanged.connect(self.shown)
+        self.form.keep.clicked.connect(self.keep)
+        self.form.remove.clicked.connect(self.remove)
+        self.shown()
+
+    def shown(self, *_: Any) -> None:
+        """The numbers of the chosen sheet."""
+        name = self.form.sheets.currentText()
+        if not name:
+            return
+        sheet = self.own.get(name) or sheet_called(name)
+        self.form.name.setText(name)
+        self.form.source.setText(sheet.source)
+        for field in NUMBERS:
+            getattr(self.form, field).setValue(getattr(sheet, field))
+        self.tell(
+            f"{tr('least radius')} {sheet.least_radius:.4g} mm, "
+            f"{tr('elasto-gravity length')} {sheet.elasto_gravity_length:.4g} mm"
+        )
+
+    def keep(self, *_: Any) -> None:
+        """Keep the numbers as a sheet of the user's own."""
+        try:
+            sheet = self.sheet()
+        except InputError as error:
+            self.tell(str(error))
+            return
+        self.own[sheet.name] = sheet
+        self._list(sheet.name)
+
+    def remove(self, *_: Any) -> None:
+        """Take a sheet of the user's own out."""
+        if self.own.pop(self.form.sheets.currentText(), None) is None:
+            self.tell(tr("Built-in sheets stay: keep yours under another name."))
+            return
+        self._list()
+
+    def sheet(self) -> Sheet:
+        """The sheet that the widgets describe."""
+        numbers = {field: getattr(self.form, field).value() for field in NUMBERS}
+        return Sheet(self.form.name.text().strip(), source=self.form.source.text(), **numbers)
+
+    def finished(self) -> None:
+        """Write the user's sheets."""
+        if self.own != self.before:
+            save_own_sheets(self.own.values())
+
+    def _list(self, chosen: str = "") -> None:
+        self.form.sheets.clear()
+        names = list(self.own) + [n for n in sheet_list() if n not in self.own and n not in self.before]
+        self.form.sheets.addItems(names)
+        if chosen:
+            self.form.sheets.setCurrentText(chosen)

@@ -1,0 +1,62 @@
+"""Work that may take long: in a thread of its own, with a progress bar that can be cancelled."""
+
+import time
+from collections.abc import Callable
+from concurrent.futures import Future, ThreadPoolExecutor
+from typing import Any, TypeVar
+
+import FreeCAD as App
+
+from elastica_cad.errors import NotConvergedError
+
+__all__ = ["begun", "patiently"]
+
+Answer = TypeVar("Answer")
+
+QUIET = 0.5  # s before anything is shown
+PULSE = 0.02  # s
+
+_workers = ThreadPoolExecutor(max_workers=2, thread_name_prefix="elastica")
+
+
+def begun(work: Callable[..., Answer], *arguments: Any) -> "Future[Answer]":
+    """Start work beside the window; ask the future for its answer later."""
+    return _workers.submit(work, *arguments)
+
+
+def patiently(title: str, work: Callable[..., Answer], *arguments: Any) -> Answer:
+    """The answer of work that may take seconds; after half a second the user can cancel.
+
+    Raises
+    ------
+    NotConvergedError
+        The user cancelled.
+    """
+    if not App.GuiUp:
+        return work(*arguments)
+    future = begun(work, *arguments)
+    end = time.monotonic() + QUIET
+    while not future.done() and time.monotonic() < end:
+        time.sleep(PULSE / 10)
+    if not future.done():
+        _wait_with_bar(title, future)
+    return future.result()
+
+
+def _wait_with_bar(title: str, future: "Future[Any]") -> None:
+    import FreeCADGui as Gui
+    from freecad.elastica_wb.qt import QtCore, QtWidgets
+
+    bar = QtWidgets.QProgressDialog(title, "Cancel", 0, 0, Gui.getMainWindow())
+    bar.setWindowModality(QtCore.Qt.WindowModal)
+    bar.setMinimumDuration(0)
+    bar.show()
+    try:
+        while not future.done():
+            QtWidgets.QApplication.processEvents()
+            time.sleep(PULSE)
+            if bar.wasCanceled():
+                future.cancel()
+                raise NotConvergedError(f"{title}: stopped; change the curve or the limits to try again")
+    finally:
+        bar.close()

@@ -1,0 +1,71 @@
+"""Starts the real FreeCAD: a home with the workbench in its Mod folder, with or without a screen."""
+
+import json
+import os
+import shutil
+import subprocess
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).resolve().parents[2]
+SCRIPTS = Path(__file__).resolve().parent / "scripts"
+SCREEN = "-screen 0 1400x900x24 -dpi 96 +extension GLX"
+
+CONFIG = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
+<FCParameters><FCParamGroup Name="Root"><FCParamGroup Name="BaseApp"><FCParamGroup Name="Preferences">
+<FCParamGroup Name="General"><FCText Name="AutoloadModule">PartWorkbench</FCText>{language}</FCParamGroup>
+</FCParamGroup></FCParamGroup></FCParamGroup></FCParameters>
+"""
+
+
+def make_home(folder: Path) -> dict[str, str]:
+    """A home folder whose FreeCAD finds this checkout as an addon; the environment to start it in."""
+    for version in ("", "v1-0/", "v1-1/"):
+        mods = folder / f".local/share/FreeCAD/{version}Mod"
+        mods.mkdir(parents=True, exist_ok=True)
+        (mods / "elastica_cad").symlink_to(ROOT)
+    inherited = {
+        k: v for k, v in os.environ.items() if not k.startswith(("FREECAD_USER", "PYTHON", "VIRTUAL_ENV"))
+    }
+    return inherited | {"HOME": str(folder), "PYTHONDONTWRITEBYTECODE": "1", "LC_ALL": "C.UTF-8"}
+
+
+def program(name: str) -> str:
+    """`freecad` or `freecadcmd` as this system calls it."""
+    found = shutil.which(name) or shutil.which({"freecad": "FreeCAD", "freecadcmd": "FreeCADCmd"}[name])
+    assert found is not None, f"{name} is not installed"
+    return found
+
+
+def run_console(script: str, folder: Path, timeout: float = 120) -> dict[str, Any]:
+    """Run a script in freecadcmd; its answers. FreeCAD ends with 0 whatever happens, so the answers decide."""
+    return _run([program("freecadcmd"), str(SCRIPTS / script)], folder, timeout)
+
+
+def run_window(script: str, folder: Path, timeout: float = 240, language: str = "") -> dict[str, Any]:
+    """Run a script in FreeCAD on a screen of its own; its answers."""
+    config = folder / "user.cfg"
+    words = f'<FCText Name="Language">{language}</FCText>' if language else ""
+    config.write_text(CONFIG.format(language=words))
+    start = ["xvfb-run", "-a", "-s", SCREEN, program("freecad"), "-u", str(config), str(SCRIPTS / script)]
+    return _run(start, folder, timeout)
+
+
+def _run(command: list[str], folder: Path, timeout: float) -> dict[str, Any]:
+    environment = make_home(folder) | {"ELASTICA_TEST_OUT": str(folder)}
+    done = subprocess.run(
+        command,
+        check=False,
+        env=environment,
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+        timeout=timeout,
+        cwd=folder,
+    )
+    said = f"{done.stdout[-4000:]}\n{done.stderr[-4000:]}"
+    answers = folder / "answers.json"
+    assert answers.exists(), f"FreeCAD gave no answer (exit code {done.returncode}):\n{said}"
+    found = json.loads(answers.read_text())
+    assert "error" not in found, f"{found['error']}\n{said}"
+    return dict(found)

@@ -1,0 +1,282 @@
+"""Every command once on real geometry; panels are accepted and cancelled; each is one undo step."""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+import time
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import Part
+from inside import ARCH, OUT, WAVE, answers, choose, picture, run, scene, sketch, wait
+
+
+def open_panel(command):
+    from freecad.elastica_wb.panels.base import Panel
+
+    Panel.opened = None
+    Gui.runCommand(command)
+    wait(150)
+    assert Panel.opened is not None, f"{command} opened no panel"
+    assert Gui.Control.activeDialog(), f"{command} shows no dialog"
+    return Panel.opened
+
+
+def names(document):
+    return sorted(obj.Name for obj in document.Objects)
+
+
+def strip_command(document, drawn):
+    choose(drawn)
+    before = names(document)
+    panel = open_panel("Elastica_Strip")
+    wait(200)
+    picture("strip-panel.png")
+    panel.reject()
+    wait(100)
+    assert names(document) == before, "Cancel left something"
+    choose(drawn)
+    panel = open_panel("Elastica_Strip")
+    panel.form.MaxWidth.setValue(25.0)
+    panel.form.EngravedText.setText("A1")
+    panel.form.EngravedText.textEdited.emit("A1")
+    wait(400)
+    answers["strip panel"] = panel.form.numbers.text()
+    panel.accept()
+    wait(100)
+    strip, flat = document.getObject("Strip"), document.getObject("Flat")
+    assert (strip.MaxWidth.Value, strip.EngravedText) == (25.0, "A1")
+    assert strip.Shape.isValid()
+    assert flat.Shape.isValid()
+    assert document.UndoNames[0] == "Strip from sketch", document.UndoNames
+    document.undo()
+    assert names(document) == before, names(document)
+    document.redo()
+    wait(100)
+    document.recompute()
+    strip = document.getObject("Strip")
+    Gui.ActiveDocument.setEdit(strip.Name)
+    wait(200)
+    from freecad.elastica_wb.panels.base import Panel
+
+    Panel.opened.form.MaxWidth.setValue(40.0)
+    wait(400)
+    assert strip.MaxWidth.Value == 40.0
+    Panel.opened.reject()
+    wait(100)
+    assert strip.MaxWidth.Value == 25.0, "Cancel restores"
+    return strip
+
+
+def check_command(drawn):
+    choose(drawn)
+    panel = open_panel("Elastica_Check")
+    wait(200)
+    answers["check"] = panel.form.message.text()
+    from freecad.elastica_wb import live
+
+    answers["check overlay"] = live.session().overlay.shown()
+    scene("check.png")
+    panel.reject()
+    assert live.session() is None
+
+
+def nearest_command(document, bad):
+    choose(bad)
+    count = len(document.Objects)
+    panel = open_panel("Elastica_Nearest")
+    answers["nearest"] = panel.form.message.text()
+    panel.reject()
+    assert len(document.Objects) == count
+    choose(bad)
+    panel = open_panel("Elastica_Nearest")
+    panel.accept()
+    wait(200)
+    found = document.getObject("Nearest")
+    assert found is not None
+    assert len(document.Objects) == count + 1
+    from freecad.elastica_wb.drawn import sketch_curve
+
+    from elastica_cad.mechanics import check_equilibrium
+
+    answers["nearest is realizable"] = check_equilibrium(sketch_curve(found)).realizable
+    poles = bad.Geometry[0].NbPoles
+    choose(bad)
+    panel = open_panel("Elastica_Nearest")
+    panel.form.replace.setChecked(True)
+    panel.accept()
+    wait(200)
+    answers["replaced"] = (poles, check_equilibrium(sketch_curve(bad)).realizable)
+    document.undo()
+    wait(200)
+    assert bad.Geometry[0].NbPoles == poles
+    assert not check_equilibrium(sketch_curve(bad)).realizable
+
+
+def bend_command(document, strip):
+    choose(strip)
+    panel = open_panel("Elastica_Bend")
+    panel.form.endX.setValue(-15.0)
+    wait(500)
+    answers["bend"] = panel.form.message.text()
+    panel.preview.drag(-30.0, 5.0)
+    wait(100)
+    assert abs(panel.form.endX.value() + 30) < 1e-6
+    scene("bend.png")
+    panel.play()
+    panel.accept()
+    wait(100)
+    bent = document.getObject("Bent")
+    end = bent.Shape.Edges[0].valueAt(bent.Shape.Edges[0].LastParameter)
+    answers["bent end"] = tuple(end)
+    document.undo()
+    assert document.getObject("Bent") is None
+    choose(strip)
+    open_panel("Elastica_Bend").reject()
+
+
+def tolerance_command(strip):
+    choose(strip)
+    panel = open_panel("Elastica_Tolerance")
+    panel.form.samples.setValue(4)
+    began = time.perf_counter()
+    panel.run()
+    answers["tolerance seconds"] = time.perf_counter() - began
+    answers["tolerance"] = panel.form.table.text()
+    assert not panel.form.plot.pixmap().isNull()
+    picture("tolerance.png")
+    panel.reject()
+
+
+def coupon_command(document):
+    panel = open_panel("Elastica_Coupon")
+    panel.form.sheet.setCurrentText("card-200gsm")
+    panel.make()
+    panel.form.readings.setText("100 = 13.5, 120 = 26")
+    panel.form.readings.textEdited.emit("")
+    panel.form.name.setText("my-card")
+    wait(400)
+    answers["coupon"] = panel.form.message.text()
+    panel.keep()
+    panel.accept()
+    wait(100)
+    assert document.getObject("Coupon").Shape.isValid()
+    from freecad.elastica_wb.library import sheet_called, sheet_list
+
+    assert sheet_list()[0] == "my-card"
+    answers["own sheet"] = sheet_called("my-card").youngs_modulus
+
+
+def export_command(strip):
+    choose(strip)
+    panel = open_panel("Elastica_Export")
+    panel.form.folder.setText(str(OUT / "files"))
+    panel.form.dxf.setChecked(bool(answers["ezdxf"]))
+    assert panel.accept()
+    answers["files"] = sorted(p.name for p in (OUT / "files").iterdir())
+    choose(strip)
+    panel = open_panel("Elastica_Export")
+    panel.form.folder.setText(str(OUT / "files"))
+    panel.form.dxf.setChecked(False)
+    assert not panel.accept(), "files that exist are not overwritten unasked"
+    answers["export refused"] = panel.form.message.text()
+    panel.reject()
+    step = next((OUT / "files").glob("*.step"))
+    shape = Part.Shape()
+    shape.read(str(step))
+    answers["step volumes"] = sorted(solid.Volume for solid in shape.Solids)
+    answers["volumes"] = sorted([strip.Shape.Volume, strip.Document.getObject("Flat").Shape.Volume])
+
+
+def sheets_command():
+    panel = open_panel("Elastica_Sheets")
+    panel.form.sheets.setCurrentText("birch-plywood-1")
+    panel.form.name.setText("my-ply")
+    panel.form.thickness.setValue(0.93)
+    panel.keep()
+    panel.reject()
+    from freecad.elastica_wb.library import own_sheets
+
+    assert "my-ply" not in own_sheets(), "Cancel keeps nothing"
+    panel = open_panel("Elastica_Sheets")
+    panel.form.sheets.setCurrentText("birch-plywood-1")
+    panel.form.name.setText("my-ply")
+    panel.form.thickness.setValue(0.93)
+    panel.keep()
+    picture("sheets.png")
+    panel.accept()
+    assert own_sheets()["my-ply"].thickness == 0.93
+
+
+def section_command(document):
+    barrel = document.addObject("Part::Feature", "Barrel")
+    face = Part.BSplineSurface()
+    rows = [
+        [App.Vector(x, y, 40 - x * x / 90 - y * y / 160) for y in (-60, -30, 0, 30, 60)]
+        for x in (-50, -25, 0, 25, 50)
+    ]
+    face.interpolate(rows)
+    barrel.Shape = face.toShape()
+    document.recompute()
+    choose(barrel)
+    panel = open_panel("Elastica_Section")
+    panel.form.count.setValue(3)
+    panel.accept()
+    wait(100)
+    made = [o for o in document.Objects if o.Name.startswith("Section")]
+    answers["sections"] = len(made)
+    choose(*made)
+    panel = open_panel("Elastica_Strip")
+    panel.accept()
+    wait(100)
+    answers["strips of sections"] = [
+        (o.State, o.Shape.isValid())
+        for o in document.Objects
+        if o.Name.startswith("Strip") and o.Name != "Strip"
+    ]
+    Gui.ActiveDocument.ActiveView.viewIsometric()
+    Gui.ActiveDocument.ActiveView.fitAll()
+    scene("sections.png")
+
+
+def work():
+    from importlib.util import find_spec
+
+    Gui.activateWorkbench("ElasticaWorkbench")
+    from freecad.elastica_wb import commands
+
+    answers["workbench"] = Gui.activeWorkbench().name()
+    answers["known"] = [name for name in commands.MENU if name in Gui.listCommands()]
+    answers["ezdxf"] = find_spec("ezdxf") is not None
+    document = App.newDocument("Work")
+    document.UndoMode = 1
+    drawn = sketch(document, ARCH)
+    strip = strip_command(document, drawn)
+    view = Gui.ActiveDocument.ActiveView
+    view.viewIsometric()
+    view.fitAll()
+    picture("strip.png")
+    check_command(drawn)
+    bad = sketch(document, [(0, 0), (40, 60), (80, -55), (120, 10), (160, 30), (180, 0)], name="Bad")
+    nearest_command(document, bad)
+    bend_command(document, strip)
+    tolerance_command(strip)
+    coupon_command(document)
+    export_command(strip)
+    sheets_command()
+    section_command(document)
+    document.saveAs(str(OUT / "work.FCStd"))
+    # nothing selected, no such thing: a sentence, no window that waits
+    Gui.Selection.clearSelection()
+    from freecad.elastica_wb.commands import base
+
+    Gui.runCommand("Elastica_Check")
+    wait(100)
+    answers["told"] = base._told[0].text()
+    base._told[0].close()
+    answers["wave"] = WAVE[0]
+
+
+run(work)

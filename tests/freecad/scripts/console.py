@@ -1,0 +1,93 @@
+"""In freecadcmd, loaded as an addon: create, edit, fail, recover, export, save, reload."""
+
+import json
+import os
+import sys
+import time
+import traceback
+from pathlib import Path
+
+import FreeCAD as App
+import Part
+
+OUT = Path(os.environ["ELASTICA_TEST_OUT"])
+ARCH = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]
+answers = {}
+
+
+def spline(points, degree=4):
+    curve = Part.BSplineCurve()
+    spans = len(points) - degree
+    knots = [i / spans for i in range(spans + 1)]
+    counts = [degree + 1, *[1] * (spans - 1), degree + 1]
+    curve.buildFromPolesMultsKnots([App.Vector(*p, 0) for p in points], counts, knots, False, degree)
+    return curve
+
+
+def redraw(sketch, points, degree=4):
+    sketch.delGeometry(0)
+    sketch.addGeometry(spline(points, degree), False)
+
+
+def work():
+    import numpy
+    import scipy
+    from freecad.elastica_wb.cutting import write_cutting_files
+    from freecad.elastica_wb.features import flat, strip
+
+    import elastica_cad
+
+    answers["versions"] = [numpy.__version__, scipy.__version__, App.Version()[:3]]
+    answers["core"] = elastica_cad.__file__
+    answers["kernels"] = [
+        name for name in sys.modules if name.split(".")[0] in ("OCP", "build123d", "cadquery")
+    ]
+    document = App.newDocument("Console")
+    sketch = document.addObject("Sketcher::SketchObject", "Sketch")
+    sketch.addGeometry(spline(ARCH), False)
+    feature = strip.create(document, sketch)
+    flat.create(document, feature)
+    document.recompute()
+    assert feature.State == ["Up-to-date"], feature.getStatusString()
+    answers["volume"], answers["ratio"] = feature.Shape.Volume, feature.Ratio
+    times = []
+    for i in range(12):
+        redraw(sketch, [*ARCH[:2], (70, 80 + 0.5 * i), *ARCH[3:]])
+        began = time.perf_counter()
+        document.recompute([feature])
+        times.append(time.perf_counter() - began)
+    answers["recompute"] = times
+    redraw(sketch, [(0, 0), (40, 60), (80, -60), (120, 20), (160, 30), (180, 0)])
+    document.recompute()
+    answers["refused"] = feature.getStatusString()
+    answers["hidden"] = not feature.Visibility
+    feature.Follow = "Nearest"
+    feature.RatioLimit = 6
+    feature.StrainLimit = 5
+    document.recompute()
+    answers["nearest"] = [feature.State, feature.Verdict, feature.Deviation.Value, feature.getStatusString()]
+    feature.Follow = "Exactly"
+    redraw(sketch, ARCH)
+    document.recompute()
+    assert feature.State == ["Up-to-date"]
+    assert feature.Visibility
+    files = write_cutting_files([feature], OUT / "files", kinds=("svg", "step", "csv"))
+    answers["files"] = [path.name for path in files]
+    step = Part.Shape()
+    step.read(str(next(path for path in files if path.suffix == ".step")))
+    answers["step"] = sorted(solid.Volume for solid in step.Solids)
+    answers["shapes"] = sorted([feature.Shape.Volume, document.getObject("Flat").Shape.Volume])
+    document.saveAs(str(OUT / "console.FCStd"))
+    App.closeDocument(document.Name)
+    again = App.openDocument(str(OUT / "console.FCStd"))
+    loaded = again.getObject("Strip")
+    answers["loaded"] = [type(loaded.Proxy).__module__, loaded.Shape.Volume]
+    App.closeDocument(again.Name)
+
+
+try:
+    work()
+except BaseException:
+    answers["error"] = traceback.format_exc()
+(OUT / "answers.json").write_text(json.dumps(answers, default=str))
+os._exit(1 if "error" in answers else 0)

@@ -1,0 +1,104 @@
+"""A pole of a spline is dragged by a real mouse in the sketcher; the overlay follows."""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+import time
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from inside import WAVE, answers, mouse, on_screen, picture, run, scene, sketch, wait
+
+
+def work():
+    Gui.activateWorkbench("ElasticaWorkbench")
+    from freecad.elastica_wb import live
+    from freecad.elastica_wb.features import strip
+
+    document = App.newDocument("Drag")
+    document.UndoMode = 1
+    drawn = sketch(document, WAVE)
+    feature = strip.create(document, drawn)
+    document.recompute()
+    Gui.ActiveDocument.setEdit(drawn.Name)
+    wait(400)
+    view = Gui.ActiveDocument.ActiveView
+    view.viewTop()
+    view.fitAll()
+    wait(600)
+    session = live.session()
+    answers["overlay at start"] = session.overlay.shown()
+    answers["usable"] = session._dragged.usable
+    answers["sentence"] = session.sentence
+    picture("edit.png")
+    frames, moves = len(session.times), session.moves
+    ratio, pole = feature.Ratio, tuple(drawn.Geometry[0].getPole(3))
+    x, y = on_screen(*pole[:2])
+    steps = []
+    for i in range(1, 16):
+        steps += ["mousemove", x + 2 * i, y - 4 * i, "sleep", 0.12]
+    mouse(
+        "mousemove",
+        x - 2,
+        y + 2,
+        "sleep",
+        0.1,
+        "mousemove",
+        x,
+        y,
+        "sleep",
+        0.15,
+        "mousedown",
+        1,
+        "sleep",
+        0.1,
+        *steps,
+    )
+    answers["updates while dragging"] = len(session.times) - frames
+    answers["moves while dragging"] = session.moves - moves
+    answers["times"] = session.times[frames:]
+    answers["document pole while dragging"] = tuple(drawn.Geometry[0].getPole(3))
+    answers["start pole"] = pole
+    picture("dragging.png")
+    mouse("mouseup", 1)
+    wait(300)
+    answers["pole"] = tuple(drawn.Geometry[0].getPole(3))
+    answers["state"] = feature.State
+    answers["ratio"] = (ratio, feature.Ratio)
+    answers["sentence after"] = session.sentence
+    answers["overlay after"] = session.overlay.shown()
+    scene("overlay.png")
+    document.undo()
+    wait(300)
+    answers["pole after undo"] = tuple(drawn.Geometry[0].getPole(3))
+    answers["ratio after undo"] = feature.Ratio
+    document.redo()
+    wait(300)
+    answers["ratio after redo"] = feature.Ratio
+    began = time.perf_counter()
+    session.refresh()
+    answers["refresh"] = time.perf_counter() - began
+    Gui.ActiveDocument.resetEdit()
+    wait(200)
+    answers["closed"] = live.session() is None
+    # a curve that cannot be bent: the nearest one is shown beside it
+    bad = sketch(document, [(0, 0), (40, 60), (80, -60), (120, 25), (160, 30), (180, 0)], name="Bad")
+    strip.create(document, bad)
+    document.recompute()
+    Gui.ActiveDocument.setEdit(bad.Name)
+    wait(400)
+    view.viewTop()
+    view.fitAll()
+    end = time.monotonic() + 30
+    while time.monotonic() < end and not live.session().overlay.shown()["nearest"]:
+        wait(100)
+    answers["overlay of a bad curve"] = live.session().overlay.shown()
+    answers["sentence of a bad curve"] = live.session().sentence
+    picture("bad.png")
+    Gui.ActiveDocument.resetEdit()
+    wait(100)
+
+
+run(work)

@@ -1,0 +1,107 @@
+"""Helpers for scripts that run inside a FreeCAD with a window: waiting, pictures, a mouse, an answer in a file."""
+
+import json
+import os
+import subprocess
+import sys
+import traceback
+from pathlib import Path
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import Part
+from PySide import QtCore
+
+try:
+    from PySide import QtWidgets
+except ImportError:  # FreeCAD 0.20
+    from PySide2 import QtWidgets
+
+ARCH = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]
+WAVE = [(0, 0), (25, 55), (60, 45), (95, -50), (130, -40), (150, 0)]
+OUT = Path(os.environ["ELASTICA_TEST_OUT"])
+answers = {}
+
+
+def wait(ms):
+    """Let the window live."""
+    loop = QtCore.QEventLoop()
+    QtCore.QTimer.singleShot(ms, loop.quit)
+    loop.exec_() if hasattr(loop, "exec_") else loop.exec()
+
+
+def sketch(document, points, degree=4, name="Sketch", poles=True):
+    curve = Part.BSplineCurve()
+    spans = len(points) - degree
+    knots = [i / spans for i in range(spans + 1)]
+    counts = [degree + 1, *[1] * (spans - 1), degree + 1]
+    curve.buildFromPolesMultsKnots([App.Vector(*p, 0) for p in points], counts, knots, False, degree)
+    made = document.addObject("Sketcher::SketchObject", name)
+    number = made.addGeometry(curve, False)
+    if poles:
+        made.exposeInternalGeometry(number)
+    document.recompute()
+    return made
+
+
+def picture(name):
+    """The whole screen as a file."""
+    wait(300)
+    subprocess.run(["import", "-window", "root", str(OUT / name)], check=True, timeout=20)
+
+
+def scene(name, size=(900, 620)):
+    """The 3D view as a file."""
+    wait(200)
+    Gui.ActiveDocument.ActiveView.saveImage(str(OUT / name), *size, "White")
+
+
+def choose(*things):
+    Gui.Selection.clearSelection()
+    for thing in things:
+        Gui.Selection.addSelection(thing)
+
+
+def viewport():
+    """The widget in which the 3D view is drawn."""
+    area = Gui.getMainWindow().findChild(QtWidgets.QMdiArea)
+    return area.activeSubWindow().widget()
+
+
+def on_screen(x, y, z=0):
+    """Screen pixel of a point in space."""
+    view = Gui.ActiveDocument.ActiveView
+    px, py = view.getPointOnScreen(App.Vector(x, y, z))
+    width, height = view.getSize()
+    canvas = max(
+        (w for w in viewport().findChildren(QtWidgets.QWidget) if w.isVisible()),
+        key=lambda w: (min(w.width(), width) * min(w.height(), height), -w.width()),
+    )
+    corner = canvas.mapToGlobal(QtCore.QPoint(0, 0))
+    ratio = height / canvas.height()
+    return corner.x() + round(px / ratio), corner.y() + round((height - py) / ratio)
+
+
+def mouse(*words):
+    """xdotool, while the window lives."""
+    process = subprocess.Popen(["xdotool", *map(str, words)])
+    while process.poll() is None:
+        wait(5)
+    wait(100)
+
+
+def run(work):
+    """Do the work once the window is up, write the answers, end FreeCAD."""
+
+    def go():
+        code = 1
+        try:
+            work()
+            code = 0
+        except BaseException:
+            answers["error"] = traceback.format_exc()
+        (OUT / "answers.json").write_text(json.dumps(answers, default=str))
+        os._exit(code)
+
+    QtCore.QTimer.singleShot(300, go)
+    sys.stderr.flush()

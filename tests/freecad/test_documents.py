@@ -1,0 +1,267 @@
+"""Strips among other things of a document: containers, links, expressions, copies, files of earlier versions."""
+
+import shutil
+from pathlib import Path
+
+import FreeCAD as App
+import Part
+import pytest
+from freecad.elastica_wb.cutting import cut_parts, write_cutting_files
+from freecad.elastica_wb.dragging import Dragged
+from freecad.elastica_wb.drawn import curve_into, drawn_curve, sketch_curve
+from freecad.elastica_wb.features import flat, strip
+from freecad.elastica_wb.sections import section_sketches
+from freecad.elastica_wb.shapes import make_edge, make_wire
+
+from elastica_cad.errors import InputError
+from elastica_cad.geometry import Arc, Line, PlaneCurve
+from elastica_cad.geometry import Path as PlanePath
+from elastica_cad.mechanics import check_equilibrium
+
+ARCH = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]
+BAD = [(0, 0), (40, 60), (80, -55), (120, 10), (160, 30), (180, 0)]
+
+
+def middle(obj):
+    """A place of the whole document: the middle of the bent strip's drawn curve must lie in it."""
+    return obj.Curve[0].getGlobalPlacement().multVec(obj.Curve[0].Geometry[0].value(0.5))
+
+
+def in_document(obj):
+    shape = obj.Shape.copy()
+    shape.Placement = obj.getGlobalPlacement()
+    return shape
+
+
+def test_a_file_of_an_earlier_version(document, tmp_path: Path):
+    file = tmp_path / "old.FCStd"
+    shutil.copy(Path(__file__).parent / "data" / "strip-0.1.FCStd", file)
+    old = App.openDocument(str(file))
+    try:
+        feature = old.getObject("Strip")
+        assert feature.Shape.isValid()
+        volume = feature.Shape.Volume
+        assert feature.EngravedText == "OLD"
+        assert feature.MaxWidth.Value == 24
+        # what later versions ask for is there, with the meaning that the file had
+        assert feature.Follow == "Exactly"
+        assert feature.KeepTangents is False
+        feature.touch()
+        old.recompute()
+        assert feature.State == ["Up-to-date"]
+        assert feature.Shape.Volume == pytest.approx(volume, rel=1e-6)
+        assert old.getObject("Flat").Shape.isValid()
+    finally:
+        App.closeDocument(old.Name)
+
+
+def test_inside_a_part(document, sketch):
+    part = document.addObject("App::Part", "Part")
+    part.addObject(sketch)
+    part.Placement = App.Placement(App.Vector(100, 20, 5), App.Rotation(App.Vector(0, 1, 0), 30))
+    sketch.Placement = App.Placement(App.Vector(1, 2, 3), App.Rotation(App.Vector(1, 0, 0), 90))
+    inside = strip.create(document, sketch)
+    assert inside.getParentGeoFeatureGroup() is part
+    document.recompute()
+    assert in_document(inside).isInside(middle(inside), 1e-6, True)
+    outside = strip.create(document, sketch)
+    part.removeObject(outside)
+    document.recompute()
+    assert in_document(outside).isInside(middle(outside), 1e-6, True)
+
+
+def test_in_a_body(document, sketch):
+    body = document.addObject("PartDesign::Body", "Body")
+    body.addObject(sketch)
+    body.Placement = App.Placement(App.Vector(0, 0, 50), App.Rotation())
+    feature = strip.create(document, sketch)
+    document.recompute()
+    assert feature.TypeId == "PartDesign::FeaturePython"
+    assert feature.getParentGeoFeatureGroup() is body
+    assert feature.State == ["Up-to-date"]
+    assert in_document(feature).isInside(middle(feature), 1e-6, True)
+    assert body.Shape.Volume == pytest.approx(feature.Shape.Volume, rel=1e-9)
+
+
+def test_links_and_copies(document, sketch, move_pole):
+    feature = strip.create(document, sketch)
+    link = document.addObject("App::Link", "Link")
+    link.LinkedObject = feature
+    link.Placement = App.Placement(App.Vector(0, 0, 100), App.Rotation())
+    document.recompute()
+    assert link.Shape.Volume == pytest.approx(feature.Shape.Volume, rel=1e-9)
+    copy = document.copyObject(feature, True)
+    document.recompute()
+    assert strip.is_strip(copy)
+    assert copy.Curve[0] is not sketch
+    move_pole(sketch, 2, (70, 90))
+    document.recompute()
+    assert copy.Shape.Volume != pytest.approx(feature.Shape.Volume, rel=1e-3)
+    assert link.Shape.Volume == pytest.approx(feature.Shape.Volume, rel=1e-9)
+
+
+def test_expressions_and_spreadsheets(document, sketch):
+    sheet = document.addObject("Spreadsheet::Sheet", "Numbers")
+    sheet.set("A1", "=12 mm")
+    sheet.setAlias("A1", "width")
+    feature = strip.create(document, sketch)
+    feature.setExpression("MaxWidth", "Numbers.width")
+    document.recompute()
+    assert strip.strip_of(feature).width.extremes[1] == pytest.approx(12)
+    sheet.set("A1", "=18 mm")
+    document.recompute()
+    assert strip.strip_of(feature).width.extremes[1] == pytest.approx(18)
+    sheet.set("B1", "=Strip.Mass")
+    document.recompute()
+    assert sheet.get("B1") == pytest.approx(feature.Mass)
+
+
+def test_undo_is_one_step(document, sketch):
+    document.openTransaction("make")
+    feature = strip.create(document, sketch)
+    flat.create(document, feature)
+    document.recompute()
+    document.commitTransaction()
+    document.undo()
+    assert [obj.Name for obj in document.Objects] == ["Sketch"]
+    document.redo()
+    assert document.getObject("Strip").Shape.isValid()
+
+
+def test_edges_and_chains(document):
+    path = PlanePath(
+        (
+            Line((0, 0), (50, 0)),
+            Arc((50, 40), 40, -1.5707963267948966, 0.3),
+        ),
+        closed=False,
+    )
+    wire = document.addObject("Part::Feature", "Wire")
+    wire.Shape = make_wire(path)
+    wire.Placement = App.Placement(App.Vector(3, 4, 5), App.Rotation(App.Vector(1, 0, 0), 90))
+    document.recompute()
+    curve = drawn_curve((wire, ())).curve
+    assert curve.length == pytest.approx(path.length, rel=1e-9)
+    only = drawn_curve((wire, ("Edge2",))).curve
+    assert only.length == pytest.approx(path.segments[1].length, rel=1e-9)
+    feature = strip.create(document, wire, ("Edge2",))
+    document.recompute()
+    assert feature.State == ["Up-to-date"]
+    place = wire.Shape.Edges[1].valueAt(sum(wire.Shape.Edges[1].ParameterRange) / 2)
+    assert in_document(feature).isInside(place, 1e-6, True)
+    with pytest.raises(InputError, match="no Edge7"):
+        drawn_curve((wire, ("Edge7",)))
+
+
+def test_a_chain_in_a_sketch(document):
+    sketch = document.addObject("Sketcher::SketchObject", "Sketch")
+    arc = Arc((0, 0), 50, 0.2, 1.2)
+    edge = make_edge(arc)
+    circle = Part.Circle(App.Vector(0, 0, 0), App.Vector(0, 0, 1), 50)
+    sketch.addGeometry(Part.ArcOfCircle(circle, 0.2, 1.2), False)
+    end = edge.valueAt(edge.LastParameter)
+    along = edge.tangentAt(edge.LastParameter)
+    sketch.addGeometry(Part.LineSegment(end, end + along * 30), False)
+    document.recompute()
+    curve = sketch_curve(sketch)
+    assert curve.length == pytest.approx(80, rel=1e-9)
+
+
+def test_a_dragged_pole(document, sketch):
+    sketch.exposeInternalGeometry(0)
+    document.recompute()
+    counts = {"Part::GeomBSplineCurve": 2, "Part::GeomCircle": 1, "Part::GeomPoint": 1}
+    points = [(0.0, 0.0)]
+    for geometry in sketch.Geometry:
+        if geometry.TypeId == "Part::GeomBSplineCurve":
+            points += [tuple(geometry.StartPoint)[:2], tuple(geometry.EndPoint)[:2]]
+        else:
+            place = (
+                geometry.Center
+                if geometry.TypeId == "Part::GeomCircle"
+                else App.Vector(geometry.X, geometry.Y, 0)
+            )
+            points.append(tuple(place)[:2])
+    assert len(points) == 1 + sum(counts[g.TypeId] for g in sketch.Geometry)
+    for shown in (points, points[1:]):  # 1.1 leaves the origin out
+        dragged = Dragged(sketch, shown)
+        assert dragged.usable
+        moved = list(shown)
+        moved[moved.index((70.0, 80.0))] = (75.0, 99.0)
+        curve = sketch_curve(sketch, dragged.geometry(moved))
+        expected = PlaneCurve.spline([*ARCH[:2], (75, 99), *ARCH[3:]])
+        assert curve.length == pytest.approx(expected.length, rel=1e-9)
+    assert not Dragged(sketch, [(9.0, 9.0)] * len(points)).usable
+
+
+def test_a_hidden_pole_makes_the_drag_unusable(document, sketch):
+    assert not Dragged(sketch, [(0, 0), (0, 0), (150, 0)]).usable
+
+
+def test_cutting_files(document, sketch, tmp_path: Path, check_drawing_file):
+    feature = strip.create(document, sketch)
+    feature.EngravedText = "A1"
+    feature.TabHole = 3
+    feature.Quantity = 4
+    document.recompute()
+    files = write_cutting_files([feature], tmp_path / "out")
+    assert [f.name for f in files] == [
+        "A1-birch-plywood-0.8-0.8mm-x4.dxf",
+        "A1-birch-plywood-0.8-0.8mm-x4.svg",
+        "A1-birch-plywood-0.8-0.8mm-x4.step",
+        "cut-list.csv",
+    ]
+    for file in files[:2]:
+        check_drawing_file(file)
+    assert ",4," in files[3].read_text()
+    with pytest.raises(InputError, match="exists already"):
+        write_cutting_files([feature], tmp_path / "out")
+    names = [part.name for part in cut_parts([feature, document.copyObject(feature)])]
+    assert len(set(names)) == 2
+
+
+def test_sections_of_a_surface(document):
+    face = Part.BSplineSurface()
+    across = (-60, -30, 0, 30, 60)
+    face.interpolate([[App.Vector(x, y, 40 - x * x / 90 - y * y / 160) for y in across] for x in across])
+    body = document.addObject("Part::Feature", "Shell")
+    body.Shape = face.toShape()
+    document.recompute()
+    sketches, remarks = section_sketches(document, body, "X", 3, 0.02)
+    document.recompute()
+    assert (len(sketches), remarks) == (3, [])
+    for sketch, x in zip(sketches, (-40, 0, 40), strict=True):
+        edge = sketch.Shape.Edges[0]
+        for t in (0.1, 0.5, 0.9):
+            point = edge.valueAt(t)
+            assert point.x == pytest.approx(x, abs=1e-6)
+            assert body.Shape.distToShape(Part.Vertex(point))[0] < 0.021
+    with pytest.raises(InputError, match="axis"):
+        section_sketches(document, body, "W", 3, 0.02)
+
+
+def test_nearest_follows_when_asked(document, drawn):
+    feature = strip.create(document, drawn(BAD))
+    feature.Follow = "Nearest"
+    feature.StrainLimit = 5
+    document.recompute()
+    assert feature.State == ["Up-to-date"], feature.getStatusString()
+    assert 0 < feature.Deviation.Value < 20
+    assert feature.Ratio <= 3.5 * (1 + 1e-6)
+    assert feature.Shape.isValid()
+    assert "from this one" in feature.Verdict
+
+
+def test_replacing_the_spline_of_a_sketch(document, drawn):
+    sketch = drawn(BAD)
+    sketch.exposeInternalGeometry(0)
+    guide = sketch.addGeometry(Part.LineSegment(App.Vector(0, -50, 0), App.Vector(90, -50, 0)), True)
+    assert guide > 0
+    curve_into(sketch, PlaneCurve.spline(ARCH))
+    document.recompute()
+    assert check_equilibrium(sketch_curve(sketch)).realizable
+    assert sketch_curve(sketch).control_points == pytest.approx(
+        PlaneCurve.spline(ARCH).control_points, abs=1e-6
+    )
+    kept = [g for g in sketch.Geometry if g.TypeId == "Part::GeomLineSegment"]
+    assert len(kept) == 1

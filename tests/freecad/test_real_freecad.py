@@ -1,0 +1,73 @@
+"""The real programs, with the workbench where the Addon Manager would put it."""
+
+import importlib.util
+import sys
+from pathlib import Path
+
+import pytest
+
+_spec = importlib.util.spec_from_file_location("freecad_launching", Path(__file__).with_name("launching.py"))
+launching = importlib.util.module_from_spec(_spec)
+sys.modules[_spec.name] = launching
+_spec.loader.exec_module(launching)
+
+
+def test_freecadcmd(tmp_path):
+    found = launching.run_console("console.py", tmp_path)
+    assert found["kernels"] == []
+    assert "elastica_cad" in found["core"]
+    assert found["loaded"] == ["freecad.elastica_wb.features.strip", pytest.approx(found["volume"], rel=1e-9)]
+    assert "crosses the curve" in found["refused"]
+    assert found["hidden"]
+    assert found["nearest"][0] == ["Up-to-date"], found["nearest"]
+    assert found["step"] == pytest.approx(found["shapes"], rel=1e-6)
+    assert len(found["files"]) == 3
+    # 30 ms is for a quiet machine of its own; three times that fails on every machine when something is wrong
+    assert min(found["recompute"]) < 0.09, found["recompute"]
+
+
+def test_dragging_in_the_sketcher(tmp_path):
+    found = launching.run_window("drag.py", tmp_path)
+    assert found["usable"]
+    assert found["overlay at start"]["comb"] > 100
+    assert found["overlay at start"]["line"] == 2
+    assert found["overlay at start"]["on line"] == 1
+    assert found["overlay at start"]["width"] > 100
+    assert found["moves while dragging"] >= 5
+    assert found["updates while dragging"] >= 5, "the overlay does not follow the mouse"
+    assert found["document pole while dragging"] == found["start pole"], (
+        "the document changes on release only"
+    )
+    assert found["pole"] != found["start pole"]
+    assert found["state"] == ["Up-to-date"]
+    before, after = found["ratio"]
+    assert before != pytest.approx(after, rel=1e-3)
+    assert found["pole after undo"] == pytest.approx(found["start pole"], abs=1e-9)
+    assert found["ratio after undo"] == pytest.approx(before, rel=1e-9)
+    assert found["ratio after redo"] == pytest.approx(after, rel=1e-9)
+    assert sorted(found["times"])[len(found["times"]) // 2] < 0.05
+    assert found["closed"]
+    assert found["overlay of a bad curve"]["crossings"] == 2
+    assert found["overlay of a bad curve"]["nearest"] > 100
+    assert "crosses the curve" in found["sentence of a bad curve"]
+    assert (tmp_path / "dragging.png").stat().st_size > 10_000
+
+
+def test_every_command(tmp_path):
+    found = launching.run_window("commands.py", tmp_path)
+    assert found["workbench"] == "ElasticaWorkbench"
+    assert len(found["known"]) == 10
+    assert "mm" in found["strip panel"]
+    assert "can take this curve" in found["check"]
+    assert found["check overlay"]["comb"] > 100
+    assert found["nearest is realizable"]
+    assert found["replaced"] == [6, True]
+    assert "stays" in found["bend"]
+    assert found["bent end"] == pytest.approx([120, 5, 0], abs=1e-5)
+    assert "combined" in found["tolerance"]
+    assert "elasto-gravity length" in found["coupon"]
+    assert found["step volumes"] == pytest.approx(found["volumes"], rel=1e-6)
+    assert "exists already" in found["export refused"]
+    assert found["sections"] == 3
+    assert found["strips of sections"] == [[["Up-to-date"], True]] * 3
+    assert found["told"].startswith("Select a sketch")
