@@ -8,6 +8,7 @@ from elastica_cad.fabrication.ends import Hole, Tab
 from elastica_cad.fabrication.kerf import with_kerf
 from elastica_cad.fabrication.lettering import Text, text_strokes, text_width
 from elastica_cad.fabrication.model import Model, Part, Placed
+from elastica_cad.fabrication.perforation import Perforated
 from elastica_cad.fabrication.slots import Slot
 from elastica_cad.fabrication.solids import BentSolid, FlatSolid
 from elastica_cad.fabrication.strip import Layer, Reactions, Strip
@@ -28,6 +29,7 @@ __all__ = [
     "LayeredPath",
     "Model",
     "Part",
+    "Perforated",
     "Placed",
     "Plain",
     "Reactions",

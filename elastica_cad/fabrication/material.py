@@ -17,7 +17,7 @@ __all__ = ["made_rod", "material_width"]
 
 _CUTS = 8  # stations a cell of the rod
 
-_FLAT = 1e-6  # mm, of the polylines that are measured
+_FLAT = 1e-5  # mm, of the polylines that are measured
 
 
 def material_width(outline: Path, holes: Iterable[Path], s: ArrayLike) -> FloatArray:

@@ -1,0 +1,208 @@
+"""The pattern of a perforated strip: diamonds between ligaments of equal width that run along the strip."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.fabrication.ends import Tab
+from elastica_cad.fabrication.flat import Ends, chained, graph
+from elastica_cad.fabrication.rounding import rounded
+from elastica_cad.fabrication.slots import Slot, slot_cut
+from elastica_cad.geometry import Path, Profile, Segment, Spline
+from elastica_cad.geometry.approximation import adaptive_spline
+from elastica_cad.geometry.arcs import as_arcs
+from elastica_cad.geometry.nearest import distances
+
+__all__ = ["Diamonds"]
+
+FIT = 1e-6
+"""Largest error of a hole's side, mm."""
+
+_LEAN = 1e-9  # of a stretch: its spline is fitted this far inside it, for the sake of jumps
+_NEAR = 0.02  # mm, of the polylines by which holes are kept clear of slots
+
+
+@dataclass(frozen=True, eq=False)
+class Diamonds:
+    """Full diamonds in `rows` along and `columns` across, others in the gaps between them, halves at the edges.
+
+    With H = width - material, T(s) rising from 0 to 1 over half a row and falling again, n = `columns` and
+    t = material / (2 n + 2): full diamonds are T H / n wide across, those in the gaps (1 - T) H / n, halves along
+    both edges half of that. Every station meets holes of H in all, and every ligament is t wide across, 2 t where
+    two of them join.
+
+    Parameters
+    ----------
+    width, material : Profile
+        Of the outline, and what is to be left of it, mm.
+    columns, rows : int
+        Full diamonds across and along.
+    corner_radius : float
+        Of the holes' corners, mm; 0 leaves them sharp.
+    clearance : float
+        Holes nearer to a slot than this are left out, mm; where a tab is narrower than the strip the first holes
+        keep it from the end, too.
+    arcs : float, optional
+        Sides as arcs within this distance, mm, of the true ones; splines unless given.
+    """
+
+    width: Profile
+    material: Profile
+    columns: int
+    rows: int
+    corner_radius: float = 0.0
+    clearance: float = 0.5
+    arcs: float | None = None
+
+    @property
+    def ligaments(self) -> int:
+        """How many run side by side, counting those that have joined."""
+        return 2 * self.columns + 2
+
+    @property
+    def row_length(self) -> float:
+        """mm."""
+        return self.width.length / self.rows
+
+    @cached_property
+    def joints(self) -> FloatArray:
+        """Stations (2 rows + 1,), mm, where diamonds end in a tip and others are widest."""
+        return np.linspace(0.0, self.width.length, 2 * self.rows + 1)
+
+    def paths(self, ends: Ends, slots: Sequence[Slot] = ()) -> tuple[Path, ...]:
+        """The holes as closed anticlockwise loops in the order of the strip, clear of tabs and slots."""
+        length = self.width.length
+        low, high = self._margin(ends[0], 0.0), length - self._margin(ends[1], length)
+        loops = self._loops(low, high)
+        cuts = [slot_cut(slot, self.width, beyond=slot.width) for slot in slots]
+        clear = [loop for loop in loops if all(self._apart(loop, cut) for cut in cuts)]
+        if self.corner_radius > 0:
+            clear = [rounded(loop, self.corner_radius) for loop in clear]
+        if self.arcs is not None:
+            clear = [as_arcs(loop, self.arcs) for loop in clear]
+        return tuple(clear)
+
+    def _margin(self, tab: Tab, s: float) -> float:
+        held = tab.width is None or tab.width >= float(self.width(s))
+        return 0.0 if held and tab.length > 0 else self.clearance
+
+    def _apart(self, loop: Path, cut: Path) -> bool:
+        low, high = cut.bounds + np.array([[-self.clearance], [self.clearance]])
+        if np.any(loop.bounds[0] > high) or np.any(loop.bounds[1] < low):
+            return True
+        points = loop.points(_NEAR)
+        near = min(float(distances(segment, points).min()) for segment in cut.segments)
+        back = min(float(distances(segment, cut.points(_NEAR)).min()) for segment in loop.segments)
+        return min(near, back) >= self.clearance
+
+    def _loops(self, low: float, high: float) -> list[Path]:
+        """Rows of full diamonds and the ones in the gaps between them, in turn."""
+        loops = []
+        for i in range(2 * self.rows + 1):
+            first, last = self.joints[max(i - 1, 0)], self.joints[min(i + 1, 2 * self.rows)]
+            stretches = [one for one in self._stretches if first <= one.middle <= last]
+            kept = [one for one in (stretch.within(low, high) for stretch in stretches) if one is not None]
+            full = i % 2 == 1
+            for j in range(self.columns if full else self.columns + 1):
+                loops.append(self._loop([one.sides(self.columns, j, full=full) for one in kept]))
+        return loops
+
+    @staticmethod
+    def _loop(sides: list[tuple[Spline, Spline]]) -> Path:
+        lower: list[Segment] = [side for side, _ in sides]
+        upper: list[Segment] = [side.reversed() for _, side in reversed(sides)]
+        return Path(chained([*lower, *upper]), closed=True)
+
+    @cached_property
+    def _stretches(self) -> list["_Stretch"]:
+        """The strip between joints and jumps: width, material and T H / columns as splines over the same knots."""
+        jumps = np.concatenate([_jumps(self.width), _jumps(self.material)])
+        cuts = np.unique(np.concatenate([self.joints, jumps]))
+        breaks = [*_kinks(self.width), *_kinks(self.material)]
+        found = []
+        for a, b in pairwise(cuts.tolist()):
+            inside = (a + _LEAN * (b - a), b - _LEAN * (b - a))
+            knots, values = adaptive_spline(
+                self._values, inside, degree=3, tolerance=FIT / 4, breaks=breaks, rounding=1e-12
+            )
+            knots[:4], knots[-4:] = a, b
+            for row, s, beside in ((0, a, inside[0]), (-1, b, inside[1])):
+                values[row] = self._values(np.array([beside if np.any(jumps == s) else s]))[0]
+                if np.any(self.joints == s):
+                    # there a diamond has its tip, or its whole width
+                    whole = (values[row, 0] - values[row, 1]) / self.columns
+                    values[row, 2] = whole if round(2 * self.rows * s / self.width.length) % 2 else 0.0
+            found.append(_Stretch(knots, values))
+        return found
+
+    def _values(self, s: FloatArray) -> FloatArray:
+        """Width, material, and the width of a full diamond (n, 3), mm."""
+        w, m = self.width(s), self.material(s)
+        phase = self.rows * s / self.width.length
+        T = 1 - np.abs(2 * (phase - np.floor(phase)) - 1)
+        return np.column_stack([w, m, T * (w - m) / self.columns])
+
+
+@dataclass(frozen=True, eq=False)
+class _Stretch:
+    """Knots and coefficients (m, 3) of width, material and full diamond; cubic."""
+
+    knots: FloatArray
+    values: FloatArray
+
+    @property
+    def middle(self) -> float:
+        return float(self.knots[0] + self.knots[-1]) / 2
+
+    def within(self, low: float, high: float) -> "_Stretch | None":
+        """The part between two stations; None where there is none."""
+        a, b = max(low, float(self.knots[0])), min(high, float(self.knots[-1]))
+        if b - a <= FIT:
+            return None
+        if (a, b) == (self.knots[0], self.knots[-1]):
+            return self
+        from scipy.interpolate import BSpline
+
+        inner = self.knots[(self.knots > a) & (self.knots < b)]
+        knots = np.concatenate([np.repeat(a, 4), inner, np.repeat(b, 4)])
+        sites = np.lib.stride_tricks.sliding_window_view(knots[1:-1], 3).mean(axis=1)
+        basis = BSpline.design_matrix(sites, knots, 3).toarray()
+        return _Stretch(knots, np.linalg.solve(basis, BSpline(self.knots, self.values, 3)(sites)))
+
+    def sides(self, columns: int, j: int, *, full: bool) -> tuple[Spline, Spline]:
+        """Lower and upper side of the j-th hole across: a full diamond, or one in the gaps (0 and last: halves)."""
+        w, m, diamond = self.values.T
+        t, pitch = m / (2 * columns + 2), (w - m) / columns
+        gap = pitch - diamond
+        step = 2 * t + pitch
+        if full:
+            center, half = -w / 2 + 2 * t + pitch / 2 + j * step, diamond / 2
+            lower, upper = center - half, center + half
+        else:
+            center = -w / 2 + t + j * step
+            lower = center - (gap / 2 if j > 0 else 0.0)
+            upper = center + (gap / 2 if j < columns else 0.0)
+        return graph(self.knots, lower), graph(self.knots, upper)
+
+
+def _jumps(profile: Profile) -> FloatArray:
+    return _inner_knots(profile, profile.degree + 1)
+
+
+def _kinks(profile: Profile) -> list[tuple[float, int]]:
+    """Places of a profile with their continuity, where that is less than 2."""
+    knots, counts = np.unique(profile.knots, return_counts=True)
+    rough = (counts > profile.degree - 2) & (counts <= profile.degree)
+    rough &= (knots > profile.knots[0]) & (knots < profile.knots[-1])
+    return [(float(s), int(profile.degree - n)) for s, n in zip(knots[rough], counts[rough], strict=True)]
+
+
+def _inner_knots(profile: Profile, multiplicity: int) -> FloatArray:
+    knots, counts = np.unique(profile.knots, return_counts=True)
+    return np.asarray(
+        knots[(counts >= multiplicity) & (knots > profile.knots[0]) & (knots < profile.knots[-1])]
+    )

@@ -1,0 +1,250 @@
+"""Perforated strips: an outline of any width, and holes that leave as much material as the stiffness asks for."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.diamonds import Diamonds
+from elastica_cad.fabrication.styles import Layout, Width, along, stations_of
+from elastica_cad.geometry import Profile
+from elastica_cad.mechanics import PerforatedSection, Rod, ScaleRange, Sheet
+
+__all__ = ["Perforated"]
+
+SLACK = 1e-7
+"""Relative slack on limits that a design may touch."""
+
+STEEP = np.radians(30.0)
+"""Ligaments that lean more than this off the strip's direction are told."""
+
+TIPS = 0.03
+"""Excess of material at rounded tips, over what is to be left, that is told."""
+
+SLENDER = 3.0
+"""Length over pitch of the diamonds where no number of rows is given."""
+
+
+@dataclass(frozen=True, eq=False)
+class Perforated:
+    """An outline of its own width with diamond holes; the ligaments' summed width is ~ K (paper, section 8.1).
+
+    Sums are taken straight across the strip and hold at every station, from one end of the free part to the
+    other; only corners that are rounded leave more, over the short zone of `tip_zone` about the tips. The strip
+    then weighs ~ K like a plain one. Without `max_width` as much material is left as the holes allow.
+
+    Parameters
+    ----------
+    width : float, Profile or callable
+        Of the outline, mm: one number, or a profile or function of arc length (`touching` gives such).
+    columns, rows : int
+        Full diamonds across and along; between them come the ones in the gaps, halves at edges and ends. Without
+        `rows` diamonds are three times as long as their columns are apart.
+    hole_ratio : float
+        Largest share of the width that holes may take at any station.
+    least_ligament, least_hole : float
+        Widths, mm, that no ligament and no widest place of a hole may fall below.
+    corner_radius : float
+        Of the holes' corners, against tearing, mm; 0 leaves them sharp.
+    sides : "spline" or "arc"
+        What the sides of holes are made of.
+
+    Examples
+    --------
+    >>> from elastica_cad.fabrication import Strip
+    >>> style = Perforated(width=24.0, columns=2, rows=4)
+    >>> strip = Strip(Rod.straight(120.0, [1, 2, 1]), Sheet.named("card-200gsm"), style=style)
+    >>> len(strip.holes)  # four rows of two, five of three
+    23
+    >>> left, asked = strip.layers[0].material([13.7, 60.0]), strip.layout.material([13.7, 60.0])
+    >>> bool(abs(left / asked - 1).max() < 1e-4)
+    True
+    """
+
+    width: Width
+    columns: int = 2
+    rows: int | None = None
+    hole_ratio: float = 0.85
+    least_ligament: float = 0.5
+    least_hole: float = 1.0
+    corner_radius: float = 0.0
+    sides: Literal["spline", "arc"] = "spline"
+
+    def __post_init__(self) -> None:
+        for name in ("columns", "rows"):
+            count = getattr(self, name)
+            if count is not None and (count != int(count) or count < 1):
+                raise InputError(f"{name} is {count}: a perforated strip has a whole number of them, from 1")
+        if not 0 < self.hole_ratio < 1:
+            raise InputError(f"hole_ratio is {self.hole_ratio}: it must lie between 0 and 1")
+        for name in ("least_ligament", "least_hole"):
+            value = getattr(self, name)
+            if not (np.isfinite(value) and value > 0):
+                raise InputError(f"{name} is {value}: it must be positive, in mm")
+        if not (np.isfinite(self.corner_radius) and self.corner_radius >= 0):
+            raise InputError(f"corner_radius is {self.corner_radius}: it must be 0 mm or more")
+        if self.sides not in ("spline", "arc"):
+            raise InputError(f'sides are "spline" or "arc", not {self.sides!r}')
+
+    @property
+    def ligaments(self) -> int:
+        """How many run side by side."""
+        return 2 * self.columns + 2
+
+    def laid_out(
+        self, rod: Rod, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
+    ) -> Layout:
+        """Outline, material and holes for a rod.
+
+        Parameters
+        ----------
+        max_width, min_width : float, optional
+            Bounds of the ligaments' sum, mm.
+
+        Raises
+        ------
+        InputError
+            No scale keeps ligaments and holes wide enough: says where, and what would do.
+        """
+        outer = along(self.width, rod.length, "the width of the outline")
+        fit = _Fit(self, rod, sheet, outer)
+        scale = fit.scale(max_width, min_width)
+        material = rod.profile.scaled(scale / fit.section.rigidity)
+        rows = self.rows or max(1, round(rod.length * self.columns / (SLENDER * float(fit.w.mean()))))
+        pattern = Diamonds(
+            outer, material, self.columns, rows, self.corner_radius, self.least_ligament,
+            arcs=None if self.sides == "spline" else 5e-4 * material.extremes[0] / self.ligaments,
+        )  # fmt: skip
+        told = self._told(pattern, fit.s)
+        return Layout(sheet, outer, material, scale, pattern=pattern, warnings=told)
+
+    def tip_zone(self, layout: Layout) -> float:
+        """Half the length, mm, of the zones about `layout.pattern.joints` in which rounded corners leave more."""
+        if self.corner_radius == 0 or not isinstance(layout.pattern, Diamonds):
+            return 0.0
+        s = stations_of(layout.width.length, layout.width, layout.material)
+        flattest = _slope(layout.width(s) - layout.material(s), self.columns, layout.pattern.row_length).min()
+        return float(2 * self.corner_radius / flattest)  # the halves at the edges are the sharpest
+
+    def _told(self, pattern: Diamonds, s: FloatArray) -> tuple[str, ...]:
+        told = []
+        holes = pattern.width(s) - pattern.material(s)
+        lean = np.arctan(_slope(holes, self.columns, pattern.row_length))
+        i = int(np.argmax(lean))
+        if lean[i] > STEEP:
+            told.append(
+                f"the ligaments lean {np.degrees(lean[i]):.0f} degrees off the strip at {s[i]:.1f} mm: use fewer "
+                f"rows, {np.ceil(holes[i] / self.columns / np.tan(STEEP)):.0f} mm long or longer"
+            )
+        tips = self.columns + np.arange(pattern.joints.size) % 2  # of full diamonds, of gaps with the halves
+        missing = tips * 2 * self.corner_radius / pattern.material(pattern.joints)
+        i = int(np.argmax(missing))
+        if missing[i] > TIPS:
+            told.append(
+                f"a corner radius of {self.corner_radius:g} mm leaves {100 * missing[i]:.1f} % too much material "
+                f"at the tips at {pattern.joints[i]:.1f} mm: {self.corner_radius * TIPS / missing[i]:.2g} mm or "
+                f"less keeps it within {100 * TIPS:.0f} %"
+            )
+        return tuple(told)
+
+
+class _Fit:
+    """What fits where: widths, the section, and the scales that keep all limits."""
+
+    def __init__(self, style: Perforated, rod: Rod, sheet: Sheet, outer: Profile) -> None:
+        self.style, self.rod, self.outer = style, rod, outer
+        self.s = stations_of(rod.length, outer, rod.profile)
+        self.w = outer(self.s)
+        self.K = rod.profile(self.s)
+        self.section = PerforatedSection(
+            sheet, ligaments=style.ligaments, least_ligament=style.least_ligament
+        )
+        self.holes = 2 * style.columns * style.least_hole
+        room = self.w - self.holes
+        i = int(np.argmin(room))
+        if room[i] <= style.ligaments * style.least_ligament:
+            raise InputError(
+                f"the outline is {self.w[i]:.4g} mm wide at {self.s[i]:.1f} mm: {style.ligaments} ligaments of "
+                f"{style.least_ligament:g} mm and {style.columns} columns of holes need more than "
+                f"{self.holes + style.ligaments * style.least_ligament:.4g} mm; widen it or use fewer columns"
+            )
+        self.by_ligaments = self.section.scale_range(room, self.K)
+        most = self.section.bending_stiffness(room)
+        least = self.section.bending_stiffness((1 - style.hole_ratio) * self.w)
+        self.by_ratio = ScaleRange.of(least, most, self.K)
+        self.lowest = max(self.by_ligaments.lowest, self.by_ratio.lowest)
+        self.highest = self.by_ligaments.highest
+
+    def scale(self, max_width: float | None, min_width: float | None) -> float:
+        """c, N mm2: the rod's own, or as much as fits under `max_width`."""
+        if self.lowest > self.highest * (1 + SLACK):
+            raise InputError(self._infeasible())
+        rigidity, (low, high) = self.section.rigidity, self.rod.profile.extremes
+        scale = self.highest if max_width is None else min(self.highest, rigidity * max_width / high)
+        if self.rod.bending_stiffness is not None:
+            asked = self.rod.bending_stiffness
+            if asked > scale * (1 + SLACK):
+                i = self.by_ligaments.highest_at
+                raise InputError(
+                    f"the rod's bending stiffness asks for {asked * self.K[i] / rigidity:.4g} mm of material at "
+                    f"{self.s[i]:.1f} mm, {scale * self.K[i] / rigidity:.4g} mm fit: widen the outline or raise "
+                    "max_width"
+                )
+            scale = asked
+        if scale < self.lowest * (1 - SLACK):
+            raise InputError(
+                f"{self._too_little(scale)}: the ligaments need {self.lowest * high / rigidity:.4g} mm in all "
+                f"where they are widest, not {scale * high / rigidity:.4g} mm; raise max_width"
+            )
+        if min_width is not None and scale * low / rigidity < min_width * (1 - SLACK):
+            raise InputError(
+                f"the ligaments are {scale * low / rigidity:.4g} mm in all at the narrowest place, below min_width "
+                f"{min_width:g} mm: widen the outline or lower the stiffness ratio"
+            )
+        return scale
+
+    def _infeasible(self) -> str:
+        """Why nothing fits, where, and what would do."""
+        style, rigidity = self.style, self.section.rigidity
+        need = self.lowest * self.K / rigidity + self.holes
+        i = int(np.argmax(need / self.w))
+        ways = [f"make the outline {need[i]:.4g} mm or more wide there (now {self.w[i]:.4g} mm)"]
+        fewer = [n for n in range(style.columns - 1, 0, -1) if self._would_do(n)]
+        if self.by_ratio.lowest > self.by_ligaments.lowest:
+            share = 1 - float((self.highest * self.K / (rigidity * self.w)).min())
+            ways.append(f"allow a hole_ratio of {np.ceil(1000 * share) / 1000:.3f}")
+        elif fewer:
+            ways.append(f"use {fewer[0]} column{'s' if fewer[0] > 1 else ''}")
+        ratio = self.rod.ratio * self.highest / self.lowest
+        if ratio > 1:
+            ways.append(f"lower the stiffness ratio from {self.rod.ratio:.3g} to {ratio:.3g}")
+        return f"{self._too_little(self.highest)} when holes still fit at {self.s[i]:.1f} mm: {', or '.join(ways)}"
+
+    def _would_do(self, columns: int) -> bool:
+        section = PerforatedSection(
+            self.section.sheet, ligaments=2 * columns + 2, least_ligament=self.style.least_ligament
+        )
+        return section.scale_range(self.w - 2 * columns * self.style.least_hole, self.K).feasible
+
+    def _too_little(self, scale: float) -> str:
+        """The limit that a scale breaks, and where."""
+        if self.by_ratio.lowest > self.by_ligaments.lowest:
+            i = self.by_ratio.lowest_at
+            share = 1 - scale * self.K[i] / (self.section.rigidity * self.w[i])
+            return (
+                f"holes would take {100 * share:.1f} % of the width at {self.s[i]:.1f} mm, more than "
+                f"{100 * self.style.hole_ratio:.1f} %,"
+            )
+        i = self.by_ligaments.lowest_at
+        each = scale * self.K[i] / self.section.rigidity / self.style.ligaments
+        return (
+            f"ligaments would be {each:.3g} mm wide at {self.s[i]:.1f} mm, below "
+            f"{self.style.least_ligament:g} mm,"
+        )
+
+
+def _slope(holes: FloatArray, columns: int, row: float) -> FloatArray:
+    """Slope (n,) of the diamonds' sides against the strip, for holes (n,) in all, mm."""
+    return holes / (columns * row)

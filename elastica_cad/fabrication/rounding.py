@@ -1,0 +1,91 @@
+"""Rounded corners: arcs of a given radius in place of the corners of a closed path."""
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.geometry import Arc, Path, Segment
+from elastica_cad.geometry.segments import left_of, place
+from elastica_cad.geometry.trim import trimmed
+
+__all__ = ["rounded"]
+
+SMOOTH = 0.02
+"""Corners that turn by less, rad, stay."""
+
+_ROUNDS = 40
+_CLOSE = 1e-9  # mm
+
+
+def rounded(path: Path, radius: float) -> Path:
+    """The closed path with an arc of `radius` mm, tangent to both sides, in place of every corner.
+
+    Raises
+    ------
+    InputError
+        The sides at a corner are too short for the radius; says where.
+
+    Examples
+    --------
+    >>> plate = rounded(Path.rectangle(10, 6), 1.0)
+    >>> round(plate.area - (60 - 4), 6)  # four squares less, four quarter circles more
+    3.141593
+    """
+    segments = path.segments
+    first = [0.0] * len(segments)
+    last = [1.0] * len(segments)
+    arcs: list[Arc | None] = []
+    for i, before in enumerate(segments):
+        k = (i + 1) % len(segments)
+        corner = _corner(before, segments[k], radius)
+        if corner is None:
+            arcs.append(None)
+            continue
+        last[i], first[k] = corner[:2]
+        arcs.append(corner[2])
+    chain: list[Segment] = []
+    for segment, u0, u1, arc in zip(segments, first, last, arcs, strict=True):
+        if u0 > u1:
+            raise _too_short(segment.at(0.5), radius)
+        if (u1 - u0) * segment.length > _CLOSE:
+            chain.append(trimmed(segment, u0, u1))
+        if arc is not None:
+            chain.append(arc)
+    return Path(chain, closed=True)
+
+
+def _corner(before: Segment, after: Segment, radius: float) -> tuple[float, float, Arc] | None:
+    """Where the arc leaves one segment and enters the next, and the arc; None where there is no corner."""
+    s, t = before.tangent_at(1.0), after.tangent_at(0.0)
+    turn = float(np.arctan2(s[0] * t[1] - s[1] * t[0], s @ t))
+    if abs(turn) < SMOOTH:
+        return None
+    side = radius * np.sign(turn)
+    reach = radius * np.tan(abs(turn) / 2)
+    x = np.array([1 - reach / before.length, reach / after.length])
+    for _ in range(_ROUNDS):
+        if not (0 <= x[0] <= 1 and 0 <= x[1] <= 1):
+            raise _too_short(before.end, radius)
+        gap = _beside(before, x[0], side) - _beside(after, x[1], side)
+        if np.abs(gap).max() < _CLOSE:
+            return float(x[0]), float(x[1]), _arc(before, after, x)
+        # the sides bend so little that their tangents serve for the Jacobian
+        slope = np.column_stack([before.velocity_at(x[0]), -after.velocity_at(x[1])])
+        x = x - np.linalg.solve(slope, gap)
+    raise _too_short(before.end, radius)
+
+
+def _beside(segment: Segment, u: float, distance: float) -> FloatArray:
+    return np.asarray(segment.at(u) + distance * left_of(segment.tangent_at(u)), dtype=float)
+
+
+def _arc(before: Segment, after: Segment, x: FloatArray) -> Arc:
+    s, t = before.tangent_at(x[0]), after.tangent_at(x[1])
+    turn = float(np.arctan2(s[0] * t[1] - s[1] * t[0], s @ t))
+    return Arc.from_bulge(before.at(x[0]), after.at(x[1]), np.tan(turn / 4))
+
+
+def _too_short(at: FloatArray, radius: float) -> InputError:
+    return InputError(
+        f"a corner radius of {radius:g} mm does not fit the hole at {place(at)}: make it smaller"
+    )
