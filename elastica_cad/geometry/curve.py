@@ -202,10 +202,6 @@ class PlaneCurve:
         t = np.asarray(t, dtype=float)
         return self._jets.at(t.ravel(), derivative, left=left)[derivative].reshape(*t.shape, 2)
 
-    def derivatives(self, t: FloatArray, order: int) -> list[FloatArray]:
-        """Position and derivatives d/dt up to `order` (at most 3), each (n, 2), at parameters t (n,)."""
-        return self._jets.at(t, order)
-
     def basis(self, t: ArrayLike, derivative: int = 0) -> FloatArray:
         """Derivatives (n, m) of the position (or of its derivative) at t (n,) by the m control points.
 
