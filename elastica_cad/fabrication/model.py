@@ -1,6 +1,6 @@
 """A model: strips in space, how many of them are equal, and patterns of them."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -9,6 +9,8 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.boundary import Frame
+from elastica_cad.fabrication.interlock import Fit, Joint, interlocked
+from elastica_cad.fabrication.slots import Relief
 from elastica_cad.fabrication.strip import Strip
 from elastica_cad.geometry import Path
 from elastica_cad.geometry.nearest import distances
@@ -117,6 +119,8 @@ class Model:
         Titles and file names come from it.
     reports : tuple of str
         What was found on the way, one sentence each.
+    joints : tuple of Joint
+        Where strips were slotted into each other by `interlock`.
 
     Raises
     ------
@@ -127,6 +131,7 @@ class Model:
     placed: tuple[Placed, ...]
     name: str = "model"
     reports: tuple[str, ...] = ()
+    joints: tuple[Joint, ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "placed", tuple(self.placed))
@@ -163,6 +168,52 @@ class Model:
         """The model with other strips in the same places."""
         pairs = zip(self.placed, strips, strict=True)
         return replace(self, placed=tuple(placed.with_strip(strip) for placed, strip in pairs))
+
+    def interlock(
+        self,
+        *,
+        clearance: float = 0.1,
+        fit: Fit = "exact",
+        relief: Relief = "square",
+        pairs: Iterable[tuple[int, int]] | None = None,
+        above: ArrayLike | None = None,
+    ) -> "Model":
+        """The model with slots wherever two bent strips cross, cut half way into each from opposite sides.
+
+        The strips are taken as ruled surfaces, and their crossings are exact. A slot is as wide as the angle
+        between the strips asks for, point by point. Each strip is cut from the side on which it ends; where
+        both sides would do, the earlier of two strips opens towards `above`, so that the later one is pushed on
+        from there.
+
+        Parameters
+        ----------
+        clearance : float
+            Added to the width of every slot, mm.
+        fit : "exact" or "paper"
+            "paper" is the narrower h / sin(phi), too narrow below 60 degrees.
+        relief : "square" or "round"
+            Inner ends of the slots.
+        pairs : iterable of (int, int), optional
+            Which strips may be slotted, by their places; all that cross if not given.
+        above : (3,) array_like, optional
+            A direction; the earlier strip's own rulings if not given.
+
+        Raises
+        ------
+        InputError
+            Strips that touch along a line or cross at an end, slots that meet, a clearance larger than a strip.
+        """
+        slots, joints, reports = interlocked(
+            self, clearance=clearance, fit=fit, relief=relief, pairs=pairs, above=above
+        )
+        strips = [
+            replace(strip, slots=(*strip.slots, *new)) if new else strip
+            for strip, new in zip(self.strips, slots, strict=True)
+        ]
+        slotted = self.with_strips(strips)
+        for index, strip in enumerate(slotted.strips):
+            _refuse_faults(strip, slotted.name_of(index))
+        return replace(slotted, joints=(*self.joints, *joints), reports=(*self.reports, *reports))
 
     def mirrored(self, point: ArrayLike, normal: ArrayLike, *, keep: bool = True) -> "Model":
         """The mirror image in the plane through `point` across `normal`, and the strips themselves if kept."""
@@ -207,6 +258,16 @@ class Model:
         d = np.asarray(step, dtype=float)
         copies = [placed.moved(np.eye(3), i * d) for i in range(count) for placed in self.placed]
         return replace(self, placed=tuple(copies))
+
+
+def _refuse_faults(strip: Strip, name: str) -> None:
+    """Draw the outline now, so that slots that meet are found with the part's name."""
+    try:
+        whole = strip.outline.closed
+    except InputError as error:
+        raise InputError(str(error) if strip.label else f"{name}: {error}") from error
+    if not whole:
+        raise InputError(f"{name}: the slots open its outline")
 
 
 def _equal(a: Strip, b: Strip) -> bool:

@@ -1,0 +1,169 @@
+"""Where two bent strips cross in space: from edge to edge, exactly."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from elastica_cad._types import BoolArray, FloatArray, IntArray
+from elastica_cad.fabrication.loci import Locus, LocusPoints, loci, margins
+from elastica_cad.fabrication.ruled import RuledStrip
+from elastica_cad.fabrication.zeros import bracketed_zeros
+
+__all__ = ["Crossing", "CrossingPoints", "strip_crossings"]
+
+FINER = 4
+"""Into so many parts the stretches between nodes are divided before edges are looked for."""
+
+ON_EDGE = 1e-8
+"""A crossing that ends this near to an edge (mm) ends on it."""
+
+LENGTHS = 65
+"""Points by which the length along a crossing is measured."""
+
+
+@dataclass(frozen=True, eq=False)
+class CrossingPoints:
+    """Points that both strips share.
+
+    Attributes
+    ----------
+    first, second : (n, 2) arrays
+        In the flat patterns of both strips: arc length, and distance from the centre line, mm.
+    position : (n, 3) array
+        In space, mm.
+    angle : (n,) array
+        Between the two surfaces, rad, from 0 to pi / 2.
+    """
+
+    first: FloatArray
+    second: FloatArray
+    position: FloatArray
+    angle: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class Crossing:
+    """One stretch along which both strips have material; both flat patterns show it in its true length.
+
+    Attributes
+    ----------
+    strips : pair of RuledStrip
+    start, end : float
+        Range on the locus.
+    """
+
+    strips: tuple[RuledStrip, RuledStrip]
+    locus: Locus
+    start: float
+    end: float
+
+    def at(self, x: FloatArray) -> CrossingPoints:
+        """Points at x (n,): 0 and 1 are where the stretch begins and ends; it goes on beyond."""
+        a, b = self.strips
+        p = self.locus.at(self.start + x * (self.end - self.start))
+        normals = a.normal(p.s_a), b.normal(p.s_b)
+        cosine = np.abs((normals[0] * normals[1]).sum(axis=1))
+        sine = np.linalg.norm(np.cross(*normals), axis=1)
+        return CrossingPoints(
+            np.column_stack([p.s_a, p.v]),
+            np.column_stack([p.s_b, p.u]),
+            a.motion(p.s_a)[0] + p.v[:, None] * a.axis,
+            np.arctan2(sine, cosine),
+        )
+
+    @cached_property
+    def length(self) -> float:
+        """mm."""
+        return float(self._steps(np.linspace(0.0, 1.0, LENGTHS)).sum())
+
+    @cached_property
+    def middle(self) -> float:
+        """The x half way along."""
+        middle = 0.5
+        for _ in range(30):
+            x = np.concatenate([np.linspace(0.0, middle, LENGTHS), np.linspace(middle, 1.0, LENGTHS)[1:]])
+            steps = self._steps(x)
+            excess = float(steps[LENGTHS - 1 :].sum() - steps[: LENGTHS - 1].sum()) / 2
+            middle += excess * float((x[LENGTHS] - x[LENGTHS - 2]) / steps[LENGTHS - 2 : LENGTHS].sum())
+            if abs(excess) < 1e-10:
+                break
+        return middle
+
+    def beyond(self, which: int, end: int) -> float | None:
+        """The x at which strip `which` (0 or 1) itself ends, going on from the start (end 0) or the end (1).
+
+        None where the strip's curve ends before its long edge is reached.
+        """
+        columns = slice(2 * which, 2 * which + 2)
+        origin, way = (self.start, -1) if end == 0 else (self.end, 1)
+        nodes = self.locus.nodes
+        q = np.concatenate([[origin], nodes[(nodes - origin) * way > 0][::way]])
+        m = margins(self.strips, self.locus.at(q))[:, columns]
+        if np.abs(m[0]).min() < ON_EDGE:
+            return float(end)
+        outside = np.flatnonzero(m.min(axis=1) < 0)
+        if not outside.size:
+            return None
+        i = int(outside[0])
+        sides = np.array([2 * which + int(np.argmin(m[i]))])
+        root = float(_edges(self.strips, self.locus, q[[i - 1]], q[[i]], sides)[0])
+        return (root - self.start) / (self.end - self.start)
+
+    def _steps(self, x: FloatArray) -> FloatArray:
+        a = self.strips[0]
+        p = self.locus.at(self.start + x * (self.end - self.start))
+        position = a.motion(p.s_a)[0] + p.v[:, None] * a.axis
+        return np.linalg.norm(np.diff(position, axis=0), axis=1)
+
+
+def strip_crossings(a: RuledStrip, b: RuledStrip) -> tuple[Crossing, ...]:
+    """All stretches along which two bent strips cross.
+
+    Solved by Newton's method to rounding error; both ends of a stretch are where it leaves one of the strips.
+    """
+    if np.any(a.bounds[0] > b.bounds[1]) or np.any(b.bounds[0] > a.bounds[1]):
+        return ()
+    found = []
+    for locus in loci(a, b):
+        found += [Crossing((a, b), locus, *run) for run in _runs((a, b), locus)]
+    return tuple(found)
+
+
+def _runs(strips: tuple[RuledStrip, RuledStrip], locus: Locus) -> list[tuple[float, float]]:
+    """Ranges of q inside both strips."""
+    runs: list[tuple[float, float]] = []
+    for block in _blocks(_worth_a_look(strips, locus.near())):
+        nodes = locus.nodes[block[0] : block[1] + 1]
+        fine = (nodes[:-1, None] + np.diff(nodes)[:, None] * np.arange(FINER) / FINER).ravel()
+        q = np.append(fine, nodes[-1])
+        m = margins(strips, locus.at(q))
+        i, side = np.nonzero(np.sign(m[:-1]) * np.sign(m[1:]) < 0)
+        cuts = np.unique(np.concatenate([q[[0, -1]], _edges(strips, locus, q[i], q[i + 1], side)]))
+        inside = margins(strips, locus.at((cuts[:-1] + cuts[1:]) / 2)).min(axis=1) > 0
+        runs += [(float(cuts[first]), float(cuts[last])) for first, last in _blocks(inside)]
+    return runs
+
+
+def _edges(
+    strips: tuple[RuledStrip, RuledStrip], locus: Locus, low: FloatArray, high: FloatArray, sides: IntArray
+) -> FloatArray:
+    """Where on the locus the margins' columns `sides` (n,) vanish, between low and high (n,)."""
+    rows = np.arange(low.size)
+    return bracketed_zeros(lambda q: margins(strips, locus.at(q))[rows, sides], low, high)
+
+
+def _worth_a_look(strips: tuple[RuledStrip, RuledStrip], p: LocusPoints) -> BoolArray:
+    """Which stretches between nodes may be inside both strips, given roughly where the nodes are."""
+    worth = np.ones(p.v.size - 1, dtype=bool)
+    for across, strip in ((p.v, strips[0]), (p.u, strips[1])):
+        low, high = np.minimum(across[:-1], across[1:]), np.maximum(across[:-1], across[1:])
+        reach = 0.75 * strip.width.extremes[1] + (high - low) / 2
+        worth &= (low < reach) & (high > -reach)
+    return worth
+
+
+def _blocks(flags: BoolArray) -> list[tuple[int, int]]:
+    """(first, last + 1) of the runs of True."""
+    steps = np.diff(np.concatenate([[0], flags.astype(int), [0]]))
+    return list(zip(np.flatnonzero(steps > 0).tolist(), np.flatnonzero(steps < 0).tolist(), strict=True))

@@ -1,0 +1,248 @@
+"""Strips that cross in space are slotted half way each, so that they slide into each other."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from itertools import combinations
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.crossings import Crossing, strip_crossings
+from elastica_cad.fabrication.ruled import RuledStrip
+from elastica_cad.fabrication.slots import Relief, Slot
+
+if TYPE_CHECKING:
+    from elastica_cad.fabrication.model import Model
+
+__all__ = ["Fit", "Joint", "interlocked", "slot_width"]
+
+Fit = Literal["exact", "paper"]
+
+SHALLOW = np.radians(15.0)
+"""Below this angle between two strips a slot is so wide that a warning is due."""
+
+TOUCHING = np.radians(1.0)
+"""Below this angle strips touch rather than cross."""
+
+FORCED = 0.5
+"""Cutting from the other side is out of the question where it costs this much of the crossing's length more."""
+
+PITCH = 1.5
+"""Largest distance of the points along a slot's centre line, mm."""
+
+
+@dataclass(frozen=True, eq=False)
+class Joint:
+    """Two strips slotted into each other.
+
+    Attributes
+    ----------
+    members : (int, int)
+        Places of the strips in the model.
+    slots : (Slot, Slot)
+        In the same order.
+    angle : (float, float)
+        Smallest and largest angle between the strips along the crossing, rad.
+    position : (3,) array
+        Where the two slots end against each other, mm.
+    """
+
+    members: tuple[int, int]
+    slots: tuple[Slot, Slot]
+    angle: tuple[float, float]
+    position: FloatArray
+
+
+def slot_width(
+    angle: FloatArray, *, own: float, other: float, clearance: float, fit: Fit = "exact"
+) -> FloatArray:
+    """Width of a slot through a sheet of thickness `own` for one of thickness `other` at an angle, mm.
+
+    h_other / sin(phi) + h_own |cot(phi)| + clearance: a cut square to the sheet also lets the other strip pass
+    obliquely through the thickness. `fit="paper"` leaves the second term out (paper, section 9.1).
+    """
+    width = other / np.sin(angle) + clearance
+    return width + own * np.abs(np.cos(angle)) / np.sin(angle) if fit == "exact" else width
+
+
+def interlocked(
+    model: "Model",
+    *,
+    clearance: float = 0.1,
+    fit: Fit = "exact",
+    relief: Relief = "square",
+    pairs: Iterable[tuple[int, int]] | None = None,
+    above: ArrayLike | None = None,
+) -> tuple[tuple[tuple[Slot, ...], ...], tuple[Joint, ...], tuple[str, ...]]:
+    """New slots of every strip of a model, the joints they make, and what to know about them.
+
+    Arguments and refusals are those of `Model.interlock`.
+    """
+    if fit not in ("exact", "paper"):
+        raise InputError(f'fit is "exact" or "paper", not {fit!r}')
+    if not (np.isfinite(clearance) and clearance >= 0):
+        raise InputError(f"clearance is {clearance}: it must be 0 mm or more")
+    up = None if above is None else np.asarray(above, dtype=float)
+    if up is not None and not (up.shape == (3,) and np.all(np.isfinite(up)) and np.any(up != 0)):
+        raise InputError("above must be a direction of three numbers")
+    ruled = [RuledStrip(p.strip.rod.curve, p.frame, p.strip.width) for p in model.placed]
+    cutter = _Cutter(model, clearance, fit, relief, up)
+    joints: list[Joint] = []
+    for i, j in _checked_pairs(model, pairs):
+        crossings = strip_crossings(ruled[i], ruled[j])
+        cutter.refuse_touching((i, j), (ruled[i], ruled[j]), crossings)
+        joints += [cutter.joint((i, j), crossing) for crossing in crossings]
+    slots: list[list[Slot]] = [[] for _ in model.placed]
+    for joint in joints:
+        for member, slot in zip(joint.members, joint.slots, strict=True):
+            slots[member].append(slot)
+    return tuple(map(tuple, slots)), tuple(joints), _reports(model, joints)
+
+
+def _checked_pairs(model: "Model", pairs: Iterable[tuple[int, int]] | None) -> list[tuple[int, int]]:
+    count = len(model.placed)
+    if pairs is None:
+        return list(combinations(range(count), 2))
+    found = []
+    for i, j in pairs:
+        if not (0 <= i < count and 0 <= j < count and i != j):
+            raise InputError(f"pair ({i}, {j}): name two different strips by their places 0 to {count - 1}")
+        found.append((min(i, j), max(i, j)))
+    return sorted(set(found))
+
+
+@dataclass(frozen=True, eq=False)
+class _Cutter:
+    """Makes slots of crossings."""
+
+    model: "Model"
+    clearance: float
+    fit: Fit
+    relief: Relief
+    above: FloatArray | None
+
+    def joint(self, members: tuple[int, int], crossing: Crossing) -> Joint:
+        """Both slots of one crossing, each from the half way point to where its strip ends."""
+        names = [self.model.name_of(i) for i in members]
+        ends = self._ends(members, crossing)
+        points = crossing.at(np.linspace(0.0, 1.0, 9))
+        low, high = float(points.angle.min()), float(points.angle.max())
+        if low < TOUCHING:
+            s = float(points.first[int(points.angle.argmin()), 0])
+            raise InputError(self._touch(names, s))
+        slots = []
+        for which, end in enumerate(ends):
+            x = self._evenly(crossing, crossing.middle, float(crossing.beyond(which, end) or 0.0))
+            p = crossing.at(x)
+            rows = (p.first, p.second)[which]
+            own, other = (self.model.placed[i].strip.sheet.thickness for i in _turned(members, which))
+            widths = slot_width(p.angle, own=own, other=other, clearance=self.clearance, fit=self.fit)
+            strip = self.model.placed[members[which]].strip
+            if self.clearance >= float(strip.width(rows[0, 0])):
+                raise InputError(
+                    f"a clearance of {self.clearance:g} mm is larger than {names[which]} is wide at "
+                    f"{rows[0, 0]:.6g} mm: make it smaller"
+                )
+            side: Literal["upper", "lower"] = "upper" if rows[-1, 1] > rows[0, 1] else "lower"
+            slots.append(Slot.along(rows, widths, side=side, relief=self.relief, mate=names[1 - which]))
+        middle = crossing.at(np.array([crossing.middle])).position[0]
+        return Joint(members, (slots[0], slots[1]), (low, high), middle)
+
+    def _ends(self, members: tuple[int, int], crossing: Crossing) -> tuple[int, int]:
+        """On which end of the crossing (0 or 1) either strip is cut.
+
+        Each is cut from where it ends anyway; where both ways serve, the earlier strip of the model opens
+        towards `above` (its own rulings' direction).
+        """
+        costs = []
+        for ends in ((0, 1), (1, 0)):
+            exits = [crossing.beyond(which, end) for which, end in enumerate(ends)]
+            beyond = [np.inf if x is None else abs(x - end) for x, end in zip(exits, ends, strict=True)]
+            costs.append(sum(beyond))
+        if not np.isfinite(min(costs)):
+            s = crossing.at(np.array([0.5])).first[0, 0]
+            names = [self.model.name_of(i) for i in members]
+            raise InputError(
+                f"{names[0]} and {names[1]} cross at {s:.6g} mm of {names[0]}, where one of them ends: no slot "
+                "can open at its edge; shorten or move one of them"
+            )
+        if abs(costs[0] - costs[1]) > FORCED:
+            return ((0, 1), (1, 0))[int(np.argmin(costs))]
+        up = crossing.strips[0].axis if self.above is None else self.above
+        heights = crossing.at(np.array([0.0, 1.0])).position @ up
+        return (0, 1) if heights[0] > heights[1] else (1, 0)
+
+    def _evenly(self, crossing: Crossing, start: float, end: float) -> FloatArray:
+        """Places x at equal distances along the crossing."""
+        x = np.linspace(start, end, 33)
+        steps = np.linalg.norm(np.diff(crossing.at(x).position, axis=0), axis=1)
+        along = np.concatenate([[0.0], np.cumsum(steps)])
+        count = int(np.clip(along[-1] / PITCH, 5, 64)) + 1
+        return np.interp(np.linspace(0.0, along[-1], count), along, x)
+
+    def refuse_touching(
+        self, members: tuple[int, int], ruled: tuple[RuledStrip, RuledStrip], crossings: Iterable[Crossing]
+    ) -> None:
+        """Strips with parallel rulings must keep clear of each other but where they cross."""
+        a, b = ruled
+        if np.linalg.norm(np.cross(a.axis, b.axis)) > 1e-9 or not _boxes_meet(a, b):
+            return
+        reach = sum(self.model.placed[i].strip.sheet.thickness for i in members) / 2
+        own, other = (a.frame.local(strip.motion(strip.stations)[0]) for strip in (a, b))
+        distance = np.hypot(*(own[:, None, :2] - other[None, :, :2]).transpose(2, 0, 1))
+        nearest = distance.argmin(axis=1)
+        apart = np.abs(other[nearest, 2] - own[:, 2])
+        overlap = a.half_width(a.stations) + b.half_width(b.stations)[nearest] > apart
+        touch = (distance.min(axis=1) < reach) & overlap
+        spacing = float(np.diff(a.stations).max())
+        for crossing in crossings:
+            p = crossing.at(np.array([0.5]))
+            room = reach / np.tan(max(float(p.angle[0]), TOUCHING)) + 2 * spacing
+            touch &= np.abs(a.stations - p.first[0, 0]) > 2 * room
+        if touch.any():
+            names = [self.model.name_of(i) for i in members]
+            raise InputError(self._touch(names, float(a.stations[int(touch.argmax())])))
+
+    def _touch(self, names: list[str], s: float) -> str:
+        return (
+            f"{names[0]} and {names[1]} touch along a line at {s:.6g} mm of {names[0]} instead of crossing: move "
+            "them apart or turn one of them"
+        )
+
+
+def _turned(pair: tuple[int, int], which: int) -> tuple[int, int]:
+    return pair if which == 0 else (pair[1], pair[0])
+
+
+def _boxes_meet(a: RuledStrip, b: RuledStrip) -> bool:
+    return bool(np.all(a.bounds[0] <= b.bounds[1]) and np.all(b.bounds[0] <= a.bounds[1]))
+
+
+def _reports(model: "Model", joints: list[Joint]) -> tuple[str, ...]:
+    """Shallow angles, and how the model goes together."""
+    found = []
+    for joint in joints:
+        if joint.angle[0] < SHALLOW:
+            a, b = (model.name_of(i) for i in joint.members)
+            found.append(
+                f"{a} and {b} cross at {np.degrees(joint.angle[0]):.1f} degrees at {joint.slots[0].at:.1f} mm of "
+                f"{a}: the slots are {joint.slots[0].width:.2f} mm wide; a larger angle would hold better"
+            )
+    if joints:
+        found.append(_assembly(model, joints))
+    return tuple(found)
+
+
+def _assembly(model: "Model", joints: list[Joint]) -> str:
+    """In which order the strips go together, and which cannot simply be pushed on."""
+    sides: dict[int, set[str]] = {}
+    for joint in joints:
+        sides.setdefault(joint.members[1], set()).add(joint.slots[1].side)
+    both = [model.name_of(i) for i, found in sorted(sides.items()) if len(found) > 1]
+    order = ", ".join(dict.fromkeys(model.name_of(i) for i in range(len(model.placed))))
+    text = f"assembly: {order}; push each strip onto those before it"
+    if both:
+        text += f"; {', '.join(both)} must be threaded in, being held from both edges"
+    return text
