@@ -7,7 +7,7 @@ import numpy as np
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.forming.dense import gram
-from elastica_cad.forming.march import MarchedRod, StripGrid
+from elastica_cad.forming.march import MarchedRod, Sensitivities, StripGrid
 from elastica_cad.geometry import PlaneCurve
 from elastica_cad.mechanics import Rod
 
@@ -20,6 +20,8 @@ LOOSE = 0.02  # and of the stiffness between
 _REACH = 0.05  # curvature errors that extend this far weigh as much as the displacement they make
 _SPANS, _MOST_SPANS = 24, 240
 _STIFF = (1e-9, 1e-6, 1e-3, np.inf)  # against moving coefficients of the stiffness, tried in turn
+_GROWN = 1e-4  # of the ratio, the most that giving way may cost
+_NEWTON = 15
 _FINE = 4  # the continuous rod is extrapolated from 4 and 8 times as many edges
 
 
@@ -50,7 +52,7 @@ def editable_curve(rod: Rod, *, tangents: tuple[bool, bool] = (False, False)) ->
         error = _errors(curve, shape)
         if error.max() <= 1:
             return _in_millimetres(curve, rod)
-        edges = _refined(edges, shape.s[1:-1][error > 1])
+        edges = _refined(edges, shape.s[error > 1])
     raise NotConvergedError(
         f"the rest shape of {rod.length:.6g} mm cannot be written as a spline of degree 4 with {_MOST_SPANS} "
         "spans: use rod.curve, or fewer coefficients"
@@ -97,99 +99,119 @@ class _Shape:
 
 
 def _continuous(rod: Rod, tangents: tuple[bool, bool]) -> _Shape:
-    """The continuous rod nearest to the discrete one with the same ends (and tangents, where asked)."""
-    size = rod.length
-    n = rod.s.size - 1
-    e = np.zeros(2) if rod.gravity is None else rod.gravity.e * size**3
-    coarse, middle, fine = (_grid(rod, n * k, e) for k in (1, _FINE, 2 * _FINE))
-    u = coarse.unknowns
-    z = np.concatenate(
-        [
-            rod.profile.coefficients, [rod.moment[0] * size], rod.force[0] * size**2,
-            np.zeros(2), [rod.angle[0], 1.0],
-        ]
-    )  # fmt: skip
-    target = (rod.position - rod.position[0]) / size
-    start, end = rod.supports.ends
-    fixed = [u.position.start, u.position.start + 1]
-    fixed += [u.angle] if tangents[0] else []
-    fixed += [] if start.angle else [u.moment]
-    fixed += [u.force.start + axis for axis, held in enumerate((start.x, start.y)) if not held]
-    # coefficients that touch neither extreme may give way a little, so that the shape stays on the nodes
-    c, room = rod.profile.coefficients, 1e-3 * np.ptp(rod.profile.coefficients)
-    fixed += np.flatnonzero((c < c.min() + room) | (c > c.max() - room)).tolist()
-    free = np.setdiff1d(np.arange(u.count), fixed)
+    """The continuous rod nearest to the discrete one with the same ends (and tangents, where asked).
+
+    It is extrapolated from the rods with 4 and 8 times as many edges, whose error is a series in 1/n^2.
+    """
     for stiff in _STIFF:
-        part = free if np.isfinite(stiff) else free[free >= u.moment]
-        found = _closed(rod, (coarse, middle, fine), z, part, stiff, target, tangents)
-        if found is not None:
-            return _shape(found, (middle.rod(found), fine.rod(found)), size, middle.natural_curvature)
+        a, b = (_Refinement(rod, factor, tangents, stiff).solved() for factor in (_FINE, 2 * _FINE))
+        if a is None or b is None:
+            continue
+        shape = _extrapolated(a, b, rod)
+        if shape.stiffness.max() <= (1 + _GROWN) * rod.ratio * shape.stiffness.min():
+            return shape
     raise NotConvergedError(
         "the continuous rod does not reach the ends of the discrete one: it is about to snap; use more samples"
     )
 
 
-def _closed(
-    rod: Rod, grids: tuple[StripGrid, StripGrid, StripGrid], z: FloatArray, free: IntArray, stiff: float,
-    target: FloatArray, tangents: tuple[bool, bool],
-) -> FloatArray | None:  # fmt: skip
-    """Unknowns of the continuous rod nearest to `target` that meets the ends; None without convergence.
+@dataclass(frozen=True, eq=False)
+class _Refinement:
+    """The rod with `factor` times as many edges that is nearest to a discrete one, in lengths of that."""
 
-    Newton's method with the sensitivities of the coarse rod; positions by Richardson's extrapolation.
-    """
-    coarse, middle, fine = grids
-    u, m = coarse.unknowns, free.size
-    hinged = not rod.supports.ends[1].angle
-    z = z.copy()
-    for _ in range(12):
-        d = coarse.sensitivities(coarse.rod(z))
-        J = d.position.reshape(-1, u.count)[:, free]
-        exact = [d.position[-1]] + [d.angles[-1:]] * tangents[1] + [d.moments[-1:]] * hinged
-        C = np.concatenate(exact)[:, free]
-        scale = np.sqrt((J**2).sum(axis=0))
-        J, C = J / scale, C / scale
-        a, b = middle.rod(z), fine.rod(z)
-        position = (4 * b.position[:: 2 * _FINE] - a.position[::_FINE]) / 3
-        missing = [position[-1] - target[-1]]
-        if tangents[1]:
-            missing.append(np.atleast_1d((4 * b.angles[-1] - a.angles[-1]) / 3 - rod.angle[-1]))
-        if hinged:
-            missing.append(np.atleast_1d((4 * b.moments[-1] - a.moments[-1]) / 3))
-        gap = np.concatenate(missing)
-        normal = gram(J) + np.diag(np.where(free < u.moment, min(stiff, 1.0), 1e-14))
-        system = np.block([[normal, C.T], [C, np.zeros((gap.size, gap.size))]])
-        step = np.linalg.lstsq(system, np.concatenate([-J.T @ (position - target).ravel(), -gap]), rcond=1e-15)[0]
-        size = float(np.abs(step[:m]).max())
-        if not np.isfinite(size):
-            return None
-        z[free] += step[:m] / scale
-        if size < 1e-11 and np.abs(gap).max() < 1e-11:
-            return z
-    return z if np.abs(gap).max() < 1e-9 and size < 1e-6 else None
+    rod: Rod
+    factor: int
+    tangents: tuple[bool, bool]
+    stiff: float
+
+    def solved(self) -> MarchedRod | None:
+        """Newton's method with angles and moments as unknowns of their own; None without convergence."""
+        rod, size, k = self.rod, self.rod.length, self.factor
+        grid = self._grid()
+        u = grid.unknowns
+        z = np.zeros(u.count)
+        z[u.stiffness] = rod.profile.coefficients
+        z[u.moment], z[u.force] = rod.moment[0] * size, rod.force[0] * size**2
+        z[u.angle], z[u.length] = rod.angle[0], 1.0
+        s = np.linspace(0, 1, grid.edges + 1)
+        nodes = np.linspace(0, 1, rod.s.size)
+        edges = np.concatenate([[0.0], (s[:-1] + s[1:]) / 2, [1.0]])
+        angles, moments = np.interp(edges, nodes, rod.angle), np.interp(s, nodes, rod.moment * size)
+        target = (rod.position - rod.position[0]) / size
+        free = self._free(grid)
+        resist = np.where(free < u.moment, min(self.stiff, 1.0), 1e-14)
+        for _ in range(_NEWTON):
+            now = grid.guessed(z, angles, moments)
+            d = grid.sensitivities(now, closing=True)
+            gap, C = self._ends(now, d, target)
+            J = d.position[::k].reshape(-1, u.count + 1)
+            off = (now.position[::k] - target).ravel() + J[:, -1]
+            J = J[:, free]
+            scale = np.sqrt((J**2).sum(axis=0))
+            J, C = J / scale, C[:, free] / scale
+            system = np.block([[gram(J) + np.diag(resist), C.T], [C, np.zeros((gap.size, gap.size))]])
+            change = np.zeros(u.count + 1)
+            change[-1] = 1.0
+            change[free] = np.linalg.solve(system, np.concatenate([-J.T @ off, -gap]))[: free.size] / scale
+            z, turn = z + change[:-1], d.angles @ change
+            angles, moments = angles + turn, moments + d.moments @ change
+            size_of_step = float(np.abs(turn).max())
+            if not size_of_step < 10:
+                return None
+            if size_of_step < 1e-11:
+                return grid.guessed(z, angles, moments)
+        return grid.guessed(z, angles, moments) if size_of_step < 1e-8 else None
+
+    def _free(self, grid: StripGrid) -> IntArray:
+        """Unknowns that may move: coefficients of K that touch neither extreme give way a little."""
+        u, rod = grid.unknowns, self.rod
+        start = rod.supports.ends[0]
+        fixed = [u.position.start, u.position.start + 1]
+        fixed += [u.angle] if self.tangents[0] else []
+        fixed += [] if start.angle else [u.moment]
+        fixed += [u.force.start + axis for axis, held in enumerate((start.x, start.y)) if not held]
+        c = rod.profile.coefficients
+        room = 1e-3 * np.ptp(c) if np.isfinite(self.stiff) else np.inf
+        fixed += np.flatnonzero((c <= c.min() + room) | (c >= c.max() - room)).tolist()
+        return np.setdiff1d(np.arange(u.count), fixed)
+
+    def _ends(self, now: MarchedRod, d: Sensitivities, target: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """What must vanish at the end: gaps (k,) and rows (k, p + 1)."""
+        gaps, rows = [now.position[-1] - target[-1]], [d.position[-1]]
+        if self.tangents[1]:
+            gaps.append(now.angles[-1:] - self.rod.angle[-1])
+            rows.append(d.angles[-1:])
+        if not self.rod.supports.ends[1].angle:
+            gaps.append(now.moments[-1:])
+            rows.append(d.moments[-1:])
+        C = np.concatenate(rows)
+        return np.concatenate(gaps) + C[:, -1], C[:, :-1]
+
+    def _grid(self) -> StripGrid:
+        from scipy.interpolate import BSpline
+
+        rod, profile = self.rod, self.rod.profile
+        x = np.linspace(0, 1, (rod.s.size - 1) * self.factor + 1)
+        basis = BSpline.design_matrix(x, profile.knots / profile.length, profile.degree).toarray()
+        kappa_0 = np.asarray(rod.natural_curvature, dtype=float) * rod.length
+        if kappa_0.ndim:
+            kappa_0 = np.interp(x, np.linspace(0, 1, kappa_0.size), kappa_0)
+        e = np.zeros(2) if rod.gravity is None else rod.gravity.e * rod.length**3
+        return StripGrid(np.asarray(basis), e, kappa_0)
 
 
-def _grid(rod: Rod, edges: int, e: FloatArray) -> StripGrid:
-    from scipy.interpolate import BSpline
-
-    profile = rod.profile
-    x = np.clip(np.linspace(0, 1, edges + 1), 0, 1)
-    basis = BSpline.design_matrix(x, profile.knots / profile.length, profile.degree).toarray()
-    kappa_0 = np.asarray(rod.natural_curvature, dtype=float) * rod.length
-    if kappa_0.ndim:
-        kappa_0 = np.interp(x, np.linspace(0, 1, kappa_0.size), kappa_0)
-    return StripGrid(np.asarray(basis), e, kappa_0)
-
-
-def _shape(z: FloatArray, rods: tuple[MarchedRod, MarchedRod], size: float, natural: float | FloatArray) -> _Shape:
-    """Richardson's extrapolation of positions and moments; angles by Hermite from the edges' mean."""
-    a, b = rods
+def _extrapolated(a: MarchedRod, b: MarchedRod, rod: Rod) -> _Shape:
+    """Richardson's extrapolation from a rod and one with twice as many edges."""
     position = (4 * b.position[::2] - a.position) / 3
     moment = (4 * b.moments[::2] - a.moments) / 3
     angle = (4 * _nodal(b)[::2] - _nodal(a)) / 3
-    s = np.linspace(0, 1, position.shape[0])
-    K = a.stiffness
-    kappa = moment / K + natural
-    return _Shape(s * z[-1], position, angle, kappa, K, _zeros(s * z[-1], kappa), size)
+    K = (4 * b.stiffness[::2] - a.stiffness) / 3
+    s = np.linspace(0, (4 * b.length - a.length) / 3, K.size)
+    kappa_0 = np.asarray(rod.natural_curvature, dtype=float) * rod.length
+    if kappa_0.ndim:
+        kappa_0 = np.interp(s / s[-1], np.linspace(0, 1, kappa_0.size), kappa_0)
+    kappa = moment / K + kappa_0
+    return _Shape(s, position, angle, kappa, K, _zeros(s, kappa), rod.length)
 
 
 def _nodal(rod: MarchedRod) -> FloatArray:
@@ -248,6 +270,7 @@ def _constrained_least_squares(A: FloatArray, B: FloatArray, C: FloatArray, D: F
     band = np.zeros((DEGREE + 1, m))
     for k in range(DEGREE + 1):
         band[k, : m - k] = np.diagonal(joined[:m, :m], -k)
+    band[0] += 1e-14 * band[0].max()  # far from small enough to show, enough for rounding
     factor = cholesky_banded(band, lower=True)
     size = np.linalg.norm(C, axis=1)[:, None]
     C, D = C / size, D / size
@@ -260,11 +283,11 @@ def _constrained_least_squares(A: FloatArray, B: FloatArray, C: FloatArray, D: F
 
 
 def _errors(curve: PlaneCurve, shape: _Shape) -> FloatArray:
-    """The worst error at the inner stations, in tolerances: of position, of the stiffness that the curve asks
+    """The worst error at the stations, in tolerances: of position, of the stiffness that the curve asks
     for, and, stricter, of its extremes."""
-    s, kappa, K = shape.s[1:-1], shape.curvature[1:-1], shape.stiffness[1:-1]
-    off = np.hypot(*(curve.evaluate(s) - shape.position[1:-1]).T) * shape.size / TOLERANCE
-    near = np.abs(s[:, None] - shape.inflections).min(axis=1, initial=np.inf) < 1e-3 * s[-1]
+    s, kappa, K = shape.s, shape.curvature, shape.stiffness
+    off = np.hypot(*(curve.evaluate(s) - shape.position).T) * shape.size / TOLERANCE
+    near = np.abs(s[:, None] - shape.inflections).min(axis=1, initial=np.inf) < 1e-4 * s[-1]
     with np.errstate(divide="ignore", invalid="ignore"):
         asked = np.where(near, K, K * kappa / curve.curvature_at(s))
     beyond = np.maximum(asked / shape.stiffness.max() - 1, 1 - asked / shape.stiffness.min()) / FAITHFUL

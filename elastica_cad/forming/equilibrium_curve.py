@@ -75,22 +75,32 @@ class EquilibriumCurve:
     scale: float
 
     @classmethod
-    def of(cls, curve: PlaneCurve) -> "EquilibriumCurve":
+    def of(
+        cls, curve: PlaneCurve, supports: Supports | None = None, *, tolerance: float = 1e-9
+    ) -> "EquilibriumCurve":
         """The state of a curve: Eq. 4 of the paper, on the continuous curve.
+
+        Parameters
+        ----------
+        supports : Supports
+            Clamped at both ends unless given.
+        tolerance : float
+            As in `check_equilibrium`.
 
         Raises
         ------
         NotRealizable, InputError
             As `check_equilibrium`; a straight curve too, which leaves nothing to optimise.
         """
-        check = check_equilibrium(curve, tolerance=1e-9)
+        supports = supports or Supports()
+        check = check_equilibrium(curve, supports, tolerance=tolerance)
         if not check.realizable:
             raise NotRealizable(check)
         if check.any_stiffness:
             raise InputError(
                 "the curve is straight, so a strip of one width takes it: there is nothing to change"
             )
-        balance = balance_without_weight(check, Supports(), 0.0)
+        balance = balance_without_weight(check, supports, 0.0)
         dense = dense_places(balance.panels)
         extremes = extreme_places(balance.stiffness, dense)
         panel, x = (np.concatenate(pair) for pair in zip(dense, extremes, strict=True))

@@ -1,0 +1,278 @@
+"""The fewest supports that split a curve into pieces that strips can take (paper, section 4.3, Locality)."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.forming.equilibrium_curve import EquilibriumCurve
+from elastica_cad.geometry import PlaneCurve
+from elastica_cad.geometry.trim import trimmed_curve
+from elastica_cad.mechanics.equilibrium import EquilibriumCheck, NotRealizable
+from elastica_cad.mechanics.supports import End, Supports
+
+__all__ = ["Splitting", "split"]
+
+_CLOSE = 1e-7  # parameters nearer than this, relative to the domain, are the same place
+_CHOICES = 7  # places tried for each support between its first and last possible one
+
+
+@dataclass(frozen=True, eq=False)
+class Splitting:
+    """What `split` found; `str()` of it is a sentence.
+
+    Attributes
+    ----------
+    pieces : tuple of PlaneCurve
+        The parts of the curve between its ends and the supports, cut exactly.
+    supports : tuple of float
+        Arc lengths of the supports, mm: each holds position and tangent.
+    ranges : tuple of (float, float)
+        Arc lengths between which each support could stand, with as many of them, mm.
+    ratios : tuple of float
+        Least stiffness ratio of each piece, max K / min K.
+    """
+
+    pieces: tuple[PlaneCurve, ...]
+    supports: tuple[float, ...]
+    ranges: tuple[tuple[float, float], ...]
+    ratios: tuple[float, ...]
+
+    def __str__(self) -> str:
+        ratios = _listed([f"{ratio:.3g}" for ratio in self.ratios])
+        if not self.supports:
+            return f"The curve needs no support: a flat strip can take it, with a stiffness ratio of {ratios}."
+        count = len(self.supports)
+        places = _listed([f"{s:.4g}" for s in self.supports])
+        return (
+            f"{count} support{'s' * (count > 1)}, at {places} mm, split{'s' * (count == 1)} the curve into "
+            f"{count + 1} strips that can be made, with stiffness ratios of {ratios}."
+        )
+
+
+def split(
+    curve: PlaneCurve,
+    *,
+    ratio: float | None = None,
+    supports: Supports | None = None,
+    places: ArrayLike | None = None,
+    tolerance: float = 1e-4,
+) -> Splitting:
+    """The fewest supports along a curve that make every piece realizable, at the places of least ratios.
+
+    A part of a realizable curve is realizable, with the same line and no larger a ratio. So the pieces that
+    reach farthest, one after the other, are as few as there can be; run from the other end they tell how
+    early each support may come. Between its first and its last place each support is put where the largest
+    ratio of all pieces is least, of a few places tried.
+
+    Parameters
+    ----------
+    ratio : float, optional
+        Largest stiffness ratio of each piece; any unless given.
+    supports : Supports
+        Of the ends of the whole curve; clamped unless given.
+    places : (k,) array_like, optional
+        Arc lengths where a support may stand, mm; anywhere unless given.
+    tolerance : float
+        Inflections of a piece that lie this near to one line, in lengths of the whole curve, count as on it.
+
+    Raises
+    ------
+    NotRealizable
+        No supports help: the curvature touches zero, or `places` are too few.
+    InputError
+        A ratio below 1, places outside the curve.
+
+    References
+    ----------
+    Paper, Theorem 1 and section 4.3.
+
+    Examples
+    --------
+    >>> points = [(0, 0), (20, 60), (50, -60), (80, 60), (100, 80), (160, -90), (190, 20)]
+    >>> found = split(PlaneCurve.spline(points, degree=4))
+    >>> len(found.pieces) == len(found.supports) + 1
+    True
+    """
+    if ratio is not None and not (np.isfinite(ratio) and ratio >= 1):
+        raise InputError(f"ratio is {ratio}: max K / min K cannot be below 1; plain strips allow 2 to 4")
+    cut = _Cut(curve, ratio, supports or Supports(), _parameters(curve, places), tolerance)
+    low, high = curve.domain
+    latest = _forwards(cut)
+    if not latest:
+        return _splitting(cut, [], [])
+    mirrored = _Cut(
+        curve.reversed(), ratio, cut.supports.reversed(), None if cut.places is None else cut.turned(cut.places),
+        tolerance,
+    )  # fmt: skip
+    # both ways take as few; what the two disagree on by rounding leaves a range of no width
+    earliest = cut.turned(np.array(_forwards(mirrored)))
+    ranges = [(min(a, b), b) for a, b in zip(earliest, latest, strict=True)]
+    return _splitting(cut, _placed(cut, ranges), ranges)
+
+
+@dataclass(frozen=True, eq=False)
+class _Cut:
+    """A curve that is to be cut, and what its pieces must fulfil; all places are parameters t."""
+
+    curve: PlaneCurve
+    ratio: float | None
+    supports: Supports
+    places: FloatArray | None
+    tolerance: float
+
+    def piece(self, start: float, end: float) -> PlaneCurve:
+        """The part between two places."""
+        if (start, end) == self.curve.domain:
+            return self.curve
+        return trimmed_curve(self.curve, start, end)
+
+    def ratio_of(self, start: float, end: float) -> float:
+        """Least stiffness ratio of a piece; infinite where no strip can take it."""
+        low, high = self.curve.domain
+        first, last = self.supports.ends
+        held = Supports(first if start == low else End(), last if end == high else End())
+        try:
+            piece = self.piece(start, end)
+            if piece.is_straight:
+                return 1.0
+            share = piece.length / self.curve.length
+            return EquilibriumCurve.of(piece, held, tolerance=self.tolerance / share).ratio
+        except (NotRealizable, InputError):
+            return np.inf
+
+    def takes(self, start: float, end: float) -> bool:
+        """Can a strip take the piece, within the ratio?"""
+        found = self.ratio_of(start, end)
+        return np.isfinite(found) and (self.ratio is None or found <= self.ratio)
+
+    @cached_property
+    def marks(self) -> FloatArray:
+        """Places where pieces may have to end exactly: corners, joints of straight pieces, jumps; the end."""
+        found = [corner.t for corner in self.curve.tangent_breaks]
+        for zero in self.curve.curvature_zeros:
+            if zero.kind in ("flat", "jump"):
+                found += [zero.t, zero.t_end]
+        low, high = self.curve.domain
+        return np.unique(np.array([t for t in (*found, high) if low < t <= high]))
+
+    def reach(self, start: float) -> float:
+        """The farthest place to which a strip from `start` can go; `start` where it can go nowhere."""
+        near, far = start, self.curve.domain[1]
+        close = _CLOSE * (far - self.curve.domain[0])
+        for mark in self.marks[self.marks > start + close]:
+            if not self.takes(start, float(mark)):
+                far = float(mark)
+                break
+            near = far = float(mark)
+        if self.places is not None:
+            return self._reach_of_places(start, near, far)
+        while far - near > close:
+            middle = (near + far) / 2
+            near, far = (middle, far) if self.takes(start, middle) else (near, middle)
+        return near if near - start > 2 * close else start
+
+    def _reach_of_places(self, start: float, near: float, far: float) -> float:
+        if near == self.curve.domain[1]:
+            return near
+        assert self.places is not None
+        offered = self.places[(self.places > start) & (self.places < far)]
+        low, high = -1, offered.size
+        while high - low > 1:
+            middle = (low + high) // 2
+            low, high = (middle, high) if self.takes(start, float(offered[middle])) else (low, middle)
+        return float(offered[low]) if low >= 0 else start
+
+    def turned(self, t: FloatArray) -> FloatArray:
+        """The same places on the reversed curve, in order."""
+        return (self.curve.knots[0] + self.curve.knots[-1] - t)[::-1]
+
+
+def _parameters(curve: PlaneCurve, places: ArrayLike | None) -> FloatArray | None:
+    if places is None:
+        return None
+    s = np.unique(np.asarray(places, dtype=float))
+    if not np.all(np.isfinite(s)):
+        raise InputError("places of supports must be finite arc lengths, in mm")
+    t = curve.parameter(s)
+    low, high = curve.domain
+    return np.asarray(t[(t > low) & (t < high)])
+
+
+def _forwards(cut: _Cut) -> list[float]:
+    """The latest places of the fewest supports."""
+    low, high = cut.curve.domain
+    found: list[float] = []
+    start = low
+    while not cut.takes(start, high):
+        end = cut.reach(start)
+        if end <= start:
+            raise NotRealizable(_stuck(cut, start))
+        if end == high:  # the last piece fails by its own support alone: nothing longer than a part of it
+            raise NotRealizable(_stuck(cut, end))
+        found.append(end)
+        start = end
+    return found
+
+
+def _stuck(cut: _Cut, place: float) -> EquilibriumCheck:
+    curve = cut.curve
+    s = float(curve.arc_length(np.array(place)))
+    what = (
+        "no piece that starts there can be made"
+        if cut.places is None
+        else "no strip reaches from there to the next place that is offered"
+    )
+    limit = "" if cut.ratio is None else f" within a stiffness ratio of {cut.ratio:g}"
+    reason = (
+        f"Supports do not help at {s:.4g} mm: {what}{limit}; bend the curve a little more where its curvature "
+        "touches zero, or offer more places for supports."
+    )
+    return EquilibriumCheck(False, (reason,), (), curve.length, curve, inflections=tuple(curve.inflections))
+
+
+def _placed(cut: _Cut, ranges: Sequence[tuple[float, float]]) -> list[float]:
+    """Supports within their ranges such that the largest ratio is least: a shortest path over a few places."""
+    low, high = cut.curve.domain
+    stages = [np.array([low]), *(_choices(cut, *pair) for pair in ranges), np.array([high])]
+    worst, comes_from = np.array([1.0]), []
+    for before, after in zip(stages[:-1], stages[1:], strict=True):
+        cost = np.full((before.size, after.size), np.inf)
+        for i, j in np.ndindex(*cost.shape):
+            if after[j] > before[i] and np.isfinite(worst[i]):
+                cost[i, j] = max(worst[i], cut.ratio_of(float(before[i]), float(after[j])))
+        comes_from.append(cost.argmin(axis=0))
+        worst = cost.min(axis=0)
+    chosen, at = [], 0
+    for stage, best in zip(stages[-2:0:-1], comes_from[:0:-1], strict=True):
+        at = int(best[at])
+        chosen.append(float(stage[at]))
+    return chosen[::-1]
+
+
+def _choices(cut: _Cut, first: float, last: float) -> FloatArray:
+    if cut.places is not None:
+        found = cut.places[(cut.places >= first) & (cut.places <= last)]
+        return np.asarray(found[np.unique(np.linspace(0, found.size - 1, _CHOICES).round().astype(int))])
+    # the last places come first: where ratios are alike, or all ranges are narrow, they are sure to do
+    return np.unique(np.append(np.linspace(first, last, _CHOICES), last))[::-1]
+
+
+def _splitting(cut: _Cut, supports: Sequence[float], ranges: Sequence[tuple[float, float]]) -> Splitting:
+    ends = [cut.curve.domain[0], *supports, cut.curve.domain[1]]
+    pairs = list(zip(ends[:-1], ends[1:], strict=True))
+    s = cut.curve.arc_length(np.array(supports)) if supports else np.zeros(0)
+    spans = cut.curve.arc_length(np.array(ranges)) if ranges else np.zeros((0, 2))
+    return Splitting(
+        tuple(cut.piece(*pair) for pair in pairs),
+        tuple(float(x) for x in s),
+        tuple((float(a), float(b)) for a, b in spans),
+        tuple(cut.ratio_of(*pair) for pair in pairs),
+    )
+
+
+def _listed(items: Sequence[str]) -> str:
+    return " and ".join([", ".join(items[:-1]), items[-1]]) if len(items) > 1 else items[0]
