@@ -30,12 +30,12 @@ def bodies(
     elevation: float = 25.0,
     azimuth: float = -60.0,
 ) -> Figure:
-    """Triangle meshes in space, as `tessellate` of CAD kernels gives them.
+    """Closed triangle meshes in space, as `tessellate` of CAD kernels gives them.
 
     Parameters
     ----------
     meshes : sequence of (vertices (n, 3), triangles (m, 3), color)
-        mm; rows of vertices; red, green, blue in 0..1.
+        mm; rows of vertices, anticlockwise seen from outside; red, green, blue in 0..1.
     title : str
     elevation, azimuth : float
         Where the eye is, degrees.
@@ -55,7 +55,10 @@ def bodies(
     if not patches:
         raise InputError("there is nothing to draw: give one mesh or more")
     corners, tints = np.concatenate(patches), np.concatenate(colors)
-    corners, tints = _fine(corners, tints, float(np.ptp(corners.reshape(-1, 3), axis=0).max()) / 40)
+    outward = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    faced = outward @ _toward(elevation, azimuth) > 0
+    longest = float(np.ptp(corners.reshape(-1, 3), axis=0).max()) / 60
+    corners, tints = _fine(corners[faced], tints[faced], longest)
     return _seen(corners, _lit(corners) * tints, title, elevation, azimuth)
 
 
@@ -63,9 +66,8 @@ def _seen(patches: FloatArray, colors: FloatArray, title: str, elevation: float,
     """Patches (n, k, 3) painted from the farthest to the nearest."""
     from matplotlib.collections import PolyCollection
 
-    e, a = np.radians([elevation, azimuth])
-    toward = np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
-    right = np.array([-np.sin(a), np.cos(a), 0.0])
+    toward = _toward(elevation, azimuth)
+    right = np.array([-np.sin(np.radians(azimuth)), np.cos(np.radians(azimuth)), 0.0])
     plane = patches @ np.column_stack([right, np.cross(toward, right)])
     order = np.argsort(patches.mean(axis=1) @ toward)
     size = np.maximum(np.ptp(plane.reshape(-1, 2), axis=0), 1e-9)
@@ -81,6 +83,12 @@ def _seen(patches: FloatArray, colors: FloatArray, title: str, elevation: float,
     extent = " by ".join(f"{d:.0f}" for d in np.ptp(patches.reshape(-1, 3), axis=0))
     figure.suptitle(f"{title}, {extent} mm" if title else f"{extent} mm", fontsize=11, color=INK)
     return figure
+
+
+def _toward(elevation: float, azimuth: float) -> FloatArray:
+    """Unit vector from the scene to the eye."""
+    e, a = np.radians([elevation, azimuth])
+    return np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
 
 
 def _lit(patches: FloatArray) -> FloatArray:
