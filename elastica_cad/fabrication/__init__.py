@@ -6,6 +6,7 @@ from elastica_cad.fabrication.coupon import coupon_drawing, coupon_overhang
 from elastica_cad.fabrication.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, LAYERS, MARK, Drawing, LayeredPath
 from elastica_cad.fabrication.ends import Hole, Tab
 from elastica_cad.fabrication.kerf import with_kerf
+from elastica_cad.fabrication.lamination import Laminated
 from elastica_cad.fabrication.lettering import Text, text_strokes, text_width
 from elastica_cad.fabrication.model import Model, Part, Placed
 from elastica_cad.fabrication.perforation import Perforated
@@ -25,6 +26,7 @@ __all__ = [
     "FlatSolid",
     "Frame",
     "Hole",
+    "Laminated",
     "Layer",
     "LayeredPath",
     "Model",

@@ -8,6 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
 from elastica_cad.fabrication.ends import Tab
 from elastica_cad.fabrication.flat import Ends, chained, graph
 from elastica_cad.fabrication.rounding import rounded
@@ -33,7 +34,7 @@ class Diamonds:
     With H = width - material, T(s) rising from 0 to 1 over half a row and falling again, n = `columns` and
     t = material / (2 n + 2): full diamonds are T H / n wide across, those in the gaps (1 - T) H / n, halves along
     both edges half of that. Every station meets holes of H in all, and every ligament is t wide across, 2 t where
-    two of them join.
+    two of them join. T rests at 0 and at 1 for a `bridge`, which keeps the tips of neighbours apart.
 
     Parameters
     ----------
@@ -41,6 +42,8 @@ class Diamonds:
         Of the outline, and what is to be left of it, mm.
     columns, rows : int
         Full diamonds across and along.
+    bridge : float
+        Solid length along the strip between the tips of two holes, mm.
     corner_radius : float
         Of the holes' corners, mm; 0 leaves them sharp.
     clearance : float
@@ -54,6 +57,7 @@ class Diamonds:
     material: Profile
     columns: int
     rows: int
+    bridge: float
     corner_radius: float = 0.0
     clearance: float = 0.5
     arcs: float | None = None
@@ -68,10 +72,22 @@ class Diamonds:
         """mm."""
         return self.width.length / self.rows
 
+    @property
+    def side_length(self) -> float:
+        """Length along the strip, mm, over which a diamond opens from its tip to its whole width."""
+        return self.row_length / 2 - self.bridge
+
     @cached_property
     def joints(self) -> FloatArray:
         """Stations (2 rows + 1,), mm, where diamonds end in a tip and others are widest."""
         return np.linspace(0.0, self.width.length, 2 * self.rows + 1)
+
+    def __post_init__(self) -> None:
+        if self.side_length <= self.bridge:
+            raise InputError(
+                f"{self.rows} rows are {self.row_length:.3g} mm long each: diamonds with bridges of "
+                f"{self.bridge:g} mm between their tips need more than {4 * self.bridge:g} mm; use fewer rows"
+            )
 
     def paths(self, ends: Ends, slots: Sequence[Slot] = ()) -> tuple[Path, ...]:
         """The holes as closed anticlockwise loops in the order of the strip, clear of tabs and slots."""
@@ -104,7 +120,9 @@ class Diamonds:
         loops = []
         for i in range(2 * self.rows + 1):
             first, last = self.joints[max(i - 1, 0)], self.joints[min(i + 1, 2 * self.rows)]
-            stretches = [one for one in self._stretches if first <= one.middle <= last]
+            first += self.bridge / 2 if i > 0 else 0.0
+            last -= self.bridge / 2 if i < 2 * self.rows else 0.0
+            stretches = [one for one in self._stretches if first < one.middle < last]
             kept = [one for one in (stretch.within(low, high) for stretch in stretches) if one is not None]
             full = i % 2 == 1
             for j in range(self.columns if full else self.columns + 1):
@@ -120,22 +138,20 @@ class Diamonds:
     @cached_property
     def _stretches(self) -> list["_Stretch"]:
         """The strip between joints and jumps: width, material and T H / columns as splines over the same knots."""
-        jumps = np.concatenate([_jumps(self.width), _jumps(self.material)])
-        cuts = np.unique(np.concatenate([self.joints, jumps]))
-        breaks = [*_kinks(self.width), *_kinks(self.material)]
+        breaks = [*self.width.breaks, *self.material.breaks]
+        jumps = np.array([s for s, continuity in breaks if continuity < 0])
+        tips = np.concatenate([self.joints[1:] - self.bridge / 2, self.joints[:-1] + self.bridge / 2])
+        cuts = np.unique(np.concatenate([self.joints[[0, -1]], tips, jumps]))
+        rough = [(s, continuity) for s, continuity in breaks if continuity < 2]
         found = []
         for a, b in pairwise(cuts.tolist()):
             inside = (a + _LEAN * (b - a), b - _LEAN * (b - a))
             knots, values = adaptive_spline(
-                self._values, inside, degree=3, tolerance=FIT / 4, breaks=breaks, rounding=1e-12
+                self._values, inside, degree=3, tolerance=FIT / 4, breaks=rough, rounding=1e-12
             )
             knots[:4], knots[-4:] = a, b
             for row, s, beside in ((0, a, inside[0]), (-1, b, inside[1])):
                 values[row] = self._values(np.array([beside if np.any(jumps == s) else s]))[0]
-                if np.any(self.joints == s):
-                    # there a diamond has its tip, or its whole width
-                    whole = (values[row, 0] - values[row, 1]) / self.columns
-                    values[row, 2] = whole if round(2 * self.rows * s / self.width.length) % 2 else 0.0
             found.append(_Stretch(knots, values))
         return found
 
@@ -143,7 +159,8 @@ class Diamonds:
         """Width, material, and the width of a full diamond (n, 3), mm."""
         w, m = self.width(s), self.material(s)
         phase = self.rows * s / self.width.length
-        T = 1 - np.abs(2 * (phase - np.floor(phase)) - 1)
+        rest = self.bridge / self.row_length
+        T = np.clip((1 - np.abs(2 * (phase - np.floor(phase)) - 1) - rest) / (1 - 2 * rest), 0.0, 1.0)
         return np.column_stack([w, m, T * (w - m) / self.columns])
 
 
@@ -187,22 +204,3 @@ class _Stretch:
             lower = center - (gap / 2 if j > 0 else 0.0)
             upper = center + (gap / 2 if j < columns else 0.0)
         return graph(self.knots, lower), graph(self.knots, upper)
-
-
-def _jumps(profile: Profile) -> FloatArray:
-    return _inner_knots(profile, profile.degree + 1)
-
-
-def _kinks(profile: Profile) -> list[tuple[float, int]]:
-    """Places of a profile with their continuity, where that is less than 2."""
-    knots, counts = np.unique(profile.knots, return_counts=True)
-    rough = (counts > profile.degree - 2) & (counts <= profile.degree)
-    rough &= (knots > profile.knots[0]) & (knots < profile.knots[-1])
-    return [(float(s), int(profile.degree - n)) for s, n in zip(knots[rough], counts[rough], strict=True)]
-
-
-def _inner_knots(profile: Profile, multiplicity: int) -> FloatArray:
-    knots, counts = np.unique(profile.knots, return_counts=True)
-    return np.asarray(
-        knots[(counts >= multiplicity) & (knots > profile.knots[0]) & (knots < profile.knots[-1])]
-    )

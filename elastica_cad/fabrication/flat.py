@@ -6,10 +6,10 @@ from dataclasses import replace
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.fabrication.ends import Tab
+from elastica_cad.fabrication.ends import Hole, Tab
 from elastica_cad.geometry import Line, Path, PlaneCurve, Profile, Segment, Spline
 
-__all__ = ["Ends", "chained", "end_holes", "flat_rim", "graph", "long_sides", "widths_held"]
+__all__ = ["Ends", "chained", "end_holes", "flat_rim", "graph", "long_sides", "widths_held", "with_dots"]
 
 Ends = tuple[Tab, Tab]
 
@@ -47,6 +47,17 @@ def widths_held(width: Profile, ends: Ends) -> Ends:
     start, end = ends
     first, last = _end_widths(width)
     return replace(start, width=start.width or first), replace(end, width=end.width or last)
+
+
+def with_dots(ends: Ends, diameter: float) -> Ends:
+    """The tabs with a hole in the middle of each that has none and is long enough for it."""
+    start, end = (
+        tab
+        if tab.holes or tab.length < 2 * diameter
+        else replace(tab, holes=(Hole(tab.length / 2, diameter),))
+        for tab in ends
+    )
+    return start, end
 
 
 def graph(knots: FloatArray, values: FloatArray, degree: int = 3) -> Spline:

@@ -114,7 +114,7 @@ class Perforated:
         material = rod.profile.scaled(scale / fit.section.rigidity)
         rows = self.rows or max(1, round(rod.length * self.columns / (SLENDER * float(fit.w.mean()))))
         pattern = Diamonds(
-            outer, material, self.columns, rows, self.corner_radius, self.least_ligament,
+            outer, material, self.columns, rows, self.least_ligament, self.corner_radius, self.least_ligament,
             arcs=None if self.sides == "spline" else 5e-4 * material.extremes[0] / self.ligaments,
         )  # fmt: skip
         told = self._told(pattern, fit.s)
@@ -125,18 +125,18 @@ class Perforated:
         if self.corner_radius == 0 or not isinstance(layout.pattern, Diamonds):
             return 0.0
         s = stations_of(layout.width.length, layout.width, layout.material)
-        flattest = _slope(layout.width(s) - layout.material(s), self.columns, layout.pattern.row_length).min()
-        return float(2 * self.corner_radius / flattest)  # the halves at the edges are the sharpest
+        # the halves at the edges are the sharpest
+        return layout.pattern.bridge / 2 + float(2 * self.corner_radius / _slopes(layout.pattern, s).min())
 
     def _told(self, pattern: Diamonds, s: FloatArray) -> tuple[str, ...]:
         told = []
-        holes = pattern.width(s) - pattern.material(s)
-        lean = np.arctan(_slope(holes, self.columns, pattern.row_length))
-        i = int(np.argmax(lean))
-        if lean[i] > STEEP:
+        slopes = _slopes(pattern, s)
+        i = int(np.argmax(slopes))
+        if slopes[i] > np.tan(STEEP):
+            long = pattern.row_length + 2 * pattern.side_length * (slopes[i] / np.tan(STEEP) - 1)
             told.append(
-                f"the ligaments lean {np.degrees(lean[i]):.0f} degrees off the strip at {s[i]:.1f} mm: use fewer "
-                f"rows, {np.ceil(holes[i] / self.columns / np.tan(STEEP)):.0f} mm long or longer"
+                f"ligaments lean {np.degrees(np.arctan(slopes[i])):.0f} degrees off the strip at {s[i]:.1f} mm: "
+                f"use fewer rows, {np.ceil(long):.0f} mm long or longer"
             )
         tips = self.columns + np.arange(pattern.joints.size) % 2  # of full diamonds, of gaps with the halves
         missing = tips * 2 * self.corner_radius / pattern.material(pattern.joints)
@@ -245,6 +245,7 @@ class _Fit:
         )
 
 
-def _slope(holes: FloatArray, columns: int, row: float) -> FloatArray:
-    """Slope (n,) of the diamonds' sides against the strip, for holes (n,) in all, mm."""
-    return holes / (columns * row)
+def _slopes(pattern: Diamonds, s: FloatArray) -> FloatArray:
+    """Slope (n,) of the diamonds' sides against the strip at stations `s` (n,)."""
+    holes = pattern.width(s) - pattern.material(s)
+    return np.asarray(holes / (2 * pattern.columns * pattern.side_length), dtype=float)

@@ -9,7 +9,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, MARK, Drawing, LayeredPath, Text
 from elastica_cad.fabrication.ends import Tab
-from elastica_cad.fabrication.flat import end_holes, flat_rim, widths_held
+from elastica_cad.fabrication.flat import Ends, end_holes, flat_rim, widths_held, with_dots
 from elastica_cad.fabrication.lettering import text_width
 from elastica_cad.fabrication.material import made_rod, material_width
 from elastica_cad.fabrication.slots import Slot
@@ -145,9 +145,14 @@ class Strip:
     def holes(self) -> tuple[Path, ...]:
         """Closed inner loops."""
         return (
-            *end_holes(self.width, self.ends),
+            *end_holes(self.width, self._registered),
             *self.layout.hole_paths(self.ends, self.slots),
         )
+
+    @property
+    def _registered(self) -> Ends:
+        """The tabs with the holes by which a laminate's layers are aligned."""
+        return with_dots(self.ends, self.layout.dots) if self.layout.dots else self.ends
 
     @cached_property
     def layers(self) -> tuple[Layer, ...]:
@@ -156,7 +161,7 @@ class Strip:
         if self.layout.backing is None:
             return (base,)
         sheet, width = self.layout.backing.sheet, self.layout.backing.width
-        held = widths_held(self.width, self.ends)
+        held = widths_held(self.width, self._registered)
         reaching = [slot for slot in self.slots if _reaches(slot, self.width, width)]
         holes = end_holes(width, held)
         rim = with_slots(

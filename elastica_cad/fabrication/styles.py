@@ -22,6 +22,10 @@ WIDTH_TOLERANCE = 1e-7
 """Largest error, mm, of a width given as a function."""
 
 
+SHOWN = 0.5
+"""A backing that comes this near to the base's edge everywhere, mm, is not marked on it."""
+
+
 class Pattern(Protocol):
     """Holes in the free part of a strip."""
 
@@ -63,6 +67,8 @@ class Layout:
         Holes.
     backing : Backing or None
         What is glued on.
+    dots : float
+        Diameter of holes that register base and backing, mm; 0 for none.
     warnings : tuple of str
         What a maker should know.
     """
@@ -73,6 +79,7 @@ class Layout:
     bending_stiffness: float
     pattern: Pattern | None = None
     backing: Backing | None = None
+    dots: float = 0.0
     warnings: tuple[str, ...] = ()
 
     def hole_paths(self, ends: Ends, slots: Sequence[Slot] = ()) -> tuple[Path, ...]:
@@ -81,8 +88,11 @@ class Layout:
 
     @property
     def guides(self) -> tuple[Path, ...]:
-        """Lines marked on the base, where the edges of the backing come to lie."""
+        """Lines marked on the base where the edges of the backing come to lie, unless the base's own show it."""
         if self.backing is None:
+            return ()
+        s = stations_of(self.width.length, count=201)
+        if float((self.width(s) - self.backing.width(s)).max()) < SHOWN:
             return ()
         return tuple(Path([side]) for sides in long_sides(self.backing.width) for side in sides)
 

@@ -133,6 +133,12 @@ class Profile:
         return float(found.min()), float(found.max())
 
     @property
+    def breaks(self) -> tuple[tuple[float, int], ...]:
+        """Interior knots (s, continuity): how often the value can be differentiated there, -1 at a jump."""
+        knots, counts = np.unique(self.knots[self.degree + 1 : -self.degree - 1], return_counts=True)
+        return tuple((float(s), self.degree - int(n)) for s, n in zip(knots, counts, strict=True))
+
+    @property
     def greville(self) -> FloatArray:
         """Greville abscissae (m,): with these as x the graph of the spline is the spline curve itself."""
         windows = np.lib.stride_tricks.sliding_window_view(self.knots[1:-1], self.degree)

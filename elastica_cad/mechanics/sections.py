@@ -297,7 +297,7 @@ class LaminatedSection:
         K, w1 = positive(stiffness, "stiffness"), positive(base_width, "base width")
 
         def feasible(ratio: float) -> bool:
-            backing = replace(self.backing, thickness=self.base.thickness / ratio)
+            backing = replace(self.backing, thickness=self.base.thickness / ratio, thickness_range=None)
             return (
                 LaminatedSection(self.base, backing).scale_range(w1, K, least_backing=least_backing).feasible
             )
