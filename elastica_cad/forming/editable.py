@@ -250,8 +250,9 @@ def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
     A = np.vstack([root.ravel()[:, None] * spline(s), w[:, None] * spline(s, 2)])
     B = np.vstack([root.ravel()[:, None] * position, (w * kappa)[:, None] * normal])
     ends, bends = edges[[0, -1]], shape.inflections
-    # beside an end the end's own rows leave no freedom for more than the zero of the curvature
-    inner = bends[np.abs(bends[:, None] - ends).min(axis=1, initial=np.inf) > 2 * np.diff(edges).max()]
+    # beside an end or each other they leave no freedom for more than the zeros of the curvature
+    apart = np.diff(np.concatenate([ends[:1], bends, ends[1:]])) > 2 * np.diff(edges).max()
+    inner = bends[apart[:-1] & apart[1:]]
     there, turned, _ = shape.at(np.concatenate([ends, inner]))
     along = np.column_stack([np.cos(turned), np.sin(turned)])
     across = np.column_stack([-along[2:, 1], along[2:, 0]])

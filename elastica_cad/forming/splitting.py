@@ -1,8 +1,9 @@
 """The fewest supports that split a curve into pieces that strips can take (paper, section 4.3, Locality)."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 
@@ -16,8 +17,9 @@ from elastica_cad.mechanics.supports import End, Supports
 
 __all__ = ["Splitting", "split"]
 
-_CLOSE = 1e-7  # parameters nearer than this, relative to the domain, are the same place
+_SHORT = 1e-5  # pieces shorter than this, relative to the domain, are none
 _CHOICES = 7  # places tried for each support between its first and last possible one
+_ROUNDS = 2  # and again about the best of them
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,7 +46,9 @@ class Splitting:
     def __str__(self) -> str:
         ratios = _listed([f"{ratio:.3g}" for ratio in self.ratios])
         if not self.supports:
-            return f"The curve needs no support: a flat strip can take it, with a stiffness ratio of {ratios}."
+            return (
+                f"The curve needs no support: a flat strip can take it, with a stiffness ratio of {ratios}."
+            )
         count = len(self.supports)
         places = _listed([f"{s:.4g}" for s in self.supports])
         return (
@@ -65,8 +69,8 @@ def split(
 
     A part of a realizable curve is realizable, with the same line and no larger a ratio. So the pieces that
     reach farthest, one after the other, are as few as there can be; run from the other end they tell how
-    early each support may come. Between its first and its last place each support is put where the largest
-    ratio of all pieces is least, of a few places tried.
+    early each support may come. Between its first and its last place each support is put where the squares of
+    the ratios have the least sum.
 
     Parameters
     ----------
@@ -100,7 +104,6 @@ def split(
     if ratio is not None and not (np.isfinite(ratio) and ratio >= 1):
         raise InputError(f"ratio is {ratio}: max K / min K cannot be below 1; plain strips allow 2 to 4")
     cut = _Cut(curve, ratio, supports or Supports(), _parameters(curve, places), tolerance)
-    low, high = curve.domain
     latest = _forwards(cut)
     if not latest:
         return _splitting(cut, [], [])
@@ -111,7 +114,7 @@ def split(
     # both ways take as few; what the two disagree on by rounding leaves a range of no width
     earliest = cut.turned(np.array(_forwards(mirrored)))
     ranges = [(min(a, b), b) for a, b in zip(earliest, latest, strict=True)]
-    return _splitting(cut, _placed(cut, ranges), ranges)
+    return _splitting(cut, _placed(cut, latest, ranges), ranges)
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,8 +147,24 @@ class _Cut:
         except (NotRealizable, InputError):
             return np.inf
 
+    def choices(self, first: float, last: float, known: float) -> FloatArray:
+        """A few places between two, and one that is known to do."""
+        if self.places is None:
+            return np.unique(np.append(np.linspace(first, last, _CHOICES), known))
+        found = self.places[(self.places >= first) & (self.places <= last)]
+        few = found[np.linspace(0, found.size - 1, _CHOICES).round().astype(int)] if found.size else found
+        return np.unique(np.append(few, known))
+
+    @property
+    def short(self) -> float:
+        """A length of parameter that is no piece."""
+        low, high = self.curve.domain
+        return _SHORT * (high - low)
+
     def takes(self, start: float, end: float) -> bool:
         """Can a strip take the piece, within the ratio?"""
+        if end - start < self.short:
+            return True
         found = self.ratio_of(start, end)
         return np.isfinite(found) and (self.ratio is None or found <= self.ratio)
 
@@ -162,18 +181,18 @@ class _Cut:
     def reach(self, start: float) -> float:
         """The farthest place to which a strip from `start` can go; `start` where it can go nowhere."""
         near, far = start, self.curve.domain[1]
-        close = _CLOSE * (far - self.curve.domain[0])
-        for mark in self.marks[self.marks > start + close]:
+        for mark in self.marks[self.marks > start]:
             if not self.takes(start, float(mark)):
                 far = float(mark)
                 break
             near = far = float(mark)
         if self.places is not None:
             return self._reach_of_places(start, near, far)
-        while far - near > close:
+        sure = near
+        while far - near > self.short / 10:
             middle = (near + far) / 2
             near, far = (middle, far) if self.takes(start, middle) else (near, middle)
-        return near if near - start > 2 * close else start
+        return near if near - sure > 2 * self.short else sure
 
     def _reach_of_places(self, start: float, near: float, far: float) -> float:
         if near == self.curve.domain[1]:
@@ -188,7 +207,7 @@ class _Cut:
 
     def turned(self, t: FloatArray) -> FloatArray:
         """The same places on the reversed curve, in order."""
-        return (self.curve.knots[0] + self.curve.knots[-1] - t)[::-1]
+        return np.asarray((self.curve.knots[0] + self.curve.knots[-1] - t)[::-1])
 
 
 def _parameters(curve: PlaneCurve, places: ArrayLike | None) -> FloatArray | None:
@@ -234,36 +253,43 @@ def _stuck(cut: _Cut, place: float) -> EquilibriumCheck:
     return EquilibriumCheck(False, (reason,), (), curve.length, curve, inflections=tuple(curve.inflections))
 
 
-def _placed(cut: _Cut, ranges: Sequence[tuple[float, float]]) -> list[float]:
-    """Supports within their ranges such that the largest ratio is least: a shortest path over a few places."""
+def _placed(cut: _Cut, latest: Sequence[float], ranges: Sequence[tuple[float, float]]) -> list[float]:
+    """Supports within their ranges of least sum of squared ratios: shortest paths over ever closer places."""
+    places = list(latest)
+    spans = list(ranges)
+    for _ in range(_ROUNDS if cut.places is None else 1):
+        stages = [cut.choices(*span, at) for span, at in zip(spans, places, strict=True)]
+        places = _shortest_path(cut, stages)
+        cells = [(last - first) / (_CHOICES - 1) for first, last in spans]
+        spans = [
+            (max(first, at - cell), min(last, at + cell))
+            for (first, last), at, cell in zip(ranges, places, cells, strict=True)
+        ]
+    return places
+
+
+def _shortest_path(cut: _Cut, stages: Sequence[FloatArray]) -> list[float]:
+    """One place of each stage, so that the pieces between them have the least sum of squared ratios."""
     low, high = cut.curve.domain
-    stages = [np.array([low]), *(_choices(cut, *pair) for pair in ranges), np.array([high])]
-    worst, comes_from = np.array([1.0]), []
-    for before, after in zip(stages[:-1], stages[1:], strict=True):
+    chain = [np.array([low]), *stages, np.array([high])]
+    total, comes_from = np.zeros(1), []
+    for before, after in pairwise(chain):
         cost = np.full((before.size, after.size), np.inf)
         for i, j in np.ndindex(*cost.shape):
-            if after[j] > before[i] and np.isfinite(worst[i]):
-                cost[i, j] = max(worst[i], cut.ratio_of(float(before[i]), float(after[j])))
+            if after[j] - before[i] > cut.short and np.isfinite(total[i]):
+                cost[i, j] = total[i] + cut.ratio_of(float(before[i]), float(after[j])) ** 2
         comes_from.append(cost.argmin(axis=0))
-        worst = cost.min(axis=0)
+        total = cost.min(axis=0)
     chosen, at = [], 0
-    for stage, best in zip(stages[-2:0:-1], comes_from[:0:-1], strict=True):
+    for stage, best in zip(reversed(stages), reversed(comes_from[1:]), strict=True):
         at = int(best[at])
         chosen.append(float(stage[at]))
     return chosen[::-1]
 
 
-def _choices(cut: _Cut, first: float, last: float) -> FloatArray:
-    if cut.places is not None:
-        found = cut.places[(cut.places >= first) & (cut.places <= last)]
-        return np.asarray(found[np.unique(np.linspace(0, found.size - 1, _CHOICES).round().astype(int))])
-    # the last places come first: where ratios are alike, or all ranges are narrow, they are sure to do
-    return np.unique(np.append(np.linspace(first, last, _CHOICES), last))[::-1]
-
-
 def _splitting(cut: _Cut, supports: Sequence[float], ranges: Sequence[tuple[float, float]]) -> Splitting:
     ends = [cut.curve.domain[0], *supports, cut.curve.domain[1]]
-    pairs = list(zip(ends[:-1], ends[1:], strict=True))
+    pairs = list(pairwise(ends))
     s = cut.curve.arc_length(np.array(supports)) if supports else np.zeros(0)
     spans = cut.curve.arc_length(np.array(ranges)) if ranges else np.zeros((0, 2))
     return Splitting(
