@@ -84,8 +84,13 @@ def test_bad_points_get_one_sentence_with_file_and_row(csv, text, words):
 
 
 def test_points_that_no_smooth_curve_follows(csv):
-    with pytest.raises(NotConvergedError, match=r"points\.csv: .*larger tolerance"):
-        csv(rows(), fit_tolerance=1e-14)
+    noise = np.random.default_rng(7).normal(scale=0.1, size=300)
+    points = np.column_stack([np.linspace(0, 200, 300), noise])
+    with pytest.raises(NotConvergedError, match=r"points\.csv: the points scatter by 0\.\d+ mm") as caught:
+        csv(rows(points))
+    assert "tolerance of 0.05 mm" in str(caught.value)
+    (curve,) = csv(rows(points), fit_tolerance=0.5)
+    assert curve.length == pytest.approx(200, rel=0.02)
 
 
 @pytest.fixture
@@ -122,7 +127,7 @@ def test_published_spline(shared_data):
     ("1.0 2.0\n3 4\n", r"line 1 is '1.0 2.0'; .*measured points belong into a \.csv file"),
     ("4 3\n0 0\n1 1\n", "line 1 announces 3 control points, but 2 lines follow"),
     ("4 3\n0 0\n1 1\n2 0\n", "too few for degree 4"),
-    ("1 2\n0 0\n1 1\n", "degree 2 or more"),
+    ("1 2\n0 0\n1 1\n", "degree of 2 or more"),
     ("2 3\n0 0\n1 x\n2 0\n", "row 3 has 'x'"),
     ("2 3\n0 0\n1 nan\n2 0\n", "row 3 is not finite"),
     ("2 3\n1 1\n1 1\n1 1\n", "coincide"),
