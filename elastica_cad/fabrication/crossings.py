@@ -18,7 +18,10 @@ FINER = 4
 ON_EDGE = 1e-8
 """A crossing that ends this near to an edge (mm) ends on it."""
 
-LENGTHS = 65
+AHEAD = 16
+"""So many nodes at a time are looked at for the end of a strip."""
+
+LENGTHS = 33
 """Points by which the length along a crossing is measured."""
 
 
@@ -90,25 +93,32 @@ class Crossing:
                 break
         return middle
 
+    @cached_property
+    def room(self) -> FloatArray:
+        """How far (2, 2) the first and the second strip go on across themselves, at the start and the end, mm."""
+        m = margins(self.strips, self.locus.at(np.array([self.start, self.end])))
+        return np.array([m[:, :2].min(axis=1), m[:, 2:].min(axis=1)])
+
     def beyond(self, which: int, end: int) -> float | None:
         """The x at which strip `which` (0 or 1) itself ends, going on from the start (end 0) or the end (1).
 
         None where the strip's curve ends before its long edge is reached.
         """
-        columns = slice(2 * which, 2 * which + 2)
+        if self.room[which, end] < ON_EDGE:
+            return float(end)
         origin, way = (self.start, -1) if end == 0 else (self.end, 1)
         nodes = self.locus.nodes
-        q = np.concatenate([[origin], nodes[(nodes - origin) * way > 0][::way]])
-        m = margins(self.strips, self.locus.at(q))[:, columns]
-        if np.abs(m[0]).min() < ON_EDGE:
-            return float(end)
-        outside = np.flatnonzero(m.min(axis=1) < 0)
-        if not outside.size:
-            return None
-        i = int(outside[0])
-        sides = np.array([2 * which + int(np.argmin(m[i]))])
-        root = float(_edges(self.strips, self.locus, q[[i - 1]], q[[i]], sides)[0])
-        return (root - self.start) / (self.end - self.start)
+        ahead = np.concatenate([[origin], nodes[(nodes - origin) * way > 0][::way]])
+        for first in range(0, ahead.size - 1, AHEAD):
+            q = ahead[first : first + AHEAD + 1]
+            m = margins(self.strips, self.locus.at(q))[:, 2 * which : 2 * which + 2]
+            outside = np.flatnonzero(m.min(axis=1) < 0)
+            if outside.size:
+                i = int(outside[0])
+                sides = np.array([2 * which + int(np.argmin(m[i]))])
+                root = float(_edges(self.strips, self.locus, q[[i - 1]], q[[i]], sides)[0])
+                return (root - self.start) / (self.end - self.start)
+        return None
 
     def _steps(self, x: FloatArray) -> FloatArray:
         a = self.strips[0]
@@ -122,7 +132,7 @@ def strip_crossings(a: RuledStrip, b: RuledStrip) -> tuple[Crossing, ...]:
 
     Solved by Newton's method to rounding error; both ends of a stretch are where it leaves one of the strips.
     """
-    if np.any(a.bounds[0] > b.bounds[1]) or np.any(b.bounds[0] > a.bounds[1]):
+    if not a.may_meet(b):
         return ()
     found = []
     for locus in loci(a, b):

@@ -10,6 +10,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.crossings import Crossing, strip_crossings
+from elastica_cad.fabrication.loci import PARALLEL
 from elastica_cad.fabrication.ruled import RuledStrip
 from elastica_cad.fabrication.slots import Relief, Slot
 
@@ -156,11 +157,16 @@ class _Cutter:
         Each is cut from where it ends anyway; where both ways serve, the earlier strip of the model opens
         towards `above` (its own rulings' direction).
         """
-        costs = []
+        costs: list[float] = []
+        room = crossing.room / crossing.length
         for ends in ((0, 1), (1, 0)):
+            least = room[0, ends[0]] + room[1, ends[1]]
+            if least > FORCED + min(costs, default=np.inf):
+                costs.append(least)
+                continue
             exits = [crossing.beyond(which, end) for which, end in enumerate(ends)]
             beyond = [np.inf if x is None else abs(x - end) for x, end in zip(exits, ends, strict=True)]
-            costs.append(sum(beyond))
+            costs.append(float(sum(beyond)))
         if not np.isfinite(min(costs)):
             s = crossing.at(np.array([0.5])).first[0, 0]
             names = [self.model.name_of(i) for i in members]
@@ -187,7 +193,7 @@ class _Cutter:
     ) -> None:
         """Strips with parallel rulings must keep clear of each other but where they cross."""
         a, b = ruled
-        if np.linalg.norm(np.cross(a.axis, b.axis)) > 1e-9 or not _boxes_meet(a, b):
+        if np.linalg.norm(np.cross(a.axis, b.axis)) > PARALLEL or not a.may_meet(b):
             return
         reach = sum(self.model.placed[i].strip.sheet.thickness for i in members) / 2
         own, other = (a.frame.local(strip.motion(strip.stations)[0]) for strip in (a, b))
@@ -214,10 +220,6 @@ class _Cutter:
 
 def _turned(pair: tuple[int, int], which: int) -> tuple[int, int]:
     return pair if which == 0 else (pair[1], pair[0])
-
-
-def _boxes_meet(a: RuledStrip, b: RuledStrip) -> bool:
-    return bool(np.all(a.bounds[0] <= b.bounds[1]) and np.all(b.bounds[0] <= a.bounds[1]))
 
 
 def _reports(model: "Model", joints: list[Joint]) -> tuple[str, ...]:

@@ -21,7 +21,7 @@ from elastica_cad.fabrication.zeros import bracketed_zeros
 from elastica_cad.geometry import Spline
 from elastica_cad.geometry.crossings import segment_crossings
 
-__all__ = ["Locus", "LocusPoints", "loci"]
+__all__ = ["PARALLEL", "Locus", "LocusPoints", "loci"]
 
 PARALLEL = 1e-9
 """Rulings at less than this angle (rad) count as parallel."""

@@ -64,12 +64,25 @@ class RuledStrip:
         d = self._plane(s)[1]
         return self.frame.direction(np.stack([-d[:, 1], d[:, 0]], axis=1))
 
+    def may_meet(self, other: "RuledStrip") -> bool:
+        """False where the strips are clearly apart, as seen in the frame of either."""
+        return self._sees(other) and other._sees(self)
+
+    def _sees(self, other: "RuledStrip") -> bool:
+        """Does a box around the other strip meet this one's, in this one's frame?"""
+        turn = self.frame.axes @ other.frame.axes.T
+        box = other._box
+        center = self.frame.local(other.frame.point(box.mean(axis=0)))
+        half = np.abs(turn) @ (box[1] - box[0]) / 2
+        own = self._box
+        return bool(np.all(own[0] <= center + half) and np.all(own[1] >= center - half))
+
     @cached_property
-    def bounds(self) -> FloatArray:
-        """[[low], [high]] (2, 3) of a box around the surface, mm."""
-        reach = np.abs(self.axis) * self.width.extremes[1] / 2 + np.diff(self.stations).max()
-        p = self.motion(self.stations)[0]
-        return np.array([p.min(axis=0) - reach, p.max(axis=0) + reach])
+    def _box(self) -> FloatArray:
+        """[[low], [high]] (2, 3) of a box around the surface in its own frame, mm."""
+        reach = self.width.extremes[1] / 2
+        low, high = self.curve.bounds
+        return np.array([[*low, -reach], [*high, reach]])
 
     def _plane(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Points and tangents (n, 2) in the plane of the curve."""

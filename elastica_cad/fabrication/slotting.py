@@ -28,12 +28,13 @@ class _Place:
 
 @dataclass(frozen=True, eq=False)
 class _Opening:
-    """Where a slot's cut leaves the outline, where it comes back, and the cut between."""
+    """Where a slot's cut leaves the outline, where it comes back, the cut between, and points along it."""
 
     slot: Slot
     out: _Place
     back: _Place
     cut: tuple[Segment, ...]
+    points: FloatArray
 
 
 def with_slots(
@@ -82,10 +83,10 @@ class _Edge:
     def opening(self, slot: Slot, width: Profile, name: str) -> _Opening:
         """Where the slot meets the edge; its sides are drawn on until they do."""
         crossings: list[tuple[_Place, _Place]] = []
-        cut: tuple[Segment, ...] = ()
+        chords: list[Chords] = []
         for reach in (1.0, 4.0, 16.0):
-            cut = slot_cut(slot, width, beyond=reach * slot.width).segments
-            crossings = self._crossings(cut)
+            chords = [Chords.of(part) for part in slot_cut(slot, width, beyond=reach * slot.width).segments]
+            crossings = self._crossings(chords)
             if len(crossings) > 1:
                 break
         if len(crossings) != 2:
@@ -95,18 +96,19 @@ class _Edge:
                 f"{'deeper' if len(crossings) < 2 else 'shallower or narrower'} or move it"
             )
         (first, a), (second, b) = sorted(crossings, key=lambda pair: (pair[1].segment, pair[1].u))
-        return _Opening(slot, first, second, tuple(_between(cut, a, b)))
+        points = np.concatenate([c.points for c in chords[a.segment : b.segment + 1]])
+        cut = _between([c.segment for c in chords], a, b)
+        return _Opening(slot, first, second, tuple(cut), points)
 
-    def _crossings(self, cut: Sequence[Segment]) -> list[tuple[_Place, _Place]]:
+    def _crossings(self, cut: Sequence[Chords]) -> list[tuple[_Place, _Place]]:
         found: list[tuple[_Place, _Place]] = []
-        for k, part in enumerate(cut):
-            chords = Chords.of(part)
+        for k, chords in enumerate(cut):
             low, high = chords.points.min(axis=0) - FLAT, chords.points.max(axis=0) + FLAT
             near = np.all((self.boxes[:, 0] <= high) & (self.boxes[:, 1] >= low), axis=1)
             for i in np.flatnonzero(near):
                 for u, v in chord_crossings(self.chords[i], chords):
-                    point = part.at(v)
-                    if all(np.hypot(*(cut[p.segment].at(p.u) - point)) > 1e-9 for _, p in found):
+                    point = chords.segment.at(v)
+                    if all(np.hypot(*(cut[p.segment].segment.at(p.u) - point)) > 1e-9 for _, p in found):
                         found.append((_Place(int(i), u), _Place(k, v)))
         return found
 
@@ -130,13 +132,13 @@ def _between(chain: Sequence[Segment], start: _Place, end: _Place) -> list[Segme
 
 def _piece(segment: Segment, u0: float, u1: float) -> list[Segment]:
     """The segment between two parameters; nothing where they differ by rounding only."""
-    if (u1 - u0) * segment.length < 1e-9:
+    if u1 - u0 < 1e-6 and np.hypot(*(segment.at(u1) - segment.at(u0))) < 1e-9:
         return []
     return [trimmed(segment, u0, u1)]
 
 
 def _refuse_meetings(openings: Sequence[_Opening], holes: Sequence[Path], name: str) -> None:
-    cuts = [Path(opening.cut).points(FLAT) for opening in openings]
+    cuts = [opening.points for opening in openings]
     boxes = np.array([(cut.min(axis=0), cut.max(axis=0)) for cut in cuts])
     for i, opening in enumerate(openings):
         for j in range(i):

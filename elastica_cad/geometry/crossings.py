@@ -41,16 +41,18 @@ def segment_crossings(a: Segment, b: Segment) -> tuple[tuple[float, float], ...]
 
     The end of `a` and the start of `b` are tried first, so that a crossing close to a shared corner is found.
     """
-    return chord_crossings(Chords.of(a), Chords.of(b))
+    return chord_crossings(Chords.of(a), Chords.of(b), corner=True)
 
 
-def chord_crossings(first: Chords, second: Chords) -> tuple[tuple[float, float], ...]:
-    """As `segment_crossings`, for segments whose chords are known."""
+def chord_crossings(
+    first: Chords, second: Chords, *, corner: bool = False
+) -> tuple[tuple[float, float], ...]:
+    """As `segment_crossings`, for segments whose chords are known; the shared `corner` is tried on request."""
     a, b = first.segment, second.segment
     if isinstance(a, Line) and isinstance(b, Line):
         u, v = (float(x[0]) for x in _line_parameters(a.start[None], a.end[None], b.start[None], b.end[None]))
         return ((u, v),) if 0 <= u <= 1 and 0 <= v <= 1 else ()
-    starts = [(1.0, 0.0), *_chord_guesses(first, second)]
+    starts = [*([(1.0, 0.0)] if corner else []), *_chord_guesses(first, second)]
     found: list[tuple[float, float]] = []
     for guess in starts:
         pair = _newton(a, b, *guess)
