@@ -25,6 +25,7 @@ from elastica_cad.fabrication.boundary import (
     StraightTrace,
     Surface,
 )
+from elastica_cad.fabrication.prisms import PrismSolid
 from elastica_cad.fabrication.solids import BentSolid, FlatSolid
 from elastica_cad.formats.edges import Edge as DrawnEdge
 from elastica_cad.formats.placed import placed_curve, placed_curves
@@ -50,8 +51,8 @@ CORNER = 1e-6  # mm: gap that paths may have between segments
 OFFSET = 1e-6  # mm: offset curves are no NURBS and are followed this closely
 
 MODULES = (
-    "APIHeaderSection", "BRep", "BRepAdaptor", "BRepPrimAPI", "BRepTools", "GeomAbs", "GeomConvert", "Geom",
-    "Geom2d", "IFSelect", "Interface", "Message", "Quantity", "STEPCAFControl", "STEPControl",
+    "APIHeaderSection", "BOPAlgo", "BRep", "BRepAdaptor", "BRepPrimAPI", "BRepTools", "GeomAbs", "GeomConvert",
+    "Geom", "Geom2d", "IFSelect", "Interface", "Message", "Quantity", "STEPCAFControl", "STEPControl",
     "TCollection", "TDataStd", "TDocStd", "TopAbs", "TopExp", "TopLoc", "TopoDS", "XCAFDoc", "gp",
 )  # fmt: skip
 ARRAYS = {
@@ -122,9 +123,14 @@ def make_face(outline: Path, holes: Sequence[Path] = (), frame: Frame | None = N
     return face
 
 
-def make_solid(record: FlatSolid | BentSolid) -> Shape:
+def make_solid(record: FlatSolid | BentSolid | PrismSolid) -> Shape:
     """A record as a TopoDS_Solid."""
     k = kernel()
+    if isinstance(record, PrismSolid):
+        first, *rest = (make_solid(prism) for prism in record.added)
+        whole = _combined(first, rest, k.BOPAlgo_Operation.BOPAlgo_FUSE)
+        holes = [make_solid(prism) for prism in record.removed]
+        return _only_solid(_combined(whole, holes, k.BOPAlgo_Operation.BOPAlgo_CUT))
     if isinstance(record, FlatSolid):
         face = make_face(record.outline, record.holes, record.frame)
         return k.BRepPrimAPI_MakePrism(face, k.gp_Vec(*(record.frame.z_axis * record.thickness))).Shape()
@@ -132,6 +138,34 @@ def make_solid(record: FlatSolid | BentSolid) -> Shape:
     builder.MakeSolid(solid)
     builder.Add(solid, make_shell(record.boundary))
     return solid
+
+
+def _combined(shape: Shape, others: Sequence[Shape], operation: Any) -> Shape:
+    """A boolean operation of a shape with others."""
+    if not others:
+        return shape
+    builder = kernel().BOPAlgo_BOP()
+    builder.AddArgument(shape)
+    for other in others:
+        builder.AddTool(other)
+    builder.SetOperation(operation)
+    builder.Perform()
+    if builder.HasErrors():
+        raise InputError("OpenCASCADE could not combine the prisms of a body: move them so that none just touch")
+    return builder.Shape()
+
+
+def _only_solid(shape: Shape) -> Shape:
+    """The one solid in a compound."""
+    k = kernel()
+    explorer = k.TopExp_Explorer(shape, k.TopAbs_ShapeEnum.TopAbs_SOLID)
+    found = []
+    while explorer.More():
+        found.append(explorer.Current())
+        explorer.Next()
+    if len(found) != 1:
+        raise InputError(f"the prisms of a body leave {len(found)} pieces: they must make one")
+    return found[0]
 
 
 def make_shell(boundary: Boundary) -> Shape:

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -14,6 +15,14 @@ from elastica_cad.fabrication.slots import Relief
 from elastica_cad.fabrication.strip import Strip
 from elastica_cad.geometry import Path
 from elastica_cad.geometry.nearest import distances
+
+if TYPE_CHECKING:
+    from elastica_cad.fabrication.base import BasePlate
+    from elastica_cad.fabrication.cutlist import CutList
+    from elastica_cad.fabrication.fixtures import EndFixture
+    from elastica_cad.fabrication.nesting import NestedSheet
+    from elastica_cad.fabrication.pieces import Piece
+    from elastica_cad.mechanics import Sheet
 
 __all__ = ["Model", "Part", "Placed"]
 
@@ -214,6 +223,43 @@ class Model:
         for index, strip in enumerate(slotted.strips):
             _refuse_faults(strip, slotted.name_of(index))
         return replace(slotted, joints=(*self.joints, *joints), reports=(*self.reports, *reports))
+
+    @property
+    def pieces(self) -> "tuple[Piece, ...]":
+        """What must be cut, drawn: as `parts`, each layer of a laminate a piece of its own."""
+        from elastica_cad.fabrication.pieces import strip_pieces
+
+        return strip_pieces(self)
+
+    def fixtures(self, *, floor: Frame | None = None, **sizes: float) -> "tuple[EndFixture, ...]":
+        """Printed blocks that hold both ends of every strip: see `end_fixtures`."""
+        from elastica_cad.fabrication.fixtures import end_fixtures
+
+        return end_fixtures(self, floor=floor, **sizes)
+
+    def base_plate(self, sheet: "Sheet", *, frame: Frame | None = None, **sizes: float) -> "BasePlate":
+        """One slotted plate for all tabs that stand on it: see `base_plate`."""
+        from elastica_cad.fabrication.base import base_plate
+
+        return base_plate(self, sheet, frame=frame, **sizes)
+
+    def nest(
+        self,
+        *,
+        sheet_size: tuple[float, float] = (600.0, 400.0),
+        margin: float = 2.0,
+        others: "Iterable[Piece]" = (),
+    ) -> "tuple[NestedSheet, ...]":
+        """Drawings of all sheets to be cut: the strips, and other pieces. See `nested`."""
+        from elastica_cad.fabrication.nesting import nested
+
+        return nested((*self.pieces, *others), sheet_size=sheet_size, margin=margin, name=f"{self.name}-nest")
+
+    def cut_list(self, others: "Iterable[Piece]" = ()) -> "CutList":
+        """The list of all pieces, equal ones once with their count."""
+        from elastica_cad.fabrication.cutlist import cut_list
+
+        return cut_list((*self.pieces, *others))
 
     def mirrored(self, point: ArrayLike, normal: ArrayLike, *, keep: bool = True) -> "Model":
         """The mirror image in the plane through `point` across `normal`, and the strips themselves if kept."""

@@ -1,0 +1,113 @@
+"""Pieces: what is cut from which sheet, and how often."""
+
+import re
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawing import CUT_INNER, CUT_OUTER, Drawing
+from elastica_cad.fabrication.model import Model
+from elastica_cad.mechanics import Sheet
+
+__all__ = ["Piece", "strip_pieces"]
+
+
+@dataclass(frozen=True, eq=False)
+class Piece:
+    """A flat part to be cut.
+
+    Parameters
+    ----------
+    name : str
+    drawing : Drawing
+        One closed outer cut or more.
+    sheet : Sheet
+        What it is cut from; where the sheet has a grain, the drawing's x runs along or across it as `sheet.grain`
+        says.
+    count : int
+        How many are cut.
+
+    Raises
+    ------
+    InputError
+        Nothing to cut out, or a count below 1.
+
+    Examples
+    --------
+    >>> from elastica_cad.fabrication import LayeredPath
+    >>> from elastica_cad.geometry import Path
+    >>> plate = Drawing("plate", [LayeredPath("CUT_OUTER", Path.rectangle(40, 10))])
+    >>> Piece("plate", plate, Sheet.named("birch-plywood-0.8"), 2).file_stem
+    'plate_birch-plywood-0.8_0.8mm_x2'
+    """
+
+    name: str
+    drawing: Drawing
+    sheet: Sheet
+    count: int = 1
+
+    def __post_init__(self) -> None:
+        if not any(path.closed for path in self.drawing.on(CUT_OUTER)):
+            raise InputError(f"{self.name}: there is no closed outer cut, so nothing to cut out")
+        if self.count < 1:
+            raise InputError(f"{self.name}: cut {self.count} times; the count must be 1 or more")
+
+    @property
+    def file_stem(self) -> str:
+        """File name without suffix: part, material, thickness and quantity."""
+        words = (self.name, self.sheet.name, f"{self.sheet.thickness:g}mm", f"x{self.count}")
+        return "_".join(re.sub(r"[^\w.-]+", "-", word).strip("-.") or "part" for word in words)
+
+    @cached_property
+    def bounds(self) -> FloatArray:
+        """[[x_min, y_min], [x_max, y_max]] of what is cut, engraved lines included, mm, exact."""
+        corners = np.array([item.path.bounds for item in self.drawing.paths])
+        return np.array([corners[:, 0].min(axis=0), corners[:, 1].max(axis=0)])
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Length along x and height along y, mm."""
+        x, y = self.bounds[1] - self.bounds[0]
+        return float(x), float(y)
+
+    @cached_property
+    def cut_length(self) -> float:
+        """Length of all cuts of one piece, mm."""
+        return sum(path.length for path in self.drawing.on(CUT_INNER, CUT_OUTER))
+
+    @cached_property
+    def area(self) -> float:
+        """Of one piece, mm2."""
+        outer = sum(abs(path.area) for path in self.drawing.on(CUT_OUTER) if path.closed)
+        return outer - sum(abs(path.area) for path in self.drawing.on(CUT_INNER) if path.closed)
+
+    @property
+    def mass(self) -> float:
+        """Of one piece, g."""
+        return self.area * self.sheet.thickness * self.sheet.density * 1e-6
+
+
+def strip_pieces(model: Model) -> tuple[Piece, ...]:
+    """The strips of a model as pieces, equal ones once with their count; each layer of a laminate is one.
+
+    Raises
+    ------
+    InputError
+        Different parts with the same label.
+    """
+    pieces: list[Piece] = []
+    for part in model.parts:
+        drawings = part.strip.drawings()
+        for i, (drawing, layer) in enumerate(zip(drawings, part.strip.layers, strict=True)):
+            name = part.name if i == 0 else f"{part.name}-backing"
+            pieces.append(Piece(name, replace(drawing, name=name), layer.sheet, part.count))
+    names = [piece.name for piece in pieces]
+    twice = sorted({name for name in names if names.count(name) > 1})
+    if twice:
+        raise InputError(
+            f"{twice[0]}: two different strips have this label; give every part a label of its own"
+        )
+    return tuple(pieces)
