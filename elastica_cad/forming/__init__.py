@@ -6,6 +6,7 @@ from elastica_cad.forming.limits import Box, HalfPlane, Keep, Limits
 from elastica_cad.forming.nearest import NearestRod, Status, nearest_rod
 from elastica_cad.forming.ratio import OptimizedRatio, RatioStatus, optimize_ratio
 from elastica_cad.forming.recovery import RecoveredStability, RecoveryStatus, recover_stability
+from elastica_cad.forming.splitting import Splitting, split
 
 __all__ = [
     "Binding",
@@ -19,9 +20,11 @@ __all__ = [
     "RatioStatus",
     "RecoveredStability",
     "RecoveryStatus",
+    "Splitting",
     "Status",
     "enforce_constraints",
     "nearest_rod",
     "optimize_ratio",
     "recover_stability",
+    "split",
 ]

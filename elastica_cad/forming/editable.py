@@ -19,6 +19,8 @@ FAITHFUL = 4e-4  # relative error of the extremes of the stiffness that the curv
 LOOSE = 0.02  # and of the stiffness between
 _REACH = 0.05  # curvature errors that extend this far weigh as much as the displacement they make
 _SPANS, _MOST_SPANS = 24, 240
+_SHORTEST = 1e-3  # span, in lengths: shorter ones fit rounding
+_PARDONED = 2.0  # tolerances, where finer spans do not help
 _STIFF = (1e-9, 1e-6, 1e-3, np.inf)  # against moving coefficients of the stiffness, tried in turn
 _GROWN = 1e-4  # of the ratio, the most that giving way may cost
 _NEWTON = 15
@@ -47,16 +49,21 @@ def editable_curve(rod: Rod, *, tangents: tuple[bool, bool] = (False, False)) ->
     """
     shape = _continuous(rod, tangents)
     edges = np.linspace(0, float(shape.s[-1]), _SPANS + 1)
-    while edges.size <= _MOST_SPANS:
+    least, best = np.inf, None
+    while edges.size <= _MOST_SPANS and np.diff(edges).min() > _SHORTEST:
         curve = _fitted(shape, edges)
         error = _errors(curve, shape)
-        if error.max() <= 1:
-            return _in_millimetres(curve, rod)
+        if error.max() < least:
+            least, best = float(error.max()), curve
+        if least <= 1:
+            break
         edges = _refined(edges, shape.s[error > 1])
-    raise NotConvergedError(
-        f"the rest shape of {rod.length:.6g} mm cannot be written as a spline of degree 4 with {_MOST_SPANS} "
-        "spans: use rod.curve, or fewer coefficients"
-    )
+    if best is None or least > _PARDONED:
+        raise NotConvergedError(
+            f"the rest shape of {rod.length:.6g} mm cannot be written as a spline of degree 4 with {_MOST_SPANS} "
+            "spans: use rod.curve, or fewer coefficients"
+        )
+    return _in_millimetres(best, rod)
 
 
 def _refined(edges: FloatArray, places: FloatArray) -> FloatArray:

@@ -12,7 +12,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.forming.equilibrium_curve import EquilibriumCurve
 from elastica_cad.geometry import PlaneCurve
 from elastica_cad.geometry.trim import trimmed_curve
-from elastica_cad.mechanics.equilibrium import EquilibriumCheck, NotRealizable
+from elastica_cad.mechanics.equilibrium import EquilibriumCheck, NotRealizable, examine_curvature
 from elastica_cad.mechanics.supports import End, Supports
 
 __all__ = ["Splitting", "split"]
@@ -223,15 +223,13 @@ def _parameters(curve: PlaneCurve, places: ArrayLike | None) -> FloatArray | Non
 
 def _forwards(cut: _Cut) -> list[float]:
     """The latest places of the fewest supports."""
-    low, high = cut.curve.domain
+    start, high = cut.curve.domain
     found: list[float] = []
-    start = low
     while not cut.takes(start, high):
-        end = cut.reach(start)
+        # a last piece is left that can be looked at: a closed curve needs a support for its ends' sake alone
+        end = min(cut.reach(start), high - 10 * cut.short)
         if end <= start:
             raise NotRealizable(_stuck(cut, start))
-        if end == high:  # the last piece fails by its own support alone: nothing longer than a part of it
-            raise NotRealizable(_stuck(cut, end))
         found.append(end)
         start = end
     return found
@@ -240,17 +238,19 @@ def _forwards(cut: _Cut) -> list[float]:
 def _stuck(cut: _Cut, place: float) -> EquilibriumCheck:
     curve = cut.curve
     s = float(curve.arc_length(np.array(place)))
-    what = (
-        "no piece that starts there can be made"
-        if cut.places is None
-        else "no strip reaches from there to the next place that is offered"
-    )
+    if cut.places is not None:
+        what = "no strip reaches from there to the next place that is offered: offer more places"
+    else:
+        what = "no strip that starts there can go on"
     limit = "" if cut.ratio is None else f" within a stiffness ratio of {cut.ratio:g}"
-    reason = (
-        f"Supports do not help at {s:.4g} mm: {what}{limit}; bend the curve a little more where its curvature "
-        "touches zero, or offer more places for supports."
+    reason = f"Supports do not help at {s:.4g} mm: {what}{limit}."
+    try:
+        why = examine_curvature(curve, cut.supports).reasons
+    except InputError:
+        why = ()
+    return EquilibriumCheck(
+        False, (reason, *why), (), curve.length, curve, inflections=tuple(curve.inflections)
     )
-    return EquilibriumCheck(False, (reason,), (), curve.length, curve, inflections=tuple(curve.inflections))
 
 
 def _placed(cut: _Cut, latest: Sequence[float], ranges: Sequence[tuple[float, float]]) -> list[float]:
