@@ -7,8 +7,8 @@ from elastica_cad.fabrication.coupon import coupon_drawing, coupon_overhang
 from elastica_cad.fabrication.cutlist import CutList, CutListRow, cut_list
 from elastica_cad.fabrication.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, LAYERS, MARK, Drawing, LayeredPath
 from elastica_cad.fabrication.ends import Hole, Tab
-from elastica_cad.fabrication.holding import HoldingTabs, with_holding_tabs
 from elastica_cad.fabrication.fixtures import EndFixture, end_fixtures
+from elastica_cad.fabrication.holding import HoldingTabs, with_holding_tabs
 from elastica_cad.fabrication.kerf import with_kerf
 from elastica_cad.fabrication.lamination import Laminated
 from elastica_cad.fabrication.lettering import Text, text_strokes, text_width
@@ -36,8 +36,8 @@ __all__ = [
     "EndFixture",
     "FlatSolid",
     "Frame",
-    "Hole",
     "HoldingTabs",
+    "Hole",
     "Laminated",
     "Layer",
     "LayeredPath",

@@ -271,12 +271,9 @@ class Strip:
         """
         name = self.label or "strip"
         names = (name, f"{name}-backing")
-        ticks = [_tick(x, w) for x, w in zip((0.0, self.rod.length), self.end_widths, strict=True)]
-        if self.layout.pattern is not None:
-            ticks = []  # they would run along the flat ends of the first and last holes
         drawn = []
         for i, layer in enumerate(self.layers):
-            marks = ticks if i else [*ticks, *self.layout.guides]
+            marks = (*self._ticks(i), *(() if i else self.layout.guides))
             paths = (
                 *(LayeredPath(MARK, mark) for mark in marks),
                 *(LayeredPath(CUT_INNER, hole) for hole in layer.holes),
@@ -286,6 +283,16 @@ class Strip:
             drawn.append(Drawing(name=names[i], paths=paths, texts=texts))
         return tuple(drawn)
 
+    def _ticks(self, layer: int) -> tuple[Path, ...]:
+        """Where the free part ends; not along the flat ends of the first and last holes."""
+        if self.layout.pattern is not None:
+            return ()
+        width = self._layer_width(layer)
+        return tuple(_tick(x, float(width(x))) for x in (0.0, self.rod.length))
+
+    def _layer_width(self, layer: int) -> Profile:
+        return self.width if layer == 0 or self.layout.backing is None else self.layout.backing.width
+
     def _label_text(self, layer: int = 0) -> Text:
         """The label as large as fits up to 5 mm: along the middle, across the first tab where there are holes."""
         if self.layout.pattern is not None:
@@ -293,8 +300,7 @@ class Strip:
             x, y, angle = -across / 2, 0.0, np.pi / 2
         else:
             x, y, angle = self.rod.length / 2, 0.0, 0.0
-            width = self.width if layer == 0 or self.layout.backing is None else self.layout.backing.width
-            room, across = self.rod.length, float(width(x))
+            room, across = self.rod.length, float(self._layer_width(layer)(x))
         height = min(5.0, 0.4 * across)
         long = text_width(self.label, height)
         height *= min(1.0, 0.8 * room / long) if long > 0 else 1.0

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawing import Drawing
+from elastica_cad.fabrication.holding import HoldingTabs, with_holding_tabs
 from elastica_cad.fabrication.kerf import with_kerf
 from elastica_cad.formats.dxf import write_dxf
 from elastica_cad.formats.layers import LayerChoice
@@ -28,6 +29,7 @@ def write_drawing(
     tolerance: float = 0.02,
     version: str = "R2010",
     layers: Mapping[str, LayerChoice] | None = None,
+    holding: HoldingTabs | None = None,
     force: bool = False,
 ) -> Path:
     """Write a drawing for a laser cutter as .dxf or .svg.
@@ -48,6 +50,8 @@ def write_drawing(
         DXF version, R12 to R2018.
     layers : mapping, optional
         From a layer to a name, or to a name and a colour "#rrggbb".
+    holding : HoldingTabs, optional
+        Bridges that hold parts in the sheet; none unless given.
     force : bool
         Overwrite a file of that name.
 
@@ -68,6 +72,8 @@ def write_drawing(
     if suffix not in DRAWING_SUFFIXES:
         raise InputError(f"{path} can't be written as a drawing: end its name with .dxf or .svg")
     cut = with_kerf(drawing, kerf, tolerance=min(tolerance, _KERF_TOLERANCE))
+    if holding is not None:
+        cut = with_holding_tabs(cut, holding)
     if suffix == ".svg":
         return write_svg(cut, path, curves=curves, tolerance=tolerance, layers=layers, force=force)
     return write_dxf(
