@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -237,11 +237,11 @@ class Model:
 
         return end_fixtures(self, floor=floor, **sizes)
 
-    def base_plate(self, sheet: "Sheet", *, frame: Frame | None = None, **sizes: float) -> "BasePlate":
+    def base_plate(self, sheet: "Sheet", *, frame: Frame | None = None, **options: Any) -> "BasePlate":
         """One slotted plate for all tabs that stand on it: see `base_plate`."""
         from elastica_cad.fabrication.base import base_plate
 
-        return base_plate(self, sheet, frame=frame, **sizes)
+        return base_plate(self, sheet, frame=frame, **options)
 
     def nest(
         self,
