@@ -33,9 +33,15 @@ test-kernels: .venv-build123d/installed .venv-cadquery/installed
 	PYTHONPATH=. .venv-build123d/bin/python -m pytest -o addopts="-q --import-mode=importlib" tests/cad
 	PYTHONPATH=. .venv-cadquery/bin/python -m pytest -o addopts="-q --import-mode=importlib" tests/cad
 
+# FreeCAD 0.20 as Debian 12 has it; with RELEASE=trixie or RELEASE=sid (needs root) 1.0 or 1.1 in a folder of its own.
 test-freecad: $(VENV)/test-installed
 	tests/freecad/setup.sh
-	$(BIN)/python -m pytest tests/freecad
+	$(if $(RELEASE),tests/freecad/release.sh $(RELEASE),$(BIN)/python -m pytest tests/freecad)
+
+# FreeCAD with the workbench as it lies here and an example open (0.20 takes options after the file only).
+freecad:
+	tests/freecad/setup.sh
+	freecad freecad_workbench/example.py -M "$(CURDIR)"
 
 benchmark: $(VENV)/test-installed
 	$(BIN)/python -m pytest tests/benchmarks --benchmark-enable --benchmark-only -o addopts="-q --import-mode=importlib"

@@ -22,6 +22,7 @@ class Panel:
     file = ""
     icon_name = "Elastica"
     step = ""
+    only_tells = False
     opened: "Panel | None" = None
 
     def __init__(self, document: Any = None) -> None:
@@ -57,6 +58,12 @@ class Panel:
             self.document.recompute()
         self._close()
         return True
+
+    def getStandardButtons(self) -> int:
+        """OK and Cancel, or for a panel that only tells something Close."""
+        kinds = QtWidgets.QDialogButtonBox
+        wanted = [kinds.Close] if self.only_tells else [kinds.Ok, kinds.Cancel]
+        return sum(int(getattr(button, "value", button)) for button in wanted)
 
     def isAllowedAlterSelection(self) -> bool:
         """The user may select while the panel is open."""
@@ -107,6 +114,11 @@ class Panel:
         if Gui.ActiveDocument is not None:
             Gui.ActiveDocument.resetEdit()
         Gui.Control.closeDialog()
+        # FreeCAD deletes the widgets; a kept Python face of one would be taken for the next at its address
+        QtCore.QTimer.singleShot(0, self._forget)
+
+    def _forget(self) -> None:
+        self.form = None
 
 
 def _signal(widget: Any) -> Any:

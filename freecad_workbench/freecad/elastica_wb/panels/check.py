@@ -2,7 +2,6 @@
 
 from typing import Any
 
-import FreeCADGui as Gui
 from freecad.elastica_wb import live, preferences
 from freecad.elastica_wb.design import Wish, solved
 from freecad.elastica_wb.drawn import drawn_curve, is_sketch
@@ -21,6 +20,7 @@ class CheckPanel(Panel):
 
     file = "check"
     icon_name = "Elastica_Check"
+    only_tells = True
 
     def __init__(self, source: Any, edges: tuple[str, ...]) -> None:
         super().__init__()
@@ -41,15 +41,3 @@ class CheckPanel(Panel):
         self.tell("\n\n".join(words))
         if is_sketch(source) and not edges:
             live.start(source)
-
-    def getStandardButtons(self) -> int:
-        """Only Close."""
-        from freecad.elastica_wb.qt import QtWidgets
-
-        return int(getattr(QtWidgets.QDialogButtonBox.Close, "value", QtWidgets.QDialogButtonBox.Close))
-
-    def reject(self) -> bool:
-        """Close."""
-        live.stop()
-        Gui.Control.closeDialog()
-        return True

@@ -3,7 +3,6 @@
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
-import FreeCADGui as Gui
 from freecad.elastica_wb.features.strip import strip_of
 from freecad.elastica_wb.panels.base import Panel, progress
 from freecad.elastica_wb.plotting import bar_chart
@@ -20,6 +19,7 @@ class TolerancePanel(Panel):
 
     file = "tolerance"
     icon_name = "Elastica_Tolerance"
+    only_tells = True
 
     def __init__(self, obj: Any) -> None:
         self.strip = strip_of(obj)
@@ -54,17 +54,6 @@ class TolerancePanel(Panel):
         self.form.table.setText(f"<table>{head}{rows}</table>")
         self.form.plot.setPixmap(bar_chart([(tr(e.name), e.percentile_95, e.worst) for e in effects]))
         self.tell("")
-
-    def getStandardButtons(self) -> int:
-        """Only Close."""
-        from freecad.elastica_wb.qt import QtWidgets
-
-        return int(getattr(QtWidgets.QDialogButtonBox.Close, "value", QtWidgets.QDialogButtonBox.Close))
-
-    def reject(self) -> bool:
-        """Close."""
-        Gui.Control.closeDialog()
-        return True
 
 
 class Stopped(Exception):  # noqa: N818 - no error: the user said so
