@@ -263,7 +263,9 @@ def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
     there, turned, _ = shape.at(np.concatenate([ends, inner]))
     along = np.column_stack([np.cos(turned), np.sin(turned)])
     across = np.column_stack([-along[2:, 1], along[2:, 0]])
-    C = np.vstack([spline(np.concatenate([ends, inner])), spline(ends, 1), spline(bends, 2), spline(inner, 3)])
+    C = np.vstack(
+        [spline(np.concatenate([ends, inner])), spline(ends, 1), spline(bends, 2), spline(inner, 3)]
+    )
     slope = shape.slope(inner)[:, None]
     D = np.vstack([there, along[:2], np.zeros((bends.size, 2)), slope * across])
     return PlaneCurve(knots, _constrained_least_squares(A, B, C, D), DEGREE)

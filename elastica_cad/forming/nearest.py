@@ -7,7 +7,7 @@ from functools import cached_property
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.forming.binding import Binding, bindings
 from elastica_cad.forming.editable import editable_curve
 from elastica_cad.forming.limits import Keep, Limits
@@ -45,8 +45,8 @@ class NearestRod:
 
     Attributes
     ----------
-    rod : Rod
-        The discrete rod in balance; `rod.profile` is its stiffness, a cubic spline.
+    found : Rod or None
+        See `rod`; None where nothing could be computed.
     wish : PlaneCurve
         The curve that was drawn.
     status : Status
@@ -62,9 +62,11 @@ class NearestRod:
         Steps (quadratic programs accepted) over all starts.
     limits, keep
         As asked.
+    message : str
+        What went wrong where the status is FAILED.
     """
 
-    rod: Rod
+    found: Rod | None
     wish: PlaneCurve
     status: Status
     deviation: float
@@ -74,6 +76,30 @@ class NearestRod:
     iterations: int
     limits: Limits
     keep: Keep
+    message: str = ""
+
+    @classmethod
+    def failed(
+        cls, wish: PlaneCurve, message: str, limits: Limits | None = None, keep: Keep | None = None
+    ) -> "NearestRod":
+        """The record of a curve for which nothing could be computed."""
+        return cls(
+            found=None, wish=wish, status=Status.FAILED, deviation=np.inf, mean_deviation=np.inf, binding=(),
+            violation=np.inf, iterations=0, limits=limits or Limits(), keep=keep or Keep(), message=message,
+        )  # fmt: skip
+
+    @property
+    def rod(self) -> Rod:
+        """The discrete rod in balance; `rod.profile` is its stiffness, a cubic spline.
+
+        Raises
+        ------
+        NotConvergedError
+            When the status is FAILED.
+        """
+        if self.found is None:
+            raise NotConvergedError(f"there is no rod for this curve: {self.message}")
+        return self.found
 
     @property
     def met(self) -> bool:
@@ -163,7 +189,7 @@ def nearest_rod(
         status = Status.MET if outcome.settled else Status.UNSETTLED
     mean = setting.problem("mean", with_margin=False).distance.value(outcome.rod)
     return NearestRod(
-        rod=rod, wish=curve, status=status, deviation=deviation,
+        found=rod, wish=curve, status=status, deviation=deviation,
         mean_deviation=float(np.sqrt(2 * mean)) * setting.wish.size,
         binding=bindings(setting, problem, outcome, measure), violation=outcome.violation, iterations=steps,
         limits=setting.limits, keep=setting.keep,

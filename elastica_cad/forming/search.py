@@ -25,7 +25,11 @@ def best_outcome(setting: Setting, measure: Measure) -> tuple[Problem, Outcome, 
     best = solve(problem, first)
     steps = best.iterations
     for attempt in _attempts(setting, measure, problem, first):
-        if best.settled and best.violation <= MET and mean_distance(setting, best) < _NEAR * setting.wish.diagonal:
+        if (
+            best.settled
+            and best.violation <= MET
+            and mean_distance(setting, best) < _NEAR * setting.wish.diagonal
+        ):
             break
         outcome = attempt()
         steps += outcome.iterations

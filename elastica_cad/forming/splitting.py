@@ -12,13 +12,18 @@ from elastica_cad.errors import InputError
 from elastica_cad.forming.equilibrium_curve import EquilibriumCurve
 from elastica_cad.geometry import PlaneCurve
 from elastica_cad.geometry.trim import trimmed_curve
-from elastica_cad.mechanics.equilibrium import EquilibriumCheck, NotRealizable, examine_curvature
+from elastica_cad.mechanics.equilibrium import (
+    EquilibriumCheck,
+    NotRealizable,
+    check_equilibrium,
+    examine_curvature,
+)
 from elastica_cad.mechanics.supports import End, Supports
 
 __all__ = ["Splitting", "split"]
 
-_SHORT = 1e-5  # pieces shorter than this, relative to the domain, are none
-_CHOICES = 7  # places tried for each support between its first and last possible one
+_SHORT = 1e-4  # pieces shorter than this, relative to the domain, are none
+_CHOICES = 5  # places tried for each support between its first and last possible one
 _ROUNDS = 2  # and again about the best of them
 
 
@@ -135,17 +140,21 @@ class _Cut:
 
     def ratio_of(self, start: float, end: float) -> float:
         """Least stiffness ratio of a piece; infinite where no strip can take it."""
-        low, high = self.curve.domain
-        first, last = self.supports.ends
-        held = Supports(first if start == low else End(), last if end == high else End())
         try:
-            piece = self.piece(start, end)
+            piece, held, tolerance = self._held(start, end)
             if piece.is_straight:
                 return 1.0
-            share = piece.length / self.curve.length
-            return EquilibriumCurve.of(piece, held, tolerance=self.tolerance / share).ratio
+            return EquilibriumCurve.of(piece, held, tolerance=tolerance).ratio
         except (NotRealizable, InputError):
             return np.inf
+
+    def _held(self, start: float, end: float) -> tuple[PlaneCurve, Supports, float]:
+        """A piece, its supports, and the tolerance in its own lengths."""
+        low, high = self.curve.domain
+        first, last = self.supports.ends
+        piece = self.piece(start, end)
+        held = Supports(first if start == low else End(), last if end == high else End())
+        return piece, held, self.tolerance * self.curve.length / piece.length
 
     def choices(self, first: float, last: float, known: float) -> FloatArray:
         """A few places between two, and one that is known to do."""
@@ -165,8 +174,13 @@ class _Cut:
         """Can a strip take the piece, within the ratio?"""
         if end - start < self.short:
             return True
-        found = self.ratio_of(start, end)
-        return np.isfinite(found) and (self.ratio is None or found <= self.ratio)
+        if self.ratio is not None:
+            return self.ratio_of(start, end) <= self.ratio
+        try:
+            piece, held, tolerance = self._held(start, end)
+            return check_equilibrium(piece, held, tolerance=tolerance).realizable
+        except InputError:
+            return False
 
     @cached_property
     def marks(self) -> FloatArray:
@@ -259,7 +273,7 @@ def _placed(cut: _Cut, latest: Sequence[float], ranges: Sequence[tuple[float, fl
     spans = list(ranges)
     for _ in range(_ROUNDS if cut.places is None else 1):
         stages = [cut.choices(*span, at) for span, at in zip(spans, places, strict=True)]
-        places = _shortest_path(cut, stages)
+        places = _shortest_path(cut, stages) or places
         cells = [(last - first) / (_CHOICES - 1) for first, last in spans]
         spans = [
             (max(first, at - cell), min(last, at + cell))
@@ -269,7 +283,7 @@ def _placed(cut: _Cut, latest: Sequence[float], ranges: Sequence[tuple[float, fl
 
 
 def _shortest_path(cut: _Cut, stages: Sequence[FloatArray]) -> list[float]:
-    """One place of each stage, so that the pieces between them have the least sum of squared ratios."""
+    """One place of each stage, so that the pieces between have the least sum of squared ratios; none if inf."""
     low, high = cut.curve.domain
     chain = [np.array([low]), *stages, np.array([high])]
     total, comes_from = np.zeros(1), []
@@ -280,7 +294,10 @@ def _shortest_path(cut: _Cut, stages: Sequence[FloatArray]) -> list[float]:
                 cost[i, j] = total[i] + cut.ratio_of(float(before[i]), float(after[j])) ** 2
         comes_from.append(cost.argmin(axis=0))
         total = cost.min(axis=0)
-    chosen, at = [], 0
+    chosen: list[float] = []
+    at = 0
+    if not np.isfinite(total[0]):
+        return chosen
     for stage, best in zip(reversed(stages), reversed(comes_from[1:]), strict=True):
         at = int(best[at])
         chosen.append(float(stage[at]))
