@@ -110,6 +110,7 @@ def dxf_bytes(
     with _plain_ezdxf():
         document = _new_document(version, styles, bounds)
         _Writer(document, curves, tolerance).draw(drawing, styles)
+        _sort_classes(document)
         stream = io.StringIO()
         if version == "R12":
             stream.write("999\nall lengths in mm\n")
@@ -195,6 +196,12 @@ def _new_document(version: str, styles: Mapping[str, LayerStyle], bounds: np.nda
     width, height = high - low
     document.set_modelspace_vport(1.1 * max(float(height), float(width) / 2), tuple((low + high) / 2))
     return document
+
+
+def _sort_classes(document: "Document") -> None:
+    """ezdxf keeps the classes that a version needs in a set: their order would change with every process."""
+    document.classes.add_required_classes(document.dxfversion)
+    document.classes.classes = dict(sorted(document.classes.classes.items()))
 
 
 def _nearest_index(rgb: tuple[int, int, int]) -> int:
