@@ -1,6 +1,7 @@
 """Strips among other things of a document: containers, links, expressions, copies, files of earlier versions."""
 
 import shutil
+import sys
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -272,3 +273,47 @@ def test_replacing_the_spline_of_a_sketch(document, drawn):
     )
     kept = [g for g in sketch.Geometry if g.TypeId == "Part::GeomLineSegment"]
     assert len(kept) == 1
+
+
+@pytest.mark.parametrize("style", ["Perforated", "Laminated"])
+def test_styles(document, sketch, tmp_path: Path, style):
+    feature = strip.create(document, sketch)
+    feature.Style = style
+    feature.OuterWidth = 28
+    base = flat.create(document, feature)
+    document.recompute()
+    assert feature.State == ["Up-to-date"], feature.getStatusString()
+    assert feature.Shape.isValid()
+    made = strip.strip_of(feature)
+    assert base.Shape.BoundBox.YLength == pytest.approx(28, abs=1e-6)
+    assert len(base.Shape.Faces) == 2 + sum(len(p.segments) for p in (made.outline, *made.holes))
+    kinds = ("svg", "step")
+    if style == "Perforated":
+        assert len(made.holes) > 5
+        assert len(feature.Shape.Solids) == 1
+        assert len(write_cutting_files([feature], tmp_path, kinds=kinds)) == 2
+        return
+    backing = flat.create(document, feature, "Backing")
+    document.recompute()
+    assert len(feature.Shape.Solids) == 2
+    assert backing.Shape.isValid()
+    assert backing.Shape.Volume < base.Shape.Volume
+    assert len(write_cutting_files([feature], tmp_path, kinds=kinds)) == 3
+    feature.Style = "Plain"
+    document.recompute()
+    assert "Invalid" in backing.State
+    assert "no backing" in backing.getStatusString()
+
+
+def test_missing_scipy_is_a_sentence(document, drawn, monkeypatch):
+    feature = strip.create(document, drawn([(0, 0), (31, 60), (72, 81), (121, 60), (150, 0)]))
+    monkeypatch.setitem(sys.modules, "scipy.interpolate", None)
+    monkeypatch.setitem(sys.modules, "scipy.spatial", None)
+    document.recompute()
+    assert "Invalid" in feature.State
+    assert "scipy" in feature.getStatusString()
+    assert "not installed" in feature.getStatusString()
+    monkeypatch.undo()
+    feature.touch()
+    document.recompute()
+    assert feature.State == ["Up-to-date"]

@@ -77,21 +77,34 @@ def write_cutting_files(
         raise MissingDependencyError(
             "DXF files need ezdxf: Elastica > Install missing libraries, or choose SVG"
         )
-    names = [f"{part.name}.{kind}" for part in parts for kind in kinds if kind != "csv"]
+    names = [
+        f"{stem}.{kind}"
+        for part in parts
+        for kind in ("dxf", "svg")
+        if kind in kinds
+        for stem in _stems(part)
+    ]
+    names += [f"{part.name}.step" for part in parts if "step" in kinds]
     names += ["cut-list.csv"] if "csv" in kinds else []
     options = {"kerf": kerf, "curves": curves, "tolerance": tolerance}
     with files_together(folder, names, force=force) as workshop:
         for part in parts:
-            drawing = replace(part.strip.drawing(), name=part.name)
-            if "dxf" in kinds:
-                write_drawing(drawing, workshop / f"{part.name}.dxf", version=version, **options)
-            if "svg" in kinds:
-                write_drawing(drawing, workshop / f"{part.name}.svg", **options)
+            for stem, drawing in zip(_stems(part), part.strip.drawings(), strict=True):
+                named = replace(drawing, name=stem)
+                if "dxf" in kinds:
+                    write_drawing(named, workshop / f"{stem}.dxf", version=version, **options)
+                if "svg" in kinds:
+                    write_drawing(named, workshop / f"{stem}.svg", **options)
             if "step" in kinds:
                 write_step(part, workshop / f"{part.name}.step")
         if "csv" in kinds:
             _write_list(parts, workshop / "cut-list.csv")
     return [Path(folder) / name for name in names]
+
+
+def _stems(part: CutPart) -> tuple[str, ...]:
+    """File names of the layers without their endings."""
+    return (part.name, f"{part.name}-backing")[: len(part.strip.layers)]
 
 
 def write_step(part: CutPart, path: Path) -> None:
@@ -101,7 +114,10 @@ def write_step(part: CutPart, path: Path) -> None:
     document = App.newDocument("ElasticaExport", hidden=True, temp=True)
     try:
         objects = []
-        for form, shape in (("flat", flat_shape(part.strip)), ("bent", bent_shape(part.strip))):
+        shapes = [("flat", flat_shape(part.strip)), ("bent", bent_shape(part.strip))]
+        if len(part.strip.layers) > 1:
+            shapes.insert(1, ("backing", flat_shape(part.strip, 1)))
+        for form, shape in shapes:
             body = document.addObject("Part::Feature", form)
             body.Label = f"{part.obj.EngravedText or part.obj.Label} {form}"
             body.Shape = shape.copy()

@@ -9,13 +9,13 @@ from freecad.elastica_wb.patience import patiently
 from freecad.elastica_wb.shapes import make_solid
 
 from elastica_cad.errors import ElasticaError, MissingDependencyError, NotConvergedError
-from elastica_cad.fabrication import BentSolid, FlatSolid, Strip, Tab
+from elastica_cad.fabrication import BentSolid, FlatSolid, Laminated, Perforated, Plain, Strip, Tab
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest import NearestRod, nearest_rod
 from elastica_cad.geometry import PlaneCurve
 from elastica_cad.mechanics import Gravity, Rod, Sheet, Stability, Supports, optimal_rod, stability
 
-__all__ = ["Wish", "bent_shape", "flat_shape", "judged", "nearest", "nearest_now", "solved"]
+__all__ = ["StyleChoice", "Wish", "bent_shape", "flat_shape", "judged", "nearest", "nearest_now", "solved"]
 
 
 @dataclass(frozen=True)
@@ -42,12 +42,32 @@ class _Same:
 
 
 @dataclass(frozen=True)
+class StyleChoice:
+    """How stiffness becomes material, in numbers that can be compared."""
+
+    kind: str = "Plain"
+    width: float = 0.0
+    columns: int = 2
+    rows: int | None = None
+    backing: Sheet | None = None
+
+    def style(self) -> Any:
+        """The core's style."""
+        if self.kind == "Perforated":
+            return Perforated(width=self.width, columns=self.columns, rows=self.rows)
+        if self.kind == "Laminated" and self.backing is not None:
+            return Laminated(width=self.width, backing=self.backing)
+        return Plain()
+
+
+@dataclass(frozen=True)
 class Wish:
     """Everything that a strip depends on."""
 
     sheet: Sheet
     max_width: float | None = None
     min_width: float | None = None
+    style: StyleChoice = StyleChoice()
     supports: Supports = field(default_factory=Supports)
     gravity: Gravity | None = None
     natural_curvature: float = 0.0
@@ -100,14 +120,16 @@ def judged(rod: Rod) -> Stability | None:
 
 @lru_cache(maxsize=32)
 def bent_shape(strip: Strip) -> Part.Shape:
-    """The strip bent, its curve in the xy plane."""
-    return make_solid(BentSolid.of(strip))
+    """The strip bent, its curve in the xy plane; of a laminate both layers."""
+    solids = [make_solid(layer) for layer in BentSolid.layers(strip)]
+    return solids[0] if len(solids) == 1 else Part.makeCompound(solids)
 
 
 @lru_cache(maxsize=32)
-def flat_shape(strip: Strip) -> Part.Shape:
-    """The strip as cut, lying on the xy plane."""
-    return make_solid(FlatSolid.of(strip))
+def flat_shape(strip: Strip, layer: int = 0) -> Part.Shape:
+    """One layer of the strip as cut, lying on the xy plane."""
+    cut = strip.layers[layer]
+    return make_solid(FlatSolid(cut.outline, cut.holes, cut.sheet.thickness))
 
 
 def _question(wish: Wish) -> tuple[Any, ...]:
@@ -144,6 +166,7 @@ def _strip(drawn: _Same, wish: Wish) -> Strip:
         wish.sheet,
         max_width=wish.max_width,
         min_width=wish.min_width,
+        style=wish.style.style(),
         ends=wish.ends,
         label=wish.label,
     )

@@ -11,7 +11,8 @@ from freecad.elastica_wb import preferences
 from freecad.elastica_wb.design import Wish, nearest_now, solved
 from freecad.elastica_wb.dragging import Dragged
 from freecad.elastica_wb.drawn import drawn_curve, is_sketch, sketch_curve
-from freecad.elastica_wb.features.strip import hide_failed, is_strip, wish_of
+from freecad.elastica_wb.features.asked import wish_of
+from freecad.elastica_wb.features.strip import hide_failed, is_strip
 from freecad.elastica_wb.library import sheet_called
 from freecad.elastica_wb.overlay import Overlay
 from freecad.elastica_wb.patience import begun

@@ -10,6 +10,7 @@ from freecad.elastica_wb.commands.nearest import NearestCommand
 from freecad.elastica_wb.commands.section import SectionCommand
 from freecad.elastica_wb.commands.sheets import SheetsCommand
 from freecad.elastica_wb.commands.strip import StripCommand
+from freecad.elastica_wb.commands.styles import LaminateCommand, PerforateCommand
 from freecad.elastica_wb.commands.tolerance import ToleranceCommand
 
 __all__ = ["COMMANDS", "MENU", "TOOLBARS", "register"]
@@ -18,6 +19,8 @@ COMMANDS: tuple[Command, ...] = (
     CheckCommand(),
     StripCommand(),
     NearestCommand(),
+    PerforateCommand(),
+    LaminateCommand(),
     SectionCommand(),
     BendCommand(),
     ToleranceCommand(),

@@ -7,13 +7,20 @@ from freecad.elastica_wb.design import flat_shape
 from freecad.elastica_wb.features.properties import Property, ensure
 from freecad.elastica_wb.features.strip import is_strip, strip_of
 
-from elastica_cad.errors import ElasticaError
+from elastica_cad.errors import ElasticaError, InputError
 
 __all__ = ["FlatFeature", "create", "is_flat"]
 
 GAP = 10.0  # mm between the curve and the flat part
 
-PROPERTIES = (Property("LinkGlobal", "Strip", "Strip", "The strip whose flat part this is"),)
+LAYERS = ["Base", "Backing"]
+
+PROPERTIES = (
+    Property("LinkGlobal", "Strip", "Strip", "The strip whose flat part this is"),
+    Property(
+        "Enumeration", "Layer", "Strip", "Of a laminated strip the base, or the backing glued on", LAYERS
+    ),
+)
 
 
 class FlatFeature:
@@ -32,7 +39,13 @@ class FlatFeature:
         if obj.Strip is None or not is_strip(obj.Strip):
             raise ValueError("the strip is missing: choose one in the property Strip")
         try:
-            obj.Shape = flat_shape(strip_of(obj.Strip)).copy()
+            strip = strip_of(obj.Strip)
+            layer = LAYERS.index(obj.Layer)
+            if layer >= len(strip.layers):
+                raise InputError(
+                    f"{obj.Strip.Label} is not laminated: it has no backing; choose the layer Base"
+                )
+            obj.Shape = flat_shape(strip, layer).copy()
         except ElasticaError as error:
             raise ValueError(str(error)) from None
 
@@ -46,12 +59,13 @@ class FlatFeature:
     __setstate__ = loads
 
 
-def create(document: Any, strip: Any) -> Any:
+def create(document: Any, strip: Any, layer: str = "Base") -> Any:
     """The flat part of a strip, lying in front of it; recompute the document to see it."""
     obj = document.addObject("Part::FeaturePython", "Flat")
     FlatFeature(obj)
     obj.Strip = strip
-    obj.Label = f"{strip.Label} flat"
+    obj.Layer = layer
+    obj.Label = f"{strip.Label} {'flat' if layer == 'Base' else 'backing'}"
     obj.Placement = _beside(strip)
     group = strip.getParentGeoFeatureGroup()
     if group is not None and group.TypeId == "App::Part":

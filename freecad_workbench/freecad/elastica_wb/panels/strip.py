@@ -9,7 +9,8 @@ from freecad.elastica_wb.text import tr
 __all__ = ["StripPanel"]
 
 FIELDS = (
-    "Sheet", "Thickness", "MaxWidth", "MinWidth", "StartSupport", "EndSupport", "Gravity", "Follow",
+    "Sheet", "Thickness", "MaxWidth", "MinWidth", "Style",
+    "OuterWidth", "Columns", "Rows", "Backing", "StartSupport", "EndSupport", "Gravity", "Follow",
     "RatioLimit", "MarginLimit", "StrainLimit", "KeepTangents", "KeepLength", "StartTab", "EndTab",
     "TabRadius", "TabHole", "EngravedText", "Quantity", "Form",
 )  # fmt: skip
