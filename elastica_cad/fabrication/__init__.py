@@ -9,6 +9,7 @@ from elastica_cad.fabrication.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, LAYE
 from elastica_cad.fabrication.ends import Hole, Tab
 from elastica_cad.fabrication.fixtures import EndFixture, end_fixtures
 from elastica_cad.fabrication.holding import HoldingTabs, with_holding_tabs
+from elastica_cad.fabrication.interlock import Joint, slot_width
 from elastica_cad.fabrication.kerf import with_kerf
 from elastica_cad.fabrication.lamination import Laminated
 from elastica_cad.fabrication.lettering import Text, text_strokes, text_width
@@ -17,10 +18,12 @@ from elastica_cad.fabrication.nesting import NestedSheet, nested
 from elastica_cad.fabrication.perforation import Perforated
 from elastica_cad.fabrication.pieces import Piece
 from elastica_cad.fabrication.prisms import PrismSolid
+from elastica_cad.fabrication.slot_effects import SlotEffect
 from elastica_cad.fabrication.slots import Slot
 from elastica_cad.fabrication.solids import BentSolid, FlatSolid
 from elastica_cad.fabrication.strip import Layer, Reactions, Strip
 from elastica_cad.fabrication.styles import Plain
+from elastica_cad.fabrication.touching import touching
 
 __all__ = [
     "CUT_INNER",
@@ -38,6 +41,7 @@ __all__ = [
     "Frame",
     "HoldingTabs",
     "Hole",
+    "Joint",
     "Laminated",
     "Layer",
     "LayeredPath",
@@ -51,6 +55,7 @@ __all__ = [
     "PrismSolid",
     "Reactions",
     "Slot",
+    "SlotEffect",
     "Strip",
     "Tab",
     "Text",
@@ -61,8 +66,10 @@ __all__ = [
     "end_fixtures",
     "nested",
     "sheet_color",
+    "slot_width",
     "text_strokes",
     "text_width",
+    "touching",
     "with_holding_tabs",
     "with_kerf",
 ]

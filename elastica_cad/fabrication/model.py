@@ -11,6 +11,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.boundary import Frame
 from elastica_cad.fabrication.interlock import Fit, Joint, interlocked
+from elastica_cad.fabrication.slot_effects import SlotEffect, slot_effect
 from elastica_cad.fabrication.slots import Relief
 from elastica_cad.fabrication.strip import Strip
 from elastica_cad.geometry import Path
@@ -260,6 +261,10 @@ class Model:
         from elastica_cad.fabrication.cutlist import cut_list
 
         return cut_list((*self.pieces, *others))
+
+    def slot_effects(self) -> tuple[SlotEffect | None, ...]:
+        """For each strip what its slots do to its stiffness and shape; None where there are none."""
+        return tuple(slot_effect(strip) if strip.slots else None for strip in self.strips)
 
     def mirrored(self, point: ArrayLike, normal: ArrayLike, *, keep: bool = True) -> "Model":
         """The mirror image in the plane through `point` across `normal`, and the strips themselves if kept."""

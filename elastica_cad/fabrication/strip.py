@@ -12,6 +12,7 @@ from elastica_cad.fabrication.ends import Tab
 from elastica_cad.fabrication.flat import Ends, end_holes, flat_rim, widths_held, with_dots
 from elastica_cad.fabrication.lettering import text_width
 from elastica_cad.fabrication.material import made_rod, material_width
+from elastica_cad.fabrication.mating import mating_marks
 from elastica_cad.fabrication.slots import Slot
 from elastica_cad.fabrication.slotting import with_slots
 from elastica_cad.fabrication.styles import PLAIN, Layout, Style
@@ -280,6 +281,8 @@ class Strip:
                 LayeredPath(CUT_OUTER, layer.outline),
             )
             texts = (self._label_text(i),) if self.label else ()
+            if i == 0:
+                texts += mating_marks(self.slots, self.width, layer.holes, texts)
             drawn.append(Drawing(name=names[i], paths=paths, texts=texts))
         return tuple(drawn)
 

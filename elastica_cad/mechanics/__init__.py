@@ -19,6 +19,7 @@ from elastica_cad.mechanics.material_laws import (
     PolynomialLaw,
     TabulatedLaw,
 )
+from elastica_cad.mechanics.notches import dead_zone_slope
 from elastica_cad.mechanics.optimal import optimal_rod
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import LayerStrain, ScaleRange
@@ -74,6 +75,7 @@ __all__ = [
     "check_equilibrium",
     "conjugate_point",
     "constrained_margin",
+    "dead_zone_slope",
     "determinant_gradient",
     "load_sheets",
     "margin_derivatives",

@@ -1,0 +1,94 @@
+"""Mating marks: beside every slot the name of the strip that goes in."""
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.fabrication.drawing import MARK, Text
+from elastica_cad.fabrication.lettering import text_width
+from elastica_cad.fabrication.slots import Slot, slot_cut
+from elastica_cad.geometry import Path, Profile
+from elastica_cad.geometry.crossings import polylines_cross
+
+__all__ = ["mating_marks"]
+
+HEIGHTS = (2.0, 1.5, 1.0)
+"""Heights of the letters that are tried, mm."""
+
+CLEAR = 0.5
+"""Letters keep this far from every cut, mm."""
+
+FLAT = 0.02
+"""Flatness of the cuts as letters see them, mm."""
+
+
+def mating_marks(
+    slots: Sequence[Slot], width: Profile, holes: Sequence[Path], taken: Sequence[Text] = ()
+) -> tuple[Text, ...]:
+    """The names of the mates, on the MARK layer, where they are clear of all cuts and other texts.
+
+    Each stands at the inner end of its slot, or else beside the slot, as large as fits; where nothing fits the
+    slot stays without.
+    """
+    cuts = [slot_cut(slot, width, beyond=slot.width).points(FLAT) for slot in slots]
+    loops = [hole.points(FLAT) for hole in holes]
+    loops = [*cuts, *(np.concatenate([loop, loop[:1]]) for loop in loops)]
+    boxes = [_box(text) for text in taken]
+    marks = []
+    for slot, cut in zip(slots, cuts, strict=True):
+        for text in _choices(slot, cut, width) if slot.mate else ():
+            box = _box(text)
+            if _on_strip(box, width) and not any(_meet(box, other) for other in boxes):
+                rim = np.concatenate([box, box[:1]])
+                if not any(_within(loop, box) or polylines_cross(rim, loop) is not None for loop in loops):
+                    marks.append(text)
+                    boxes.append(box)
+                    break
+    return tuple(marks)
+
+
+def _choices(slot: Slot, cut: FloatArray, width: Profile) -> Iterator[Text]:
+    """Texts beyond the inner end, then on either side of the slot, the largest first."""
+    points, _ = slot.center_line(width)
+    inward = -1.0 if slot.side == "upper" else 1.0
+    end = cut[:, 1].min() if inward < 0 else cut[:, 1].max()
+    inside = np.abs(cut[:, 1]) < float(width(np.clip(slot.at, 0.0, width.length))) / 2
+    low, high = cut[inside, 0].min(), cut[inside, 0].max()
+    middle = points[:, 1].mean()
+    for height in HEIGHTS:
+        long, room = text_width(slot.mate, height), CLEAR + height / 2
+        for x, y in (
+            (points[0, 0], end + inward * 1.5 * room),
+            (high + CLEAR + 0.6 * long, middle),
+            (low - CLEAR - 0.6 * long, middle),
+        ):
+            corner = (float(x - long / 2), float(y - height / 2))
+            yield Text(position=corner, text=slot.mate, height=height, layer=MARK)
+
+
+def _box(text: Text) -> FloatArray:
+    """Corners (4, 2) of a text with its clearance, anticlockwise."""
+    long = text_width(text.text, text.height)
+    flat = np.array([[0, 0], [long, 0], [long, text.height], [0, text.height]])
+    flat = flat + CLEAR * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
+    c, s = np.cos(text.angle), np.sin(text.angle)
+    return np.asarray(text.position + flat @ np.array([[c, s], [-s, c]]), dtype=float)
+
+
+def _on_strip(box: FloatArray, width: Profile) -> bool:
+    """Does the box lie on the free part?"""
+    x = np.linspace(box[:, 0].min(), box[:, 0].max(), 9)
+    if x[0] < 0 or x[-1] > width.length:
+        return False
+    return bool(np.abs(box[:, 1]).max() < float(width(x).min()) / 2)
+
+
+def _meet(a: FloatArray, b: FloatArray) -> bool:
+    """Do the bounds of two boxes overlap?"""
+    return bool(np.all(a.min(axis=0) <= b.max(axis=0)) and np.all(a.max(axis=0) >= b.min(axis=0)))
+
+
+def _within(loop: FloatArray, box: FloatArray) -> bool:
+    """Does a loop have points in an upright box?"""
+    return bool(np.any(np.all((loop > box.min(axis=0)) & (loop < box.max(axis=0)), axis=1)))
