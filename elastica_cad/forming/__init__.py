@@ -1,18 +1,32 @@
 """What a wish becomes: limits, what to keep, and the nearest rod that can be made."""
 
 from elastica_cad.forming.binding import Binding
+from elastica_cad.forming.enforce import EnforcedCurve, enforce_constraints
 from elastica_cad.forming.limits import Box, HalfPlane, Keep, Limits
 from elastica_cad.forming.many import nearest_rods
 from elastica_cad.forming.nearest import NearestRod, Status, nearest_rod
+from elastica_cad.forming.ratio import OptimizedRatio, RatioStatus, optimize_ratio
+from elastica_cad.forming.recovery import RecoveredStability, RecoveryStatus, recover_stability
+from elastica_cad.forming.splitting import Splitting, split
 
 __all__ = [
     "Binding",
     "Box",
+    "EnforcedCurve",
     "HalfPlane",
     "Keep",
     "Limits",
     "NearestRod",
+    "OptimizedRatio",
+    "RatioStatus",
+    "RecoveredStability",
+    "RecoveryStatus",
+    "Splitting",
     "Status",
+    "enforce_constraints",
     "nearest_rod",
     "nearest_rods",
+    "optimize_ratio",
+    "recover_stability",
+    "split",
 ]

@@ -39,15 +39,26 @@ class Constraint(Protocol):
     `price` is the most that breaking one by 1 costs; `patient` ones make no sense far from balance.
     """
 
-    name: str
-    one_sided: bool
-    price: float
-    patient: bool
+    @property
+    def name(self) -> str:
+        """What the user calls it."""
+
+    @property
+    def one_sided(self) -> bool:
+        """At least 0, not 0."""
+
+    @property
+    def price(self) -> float:
+        """See above."""
+
+    @property
+    def patient(self) -> bool:
+        """See above."""
 
     def values(self, rod: MarchedRod) -> FloatArray:
         """All values (k,)."""
 
-    def rows(self, rod: MarchedRod, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
         """Indices (j,) into the values and derivatives (j, p) of those that matter near this rod."""
 
 
@@ -68,9 +79,9 @@ class EndPosition(_Equality):
 
     def values(self, rod: MarchedRod) -> FloatArray:
         """Gap (2,)."""
-        return rod.position[-1] - np.asarray(self.target)
+        return np.asarray(rod.position[-1] - np.asarray(self.target))
 
-    def rows(self, rod: MarchedRod, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
         """Both."""
         return _all(sensitivities.position[-1])
 
@@ -86,7 +97,7 @@ class EndAngle(_Equality):
         """Difference (1,), rad."""
         return rod.angles[-1:] - self.target
 
-    def rows(self, rod: MarchedRod, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
         """The one."""
         return _all(sensitivities.angles[-1:])
 
@@ -102,7 +113,7 @@ class EndMoment(_Equality):
         """M_n (1,)."""
         return rod.moments[-1:] / self.scale
 
-    def rows(self, rod: MarchedRod, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
         """The one."""
         return _all(sensitivities.moments[-1:] / self.scale)
 
@@ -119,8 +130,9 @@ class EndForce(_Equality):
         """lambda at the very end (1,)."""
         return rod.force[-1:, self.axis] / self.scale
 
-    def rows(self, rod: MarchedRod, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
         """The one: the last edge's force and the last node's load, both linear in z but for the length."""
+        rod = sensitivities.rod
         n = rod.tangents.shape[0]
         weights = np.zeros((n, 2))
         weights[-1, self.axis] = 1
@@ -149,8 +161,9 @@ class MarginLimit:
         """(mu - limit min K) / scale, (1,)."""
         return np.array([(self._margin(rod).value - self.limit * rod.stiffness.min()) / self.scale])
 
-    def rows(self, rod: MarchedRod, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
         """Chain rule from K, angles, forces and length to z."""
+        rod = sensitivities.rod
         d = margin_derivatives(
             rod.stiffness, rod.edge_angles, rod.edge_force, rod.edge_length, self.supports,
             margin=self._margin(rod),
@@ -187,8 +200,9 @@ class CurvatureLimit:
         """1 - |M / K| / limit, (n+1,)."""
         return np.asarray(1 - np.abs(rod.moments / rod.stiffness) / self.limit)
 
-    def rows(self, rod: MarchedRod, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
         """The nodes that are bent most."""
+        rod = sensitivities.rod
         values = self.values(rod)
         near = thinned(np.flatnonzero(values < 1 - _NEAR), -values)
         K, M = rod.stiffness[near, None], rod.moments[near, None]
@@ -215,8 +229,9 @@ class KeepOut:
         """Clearances (n+1,)."""
         return self._clearance(rod)[0]
 
-    def rows(self, rod: MarchedRod, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
         """The nodes that may come near in one step."""
+        rod = sensitivities.rod
         value, gradient = self._clearance(rod)
         near = thinned(np.flatnonzero(value < 0.1), -value)
         d = sensitivities.position[near]
@@ -243,8 +258,9 @@ class RelativeStiffness:
         c = rod.z[: self.bounds.size]
         return np.asarray(self.sign * (c - self.bounds * rod.stiffness.min()))
 
-    def rows(self, rod: MarchedRod, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
         """All."""
+        rod = sensitivities.rod
         m = self.bounds.size
         least = sensitivities.grid.basis[int(np.argmin(rod.stiffness))]
         rows = np.zeros((m, sensitivities.angles.shape[1]))
@@ -266,12 +282,13 @@ class Through(_Equality):
         off = share @ rod.position[nodes] - np.asarray(self.target)
         return np.array([normal @ off])
 
-    def rows(self, rod: MarchedRod, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
         """The one."""
+        rod = sensitivities.rod
         share, nodes, normal = self._foot(rod.position)
         return _all(np.einsum("i,k,ikp->p", share, normal, sensitivities.position[nodes])[None])
 
-    def _foot(self, position: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+    def _foot(self, position: FloatArray) -> tuple[FloatArray, IntArray, FloatArray]:
         """The cubic through four nodes that passes nearest: its shares at the foot, the nodes, the normal there."""
         n = position.shape[0] - 1
         window = np.arange(n + 1)
@@ -305,8 +322,9 @@ class InflectionLine(_Equality):
         first = float(rod.moments[0]), rod.force[0]
         return np.array([self._moment(*first, rod.position[0]), self._slope(rod.force[0])]) / self.scale
 
-    def rows(self, rod: MarchedRod, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
         """Both."""
+        rod = sensitivities.rod
         u = sensitivities.grid.unknowns
         rows = np.zeros((2, sensitivities.angles.shape[1]))
         b = np.array([rod.force[0, 1], -rod.force[0, 0]])
@@ -343,8 +361,9 @@ class MiddleOfMirror(_Equality):
         turn = rod.edge_angles[edges].mean() - self.angle
         return np.array([normal @ off, turn, rod.edge_force[edges].mean(axis=0) @ self.axis / self.scale])
 
-    def rows(self, rod: MarchedRod, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
         """All three."""
+        rod = sensitivities.rod
         nodes, edges = _middle(rod)
         normal = np.array([-self.axis[1], self.axis[0]])
         weights = np.zeros_like(rod.tangents)
@@ -374,8 +393,9 @@ class MiddleOfTurn(_Equality):
         off = rod.position[nodes].mean(axis=0) - np.asarray(self.centre)
         return np.append(off, rod.moments[nodes].mean() / self.scale)
 
-    def rows(self, rod: MarchedRod, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
         """All three."""
+        rod = sensitivities.rod
         nodes, _ = _middle(rod)
         moment = sensitivities.moments[nodes].mean(axis=0) / self.scale
         return _all(np.vstack([sensitivities.position[nodes].mean(axis=0), moment]))

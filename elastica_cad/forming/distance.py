@@ -131,7 +131,7 @@ class LargestDistance:
 
 
 def offsets(wish: Wish, rod: MarchedRod) -> tuple[FloatArray, FloatArray]:
-    """Offsets (n+1, 2) of the nodes from their feet on the wish, and unit normals there (the offset past an end)."""
+    """Offsets (n+1, 2) of the nodes from their feet on the wish, and unit normals there (past an end: along it)."""
     found: tuple[FloatArray, FloatArray] = rod.remembered("offsets", lambda: _offsets(wish, rod))
     return found
 

@@ -302,7 +302,7 @@ def _errors(curve: PlaneCurve, shape: _Shape) -> FloatArray:
         asked = np.where(near, K, K * kappa / curve.curvature_at(s))
     beyond = np.maximum(asked / shape.stiffness.max() - 1, 1 - asked / shape.stiffness.min()) / FAITHFUL
     beyond = np.where(asked > 0, beyond, np.inf)
-    return np.nan_to_num(np.maximum.reduce([off, beyond, np.abs(asked / K - 1) / LOOSE]), nan=0.0)
+    return np.asarray(np.nan_to_num(np.maximum.reduce([off, beyond, np.abs(asked / K - 1) / LOOSE]), nan=0.0))
 
 
 def _in_millimetres(curve: PlaneCurve, rod: Rod) -> PlaneCurve:

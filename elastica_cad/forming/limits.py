@@ -236,6 +236,20 @@ class Keep:
             raise InputError("keep line= takes True, or two different points ((x, y), (x, y)) in mm")
         object.__setattr__(self, "line", tuple((float(x), float(y)) for x, y in line))
 
+    @property
+    def both_ends(self) -> tuple[bool, bool]:
+        """Whether the start and the end keep their positions."""
+        return _both(self.ends)
+
+    @property
+    def both_tangents(self) -> tuple[bool, bool]:
+        """Whether the start and the end keep their tangents."""
+        return _both(self.tangents)
+
+
+def _both(value: bool | tuple[bool, bool]) -> tuple[bool, bool]:
+    return (value, value) if isinstance(value, bool) else value
+
 
 def _pair(what: str, value: ArrayLike) -> FloatArray:
     pair = np.asarray(value, dtype=float)

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from concurrent.futures import Executor, Future, as_completed
-from typing import Any
+from typing import Any, NamedTuple
 
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.forming.limits import Keep, Limits
@@ -58,19 +58,24 @@ def nearest_rods(
     curves = list(curves)
     if not curves:
         raise InputError("nearest_rods got no curves: give one at least")
-    columns = [_spread(name, value, len(curves)) for name, value in
-               (("limits", limits), ("keep", keep), ("gravity", gravity), ("supports", supports))]  # fmt: skip
-    tasks = list(zip(curves, *columns, strict=True))
+    count = len(curves)
+    columns = (
+        _spread("limits", limits, count), _spread("keep", keep, count), _spread("gravity", gravity, count),
+        _spread("supports", supports, count),
+    )  # fmt: skip
+    tasks = [
+        _Task(curve, *given, options=options) for curve, given in zip(curves, zip(*columns), strict=True)
+    ]
     results: dict[int, NearestRod] = {}
     if executor is None:
         for i, task in enumerate(tasks):
-            results[i] = _attempted(*task, options)
+            results[i] = _attempted(task)
             _tell(progress, len(results), len(tasks))
         return tuple(results[i] for i in range(len(tasks)))
     running: dict[Future[NearestRod], int] = {}
     for i, task in enumerate(tasks):
         try:
-            running[executor.submit(_attempted, *task, options)] = i
+            running[executor.submit(_attempted, task)] = i
         except Exception as error:  # an executor that is shut down or broken raises what it likes
             results[i] = _lost(task, error)
     for future in as_completed(running):
@@ -83,21 +88,29 @@ def nearest_rods(
     return tuple(results[i] for i in range(len(tasks)))
 
 
-def _attempted(
-    curve: PlaneCurve, limits: Limits | None, keep: Keep | None, gravity: Gravity | None,
-    supports: Supports | None, options: dict[str, Any],
-) -> NearestRod:  # fmt: skip
+class _Task(NamedTuple):
+    """One curve with all that goes with it, as it travels to a worker."""
+
+    curve: PlaneCurve
+    limits: Limits | None
+    keep: Keep | None
+    gravity: Gravity | None
+    supports: Supports | None
+    options: dict[str, Any]
+
+
+def _attempted(task: _Task) -> NearestRod:
     """One curve, in the worker; errors become a status."""
+    curve, limits, keep, gravity, supports, options = task
     try:
         return nearest_rod(curve, limits, keep, gravity, supports=supports, **options)
     except (ElasticaError, ArithmeticError, ValueError) as error:
         return NearestRod.failed(curve, str(error), limits, keep)
 
 
-def _lost(task: tuple[Any, ...], error: Exception) -> NearestRod:
-    curve, limits, keep = task[:3]
+def _lost(task: _Task, error: Exception) -> NearestRod:
     why = f"the executor gave no answer ({type(error).__name__}: {error}); run this curve again"
-    return NearestRod.failed(curve, why, limits, keep)
+    return NearestRod.failed(task.curve, why, task.limits, task.keep)
 
 
 def _spread(name: str, value: Any, count: int) -> list[Any]:

@@ -108,7 +108,7 @@ class MarchedRod:
     @property
     def edge_length(self) -> float:
         """Length of an edge."""
-        return self.length / self.tangents.shape[0]
+        return float(self.length / self.tangents.shape[0])
 
     @property
     def across(self) -> FloatArray:
@@ -182,7 +182,7 @@ class StripGrid:
     @property
     def edges(self) -> int:
         """Number of edges n."""
-        return self.basis.shape[0] - 1
+        return int(self.basis.shape[0]) - 1
 
     @cached_property
     def unknowns(self) -> Unknowns:

@@ -113,7 +113,7 @@ class NearestRod:
         It follows the rod to 1e-3 mm; without weight its inflections lie on one line, so that
         `check_equilibrium` accepts it.
         """
-        return editable_curve(self.rod, tangents=self.keep.tangents)
+        return editable_curve(self.rod, tangents=self.keep.both_tangents)
 
 
 def nearest_rod(
@@ -216,7 +216,7 @@ def _setting(
         )
     limits, keep = limits or Limits(), keep or Keep()
     for region in limits.keep_out:
-        for side, kept, point in zip(("start", "end"), keep.ends, wish.position[[0, -1]], strict=True):
+        for side, kept, point in zip(("start", "end"), keep.both_ends, wish.position[[0, -1]], strict=True):
             inside = -float(region.clearance((point * wish.size + wish.origin)[None])[0][0])
             if kept and inside > 1e-9 * wish.size:
                 raise InputError(

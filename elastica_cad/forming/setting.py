@@ -10,7 +10,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.forming import constraints as rows
 from elastica_cad.forming.distance import ClosestDistance, Distance, LargestDistance, MeanDistance
-from elastica_cad.forming.limits import Keep, Limits
+from elastica_cad.forming.limits import Keep, Limits, Symmetry
 from elastica_cad.forming.march import StripGrid
 from elastica_cad.forming.sqp import Problem
 from elastica_cad.forming.wish import Wish, symmetry_frame
@@ -85,7 +85,7 @@ class Setting:
     def moment_scale(self) -> float:
         """Typical moment."""
         bend = float(np.sqrt(np.mean(self.wish.curvature**2)))
-        return max(1.0, bend * min(2.0, np.sqrt(self.limits.largest_ratio)))
+        return float(max(1.0, bend * min(2.0, np.sqrt(self.limits.largest_ratio))))
 
     def _scale(self, grid: StripGrid) -> FloatArray:
         u = grid.unknowns
@@ -99,9 +99,9 @@ class Setting:
         lower, upper = np.full(u.count, -np.inf), np.full(u.count, np.inf)
         lower[u.stiffness], upper[u.stiffness] = 1.0, self.limits.largest_ratio
         start = self.supports.ends[0]
-        if self.keep.ends[0]:
+        if self.keep.both_ends[0]:
             lower[u.position] = upper[u.position] = wish.position[0]
-        if self.keep.tangents[0]:
+        if self.keep.both_tangents[0]:
             lower[u.angle] = upper[u.angle] = wish.angle[0]
         if not start.angle:
             lower[u.moment] = upper[u.moment] = 0.0
@@ -121,7 +121,7 @@ class Setting:
                     f"{low * wish.size:.6g} to {high * wish.size:.6g} mm: drop one of them"
                 )
             low = high = 1.0
-        if all(self.keep.ends):
+        if all(self.keep.both_ends):
             chord = float(np.hypot(*(wish.position[-1] - wish.position[0])))
             if high < chord * (1 - 1e-12):
                 raise InputError(
@@ -144,18 +144,18 @@ class Setting:
     def _shares(self) -> FloatArray:
         shares = self.weights.copy()
         shares[[0, -1]] /= 2
-        return shares / shares.sum()
+        return np.asarray(shares / shares.sum())
 
     def _constraints(self, grid: StripGrid, with_margin: bool) -> list[rows.Constraint]:
         wish, limits, keep = self.wish, self.limits, self.keep
         end = self.supports.ends[1]
         found: list[rows.Constraint] = []
         if keep.symmetry:
-            found.append(self._symmetry())
+            found.append(self._symmetry(keep.symmetry))
         else:
-            if keep.ends[1]:
+            if keep.both_ends[1]:
                 found.append(rows.EndPosition(target=_pair(wish.position[-1])))
-            if keep.tangents[1]:
+            if keep.both_tangents[1]:
                 found.append(rows.EndAngle(target=float(wish.angle[-1])))
             if not end.angle:
                 found.append(rows.EndMoment(scale=self.moment_scale))
@@ -189,8 +189,8 @@ class Setting:
             found.append(rows.MarginLimit(limits.margin, self.supports))
         return found
 
-    def _symmetry(self) -> rows.Constraint:
-        wish, kind = self.wish, self.keep.symmetry
+    def _symmetry(self, kind: Symmetry) -> rows.Constraint:
+        wish = self.wish
         centre, axis = symmetry_frame(wish, kind)
         if kind == "turn":
             if self.gravity is not None:
@@ -234,7 +234,7 @@ def node_factors(weights: Weights, nodes: int, size: float) -> FloatArray:
     values = _along(1.0 if weights is None else weights, np.linspace(0, 1, nodes), size, "weights")
     if np.any(values < 0) or not values.any():
         raise InputError("weights along the curve must be 0 or more, and not all 0")
-    return values / values.mean()
+    return np.asarray(values / values.mean())
 
 
 def _along(given: object, x: FloatArray, size: float, what: str) -> FloatArray:
@@ -247,7 +247,7 @@ def _along(given: object, x: FloatArray, size: float, what: str) -> FloatArray:
         raise InputError(
             f"{what} must be a finite number, values at equal distances, or a function of arc length"
         )
-    return np.interp(x, np.linspace(0, 1, array.size), array)
+    return np.asarray(np.interp(x, np.linspace(0, 1, array.size), array))
 
 
 def _pair(point: FloatArray) -> tuple[float, float]:

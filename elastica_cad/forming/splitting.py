@@ -112,13 +112,7 @@ def split(
     latest = _forwards(cut)
     if not latest:
         return _splitting(cut, [], [])
-    mirrored = _Cut(
-        curve.reversed(), ratio, cut.supports.reversed(), None if cut.places is None else cut.turned(cut.places),
-        tolerance,
-    )  # fmt: skip
-    # both ways take as few; what the two disagree on by rounding leaves a range of no width
-    earliest = cut.turned(np.array(_forwards(mirrored)))
-    ranges = [(min(a, b), b) for a, b in zip(earliest, latest, strict=True)]
+    ranges = [(min(a, b), b) for a, b in zip(_earliest(cut, latest), latest, strict=True)]
     return _splitting(cut, _placed(cut, latest, ranges), ranges)
 
 
@@ -170,6 +164,11 @@ class _Cut:
         low, high = self.curve.domain
         return _SHORT * (high - low)
 
+    @property
+    def least(self) -> float:
+        """The least piece worth two supports."""
+        return 100 * self.short
+
     def takes(self, start: float, end: float) -> bool:
         """Can a strip take the piece, within the ratio?"""
         if end - start < self.short:
@@ -206,7 +205,8 @@ class _Cut:
         while far - near > self.short / 10:
             middle = (near + far) / 2
             near, far = (middle, far) if self.takes(start, middle) else (near, middle)
-        return near if near - sure > 2 * self.short else sure
+        # what ends nearer is stopped by the place itself, where no strip can be
+        return near if near - sure > self.least else sure
 
     def _reach_of_places(self, start: float, near: float, far: float) -> float:
         if near == self.curve.domain[1]:
@@ -247,6 +247,19 @@ def _forwards(cut: _Cut) -> list[float]:
         found.append(end)
         start = end
     return found
+
+
+def _earliest(cut: _Cut, latest: Sequence[float]) -> Sequence[float]:
+    """The earliest places of as many supports, from the other end of the curve."""
+    curve = cut.curve
+    places = None if cut.places is None else cut.turned(cut.places)
+    mirrored = _Cut(curve.reversed(), cut.ratio, cut.supports.reversed(), places, cut.tolerance)
+    try:
+        found = cut.turned(np.array(_forwards(mirrored))).tolist()
+    except NotRealizable:
+        return latest
+    # both ways take as few, but for pieces on the verge
+    return found if len(found) == len(latest) else latest
 
 
 def _stuck(cut: _Cut, place: float) -> EquilibriumCheck:
@@ -290,7 +303,7 @@ def _shortest_path(cut: _Cut, stages: Sequence[FloatArray]) -> list[float]:
     for before, after in pairwise(chain):
         cost = np.full((before.size, after.size), np.inf)
         for i, j in np.ndindex(*cost.shape):
-            if after[j] - before[i] > cut.short and np.isfinite(total[i]):
+            if after[j] - before[i] > cut.least and np.isfinite(total[i]):
                 cost[i, j] = total[i] + cut.ratio_of(float(before[i]), float(after[j])) ** 2
         comes_from.append(cost.argmin(axis=0))
         total = cost.min(axis=0)

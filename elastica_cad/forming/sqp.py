@@ -205,9 +205,9 @@ def _rows(
     problem: Problem, rod: MarchedRod, sensitivities: Sensitivities, values: Sequence[FloatArray]
 ) -> _Rows:
     p = rod.z.size
-    parts: list[tuple[FloatArray, ...]] = []
+    parts: list[tuple[FloatArray | IntArray, ...]] = []
     for k, (constraint, value) in enumerate(zip(problem.constraints, values, strict=True)):
-        index, jacobian = constraint.rows(rod, sensitivities)
+        index, jacobian = constraint.rows(sensitivities)
         at = value[index] + (jacobian[:, p] if jacobian.shape[1] > p else 0.0)
         same = np.ones(index.size)
         parts.append(

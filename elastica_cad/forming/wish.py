@@ -74,7 +74,7 @@ class Wish:
             s = np.clip(
                 s + ((points - position) * direction).sum(axis=1) / self._stretch(s, points, position), 0, 1
             )
-        return s
+        return np.asarray(s)
 
     def _stretch(self, s: FloatArray, points: FloatArray, position: FloatArray) -> FloatArray:
         """1 - kappa d of Newton's method for feet, kept away from the evolute."""
