@@ -1,6 +1,6 @@
 """Strips in build123d: sketch and part objects, and an operation on pending edges."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any, Literal, TypeAlias
 
 import build123d as bd
@@ -8,14 +8,27 @@ import build123d as bd
 from elastica_cad import occt
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication import BentSolid, FlatSolid, Frame, Model, Strip, sheet_color
+from elastica_cad.fabrication import EndFixture as FixtureRecord
 from elastica_cad.fabrication.assembly import bent_parts
 from elastica_cad.fabrication.making import make_strip
+from elastica_cad.fabrication.prisms import PrismSolid
 from elastica_cad.geometry import PlaneCurve
 from elastica_cad.mechanics import EquilibriumCheck, Rod, Sheet
 
-__all__ = ["BentStrip", "FlatStrip", "PlacedStrip", "StripOutline", "elastic_strip", "model_compound"]
+__all__ = [
+    "BentStrip",
+    "EndFixture",
+    "FlatStrip",
+    "PlacedStrip",
+    "StripOutline",
+    "elastic_strip",
+    "model_compound",
+]
 
 Drawn: TypeAlias = bd.Edge | bd.Wire | PlaneCurve | Iterable[bd.Edge]
+
+
+FIXTURE_COLOR = (0.30, 0.36, 0.42)
 
 
 class _Made:
@@ -119,7 +132,7 @@ class FlatStrip(_Made, bd.BasePartObject):
     ) -> None:
         curve, _ = _curve_and_frame(path)
         made = make_strip(curve, sheet, **options)
-        super().__init__(_jointed(FlatSolid.of(made)), rotation, align, mode)
+        super().__init__(_jointed(FlatSolid.layers(made)), rotation, align, mode)
         _dress(self, made)
 
 
@@ -142,8 +155,67 @@ class BentStrip(_Made, bd.BasePartObject):
     ) -> None:
         curve, frame = _curve_and_frame(path)
         made = make_strip(curve, sheet, **options)
-        super().__init__(_jointed(BentSolid.of(made, frame)), rotation, align, mode)
+        super().__init__(_jointed(BentSolid.layers(made, frame)), rotation, align, mode)
         _dress(self, made)
+
+
+class EndFixture(_Made, bd.BasePartObject):
+    """Part object: the block that holds one end of the bent strip, in place beside `BentStrip` of the same path.
+
+    Its rigid joint "tab" lies where the free part ends, x out of the strip; connect it to the joint of that end.
+
+    Parameters
+    ----------
+    path, sheet
+        As in `StripOutline`.
+    end : "start" or "end"
+    floor : Plane, optional
+        What the block stands on; without it on a plane square to the tab.
+    clearance, wall, foot, foot_height, screw, number
+        As in `fabrication.EndFixture`, mm.
+    rotation, align, mode, **options
+        As in `BentStrip`.
+
+    Raises
+    ------
+    InputError
+        No tab at that end, sizes that do not fit, a floor not square to the curve's plane; and as `StripOutline`.
+    """
+
+    def __init__(
+        self,
+        path: Drawn,
+        sheet: Sheet | str,
+        *,
+        end: Literal["start", "end"] = "start",
+        floor: bd.Plane | None = None,
+        clearance: float = 0.15,
+        wall: float = 4.0,
+        foot: float = 12.0,
+        foot_height: float = 4.0,
+        screw: float = 4.3,
+        number: str | None = None,
+        rotation: bd.RotationLike = (0, 0, 0),
+        align: bd.Align | tuple[bd.Align, bd.Align, bd.Align] | None = None,
+        mode: bd.Mode = bd.Mode.ADD,
+        **options: Any,
+    ) -> None:
+        curve, frame = _curve_and_frame(path)
+        made = make_strip(curve, sheet, **options)
+        sizes = {
+            "clearance": clearance,
+            "wall": wall,
+            "foot": foot,
+            "foot_height": foot_height,
+            "screw": screw,
+        }
+        ground = None if floor is None else Frame(tuple(floor.origin), tuple(floor.x_dir), tuple(floor.y_dir))
+        block = FixtureRecord.of(made, end, frame, floor=ground, number=number, **sizes)
+        solid = bd.Solid(occt.make_solid(block.solid))
+        _join(solid, block.solid)
+        super().__init__(solid, rotation, align, mode)
+        self._made = _Shared(made)
+        self.label, self.color = f"fixture {block.number or block.tab.name}", bd.Color(*FIXTURE_COLOR)
 
 
 def elastic_strip(
@@ -207,13 +279,13 @@ def model_compound(model: Model) -> bd.Compound:
     Compound
         Called like the model, with one `PlacedStrip` a strip.
     """
-    bodies: dict[int, bd.Solid] = {}
+    bodies: dict[int, list[bd.Solid]] = {}
     children = []
     for part in bent_parts(model):
-        if id(part.solid) not in bodies:
-            bodies[id(part.solid)] = bd.Solid(occt.make_solid(part.solid))
-        child = PlacedStrip(bd.Compound([bodies[id(part.solid)]]).wrapped)
-        _join(child, part.solid)
+        if id(part.solids) not in bodies:
+            bodies[id(part.solids)] = _solids(part.solids)
+        child = PlacedStrip(bd.Compound(bodies[id(part.solids)]).wrapped)
+        _join(child, part.solids[0])
         _dress(child, part.strip)
         child.label = part.name
         child.location = bd.Location(occt.make_location(part.frame))
@@ -225,13 +297,19 @@ def _curve_and_frame(path: Drawn) -> tuple[PlaneCurve, Frame]:
     return (path, Frame()) if isinstance(path, PlaneCurve) else occt.plane_curve(path)
 
 
-def _jointed(record: FlatSolid | BentSolid) -> bd.Solid:
-    solid = bd.Solid(occt.make_solid(record))
-    _join(solid, record)
-    return solid
+def _jointed(records: Sequence[FlatSolid | BentSolid]) -> bd.Solid | bd.Part:
+    """The sheets of a strip with the joints of its base."""
+    solids = _solids(records)
+    body = solids[0] if len(solids) == 1 else bd.Part(bd.Compound(solids).wrapped)
+    _join(body, records[0])
+    return body
 
 
-def _join(shape: Any, record: FlatSolid | BentSolid) -> None:
+def _solids(records: Sequence[FlatSolid | BentSolid]) -> list[bd.Solid]:
+    return [bd.Solid(occt.make_solid(record)) for record in records]
+
+
+def _join(shape: Any, record: FlatSolid | BentSolid | PrismSolid) -> None:
     for name, frame in record.joints.items():
         bd.RigidJoint(name, shape, bd.Location(occt.make_location(frame)))
 

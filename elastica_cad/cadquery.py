@@ -1,23 +1,26 @@
 """Strips in CadQuery: free functions, and methods of Workplane and Sketch after `register()`."""
 
 import re
-from collections.abc import Callable, Iterable, Mapping
-from typing import Any, Literal, TypeAlias
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any, Literal, TypeAlias, TypeVar
 
 import cadquery as cq
 
 from elastica_cad import occt
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication import BentSolid, FlatSolid, Frame, Model, Strip, sheet_color
+from elastica_cad.fabrication import BentSolid, EndFixture, FlatSolid, Frame, Model, Strip, sheet_color
 from elastica_cad.fabrication.assembly import bent_parts
 from elastica_cad.fabrication.making import make_strip
 from elastica_cad.geometry import PlaneCurve
 from elastica_cad.mechanics import EquilibriumCheck, Rod, Sheet
 
 __all__ = [
+    "FixtureSolid",
+    "StripCompound",
     "StripFace",
     "StripSolid",
     "bent_strip",
+    "end_fixture",
     "flat_strip",
     "model_assembly",
     "register",
@@ -70,24 +73,40 @@ class StripFace(_Made, cq.Face):
     """The flat pattern of a strip; `strip`, `rod`, `check`, `warnings` tell about it."""
 
 
-class StripSolid(_Made, cq.Solid):
-    """A strip, flat or bent; `strip`, `rod`, `check`, `warnings` tell about it."""
-
+class _Jointed(_Made):
     _joints: Mapping[str, cq.Location]
 
     @property
     def joints(self) -> dict[str, cq.Location]:
-        """Places to join other parts to: "start" and "end" of the free part, "hole1", "hole2", ...
+        """Places to join other parts to.
 
-        Half way through the thickness, z off the strip, x along it (outward at the ends).
+        Of a strip "start" and "end" of the free part and "hole1", "hole2", ...: half way through the thickness, z
+        off the strip, x along it (outward at the ends). Of a fixture "tab", which lies on the strip's start or end.
         """
         return {name: self.location() * place for name, place in self._joints.items()}
 
+
+class _Ended(_Jointed):
     def end_face(self, end: End) -> cq.Face:
         """The plane face that closes the strip at one end."""
         tab = self.strip.ends[0 if end == "start" else 1].length
         tip = cq.Vector(*(self.joints[end] * cq.Location((tab, 0, 0))).toTuple()[0])
         return min(self.Faces(), key=lambda face: (face.Center() - tip).Length)
+
+
+class StripSolid(_Ended, cq.Solid):
+    """A strip, flat or bent; `strip`, `rod`, `check`, `warnings` tell about it."""
+
+
+class StripCompound(_Ended, cq.Compound):
+    """The sheets of a laminated strip, flat or bent; otherwise as `StripSolid`."""
+
+
+class FixtureSolid(_Jointed, cq.Solid):
+    """A block that holds one end of a strip; `strip`, `rod`, `check`, `warnings` tell about the strip."""
+
+
+S = TypeVar("S", bound=_Jointed)
 
 
 def strip_outline(path: Drawn, sheet: Sheet | str, **options: Any) -> StripFace:
@@ -123,19 +142,59 @@ def strip_outline(path: Drawn, sheet: Sheet | str, **options: Any) -> StripFace:
     return face
 
 
-def flat_strip(path: Drawn, sheet: Sheet | str, **options: Any) -> StripSolid:
+def flat_strip(path: Drawn, sheet: Sheet | str, **options: Any) -> StripSolid | StripCompound:
     """The strip as cut, from z = 0 upward; parameters, errors and axes as in `strip_outline`."""
     strip, _ = _designed(path, sheet, options)
-    return _solid(FlatSolid.of(strip), strip)
+    return _body(FlatSolid.layers(strip), strip)
 
 
-def bent_strip(path: Drawn, sheet: Sheet | str, **options: Any) -> StripSolid:
+def bent_strip(path: Drawn, sheet: Sheet | str, **options: Any) -> StripSolid | StripCompound:
     """The strip bent, standing on the drawn curve with half its thickness to either side.
 
     Parameters and errors as in `strip_outline`.
     """
     strip, frame = _designed(path, sheet, options)
-    return _solid(BentSolid.of(strip, frame), strip)
+    return _body(BentSolid.layers(strip, frame), strip)
+
+
+def end_fixture(
+    path: Drawn,
+    sheet: Sheet | str,
+    *,
+    end: End = "start",
+    floor: cq.Plane | None = None,
+    clearance: float = 0.15,
+    wall: float = 4.0,
+    foot: float = 12.0,
+    foot_height: float = 4.0,
+    screw: float = 4.3,
+    number: str | None = None,
+    **options: Any,
+) -> FixtureSolid:
+    """The block that holds one end of the bent strip, in place beside `bent_strip` of the same path.
+
+    Parameters
+    ----------
+    path, sheet, **options
+        As in `strip_outline`.
+    end : "start" or "end"
+    floor : Plane, optional
+        What the block stands on; without it on a plane square to the tab.
+    clearance, wall, foot, foot_height, screw, number
+        As in `fabrication.EndFixture`, mm.
+
+    Raises
+    ------
+    InputError
+        No tab at that end, sizes that do not fit, a floor not square to the curve's plane; and as `strip_outline`.
+    """
+    strip, frame = _designed(path, sheet, options)
+    sizes = {"clearance": clearance, "wall": wall, "foot": foot, "foot_height": foot_height, "screw": screw}
+    ground = (
+        None if floor is None else Frame(*(axis.toTuple() for axis in (floor.origin, floor.xDir, floor.yDir)))
+    )
+    block = EndFixture.of(strip, end, frame, floor=ground, number=number, **sizes).solid
+    return _dressed(FixtureSolid(occt.make_solid(block)), block.joints, strip)
 
 
 def model_assembly(model: Model) -> cq.Assembly:
@@ -155,11 +214,11 @@ def model_assembly(model: Model) -> cq.Assembly:
         its end faces tagged "start" and "end" and its `Strip` as metadata "strip".
     """
     assembly = cq.Assembly(name=model.name)
-    bodies: dict[int, StripSolid] = {}
+    bodies: dict[int, StripSolid | StripCompound] = {}
     for part in bent_parts(model):
-        if id(part.solid) not in bodies:
-            bodies[id(part.solid)] = _solid(part.solid, part.strip)
-        solid, place = bodies[id(part.solid)], _location(part.frame)
+        if id(part.solids) not in bodies:
+            bodies[id(part.solids)] = _body(part.solids, part.strip)
+        solid, place = bodies[id(part.solids)], _location(part.frame)
         work = cq.Workplane(obj=solid)
         faces = {end: solid.end_face(end) for end in ENDS}
         for end, face in faces.items():
@@ -258,11 +317,18 @@ def _designed(path: Drawn, sheet: Sheet | str, options: dict[str, Any]) -> tuple
     return make_strip(curve, sheet, **options), frame
 
 
-def _solid(record: FlatSolid | BentSolid, strip: Strip) -> StripSolid:
-    solid = StripSolid(occt.make_solid(record))
-    solid.strip = strip
-    solid._joints = {name: _location(frame) for name, frame in record.joints.items()}
-    return solid
+def _body(records: Sequence[FlatSolid | BentSolid], strip: Strip) -> StripSolid | StripCompound:
+    solids = [occt.make_solid(record) for record in records]
+    if len(solids) == 1:
+        return _dressed(StripSolid(solids[0]), records[0].joints, strip)
+    compound = cq.Compound.makeCompound([cq.Solid(solid) for solid in solids])
+    return _dressed(StripCompound(compound.wrapped), records[0].joints, strip)
+
+
+def _dressed(shape: S, joints: Mapping[str, Frame], strip: Strip) -> S:
+    shape.strip = strip
+    shape._joints = {name: _location(frame) for name, frame in joints.items()}
+    return shape
 
 
 def _called(name: str, assembly: cq.Assembly) -> str:

@@ -151,21 +151,28 @@ def _combined(shape: Shape, others: Sequence[Shape], operation: Any) -> Shape:
     builder.SetOperation(operation)
     builder.Perform()
     if builder.HasErrors():
-        raise InputError("OpenCASCADE could not combine the prisms of a body: move them so that none just touch")
+        raise InputError(
+            "OpenCASCADE could not combine the prisms of a body: move them so that none just touch"
+        )
     return builder.Shape()
 
 
 def _only_solid(shape: Shape) -> Shape:
     """The one solid in a compound."""
-    k = kernel()
-    explorer = k.TopExp_Explorer(shape, k.TopAbs_ShapeEnum.TopAbs_SOLID)
+    found = _parts(shape, kernel().TopAbs_ShapeEnum.TopAbs_SOLID)
+    if len(found) != 1:
+        raise InputError(f"the prisms of a body leave {len(found)} pieces: they must make one")
+    return found[0]
+
+
+def _parts(shape: Shape, *kinds: Any) -> list[Shape]:
+    """Sub-shapes of the first kind, in order, without those inside sub-shapes of the second kind."""
+    explorer = kernel().TopExp_Explorer(shape, *kinds)
     found = []
     while explorer.More():
         found.append(explorer.Current())
         explorer.Next()
-    if len(found) != 1:
-        raise InputError(f"the prisms of a body leave {len(found)} pieces: they must make one")
-    return found[0]
+    return found
 
 
 def make_shell(boundary: Boundary) -> Shape:
@@ -336,11 +343,7 @@ def free_curves(shape: Shape) -> list[PlaneCurve]:
     """The plane curves that the edges of a shape make, without the edges that bound faces."""
     k = kernel()
     kinds = k.TopAbs_ShapeEnum
-    explorer = k.TopExp_Explorer(shape, kinds.TopAbs_EDGE, kinds.TopAbs_FACE)
-    edges = []
-    while explorer.More():
-        edges.append(_drawn_edge(k.as_edge(explorer.Current())))
-        explorer.Next()
+    edges = [_drawn_edge(k.as_edge(edge)) for edge in _parts(shape, kinds.TopAbs_EDGE, kinds.TopAbs_FACE)]
     return [curve for curve, _ in placed_curves(edges)]
 
 
@@ -352,12 +355,7 @@ def _drawn_edges(shape: Shape | Iterable[Shape]) -> list[DrawnEdge]:
         if isinstance(shape, str) or not isinstance(shape, Iterable):
             raise InputError(f"an edge or wire of a CAD kernel is needed, not {type(shape).__name__}")
         return [edge for item in shape for edge in _drawn_edges(item)]
-    edges = []
-    explorer = k.TopExp_Explorer(shape, k.TopAbs_ShapeEnum.TopAbs_EDGE)
-    while explorer.More():
-        edges.append(_drawn_edge(k.as_edge(explorer.Current())))
-        explorer.Next()
-    return edges
+    return [_drawn_edge(k.as_edge(edge)) for edge in _parts(shape, k.TopAbs_ShapeEnum.TopAbs_EDGE)]
 
 
 def _drawn_edge(edge: Shape) -> DrawnEdge:

@@ -9,7 +9,7 @@ from typing import Any
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication import BentSolid, FlatSolid, Frame, Model, Strip, sheet_color
-from elastica_cad.fabrication.assembly import bent_parts
+from elastica_cad.fabrication.assembly import bent_parts, layer_names
 from elastica_cad.formats.opening import existing_file, naming
 from elastica_cad.formats.output import write_atomically
 from elastica_cad.formats.step_text import canonical_step
@@ -45,10 +45,10 @@ def model_parts(model: Model) -> list[Part]:
     shapes: dict[int, Shape] = {}
     parts = []
     for part in bent_parts(model):
-        if id(part.solid) not in shapes:
-            shapes[id(part.solid)] = make_solid(part.solid)
-        shape, color = shapes[id(part.solid)], sheet_color(part.strip.sheet)
-        parts.append(Part(part.name, shape, color, part.frame))
+        for name, solid, layer in zip(part.names, part.solids, part.strip.layers, strict=True):
+            if id(solid) not in shapes:
+                shapes[id(solid)] = make_solid(solid)
+            parts.append(Part(name, shapes[id(solid)], sheet_color(layer.sheet), part.frame))
     return parts
 
 
@@ -121,13 +121,22 @@ def _call(label: Any, name: str) -> None:
 
 
 def write_strip_step(strip: Strip, path: str | PathLike[str], *, force: bool = False) -> None:
-    """Write a strip as cut and as bent to one STEP file; the bent one stands on the curve in the xy plane."""
+    """Write a strip as cut and as bent to one STEP file; the bent one stands on the curve in the xy plane.
+
+    The sheets of a laminate are parts of their own.
+    """
     name = strip.label or "strip"
-    color = sheet_color(strip.sheet)
-    flat, bent = make_solid(FlatSolid.of(strip)), make_solid(BentSolid.of(strip))
-    write_step(
-        [Part(f"{name} flat", flat, color), Part(f"{name} bent", bent, color)], path, name=name, force=force
-    )
+    names, sheets = layer_names(name, strip), [layer.sheet for layer in strip.layers]
+    shapes = {
+        "flat": [make_solid(solid) for solid in FlatSolid.layers(strip)],
+        "bent": [make_solid(solid) for solid in BentSolid.layers(strip)],
+    }
+    parts = [
+        Part(f"{called} {form}", shape, sheet_color(sheet))
+        for form, made in shapes.items()
+        for called, shape, sheet in zip(names, made, sheets, strict=True)
+    ]
+    write_step(parts, path, name=name, force=force)
 
 
 def read_step_curves(path: str | PathLike[str]) -> list[PlaneCurve]:

@@ -1,8 +1,9 @@
 """Solid records that a CAD kernel only translates: flat parts, and strips bent into their curves."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import pairwise
 from typing import TypeAlias
 
 import numpy as np
@@ -25,6 +26,7 @@ from elastica_cad.fabrication.boundary import (
     StraightTrace,
     Surface,
 )
+from elastica_cad.fabrication.joints import joint_places, levels, turned
 from elastica_cad.fabrication.regions import CutPattern, Piece, Region, cut_across
 from elastica_cad.fabrication.strip import Strip
 from elastica_cad.geometry import Arc, Line, Path
@@ -78,16 +80,26 @@ class FlatSolid:
 
     @classmethod
     def of(cls, strip: Strip, frame: Frame | None = None) -> "FlatSolid":
-        """The strip as cut: x runs from the start of the free part, the sheet from z = 0 upward.
+        """The strip as cut, of a laminate its base: x runs from the start of the free part, z = 0 is below.
 
         Its joints are called as those of `BentSolid`.
         """
+        return cls.layers(strip, frame)[0]
+
+    @classmethod
+    def layers(cls, strip: Strip, frame: Frame | None = None) -> tuple["FlatSolid", ...]:
+        """Every sheet of the strip as glued flat, one on the other; the base has the joints."""
         frame = frame or Frame()
-        middle = frame.shifted(z=strip.sheet.thickness / 2)
-        joints = {
-            name: _turned(middle.shifted(x, y), way) for name, (x, y, way) in _joint_places(strip).items()
-        }
-        return cls(strip.outline, strip.holes, strip.sheet.thickness, frame, joints)
+        heights = levels(strip)
+        middle = frame.shifted(z=heights[-1] / 2)
+        places = joint_places(strip).items()
+        joints = {name: turned(middle.shifted(x, y), way) for name, (x, y, way) in places}
+        return tuple(
+            cls(
+                layer.outline, layer.holes, layer.sheet.thickness, frame.shifted(z=low), {} if low else joints
+            )
+            for layer, low in zip(strip.layers, heights[:-1], strict=True)
+        )
 
     @property
     def area(self) -> float:
@@ -141,7 +153,7 @@ class BentSolid:
 
     @classmethod
     def of(cls, strip: Strip, frame: Frame | None = None) -> "BentSolid":
-        """Bend a strip, its curve drawn in `frame` (the xy plane unless told).
+        """Bend a strip, of a laminate its base; the curve is drawn in `frame` (the xy plane unless told).
 
         Raises
         ------
@@ -150,15 +162,24 @@ class BentSolid:
         NotConvergedError
             A curve too wild to be followed to 1e-6 mm.
         """
-        half = strip.sheet.thickness / 2
-        return cls.wrapped(
-            strip.rod,
-            strip.outline,
-            strip.holes,
-            heights=(-half, half),
-            frame=frame,
-            joints=_joint_places(strip),
-        )
+        return next(cls._layers(strip, frame))
+
+    @classmethod
+    def layers(cls, strip: Strip, frame: Frame | None = None) -> tuple["BentSolid", ...]:
+        """Every sheet of the strip, the whole centred on the curve; the base has the joints. Errors as `of`."""
+        return tuple(cls._layers(strip, frame))
+
+    @classmethod
+    def _layers(cls, strip: Strip, frame: Frame | None) -> Iterator["BentSolid"]:
+        heights = levels(strip)
+        joints: Mapping[str, tuple[float, float, int]] = joint_places(strip)
+        half = heights[-1] / 2
+        for layer, (low, high) in zip(strip.layers, pairwise(heights), strict=True):
+            faces = (low - half, high - half)
+            yield cls.wrapped(
+                strip.rod, layer.outline, layer.holes, heights=faces, frame=frame, joints=joints
+            )
+            joints = {}
 
     @classmethod
     def wrapped(
@@ -184,7 +205,8 @@ class BentSolid:
         frame : Frame, optional
             The plane of the curve.
         joints : mapping of str to (x, y, way), optional
-            Flat places; the x axis of a joint runs along the strip where way is 1, against it where -1.
+            Flat places, on the curve's own height; the x axis of a joint runs along the strip where way is 1,
+            against it where it is -1.
 
         Raises
         ------
@@ -201,7 +223,7 @@ class BentSolid:
         for name, (x, y, way) in (joints or {}).items():
             shape = maps[int(np.searchsorted(stations, x))]
             tangent = shape.frame_at(x) if isinstance(shape, BentMap) else shape
-            places[name] = _turned(tangent.shifted(x, y, (lower + upper) / 2), way)
+            places[name] = turned(tangent.shifted(x, y), way)
         made = cls(pattern, maps, (lower, upper), frame, places)
         if not made.boundary.is_closed:
             raise InputError("the flat pattern's loops cross or touch: the bent strip has no closed skin")
@@ -339,20 +361,6 @@ class _Sheets:
             self.posts[corner] = len(self.edges)
             self.edges.append(Edge(line, 0.0, height, low, low + 1))
         return self.posts[corner]
-
-
-def _joint_places(strip: Strip) -> dict[str, tuple[float, float, int]]:
-    """Flat place (x, y) of every joint, and +1 where its x axis runs along the strip, -1 against it."""
-    places = {"start": (0.0, 0.0, -1), "end": (strip.rod.length, 0.0, 1)}
-    for number, hole in enumerate(strip.holes, start=1):
-        x, y = map(float, hole.bounds.mean(axis=0))
-        places[f"hole{number}"] = (x, y, 1)
-    return places
-
-
-def _turned(frame: Frame, way: int) -> Frame:
-    """The frame, half a turn about its z axis where `way` is -1."""
-    return Frame(frame.origin, way * frame.x_axis, way * frame.y_axis)
 
 
 def _ends(piece: Piece) -> tuple[int, int]:

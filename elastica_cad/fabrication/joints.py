@@ -1,0 +1,27 @@
+"""Where other parts join a strip, and how its sheets lie on each other."""
+
+from itertools import accumulate
+
+from elastica_cad.fabrication.boundary import Frame
+from elastica_cad.fabrication.strip import Strip
+
+__all__ = ["joint_places", "levels", "turned"]
+
+
+def levels(strip: Strip) -> list[float]:
+    """Heights of the faces of the strip's sheets, mm, from the base's lower one at 0."""
+    return [0.0, *accumulate(layer.sheet.thickness for layer in strip.layers)]
+
+
+def joint_places(strip: Strip) -> dict[str, tuple[float, float, int]]:
+    """Flat place (x, y) of every joint, and +1 where its x axis runs along the strip, -1 against it."""
+    places = {"start": (0.0, 0.0, -1), "end": (strip.rod.length, 0.0, 1)}
+    for number, hole in enumerate(strip.holes, start=1):
+        x, y = map(float, hole.bounds.mean(axis=0))
+        places[f"hole{number}"] = (x, y, 1)
+    return places
+
+
+def turned(frame: Frame, way: int) -> Frame:
+    """The frame, half a turn about its z axis where `way` is -1."""
+    return Frame(frame.origin, way * frame.x_axis, way * frame.y_axis)

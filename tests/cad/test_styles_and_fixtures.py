@@ -1,0 +1,136 @@
+"""Perforated and laminated strips as bodies, and the blocks that hold their ends."""
+
+import numpy as np
+import pytest
+
+pytest.importorskip("OCP")
+
+from elastica_cad import occt, step
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication import BentSolid, FlatSolid, Hole, Laminated, Model, Perforated, Placed, Tab
+from elastica_cad.fabrication.making import make_strip
+from elastica_cad.geometry import PlaneCurve
+from elastica_cad.mechanics import Sheet
+
+ARCH = PlaneCurve.spline([(20, 0), (40, 60), (70, 80), (120, 60), (150, 0)])
+ENDS = (Tab(14, holes=(Hole(7, 3),)), Tab(14, holes=(Hole(7, 3),)))
+PLY = Sheet.named("birch-plywood-0.8")
+
+
+@pytest.fixture(scope="module")
+def laminate():
+    return make_strip(ARCH, PLY, style=Laminated(width=24.0, backing=PLY), ends=ENDS, label="L")
+
+
+@pytest.fixture(scope="module")
+def perforated():
+    return make_strip(
+        ARCH, PLY, style=Perforated(width=30.0, columns=2, rows=12), max_width=20, ends=ENDS, label="P"
+    )
+
+
+def test_perforated_strip_bends_with_all_its_holes(perforated, measure):
+    record = BentSolid.of(perforated)
+    solid = occt.make_solid(record)
+    assert len(perforated.holes) > 12
+    assert measure.is_valid(solid)
+    assert measure.area(occt.make_shell(record.middle)) == pytest.approx(perforated.area, rel=1e-6)
+
+
+def test_laminate_is_two_bodies_that_touch(laminate, measure):
+    base, backing = (occt.make_solid(solid) for solid in BentSolid.layers(laminate))
+    assert measure.is_valid(base)
+    assert measure.is_valid(backing)
+    for solid, layer in zip((base, backing), laminate.layers, strict=True):
+        assert measure.volume(solid) == pytest.approx(layer.area * layer.sheet.thickness, rel=2e-2)
+    whole = 2 * PLY.thickness
+    curve = laminate.rod.curve.at(np.array([0.4 * laminate.rod.length]))
+    normal = np.array([-np.sin(curve.angle[0]), np.cos(curve.angle[0])])
+    for solid, offset, away in (
+        (base, whole / 2, 0.0),
+        (backing, -whole / 2, 0.0),
+        (base, -whole / 2, PLY.thickness),
+    ):
+        point = [*(curve.position[0] + offset * normal), 0.0]
+        assert measure.distance(solid, [point]) == pytest.approx(away, abs=1e-6)
+
+
+def test_flat_laminate_is_stacked(laminate):
+    base, backing = FlatSolid.layers(laminate)
+    assert base.frame.origin == pytest.approx([0, 0, 0])
+    assert backing.frame.origin == pytest.approx([0, 0, PLY.thickness])
+    assert base.joints["start"].origin == pytest.approx([0, 0, (2 * PLY.thickness) / 2])
+    assert not backing.joints
+
+
+def test_step_names_both_sheets(laminate, tmp_path):
+    step.write_strip_step(laminate, tmp_path / "L.step")
+    step.write_model_step(Model((Placed(laminate),), name="M"), tmp_path / "M.step")
+    one, many = ((tmp_path / name).read_text() for name in ("L.step", "M.step"))
+    for name in ("L flat", "L backing flat", "L bent", "L backing bent"):
+        assert f"PRODUCT('{name}'" in one
+    for name in ("L", "L backing", "M"):
+        assert f"PRODUCT('{name}'" in many
+
+
+class TestBuild123d:
+    @pytest.fixture(autouse=True)
+    def kernel(self):
+        pytest.importorskip("build123d")
+
+    def test_laminate(self, laminate):
+        from elastica_cad.build123d import BentStrip, FlatStrip, model_compound
+
+        options = {"style": Laminated(width=24.0, backing=PLY), "ends": ENDS, "label": "L"}
+        for made in (BentStrip(ARCH, PLY, **options), FlatStrip(ARCH, PLY, **options)):
+            assert len(made.solids()) == 2
+            assert made.is_valid
+            assert {"start", "end", "hole1", "hole2"} <= set(made.joints)
+        whole = model_compound(Model((Placed(laminate),)))
+        assert len(whole.children[0].solids()) == 2
+
+    def test_fixture_holds_the_tab(self):
+        from elastica_cad.build123d import BentStrip, EndFixture
+
+        options = {"max_width": 30, "ends": ENDS, "label": "A"}
+        strip = BentStrip(ARCH, PLY, **options)
+        for end in ("start", "end"):
+            block = EndFixture(ARCH, PLY, end=end, **options)
+            assert block.is_valid
+            assert not strip & block
+            assert block.distance_to(strip) == pytest.approx(0.14, abs=0.012)
+            joint, mate = block.joints["tab"].location, strip.joints[end].location
+            assert [*joint.position] == pytest.approx([*mate.position], abs=1e-9)
+            assert block.strip.label == "A"
+            assert block.label.startswith("fixture A:")
+
+    def test_fixture_needs_a_tab(self):
+        from elastica_cad.build123d import EndFixture
+
+        with pytest.raises(InputError, match="no tab"):
+            EndFixture(ARCH, PLY, max_width=30, ends=(Tab(0), Tab(10)))
+
+
+class TestCadQuery:
+    @pytest.fixture(autouse=True)
+    def kernel(self):
+        pytest.importorskip("cadquery")
+
+    def test_laminate(self, laminate):
+        from elastica_cad.cadquery import StripCompound, bent_strip, model_assembly
+
+        made = bent_strip(ARCH, PLY, style=Laminated(width=24.0, backing=PLY), ends=ENDS, label="L")
+        assert isinstance(made, StripCompound)
+        assert len(made.Solids()) == 2
+        assert made.end_face("end").geomType() == "PLANE"
+        assert len(model_assembly(Model((Placed(laminate),))).children) == 1
+
+    def test_fixture_holds_the_tab(self):
+        from elastica_cad.cadquery import bent_strip, end_fixture
+
+        options = {"max_width": 30, "ends": ENDS, "label": "A"}
+        strip = bent_strip(ARCH, PLY, **options)
+        block = end_fixture(ARCH, PLY, end="end", **options)
+        assert block.isValid()
+        assert block.distance(strip) == pytest.approx(0.14, abs=0.012)
+        assert block.joints["tab"].toTuple()[0] == pytest.approx(strip.joints["end"].toTuple()[0], abs=1e-9)
