@@ -124,7 +124,7 @@ class Crossing:
         a = self.strips[0]
         p = self.locus.at(self.start + x * (self.end - self.start))
         position = a.motion(p.s_a)[0] + p.v[:, None] * a.axis
-        return np.linalg.norm(np.diff(position, axis=0), axis=1)
+        return np.asarray(np.linalg.norm(np.diff(position, axis=0), axis=1), dtype=float)
 
 
 def strip_crossings(a: RuledStrip, b: RuledStrip) -> tuple[Crossing, ...]:

@@ -24,16 +24,15 @@ FLAT = 0.02
 
 
 def mating_marks(
-    slots: Sequence[Slot], width: Profile, holes: Sequence[Path], taken: Sequence[Text] = ()
+    slots: Sequence[Slot], width: Profile, others: Sequence[Path], taken: Sequence[Text] = ()
 ) -> tuple[Text, ...]:
-    """The names of the mates, on the MARK layer, where they are clear of all cuts and other texts.
+    """The names of the mates, on the MARK layer, clear of all slots, of `others` and of other texts.
 
     Each stands at the inner end of its slot, or else beside the slot, as large as fits; where nothing fits the
     slot stays without.
     """
     cuts = [slot_cut(slot, width, beyond=slot.width).points(FLAT) for slot in slots]
-    loops = [hole.points(FLAT) for hole in holes]
-    loops = [*cuts, *(np.concatenate([loop, loop[:1]]) for loop in loops)]
+    lines = [*cuts, *(_line(path) for path in others)] if cuts else []
     boxes = [_box(text) for text in taken]
     marks = []
     for slot, cut in zip(slots, cuts, strict=True):
@@ -41,7 +40,7 @@ def mating_marks(
             box = _box(text)
             if _on_strip(box, width) and not any(_meet(box, other) for other in boxes):
                 rim = np.concatenate([box, box[:1]])
-                if not any(_within(loop, box) or polylines_cross(rim, loop) is not None for loop in loops):
+                if not any(_within(line, box) or polylines_cross(rim, line) is not None for line in lines):
                     marks.append(text)
                     boxes.append(box)
                     break
@@ -89,6 +88,12 @@ def _meet(a: FloatArray, b: FloatArray) -> bool:
     return bool(np.all(a.min(axis=0) <= b.max(axis=0)) and np.all(a.max(axis=0) >= b.min(axis=0)))
 
 
-def _within(loop: FloatArray, box: FloatArray) -> bool:
-    """Does a loop have points in an upright box?"""
-    return bool(np.any(np.all((loop > box.min(axis=0)) & (loop < box.max(axis=0)), axis=1)))
+def _within(line: FloatArray, box: FloatArray) -> bool:
+    """Does a line have points in an upright box?"""
+    return bool(np.any(np.all((line > box.min(axis=0)) & (line < box.max(axis=0)), axis=1)))
+
+
+def _line(path: Path) -> FloatArray:
+    """Points along a path, around to the first where it is closed."""
+    points = path.points(FLAT)
+    return np.concatenate([points, points[:1]]) if path.closed else points

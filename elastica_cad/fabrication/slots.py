@@ -147,7 +147,8 @@ def _normals(points: FloatArray) -> FloatArray:
     else:
         t = _chords(points)
         tangent = _spline(t, points)(t, 1)
-    return np.stack([-tangent[:, 1], tangent[:, 0]], axis=1) / np.hypot(*tangent.T)[:, None]
+    normal = np.stack([-tangent[:, 1], tangent[:, 0]], axis=1)
+    return np.asarray(normal / np.hypot(*tangent.T)[:, None], dtype=float)
 
 
 def _through(points: FloatArray, beyond: float) -> list[Segment]:

@@ -282,7 +282,7 @@ class Strip:
             )
             texts = (self._label_text(i),) if self.label else ()
             if i == 0:
-                texts += mating_marks(self.slots, self.width, layer.holes, texts)
+                texts += mating_marks(self.slots, self.width, (*marks, *layer.holes), texts)
             drawn.append(Drawing(name=names[i], paths=paths, texts=texts))
         return tuple(drawn)
 
