@@ -3,7 +3,7 @@
 from elastica_cad.fabrication.base import BasePlate, base_plate
 from elastica_cad.fabrication.boundary import Frame
 from elastica_cad.fabrication.colors import sheet_color
-from elastica_cad.fabrication.coupon import coupon_drawing, coupon_overhang
+from elastica_cad.fabrication.coupon import coupon_drawing, coupon_overhang, reference_bar
 from elastica_cad.fabrication.cutlist import CutList, CutListRow, cut_list
 from elastica_cad.fabrication.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, LAYERS, MARK, Drawing, LayeredPath
 from elastica_cad.fabrication.ends import Hole, Tab
@@ -65,6 +65,7 @@ __all__ = [
     "cut_list",
     "end_fixtures",
     "nested",
+    "reference_bar",
     "sheet_color",
     "slot_width",
     "text_strokes",

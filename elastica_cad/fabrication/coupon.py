@@ -8,7 +8,7 @@ from elastica_cad.fabrication.lettering import Text, text_width
 from elastica_cad.geometry import Line, Path
 from elastica_cad.mechanics import Sheet
 
-__all__ = ["coupon_drawing", "coupon_overhang"]
+__all__ = ["coupon_drawing", "coupon_overhang", "reference_bar"]
 
 _BEST_LOAD = 5.0  # w L^3 / EI at which a clamped strip drops by half its length
 _TICK = 10.0
@@ -86,6 +86,35 @@ def coupon_drawing(
     texts = (*figures, *_label(name, width, clamp))
     outline = Path.rectangle(clamp + free, width, corner=(-clamp, -width / 2))
     return Drawing(name=f"coupon-{sheet.name}", paths=(*scale, LayeredPath(CUT_OUTER, outline)), texts=texts)
+
+
+def reference_bar(length: float = 100.0, *, width: float = 10.0) -> Drawing:
+    """A bar whose length is engraved on it: measured after cutting, it tells the machine's scale and kerf.
+
+    Parameters
+    ----------
+    length, width : float
+        mm.
+
+    Raises
+    ------
+    InputError
+        Sizes that are not positive, or a bar too small for its figures.
+
+    Examples
+    --------
+    >>> reference_bar(100).bounds.tolist()
+    [[0.0, 0.0], [100.0, 10.0]]
+    """
+    for value, name in ((length, "length"), (width, "width")):
+        if not (np.isfinite(value) and value > 0):
+            raise InputError(f"reference bar {name} is {value}: it must be positive, in mm")
+    figure, height = f"{length:g} mm", 0.4 * width
+    if text_width(figure, height) > 0.9 * length:
+        raise InputError(f"a reference bar of {length:g} by {width:g} mm is too short for its figures")
+    start = (length - text_width(figure, height)) / 2
+    text = Text((start, (width - height) / 2), figure, height, 0.0, ENGRAVE)
+    return Drawing("reference-bar", (LayeredPath(CUT_OUTER, Path.rectangle(length, width)),), (text,))
 
 
 def _scale(free: float, width: float) -> tuple[tuple[LayeredPath, ...], tuple[Text, ...]]:

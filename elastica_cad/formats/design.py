@@ -1,0 +1,346 @@
+"""Design files: a whole model written down in TOML, read, checked and made."""
+
+import tomllib
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.fabrication import (
+    BasePlate,
+    Frame,
+    Laminated,
+    Model,
+    Piece,
+    Placed,
+    Strip,
+    coupon_drawing,
+    reference_bar,
+)
+from elastica_cad.fabrication.making import make_strip
+from elastica_cad.formats.dxf import DXF_VERSIONS
+from elastica_cad.formats.opening import existing_file
+from elastica_cad.formats.tables import Table
+from elastica_cad.formats.wishes import (
+    MAKING_KEYS,
+    STRIP_KEYS,
+    CurveReader,
+    StripWish,
+    named_sheet,
+    strip_wish,
+)
+from elastica_cad.geometry import Profile
+from elastica_cad.mechanics import (
+    Gravity,
+    LaminatedSection,
+    NotRealizable,
+    Sheet,
+    load_sheets,
+    optimal_laminate,
+)
+from elastica_cad.mechanics.sheet import sheets_from_table
+
+__all__ = ["DESIGN_SCHEMA", "Cutting", "Design", "Nesting", "read_design"]
+
+DESIGN_SCHEMA = 1
+
+TOP_KEYS = (
+    *MAKING_KEYS, "schema", "name", "let", "sheets", "sheets_file", "strips", "patterns", "interlock", "base",
+    "fixtures", "nest", "cut", "extras",
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Nesting:
+    """Sheets that pieces are laid on: (width, height) and least distance, mm."""
+
+    sheet_size: tuple[float, float] = (600.0, 400.0)
+    margin: float = 2.0
+
+
+@dataclass(frozen=True)
+class Cutting:
+    """How cutting files are written: `kerf` in mm, or None for each sheet's own."""
+
+    kerf: float | None = 0.0
+    curves: str = "spline"
+    tolerance: float = 0.02
+    version: str = "R2010"
+
+
+@dataclass(frozen=True, eq=False)
+class Design:
+    """A design file, read and checked; `model` makes it.
+
+    Attributes
+    ----------
+    name : str
+    wishes : tuple of StripWish
+        Strips in the order of the file.
+    patterns : tuple of (name, options)
+        "mirror", "rotate", "repeat", applied in order.
+    interlock, fixtures : dict or None
+        Options of `Model.interlock` and `Model.fixtures`, where asked for.
+    base : (Sheet, dict, Nesting) or None
+        Sheet and options of the base plate, and the sheet size it is cut from.
+    nesting : Nesting
+    cutting : Cutting
+    coupon : bool
+        Cut a coupon of every sheet.
+    reference_bar : float or None
+        Length of a bar to check the machine's scale with, mm.
+    """
+
+    name: str
+    wishes: tuple[StripWish, ...]
+    patterns: tuple[tuple[str, dict[str, Any]], ...] = ()
+    interlock: dict[str, Any] | None = None
+    fixtures: dict[str, Any] | None = None
+    base: tuple[Sheet, dict[str, Any], Nesting] | None = None
+    nesting: Nesting = Nesting()
+    cutting: Cutting = Cutting()
+    coupon: bool = False
+    reference_bar: float | None = None
+
+    def model(self, done: Callable[[str], None] | None = None) -> Model:
+        """Make all strips, put them in their places, repeat and interlock them.
+
+        Parameters
+        ----------
+        done : callable, optional
+            Called with the label of each strip that has been made.
+
+        Raises
+        ------
+        NotRealizable, NotConvergedError, InputError
+            What `make_strip` and `Model.interlock` refuse, with the part's name.
+        """
+        made: dict[Any, Strip] = {}
+        placed = []
+        for wish in self.wishes:
+            key = _likeness(wish)
+            if key not in made:
+                made[key] = _made(wish)
+            strip = replace(made[key], label=wish.label, slots=wish.making["slots"])
+            placed.append(Placed(strip, wish.frame.origin, wish.frame.x_axis, wish.frame.y_axis))
+            if done is not None:
+                done(wish.label)
+        model = Model(tuple(placed), self.name)
+        for kind, options in self.patterns:
+            model = getattr(model, _PATTERNS[kind])(**options)
+        return model if self.interlock is None else model.interlock(**self.interlock)
+
+    def base_plate(self, model: Model) -> BasePlate | None:
+        """The base plate, where the design has one."""
+        if self.base is None:
+            return None
+        sheet, options, _ = self.base
+        return model.base_plate(sheet, **options)
+
+    def extras(self) -> tuple[Piece, ...]:
+        """Coupons and the reference bar, where the design asks for them."""
+        sheets = list(dict.fromkeys(wish.sheet for wish in self.wishes))
+        pieces = []
+        if self.coupon:
+            pieces += [Piece(f"coupon-{sheet.name}", coupon_drawing(sheet), sheet) for sheet in sheets]
+        if self.reference_bar is not None:
+            pieces.append(Piece("reference-bar", reference_bar(self.reference_bar), sheets[0]))
+        return tuple(pieces)
+
+
+_PATTERNS = {"mirror": "mirrored", "rotate": "rotated", "repeat": "repeated"}
+
+
+def read_design(path: str | Path, read_curves: CurveReader) -> Design:
+    """A design file, every formula computed and every curve file read.
+
+    Parameters
+    ----------
+    path : path-like
+        TOML with `schema = 1`; files in it are relative to its folder.
+    read_curves : callable
+        Reads a curve file: `elastica_cad.read_curves`.
+
+    Raises
+    ------
+    InputError
+        No TOML, unknown keys, missing files or values that make no sense: the place in the file is named.
+    """
+    path = existing_file(path)
+    try:
+        data = tomllib.loads(path.read_bytes().decode("utf-8"))
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise InputError(f"{path} is no TOML file: {error}") from error
+    top = Table(data, str(path), {}).only(*TOP_KEYS)
+    if data.get("schema") != DESIGN_SCHEMA:
+        raise InputError(
+            f"{path}: schema is {data.get('schema')!r}; this version reads schema = {DESIGN_SCHEMA}"
+        )
+    top.scope = top.within(data.get("let", {}))
+    sheets = _own_sheets(top, path)
+    wishes = tuple(_wishes(top, path.parent, sheets, read_curves))
+    twice = sorted({w.label for w in wishes if sum(w.label == v.label for v in wishes) > 1})
+    if twice:
+        raise InputError(
+            f"{path}: two strips are labelled {twice[0]!r}; give each its own label, with {{i}} for the count"
+        )
+    nesting = _nesting(top.table("nest"))
+    extras = top.table("extras").only("coupon", "reference_bar")
+    return Design(
+        name=top.text("name", path.stem),
+        wishes=wishes,
+        patterns=tuple(_pattern(table) for table in top.tables("patterns")),
+        interlock=_interlock(top.table("interlock")) if top.has("interlock") else None,
+        fixtures=_fixtures(top.table("fixtures")) if top.has("fixtures") else None,
+        base=_base(top.table("base"), sheets, nesting) if top.has("base") else None,
+        nesting=nesting,
+        cutting=_cutting(top.table("cut")),
+        coupon=extras.flag("coupon"),
+        reference_bar=extras.maybe("reference_bar"),
+    )
+
+
+def _own_sheets(top: Table, path: Path) -> dict[str, Sheet]:
+    """Sheets that the design brings along."""
+    sheets: dict[str, Sheet] = {}
+    if top.has("sheets_file"):
+        sheets |= load_sheets(path.parent / top.text("sheets_file"))
+    if top.has("sheets"):
+        sheets |= sheets_from_table(top.raw("sheets"), where=str(path))
+    return sheets
+
+
+def _wishes(top: Table, folder: Path, sheets: dict[str, Sheet], read_curves: CurveReader) -> list[StripWish]:
+    wishes: list[StripWish] = []
+    for table in top.tables("strips"):
+        table.only(*STRIP_KEYS)
+        count = table.count("count", 1)
+        for i in range(1, count + 1):
+            where = f"{table.where}, i = {i}" if count > 1 else table.where
+            one = Table(table.data, where, {**top.scope, "i": float(i)}, top)
+            one.scope = one.within(table.data.get("let", {}))
+            label = table.text("label", f"S{len(wishes) + 1}").replace("{i}", str(i))
+            one.where = f"{where} ({label})"
+            wishes.append(strip_wish(one, label, folder, sheets, read_curves))
+    if not wishes:
+        raise InputError(f"{top.where} has no strips: write at least one table [[strips]]")
+    return wishes
+
+
+def _pattern(table: Table) -> tuple[str, dict[str, Any]]:
+    """One of mirror, rotate and repeat."""
+    table.only(*_PATTERNS)
+    if len(table.data) != 1:
+        raise InputError(f"{table.where} must hold one of {', '.join(_PATTERNS)}")
+    (kind,) = table.data
+    inner = table.table(kind)
+    if kind == "mirror":
+        inner.only("point", "normal", "keep")
+        point, normal = inner.vector("point", 3, (0.0, 0.0, 0.0)), inner.vector("normal", 3)
+        return kind, {"point": point, "normal": normal, "keep": inner.flag("keep", True)}
+    if kind == "repeat":
+        inner.only("count", "step")
+        return kind, {"count": inner.count("count", 1), "step": inner.vector("step", 3)}
+    inner.only("count", "axis", "point", "step")
+    axis, point = inner.vector("axis", 3, (0.0, 0.0, 1.0)), inner.vector("point", 3, (0.0, 0.0, 0.0))
+    return kind, {"count": inner.count("count", 1), "axis": axis, "point": point, "step": inner.maybe("step")}
+
+
+def _interlock(table: Table) -> dict[str, Any]:
+    table.only("clearance", "fit", "relief", "above")
+    options: dict[str, Any] = {"clearance": table.number("clearance", 0.1)}
+    options["fit"] = table.text("fit", "exact", ("exact", "paper"))
+    options["relief"] = table.text("relief", "square", ("square", "round"))
+    return options | ({"above": table.vector("above", 3)} if table.has("above") else {})
+
+
+def _fixtures(table: Table) -> dict[str, Any]:
+    sizes = ("clearance", "wall", "foot", "foot_height", "screw")
+    table.only("floor", *sizes)
+    options: dict[str, Any] = {key: table.number(key) for key in sizes if table.has(key)}
+    if table.has("floor"):
+        options["floor"] = Frame((0.0, 0.0, table.number("floor")))
+    return options
+
+
+def _base(table: Table, sheets: dict[str, Sheet], nesting: Nesting) -> tuple[Sheet, dict[str, Any], Nesting]:
+    sizes = ("play", "clearance", "slot_width", "border")
+    table.only("sheet", "height", "shape", "sheet_size", *sizes)
+    options: dict[str, Any] = {key: table.number(key) for key in sizes if table.has(key)}
+    options["frame"] = Frame((0.0, 0.0, table.number("height", 0.0)))
+    options["shape"] = table.text("shape", "hull", ("hull", "rectangle"))
+    size = table.vector("sheet_size", 2, nesting.sheet_size)
+    return named_sheet(table, "sheet", sheets), options, replace(nesting, sheet_size=(size[0], size[1]))
+
+
+def _nesting(table: Table) -> Nesting:
+    table.only("sheet_size", "margin")
+    width, height = table.vector("sheet_size", 2, Nesting.sheet_size)
+    return Nesting((width, height), table.number("margin", Nesting.margin))
+
+
+def _cutting(table: Table) -> Cutting:
+    table.only("kerf", "curves", "tolerance", "version")
+    of_sheet = table.raw("kerf") == "sheet"
+    return Cutting(
+        kerf=None if of_sheet else table.number("kerf", 0.0),
+        curves=table.text("curves", "spline", ("spline", "arc", "polyline")),
+        tolerance=table.number("tolerance", 0.02),
+        version=table.text("version", "R2010", DXF_VERSIONS),
+    )
+
+
+def _likeness(wish: StripWish) -> Any:
+    """Strips with equal keys are made alike: the same curve but for rounding, the same options."""
+    curve, making = wish.curve, dict(wish.making)
+    gravity = making.pop("gravity")
+    numbers = [curve.knots - curve.knots[0], curve.control_points.ravel()]
+    numbers += [] if curve.weights is None else [curve.weights]
+    numbers += [] if gravity is None else [[gravity.length, *gravity.direction]]
+    digits = np.round(np.concatenate(numbers) / curve.length, 11) + 0.0
+    making.pop("slots")
+    return digits.tobytes(), wish.sheet, repr(making)
+
+
+def _made(wish: StripWish) -> Strip:
+    """The strip, with complaints that name it."""
+    making = dict(wish.making, slots=())
+    try:
+        style, gravity = making["style"], making["gravity"]
+        if isinstance(style, Laminated) and gravity is not None:
+            return _laminate(wish, style, gravity)
+        return make_strip(wish.curve, wish.sheet, label=wish.label, **making)
+    except NotRealizable as problem:
+        named = NotRealizable(problem.check)
+        named.args = (f"{wish.label}: {problem}",)
+        raise named from problem
+    except (InputError, NotConvergedError) as problem:
+        raise type(problem)(f"{wish.label}: {problem}") from problem
+
+
+def _laminate(wish: StripWish, style: Laminated, gravity: Gravity) -> Strip:
+    """A laminate that carries its weight, which is not proportional to its stiffness."""
+    making = wish.making
+    if making["limits"] is not None:
+        raise InputError(
+            "a laminate that carries its weight follows its curve exactly: leave limits and keep out"
+        )
+    if abs(gravity.length / wish.sheet.elasto_gravity_length - 1) > 1e-9:
+        raise InputError(
+            "a laminate that carries its weight must stand upright: turn its plane, or gravity off"
+        )
+    if not isinstance(style.width, float | Profile):
+        raise InputError("a laminate that carries its weight needs its width as a number or a profile")
+    section = LaminatedSection(wish.sheet, style.backing)
+    laminate = optimal_laminate(
+        wish.curve,
+        section,
+        style.width,
+        direction=gravity.direction,
+        supports=making["supports"],
+        least_backing=style.least_backing,
+    )
+    return Strip(laminate.rod, wish.sheet, style=style, ends=making["ends"], label=wish.label)
