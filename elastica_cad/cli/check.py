@@ -5,8 +5,7 @@ from pathlib import Path
 
 import click
 
-from elastica_cad.cli.options import curve_options, support_options, supports_of
-from elastica_cad.files import read_curves
+from elastica_cad.cli.options import bendable_curves, curve_options, support_options, supports_of
 from elastica_cad.formats import check_report
 from elastica_cad.mechanics import check_equilibrium
 
@@ -35,7 +34,7 @@ def check(
     supports = supports_of(start, end)
     checks = [
         check_equilibrium(one, supports=supports, natural_curvature=natural_curvature)
-        for one in read_curves(curve, unit=unit)
+        for one in bendable_curves(curve, unit)
     ]
     if as_json:
         click.echo(json.dumps([check_report(one) for one in checks], indent=1))

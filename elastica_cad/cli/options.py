@@ -10,8 +10,9 @@ from elastica_cad.errors import InputError
 from elastica_cad.files import read_curves
 from elastica_cad.geometry import PlaneCurve
 from elastica_cad.mechanics import Supports
+from elastica_cad.mechanics.equilibrium import require_bendable
 
-__all__ = ["curve_options", "pick_curve", "support_options"]
+__all__ = ["bendable_curves", "curve_options", "pick_curve", "support_options", "supports_of"]
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -48,9 +49,25 @@ def support_options(function: F) -> F:
     return function
 
 
+def bendable_curves(path: Path, unit: str | None, number: int | None = None) -> list[PlaneCurve]:
+    """The curves of a file, or only the one of that number, each open and without corners.
+
+    A complaint names the file.
+    """
+    curves = read_curves(path, unit=unit)
+    for count, curve in enumerate(curves, start=1):
+        if number is None or number == count:
+            try:
+                require_bendable(curve)
+            except InputError as problem:
+                which = f", curve {count} of {len(curves)}" if len(curves) > 1 else ""
+                raise InputError(f"{path}{which}: {problem}") from problem
+    return curves
+
+
 def pick_curve(path: Path, number: int | None, unit: str | None) -> PlaneCurve:
     """The one curve of a file, or the one asked for by its number from 1."""
-    curves = read_curves(path, unit=unit)
+    curves = bendable_curves(path, unit, number)
     if number is None:
         if len(curves) > 1:
             raise InputError(

@@ -13,6 +13,7 @@ from elastica_cad.cli.options import curve_options, pick_curve, support_options,
 from elastica_cad.cli.wish import WishOptions, wish_options
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication import Strip, Tab
+from elastica_cad.fabrication.lettering import engravable
 from elastica_cad.files import save
 from elastica_cad.formats import files_together, strip_report
 from elastica_cad.forming import NearestRod
@@ -93,13 +94,15 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
     """
     cut = _picked(_Cut, chosen)
     sheet = Sheet.named(chosen["sheet"])
+    if chosen["max_width"] is None and chosen["min_width"] is None:
+        raise InputError("say how wide the strip may be: --max-width MM, or --min-width MM")
     rod, near = _rod(chosen, _picked(WishOptions, chosen), sheet)
     path, number = chosen["curve"], chosen["number"]
     name = path.stem if number is None else f"{path.stem}-{number}"
     tab = Tab(chosen["tab"], corner_radius=chosen["tab_radius"])
     made = Strip(
         rod, sheet, max_width=chosen["max_width"], min_width=chosen["min_width"], ends=(tab, tab),
-        label=name if chosen["label"] is None else chosen["label"],
+        label=engravable(name) if chosen["label"] is None else chosen["label"],
     )  # fmt: skip
     verdict = stability(rod)
     written = _write_files(made, name, cut, near, verdict)

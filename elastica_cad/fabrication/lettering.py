@@ -3,13 +3,14 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
+from unicodedata import combining, normalize
 
 import numpy as np
 
 from elastica_cad.errors import InputError
 from elastica_cad.geometry import Path
 
-__all__ = ["Text", "text_strokes", "text_width"]
+__all__ = ["Text", "engravable", "text_strokes", "text_width"]
 
 CAP_HEIGHT = 6.0
 _GAP = 1.6
@@ -156,6 +157,18 @@ class Text:
                 f"text {self.text!r}: the engraving alphabet has no {', '.join(map(repr, missing))}; "
                 "use A-Z, a-z, 0-9 and common punctuation"
             )
+
+
+def engravable(text: str) -> str:
+    """The text in letters that can be engraved: accents are left out, unknown letters become underscores.
+
+    Examples
+    --------
+    >>> engravable("Träger")
+    'Trager'
+    """
+    plain = normalize("NFKD", text.replace("ß", "ss"))
+    return "".join(c if c in _GLYPHS else "_" for c in plain if not combining(c))
 
 
 def text_width(text: str, height: float) -> float:

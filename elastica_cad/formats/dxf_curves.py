@@ -73,10 +73,11 @@ def read_dxf_curves(
                 runs.append(tuple(edge.mapped(scale * np.eye(3), np.zeros(3)) for edge in run))
         chains = chained((run for run in runs if run), tolerance)
         if not chains:
-            found = ", ".join(f"{count} {kind}" for kind, count in sorted(ignored.items()))
+            found = [f"{count} {kind}" for kind, count in sorted(ignored.items())]
+            found += [f"{len(runs)} of no length"] if runs else []
             raise InputError(
                 "holds no curve in its model space: draw a SPLINE, ARC, ELLIPSE, LINE or polyline there"
-                + (f" (found only {found})" if found else "")
+                + (f" (found only {', '.join(found)})" if found else "")
             )
         return [
             curve_from_run(flattened(chain, tolerance), tolerance=tolerance, fit_tolerance=fit_tolerance)
@@ -94,17 +95,23 @@ def _opened(path: Path) -> "Drawing":
         raise MissingDependencyError(
             f"reading {path.name} needs ezdxf, which is not installed: pip install ezdxf"
         ) from error
-    try:
-        return readfile(str(path))
-    except (DXFError, OSError, ValueError, LookupError):
-        pass
-    try:
-        with _quiet("ezdxf"):
+    # what ezdxf meets in a file cut short or overwritten in places
+    damage = (DXFError, OSError, ValueError, LookupError, TypeError, AttributeError, AssertionError)
+    with _quiet("ezdxf"):
+        try:
+            document = readfile(str(path))
+            document.modelspace()
+        except (*damage, StopIteration):
+            pass
+        else:
+            return document
+        try:
             document, audit = recover.readfile(str(path))
-    except (DXFError, OSError, ValueError, LookupError, TypeError, AttributeError) as error:
-        raise InputError(
-            "is not a DXF file that can be read: export it anew, as DXF R2000 or later"
-        ) from error
+            document.modelspace()
+        except (*damage, StopIteration) as error:
+            raise InputError(
+                "is not a DXF file that can be read: export it anew, as DXF R2000 or later"
+            ) from error
     guessed = [entry for entry in audit.errors if entry.code == AuditError.INVALID_FLOATING_POINT_VALUE]
     if guessed:
         raise InputError(f"is damaged ({guessed[0].message}): export it anew")

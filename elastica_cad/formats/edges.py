@@ -47,7 +47,8 @@ class Edge:
         count = len(points)
         if self.degree < 1 or count <= self.degree:
             raise InputError(
-                f"a spline of degree {self.degree} has {count} control points; it needs {self.degree + 1}"
+                f"a spline of degree {self.degree} has {count} control points; "
+                f"it needs {self.degree + 1}: draw it anew"
             )
         if knots.shape != (count + self.degree + 1,) or np.any(np.diff(knots) < 0):
             raise InputError(

@@ -51,7 +51,7 @@ def read_json_curves(path: str | Path, *, unit: str | None = None) -> list[Plane
         try:
             data = json.loads(path.read_bytes())
         except (json.JSONDecodeError, UnicodeDecodeError, RecursionError) as error:
-            raise InputError(f"is not JSON: {error}") from error
+            raise InputError(f"is not JSON ({error}): export it anew") from error
         if not isinstance(data, dict):
             raise InputError(f"holds {type(data).__name__}, not a record with the schema {CURVES_SCHEMA!r}")
         scale = _scale(data, unit)
@@ -68,7 +68,9 @@ def _scale(data: dict[str, Any], unit: str | None) -> float:
     schema = data.get("schema")
     name, _, version = str(schema).partition("/")
     if name not in ("elastica-curves", "elastica-report"):
-        raise InputError(f"has the schema {schema!r}; curves are read from {CURVES_SCHEMA!r}")
+        raise InputError(
+            f"has the schema {schema!r}; curves are read from {CURVES_SCHEMA!r} and from reports of strips"
+        )
     if version != "1":
         raise InputError(f"has the schema {schema!r}, which is newer than this program: update it")
     given = data.get("units", "mm")

@@ -36,7 +36,9 @@ def existing_file(path: str | Path) -> Path:
         with path.open("rb") as file:
             empty = not file.read(1)
     except OSError as error:
-        raise InputError(f"{path} cannot be read: {error.strerror or error}") from error
+        raise InputError(
+            f"{path} cannot be read: {error.strerror or error}; name a file that is there and may be read"
+        ) from error
     if empty:
         raise InputError(f"{path} is empty: export the curve anew")
     return path

@@ -72,7 +72,7 @@ def _root(path: Path) -> ElementTree.Element:
     try:
         root = ElementTree.parse(path).getroot()
     except (ElementTree.ParseError, ValueError, LookupError) as error:
-        raise InputError(f"is not an SVG file: {error}") from error
+        raise InputError(f"is not an SVG file ({error}): export it anew") from error
     if root.tag.rpartition("}")[2] != "svg":
         raise InputError(
             f"is not an SVG file: it begins with <{root.tag.rpartition('}')[2]}>, not with <svg>"

@@ -13,7 +13,7 @@ from elastica_cad.mechanics.snap import snapped_to_line
 from elastica_cad.mechanics.supports import Supports
 from elastica_cad.mechanics.verdict import EquilibriumCheck, NotRealizable, count, figure, listed, places
 
-__all__ = ["EquilibriumCheck", "NotRealizable", "check_equilibrium", "examine_curvature"]
+__all__ = ["EquilibriumCheck", "NotRealizable", "check_equilibrium", "examine_curvature", "require_bendable"]
 
 AT_END = 1e-7
 """A zero of the curvature nearer to an end than this, in lengths of the curve, is the end's."""
@@ -91,7 +91,7 @@ def examine_curvature(
     """
     if not np.isfinite(natural_curvature):
         raise InputError(f"natural curvature is {natural_curvature}: it must be a finite number, in 1/mm")
-    _refuse_bad_curve(curve)
+    require_bendable(curve)
     zeros = _zeros_of(curve, supports, natural_curvature)
     flats = [z for z in zeros if z.kind == "flat"]
     jumps = tuple(z.s for z in zeros if z.kind == "jump")
@@ -205,7 +205,14 @@ def _refused(check: EquilibriumCheck, reason: str) -> EquilibriumCheck:
     return replace(check, realizable=False, reasons=(*check.reasons, reason))
 
 
-def _refuse_bad_curve(curve: PlaneCurve) -> None:
+def require_bendable(curve: PlaneCurve) -> None:
+    """Refuse what no strip can follow, whatever holds it: a closed curve, a corner.
+
+    Raises
+    ------
+    InputError
+        The message says where, and what to do.
+    """
     corners = curve.tangent_breaks
     if corners:
         raise InputError(

@@ -140,6 +140,8 @@ BAD = {
     "unknown.xyz": b"1 2 3",
     "plain.svg": b"<svg xmlns='http://www.w3.org/2000/svg' width='10mm' height='10mm'/>",
     "broken.svg": b"<svg",
+    "corner.csv": b"0,0\n50,30\n100,0\n",
+    "ring.svg": b"<svg xmlns='http://www.w3.org/2000/svg' width='99mm' height='99mm'><circle r='9'/></svg>",
 }
 
 
@@ -155,12 +157,35 @@ def test_bad_files_get_one_sentence_that_names_them(name, tmp_path):
     assert not (tmp_path / "out").exists()
 
 
+def test_the_curve_at_fault_is_named_by_its_number(tmp_path):
+    path = tmp_path / "several.json"
+    arc, ring = (ec.PlaneCurve.arc((0, 0), 100.0, 0.0, end) for end in (2.0, 2 * np.pi))
+    path.write_text(curves_json([arc, ring]))
+    options = ("--sheet", "card-200gsm", "--max-width", 20, "-o", tmp_path)
+    asked = elastica("check", path)
+    assert asked.returncode == 2
+    assert "several.json, curve 2 of 2: the curve is closed" in asked.stderr
+    assert elastica("strip", path, "--curve", 1, *options).returncode == 0
+    assert "curve 2 of 2" in elastica("strip", path, "--curve", 2, *options).stderr
+
+
+def test_names_of_any_language(tmp_path):
+    folder = tmp_path / "Träger und Bögen"
+    folder.mkdir()
+    path = folder / "Öse 字.json"
+    path.write_text(curves_json([ec.PlaneCurve.arc((0, 0), 100.0, 0.0, 2.0)]))
+    result = elastica("strip", path, "--sheet", "card-200gsm", "--max-width", 20, "-o", folder, "--force")
+    assert result.returncode == 0, result.stderr
+    assert result.stdout.startswith("Ose _: ")
+    assert (folder / "Öse 字.dxf").stat().st_size > 1000
+
+
 def test_folder_unknown_sheet_and_bad_numbers(drawn, tmp_path):
     good = ("--sheet", "card-200gsm", "--max-width", "20", "-o", tmp_path / "out")
     cases = [
         (("strip", tmp_path, *good), tmp_path.name),
         (("strip", drawn, "--sheet", "card-200gms", "--max-width", 20), "card-200gsm"),
-        (("strip", drawn, "--sheet", "card-200gsm"), "max"),
+        (("strip", drawn, "--sheet", "card-200gsm"), "--max-width"),
         (("strip", drawn, *good, "--kerf", "wide"), "kerf"),
         (("strip", drawn, *good, "--max-width", "-3"), "positive"),
         (("strip", drawn, *good, "--tab", "-3"), "tab"),

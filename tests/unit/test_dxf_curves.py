@@ -349,6 +349,29 @@ def test_damaged_number_is_not_guessed(drawing, tmp_path, capfd):
     assert capfd.readouterr() == ("", "")
 
 
+def test_a_file_cut_short_anywhere_is_refused_in_words_or_read(drawing, tmp_path, capfd):
+    drawing(lambda space, _: space.add_arc((0, 0), 50, 10, 120))
+    path = tmp_path / "drawn.dxf"
+    whole = path.read_bytes()
+    unread, named = 0, 0
+    for size in np.linspace(1, len(whole) - 1, 40).astype(int):
+        path.write_bytes(whole[:size])
+        try:
+            (curve,) = read_dxf_curves(path)
+        except InputError as error:
+            unread += 1
+            named += str(error).startswith(str(path))
+        else:
+            assert curve.length == pytest.approx(50 * np.radians(110))
+    assert named == unread > 20
+    assert capfd.readouterr() == ("", "")
+
+
+def test_pieces_of_no_length_are_told(drawing):
+    with pytest.raises(InputError, match=r"holds no curve .*\(found only 1 of no length\)"):
+        drawing(lambda space, _: space.add_line((3, 3), (3, 3)))
+
+
 def test_nan_in_a_file_is_refused(drawing):
     def draw(space, _):
         space.add_lwpolyline([(0, 0), (10, float("nan")), (20, 0)])
