@@ -147,7 +147,8 @@ class _Cutter:
                     f"{rows[0, 0]:.6g} mm: make it smaller"
                 )
             side: Literal["upper", "lower"] = "upper" if rows[-1, 1] > rows[0, 1] else "lower"
-            slots.append(Slot.along(rows, widths, side=side, relief=self.relief, mate=names[1 - which]))
+            mate = self.model.placed[members[1 - which]].strip.label
+            slots.append(Slot.along(rows, widths, side=side, relief=self.relief, mate=mate))
         middle = crossing.at(np.array([crossing.middle])).position[0]
         return Joint(members, (slots[0], slots[1]), (low, high), middle)
 

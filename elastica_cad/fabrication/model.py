@@ -10,12 +10,11 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.boundary import Frame
+from elastica_cad.fabrication.equality import FlatShape
 from elastica_cad.fabrication.interlock import Fit, Joint, interlocked
 from elastica_cad.fabrication.slot_effects import SlotEffect, slot_effect
 from elastica_cad.fabrication.slots import Relief
 from elastica_cad.fabrication.strip import Strip
-from elastica_cad.geometry import Path
-from elastica_cad.geometry.nearest import distances
 
 if TYPE_CHECKING:
     from elastica_cad.fabrication.base import BasePlate
@@ -26,9 +25,6 @@ if TYPE_CHECKING:
     from elastica_cad.mechanics import Sheet
 
 __all__ = ["Model", "Part", "Placed"]
-
-SAME = 1e-6
-"""Parts whose loops stay this near to each other (mm) are equal."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -164,15 +160,16 @@ class Model:
 
         Strips are equal where sheet, label and all cut loops are, after turning the part about or over.
         """
-        found: list[tuple[Strip, list[int]]] = []
+        found: list[tuple[FlatShape, list[int]]] = []
         for index, strip in enumerate(self.strips):
+            shape = FlatShape(strip)
             for first, members in found:
-                if first is strip or _equal(first, strip):
+                if first.equals(shape):
                     members.append(index)
                     break
             else:
-                found.append((strip, [index]))
-        return tuple(Part(strip, self.name_of(members[0]), tuple(members)) for strip, members in found)
+                found.append((shape, [index]))
+        return tuple(Part(shape.strip, self.name_of(members[0]), tuple(members)) for shape, members in found)
 
     def with_strips(self, strips: Sequence[Strip]) -> "Model":
         """The model with other strips in the same places."""
@@ -319,33 +316,3 @@ def _refuse_faults(strip: Strip, name: str) -> None:
         raise InputError(str(error) if strip.label else f"{name}: {error}") from error
     if not whole:
         raise InputError(f"{name}: the slots open its outline")
-
-
-def _equal(a: Strip, b: Strip) -> bool:
-    """The same part, perhaps turned about or over?"""
-    if a.label != b.label or a.sheet != b.sheet or len(a.holes) != len(b.holes):
-        return False
-    if abs(a.area - b.area) > SAME * a.outline.length or abs(a.rod.length - b.rod.length) > SAME:
-        return False
-    size = np.diff(np.array([a.outline.bounds, b.outline.bounds]), axis=1)[:, 0]
-    if np.abs(size[0] - size[1]).max() > SAME:
-        return False
-    return any(_covers(a, b, way) for way in ((1, 1), (1, -1), (-1, 1), (-1, -1)))
-
-
-def _covers(a: Strip, b: Strip, way: tuple[int, int]) -> bool:
-    """Do the loops of b, turned about or over and laid onto the middle of a, run along those of a?"""
-    center = a.outline.bounds.mean(axis=0) - way * b.outline.bounds.mean(axis=0)
-    m = np.array([[way[0], 0.0, center[0]], [0.0, way[1], center[1]], [0.0, 0.0, 1.0]])
-    if not _along(a.outline, b.outline.transformed(m)):
-        return False
-    return all(any(_along(hole, other.transformed(m)) for hole in a.holes) for other in b.holes)
-
-
-def _along(path: Path, other: Path) -> bool:
-    """Does `other` run within 1e-6 mm of `path`, over the same length?"""
-    if abs(path.length - other.length) > 10 * SAME or np.abs(path.bounds - other.bounds).max() > SAME:
-        return False
-    points = np.concatenate([s.at(np.linspace(0.0, 1.0, 9)[:-1]) for s in other.segments])
-    near = np.min([distances(segment, points) for segment in path.segments], axis=0)
-    return bool(near.max() <= SAME)
