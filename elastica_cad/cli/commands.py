@@ -6,6 +6,7 @@ from typing import Any
 import click
 
 from elastica_cad.cli.check import check
+from elastica_cad.cli.model import model
 from elastica_cad.cli.sheets import sheets
 from elastica_cad.cli.strip import strip
 from elastica_cad.cli.wish import NotMetError
@@ -53,11 +54,12 @@ def elastica() -> None:
       elastica check arch.dxf                       can it be bent at all, and if not, why?
       elastica sheets                               materials we know
       elastica strip arch.dxf --sheet birch-plywood-0.8 --max-width 40 -o out
+      elastica model pavilion.toml -o out           many strips: slots, base, nested sheets, cut list
 
     Curves come from DXF, SVG, CSV, JSON, text files of control points, and STEP with a CAD kernel installed.
     Lengths are mm. Exit code: 0 done, 1 not realizable (or too much strain with --strict), 2 bad input.
     """
 
 
-for command in (check, strip, sheets):
+for command in (check, strip, model, sheets):
     elastica.add_command(command)

@@ -1,8 +1,10 @@
 """Pieces: what is cut from which sheet, and how often."""
 
 import re
+from collections import Counter
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import count
 
 import numpy as np
 
@@ -63,8 +65,8 @@ class Piece:
 
     @cached_property
     def bounds(self) -> FloatArray:
-        """[[x_min, y_min], [x_max, y_max]] of what is cut, engraved lines included, mm, exact."""
-        corners = np.array([item.path.bounds for item in self.drawing.paths])
+        """[[x_min, y_min], [x_max, y_max]] of the outer cuts, mm, exact; all else lies inside."""
+        corners = np.array([path.bounds for path in self.drawing.on(CUT_OUTER)])
         return np.array([corners[:, 0].min(axis=0), corners[:, 1].max(axis=0)])
 
     @property
@@ -93,21 +95,19 @@ class Piece:
 def strip_pieces(model: Model) -> tuple[Piece, ...]:
     """The strips of a model as pieces, equal ones once with their count; each layer of a laminate is one.
 
-    Raises
-    ------
-    InputError
-        Different parts with the same label.
+    Different parts with the same label get a number behind it, on the part and in its name.
     """
     pieces: list[Piece] = []
+    taken = {part.name for part in model.parts}
+    used: Counter[str] = Counter()
     for part in model.parts:
-        drawings = part.strip.drawings()
-        for i, (drawing, layer) in enumerate(zip(drawings, part.strip.layers, strict=True)):
-            name = part.name if i == 0 else f"{part.name}-backing"
-            pieces.append(Piece(name, replace(drawing, name=name), layer.sheet, part.count))
-    names = [piece.name for piece in pieces]
-    twice = sorted({name for name in names if names.count(name) > 1})
-    if twice:
-        raise InputError(
-            f"{twice[0]}: two different strips have this label; give every part a label of its own"
-        )
+        name, strip = part.name, part.strip
+        used[name] += 1
+        if used[name] > 1:
+            name = next(f"{name}-{n}" for n in count(used[name]) if f"{name}-{n}" not in taken)
+            taken.add(name)
+            strip = replace(strip, label=name)
+        for i, (drawing, layer) in enumerate(zip(strip.drawings(), strip.layers, strict=True)):
+            called = name if i == 0 else f"{name}-backing"
+            pieces.append(Piece(called, replace(drawing, name=called), layer.sheet, part.count))
     return tuple(pieces)

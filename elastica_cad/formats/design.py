@@ -145,7 +145,8 @@ class Design:
         sheets = list(dict.fromkeys(wish.sheet for wish in self.wishes))
         pieces = []
         if self.coupon:
-            pieces += [Piece(f"coupon-{sheet.name}", coupon_drawing(sheet), sheet) for sheet in sheets]
+            names = ["coupon"] if len(sheets) == 1 else [f"coupon-{n}" for n in range(1, len(sheets) + 1)]
+            pieces += [Piece(name, coupon_drawing(s), s) for name, s in zip(names, sheets, strict=True)]
         if self.reference_bar is not None:
             pieces.append(Piece("reference-bar", reference_bar(self.reference_bar), sheets[0]))
         return tuple(pieces)

@@ -10,7 +10,7 @@ from elastica_cad.formats.json_curves import curve_record
 from elastica_cad.forming import NearestRod
 from elastica_cad.mechanics import EquilibriumCheck, Stability
 
-__all__ = ["REPORT_SCHEMA", "check_report", "strip_report"]
+__all__ = ["REPORT_SCHEMA", "check_report", "rounded", "strip_report", "versions"]
 
 REPORT_SCHEMA = "elastica-report/1"
 _UNITS = {
@@ -57,7 +57,7 @@ def strip_report(
     return {
         "schema": REPORT_SCHEMA,
         "name": name,
-        "versions": _versions(),
+        "versions": versions(),
         "units": _UNITS,
         "files": files,
         "curve": curve_record(rod.curve),
@@ -65,20 +65,20 @@ def strip_report(
         "nearest": None if near is None else _nearest_report(near),
         "stability": None
         if stability is None
-        else {"stable": stability.stable, "margin": _rounded(stability.margin)},
-        "moved_by_snapping": _rounded(rod.moved),
-        "length": _rounded(rod.length),
-        "ratio": _rounded(rod.ratio),
+        else {"stable": stability.stable, "margin": rounded(stability.margin)},
+        "moved_by_snapping": rounded(rod.moved),
+        "length": rounded(rod.length),
+        "ratio": rounded(rod.ratio),
         "residual": rod.residual,
         "gravity": None
         if rod.gravity is None
         else {"length": rod.gravity.length, "direction": list(rod.gravity.direction)},
         "stations": {
-            "s": _rounded(s),
-            "stiffness": _rounded(rod.profile(s)),
-            "width": _rounded(strip.width(s)),
+            "s": rounded(s),
+            "stiffness": rounded(rod.profile(s)),
+            "width": rounded(strip.width(s)),
         },
-        "width": {"least": _rounded(low), "largest": _rounded(high)},
+        "width": {"least": rounded(low), "largest": rounded(high)},
         "sheet": {
             "name": sheet.name,
             "thickness": sheet.thickness,
@@ -88,16 +88,16 @@ def strip_report(
             "source": sheet.source,
         },
         "strain": {
-            "largest": _rounded(strip.max_strain),
-            "at": _rounded(strip.max_strain_at),
+            "largest": rounded(strip.max_strain),
+            "at": rounded(strip.max_strain_at),
             "limit": sheet.max_strain,
         },
-        "mass": _rounded(strip.mass),
+        "mass": rounded(strip.mass),
         "reactions": {
-            "start_force": _rounded(reactions.start_force),
-            "start_moment": _rounded(reactions.start_moment),
-            "end_force": _rounded(reactions.end_force),
-            "end_moment": _rounded(reactions.end_moment),
+            "start_force": rounded(reactions.start_force),
+            "start_moment": rounded(reactions.start_moment),
+            "end_force": rounded(reactions.end_force),
+            "end_moment": rounded(reactions.end_moment),
         },
         "warnings": list(strip.warnings),
     }
@@ -109,9 +109,9 @@ def _nearest_report(near: NearestRod) -> dict[str, Any]:
         "status": near.status.name.lower(),
         "message": near.status.value,
         "met": near.met,
-        "deviation": _rounded(near.deviation),
+        "deviation": rounded(near.deviation),
         "binding": [
-            {"name": one.name, "limit": one.limit, "cost": _rounded(one.cost)} for one in near.binding
+            {"name": one.name, "limit": one.limit, "cost": rounded(one.cost)} for one in near.binding
         ],
     }
 
@@ -122,20 +122,21 @@ def check_report(check: EquilibriumCheck) -> dict[str, Any]:
         "realizable": check.realizable,
         "reasons": list(check.reasons),
         "warnings": list(check.warnings),
-        "inflections": _rounded(check.inflections),
+        "inflections": rounded(check.inflections),
         "advice": str(check),
     }
 
 
-def _rounded(value: Any) -> Any:
+def rounded(value: Any) -> Any:
     """Ten significant digits: more would be noise, and the same design must give the same file."""
     array = np.asarray(value, dtype=float)
     if array.ndim == 0:
         return float(f"{float(array):.10g}")
-    return [_rounded(row) for row in array]
+    return [rounded(row) for row in array]
 
 
-def _versions() -> dict[str, str]:
+def versions() -> dict[str, str]:
+    """Versions of the packages that a result depends on."""
     found = {}
     for package in ("elastica-cad", "numpy", "scipy", "highspy", "ezdxf"):
         try:

@@ -1,0 +1,71 @@
+"""The report of a model: its strips, joints, sheets and files as one JSON record."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from elastica_cad.fabrication import CutList, Model, NestedSheet, Strip
+from elastica_cad.formats.report import rounded, versions
+
+__all__ = ["MODEL_SCHEMA", "model_report"]
+
+MODEL_SCHEMA = "elastica-model/1"
+
+
+def model_report(
+    model: Model, *, cut_list: CutList, nests: Sequence[NestedSheet], files: Mapping[str, str]
+) -> dict[str, Any]:
+    """The report of a model, ready for JSON.
+
+    Parameters
+    ----------
+    model : Model
+    cut_list : CutList
+        All pieces.
+    nests : sequence of NestedSheet
+    files : mapping
+        What each file is, by its name.
+    """
+    return {
+        "schema": MODEL_SCHEMA,
+        "name": model.name,
+        "versions": versions(),
+        "units": {"length": "mm", "strain": "1", "mass": "g", "area": "mm2", "angle": "rad"},
+        "strips": len(model.placed),
+        "parts": [{**_strip(part.strip), "name": part.name, "count": part.count} for part in model.parts],
+        "joints": [
+            {
+                "strips": [model.name_of(i) for i in joint.members],
+                "angle": rounded(joint.angle),
+                "position": rounded(joint.position),
+            }
+            for joint in model.joints
+        ],
+        "sheets": [
+            {
+                "drawing": nest.name,
+                "size": rounded(nest.sheet_size),
+                "pieces": nest.counts,
+                "filled": rounded(nest.filled / nest.used),
+            }
+            for nest in nests
+        ],
+        "pieces": cut_list.count,
+        "cut_length": rounded(cut_list.cut_length),
+        "mass": rounded(cut_list.mass),
+        "reports": list(model.reports),
+        "files": dict(files),
+    }
+
+
+def _strip(strip: Strip) -> dict[str, Any]:
+    low, high = strip.width.extremes
+    return {
+        "sheet": strip.sheet.name,
+        "length": rounded(strip.rod.length),
+        "ratio": rounded(strip.rod.ratio),
+        "width": {"least": rounded(low), "largest": rounded(high)},
+        "largest_strain": rounded(strip.max_strain),
+        "mass": rounded(strip.mass),
+        "slots": len(strip.slots),
+        "warnings": list(strip.warnings),
+    }
