@@ -8,7 +8,7 @@ from pathlib import Path
 import FreeCAD as App
 import Part
 import pytest
-from freecad.elastica_wb.cutting import KINDS, cut_parts, write_cutting_files
+from freecad.elastica_wb.cutting import KINDS, pieces_of, write_cutting_files
 from freecad.elastica_wb.dragging import Dragged
 from freecad.elastica_wb.drawn import curve_into, drawn_curve, sketch_curve
 from freecad.elastica_wb.features import flat, strip
@@ -213,19 +213,20 @@ def test_cutting_files(document, sketch, tmp_path: Path, request):
         with pytest.raises(MissingDependencyError, match="Install missing libraries"):
             write_cutting_files([feature], tmp_path / "out")
     files = write_cutting_files([feature], tmp_path / "out", kinds=kinds)
-    assert [f.name for f in files] == [
-        *(f"A1-birch-plywood-0.8-0.8mm-x4.{kind}" for kind in kinds if kind != "csv"),
-        "cut-list.csv",
-    ]
+    flat = ("dxf", "svg") if complete else ("svg",)
+    stems = ("A1_birch-plywood-0.8_0.8mm_x4", "nest-1-birch-plywood-0.8")
+    assert [f.name for f in files[:-2]] == [f"{stem}.{kind}" for stem in stems for kind in flat]
+    assert [f.name for f in files[-2:]] == ["Strip.step", "cut-list.csv"]
     if complete:
-        for file in files[:2]:
+        for file in files[:4]:
             request.getfixturevalue("check_drawing_file")(file)
-    assert "mm" in next(f for f in files if f.suffix == ".svg").read_text()
-    assert ",4," in files[-1].read_text()
+    assert "A1,birch-plywood-0.8" in files[-1].read_text()
     with pytest.raises(InputError, match="exists already"):
         write_cutting_files([feature], tmp_path / "out", kinds=kinds)
-    names = [part.name for part in cut_parts([feature, document.copyObject(feature)])]
+    names = [piece.name for piece in pieces_of([feature, document.copyObject(feature)])]
     assert len(set(names)) == 2
+    with pytest.raises(InputError, match="nothing to cut"):
+        pieces_of([sketch])
 
 
 def test_sections_of_a_surface(document):

@@ -1,9 +1,7 @@
-"""Cutting files of parametric strips: DXF, SVG, STEP and a cut list, together or not at all."""
+"""Cutting files of what is in a document: DXF, SVG, STEP, nest and cut list, together or not at all."""
 
-import csv
-import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -11,120 +9,126 @@ from typing import Any
 import FreeCAD as App
 from freecad.elastica_wb.design import bent_shape, flat_shape
 from freecad.elastica_wb.drawn import drawn_curve
-from freecad.elastica_wb.features.strip import strip_of
+from freecad.elastica_wb.features.baseplate import is_base_plate, plate_of
+from freecad.elastica_wb.features.model import is_model, model_of
+from freecad.elastica_wb.features.strip import is_strip, strip_of
 
 from elastica_cad.errors import InputError, MissingDependencyError
-from elastica_cad.fabrication import Strip, sheet_color
+from elastica_cad.fabrication import sheet_color
+from elastica_cad.fabrication.cutlist import cut_list
+from elastica_cad.fabrication.nesting import nested
+from elastica_cad.fabrication.pieces import Piece
 from elastica_cad.formats import files_together, write_drawing
 
-__all__ = ["KINDS", "CutPart", "cut_parts", "write_cutting_files", "write_step"]
+__all__ = ["KINDS", "pieces_of", "write_cutting_files"]
 
-KINDS = ("dxf", "svg", "step", "csv")
-COLUMNS = (
-    "part", "quantity", "sheet", "thickness_mm", "length_mm", "least_width_mm", "largest_width_mm",
-    "stiffness_ratio", "strain_percent", "mass_g", "file",
-)  # fmt: skip
+KINDS = ("dxf", "svg", "step", "csv", "nest")
 
 
-@dataclass(frozen=True, eq=False)
-class CutPart:
-    """A strip of the document, and what its files are called."""
+def pieces_of(sources: Iterable[Any]) -> list[Piece]:
+    """What must be cut for strips, models and base plates; strips of a model that is there too count once.
 
-    obj: Any
-    strip: Strip
-    quantity: int
-    name: str
-
-
-def cut_parts(strips: Iterable[Any]) -> list[CutPart]:
-    """Names with material, thickness and quantity in them; every one once."""
-    parts: list[CutPart] = []
-    for obj in strips:
-        strip = strip_of(obj)
-        sheet = strip.sheet
-        thickness = f"{sheet.thickness:g}mm"
-        stem = f"{obj.EngravedText or obj.Label}-{sheet.name}-{thickness}-x{obj.Quantity}"
-        stem = re.sub(r"[^\w.+-]+", "_", stem).strip("_")
-        count = sum(part.name == stem or part.name.startswith(f"{stem}-no") for part in parts)
-        parts.append(CutPart(obj, strip, obj.Quantity, f"{stem}-no{count + 1}" if count else stem))
-    return parts
+    Raises
+    ------
+    InputError
+        None of these among the sources, or one of them in error.
+    """
+    sources = list(sources)
+    in_models = [strip for model in sources if is_model(model) for strip in model.Strips]
+    pieces: list[Piece] = []
+    for obj in sources:
+        if is_model(obj):
+            pieces += model_of(obj).pieces
+        elif is_base_plate(obj):
+            pieces.append(replace(plate_of(obj).piece, name=obj.Label))
+        elif is_strip(obj) and obj not in in_models:
+            pieces += _strip_pieces(obj)
+    if not pieces:
+        raise InputError("there is nothing to cut: select strips, models or base plates")
+    names = [piece.name for piece in pieces]
+    return [
+        replace(piece, name=f"{piece.name}-{names[:i].count(piece.name) + 1}")
+        if piece.name in names[:i]
+        else piece
+        for i, piece in enumerate(pieces)
+    ]
 
 
 def write_cutting_files(
-    strips: Sequence[Any],
+    sources: Sequence[Any],
     folder: str | Path,
     *,
     kinds: Iterable[str] = KINDS,
+    sheet_size: tuple[float, float] = (600.0, 400.0),
     kerf: float = 0.0,
     curves: str = "spline",
     tolerance: float = 0.02,
     version: str = "R2010",
     force: bool = False,
 ) -> list[Path]:
-    """Write the files of strips into a folder.
+    """Write the files of strips, models and base plates into a folder.
 
     Raises
     ------
     InputError
-        Nothing to write, files that are there already (without `force`), a strip in error.
+        Nothing to write, files that are there already (without `force`), a strip in error, a piece larger than
+        the sheet.
     MissingDependencyError
         DXF without ezdxf.
     """
-    parts, kinds = cut_parts(strips), list(kinds)
-    if not parts or not kinds:
-        raise InputError("there is nothing to write: choose strips and kinds of files")
+    kinds, pieces = list(kinds), pieces_of(sources)
+    if not kinds:
+        raise InputError("there is nothing to write: choose kinds of files")
     if "dxf" in kinds and find_spec("ezdxf") is None:
         raise MissingDependencyError(
             "DXF files need ezdxf: Elastica > Install missing libraries, or choose SVG"
         )
-    names = [
-        f"{stem}.{kind}"
-        for part in parts
-        for kind in ("dxf", "svg")
-        if kind in kinds
-        for stem in _stems(part)
-    ]
-    names += [f"{part.name}.step" for part in parts if "step" in kinds]
+    drawings = {piece.file_stem: piece.drawing for piece in pieces}
+    if "nest" in kinds:
+        drawings |= {sheet.name: sheet for sheet in nested(pieces, sheet_size=sheet_size)}
+    flat = [kind for kind in ("dxf", "svg") if kind in kinds]
+    bodies = [obj for obj in sources if is_strip(obj) or is_model(obj)] if "step" in kinds else []
+    names = [f"{stem}.{kind}" for stem in drawings for kind in flat] + [f"{obj.Label}.step" for obj in bodies]
     names += ["cut-list.csv"] if "csv" in kinds else []
     options = {"kerf": kerf, "curves": curves, "tolerance": tolerance}
     with files_together(folder, names, force=force) as workshop:
-        for part in parts:
-            for stem, drawing in zip(_stems(part), part.strip.drawings(), strict=True):
-                named = replace(drawing, name=stem)
-                if "dxf" in kinds:
-                    write_drawing(named, workshop / f"{stem}.dxf", version=version, **options)
-                if "svg" in kinds:
-                    write_drawing(named, workshop / f"{stem}.svg", **options)
-            if "step" in kinds:
-                write_step(part, workshop / f"{part.name}.step")
+        for stem, drawing in drawings.items():
+            named = replace(drawing, name=stem)
+            if "dxf" in kinds:
+                write_drawing(named, workshop / f"{stem}.dxf", version=version, **options)
+            if "svg" in kinds:
+                write_drawing(named, workshop / f"{stem}.svg", **options)
+        for obj in bodies:
+            _write_step(obj, workshop / f"{obj.Label}.step")
         if "csv" in kinds:
-            _write_list(parts, workshop / "cut-list.csv")
+            files = {piece.name: f"{piece.file_stem}.{flat[0] if flat else 'dxf'}" for piece in pieces}
+            (workshop / "cut-list.csv").write_text(cut_list(pieces, files).csv, encoding="utf-8")
     return [Path(folder) / name for name in names]
 
 
-def _stems(part: CutPart) -> tuple[str, ...]:
-    """File names of the layers without their endings."""
-    return (part.name, f"{part.name}-backing")[: len(part.strip.layers)]
+def _strip_pieces(obj: Any) -> list[Piece]:
+    strip, name = strip_of(obj), obj.EngravedText or obj.Label
+    names = (name, f"{name}-backing")
+    return [
+        Piece(called, replace(drawing, name=called), layer.sheet, obj.Quantity)
+        for called, drawing, layer in zip(names, strip.drawings(), strip.layers, strict=False)
+    ]
 
 
-def write_step(part: CutPart, path: Path) -> None:
-    """The flat part and the bent one, standing on its curve, named and coloured."""
+def _write_step(obj: Any, path: Path) -> None:
+    """A strip's flat part and its bent one standing on its curve, or a model's bodies; named and coloured."""
     import Import
 
     document = App.newDocument("ElasticaExport", hidden=True, temp=True)
     try:
         objects = []
-        shapes = [("flat", flat_shape(part.strip)), ("bent", bent_shape(part.strip))]
-        if len(part.strip.layers) > 1:
-            shapes.insert(1, ("backing", flat_shape(part.strip, 1)))
-        for form, shape in shapes:
-            body = document.addObject("Part::Feature", form)
-            body.Label = f"{part.obj.EngravedText or part.obj.Label} {form}"
+        for name, shape, placement, sheet in _bodies(obj):
+            body = document.addObject("Part::Feature", "Body")
+            body.Label = name
             body.Shape = shape.copy()
-            if form == "bent":
-                body.Placement = drawn_curve(part.obj.Curve, part.obj).world
+            body.Placement = placement
             if App.GuiUp and body.ViewObject is not None:
-                body.ViewObject.ShapeColor = sheet_color(part.strip.sheet)
+                body.ViewObject.ShapeColor = sheet_color(sheet)
             objects.append(body)
         document.recompute()
         Import.export(objects, str(path))
@@ -132,17 +136,16 @@ def write_step(part: CutPart, path: Path) -> None:
         App.closeDocument(document.Name)
 
 
-def _write_list(parts: Sequence[CutPart], path: Path) -> None:
-    with path.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file)
-        writer.writerow(COLUMNS)
-        for part in parts:
-            strip = part.strip
-            low, high = strip.width.extremes
-            numbers = (
-                strip.sheet.thickness, strip.rod.length, low, high, strip.rod.ratio, 100 * strip.max_strain,
-                strip.mass,
-            )  # fmt: skip
-            rounded = [f"{value:.6g}" for value in numbers]
-            label = part.obj.EngravedText or part.obj.Label
-            writer.writerow([label, part.quantity, strip.sheet.name, *rounded, part.name])
+def _bodies(obj: Any) -> list[tuple[str, Any, App.Placement, Any]]:
+    if is_model(obj):
+        model = model_of(obj)
+        return [
+            (model.name_of(i), solid, obj.getGlobalPlacement(), strip.sheet)
+            for i, (strip, solid) in enumerate(zip(model.strips, obj.Shape.childShapes(), strict=True))
+        ]
+    strip, name = strip_of(obj), obj.EngravedText or obj.Label
+    flat = [
+        (f"{name} {word}", flat_shape(strip, i), App.Placement(), layer.sheet)
+        for i, (word, layer) in enumerate(zip(("flat", "backing"), strip.layers, strict=False))
+    ]
+    return [*flat, (f"{name} bent", bent_shape(strip), drawn_curve(obj.Curve, obj).world, strip.sheet)]

@@ -10,6 +10,7 @@ from freecad.elastica_wb.brep import brep_text
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication import BentSolid, FlatSolid, Frame
+from elastica_cad.fabrication.prisms import PrismSolid
 from elastica_cad.formats.edges import Edge
 from elastica_cad.formats.placed import placed_curve
 from elastica_cad.geometry import Arc, Line, Path, PlaneCurve, Segment
@@ -59,8 +60,13 @@ def make_face(outline: Path, holes: Sequence[Path] = (), frame: Frame | None = N
     return Part.Face([outer, *inner])
 
 
-def make_solid(record: FlatSolid | BentSolid) -> Part.Shape:
+def make_solid(record: FlatSolid | BentSolid | PrismSolid) -> Part.Shape:
     """A record as a solid."""
+    if isinstance(record, PrismSolid):
+        first, *rest = (make_solid(prism) for prism in record.added)
+        whole = first.multiFuse(rest) if rest else first
+        holes = [make_solid(prism) for prism in record.removed]
+        return whole.cut(holes) if holes else whole
     if isinstance(record, FlatSolid):
         face = make_face(record.outline, record.holes, record.frame)
         return face.extrude(_vector(record.frame.z_axis * record.thickness))

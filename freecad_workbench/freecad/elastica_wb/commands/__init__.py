@@ -6,6 +6,7 @@ from freecad.elastica_wb.commands.check import CheckCommand
 from freecad.elastica_wb.commands.coupon import CouponCommand
 from freecad.elastica_wb.commands.export import ExportCommand
 from freecad.elastica_wb.commands.libraries import LibrariesCommand
+from freecad.elastica_wb.commands.models import FixturesCommand, InterlockCommand, NestCommand
 from freecad.elastica_wb.commands.nearest import NearestCommand
 from freecad.elastica_wb.commands.section import SectionCommand
 from freecad.elastica_wb.commands.sheets import SheetsCommand
@@ -21,10 +22,13 @@ COMMANDS: tuple[Command, ...] = (
     NearestCommand(),
     PerforateCommand(),
     LaminateCommand(),
+    InterlockCommand(),
+    FixturesCommand(),
     SectionCommand(),
     BendCommand(),
     ToleranceCommand(),
     CouponCommand(),
+    NestCommand(),
     ExportCommand(),
     SheetsCommand(),
     LibrariesCommand(),

@@ -14,7 +14,7 @@ from freecad.elastica_wb.text import icon, tr
 
 from elastica_cad.errors import ElasticaError, InputError
 
-__all__ = ["Command", "chosen_curves", "chosen_strips", "tell", "undo_step"]
+__all__ = ["Command", "chosen_curves", "chosen_sources", "chosen_strips", "tell", "undo_step"]
 
 _told: list[Any] = []
 
@@ -97,6 +97,17 @@ def chosen_curves() -> list[tuple[Any, tuple[str, ...]]]:
     if not found:
         raise InputError(tr("Select a sketch with a spline, or an edge of an object, first."))
     return found
+
+
+def chosen_sources() -> list[Any]:
+    """The selected strips, models and base plates; where none is selected, all that is not part of another."""
+    from freecad.elastica_wb.features.baseplate import is_base_plate
+    from freecad.elastica_wb.features.model import is_model
+
+    found = [obj for obj in Gui.Selection.getSelection() if is_model(obj) or is_base_plate(obj)]
+    if not any(is_strip(obj) or is_flat(obj) for obj in Gui.Selection.getSelection()) and not found:
+        found = [obj for obj in App.ActiveDocument.Objects if is_model(obj) or is_base_plate(obj)]
+    return found or chosen_strips()
 
 
 def chosen_strips(*, least: int = 1) -> list[Any]:

@@ -1,7 +1,7 @@
 """Export cutting files."""
 
 import FreeCADGui as Gui
-from freecad.elastica_wb.commands.base import Command, chosen_strips
+from freecad.elastica_wb.commands.base import Command, chosen_sources
 from freecad.elastica_wb.panels.export import ExportPanel
 
 __all__ = ["ExportCommand"]
@@ -12,9 +12,9 @@ class ExportCommand(Command):
 
     name = "Elastica_Export"
     text = "Export cutting files"
-    tip = "Write DXF, SVG and STEP files and a cut list of the selected strips"
+    tip = "Write DXF, SVG and STEP files, nest and cut list of the selected strips, models and base plates"
     shortcut = "E, X"
 
     def run(self) -> None:
         """Open the panel."""
-        Gui.Control.showDialog(ExportPanel(chosen_strips()))
+        Gui.Control.showDialog(ExportPanel(chosen_sources()))

@@ -5,7 +5,7 @@ from typing import Any
 import FreeCADGui as Gui
 from freecad.elastica_wb.text import icon
 
-__all__ = ["FlatView", "StripView"]
+__all__ = ["BasePlateView", "FixturesView", "FlatView", "ModelView", "NestView", "StripView"]
 
 
 class _View:
@@ -70,3 +70,31 @@ class FlatView(_View):
     """The flat part."""
 
     icon_name = "Elastica_Flat"
+
+
+class ModelView(_View):
+    """The model; its strips hang under it."""
+
+    icon_name = "Elastica_Interlock"
+
+    def claimChildren(self) -> list[Any]:
+        """The strips that stand for themselves where they are not slotted."""
+        return list(self.Object.Strips)
+
+
+class FixturesView(_View):
+    """The printed blocks."""
+
+    icon_name = "Elastica_Fixtures"
+
+
+class BasePlateView(_View):
+    """The plate."""
+
+    icon_name = "Elastica_Fixtures"
+
+
+class NestView(_View):
+    """The sheets."""
+
+    icon_name = "Elastica_Nest"

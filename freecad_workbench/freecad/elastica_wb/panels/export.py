@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from freecad.elastica_wb import preferences
-from freecad.elastica_wb.cutting import KINDS, cut_parts, write_cutting_files
+from freecad.elastica_wb.cutting import KINDS, pieces_of, write_cutting_files
 from freecad.elastica_wb.panels.base import Panel
 from freecad.elastica_wb.panels.files import ask_folder
 from freecad.elastica_wb.text import tr
@@ -23,7 +23,7 @@ class ExportPanel(Panel):
     icon_name = "Elastica_Export"
 
     def __init__(self, strips: list[Any]) -> None:
-        self.parts = cut_parts(strips)
+        self.pieces = pieces_of(strips)
         super().__init__()
         self.strips = strips
         self.written: list[Path] = []
@@ -39,8 +39,7 @@ class ExportPanel(Panel):
         form.folder.setText(str(saved))
         form.browse.clicked.connect(self.browse)
         form.dxf.clicked.connect(self.need_ezdxf)
-        names = "\n".join(f"{part.quantity} x {part.name}" for part in self.parts)
-        self.tell(names)
+        self.tell("\n".join(f"{piece.count} x {piece.name}" for piece in self.pieces))
 
     def browse(self, *_: Any) -> None:
         """Choose the folder."""
@@ -64,6 +63,7 @@ class ExportPanel(Panel):
             self.strips,
             self.form.folder.text(),
             kinds=kinds,
+            sheet_size=(self.form.sheetWidth.value(), self.form.sheetHeight.value()),
             kerf=self.form.kerf.value(),
             curves=self.form.curves.currentText(),
             tolerance=self.form.tolerance.value(),

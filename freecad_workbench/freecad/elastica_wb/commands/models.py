@@ -1,0 +1,62 @@
+"""Interlock, end fixtures and base plate, nest."""
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from freecad.elastica_wb.commands.base import Command, chosen_sources, chosen_strips, undo_step
+from freecad.elastica_wb.features import model, nest
+from freecad.elastica_wb.panels.fixtures import FixturesPanel
+from freecad.elastica_wb.panels.model import ModelPanel
+
+__all__ = ["FixturesCommand", "InterlockCommand", "NestCommand"]
+
+
+class InterlockCommand(Command):
+    """Slots where strips cross, so that they slide into each other."""
+
+    name = "Elastica_Interlock"
+    text = "Interlock selected strips"
+    tip = "Put the selected strips together to a model and cut slots where they cross"
+    shortcut = "E, I"
+
+    def run(self) -> None:
+        """Make the model, hide the single strips, open the panel."""
+        strips = chosen_strips(least=2)
+        App.ActiveDocument.openTransaction(self.text)
+        made = model.create(App.ActiveDocument, strips)
+        for strip in strips:
+            strip.Visibility = False
+        App.ActiveDocument.recompute()
+        Gui.Control.showDialog(ModelPanel(made))
+
+
+class FixturesCommand(Command):
+    """Printed blocks for the ends, or one slotted plate for all."""
+
+    name = "Elastica_Fixtures"
+    text = "End fixtures and base plate"
+    tip = "Make printed blocks that hold the ends of the selected strips or model, or one slotted base plate"
+
+    def run(self) -> None:
+        """Open the panel."""
+        Gui.Control.showDialog(FixturesPanel(chosen_sources()))
+
+
+class NestCommand(Command):
+    """All parts on sheets."""
+
+    name = "Elastica_Nest"
+    text = "Nest on sheets"
+    tip = "Lay everything that must be cut for the selected strips, models and base plates on sheets"
+
+    def run(self) -> None:
+        """Make the nest in front of everything."""
+        document = App.ActiveDocument
+        sources = chosen_sources()
+        with undo_step(document, self.text):
+            made = nest.create(document, sources)
+            boxes = [
+                obj.Shape.BoundBox for obj in document.Objects if hasattr(obj, "Shape") and obj is not made
+            ]
+            lowest = min((box.YMin for box in boxes if box.isValid()), default=0.0)
+            made.Placement.Base = App.Vector(0, lowest - made.SheetHeight.Value - 50.0, 0)
+            document.recompute()

@@ -1,0 +1,76 @@
+"""One slotted plate for all tabs that stand on it, as a parametric object."""
+
+from typing import Any
+
+from freecad.elastica_wb import preferences
+from freecad.elastica_wb.drawn import frame_of
+from freecad.elastica_wb.features.fixtures import source_model
+from freecad.elastica_wb.features.properties import Property
+from freecad.elastica_wb.features.proxy import Feature, added
+from freecad.elastica_wb.library import sheet_called, sheet_list
+from freecad.elastica_wb.shapes import make_solid
+
+from elastica_cad.fabrication import FlatSolid, Frame
+from elastica_cad.fabrication.base import BasePlate
+
+__all__ = ["BasePlateFeature", "create", "is_base_plate", "plate_of"]
+
+
+class BasePlateFeature(Feature):
+    """The plate lies where its placement says, its upper face on the plane z = 0 of it."""
+
+    properties = (
+        Property("LinkListGlobal", "Sources", "Base plate", "A model, or strips, whose tabs go through it"),
+        Property("Enumeration", "Sheet", "Base plate", "What the plate is cut from"),
+        Property("String", "SheetData", "Base plate", "The sheet's numbers", "", hidden=True),
+        Property("Length", "Play", "Base plate", "Room beside a tab on either side", 0.5),
+        Property("Length", "Clearance", "Base plate", "Added to the width of the slots", 0.1),
+        Property("Length", "Border", "Base plate", "Least distance of slots from the edge", 12.0),
+        Property(
+            "Enumeration", "Outline", "Base plate", "The outline around all slots", ["hull", "rectangle"]
+        ),
+    )
+
+    def ensure(self, obj: Any) -> None:
+        """The choice of sheets is that of today."""
+        fresh = "Sheet" not in obj.PropertiesList
+        super().ensure(obj)
+        chosen = preferences.default_sheet() if fresh else obj.Sheet
+        obj.Sheet = list(dict.fromkeys([*sheet_list(), chosen]))
+        obj.Sheet = chosen
+
+    def onChanged(self, obj: Any, name: str) -> None:
+        """The numbers of the chosen sheet are kept in the document."""
+        if name == "Sheet" and "Restore" not in obj.State and "SheetData" in obj.PropertiesList and obj.Sheet:
+            obj.SheetData = sheet_called(obj.Sheet, obj.SheetData).toml()
+
+    def make(self, obj: Any) -> None:
+        """Cut the slots."""
+        solid = plate_of(obj).solid
+        lowered = Frame().shifted(z=-solid.thickness)
+        obj.Shape = make_solid(FlatSolid(solid.outline, solid.holes, solid.thickness, lowered))
+
+
+def create(document: Any, sources: list[Any]) -> Any:
+    """A base plate for a model or for strips; recompute the document to see it."""
+    obj = added(document, "BasePlate", BasePlateFeature)
+    obj.Sources = sources
+    return obj
+
+
+def is_base_plate(obj: Any) -> bool:
+    """Is this object a base plate?"""
+    return isinstance(getattr(obj, "Proxy", None), BasePlateFeature)
+
+
+def plate_of(obj: Any) -> BasePlate:
+    """The core's base plate behind a parametric one."""
+    return source_model(obj.Sources).base_plate(
+        sheet_called(obj.Sheet, obj.SheetData),
+        frame=frame_of(obj.getGlobalPlacement()),
+        play=obj.Play.Value,
+        clearance=obj.Clearance.Value,
+        border=obj.Border.Value,
+        shape=obj.Outline,
+        name=obj.Label,
+    )

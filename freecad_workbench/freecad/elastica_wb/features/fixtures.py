@@ -1,0 +1,55 @@
+"""Printed blocks that hold the ends of strips, as a parametric object."""
+
+from typing import Any
+
+import Part
+from freecad.elastica_wb.features.model import is_model, model_of, strips_model
+from freecad.elastica_wb.features.properties import Property
+from freecad.elastica_wb.features.proxy import Feature, added
+from freecad.elastica_wb.shapes import make_solid
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication import Model
+
+__all__ = ["FixturesFeature", "create", "source_model"]
+
+
+class FixturesFeature(Feature):
+    """A block for every tab, as one compound."""
+
+    properties = (
+        Property("LinkListGlobal", "Sources", "Fixtures", "A model, or strips, whose ends are held"),
+        Property("Length", "Clearance", "Fixtures", "Room around the tab", 0.15),
+        Property("Length", "Wall", "Fixtures", "Least thickness around the pocket", 4.0),
+        Property(
+            "Length", "Foot", "Fixtures", "How far the foot sticks out on either side; 0 for none", 12.0
+        ),
+        Property("Length", "FootHeight", "Fixtures", "Height of the foot", 4.0),
+        Property("Length", "Screw", "Fixtures", "Diameter of the screw holes in the foot; 0 for none", 4.3),
+    )
+
+    def make(self, obj: Any) -> None:
+        """Place a block at every end."""
+        blocks = source_model(obj.Sources).fixtures(
+            clearance=obj.Clearance.Value,
+            wall=obj.Wall.Value,
+            foot=obj.Foot.Value,
+            foot_height=obj.FootHeight.Value,
+            screw=obj.Screw.Value,
+        )
+        if not blocks:
+            raise InputError("no strip here has a tab to be held: give the strips tabs")
+        obj.Shape = Part.makeCompound([make_solid(block.solid) for block in blocks])
+
+
+def create(document: Any, sources: list[Any]) -> Any:
+    """Fixtures for a model or for strips; recompute the document to see them."""
+    obj = added(document, "Fixtures", FixturesFeature)
+    obj.Sources = sources
+    return obj
+
+
+def source_model(sources: list[Any]) -> Model:
+    """The one model among the sources, or one made of the strips there."""
+    models = [obj for obj in sources if is_model(obj)]
+    return model_of(models[0]) if models else strips_model(sources, name="strips")

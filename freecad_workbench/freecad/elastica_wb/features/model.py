@@ -1,0 +1,131 @@
+"""The parametric model: several strips in their places, slotted into each other where they cross."""
+
+from functools import lru_cache
+from typing import Any
+
+import FreeCAD as App
+import numpy as np
+import Part
+from freecad.elastica_wb.design import bent_shape
+from freecad.elastica_wb.drawn import drawn_curve, frame_of, placement_of
+from freecad.elastica_wb.features.properties import Property, put
+from freecad.elastica_wb.features.proxy import Feature, added
+from freecad.elastica_wb.features.strip import is_strip, strip_of
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication import Model, Placed, Strip
+
+__all__ = ["ModelFeature", "create", "is_model", "model_of", "strips_model"]
+
+
+class ModelFeature(Feature):
+    """Bent strips with their slots, as one compound."""
+
+    properties = (
+        Property("LinkListGlobal", "Strips", "Model", "The strips, in the order of assembly"),
+        Property("Bool", "Interlock", "Model", "Cut slots where strips cross", True),
+        Property("Length", "Clearance", "Model", "Added to the width of every slot", 0.1),
+        Property(
+            "Enumeration",
+            "Fit",
+            "Model",
+            "Slots as the angle asks for, or as in the paper",
+            ["exact", "paper"],
+        ),
+        Property("Enumeration", "Relief", "Model", "Inner ends of the slots", ["square", "round"]),
+        Property(
+            "Vector",
+            "Above",
+            "Model",
+            "Later strips are pushed on from here; zero leaves it open",
+            App.Vector(),
+        ),
+        Property("Integer", "Joints", "Result", "How many slots fit into each other", 0, result=True),
+        Property("StringList", "Reports", "Result", "What was found on the way", [], result=True),
+    )
+
+    def make(self, obj: Any) -> None:
+        """Slot the strips and stand them in their places."""
+        model = model_of(obj)
+        inner = _container(obj).inverse()
+        solids = []
+        for placed in model.placed:
+            solid = bent_shape(placed.strip).copy()
+            solid.Placement = inner * placement_of(placed.frame)
+            solids.append(solid)
+        obj.Shape = Part.makeCompound(solids)
+        put(obj, Joints=len(model.joints), Reports=list(model.reports))
+
+
+def create(document: Any, strips: list[Any], *, interlock: bool = True) -> Any:
+    """A model of strips; recompute the document to see it."""
+    obj = added(document, "Model", ModelFeature, strips)
+    obj.Strips = strips
+    obj.Interlock = interlock
+    return obj
+
+
+def is_model(obj: Any) -> bool:
+    """Is this object a parametric model?"""
+    return isinstance(getattr(obj, "Proxy", None), ModelFeature)
+
+
+def model_of(obj: Any) -> Model:
+    """The core's model behind a parametric one.
+
+    Raises
+    ------
+    ElasticaError
+        A strip in error, strips that cannot be slotted.
+    """
+    options: tuple[tuple[str, Any], ...] = ()
+    if obj.Interlock:
+        above = tuple(obj.Above) if obj.Above.Length > 0 else None
+        options = (
+            ("clearance", obj.Clearance.Value),
+            ("fit", obj.Fit),
+            ("relief", obj.Relief),
+            ("above", above),
+        )
+    return strips_model(obj.Strips, name=obj.Label, options=options)
+
+
+def strips_model(strips: list[Any], *, name: str, options: tuple[tuple[str, Any], ...] = ()) -> Model:
+    """Strips of a document in their places, slotted where options are given."""
+    if not strips:
+        raise InputError("the model has no strips: choose some in the property Strips")
+    places = []
+    for obj in strips:
+        if not is_strip(obj):
+            raise InputError(f"{obj.Label} is no strip: a model is made of strips")
+        world = drawn_curve(obj.Curve, obj).world
+        places.append((_labelled(strip_of(obj), obj.EngravedText or obj.Label), _numbers(world)))
+    return _model(tuple(places), name, options)
+
+
+@lru_cache(maxsize=8)
+def _model(
+    places: tuple[tuple[Strip, tuple[float, ...]], ...], name: str, options: tuple[tuple[str, Any], ...]
+) -> Model:
+    placed = [Placed(strip, *np.array(numbers).reshape(3, 3)) for strip, numbers in places]
+    model = Model(tuple(placed), name=name)
+    return model.interlock(**dict(options)) if options else model
+
+
+@lru_cache(maxsize=64)
+def _labelled(strip: Strip, label: str) -> Strip:
+    """Models tell their parts apart by label."""
+    from dataclasses import replace
+
+    return strip if strip.label else replace(strip, label=label)
+
+
+def _numbers(world: App.Placement) -> tuple[float, ...]:
+    frame = frame_of(world)
+    rows = np.array([frame.origin, frame.x_axis, frame.y_axis])
+    return tuple(rows.ravel().tolist())
+
+
+def _container(obj: Any) -> App.Placement:
+    group = obj.getParentGeoFeatureGroup()
+    return App.Placement() if group is None else group.getGlobalPlacement()

@@ -1,0 +1,53 @@
+"""Everything that must be cut, laid on sheets, as a parametric object."""
+
+from typing import Any
+
+import FreeCAD as App
+import Part
+from freecad.elastica_wb.features.properties import Property, put
+from freecad.elastica_wb.features.proxy import Feature, added
+from freecad.elastica_wb.shapes import make_wire
+
+from elastica_cad.fabrication.nesting import nested
+
+__all__ = ["NestFeature", "create"]
+
+GAP = 30.0  # mm between sheets
+
+
+class NestFeature(Feature):
+    """The outlines of all cuts, sheet beside sheet."""
+
+    properties = (
+        Property("LinkListGlobal", "Sources", "Nest", "Strips, models and base plates to be cut"),
+        Property("Length", "SheetWidth", "Nest", "Width of a sheet, along its grain", 600.0),
+        Property("Length", "SheetHeight", "Nest", "Height of a sheet", 400.0),
+        Property("Length", "Margin", "Nest", "Least distance between parts and from the edge", 2.0),
+        Property("Integer", "Sheets", "Result", "How many sheets are needed", 0, result=True),
+    )
+
+    def make(self, obj: Any) -> None:
+        """Lay the pieces."""
+        from freecad.elastica_wb.cutting import pieces_of
+
+        size = (obj.SheetWidth.Value, obj.SheetHeight.Value)
+        sheets = nested(pieces_of(obj.Sources), sheet_size=size, margin=obj.Margin.Value)
+        wires = []
+        for i, sheet in enumerate(sheets):
+            border = Part.makePolygon([App.Vector(x * size[0], y * size[1], 0) for x, y in CORNERS])
+            drawn = [border, *(make_wire(item.path) for item in sheet.paths)]
+            for wire in drawn:
+                wire.translate(App.Vector(i * (size[0] + GAP), 0, 0))
+            wires += drawn
+        obj.Shape = Part.makeCompound(wires)
+        put(obj, Sheets=len(sheets))
+
+
+CORNERS = ((0, 0), (1, 0), (1, 1), (0, 1), (0, 0))
+
+
+def create(document: Any, sources: list[Any]) -> Any:
+    """A nest of strips, models and base plates; recompute the document to see it."""
+    obj = added(document, "Nest", NestFeature)
+    obj.Sources = sources
+    return obj

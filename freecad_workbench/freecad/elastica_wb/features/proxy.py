@@ -1,0 +1,66 @@
+"""What the proxies of all later features share."""
+
+from collections.abc import Iterable
+from typing import Any
+
+import FreeCAD as App
+from freecad.elastica_wb.features.properties import Property, ensure
+
+from elastica_cad.errors import ElasticaError, MissingDependencyError
+
+__all__ = ["Feature", "added"]
+
+
+class Feature:
+    """Proxy of a feature; it keeps nothing, everything lives in the properties."""
+
+    properties: tuple[Property, ...] = ()
+
+    def __init__(self, obj: Any) -> None:
+        obj.Proxy = self
+        self.ensure(obj)
+
+    def onDocumentRestored(self, obj: Any) -> None:
+        """Bring a file of an earlier version up to date."""
+        self.ensure(obj)
+
+    def ensure(self, obj: Any) -> None:
+        """Add what is missing."""
+        ensure(obj, self.properties)
+
+    def execute(self, obj: Any) -> None:
+        """Make the shape, or fail with a sentence and keep the last good one."""
+        try:
+            self.make(obj)
+        except ElasticaError as error:
+            raise ValueError(str(error)) from None
+        except ImportError as error:
+            raise ValueError(str(MissingDependencyError(f"{error.name} is not installed here"))) from None
+
+    def make(self, obj: Any) -> None:
+        """Set the shape and the results."""
+        raise NotImplementedError
+
+    def dumps(self) -> None:
+        """Nothing to save."""
+
+    def loads(self, state: Any) -> None:
+        """Nothing to load."""
+
+    __getstate__ = dumps
+    __setstate__ = loads
+
+
+def added(document: Any, name: str, proxy: type[Feature], sources: Iterable[Any] = ()) -> Any:
+    """A new feature, in the App::Part that all its sources share."""
+    obj = document.addObject("Part::FeaturePython", name)
+    proxy(obj)
+    groups = {source.getParentGeoFeatureGroup() for source in sources}
+    group = groups.pop() if len(groups) == 1 else None
+    if group is not None and group.TypeId == "App::Part":
+        group.addObject(obj)
+    if App.GuiUp:
+        from freecad.elastica_wb.features import views
+
+        getattr(views, f"{name}View")(obj.ViewObject)
+    return obj

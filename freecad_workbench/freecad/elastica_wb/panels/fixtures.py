@@ -1,0 +1,58 @@
+"""The panel of fixtures: printed blocks for the ends, or one slotted plate."""
+
+from typing import Any
+
+from freecad.elastica_wb import preferences
+from freecad.elastica_wb.features import baseplate, fixtures
+from freecad.elastica_wb.library import sheet_list
+from freecad.elastica_wb.panels.base import Panel
+from freecad.elastica_wb.text import tr
+
+from elastica_cad.errors import InputError
+
+__all__ = ["FixturesPanel"]
+
+
+class FixturesPanel(Panel):
+    """OK makes what is ticked, in one undo step."""
+
+    file = "fixtures"
+    icon_name = "Elastica_Fixtures"
+    step = "End fixtures and base plate"
+
+    def __init__(self, sources: list[Any]) -> None:
+        super().__init__(sources[0].Document)
+        self.sources = [obj for obj in sources if not baseplate.is_base_plate(obj)]
+        self.form.sheet.addItems(sheet_list())
+        self.form.sheet.setCurrentText(preferences.default_sheet())
+        self.form.slot.setValue(preferences.get("Clearance"))
+
+    def finished(self) -> None:
+        """Make them; what cannot be made says why and keeps the panel open."""
+        form, made = self.form, []
+        if form.blocks.isChecked():
+            blocks = fixtures.create(self.document, self.sources)
+            blocks.Clearance, blocks.Wall = form.clearance.value(), form.wall.value()
+            blocks.Foot, blocks.Screw = form.foot.value(), form.screw.value()
+            made.append(blocks)
+        if form.plate.isChecked():
+            plate = baseplate.create(self.document, self.sources)
+            plate.Sheet = form.sheet.currentText()
+            place = plate.Placement
+            place.Base.z = form.height.value()
+            plate.Placement = place
+            plate.Play, plate.Clearance, plate.Border = (
+                form.play.value(),
+                form.slot.value(),
+                form.border.value(),
+            )
+            made.append(plate)
+        if not made:
+            raise InputError(tr("tick what is to be made"))
+        self.document.recompute()
+        failed = [obj for obj in made if "Invalid" in obj.State]
+        if failed:
+            said = "; ".join(obj.getStatusString() for obj in failed)
+            for obj in made:
+                self.document.removeObject(obj.Name)
+            raise InputError(said)

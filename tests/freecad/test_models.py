@@ -1,0 +1,146 @@
+"""Several strips: slotted into each other, held by fixtures and a base plate, laid on sheets."""
+
+import FreeCAD as App
+import pytest
+from freecad.elastica_wb.cutting import pieces_of, write_cutting_files
+from freecad.elastica_wb.features import baseplate, fixtures, model, nest, strip
+
+ARCH = [(-75, 0), (-50, 60), (0, 95), (50, 60), (75, 0)]
+
+
+ACROSS = [(5, -40), (12, 0), (15, 50), (12, 100), (5, 140)]
+
+
+def strips_of(document, sketches):
+    strips = []
+    for name, sketch in zip("AB", sketches, strict=True):
+        made = strip.create(document, sketch)
+        made.MaxWidth = 16
+        made.StartTab = made.EndTab = 12
+        made.EngravedText = name
+        strips.append(made)
+    document.recompute()
+    return strips
+
+
+@pytest.fixture
+def crossing(document, drawn):
+    """Two strips that cross once, their widths upright."""
+    return strips_of(document, [drawn(ARCH), drawn(ACROSS)])
+
+
+@pytest.fixture
+def standing(document, drawn):
+    """Two arches on their ends, side by side."""
+    sketches = [drawn(ARCH), drawn(ARCH)]
+    for y, sketch in zip((0, 60), sketches, strict=True):
+        sketch.Placement = App.Placement(App.Vector(0, y, 0), App.Rotation(App.Vector(1, 0, 0), 90))
+    return strips_of(document, sketches)
+
+
+def test_interlocked_strips_touch_nowhere(document, crossing):
+    made = model.create(document, crossing)
+    document.recompute()
+    assert made.State == ["Up-to-date"], made.getStatusString()
+    assert made.Joints == 1
+    first, second = made.Shape.childShapes()
+    assert first.isValid()
+    assert second.isValid()
+    assert first.common(second).Volume < 1e-6
+    free = model.create(document, crossing, interlock=False)
+    document.recompute()
+    first, second = free.Shape.childShapes()
+    assert first.common(second).Volume > 1
+    assert free.Joints == 0
+
+
+def test_the_model_follows_its_strips(document, crossing, move_pole):
+    made = model.create(document, crossing)
+    document.recompute()
+    before = made.Shape.BoundBox.YMax
+    move_pole(crossing[0].Curve[0], 2, (0, 120))
+    move_pole(crossing[1].Curve[0], 4, (5, 160))
+    document.recompute()
+    assert made.State == ["Up-to-date"], made.getStatusString()
+    assert made.Joints == 1
+    assert made.Shape.BoundBox.YMax > before + 5
+
+
+def test_strips_that_touch_are_refused_in_words(document, crossing):
+    crossing[1].Curve = crossing[0].Curve
+    made = model.create(document, crossing)
+    document.recompute()
+    assert "Invalid" in made.State
+    assert len(made.getStatusString()) > 20
+    empty = model.create(document, [])
+    document.recompute()
+    assert "no strips" in empty.getStatusString()
+
+
+def test_fixtures_hold_every_end(document, standing):
+    made = model.create(document, standing)
+    blocks = fixtures.create(document, [made])
+    document.recompute()
+    assert blocks.State == ["Up-to-date"], blocks.getStatusString()
+    assert len(blocks.Shape.childShapes()) == 4
+    assert blocks.Shape.isValid()
+    assert blocks.Shape.common(made.Shape).Volume < 1e-6
+    single = fixtures.create(document, [standing[0]])
+    document.recompute()
+    assert len(single.Shape.childShapes()) == 2
+    standing[0].StartTab = standing[0].EndTab = 0
+    document.recompute()
+    assert "tab" in single.getStatusString()
+
+
+def test_the_base_plate_takes_all_tabs(document, standing):
+    made = model.create(document, standing)
+    plate = baseplate.create(document, [made])
+    plate.Placement = App.Placement(App.Vector(0, 0, -2), App.Rotation())
+    document.recompute()
+    assert plate.State == ["Up-to-date"], plate.getStatusString()
+    assert plate.Shape.isValid()
+    assert plate.Shape.BoundBox.ZMax == pytest.approx(-2, abs=1e-6)
+    assert len(plate.Shape.Faces) > 6 + 4 * 4 - 4
+    plate.Placement = App.Placement(App.Vector(0, 0, -500), App.Rotation())
+    document.recompute()
+    assert "no tab" in plate.getStatusString()
+
+
+def test_a_nest_and_its_files(document, standing, tmp_path):
+    made = model.create(document, standing)
+    plate = baseplate.create(document, [made])
+    plate.Placement = App.Placement(App.Vector(0, 0, -2), App.Rotation())
+    laid = nest.create(document, [made, plate])
+    document.recompute()
+    assert laid.State == ["Up-to-date"], laid.getStatusString()
+    assert laid.Sheets == 1
+    box = laid.Shape.BoundBox
+    assert (box.XLength, box.YLength) == pytest.approx((600, 400), abs=1e-6)
+    assert [piece.count for piece in pieces_of([made, plate])] == [1, 1, 1]
+    files = write_cutting_files([made, plate], tmp_path, kinds=("svg", "csv", "nest", "step"))
+    assert sum(file.name.startswith("nest") for file in files) == 1
+    assert (tmp_path / "Model.step").exists()
+    laid.SheetWidth = 100
+    document.recompute()
+    assert "Invalid" in laid.State
+
+
+def test_a_model_survives_saving(document, crossing, tmp_path):
+    made = model.create(document, crossing)
+    laid = nest.create(document, [made])
+    document.recompute()
+    file = tmp_path / "model.FCStd"
+    document.saveAs(str(file))
+    names = made.Name, laid.Name
+    App.closeDocument(document.Name)
+    again = App.openDocument(str(file))
+    try:
+        loaded, sheets = (again.getObject(name) for name in names)
+        assert model.is_model(loaded)
+        loaded.touch()
+        again.recompute()
+        assert loaded.State == ["Up-to-date"]
+        assert sheets.State == ["Up-to-date"]
+    finally:
+        App.closeDocument(again.Name)
