@@ -56,12 +56,19 @@ def test_dragging_in_the_sketcher(tmp_path):
 def test_every_command(tmp_path):
     found = launching.run_window("commands.py", tmp_path)
     assert found["workbench"] == "ElasticaWorkbench"
-    assert len(found["known"]) == 10
+    assert len(found["known"]) == 15
     assert "mm" in found["strip panel"]
     assert "can take this curve" in found["check"]
     assert found["check overlay"]["comb"] > 100
     assert found["nearest is realizable"]
     assert found["replaced"] == [6, True]
+    assert found["perforated"][0] == ["Up-to-date"]
+    assert found["perforated"][1] > 30
+    assert found["laminated"] == [["Up-to-date"], 2, 1]
+    assert "Joints: 1" in found["joints"]
+    assert "no tab" in found["no plate"]
+    assert found["fixtures"] == 4
+    assert found["nest"] == [["Up-to-date"], 1]
     assert "stays" in found["bend"]
     assert found["bent end"] == pytest.approx([120, 5, 0], abs=1e-5)
     assert "combined" in found["tolerance"]
@@ -71,3 +78,11 @@ def test_every_command(tmp_path):
     assert found["sections"] == 3
     assert found["strips of sections"] == [[["Up-to-date"], True]] * 3
     assert found["told"].startswith("Select a sketch")
+
+
+def test_in_german(tmp_path):
+    found = launching.run_window("language.py", tmp_path, language="German")
+    assert found["menu"]["Elastica_Strip"] == "Streifen aus Skizze"
+    assert found["panel"] == "Streifen"
+    assert found["untranslated"] == []
+    assert found["preferences"] == "birch-plywood-0.8"

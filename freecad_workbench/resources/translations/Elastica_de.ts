@@ -24,6 +24,8 @@
  <message><source>kept as</source><translation>behalten als</translation></message>
  <message><source>Folder for the files</source><translation>Ordner für die Dateien</translation></message>
  <message><source>choose a folder for the files</source><translation>bitte einen Ordner für die Dateien wählen</translation></message>
+ <message><source>tick what is to be made</source><translation>bitte ankreuzen, was erzeugt werden soll</translation></message>
+ <message><source>Joints</source><translation>Verbindungen</translation></message>
  <message><source>no curve was found: change the limits</source><translation>keine Kurve gefunden: Grenzen ändern</translation></message>
  <message><source>Largest distance</source><translation>Größter Abstand</translation></message>
  <message><source>nearest</source><translation>nächste</translation></message>
@@ -88,6 +90,9 @@
  <message><source>SVG</source><translation>SVG</translation></message>
  <message><source>STEP, flat and bent</source><translation>STEP, flach und gebogen</translation></message>
  <message><source>Cut list (CSV)</source><translation>Stückliste (CSV)</translation></message>
+ <message><source>Nest on sheets</source><translation>Auf Platten schachteln</translation></message>
+ <message><source>Sheet width</source><translation>Plattenbreite</translation></message>
+ <message><source>Sheet height</source><translation>Plattenhöhe</translation></message>
  <message><source>How</source><translation>Wie</translation></message>
  <message><source>Curves</source><translation>Kurven</translation></message>
  <message><source>DXF version</source><translation>DXF-Version</translation></message>
@@ -97,6 +102,32 @@
  <message><source>Folder</source><translation>Ordner</translation></message>
  <message><source>Browse...</source><translation>Durchsuchen ...</translation></message>
  <message><source>Overwrite files that exist</source><translation>Vorhandene Dateien überschreiben</translation></message>
+</context>
+<context>
+ <name>ElasticaFixtures</name>
+ <message><source>End fixtures and base plate</source><translation>Endhalter und Grundplatte</translation></message>
+ <message><source>Printed blocks</source><translation>Gedruckte Halter</translation></message>
+ <message><source>Make blocks for the ends</source><translation>Halter für die Enden erzeugen</translation></message>
+ <message><source>Room around the tab</source><translation>Spiel um die Lasche</translation></message>
+ <message><source>Wall</source><translation>Wand</translation></message>
+ <message><source>Foot</source><translation>Fuß</translation></message>
+ <message><source>Screw holes</source><translation>Schraubenlöcher</translation></message>
+ <message><source>Base plate</source><translation>Grundplatte</translation></message>
+ <message><source>Make a slotted plate</source><translation>Geschlitzte Platte erzeugen</translation></message>
+ <message><source>Sheet</source><translation>Platte</translation></message>
+ <message><source>Height of its upper face</source><translation>Höhe der Oberseite</translation></message>
+ <message><source>Room beside the tab</source><translation>Spiel neben der Lasche</translation></message>
+ <message><source>Clearance of slots</source><translation>Spiel der Schlitze</translation></message>
+ <message><source>Border</source><translation>Rand</translation></message>
+</context>
+<context>
+ <name>ElasticaModel</name>
+ <message><source>Interlock strips</source><translation>Streifen verzahnen</translation></message>
+ <message><source>Slots</source><translation>Schlitze</translation></message>
+ <message><source>Cut slots where strips cross</source><translation>Schlitze, wo Streifen sich kreuzen</translation></message>
+ <message><source>Clearance</source><translation>Spiel</translation></message>
+ <message><source>Width</source><translation>Breite</translation></message>
+ <message><source>Inner ends</source><translation>Innere Enden</translation></message>
 </context>
 <context>
  <name>ElasticaNearest</name>
@@ -165,6 +196,11 @@
  <message><source>Start</source><translation>Anfang</translation></message>
  <message><source>End</source><translation>Ende</translation></message>
  <message><source>Carries its own weight</source><translation>Trägt sein Eigengewicht</translation></message>
+ <message><source>Style</source><translation>Bauart</translation></message>
+ <message><source>Outer width</source><translation>Außenbreite</translation></message>
+ <message><source>Holes side by side</source><translation>Löcher nebeneinander</translation></message>
+ <message><source>Rows of holes (0: chosen)</source><translation>Lochreihen (0: gewählt)</translation></message>
+ <message><source>Backing</source><translation>Rückseite</translation></message>
  <message><source>Nearest curve</source><translation>Nächste Kurve</translation></message>
  <message><source>Follow</source><translation>Folgt</translation></message>
  <message><source>Largest stiffness ratio</source><translation>Größtes Steifigkeitsverhältnis</translation></message>
@@ -206,7 +242,22 @@
 <context>
  <name>Elastica_Export</name>
  <message><source>Export cutting files</source><translation>Schneiddateien exportieren</translation></message>
- <message><source>Write DXF, SVG and STEP files and a cut list of the selected strips</source><translation>DXF-, SVG- und STEP-Dateien und eine Stückliste der gewählten Streifen schreiben</translation></message>
+ <message><source>Write DXF, SVG and STEP files, nest and cut list of the selected strips, models and base plates</source><translation>DXF-, SVG- und STEP-Dateien, Schachtelung und Stückliste der gewählten Streifen, Modelle und Grundplatten schreiben</translation></message>
+</context>
+<context>
+ <name>Elastica_Fixtures</name>
+ <message><source>End fixtures and base plate</source><translation>Endhalter und Grundplatte</translation></message>
+ <message><source>Make printed blocks that hold the ends of the selected strips or model, or one slotted base plate</source><translation>Gedruckte Halter für die Enden der gewählten Streifen oder des Modells erzeugen, oder eine geschlitzte Grundplatte</translation></message>
+</context>
+<context>
+ <name>Elastica_Interlock</name>
+ <message><source>Interlock selected strips</source><translation>Gewählte Streifen verzahnen</translation></message>
+ <message><source>Put the selected strips together to a model and cut slots where they cross</source><translation>Die gewählten Streifen zu einem Modell verbinden und Schlitze schneiden, wo sie sich kreuzen</translation></message>
+</context>
+<context>
+ <name>Elastica_Laminate</name>
+ <message><source>Laminate</source><translation>Laminieren</translation></message>
+ <message><source>Give the selected strips an even width and glue narrower strips on that make them stiff enough</source><translation>Den gewählten Streifen eine gleichmäßige Breite geben und schmalere aufkleben, die sie steif genug machen</translation></message>
 </context>
 <context>
  <name>Elastica_Libraries</name>
@@ -217,6 +268,16 @@
  <name>Elastica_Nearest</name>
  <message><source>Nearest curve to sketch</source><translation>Nächste Kurve zur Skizze</translation></message>
  <message><source>Find the curve nearest to the selected sketch that can be bent within limits</source><translation>Die der Skizze nächste Kurve finden, die sich innerhalb der Grenzen biegen lässt</translation></message>
+</context>
+<context>
+ <name>Elastica_Nest</name>
+ <message><source>Nest on sheets</source><translation>Auf Platten schachteln</translation></message>
+ <message><source>Lay everything that must be cut for the selected strips, models and base plates on sheets</source><translation>Alles, was für die gewählten Streifen, Modelle und Grundplatten zu schneiden ist, auf Platten legen</translation></message>
+</context>
+<context>
+ <name>Elastica_Perforate</name>
+ <message><source>Perforate</source><translation>Lochen</translation></message>
+ <message><source>Give the selected strips an even width and let holes make them as soft as they must be</source><translation>Den gewählten Streifen eine gleichmäßige Breite geben und sie durch Löcher so weich machen wie nötig</translation></message>
 </context>
 <context>
  <name>Elastica_Section</name>

@@ -24,6 +24,8 @@
  <message><source>kept as</source><translation>已存为</translation></message>
  <message><source>Folder for the files</source><translation>文件所在文件夹</translation></message>
  <message><source>choose a folder for the files</source><translation>请选择文件夹</translation></message>
+ <message><source>tick what is to be made</source><translation>请勾选要生成的内容</translation></message>
+ <message><source>Joints</source><translation>连接</translation></message>
  <message><source>no curve was found: change the limits</source><translation>未找到曲线：请更改限制</translation></message>
  <message><source>Largest distance</source><translation>最大距离</translation></message>
  <message><source>nearest</source><translation>最近</translation></message>
@@ -88,6 +90,9 @@
  <message><source>SVG</source><translation>SVG</translation></message>
  <message><source>STEP, flat and bent</source><translation>STEP，平展与弯曲</translation></message>
  <message><source>Cut list (CSV)</source><translation>下料清单 (CSV)</translation></message>
+ <message><source>Nest on sheets</source><translation>在板材上排样</translation></message>
+ <message><source>Sheet width</source><translation>板材宽度</translation></message>
+ <message><source>Sheet height</source><translation>板材高度</translation></message>
  <message><source>How</source><translation>方式</translation></message>
  <message><source>Curves</source><translation>曲线</translation></message>
  <message><source>DXF version</source><translation>DXF 版本</translation></message>
@@ -97,6 +102,32 @@
  <message><source>Folder</source><translation>文件夹</translation></message>
  <message><source>Browse...</source><translation>浏览…</translation></message>
  <message><source>Overwrite files that exist</source><translation>覆盖已有文件</translation></message>
+</context>
+<context>
+ <name>ElasticaFixtures</name>
+ <message><source>End fixtures and base plate</source><translation>端部夹具与底板</translation></message>
+ <message><source>Printed blocks</source><translation>打印夹具</translation></message>
+ <message><source>Make blocks for the ends</source><translation>为端部生成夹具</translation></message>
+ <message><source>Room around the tab</source><translation>耳片周围间隙</translation></message>
+ <message><source>Wall</source><translation>壁厚</translation></message>
+ <message><source>Foot</source><translation>底脚</translation></message>
+ <message><source>Screw holes</source><translation>螺钉孔</translation></message>
+ <message><source>Base plate</source><translation>底板</translation></message>
+ <message><source>Make a slotted plate</source><translation>生成开槽板</translation></message>
+ <message><source>Sheet</source><translation>板材</translation></message>
+ <message><source>Height of its upper face</source><translation>上表面高度</translation></message>
+ <message><source>Room beside the tab</source><translation>耳片两侧间隙</translation></message>
+ <message><source>Clearance of slots</source><translation>槽间隙</translation></message>
+ <message><source>Border</source><translation>边距</translation></message>
+</context>
+<context>
+ <name>ElasticaModel</name>
+ <message><source>Interlock strips</source><translation>条带互锁</translation></message>
+ <message><source>Slots</source><translation>槽</translation></message>
+ <message><source>Cut slots where strips cross</source><translation>在条带相交处开槽</translation></message>
+ <message><source>Clearance</source><translation>间隙</translation></message>
+ <message><source>Width</source><translation>宽度</translation></message>
+ <message><source>Inner ends</source><translation>槽底</translation></message>
 </context>
 <context>
  <name>ElasticaNearest</name>
@@ -165,6 +196,11 @@
  <message><source>Start</source><translation>起点</translation></message>
  <message><source>End</source><translation>终点</translation></message>
  <message><source>Carries its own weight</source><translation>承受自重</translation></message>
+ <message><source>Style</source><translation>样式</translation></message>
+ <message><source>Outer width</source><translation>外宽</translation></message>
+ <message><source>Holes side by side</source><translation>并排孔数</translation></message>
+ <message><source>Rows of holes (0: chosen)</source><translation>孔行数（0：自动）</translation></message>
+ <message><source>Backing</source><translation>背层</translation></message>
  <message><source>Nearest curve</source><translation>最近曲线</translation></message>
  <message><source>Follow</source><translation>跟随</translation></message>
  <message><source>Largest stiffness ratio</source><translation>最大刚度比</translation></message>
@@ -206,7 +242,22 @@
 <context>
  <name>Elastica_Export</name>
  <message><source>Export cutting files</source><translation>导出切割文件</translation></message>
- <message><source>Write DXF, SVG and STEP files and a cut list of the selected strips</source><translation>写出所选条带的 DXF、SVG、STEP 文件和下料清单</translation></message>
+ <message><source>Write DXF, SVG and STEP files, nest and cut list of the selected strips, models and base plates</source><translation>写出所选条带、模型和底板的 DXF、SVG、STEP 文件、排样和下料清单</translation></message>
+</context>
+<context>
+ <name>Elastica_Fixtures</name>
+ <message><source>End fixtures and base plate</source><translation>端部夹具与底板</translation></message>
+ <message><source>Make printed blocks that hold the ends of the selected strips or model, or one slotted base plate</source><translation>为所选条带或模型的端部生成打印夹具，或一块开槽底板</translation></message>
+</context>
+<context>
+ <name>Elastica_Interlock</name>
+ <message><source>Interlock selected strips</source><translation>互锁所选条带</translation></message>
+ <message><source>Put the selected strips together to a model and cut slots where they cross</source><translation>将所选条带组成模型，并在相交处开槽</translation></message>
+</context>
+<context>
+ <name>Elastica_Laminate</name>
+ <message><source>Laminate</source><translation>层压</translation></message>
+ <message><source>Give the selected strips an even width and glue narrower strips on that make them stiff enough</source><translation>使所选条带等宽，并粘贴较窄的条带以获得足够刚度</translation></message>
 </context>
 <context>
  <name>Elastica_Libraries</name>
@@ -217,6 +268,16 @@
  <name>Elastica_Nearest</name>
  <message><source>Nearest curve to sketch</source><translation>草图的最近曲线</translation></message>
  <message><source>Find the curve nearest to the selected sketch that can be bent within limits</source><translation>在限制内寻找与所选草图最接近的可弯曲线</translation></message>
+</context>
+<context>
+ <name>Elastica_Nest</name>
+ <message><source>Nest on sheets</source><translation>在板材上排样</translation></message>
+ <message><source>Lay everything that must be cut for the selected strips, models and base plates on sheets</source><translation>将所选条带、模型和底板的全部切割件排布到板材上</translation></message>
+</context>
+<context>
+ <name>Elastica_Perforate</name>
+ <message><source>Perforate</source><translation>打孔</translation></message>
+ <message><source>Give the selected strips an even width and let holes make them as soft as they must be</source><translation>使所选条带等宽，并用孔使其达到所需柔度</translation></message>
 </context>
 <context>
  <name>Elastica_Section</name>

@@ -241,6 +241,86 @@ def section_command(document):
     scene("sections.png")
 
 
+def style_commands(document, strip):
+    choose(strip)
+    panel = open_panel("Elastica_Perforate")
+    panel.form.OuterWidth.setValue(28.0)
+    wait(600)
+    assert strip.Style == "Perforated"
+    answers["perforated"] = (strip.State, len(document.getObject("Flat").Shape.Faces))
+    scene("perforated.png")
+    panel.reject()
+    wait(100)
+    assert strip.Style == "Plain"
+    choose(strip)
+    count = len(document.Objects)
+    panel = open_panel("Elastica_Laminate")
+    panel.accept()
+    wait(100)
+    answers["laminated"] = (strip.State, len(strip.Shape.Solids), len(document.Objects) - count)
+    document.undo()
+    wait(100)
+    document.recompute()
+    assert strip.Style == "Plain"
+    assert len(document.Objects) == count
+
+
+def model_commands():
+    from freecad.elastica_wb.features import strip
+
+    document = App.newDocument("Model")
+    document.UndoMode = 1
+    view = Gui.ActiveDocument.ActiveView
+    strips = []
+    for name, points in (
+        ("A", [(-75, 0), (-50, 60), (0, 95), (50, 60), (75, 0)]),
+        ("B", [(5, -40), (12, 0), (15, 50), (12, 100), (5, 140)]),
+    ):
+        made = strip.create(document, sketch(document, points, name=f"Sketch{name}"))
+        made.MaxWidth = 16
+        made.EngravedText = name
+        strips.append(made)
+    document.recompute()
+    choose(*strips)
+    panel = open_panel("Elastica_Interlock")
+    answers["joints"] = panel.form.message.text()
+    panel.form.Clearance.setValue(0.3)
+    wait(600)
+    panel.accept()
+    wait(100)
+    model = document.getObject("Model")
+    assert model.Clearance.Value == 0.3
+    assert not strips[0].Visibility
+    choose(model)
+    panel = open_panel("Elastica_Fixtures")
+    panel.form.plate.setChecked(True)
+    assert not panel.accept(), "no tab of this model goes through a plate"
+    answers["no plate"] = panel.form.message.text()
+    panel.form.plate.setChecked(False)
+    assert panel.accept()
+    wait(100)
+    answers["fixtures"] = len(document.getObject("Fixtures").Shape.childShapes())
+    view.viewIsometric()
+    view.fitAll()
+    scene("model.png")
+    choose(model)
+    Gui.runCommand("Elastica_Nest")
+    wait(200)
+    answers["nest"] = (document.getObject("Nest").State, document.getObject("Nest").Sheets)
+    view.fitAll()
+    picture("model-window.png")
+    document.undo()
+    assert document.getObject("Nest") is None
+    assert document.getObject("Fixtures") is not None
+    document.undo()
+    assert document.getObject("Fixtures") is None
+    document.undo()
+    wait(100)
+    assert document.getObject("Model") is None
+    assert strips[0].Visibility, "undo shows the single strips again"
+    App.closeDocument(document.Name)
+
+
 def work():
     from importlib.util import find_spec
 
@@ -261,12 +341,15 @@ def work():
     check_command(drawn)
     bad = sketch(document, [(0, 0), (40, 60), (80, -55), (120, 10), (160, 30), (180, 0)], name="Bad")
     nearest_command(document, bad)
+    style_commands(document, strip)
     bend_command(document, strip)
     tolerance_command(strip)
     coupon_command(document)
     export_command(strip)
     sheets_command()
     section_command(document)
+    model_commands()
+    App.setActiveDocument(document.Name)
     document.saveAs(str(OUT / "work.FCStd"))
     # nothing selected, no such thing: a sentence, no window that waits
     Gui.Selection.clearSelection()
