@@ -1,7 +1,7 @@
 """The pattern of a perforated strip: diamonds between ligaments of equal width that run along the strip."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
 
@@ -16,12 +16,14 @@ from elastica_cad.fabrication.slots import Slot, slot_cut
 from elastica_cad.geometry import Path, Profile, Segment, Spline
 from elastica_cad.geometry.approximation import adaptive_spline
 from elastica_cad.geometry.arcs import as_arcs
+from elastica_cad.geometry.crossings import polylines_cross
 from elastica_cad.geometry.nearest import distances
+from elastica_cad.geometry.path import JOIN
 
 __all__ = ["Diamonds"]
 
-FIT = 1e-6
-"""Largest error of a hole's side, mm."""
+FIT = 2e-5
+"""Largest error of width, material and full diamond along the strip, mm."""
 
 _LEAN = 1e-9  # of a stretch: its spline is fitted this far inside it, for the sake of jumps
 _NEAR = 0.02  # mm, of the polylines by which holes are kept clear of slots
@@ -34,7 +36,7 @@ class Diamonds:
     With H = width - material, T(s) rising from 0 to 1 over half a row and falling again, n = `columns` and
     t = material / (2 n + 2): full diamonds are T H / n wide across, those in the gaps (1 - T) H / n, halves along
     both edges half of that. Every station meets holes of H in all, and every ligament is t wide across, 2 t where
-    two of them join. T rests at 0 and at 1 for a `bridge`, which keeps the tips of neighbours apart.
+    two of them join. T rests at 0 and at 1 for a `bridge` between two rows, which keeps tips apart.
 
     Parameters
     ----------
@@ -47,8 +49,8 @@ class Diamonds:
     corner_radius : float
         Of the holes' corners, mm; 0 leaves them sharp.
     clearance : float
-        Holes nearer to a slot than this are left out, mm; where a tab is narrower than the strip the first holes
-        keep it from the end, too.
+        What holes keep from a slot, mm: those in its way end before it and begin anew behind it; where a tab is
+        narrower than the strip they keep it from the end, too.
     arcs : float, optional
         Sides as arcs within this distance, mm, of the true ones; splines unless given.
     """
@@ -93,9 +95,8 @@ class Diamonds:
         """The holes as closed anticlockwise loops in the order of the strip, clear of tabs and slots."""
         length = self.width.length
         low, high = self._margin(ends[0], 0.0), length - self._margin(ends[1], length)
-        loops = self._loops(low, high)
         cuts = [slot_cut(slot, self.width, beyond=slot.width) for slot in slots]
-        clear = [loop for loop in loops if all(self._apart(loop, cut) for cut in cuts)]
+        clear = [loop for hole in self._holes for loop in self._clear(hole.within(low, high), cuts)]
         if self.corner_radius > 0:
             clear = [rounded(loop, self.corner_radius) for loop in clear]
         if self.arcs is not None:
@@ -106,48 +107,58 @@ class Diamonds:
         held = tab.width is None or tab.width >= float(self.width(s))
         return 0.0 if held and tab.length > 0 else self.clearance
 
+    def _clear(self, hole: "_Hole | None", cuts: Sequence[Path]) -> list[Path]:
+        """The loop of a hole, or what slots leave of it on both sides of them."""
+        if hole is None:
+            return []
+        loop = hole.loop()
+        for cut in cuts:
+            if not self._apart(loop, cut):
+                (low, _), (high, _) = cut.bounds
+                sides = hole.within(-np.inf, low - self.clearance), hole.within(high + self.clearance, np.inf)
+                long = [side for side in sides if side is not None and side.length > 2 * self.clearance]
+                return [left for side in long for left in self._clear(side, cuts)]
+        return [loop]
+
     def _apart(self, loop: Path, cut: Path) -> bool:
         low, high = cut.bounds + np.array([[-self.clearance], [self.clearance]])
-        if np.any(loop.bounds[0] > high) or np.any(loop.bounds[1] < low):
+        if np.any(loop.bounds[0] >= high) or np.any(loop.bounds[1] <= low):
             return True
-        points = loop.points(_NEAR)
+        points, line = loop.points(_NEAR), cut.points(_NEAR)
+        if polylines_cross(np.concatenate([points, points[:1]]), line) is not None:
+            return False
         near = min(float(distances(segment, points).min()) for segment in cut.segments)
-        back = min(float(distances(segment, cut.points(_NEAR)).min()) for segment in loop.segments)
+        back = min(float(distances(segment, line).min()) for segment in loop.segments)
         return min(near, back) >= self.clearance
 
-    def _loops(self, low: float, high: float) -> list[Path]:
-        """Rows of full diamonds and the ones in the gaps between them, in turn."""
-        loops = []
+    @cached_property
+    def _holes(self) -> list["_Hole"]:
+        """Rows of full diamonds and of the ones in the gaps between them, in turn."""
+        holes = []
         for i in range(2 * self.rows + 1):
             first, last = self.joints[max(i - 1, 0)], self.joints[min(i + 1, 2 * self.rows)]
-            first += self.bridge / 2 if i > 0 else 0.0
-            last -= self.bridge / 2 if i < 2 * self.rows else 0.0
-            stretches = [one for one in self._stretches if first < one.middle < last]
-            kept = [one for one in (stretch.within(low, high) for stretch in stretches) if one is not None]
+            first += self.bridge / 2 if i > 1 else 0.0
+            last -= self.bridge / 2 if i < 2 * self.rows - 1 else 0.0
+            stretches = tuple(one for one in self._stretches if first < one.middle < last)
             full = i % 2 == 1
-            for j in range(self.columns if full else self.columns + 1):
-                loops.append(self._loop([one.sides(self.columns, j, full=full) for one in kept]))
-        return loops
-
-    @staticmethod
-    def _loop(sides: list[tuple[Spline, Spline]]) -> Path:
-        lower: list[Segment] = [side for side, _ in sides]
-        upper: list[Segment] = [side.reversed() for _, side in reversed(sides)]
-        return Path(chained([*lower, *upper]), closed=True)
+            across = self.columns if full else self.columns + 1
+            holes += [_Hole(stretches, self.columns, j, full) for j in range(across)]
+        return holes
 
     @cached_property
     def _stretches(self) -> list["_Stretch"]:
         """The strip between joints and jumps: width, material and T H / columns as splines over the same knots."""
         breaks = [*self.width.breaks, *self.material.breaks]
         jumps = np.array([s for s, continuity in breaks if continuity < 0])
-        tips = np.concatenate([self.joints[1:] - self.bridge / 2, self.joints[:-1] + self.bridge / 2])
+        inner = self.joints[1:-1]
+        tips = np.concatenate([inner - self.bridge / 2, inner + self.bridge / 2])
         cuts = np.unique(np.concatenate([self.joints[[0, -1]], tips, jumps]))
         rough = [(s, continuity) for s, continuity in breaks if continuity < 2]
         found = []
         for a, b in pairwise(cuts.tolist()):
             inside = (a + _LEAN * (b - a), b - _LEAN * (b - a))
             knots, values = adaptive_spline(
-                self._values, inside, degree=3, tolerance=FIT / 4, breaks=rough, rounding=1e-12
+                self._values, inside, degree=3, tolerance=FIT, breaks=rough, rounding=1e-12
             )
             knots[:4], knots[-4:] = a, b
             for row, s, beside in ((0, a, inside[0]), (-1, b, inside[1])):
@@ -158,10 +169,40 @@ class Diamonds:
     def _values(self, s: FloatArray) -> FloatArray:
         """Width, material, and the width of a full diamond (n, 3), mm."""
         w, m = self.width(s), self.material(s)
-        phase = self.rows * s / self.width.length
-        rest = self.bridge / self.row_length
-        T = np.clip((1 - np.abs(2 * (phase - np.floor(phase)) - 1) - rest) / (1 - 2 * rest), 0.0, 1.0)
+        half, last = self.row_length / 2, 2 * self.rows - 1
+        k = np.clip(np.floor(s / half), 0, last)
+        before, after = np.where(k > 0, self.bridge / 2, 0.0), np.where(k < last, self.bridge / 2, 0.0)
+        rise = np.clip((s - k * half - before) / (half - before - after), 0.0, 1.0)
+        T = np.where(k % 2 == 0, rise, 1 - rise)
         return np.column_stack([w, m, T * (w - m) / self.columns])
+
+
+@dataclass(frozen=True, eq=False)
+class _Hole:
+    """The j-th hole across over some stretches: a full diamond, or one in the gaps (0 and last: halves)."""
+
+    stretches: tuple["_Stretch", ...]
+    columns: int
+    j: int
+    full: bool
+
+    @property
+    def length(self) -> float:
+        """Along the strip, mm."""
+        return float(self.stretches[-1].knots[-1] - self.stretches[0].knots[0])
+
+    def within(self, low: float, high: float) -> "_Hole | None":
+        """The part between two stations; None where there is none."""
+        parts = (one.within(low, high) for one in self.stretches)
+        kept = tuple(one for one in parts if one is not None)
+        return replace(self, stretches=kept) if kept else None
+
+    def loop(self) -> Path:
+        """Anticlockwise."""
+        sides = [one.sides(self.columns, self.j, full=self.full) for one in self.stretches]
+        lower: list[Segment] = [side for side, _ in sides]
+        upper: list[Segment] = [side.reversed() for _, side in reversed(sides)]
+        return Path(chained([*lower, *upper]), closed=True)
 
 
 @dataclass(frozen=True, eq=False)
@@ -178,7 +219,7 @@ class _Stretch:
     def within(self, low: float, high: float) -> "_Stretch | None":
         """The part between two stations; None where there is none."""
         a, b = max(low, float(self.knots[0])), min(high, float(self.knots[-1]))
-        if b - a <= FIT:
+        if b - a <= JOIN:
             return None
         if (a, b) == (self.knots[0], self.knots[-1]):
             return self
@@ -191,7 +232,7 @@ class _Stretch:
         return _Stretch(knots, np.linalg.solve(basis, BSpline(self.knots, self.values, 3)(sites)))
 
     def sides(self, columns: int, j: int, *, full: bool) -> tuple[Spline, Spline]:
-        """Lower and upper side of the j-th hole across: a full diamond, or one in the gaps (0 and last: halves)."""
+        """Lower and upper side of the j-th hole across."""
         w, m, diamond = self.values.T
         t, pitch = m / (2 * columns + 2), (w - m) / columns
         gap = pitch - diamond

@@ -6,7 +6,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.styles import Backing, Layout, Width, along, stations_of
+from elastica_cad.fabrication.styles import Backing, Layout, Width, along, refined, stations_of
 from elastica_cad.geometry import Profile
 from elastica_cad.geometry.approximation import adaptive_spline
 from elastica_cad.mechanics import LaminatedSection, Rod, ScaleRange, Sheet
@@ -16,8 +16,8 @@ __all__ = ["Laminated"]
 SLACK = 1e-4
 """Relative slack of a rod's own stiffness: it was fitted at fewer stations, and is brought to what fits at all."""
 
-FIT = 1e-9
-"""Largest error of the backing's width, mm."""
+FIT, DRAWN = 1e-9, 1e-6
+"""Largest error of the backing's width, mm, for the section and for the cut."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,7 +79,8 @@ class Laminated:
         section = LaminatedSection(sheet, self.backing)
         least = max(self.least_backing, min_width or 0.0)
         scale = self._scale(rod, section, base, least, max_width)
-        backing = Backing(self.backing, _backing_width(rod, section, base, scale))
+        width, drawn = (_backing_width(rod, section, base, scale, tolerance) for tolerance in (FIT, DRAWN))
+        backing = Backing(self.backing, width, drawn)
         told: tuple[str, ...] = ()
         if rod.gravity is not None and rod.weight is None:
             told = (
@@ -93,6 +94,8 @@ class Laminated:
     ) -> float:
         """c, N mm2: the rod's own, or the largest whose backing fits."""
         s = stations_of(rod.length, base, rod.profile)
+        w1 = base(s)
+        s = refined(s, section.bending_stiffness(w1, w1) / rod.profile(s), w1 / rod.profile(s))
         K, w1 = rod.profile(s), base(s)
         i = int(np.argmin(w1))
         if w1[i] < least:
@@ -150,7 +153,9 @@ def _infeasible(
     return told + ", or ".join(ways)
 
 
-def _backing_width(rod: Rod, section: LaminatedSection, base: Profile, scale: float) -> Profile:
+def _backing_width(
+    rod: Rod, section: LaminatedSection, base: Profile, scale: float, tolerance: float
+) -> Profile:
     """w2 along the free part; where K or the base are less than smooth, so is it."""
 
     def width(s: FloatArray) -> FloatArray:
@@ -160,7 +165,7 @@ def _backing_width(rod: Rod, section: LaminatedSection, base: Profile, scale: fl
         width,
         (0.0, rod.length),
         degree=3,
-        tolerance=FIT,
+        tolerance=tolerance,
         breaks=[*rod.profile.breaks, *base.breaks],
         rounding=1e-13,
     )

@@ -43,9 +43,9 @@ def material_width(outline: Path, holes: Iterable[Path], s: ArrayLike) -> FloatA
 def made_rod(strip: "Strip") -> Rod:
     """The rod of a strip with the stiffness and weight of what is really cut: slots, solid ends, rounded tips.
 
-    Stiffness is measured on the loops of all layers. Each node takes the mean compliance of its cell, which is what
-    the angle across the cell feels. Weight follows; a rod whose own weight is in newtons has it scaled with the
-    material, hung masses stay.
+    Stiffness is measured on the loops of all layers. Each node is softer than designed by as much as the mean
+    compliance of its cell, which is what the angle across the cell feels. Weight follows; a rod whose own weight
+    is in newtons has it scaled with the material, hung masses stay.
 
     Returns
     -------
@@ -58,7 +58,8 @@ def made_rod(strip: "Strip") -> Rod:
     s = (ends[1:] + ends[:-1]) / 2
     left = [layer.material(s) for layer in strip.layers]
     material, backing = left[0], left[1] if len(left) > 1 else None
-    EI = 1 / _cell_means(1 / strip.layout.stiffness(material, backing), n)
+    softer = strip.bending_stiffness * rod.profile(s) / strip.layout.stiffness(material, backing)
+    EI = strip.bending_stiffness * rod.stiffness / _cell_means(softer, n)
     least = float(EI.min())
     made = replace(rod.with_stiffness(Profile.interpolate(rod.s, EI)), bending_stiffness=least)
     if rod.gravity is None:

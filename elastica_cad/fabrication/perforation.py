@@ -8,7 +8,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.diamonds import Diamonds
-from elastica_cad.fabrication.styles import Layout, Width, along, stations_of
+from elastica_cad.fabrication.styles import Layout, Width, along, refined, stations_of
 from elastica_cad.geometry import Profile
 from elastica_cad.mechanics import PerforatedSection, Rod, ScaleRange, Sheet
 
@@ -138,8 +138,7 @@ class Perforated:
                 f"ligaments lean {np.degrees(np.arctan(slopes[i])):.0f} degrees off the strip at {s[i]:.1f} mm: "
                 f"use fewer rows, {np.ceil(long):.0f} mm long or longer"
             )
-        tips = self.columns + np.arange(pattern.joints.size) % 2  # of full diamonds, of gaps with the halves
-        missing = tips * 2 * self.corner_radius / pattern.material(pattern.joints)
+        missing = self._excess(pattern) / pattern.material(pattern.joints)
         i = int(np.argmax(missing))
         if missing[i] > TIPS:
             told.append(
@@ -149,19 +148,33 @@ class Perforated:
             )
         return tuple(told)
 
+    def _excess(self, pattern: Diamonds) -> FloatArray:
+        """Width (n,), mm, that rounded tips at the joints leave too much, at the worst station beside them.
+
+        A circle in a corner of half angle a ends where the corner is 2 r (sec a - tan a) wide. Halves have half the
+        angle of the others, end farther from the joint, and miss half as much where the others end.
+        """
+        slope = _slopes(pattern, pattern.joints)
+        others, halves = (
+            2 * self.corner_radius * (np.hypot(1.0, tan) - tan)
+            for tan in (slope, np.tan(np.arctan(slope) / 2))
+        )
+        at_gaps = np.arange(slope.size) % 2 == 1
+        return np.maximum(self.columns * others, np.where(at_gaps, 2 * halves, 0.0))
+
 
 class _Fit:
     """What fits where: widths, the section, and the scales that keep all limits."""
 
     def __init__(self, style: Perforated, rod: Rod, sheet: Sheet, outer: Profile) -> None:
-        self.style, self.rod, self.outer = style, rod, outer
-        self.s = stations_of(rod.length, outer, rod.profile)
-        self.w = outer(self.s)
-        self.K = rod.profile(self.s)
+        self.style, self.rod = style, rod
+        self.holes = 2 * style.columns * style.least_hole
+        s = stations_of(rod.length, outer, rod.profile)
+        self.s = refined(s, outer(s) / rod.profile(s), (outer(s) - self.holes) / rod.profile(s))
+        self.w, self.K = outer(self.s), rod.profile(self.s)
         self.section = PerforatedSection(
             sheet, ligaments=style.ligaments, least_ligament=style.least_ligament
         )
-        self.holes = 2 * style.columns * style.least_hole
         room = self.w - self.holes
         i = int(np.argmin(room))
         if room[i] <= style.ligaments * style.least_ligament:
@@ -194,9 +207,10 @@ class _Fit:
                 )
             scale = asked
         if scale < self.lowest * (1 - SLACK):
+            way = "raise max_width" if self.rod.bending_stiffness is None else "use a thinner or softer sheet"
             raise InputError(
                 f"{self._too_little(scale)}: the ligaments need {self.lowest * high / rigidity:.4g} mm in all "
-                f"where they are widest, not {scale * high / rigidity:.4g} mm; raise max_width"
+                f"where they are widest, not {scale * high / rigidity:.4g} mm; {way}"
             )
         if min_width is not None and scale * low / rigidity < min_width * (1 - SLACK):
             raise InputError(
@@ -220,7 +234,7 @@ class _Fit:
         ratio = self.rod.ratio * self.highest / self.lowest
         if ratio > 1:
             ways.append(f"lower the stiffness ratio from {self.rod.ratio:.3g} to {ratio:.3g}")
-        return f"{self._too_little(self.highest)} when holes still fit at {self.s[i]:.1f} mm: {', or '.join(ways)}"
+        return f"{self._too_little(self.highest)}, when holes still fit at {self.s[i]:.1f} mm: {', or '.join(ways)}"
 
     def _would_do(self, columns: int) -> bool:
         section = PerforatedSection(
@@ -235,13 +249,13 @@ class _Fit:
             share = 1 - scale * self.K[i] / (self.section.rigidity * self.w[i])
             return (
                 f"holes would take {100 * share:.1f} % of the width at {self.s[i]:.1f} mm, more than "
-                f"{100 * self.style.hole_ratio:.1f} %,"
+                f"{100 * self.style.hole_ratio:.1f} %"
             )
         i = self.by_ligaments.lowest_at
         each = scale * self.K[i] / self.section.rigidity / self.style.ligaments
         return (
             f"ligaments would be {each:.3g} mm wide at {self.s[i]:.1f} mm, below "
-            f"{self.style.least_ligament:g} mm,"
+            f"{self.style.least_ligament:g} mm"
         )
 
 

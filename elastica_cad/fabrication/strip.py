@@ -161,7 +161,7 @@ class Strip:
         base = Layer(self.sheet, self.outline, self.holes)
         if self.layout.backing is None:
             return (base,)
-        sheet, width = self.layout.backing.sheet, self.layout.backing.width
+        sheet, width = self.layout.backing.sheet, self.layout.backing.drawn
         held = widths_held(self.width, self._registered)
         reaching = [slot for slot in self.slots if _reaches(slot, self.width, width)]
         holes = end_holes(width, held)
@@ -280,7 +280,7 @@ class Strip:
                 *(LayeredPath(CUT_INNER, hole) for hole in layer.holes),
                 LayeredPath(CUT_OUTER, layer.outline),
             )
-            texts = (self._label_text(i),) if self.label else ()
+            texts: tuple[Text, ...] = (self._label_text(i),) if self.label else ()
             if i == 0:
                 texts += mating_marks(self.slots, self.width, (*marks, *layer.holes), texts)
             drawn.append(Drawing(name=names[i], paths=paths, texts=texts))

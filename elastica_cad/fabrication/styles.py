@@ -13,14 +13,28 @@ from elastica_cad.fabrication.slots import Slot
 from elastica_cad.geometry import Path, Profile
 from elastica_cad.mechanics import LaminatedSection, LayerStrain, PlainSection, Rod, Sheet
 
-__all__ = ["PLAIN", "Backing", "Layout", "Pattern", "Plain", "Style", "Width", "along", "stations_of"]
+__all__ = [
+    "PLAIN",
+    "Backing",
+    "Layout",
+    "Pattern",
+    "Plain",
+    "Style",
+    "Width",
+    "along",
+    "refined",
+    "stations_of",
+]
 
 Width: TypeAlias = "float | Profile | Callable[[FloatArray], FloatArray]"
 """An outer width: one number, or a profile or function of arc length, all in mm."""
 
-WIDTH_TOLERANCE = 1e-7
+WIDTH_TOLERANCE = 1e-6
 """Largest error, mm, of a width given as a function."""
 
+
+MOST_EXTREMES = 200
+"""Of values that do no more than tremble, no more extremes than this are looked at."""
 
 SHOWN = 0.5
 """A backing that comes this near to the base's edge everywhere, mm, is not marked on it."""
@@ -42,11 +56,14 @@ class Backing:
     ----------
     sheet : Sheet
     width : Profile
-        mm along the free part.
+        mm along the free part, as the section asks for it.
+    drawn : Profile
+        The same with fewer pieces, as it is cut: within 1e-6 mm.
     """
 
     sheet: Sheet
     width: Profile
+    drawn: Profile
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,7 +111,7 @@ class Layout:
         s = stations_of(self.width.length, count=201)
         if float((self.width(s) - self.backing.width(s)).max()) < SHOWN:
             return ()
-        return tuple(Path([side]) for sides in long_sides(self.backing.width) for side in sides)
+        return tuple(Path([side]) for sides in long_sides(self.backing.drawn) for side in sides)
 
     def strains(self, s: FloatArray, bend: FloatArray) -> tuple[LayerStrain, ...]:
         """Skin strain of each layer at stations `s` (n,) bent by `bend` (n,) = |kappa - kappa_0|, 1/mm."""
@@ -190,6 +207,14 @@ def along(width: Width, length: float, name: str) -> Profile:
             f"{name} is {float(profile(at)):.4g} mm at {at:.4g} mm: it must be positive everywhere"
         )
     return profile
+
+
+def refined(s: FloatArray, *values: FloatArray) -> FloatArray:
+    """The stations (n,) with finer ones about the local extremes of `values` (n,) at them."""
+    turns = [np.flatnonzero(np.diff(np.sign(np.diff(value)))) + 1 for value in values]
+    found = np.unique(np.concatenate([[0, s.size - 1], *turns]).astype(int))[:MOST_EXTREMES]
+    before, after = s[np.maximum(found - 1, 0)], s[np.minimum(found + 1, s.size - 1)]
+    return np.unique(np.concatenate([s, np.linspace(before, after, 65).ravel()]))
 
 
 def stations_of(length: float, *profiles: Profile, count: int = 2001) -> FloatArray:
