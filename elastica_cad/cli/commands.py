@@ -5,7 +5,9 @@ from typing import Any
 
 import click
 
+from elastica_cad.cli.bend import bend_command
 from elastica_cad.cli.check import check
+from elastica_cad.cli.coupon import coupon
 from elastica_cad.cli.model import model
 from elastica_cad.cli.sheets import sheets
 from elastica_cad.cli.strip import strip
@@ -61,5 +63,5 @@ def elastica() -> None:
     """
 
 
-for command in (check, strip, model, sheets):
+for command in (check, strip, model, bend_command, coupon, sheets):
     elastica.add_command(command)
