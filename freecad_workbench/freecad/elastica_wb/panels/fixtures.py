@@ -39,7 +39,7 @@ class FixturesPanel(Panel):
             plate = baseplate.create(self.document, self.sources)
             plate.Sheet = form.sheet.currentText()
             place = plate.Placement
-            place.Base.z = form.height.value()
+            place.Base.z = form.plateHeight.value()
             plate.Placement = place
             plate.Play, plate.Clearance, plate.Border = (
                 form.play.value(),
