@@ -10,10 +10,10 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication import BentSolid, FlatSolid, Frame, Model, Strip, sheet_color
 from elastica_cad.fabrication import EndFixture as FixtureRecord
 from elastica_cad.fabrication.assembly import bent_parts
-from elastica_cad.fabrication.making import make_strip
+from elastica_cad.fabrication.making import StripFacts, make_strip
 from elastica_cad.fabrication.prisms import PrismSolid
 from elastica_cad.geometry import PlaneCurve
-from elastica_cad.mechanics import EquilibriumCheck, Rod, Sheet
+from elastica_cad.mechanics import Sheet
 
 __all__ = [
     "BentStrip",
@@ -31,30 +31,17 @@ Drawn: TypeAlias = bd.Edge | bd.Wire | PlaneCurve | Iterable[bd.Edge]
 FIXTURE_COLOR = (0.30, 0.36, 0.42)
 
 
-class _Made:
+class _Made(StripFacts):
     """The strip behind a shape; copies of the shape share it."""
-
-    _made: "_Shared"
 
     @property
     def strip(self) -> Strip:
         """The strip: widths, outline, strain, mass."""
-        return self._made.strip
+        return self._shared.strip
 
-    @property
-    def rod(self) -> Rod:
-        """The bent rod: shape, stiffness, moment, force."""
-        return self.strip.rod
-
-    @property
-    def check(self) -> EquilibriumCheck | None:
-        """The verdict of Theorem 1 on the drawn curve, where one was asked for."""
-        return self.rod.check
-
-    @property
-    def warnings(self) -> tuple[str, ...]:
-        """What a maker should know before cutting."""
-        return self.strip.warnings
+    @strip.setter
+    def strip(self, strip: Strip) -> None:
+        self._shared = _Shared(strip)
 
 
 class _Shared:
@@ -214,7 +201,7 @@ class EndFixture(_Made, bd.BasePartObject):
         solid = bd.Solid(occt.make_solid(block.solid))
         _join(solid, block.solid)
         super().__init__(solid, rotation, align, mode)
-        self._made = _Shared(made)
+        self.strip = made
         self.label, self.color = f"fixture {block.number or block.tab.name}", bd.Color(*FIXTURE_COLOR)
 
 
@@ -315,6 +302,6 @@ def _join(shape: Any, record: FlatSolid | BentSolid | PrismSolid) -> None:
 
 
 def _dress(shape: Any, made: Strip) -> None:
-    shape._made = _Shared(made)
+    shape.strip = made
     shape.label = made.label or "strip"
     shape.color = bd.Color(*sheet_color(made.sheet))

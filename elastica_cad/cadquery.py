@@ -10,9 +10,9 @@ from elastica_cad import occt
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication import BentSolid, EndFixture, FlatSolid, Frame, Model, Strip, sheet_color
 from elastica_cad.fabrication.assembly import bent_parts
-from elastica_cad.fabrication.making import make_strip
+from elastica_cad.fabrication.making import StripFacts, make_strip
 from elastica_cad.geometry import PlaneCurve
-from elastica_cad.mechanics import EquilibriumCheck, Rod, Sheet
+from elastica_cad.mechanics import Sheet
 
 __all__ = [
     "FixtureSolid",
@@ -35,25 +35,8 @@ METHOD = "elasticStrip"
 ENDS: tuple[End, End] = ("start", "end")
 
 
-class _Made(cq.Shape):
+class _Made(StripFacts, cq.Shape):
     """The strip behind a shape; a shape moved by `moved` or `located` keeps it."""
-
-    strip: Strip
-
-    @property
-    def rod(self) -> Rod:
-        """The bent rod: shape, stiffness, moment, force."""
-        return self.strip.rod
-
-    @property
-    def check(self) -> EquilibriumCheck | None:
-        """The verdict of Theorem 1 on the drawn curve, where one was asked for."""
-        return self.rod.check
-
-    @property
-    def warnings(self) -> tuple[str, ...]:
-        """What a maker should know before cutting."""
-        return self.strip.warnings
 
     def moved(self, *args: Any, **options: Any) -> Any:
         """As `Shape.moved`; a single copy still knows its strip."""

@@ -7,9 +7,30 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication.strip import Strip
 from elastica_cad.forming import Keep, Limits, NearestRod, Status, nearest_rod
 from elastica_cad.geometry import PlaneCurve
-from elastica_cad.mechanics import Gravity, Rod, Sheet, Supports, optimal_rod
+from elastica_cad.mechanics import EquilibriumCheck, Gravity, Rod, Sheet, Supports, optimal_rod
 
-__all__ = ["make_strip"]
+__all__ = ["StripFacts", "make_strip"]
+
+
+class StripFacts:
+    """What a body of a strip tells about it; for the classes of CAD skins."""
+
+    strip: Strip
+
+    @property
+    def rod(self) -> Rod:
+        """The bent rod: shape, stiffness, moment, force."""
+        return self.strip.rod
+
+    @property
+    def check(self) -> EquilibriumCheck | None:
+        """The verdict of Theorem 1 on the drawn curve, where one was asked for."""
+        return self.rod.check
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What a maker should know before cutting."""
+        return self.strip.warnings
 
 
 def make_strip(
