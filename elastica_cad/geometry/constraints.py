@@ -18,10 +18,12 @@ from elastica_cad.geometry.curve import PlaneCurve
 __all__ = [
     "CollinearInflections",
     "Constraint",
+    "CurvatureAt",
     "EndPositions",
     "EndTangents",
     "FixedLength",
     "InflectionsOnLine",
+    "PointsOnLine",
     "directed_rows",
     "least_norm_newton",
 ]
@@ -104,17 +106,50 @@ class FixedLength:
 
 @dataclass(frozen=True, eq=False)
 class InflectionsOnLine:
-    """The inflections near parameters `t` (k,) lie on the line a + <b, x> = 0."""
+    """The inflections near parameters `t` (k,) lie on the line a + <b, x> = 0.
+
+    With a natural curvature, 1/mm, they are the places where the curvature crosses that.
+    """
+
+    a: float
+    b: FloatArray
+    t: FloatArray
+    natural_curvature: float = 0.0
+
+    def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
+        """Values a + <b, gamma(t_0)> at the inflections t_0, which move with the control points."""
+        position, jacobian = _inflections(curve, self.t, self.natural_curvature)
+        b = np.asarray(self.b, dtype=float)
+        return self.a + position @ b, np.asarray(np.einsum("k,ikq->iq", b, jacobian))
+
+
+@dataclass(frozen=True, eq=False)
+class PointsOnLine:
+    """The points of given parameters `t` (k,) lie on the line a + <b, x> = 0, as pinned ends must."""
 
     a: float
     b: FloatArray
     t: FloatArray
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
-        """Values a + <b, gamma(t_0)> at the inflections t_0, which move with the control points."""
-        position, jacobian = _inflections(curve, self.t)
+        """Values a + <b, gamma(t)>."""
         b = np.asarray(self.b, dtype=float)
-        return self.a + position @ b, np.asarray(np.einsum("k,ikq->iq", b, jacobian))
+        rows = directed_rows(curve.basis(self.t), np.tile(b, (self.t.size, 1)))
+        return self.a + curve.evaluate(self.t) @ b, rows
+
+
+@dataclass(frozen=True, eq=False)
+class CurvatureAt:
+    """The curvature at given parameters `t` (k,) is `curvature`, 1/mm; `size`, mm, makes a length of it."""
+
+    t: FloatArray
+    curvature: float
+    size: float
+
+    def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
+        """Excess curvature times the square of `size`, mm."""
+        excess = curve.curvature_at(self.t) - self.curvature
+        return excess * self.size**2, _curvature_rows(curve, self.t) * self.size**2
 
 
 @dataclass(frozen=True, eq=False)
@@ -221,24 +256,32 @@ def directed_rows(basis: FloatArray, direction: FloatArray) -> FloatArray:
     return np.asarray((basis[:, :, None] * direction[:, None, :]).reshape(basis.shape[0], -1))
 
 
-def _inflections(curve: PlaneCurve, near: FloatArray) -> tuple[FloatArray, FloatArray]:
+def _curvature_rows(curve: PlaneCurve, t: FloatArray) -> FloatArray:
+    """Derivatives (k, 2 m) of the curvature det(gamma', gamma'') / |gamma'|^3 at parameters t (k,)."""
+    d1, d2 = curve.evaluate(t, 1), curve.evaluate(t, 2)
+    speed = np.hypot(d1[:, 0], d1[:, 1])[:, None]
+    turned1, turned2 = (np.column_stack([-d[:, 1], d[:, 0]]) for d in (d1, d2))
+    kappa = curve.curvature_at(t)[:, None]
+    by_velocity = directed_rows(curve.basis(t, 1), turned2 + 3 * kappa * speed * d1)
+    return np.asarray((directed_rows(curve.basis(t, 2), turned1) - by_velocity) / speed**3)
+
+
+def _inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float = 0.0) -> tuple[FloatArray, FloatArray]:
     """Positions (k, 2) of the inflections near given parameters, and derivatives (k, 2, 2 m).
 
-    dt_0/dq = -[det(d gamma'/dq, gamma'') + det(gamma', d gamma''/dq)] / det(gamma', gamma''').
+    They stay where kappa = kappa_0, so dt_0/dq = -(d kappa/dq) / (d kappa/dt).
     """
-    t = _nearest_inflections(curve, np.atleast_1d(np.asarray(near, dtype=float)))
-    d1, d2, d3 = (curve.evaluate(t, order) for order in (1, 2, 3))
-    turned1, turned2 = (np.column_stack([-d[:, 1], d[:, 0]]) for d in (d1, d2))
-    slope = (turned1 * d3).sum(axis=1)
-    change = directed_rows(curve.basis(t, 2), turned1) - directed_rows(curve.basis(t, 1), turned2)
-    moved = -change / slope[:, None]
+    t = _nearest_inflections(curve, np.atleast_1d(np.asarray(near, dtype=float)), kappa_0)
+    velocity = curve.evaluate(t, 1)
+    slope = curve.curvature_slope_at(t) * np.hypot(velocity[:, 0], velocity[:, 1])
+    moved = -_curvature_rows(curve, t) / slope[:, None]
     fixed = np.stack([directed_rows(curve.basis(t), np.tile(e, (t.size, 1))) for e in np.eye(2)], axis=1)
-    return curve.evaluate(t), fixed + d1[:, :, None] * moved[:, None, :]
+    return curve.evaluate(t), fixed + velocity[:, :, None] * moved[:, None, :]
 
 
-def _nearest_inflections(curve: PlaneCurve, near: FloatArray) -> FloatArray:
+def _nearest_inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float) -> FloatArray:
     """One inflection for each given parameter: in order where the numbers agree, else the nearest."""
-    found = np.array([z.t for z in curve.curvature_zeros if z.kind == "crossing"])
+    found = np.array([z.t for z in curve.curvature_equals(kappa_0) if z.kind == "crossing"])
     if found.size < near.size:
         raise NotConvergedError(
             f"the curve has {found.size} inflections where {near.size} are to be kept: "

@@ -11,6 +11,7 @@ from elastica_cad.geometry import (
     PlaneCurve,
     least_norm_newton,
 )
+from elastica_cad.geometry.constraints import CurvatureAt, PointsOnLine
 
 WAVE = np.array(
     [
@@ -44,6 +45,10 @@ def tracked(curve):
     return np.array([z.t for z in curve.curvature_zeros if z.kind == "crossing"])
 
 
+def crossed(curve, level):
+    return np.array([z.t for z in curve.curvature_equals(level) if z.kind == "crossing"])
+
+
 def constraints(curve):
     t = tracked(curve)
     return {
@@ -52,12 +57,17 @@ def constraints(curve):
         "tangents": EndTangents.of(curve),
         "length": FixedLength(curve.length),
         "line": InflectionsOnLine(-3.0, np.array([0.6, 0.8]), t),
+        "natural": InflectionsOnLine(-3.0, np.array([0.6, 0.8]), crossed(curve, 2e-3), 2e-3),
+        "points": PointsOnLine(-3.0, np.array([0.6, 0.8]), np.array(curve.domain)),
+        "curvature": CurvatureAt(np.array(curve.domain), 1e-3, 100.0),
         "collinear": CollinearInflections(t),
     }
 
 
 @pytest.mark.parametrize("kind", ["clamped", "unclamped", "rational"])
-@pytest.mark.parametrize("name", ["ends", "one end", "tangents", "length", "line", "collinear"])
+@pytest.mark.parametrize(
+    "name", ["ends", "one end", "tangents", "length", "line", "natural", "points", "curvature", "collinear"]
+)
 def test_derivatives_agree_with_finite_differences(kind, name):
     curve = curves()[kind]
     assert tracked(curve).size == 3
