@@ -19,7 +19,7 @@ def returns(curve, gravity, **options):
 
 
 def pavilion_arch(number):
-    """Strip `number` of the Pavilion: an ellipse of semi-axes 75 and 112.5 mm turned about its centre, above ground."""
+    """Strip `number` of the Pavilion: the part above ground of a turned ellipse, semi-axes 75 and 112.5 mm."""
     turn = 3 * np.pi * (number - 1) / 30
     c, s = np.cos(turn), np.sin(turn)
     t = np.linspace(0, 2 * np.pi, 100001)
