@@ -16,7 +16,7 @@ __all__ = ["Laminated"]
 SLACK = 1e-4
 """Relative slack of a rod's own stiffness: it was fitted at fewer stations, and is brought to what fits at all."""
 
-FIT, DRAWN = 1e-9, 1e-6
+FIT, DRAWN = 1e-9, 1e-5
 """Largest error of the backing's width, mm, for the section and for the cut."""
 
 
@@ -79,8 +79,11 @@ class Laminated:
         section = LaminatedSection(sheet, self.backing)
         least = max(self.least_backing, min_width or 0.0)
         scale = self._scale(rod, section, base, least, max_width)
-        width, drawn = (_backing_width(rod, section, base, scale, tolerance) for tolerance in (FIT, DRAWN))
-        backing = Backing(self.backing, width, drawn)
+        backing = Backing(
+            self.backing,
+            width=_backing_width(rod, section, base, scale, tolerance=FIT, smooth=3),
+            drawn=_backing_width(rod, section, base, scale, tolerance=DRAWN, smooth=2),
+        )
         told: tuple[str, ...] = ()
         if rod.gravity is not None and rod.weight is None:
             told = (
@@ -154,9 +157,9 @@ def _infeasible(
 
 
 def _backing_width(
-    rod: Rod, section: LaminatedSection, base: Profile, scale: float, tolerance: float
+    rod: Rod, section: LaminatedSection, base: Profile, scale: float, *, tolerance: float, smooth: int
 ) -> Profile:
-    """w2 along the free part; where K or the base are less than smooth, so is it."""
+    """w2 along the free part, with knots where K or the base have less than `smooth` derivatives."""
 
     def width(s: FloatArray) -> FloatArray:
         return section.backing_width(base(s), scale * rod.profile(s))
@@ -166,7 +169,7 @@ def _backing_width(
         (0.0, rod.length),
         degree=3,
         tolerance=tolerance,
-        breaks=[*rod.profile.breaks, *base.breaks],
+        breaks=[(s, order) for s, order in (*rod.profile.breaks, *base.breaks) if order < smooth],
         rounding=1e-13,
     )
     return Profile(knots, coefficients)

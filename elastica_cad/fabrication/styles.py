@@ -58,7 +58,7 @@ class Backing:
     width : Profile
         mm along the free part, as the section asks for it.
     drawn : Profile
-        The same with fewer pieces, as it is cut: within 1e-6 mm.
+        The same with fewer pieces, as it is cut: within 1e-5 mm.
     """
 
     sheet: Sheet
