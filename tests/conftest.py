@@ -27,12 +27,15 @@ def project_root() -> Path:
     return ROOT
 
 
-def _filechecks() -> ModuleType:
-    spec = importlib.util.spec_from_file_location("filechecks", ROOT / "tests" / "filechecks.py")
+def _helper(name: str) -> ModuleType:
+    """A module of the tests' folder."""
+    spec = importlib.util.spec_from_file_location(name, ROOT / "tests" / f"{name}.py")
     assert spec is not None
     assert spec.loader is not None
+    if name in sys.modules:
+        return sys.modules[name]
     module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module
+    sys.modules[name] = module
     spec.loader.exec_module(module)
     return module
 
@@ -40,10 +43,16 @@ def _filechecks() -> ModuleType:
 @pytest.fixture(scope="session")
 def check_drawing_file() -> Callable[..., Any]:
     """`check_drawing_file(path)` asserts what every cutting file must be and gives its curves."""
-    return _filechecks().check_drawing_file
+    return _helper("filechecks").check_drawing_file
 
 
 @pytest.fixture
 def check_drawing(tmp_path: Path) -> Callable[..., None]:
     """`check_drawing(drawing, **options of write_drawing)` writes DXF and SVG and runs all file checks."""
-    return partial(_filechecks().check_drawing, folder=tmp_path)
+    return partial(_helper("filechecks").check_drawing, folder=tmp_path)
+
+
+@pytest.fixture(scope="session")
+def pavilion() -> Callable[..., Any]:
+    """`pavilion(count=31, labels=True)` is the paper's Pavilion as a model, without slots."""
+    return _helper("pavilion").pavilion

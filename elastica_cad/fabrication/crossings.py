@@ -76,21 +76,27 @@ class Crossing:
         )
 
     @cached_property
+    def lengths(self) -> tuple[FloatArray, FloatArray]:
+        """Places x (n,) from 0 to 1, all nodes of the locus among them, and the lengths up to them, mm."""
+        nodes = (self.locus.nodes - self.start) / (self.end - self.start)
+        x = np.union1d(np.linspace(0.0, 1.0, LENGTHS), nodes[(nodes > 0) & (nodes < 1)])
+        return x, np.concatenate([[0.0], np.cumsum(self._steps(x))])
+
+    @property
     def length(self) -> float:
         """mm."""
-        return float(self._steps(np.linspace(0.0, 1.0, LENGTHS)).sum())
+        return float(self.lengths[1][-1])
 
     @cached_property
     def middle(self) -> float:
         """The x half way along."""
-        middle = 0.5
-        for _ in range(30):
-            x = np.concatenate([np.linspace(0.0, middle, LENGTHS), np.linspace(middle, 1.0, LENGTHS)[1:]])
-            steps = self._steps(x)
-            excess = float(steps[LENGTHS - 1 :].sum() - steps[: LENGTHS - 1].sum()) / 2
-            middle += excess * float((x[LENGTHS] - x[LENGTHS - 2]) / steps[LENGTHS - 2 : LENGTHS].sum())
-            if abs(excess) < 1e-10:
-                break
+        x, along = self.lengths
+        k = int(np.searchsorted(along, along[-1] / 2)) - 1
+        pace = float((x[k + 1] - x[k]) / (along[k + 1] - along[k]))
+        middle, half = float(x[k]), float(along[-1] / 2 - along[k])
+        for _ in range(4):  # between nodes x runs smoothly: the secant soon has it
+            done = float(self._steps(np.linspace(x[k], middle, 5)).sum())
+            middle += (half - done) * pace
         return middle
 
     @cached_property

@@ -172,8 +172,8 @@ class _Cutter:
             s = crossing.at(np.array([0.5])).first[0, 0]
             names = [self.model.name_of(i) for i in members]
             raise InputError(
-                f"{names[0]} and {names[1]} cross at {s:.6g} mm of {names[0]}, where one of them ends: no slot "
-                "can open at its edge; shorten or move one of them"
+                f"{names[0]} and {names[1]} cross at {s:.6g} mm of {names[0]}, but one of them ends before the "
+                "crossing comes to its edge, so that no slot can open there: shorten, move or turn one of them"
             )
         if abs(costs[0] - costs[1]) > FORCED:
             return ((0, 1), (1, 0))[int(np.argmin(costs))]

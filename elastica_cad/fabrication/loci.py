@@ -7,6 +7,7 @@ plane curves cross at points, each a whole ruling.
 """
 
 from abc import abstractmethod
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -28,6 +29,9 @@ PARALLEL = 1e-9
 
 NEWTON = 1e-13
 """Newton's method ends where the two heights differ by less than this (mm, relative to the model's size)."""
+
+LEVEL = 1e-12
+"""A curve whose height has no larger slope anywhere is level."""
 
 FLATTEST = 1e-14
 """Squared slope of the heights below which the surfaces touch; steps are kept short there."""
@@ -185,16 +189,28 @@ def _chained(heights: _Heights) -> list[tuple[FloatArray, FloatArray]]:
     second = _monotone(heights, heights.b)
     pieces: list[tuple[FloatArray, FloatArray]] = []
     ends: list[list[tuple[str, int, int] | None]] = []
+    level: list[tuple[FloatArray, FloatArray]] = []
     for k, (s_a, c_a) in enumerate(first):
         for m, (s_b, c_b) in enumerate(second):
             low, high = max(c_a.min(), c_b.min()), min(c_a.max(), c_b.max())
             if not low < high:
+                level.extend(_level(s_a, c_a, s_b, c_b))
                 continue
             inside = np.concatenate([c_a, c_b])
             c = np.unique(np.concatenate([[low, high], inside[(inside > low) & (inside < high)]]))
             pieces.append((_inverted(s_a, c_a, c), _inverted(s_b, c_b, c)))
             ends.append([_joint(k, c_a, m, c_b, bound) for bound in (low, high)])
-    return _joined(pieces, ends, len(first), len(second))
+    return [*level, *_joined(pieces, ends, len(first), len(second))]
+
+
+def _level(
+    s_a: FloatArray, c_a: FloatArray, s_b: FloatArray, c_b: FloatArray
+) -> Iterator[tuple[FloatArray, FloatArray]]:
+    """The way along a straight strip that keeps the height at which the other curve passes it."""
+    if c_b[0] == c_b[-1] and c_a.min() < c_b[0] < c_a.max():
+        yield np.repeat(_inverted(s_a, c_a, c_b[:1]), s_b.size), s_b
+    if c_a[0] == c_a[-1] and c_b.min() < c_a[0] < c_b.max():
+        yield s_a, np.repeat(_inverted(s_b, c_b, c_a[:1]), s_a.size)
 
 
 def _monotone(heights: _Heights, strip: RuledStrip) -> list[tuple[FloatArray, FloatArray]]:
@@ -202,6 +218,8 @@ def _monotone(heights: _Heights, strip: RuledStrip) -> list[tuple[FloatArray, Fl
     s = strip.stations
     position, tangent = strip.motion(s)
     height, slope = heights.of(position), tangent @ heights.up
+    if np.abs(slope).max() < LEVEL:
+        return [(s, np.full(s.size, height.mean()))]
     turns = np.flatnonzero((slope[:-1] < 0) != (slope[1:] < 0))
     found = bracketed_zeros(lambda x: strip.motion(x)[1] @ heights.up, s[turns], s[turns + 1])
     top = heights.of(strip.motion(found)[0])
