@@ -26,6 +26,7 @@ _PRICE = 0.1  # of a broken bound, against half the mean square distance in leng
 _ROW_PRICE = 10.0
 _MARGIN_UNIT = 50.0
 _COARSE = 3.0  # a step that takes the ratio this many times above where it is and may be is refused
+_RATIO_PART, _MARGIN_PART = 0.9, 6.0  # aimed at in one step: of the present ratio, above the present margin
 _RADIUS, _LARGEST_RADIUS, _SMALLEST_RADIUS = 0.01, 0.05, 1e-7
 _SETTLED = 1e-3  # a step that promises less than this share of the distance ends the search
 _RESOLUTION = 1e-12
@@ -47,6 +48,13 @@ class Bounds:
         if self.margin is None:
             return excess
         return excess + max(0.0, (self.margin - state.margin) / _MARGIN_UNIT)
+
+    def from_here(self, state: EquilibriumCurve) -> "Bounds":
+        """What to aim at next: small parts of the way find the nearer ones of many minima."""
+        ratio = max(self.ratio, _RATIO_PART * state.ratio)
+        if self.margin is None:
+            return Bounds(ratio)
+        return Bounds(ratio, min(self.margin, state.margin + _MARGIN_PART))
 
     def inside(self) -> "Bounds":
         """A little stricter ones."""
@@ -107,7 +115,6 @@ def moved_within(
     NotRealizable
         No strip can take the curve that this starts from, even once its inflections are on one line.
     """
-    aim = bounds.inside()
     state = _started(curve, constraints)
     changes = CurveChanges(state, constraints)
     radius, settled, iterations = _RADIUS, False, 0
@@ -115,6 +122,7 @@ def moved_within(
     history = [_iterate(state, distance, bounds)]
     while iterations < max_steps and not settled:
         iterations += 1
+        aim = bounds.inside().from_here(state)
         step = _step(changes, changes.offsets(curve) / state.curve.length, aim, radius)
         gain = distance + _PRICE * aim.broken(state) - step.promised
         settled = gain <= _RESOLUTION + (_SETTLED * distance if bounds.broken(state) == 0 else 0.0)

@@ -9,7 +9,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.forming import split
 from elastica_cad.geometry import PlaneCurve
 from elastica_cad.geometry.trim import trimmed_curve
-from elastica_cad.mechanics import NotRealizable, check_equilibrium, optimal_rod
+from elastica_cad.mechanics import NotRealizable, Supports, check_equilibrium, optimal_rod
 
 WAVE = [(0, 0), (20, 60), (50, -60), (80, 60), (100, 80), (160, -90), (190, 20)]
 
@@ -120,6 +120,16 @@ def test_offered_places():
     assert split(curve, places=places).supports == pytest.approx([(first + last) / 2])
     with pytest.raises(NotRealizable, match="offer more places"):
         split(curve, places=[first / 2])
+
+
+def test_supports_of_the_ends():
+    curve = random_curve(7)
+    with pytest.raises(NotRealizable, match="free to turn"):
+        split(curve, supports=Supports("pinned", "clamped"))
+    zero = next(z.t for z in curve.curvature_zeros if z.kind == "crossing")
+    rest = trimmed_curve(curve, zero, curve.domain[1])
+    found = split(rest, supports=Supports("pinned", "clamped"))
+    assert check_equilibrium(found.pieces[0], Supports("pinned", "clamped")).realizable
 
 
 def test_bad_input():

@@ -6,7 +6,15 @@ import numpy as np
 import pytest
 
 from elastica_cad.forming import enforce_constraints, optimize_ratio, recover_stability
-from elastica_cad.geometry import EndPositions, EndTangents, FixedLength, InflectionsOnLine, PlaneCurve
+from elastica_cad.geometry import (
+    EndPositions,
+    EndTangents,
+    FixedLength,
+    InflectionsOnLine,
+    PlaneCurve,
+    Spline,
+)
+from elastica_cad.geometry.nearest import distances
 from elastica_cad.mechanics import check_equilibrium, optimal_rod, stability
 from elastica_cad.mechanics.line import InflectionLine
 
@@ -35,6 +43,11 @@ def assert_kept(curve, wish, *, tangents=True, length=True):
         np.testing.assert_allclose(unit_tangents(curve), unit_tangents(wish), atol=1e-7)
     if length:
         assert curve.length == pytest.approx(wish.length, rel=1e-8)
+
+
+def mean_distance(curve, wish):
+    """Root mean square distance of the points of a curve from another."""
+    return np.sqrt((distances(Spline(wish), curve.sample(401).position) ** 2).mean())
 
 
 def test_enforced_constraints(shared_data):
@@ -81,11 +94,14 @@ def test_flower_pot(shared_data, number):
     assert_kept(found.curve, wish, tangents=False, length=False)
     assert optimal_rod(found.curve).ratio <= 2.5
     assert found.ratio == pytest.approx(optimal_rod(found.curve).ratio, rel=1e-6)
-    assert found.deviation < 0.045 * diagonal(wish)
-    assert found.iterations < curve["fabricability"]["steps"]
+    published = unclamped(curve["cp_final"])
+    assert optimal_rod(published).ratio > 2.55
+    assert mean_distance(found.curve, wish) < mean_distance(published, wish)
+    assert found.deviation < 0.03 * diagonal(wish)
+    assert found.iterations < 50 < curve["fabricability"]["steps"]
 
 
-@pytest.mark.parametrize(("R_max", "share"), [(2.954, 0.0124), (2.0, 0.025)])
+@pytest.mark.parametrize(("R_max", "share"), [(2.954, 0.0124), (2.0, 0.0225)])
 def test_stability_of_the_s_curve(shared_data, R_max, share):
     """Published: 1.24 % of the diagonal at R 2.954; ends, tangents and length stay."""
     wish = unclamped(reference(shared_data, "stability_S")["runs"][0]["cp_file"])
