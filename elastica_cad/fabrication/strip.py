@@ -192,6 +192,11 @@ class Strip:
         layer, s = self._strained
         return float(s[layer.station])
 
+    @property
+    def strain_limit(self) -> float:
+        """What the sheet of that layer bears."""
+        return self._strained[0].limit
+
     @cached_property
     def strains(self) -> tuple[LayerStrain, ...]:
         """Skin strain of each layer at uniform stations, with the limit of its sheet."""

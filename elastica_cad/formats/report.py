@@ -53,6 +53,7 @@ def strip_report(
     rod, sheet = strip.rod, strip.sheet
     s = np.linspace(0.0, rod.length, stations)
     low, high = strip.width.extremes
+    backing = strip.layout.backing
     reactions = strip.reactions()
     return {
         "schema": REPORT_SCHEMA,
@@ -77,6 +78,8 @@ def strip_report(
             "s": rounded(s),
             "stiffness": rounded(rod.profile(s)),
             "width": rounded(strip.width(s)),
+            "material": rounded(strip.layout.material(s)),
+            "backing": None if backing is None else rounded(backing.width(s)),
         },
         "width": {"least": rounded(low), "largest": rounded(high)},
         "sheet": {
@@ -90,9 +93,13 @@ def strip_report(
         "strain": {
             "largest": rounded(strip.max_strain),
             "at": rounded(strip.max_strain_at),
-            "limit": sheet.max_strain,
+            "limit": strip.strain_limit,
         },
         "mass": rounded(strip.mass),
+        "layers": [
+            {"sheet": layer.sheet.name, "thickness": layer.sheet.thickness, "mass": rounded(layer.mass)}
+            for layer in strip.layers
+        ],
         "reactions": {
             "start_force": rounded(reactions.start_force),
             "start_moment": rounded(reactions.start_moment),

@@ -71,7 +71,7 @@ def strip_sheet(strip: Strip, *, wish: PlaneCurve | None = None) -> Figure:
     axes = figure.subplots(3, 1, height_ratios=[tall, 2.2, flat])
     sheet = strip.sheet
     facts = f"{sheet.name}, {sheet.thickness:g} mm thick, {strip.mass:.3g} g"
-    strain = f"largest strain {100 * strip.max_strain:.2f} %, {100 * sheet.max_strain:.2f} % allowed"
+    strain = f"largest strain {100 * strip.max_strain:.2f} %, {100 * strip.strain_limit:.2f} % allowed"
     figure.suptitle(f"{fill(strip.label or 'Strip', 90)}\n{facts}; {strain}", fontsize=11, color=INK)
     _draw_curve(axes[0], strip.rod, wish)
     _draw_stiffness(axes[1], strip.rod)
@@ -143,15 +143,19 @@ def _draw_flat(axes: Axes, strip: Strip) -> None:
     from matplotlib.patches import PathPatch
     from matplotlib.path import Path as Outline
 
-    loops = [Outline(_points(loop), closed=True) for loop in (strip.outline, *strip.holes)]
-    axes.add_patch(
-        PathPatch(
-            Outline.make_compound_path(*loops),
-            facecolor=sheet_color(strip.sheet),
-            edgecolor=INK,
-            linewidth=1.0,
+    for layer in strip.layers:
+        # what runs against the outline is left out of the filling
+        holes = [hole if hole.area < 0 else hole.reversed() for hole in layer.holes]
+        loops = [Outline(_points(loop), closed=True) for loop in (layer.outline, *holes)]
+        axes.add_patch(
+            PathPatch(
+                Outline.make_compound_path(*loops),
+                facecolor=sheet_color(layer.sheet),
+                edgecolor=INK,
+                linewidth=1.0,
+                alpha=None if layer is strip.layers[0] else 0.6,
+            )
         )
-    )
     (left, bottom), (right, top) = strip.outline.bounds
     length = right - left
     unit = 0.012 * length
