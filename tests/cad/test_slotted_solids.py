@@ -1,0 +1,63 @@
+"""Strips slotted into each other, as OpenCASCADE sees them bent in space."""
+
+import numpy as np
+import pytest
+
+pytest.importorskip("OCP")
+
+from elastica_cad import occt
+from elastica_cad.fabrication import BentSolid, Model, Placed, Slot, Strip
+from elastica_cad.geometry import PlaneCurve
+from elastica_cad.mechanics import Rod, Sheet, optimal_rod
+
+CARD = Sheet.named("card-200gsm")
+
+
+def common_volume(model, measure):
+    """Volume that the first two strips of a model share, mm3."""
+    from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
+
+    solids = []
+    for placed in model.placed[:2]:
+        record = BentSolid.of(placed.strip, placed.frame)
+        solid = occt.make_solid(record)
+        assert record.boundary.is_closed
+        assert measure.is_valid(solid)
+        solids.append(solid)
+    return measure.volume(BRepAlgoAPI_Common(*solids).Shape(), bent=False)
+
+
+def test_slots_of_every_kind_reach_the_solid(measure):
+    slots = (Slot(60, 1.0, 5), Slot(90, 1.5, 6, side="lower", relief="round"), Slot(110, 2.0, lean=-0.4))
+    curve = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
+    strip = Strip(optimal_rod(curve), CARD, max_width=30, slots=slots)
+    record = BentSolid.of(strip)
+    solid = occt.make_solid(record)
+    assert measure.is_valid(solid)
+    assert measure.volume(solid) == pytest.approx(strip.area * CARD.thickness, rel=1e-6)
+    assert measure.area(occt.make_shell(record.middle)) == pytest.approx(strip.area, rel=1e-6)
+
+
+def arch_and_wall(angle):
+    """An arch of plywood, and a flat strip that passes it at an angle, both 0.8 mm thick."""
+    ply = Sheet.named("birch-plywood-0.8")
+    curve = PlaneCurve.arc((0, 0), 80, 0.4, np.pi - 0.4)
+    arch = Placed(Strip(optimal_rod(curve), ply, max_width=20), (0, 0, 0), (1, 0, 0), (0, 1, 0))
+    x = np.array([-np.sin(angle), np.cos(angle), 0.0])
+    along = np.array([0.0, 80.0, 3.0]) - 30 * x
+    tilt = 0.2 * np.array([0.0, 0.0, 1.0]) + np.cross([0, 0, 1], x)
+    wall = Placed(Strip(Rod.straight(60.0), ply, max_width=22), along, x, tilt)
+    return Model([arch, wall])
+
+
+def test_exact_slots_let_the_other_strip_through(measure):
+    """At 45 degrees: whole strips collide, slots of the paper's width still do, exact ones do not."""
+    model = arch_and_wall(np.radians(45))
+    assert common_volume(model, measure) > 10
+    assert common_volume(model.interlock(clearance=0.0, fit="paper"), measure) > 1
+    assert common_volume(model.interlock(clearance=0.1), measure) < 1e-6
+
+
+def test_neighbours_of_the_pavilion_do_not_collide(pavilion, measure):
+    """At ten degrees and with bent slots: the two bent strips share nothing."""
+    assert common_volume(pavilion(3).interlock(clearance=0.1), measure) < 1e-6
