@@ -83,7 +83,7 @@ def test_ratio_of_the_s_curve(shared_data):
     assert data["optimizeStiffness_run"]["R_hard_final"] > 2.2
 
 
-@pytest.mark.parametrize("number", [1, 5, 15])
+@pytest.mark.parametrize("number", [1, 5])
 def test_flower_pot(shared_data, number):
     """From their preprocessed curves: R <= 2.5 for the true maximum and minimum (theirs end at 2.56 to 2.69)."""
     curve = reference(shared_data, "flower_pot")["curves"][number]
