@@ -3,7 +3,10 @@
 from collections.abc import Iterable, Sequence
 from typing import Any, Literal, TypeAlias
 
-import build123d as bd
+try:
+    import build123d as bd
+except ImportError as error:
+    raise ImportError("elastica_cad.build123d needs build123d: pip install build123d") from error
 
 from elastica_cad import occt
 from elastica_cad.errors import InputError

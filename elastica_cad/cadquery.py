@@ -4,7 +4,10 @@ import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, Literal, TypeAlias, TypeVar
 
-import cadquery as cq
+try:
+    import cadquery as cq
+except ImportError as error:
+    raise ImportError("elastica_cad.cadquery needs CadQuery: pip install cadquery") from error
 
 from elastica_cad import occt
 from elastica_cad.errors import InputError

@@ -87,14 +87,14 @@ def step_bytes(parts: Sequence[Part], *, name: str) -> bytes:
             label = shapes.AddShape(getattr(part.shape, "wrapped", part.shape), False)
             color = k.Quantity_Color(*part.color, k.Quantity_TypeOfColor.Quantity_TOC_sRGB)
             colors.SetColor(label, color, k.XCAFDoc_ColorType.XCAFDoc_ColorGen)
-            _call(label, part.name)
+            _set_name(label, part.name)
             drawn[id(part.shape)] = label
     if len(parts) > 1 or parts[0].frame is not None:
         root = shapes.NewShape()
         for part in parts:
             place = make_location(part.frame or Frame())
-            _call(shapes.AddComponent(root, drawn[id(part.shape)], place), part.name)
-        _call(root, name)
+            _set_name(shapes.AddComponent(root, drawn[id(part.shape)], place), part.name)
+        _set_name(root, name)
         shapes.UpdateAssemblies()
     for printer in k.Message.DefaultMessenger_s().Printers():
         printer.SetTraceLevel(k.Message_Gravity.Message_Fail)
@@ -114,7 +114,7 @@ def step_bytes(parts: Sequence[Part], *, name: str) -> bytes:
     return canonical_step(stream.getvalue())
 
 
-def _call(label: Any, name: str) -> None:
+def _set_name(label: Any, name: str) -> None:
     """Name a label of a document."""
     k = kernel()
     k.TDataStd_Name.Set_s(label, k.TCollection_ExtendedString(name, True))

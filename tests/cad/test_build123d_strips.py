@@ -34,16 +34,16 @@ def place(location):
 
 
 class TestAlgebraMode:
-    def test_outline(self, edge):
+    def test_outline(self, edge, measure):
         outline = StripOutline(edge, SHEET, **OPTIONS)
-        assert outline.area == pytest.approx(outline.strip.area, rel=1e-6)
+        assert measure.area(outline.face().wrapped) == pytest.approx(outline.strip.area, rel=1e-9)
         assert len(outline.face().outer_wire().edges()) == 8
         assert isinstance(outline, bd.Sketch)
 
     def test_flat(self, edge):
         flat = FlatStrip(edge, SHEET, **OPTIONS)
         assert flat.is_valid
-        assert flat.volume == pytest.approx(flat.strip.area * 0.8, rel=1e-6)
+        assert flat.volume == pytest.approx(flat.strip.area * 0.8, rel=1e-4)
         assert pytest.approx(0, abs=1e-6) == flat.bounding_box().min.Z
         assert pytest.approx(edge.length + 24, abs=1e-5) == flat.bounding_box().size.X
 
@@ -133,7 +133,7 @@ class TestBuilderMode:
             with bd.BuildLine():
                 bd.Spline(*POINTS)
             outline = elastic_strip(sheet=SHEET, form="outline", **OPTIONS)
-        assert sketch.sketch.area == pytest.approx(outline.strip.area, rel=1e-6)
+        assert sketch.sketch.area == pytest.approx(outline.strip.area, rel=1e-4)
 
     def test_locations_and_modes(self, edge):
         with bd.BuildPart() as part:

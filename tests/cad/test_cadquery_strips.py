@@ -32,16 +32,16 @@ def place(location):
 
 
 class TestFreeFunctions:
-    def test_outline(self, edge):
+    def test_outline(self, edge, measure):
         outline = strip_outline(edge, SHEET, **OPTIONS)
         assert outline.isValid()
-        assert outline.Area() == pytest.approx(outline.strip.area, rel=1e-6)
+        assert measure.area(outline.wrapped) == pytest.approx(outline.strip.area, rel=1e-9)
         assert len(outline.outerWire().Edges()) == 8
 
     def test_flat(self, edge):
         flat = flat_strip(edge, SHEET, **OPTIONS)
         assert flat.isValid()
-        assert flat.Volume() == pytest.approx(flat.strip.area * 0.8, rel=1e-6)
+        assert flat.Volume() == pytest.approx(flat.strip.area * 0.8, rel=1e-4)
 
     def test_bent_stands_on_the_edge(self, edge):
         bent = bent_strip(edge, SHEET, **OPTIONS)
@@ -128,7 +128,7 @@ class TestSketch:
         )
         strip = flat_strip(cq.Workplane().spline(POINTS), SHEET, **OPTIONS)
         solid = cq.Workplane().placeSketch(sketch).extrude(2)
-        assert solid.val().Volume() == pytest.approx(2 * strip.strip.area, rel=1e-6)
+        assert solid.val().Volume() == pytest.approx(2 * strip.strip.area, rel=1e-4)
         assert sketch.faces(tag="strip").vals()
 
     def test_no_edges(self):

@@ -1,0 +1,66 @@
+"""Kernels that are missing or not known are told in one sentence."""
+
+import builtins
+import importlib
+import sys
+
+import pytest
+
+pytest.importorskip("OCP")
+
+from elastica_cad import occt, step
+from elastica_cad.errors import MissingDependencyError
+from elastica_cad.fabrication import FlatSolid
+from elastica_cad.geometry import Path
+
+PLATE = FlatSolid(Path.rectangle(10, 5), (), 1.0)
+
+
+@pytest.fixture(autouse=True)
+def fresh():
+    """The kernel is looked for once: forget it before and after."""
+    occt.kernel.cache_clear()
+    yield
+    occt.kernel.cache_clear()
+
+
+@pytest.mark.parametrize("version", ["6.4.1", "9.0", ""])
+def test_unknown_version(version, monkeypatch):
+    import OCP
+
+    monkeypatch.setattr(OCP, "__version__", version)
+    with pytest.raises(MissingDependencyError, match=r"only 7\.x and 8\.x are known"):
+        occt.make_solid(PLATE)
+
+
+def test_version_that_cannot_be_told(monkeypatch):
+    import OCP
+
+    monkeypatch.delattr(OCP, "__version__")
+    with pytest.raises(MissingDependencyError, match=r"OCP \? is installed"):
+        occt.kernel()
+
+
+def test_no_kernel_at_all(monkeypatch, tmp_path):
+    monkeypatch.setitem(sys.modules, "OCP", None)
+    with pytest.raises(MissingDependencyError, match="pip install build123d"):
+        occt.make_solid(PLATE)
+    with pytest.raises(MissingDependencyError):
+        step.write_step([step.Part("plate", None)], tmp_path / "plate.step")
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("library", ["build123d", "cadquery"])
+def test_skin_without_its_library(library, monkeypatch):
+    """As where the other kernel alone is installed: an ImportError that says what to install."""
+    real = builtins.__import__
+
+    def without(name, *args, **kwargs):
+        if name == library:
+            raise ModuleNotFoundError(f"No module named {library!r}", name=library)
+        return real(name, *args, **kwargs)
+
+    monkeypatch.setattr(builtins, "__import__", without)
+    monkeypatch.delitem(sys.modules, f"elastica_cad.{library}", raising=False)
+    with pytest.raises(ImportError, match=f"pip install {library}"):
+        importlib.import_module(f"elastica_cad.{library}")
