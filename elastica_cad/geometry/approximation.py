@@ -14,6 +14,7 @@ _PROBES = np.array([0.02, 0.11, 0.27, 0.43, 0.58, 0.72, 0.88, 0.98])
 _MOST_SPANS = 3000
 _WORST = 0.05
 _NARROWEST = 1e-9  # of the domain
+_WIDER = 8.0  # than its neighbour: cut with it
 
 
 def adaptive_spline(
@@ -73,6 +74,7 @@ def adaptive_spline(
                 f"no spline follows the function to {tolerance:g}: near {edges[worst]:.6g} the error stays "
                 f"{error[worst]:.3g}; declare the break there or ask for less"
             )
+        bad = _with_wide_neighbours(bad, np.diff(edges))
         parts = _parts(error[bad] / accepted, degree)
         edges, samples = _refined(function, edges, samples, bad, parts=parts, places=places)
 
@@ -124,6 +126,14 @@ def _refined(
     values = np.concatenate([samples[kept], _sampled(function, low, high, places)])
     order = np.argsort(np.concatenate([edges[kept], low]))
     return np.append(np.concatenate([edges[kept], low])[order], edges[-1]), values[order]
+
+
+def _with_wide_neighbours(bad: IntArray, width: FloatArray) -> IntArray:
+    """Bad spans and those beside them that are far wider: a narrow span can't mend what a wide one imposes."""
+    beside = np.concatenate([bad - 1, bad + 1])
+    inside = (beside >= 0) & (beside < width.size)
+    beside, narrow = beside[inside], np.tile(bad, 2)[inside]
+    return np.asarray(np.union1d(bad, beside[width[beside] > _WIDER * width[narrow]]))
 
 
 def _parts(excess: FloatArray, degree: int) -> IntArray:

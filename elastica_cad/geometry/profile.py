@@ -122,15 +122,31 @@ class Profile:
         """End of the domain, mm."""
         return float(self.knots[-1])
 
-    @cached_property
+    @property
     def extremes(self) -> tuple[float, float]:
         """Smallest and largest value over the domain, both sides of a jump included, to rounding error."""
-        pieces = bezier_spans(self.knots, self.degree).bezier(self.coefficients)
+        (_, low), (_, high) = self._extreme_points
+        return low, high
+
+    @property
+    def extreme_places(self) -> tuple[float, float]:
+        """Arc lengths, mm, of the smallest and of the largest value."""
+        (first, _), (second, _) = self._extreme_points
+        return first, second
+
+    @cached_property
+    def _extreme_points(self) -> tuple[tuple[float, float], tuple[float, float]]:
+        spans = bezier_spans(self.knots, self.degree)
+        pieces = spans.bezier(self.coefficients)
         turning = interior_roots(np.diff(pieces)) if self.degree > 1 else []
         index = np.array([root.piece for root in turning], dtype=int)
-        inside, _ = value_and_slope(pieces[index], np.array([root.u for root in turning]))
-        found = np.concatenate([pieces[:, 0], pieces[:, -1], inside])
-        return float(found.min()), float(found.max())
+        u = np.array([root.u for root in turning])
+        inside, _ = value_and_slope(pieces[index], u)
+        start, width = spans.edges[:-1], np.diff(spans.edges)
+        places = np.concatenate([start, start + width, start[index] + u * width[index]])
+        values = np.concatenate([pieces[:, 0], pieces[:, -1], inside])
+        low, high = int(values.argmin()), int(values.argmax())
+        return (float(places[low]), float(values[low])), (float(places[high]), float(values[high]))
 
     @property
     def breaks(self) -> tuple[tuple[float, int], ...]:

@@ -23,8 +23,8 @@ from elastica_cad.mechanics.weighing import BalancedStiffness, balance_with_weig
 
 __all__ = ["optimal_rod"]
 
-PROFILE_TOLERANCE = 1e-8
-"""Error of the stiffness profile, relative to its largest value."""
+PROFILE_TOLERANCE = 1e-6
+"""Error of the stiffness profile, relative to its largest value; its extremes are exact."""
 
 _LAW_SAMPLES = 2001
 
@@ -273,7 +273,19 @@ def _profile(check: EquilibriumCheck, balance: BalancedStiffness, scale: float) 
     fitted = Profile.fit(stiffness, length, breaks=breaks, tolerance=PROFILE_TOLERANCE * largest)
     for i, foot in enumerate(feet):
         fitted = _joined(fitted, foot, keep_left=i % 2 == 0)
-    return fitted
+    return _with_extremes(fitted, stiffness(np.array(fitted.extreme_places)), PROFILE_TOLERANCE * largest)
+
+
+def _with_extremes(profile: Profile, exact: FloatArray, tolerance: float) -> Profile:
+    """The profile stretched a little so that its extremes are `exact`, the stiffness where it has them.
+
+    The stiffness is stationary there, so the places need not be exact.
+    """
+    low, high = profile.extremes
+    if high - low <= tolerance:
+        return profile
+    stretched = exact[0] + (profile.coefficients - low) * ((exact[1] - exact[0]) / (high - low))
+    return Profile(profile.knots, stretched, profile.degree)
 
 
 def _joined(profile: Profile, place: float, *, keep_left: bool) -> Profile:

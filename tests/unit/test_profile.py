@@ -65,6 +65,7 @@ def test_a_jump_stays_a_jump_and_both_sides_count():
     assert np.count_nonzero(profile.knots == 60) == 4
     assert profile.extremes == pytest.approx((1, 2))
     assert float(profile(np.nextafter(60.0, 0))) == pytest.approx(2)
+    assert profile.extreme_places == pytest.approx((0.0, 60.0))
     assert float(profile(60.0)) == pytest.approx(1.1)
 
 
@@ -153,3 +154,21 @@ def test_scaled():
 def test_bad_input(make, words):
     with pytest.raises(InputError, match=words):
         make()
+
+
+def test_extremes_inside_are_placed():
+    profile = Profile.fit(lambda s: 2 + np.sin(s / 10), 60.0, tolerance=1e-9)
+    assert profile.extreme_places == pytest.approx((15 * np.pi, 5 * np.pi), abs=1e-2)
+    assert profile.extremes == pytest.approx((1, 3), abs=1e-8)
+
+
+@pytest.mark.parametrize("tolerance", np.geomspace(1e-6, 1e-3, 30))
+def test_every_tolerance_is_reached_beside_kinks(tolerance):
+    """A wide span that just meets the tolerance must not spoil narrow ones beside it."""
+
+    def peak(s):
+        return 1 / (1 + ((s - 91) / 3) ** 2) + 2e-3 * np.abs(s - 90)
+
+    profile = Profile.fit(peak, 184.0, breaks=[(90.0, 0), (92.18, 1)], tolerance=tolerance)
+    s = np.linspace(0.0, 184.0, 4001)
+    assert np.abs(profile(s) - peak(s)).max() < 1.5 * tolerance

@@ -78,7 +78,7 @@ def test_rod_bends_back_into_the_curve(name, curve, gravity):
         rod.stiffness * LAWS[name].effective_curvature(bent.curvature), rel=1e-9, abs=1e-12
     )
     # between the nodes too: the profile that strips are cut from
-    assert rod.profile(rod.s) == pytest.approx(rod.stiffness, rel=1e-6)
+    assert rod.profile(rod.s) == pytest.approx(rod.stiffness, abs=2e-6 * rod.stiffness.max())
 
 
 def test_ideal_plasticity_is_a_strip_with_a_lasting_bend():
