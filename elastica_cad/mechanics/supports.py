@@ -67,7 +67,7 @@ class Supports:
 
     def __post_init__(self) -> None:
         for side in ("start", "end"):
-            value = getattr(self, side)
+            value: End | EndName = getattr(self, side)
             if isinstance(value, str):
                 object.__setattr__(self, side, End.named(value))
         a, b = self.ends
