@@ -51,7 +51,7 @@ def test_a_file_of_an_earlier_version(document, tmp_path: Path):
         feature.touch()
         old.recompute()
         assert feature.State == ["Up-to-date"]
-        assert feature.Shape.Volume == pytest.approx(volume, rel=1e-6)
+        assert feature.Shape.Volume == pytest.approx(volume, rel=1e-5)
         assert old.getObject("Flat").Shape.isValid()
     finally:
         App.closeDocument(old.Name)
@@ -217,7 +217,7 @@ def test_cutting_files(document, sketch, tmp_path: Path, request):
     stems = ("A1_birch-plywood-0.8_0.8mm_x4", "nest-1-birch-plywood-0.8")
     assert [f.name for f in files[:-2]] == [f"{stem}.{kind}" for stem in stems for kind in flat]
     assert [f.name for f in files[-2:]] == ["Strip.step", "cut-list.csv"]
-    if complete:
+    if complete and find_spec("svgelements") is not None:
         for file in files[:4]:
             request.getfixturevalue("check_drawing_file")(file)
     assert "A1,birch-plywood-0.8" in files[-1].read_text()

@@ -125,7 +125,7 @@ def _write_step(obj: Any, path: Path) -> None:
         for name, shape, placement, sheet in _bodies(obj):
             body = document.addObject("Part::Feature", "Body")
             body.Label = name
-            body.Shape = shape.copy()
+            body.Shape = shape
             body.Placement = placement
             if App.GuiUp and body.ViewObject is not None:
                 body.ViewObject.ShapeColor = sheet_color(sheet)

@@ -122,7 +122,7 @@ def judged(rod: Rod) -> Stability | None:
 def bent_shape(strip: Strip) -> Part.Shape:
     """The strip bent, its curve in the xy plane; of a laminate both layers."""
     solids = [make_solid(layer) for layer in BentSolid.layers(strip)]
-    return solids[0] if len(solids) == 1 else Part.makeCompound(solids)
+    return solids[0] if len(solids) == 1 else Part.Compound(solids)
 
 
 @lru_cache(maxsize=32)

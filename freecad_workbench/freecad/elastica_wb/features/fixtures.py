@@ -39,7 +39,7 @@ class FixturesFeature(Feature):
         )
         if not blocks:
             raise InputError("no strip here has a tab to be held: give the strips tabs")
-        obj.Shape = Part.makeCompound([make_solid(block.solid) for block in blocks])
+        obj.Shape = Part.Compound([make_solid(block.solid) for block in blocks])
 
 
 def create(document: Any, sources: list[Any]) -> Any:

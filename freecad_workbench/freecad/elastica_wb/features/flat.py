@@ -45,7 +45,7 @@ class FlatFeature:
                 raise InputError(
                     f"{obj.Strip.Label} is not laminated: it has no backing; choose the layer Base"
                 )
-            obj.Shape = flat_shape(strip, layer).copy()
+            obj.Shape = flat_shape(strip, layer)
         except ElasticaError as error:
             raise ValueError(str(error)) from None
 

@@ -50,10 +50,10 @@ class ModelFeature(Feature):
         inner = _container(obj).inverse()
         solids = []
         for placed in model.placed:
-            solid = bent_shape(placed.strip).copy()
+            solid = bent_shape(placed.strip).copy(False)
             solid.Placement = inner * placement_of(placed.frame)
             solids.append(solid)
-        obj.Shape = Part.makeCompound(solids)
+        obj.Shape = Part.Compound(solids)
         put(obj, Joints=len(model.joints), Reports=list(model.reports))
 
 
@@ -62,6 +62,8 @@ def create(document: Any, strips: list[Any], *, interlock: bool = True) -> Any:
     obj = added(document, "Model", ModelFeature, strips)
     obj.Strips = strips
     obj.Interlock = interlock
+    if App.GuiUp and strips:
+        obj.ViewObject.ShapeColor = strips[0].ViewObject.ShapeColor
     return obj
 
 

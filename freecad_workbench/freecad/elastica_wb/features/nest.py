@@ -39,7 +39,7 @@ class NestFeature(Feature):
             for wire in drawn:
                 wire.translate(App.Vector(i * (size[0] + GAP), 0, 0))
             wires += drawn
-        obj.Shape = Part.makeCompound(wires)
+        obj.Shape = Part.Compound(wires)
         put(obj, Sheets=len(sheets))
 
 

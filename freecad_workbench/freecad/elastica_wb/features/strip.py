@@ -60,7 +60,7 @@ class StripFeature:
             )
             _tell_error(obj, gone)
             raise ValueError(str(gone)) from None
-        obj.Shape = shape.copy()
+        obj.Shape = shape
         if obj.Form == "Bent":
             obj.Placement = drawn.placement
         _tell_results(obj, strip, drawn.curve)

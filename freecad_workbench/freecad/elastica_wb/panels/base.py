@@ -115,9 +115,6 @@ class Panel:
             Gui.ActiveDocument.resetEdit()
         Gui.Control.closeDialog()
         # FreeCAD deletes the widgets; a kept Python face of one would be taken for the next at its address
-        QtCore.QTimer.singleShot(0, self._forget)
-
-    def _forget(self) -> None:
         self.form = None
 
 
