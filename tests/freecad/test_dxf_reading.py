@@ -44,4 +44,5 @@ def test_same_length_and_area(strip, curves, tmp_path):
     tolerance = 1e-6 if curves == "spline" else 1e-4
     assert length == pytest.approx(sum(item.path.length for item in cuts), rel=tolerance)
     expected = sorted(abs(item.path.area) for item in cuts)
-    assert np.array(areas) == pytest.approx(np.array(expected), rel=tolerance)
+    # OpenCASCADE integrates areas along splines of many spans less exactly than it measures lengths
+    assert np.array(areas) == pytest.approx(np.array(expected), rel=max(tolerance, 1e-5))
