@@ -10,7 +10,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.ends import Tab
-from elastica_cad.fabrication.flat import Ends, chained, graph
+from elastica_cad.fabrication.flat import Ends, chained, graph, greville
 from elastica_cad.fabrication.rounding import rounded
 from elastica_cad.fabrication.slots import Slot, slot_cut
 from elastica_cad.geometry import Path, Profile, Segment, Spline
@@ -109,16 +109,17 @@ class Diamonds:
 
     def _clear(self, hole: "_Hole | None", cuts: Sequence[Path]) -> list[Path]:
         """The loop of a hole, or what slots leave of it on both sides of them."""
-        if hole is None:
-            return []
-        loop = hole.loop()
+        left = [] if hole is None else [hole]
         for cut in cuts:
-            if not self._apart(loop, cut):
-                (low, _), (high, _) = cut.bounds
-                sides = hole.within(-np.inf, low - self.clearance), hole.within(high + self.clearance, np.inf)
-                long = [side for side in sides if side is not None and side.length > 2 * self.clearance]
-                return [left for side in long for left in self._clear(side, cuts)]
-        return [loop]
+            left = [part for one in left for part in self._beside(one, cut)]
+        return [one.loop() for one in left]
+
+    def _beside(self, hole: "_Hole", cut: Path) -> list["_Hole"]:
+        if self._apart(hole.loop(), cut):
+            return [hole]
+        (low, _), (high, _) = cut.bounds
+        sides = hole.within(-np.inf, low - self.clearance), hole.within(high + self.clearance, np.inf)
+        return [side for side in sides if side is not None and side.length > 2 * self.clearance]
 
     def _apart(self, loop: Path, cut: Path) -> bool:
         low, high = cut.bounds + np.array([[-self.clearance], [self.clearance]])
@@ -227,7 +228,7 @@ class _Stretch:
 
         inner = self.knots[(self.knots > a) & (self.knots < b)]
         knots = np.concatenate([np.repeat(a, 4), inner, np.repeat(b, 4)])
-        sites = np.lib.stride_tricks.sliding_window_view(knots[1:-1], 3).mean(axis=1)
+        sites = np.clip(greville(knots, 3), a, b)  # a mean of equal knots may be off by rounding
         basis = BSpline.design_matrix(sites, knots, 3).toarray()
         return _Stretch(knots, np.linalg.solve(basis, BSpline(self.knots, self.values, 3)(sites)))
 

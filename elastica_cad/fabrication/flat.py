@@ -9,7 +9,17 @@ from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.ends import Hole, Tab
 from elastica_cad.geometry import Line, Path, PlaneCurve, Profile, Segment, Spline
 
-__all__ = ["Ends", "chained", "end_holes", "flat_rim", "graph", "long_sides", "widths_held", "with_dots"]
+__all__ = [
+    "Ends",
+    "chained",
+    "end_holes",
+    "flat_rim",
+    "graph",
+    "greville",
+    "long_sides",
+    "widths_held",
+    "with_dots",
+]
 
 Ends = tuple[Tab, Tab]
 
@@ -62,8 +72,13 @@ def with_dots(ends: Ends, diameter: float) -> Ends:
 
 def graph(knots: FloatArray, values: FloatArray, degree: int = 3) -> Spline:
     """The graph of a spline function as a segment: with Greville abscissae as x it is the curve itself."""
-    x = np.lib.stride_tricks.sliding_window_view(knots[1:-1], degree).mean(axis=1)
-    return Spline(PlaneCurve(knots, np.column_stack([x, values]), degree))
+    return Spline(PlaneCurve(knots, np.column_stack([greville(knots, degree), values]), degree))
+
+
+def greville(knots: FloatArray, degree: int) -> FloatArray:
+    """Greville abscissae (m,) of a knot vector."""
+    windows = np.lib.stride_tricks.sliding_window_view(knots[1:-1], degree)
+    return np.asarray(windows.mean(axis=1), dtype=float)
 
 
 def chained(segments: Iterable[Segment]) -> tuple[Segment, ...]:
