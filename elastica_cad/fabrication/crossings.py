@@ -76,28 +76,39 @@ class Crossing:
         )
 
     @cached_property
-    def lengths(self) -> tuple[FloatArray, FloatArray]:
-        """Places x (n,) from 0 to 1, all nodes of the locus among them, and the lengths up to them, mm."""
+    def course(self) -> tuple[FloatArray, FloatArray, CrossingPoints]:
+        """Places x (n,) from 0 to 1, all nodes of the locus among them, lengths up to them, mm, and the points."""
         nodes = (self.locus.nodes - self.start) / (self.end - self.start)
         x = np.union1d(np.linspace(0.0, 1.0, LENGTHS), nodes[(nodes > 0) & (nodes < 1)])
-        return x, np.concatenate([[0.0], np.cumsum(self._steps(x))])
+        points = self.at(x)
+        return x, _lengths(points.position), points
 
     @property
     def length(self) -> float:
         """mm."""
-        return float(self.lengths[1][-1])
+        return float(self.course[1][-1])
 
     @cached_property
     def middle(self) -> float:
         """The x half way along."""
-        x, along = self.lengths
+        x, along, _ = self.course
         k = int(np.searchsorted(along, along[-1] / 2)) - 1
         pace = float((x[k + 1] - x[k]) / (along[k + 1] - along[k]))
-        middle, half = float(x[k]), float(along[-1] / 2 - along[k])
-        for _ in range(4):  # between nodes x runs smoothly: the secant soon has it
-            done = float(self._steps(np.linspace(x[k], middle, 5)).sum())
+        middle, half = float(x[k]) + pace * (along[-1] / 2 - along[k]), along[-1] / 2 - along[k]
+        for _ in range(2):  # between nodes x runs smoothly: the secant soon has it
+            done = _lengths(self.at(np.linspace(x[k], middle, 5)).position)[-1]
             middle += (half - done) * pace
-        return middle
+        return float(middle)
+
+    def evenly(self, start: float, end: float, pitch: float) -> FloatArray:
+        """Places x (n,), at least 6, from start to end at nearly equal distances of at most `pitch` mm."""
+        x, along, _ = self.course
+        if min(start, end) < 0 or max(start, end) > 1:
+            x = np.linspace(min(start, end), max(start, end), LENGTHS)
+            along = _lengths(self.at(x).position)
+        low, high = np.interp([start, end], x, along)
+        count = int(np.clip(abs(high - low) / pitch, 5, 64)) + 1
+        return np.concatenate([[start], np.interp(np.linspace(low, high, count)[1:-1], along, x), [end]])
 
     @cached_property
     def room(self) -> FloatArray:
@@ -126,12 +137,6 @@ class Crossing:
                 return (root - self.start) / (self.end - self.start)
         return None
 
-    def _steps(self, x: FloatArray) -> FloatArray:
-        a = self.strips[0]
-        p = self.locus.at(self.start + x * (self.end - self.start))
-        position = a.motion(p.s_a)[0] + p.v[:, None] * a.axis
-        return np.asarray(np.linalg.norm(np.diff(position, axis=0), axis=1), dtype=float)
-
 
 def strip_crossings(a: RuledStrip, b: RuledStrip) -> tuple[Crossing, ...]:
     """All stretches along which two bent strips cross.
@@ -144,6 +149,11 @@ def strip_crossings(a: RuledStrip, b: RuledStrip) -> tuple[Crossing, ...]:
     for locus in loci(a, b):
         found += [Crossing((a, b), locus, *run) for run in _runs((a, b), locus)]
     return tuple(found)
+
+
+def _lengths(position: FloatArray) -> FloatArray:
+    """Lengths (n,) up to points (n, 3) along them, mm."""
+    return np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(position, axis=0), axis=1))])
 
 
 def _runs(strips: tuple[RuledStrip, RuledStrip], locus: Locus) -> list[tuple[float, float]]:

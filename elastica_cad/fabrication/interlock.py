@@ -16,6 +16,7 @@ from elastica_cad.fabrication.slots import Relief, Slot
 
 if TYPE_CHECKING:
     from elastica_cad.fabrication.model import Model
+    from elastica_cad.fabrication.strip import Strip
 
 __all__ = ["Fit", "Joint", "interlocked", "slot_width"]
 
@@ -128,17 +129,17 @@ class _Cutter:
         """Both slots of one crossing, each from the half way point to where its strip ends."""
         names = [self.model.name_of(i) for i in members]
         ends = self._ends(members, crossing)
-        points = crossing.at(np.linspace(0.0, 1.0, 9))
+        points = crossing.course[2]
         low, high = float(points.angle.min()), float(points.angle.max())
         if low < TOUCHING:
             s = float(points.first[int(points.angle.argmin()), 0])
             raise InputError(self._touch(names, s))
-        slots = []
+        slots, middle = [], np.zeros(3)
         for which, end in enumerate(ends):
-            x = self._evenly(crossing, crossing.middle, float(crossing.beyond(which, end) or 0.0))
-            p = crossing.at(x)
+            last = crossing.beyond(which, end)
+            p = crossing.at(crossing.evenly(crossing.middle, float(end if last is None else last), PITCH))
             rows = (p.first, p.second)[which]
-            own, other = (self.model.placed[i].strip.sheet.thickness for i in _turned(members, which))
+            own, other = (_thickness(self.model.placed[i].strip) for i in _turned(members, which))
             widths = slot_width(p.angle, own=own, other=other, clearance=self.clearance, fit=self.fit)
             strip = self.model.placed[members[which]].strip
             if self.clearance >= float(strip.width(rows[0, 0])):
@@ -149,7 +150,7 @@ class _Cutter:
             side: Literal["upper", "lower"] = "upper" if rows[-1, 1] > rows[0, 1] else "lower"
             mate = self.model.placed[members[1 - which]].strip.label
             slots.append(Slot.along(rows, widths, side=side, relief=self.relief, mate=mate))
-        middle = crossing.at(np.array([crossing.middle])).position[0]
+            middle = p.position[0]
         return Joint(members, (slots[0], slots[1]), (low, high), middle)
 
     def _ends(self, members: tuple[int, int], crossing: Crossing) -> tuple[int, int]:
@@ -178,16 +179,8 @@ class _Cutter:
         if abs(costs[0] - costs[1]) > FORCED:
             return ((0, 1), (1, 0))[int(np.argmin(costs))]
         up = crossing.strips[0].axis if self.above is None else self.above
-        heights = crossing.at(np.array([0.0, 1.0])).position @ up
-        return (0, 1) if heights[0] > heights[1] else (1, 0)
-
-    def _evenly(self, crossing: Crossing, start: float, end: float) -> FloatArray:
-        """Places x at equal distances along the crossing."""
-        x = np.linspace(start, end, 33)
-        steps = np.linalg.norm(np.diff(crossing.at(x).position, axis=0), axis=1)
-        along = np.concatenate([[0.0], np.cumsum(steps)])
-        count = int(np.clip(along[-1] / PITCH, 5, 64)) + 1
-        return np.interp(np.linspace(0.0, along[-1], count), along, x)
+        heights = crossing.course[2].position @ up
+        return (0, 1) if heights[0] > heights[-1] else (1, 0)
 
     def refuse_touching(
         self, members: tuple[int, int], ruled: tuple[RuledStrip, RuledStrip], crossings: Iterable[Crossing]
@@ -196,7 +189,7 @@ class _Cutter:
         a, b = ruled
         if np.linalg.norm(np.cross(a.axis, b.axis)) > PARALLEL or not a.may_meet(b):
             return
-        reach = sum(self.model.placed[i].strip.sheet.thickness for i in members) / 2
+        reach = sum(_thickness(self.model.placed[i].strip) for i in members) / 2
         own, other = (a.frame.local(strip.motion(strip.stations)[0]) for strip in (a, b))
         distance = np.hypot(*(own[:, None, :2] - other[None, :, :2]).transpose(2, 0, 1))
         nearest = distance.argmin(axis=1)
@@ -217,6 +210,12 @@ class _Cutter:
             f"{names[0]} and {names[1]} touch along a line at {s:.6g} mm of {names[0]} instead of crossing: move "
             "them apart or turn one of them"
         )
+
+
+def _thickness(strip: "Strip") -> float:
+    """Of all layers, mm."""
+    backing = strip.layout.backing
+    return strip.sheet.thickness + (0.0 if backing is None else backing.sheet.thickness)
 
 
 def _turned(pair: tuple[int, int], which: int) -> tuple[int, int]:

@@ -24,7 +24,7 @@ from elastica_cad.geometry.crossings import segment_crossings
 
 __all__ = ["PARALLEL", "Locus", "LocusPoints", "loci"]
 
-PARALLEL = 1e-9
+PARALLEL = 2e-8
 """Rulings at less than this angle (rad) count as parallel."""
 
 NEWTON = 1e-13

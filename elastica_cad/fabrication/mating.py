@@ -7,7 +7,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.drawing import MARK, Text
 from elastica_cad.fabrication.lettering import text_width
-from elastica_cad.fabrication.slots import Slot, slot_cut
+from elastica_cad.fabrication.slots import Slot, slot_rim
 from elastica_cad.geometry import Path, Profile
 from elastica_cad.geometry.crossings import polylines_cross
 
@@ -31,7 +31,7 @@ def mating_marks(
     Each stands at the inner end of its slot, or else beside the slot, as large as fits; where nothing fits the
     slot stays without.
     """
-    cuts = [slot_cut(slot, width, beyond=slot.width).points(FLAT) for slot in slots]
+    cuts = [slot_rim(slot, width, beyond=slot.width) for slot in slots]
     lines = [*cuts, *(_line(path) for path in others)] if cuts else []
     boxes = [_box(text) for text in taken]
     marks = []
@@ -52,6 +52,8 @@ def _choices(slot: Slot, cut: FloatArray, width: Profile) -> Iterator[Text]:
     points, _ = slot.center_line(width)
     inward = -1.0 if slot.side == "upper" else 1.0
     end = cut[:, 1].min() if inward < 0 else cut[:, 1].max()
+    if slot.relief == "round":
+        end += inward * slot.width / 2
     inside = np.abs(cut[:, 1]) < float(width(np.clip(slot.at, 0.0, width.length))) / 2
     low, high = cut[inside, 0].min(), cut[inside, 0].max()
     middle = points[:, 1].mean()

@@ -10,7 +10,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry import Arc, Line, Path, PlaneCurve, Profile, Segment, Spline
 from elastica_cad.geometry.segments import left_of
 
-__all__ = ["Relief", "Side", "Slot", "slot_cut"]
+__all__ = ["Relief", "Side", "Slot", "slot_cut", "slot_rim"]
 
 STRAIGHT = 1e-7
 """Sides that bend less than this (mm) are lines."""
@@ -131,38 +131,53 @@ def slot_cut(slot: Slot, width: Profile, *, beyond: float) -> Path:
         How far the sides run on, straight, beyond the end of the centre line, mm.
     """
     points, widths = slot.center_line(width)
-    normals = _normals(points)
-    sides = [points + sign * widths[:, None] / 2 * normals for sign in (-1, 1)]
-    right, left = (_through(side, beyond) for side in sides)
-    end: Segment = Line(sides[0][0], sides[1][0])
+    t = _chords(points)
+    spline = _spline(t, points)
+    normals = _left_of(spline(t, 1))
+    rows = [points + sign * widths[:, None] / 2 * normals for sign in (-1, 1)]
+    sides = _spline(t, np.hstack(rows))
+    right, left = (_through(row, sides, k, beyond) for k, row in enumerate(rows))
+    end: Segment = Line(rows[0][0], rows[1][0])
     if slot.relief == "round":
-        end = Arc.from_bulge(sides[0][0], sides[1][0], -1.0)
+        end = Arc.from_bulge(rows[0][0], rows[1][0], -1.0)
     return Path([*(segment.reversed() for segment in reversed(right)), end, *left])
 
 
-def _normals(points: FloatArray) -> FloatArray:
-    """Unit normals (k, 2) to the left of a smooth line through points."""
-    if len(points) == 2:
-        tangent = np.repeat(np.diff(points, axis=0), 2, axis=0)
-    else:
-        t = _chords(points)
-        tangent = _spline(t, points)(t, 1)
-    normal = np.stack([-tangent[:, 1], tangent[:, 0]], axis=1)
-    return np.asarray(normal / np.hypot(*tangent.T)[:, None], dtype=float)
+def slot_rim(slot: Slot, width: Profile, *, beyond: float) -> FloatArray:
+    """Points (2 k + 2, 2) of a polyline near `slot_cut`, without the relief: quick to make."""
+    points, widths = slot.center_line(width)
+    tangents = np.gradient(points, axis=0)
+    normals = _left_of(tangents)
+    onward = points[-1] + tangents[-1] * beyond / np.hypot(*tangents[-1])
+    points, widths, normals = (
+        np.concatenate([row, last])
+        for row, last in ((points, onward[None]), (widths, widths[-1:]), (normals, normals[-1:]))
+    )
+    off = widths[:, None] / 2 * normals
+    return np.concatenate([(points - off)[::-1], points + off])
 
 
-def _through(points: FloatArray, beyond: float) -> list[Segment]:
-    """Segments through points in order and straight on: lines where they lie on one, else a B-spline first."""
+def _left_of(tangents: FloatArray) -> FloatArray:
+    """Unit normals (k, 2) to the left of tangents (k, 2)."""
+    normals = np.stack([-tangents[:, 1], tangents[:, 0]], axis=1)
+    return np.asarray(normals / np.hypot(*tangents.T)[:, None], dtype=float)
+
+
+def _through(points: FloatArray, sides: Any, which: int, beyond: float) -> list[Segment]:
+    """Segments through points in order and straight on: lines where they lie on one, else a B-spline first.
+
+    `sides` is the spline of both sides at once, `which` the one of them that is meant.
+    """
     chord = points[-1] - points[0]
     off = (points - points[0]) @ left_of(chord) / np.hypot(*chord)
     if len(points) == 2 or np.abs(off).max() < STRAIGHT:
         return [Line(points[0], points[-1] + chord * beyond / np.hypot(*chord))]
     if len(points) < 4:
         raise InputError("a bent slot needs four points or more along its centre line")
-    spline = _spline(_chords(points), points)
-    direction = spline(spline.t[-1], 1)
+    columns = slice(2 * which, 2 * which + 2)
+    direction = sides(sides.t[-1], 1)[columns]
     onward = Line(points[-1], points[-1] + direction * beyond / np.hypot(*direction))
-    return [Spline(PlaneCurve(spline.t, spline.c, spline.k)), onward]
+    return [Spline(PlaneCurve(sides.t, sides.c[:, columns], sides.k)), onward]
 
 
 def _chords(points: FloatArray) -> FloatArray:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication import Frame, Model, Placed, Slot, Strip, slot_width
+from elastica_cad.fabrication import Frame, Laminated, Model, Placed, Slot, Strip, slot_width
 from elastica_cad.fabrication.crossings import strip_crossings
 from elastica_cad.fabrication.ruled import RuledStrip
 from elastica_cad.geometry import PlaneCurve, Profile
@@ -164,6 +164,25 @@ def test_all_crossings_are_found_and_exact(seed):
         assert min(gaps, default=np.inf) < 0.6
 
 
+@pytest.mark.parametrize("way", [1, -1])
+@pytest.mark.parametrize("lean", [0.0, 1e-8, 1e-6, 1e-3])
+def test_two_circles(way, lean):
+    """Arcs with (nearly) parallel rulings, alike or opposed, cross where the circles do, over the common width."""
+    a = ruled(PlaneCurve.arc((0, 0), 50, 0.2, 2.9), Frame(), 20.0)
+    y = (0, way * np.cos(lean), way * np.sin(lean))
+    b = ruled(
+        PlaneCurve.arc((0, 0), 50, *((0.2, 2.9) if way > 0 else (-0.2, -2.9))),
+        Frame((20, 0, 1), (1, 0, 0), y),
+        16.0,
+    )
+    (crossing,) = strip_crossings(a, b)
+    p = crossing.at(np.array([0.0, crossing.middle, 1.0]))
+    np.testing.assert_allclose(p.first[1, 0], 50 * (np.arccos(0.2) - 0.2), atol=30 * lean + 1e-9)
+    np.testing.assert_allclose(np.sort(p.position[:, 2]), [-7, 1, 9], atol=60 * lean + 2e-6)
+    np.testing.assert_allclose(p.angle, np.arccos(1 - 0.4**2 / 2), atol=3 * lean + 1e-9)
+    assert crossing.length == pytest.approx(16, abs=10 * lean + 4e-6)
+
+
 def test_crossing_the_crest_is_one_crossing():
     """A flat strip leans into the crest of an arch: its height turns along the crossing."""
     a = ruled(PlaneCurve.arc((0, 0), 50, 0.3, np.pi - 0.3), Frame(y_axis=(0, 0, 1)), 60.0)
@@ -282,6 +301,16 @@ def test_strips_apart_stay_whole():
     assert joined.joints == ()
     assert joined.reports == ()
     assert [strip.slots for strip in joined.strips] == [(), ()]
+
+
+def test_a_laminate_is_as_thick_as_its_layers():
+    paper = Sheet(
+        "paper", thickness=0.1, youngs_modulus=CARD.youngs_modulus, density=CARD.density, max_strain=0.01
+    )
+    rod = optimal_rod(PlaneCurve.line((0, 0), (100, 0)))
+    double = Strip(rod, CARD, max_width=20, style=Laminated(width=20.0, backing=paper), label="A")
+    model = Model([Placed(double), turned(np.pi / 2, label="B")]).interlock(clearance=0.0)
+    assert [float(strip.slots[0].width) for strip in model.strips] == pytest.approx([0.2, 0.3])
 
 
 def test_slots_that_were_there_stay():
