@@ -98,6 +98,12 @@ class BentMap:
         return s, (d1[:, 0] * d2[:, 1] - d1[:, 1] * d2[:, 0]) / np.hypot(*d1.T) ** 3
 
     @cached_property
+    def _smoothness(self) -> list[tuple[float, int]]:
+        """Interior knots with the continuity there."""
+        knots, counts = np.unique(self.knots, return_counts=True)
+        return [(float(s), DEGREE - int(m)) for s, m in zip(knots[1:-1], counts[1:-1], strict=True)]
+
+    @cached_property
     def _rows(self) -> Any:
         from scipy.interpolate import BSpline
 
@@ -111,8 +117,7 @@ class BentMap:
     ) -> tuple[FloatArray, int]:
         """Knots in the segment's parameter in which both its shape and the map are splines."""
         offset, speed = pace
-        knots, counts = np.unique(self.knots, return_counts=True)
-        smooth = [((k - offset) / speed, DEGREE - m) for k, m in zip(knots[1:-1], counts[1:-1], strict=True)]
+        smooth = [((s - offset) / speed, continuity) for s, continuity in self._smoothness]
         degree = DEGREE
         if isinstance(segment, Spline):
             own = segment.curve

@@ -87,9 +87,9 @@ def cut_across(outline: Path, holes: Sequence[Path], stations: Sequence[float]) 
         The loops cross or touch each other on a station.
     """
     cutter = _Cutter(np.asarray(stations, dtype=float))
-    cutter.add(outline if outline.area > 0 else outline.reversed())
+    cutter.add(outline, backward=outline.area < 0)
     for hole in holes:
-        cutter.add(hole.reversed() if hole.area > 0 else hole)
+        cutter.add(hole, backward=hole.area > 0)
     return cutter.result()
 
 
@@ -104,15 +104,18 @@ class _Cutter:
     seams: dict[tuple[int, int], tuple[int, Line]] = field(default_factory=dict)
     count: int = 0
 
-    def add(self, path: Path) -> None:
-        """Split one closed loop at the stations and sort its pieces into intervals."""
+    def add(self, path: Path, *, backward: bool) -> None:
+        """Split one closed loop, perhaps run backward, at the stations; sort its pieces into intervals."""
         parts = [part for segment in path.segments for part in self._split(segment, len(path.segments) == 1)]
+        if backward:
+            parts = [(segment, a, b, not forward) for segment, a, b, forward in reversed(parts)]
         first = len(self.points)
         corners = [*range(first, first + len(parts)), first]
         pieces: list[tuple[int, Piece]] = []
         for (segment, a, b, forward), i, j in zip(parts, corners[:-1], corners[1:], strict=True):
-            self.points.append(on_segment(segment, np.array(a if forward else b)))
-            pieces.append((self._interval(segment, a, b), Piece(segment, a, b, forward, i, j, self._next())))
+            self.points.append(_corner(segment, a if forward else b))
+            piece = Piece(segment, a, b, forward, i, j, self._next())
+            pieces.append((self._interval(piece), piece))
         intervals = [interval for interval, _ in pieces]
         if len(set(intervals)) == 1:
             self.loops.setdefault(intervals[0], []).append([piece for _, piece in pieces])
@@ -157,12 +160,19 @@ class _Cutter:
         for low, high in ranges if forward else reversed(ranges):
             yield segment, low, high, forward
 
-    def _interval(self, segment: Segment, a: float, b: float) -> int:
+    def _interval(self, piece: Piece) -> int:
         """Which interval a piece lies in; one along a station belongs to the side on its left."""
-        p, middle, q = on_segment(segment, np.array([a, (a + b) / 2, b]))
+        segment = piece.segment
+        if isinstance(segment, Spline):
+            x = segment.curve.control_points[:, 0]
+            low, high = np.searchsorted(self.stations, [x.min(), x.max()])
+            if low == high:
+                return int(low)
+        middle = on_segment(segment, np.array((piece.first + piece.last) / 2))
         near = np.flatnonzero(np.abs(self.stations - middle[0]) < ON_SEAM)
         if isinstance(segment, Line) and near.size:
-            return int(near[0]) + (0 if q[1] > p[1] else 1)
+            rises = (segment.end[1] > segment.start[1]) == piece.forward
+            return int(near[0]) + (0 if rises else 1)
         return int(np.searchsorted(self.stations, middle[0]))
 
     def _corners_on(self, x: float) -> list[int]:
@@ -219,6 +229,16 @@ class _Cutter:
                 home = next((o for o in outer if _inside(polygon[0], polygons[o])), outer[0])
                 groups[home].append(loops[k])
         return list(groups.values())
+
+
+def _corner(segment: Segment, t: float) -> FloatArray:
+    """The point at a parameter; of a clamped spline's ends the control points."""
+    if isinstance(segment, Spline):
+        curve = segment.curve
+        for end, knot in ((0, curve.knots[0]), (-1, curve.knots[-1])):
+            if t == knot and curve.domain[end] == knot:
+                return np.asarray(curve.control_points[end], dtype=float)
+    return on_segment(segment, np.array(t))
 
 
 def _crossings(segment: Segment, x: float) -> list[float]:
