@@ -21,10 +21,10 @@ __all__ = [
     "EndPosition",
     "InflectionLine",
     "KeepOut",
+    "LeastStiffness",
     "MarginLimit",
     "MiddleOfMirror",
     "MiddleOfTurn",
-    "RelativeStiffness",
     "Through",
     "thinned",
 ]
@@ -242,30 +242,25 @@ class KeepOut:
         return value / self.size, gradient
 
 
-@dataclass(frozen=True, eq=False)
-class RelativeStiffness:
-    """Coefficients of K at least (sign 1) or at most (sign -1) `bounds` (m,) times the least stiffness."""
+@dataclass(frozen=True)
+class LeastStiffness:
+    """The least stiffness is 1, where lower bounds along the strip are meant in units of it."""
 
-    bounds: FloatArray
-    sign: float
     name: str = "stiffness bounds"
     one_sided: bool = True
     price: float = 1.0
     patient: bool = False
 
     def values(self, rod: MarchedRod) -> FloatArray:
-        """sign (c - bound min K), (m,)."""
-        c = rod.z[: self.bounds.size]
-        return np.asarray(self.sign * (c - self.bounds * rod.stiffness.min()))
+        """1 - min K, (1,); the box keeps it from growing."""
+        return np.array([1 - rod.stiffness.min()])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """All."""
-        rod = sensitivities.rod
-        m = self.bounds.size
-        least = sensitivities.grid.basis[int(np.argmin(rod.stiffness))]
-        rows = np.zeros((m, sensitivities.angles.shape[1]))
-        rows[:, :m] = self.sign * (np.eye(m) - self.bounds[:, None] * least)
-        return _all(rows)
+        """The softest node."""
+        grid, rod = sensitivities.grid, sensitivities.rod
+        row = np.zeros((1, sensitivities.angles.shape[1]))
+        row[0, grid.unknowns.stiffness] = -grid.basis[int(np.argmin(rod.stiffness))]
+        return _all(row)
 
 
 @dataclass(frozen=True)

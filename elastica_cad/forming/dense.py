@@ -1,4 +1,4 @@
-"""Small dense products that no BLAS spreads over threads."""
+"""Small dense products that no BLAS spreads over threads, whose waiting costs more than the product."""
 
 import numpy as np
 
@@ -10,7 +10,7 @@ _UNTHREADED = 200_000  # multiplications
 
 
 def gram(A: FloatArray) -> FloatArray:
-    """A^T A in blocks of rows so small that no BLAS starts threads, whose waiting costs more than the product."""
+    """A^T A in blocks of rows."""
     block = max(1, _UNTHREADED // A.shape[1] ** 2)
     total = np.zeros((A.shape[1], A.shape[1]))
     for first in range(0, A.shape[0], block):

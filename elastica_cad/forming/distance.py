@@ -5,7 +5,7 @@ from typing import Protocol
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
+from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.forming.constraints import thinned
 from elastica_cad.forming.dense import gram
 from elastica_cad.forming.march import MarchedRod, Sensitivities
@@ -118,16 +118,20 @@ class LargestDistance:
 
     def model(self, rod: MarchedRod, sensitivities: Sensitivities) -> LocalModel:
         """Every node that is at least half as far off as the worst is a peak."""
-        off, normal = offsets(self.wish, rod)
-        distance = self.factors * (off * normal).sum(axis=1)
-        size = np.abs(distance)
-        far = thinned(np.flatnonzero(size >= 0.5 * size.max()), size)
-        sign = np.sign(distance[far])
+        _, normal = offsets(self.wish, rod)
+        signed, far = self._peaks(rod)
         p = rod.z.size
-        rows = (self.factors[far] * sign)[:, None] * _across(normal, sensitivities)[far, :p]
+        across = _across(normal, sensitivities)[:, :p]
+        rows = (self.factors * np.sign(signed))[far, None] * across[far]
         # the mean-square curvature only decides what the peaks leave open
-        J = _across(normal, sensitivities)[:, :p] / np.sqrt(distance.size)
-        return LocalModel(1e-3 * gram(J), np.zeros(p), size[far], rows)
+        return LocalModel(1e-3 / signed.size * gram(across), np.zeros(p), np.abs(signed[far]), rows)
+
+    def _peaks(self, rod: MarchedRod) -> tuple[FloatArray, IntArray]:
+        """Signed distances (n+1,) and the nodes that count."""
+        off, normal = offsets(self.wish, rod)
+        signed = self.factors * (off * normal).sum(axis=1)
+        size = np.abs(signed)
+        return signed, thinned(np.flatnonzero(size >= 0.5 * size.max()), size)
 
 
 def offsets(wish: Wish, rod: MarchedRod) -> tuple[FloatArray, FloatArray]:

@@ -64,7 +64,8 @@ def nearest_rods(
         _spread("supports", supports, count),
     )  # fmt: skip
     tasks = [
-        _Task(curve, *given, options=options) for curve, given in zip(curves, zip(*columns), strict=True)
+        _Task(curve, *given, options=options)
+        for curve, given in zip(curves, zip(*columns, strict=True), strict=True)
     ]
     results: dict[int, NearestRod] = {}
     if executor is None:

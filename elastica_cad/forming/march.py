@@ -253,13 +253,7 @@ class StripGrid:
             drive_moment[:, -1] = M[:-1] + edge * rod.across - M[1:]
             drive_angle[0, -1] += w[0] / K[0] * late + rod.z[u.angle] - rod.angles[0]
             drive_moment[0, -1] += late
-        band = np.empty((3, 2 * n + 1))
-        band[0] = 1
-        band[1, 0:-1:2] = edge * rod.along  # -dM_i / dalpha_i
-        band[1, 1::2] = -(w / K)[1:]
-        band[1, -1] = 0
-        band[2] = -1
-        solved, _ = dtbtrs(band, right, uplo="L", diag="U", overwrite_b=1)
+        solved, _ = dtbtrs(self._band(rod), right, uplo="L", diag="U", overwrite_b=1)
 
         angles = np.zeros((n + 2, columns))
         angles[0, u.angle] = 1
@@ -278,6 +272,16 @@ class StripGrid:
         position[:, 0, u.position.start] += 1
         position[:, 1, u.position.start + 1] += 1
         return Sensitivities(self, rod, angles, moments, position)
+
+    def _band(self, rod: MarchedRod) -> FloatArray:
+        """The linearised march on (alpha_1, M_1, ..., alpha_{n+1}), unit lower triangular, by diagonals."""
+        band = np.empty((3, 2 * self.edges + 1))
+        band[0] = 1
+        band[1, 0:-1:2] = rod.edge_length * rod.along  # -dM_i / dalpha_i
+        band[1, 1::2] = -(rod.length * self.shares / rod.stiffness)[1:]
+        band[1, -1] = 0
+        band[2] = -1
+        return band
 
     def _given(self, z: FloatArray) -> tuple[FloatArray, FloatArray, float]:
         """K at the nodes, forces (n+2, 2), length."""

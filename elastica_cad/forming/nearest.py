@@ -12,7 +12,7 @@ from elastica_cad.forming.binding import Binding, bindings
 from elastica_cad.forming.editable import editable_curve
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.march import MarchedRod
-from elastica_cad.forming.search import MET, best_outcome
+from elastica_cad.forming.search import MET, best_outcome, mean_distance
 from elastica_cad.forming.setting import Measure, Setting, Weights, node_factors, spline_knots
 from elastica_cad.forming.wish import Wish
 from elastica_cad.geometry import PlaneCurve, Profile
@@ -187,10 +187,9 @@ def nearest_rod(
         status = Status.FAR
     else:
         status = Status.MET if outcome.settled else Status.UNSETTLED
-    mean = setting.problem("mean", with_margin=False).distance.value(outcome.rod)
     return NearestRod(
         found=rod, wish=curve, status=status, deviation=deviation,
-        mean_deviation=float(np.sqrt(2 * mean)) * setting.wish.size,
+        mean_deviation=mean_distance(setting, outcome) * setting.wish.size,
         binding=bindings(setting, problem, outcome, measure), violation=outcome.violation, iterations=steps,
         limits=setting.limits, keep=setting.keep,
     )  # fmt: skip

@@ -57,21 +57,25 @@ class Setting:
         grid = self.grid(weight)
         lower, upper = self._box(grid)
         return Problem(
-            grid, self._distance(measure), tuple(self._constraints(grid, with_margin)), lower, upper,
+            grid, self.distance(measure), tuple(self._constraints(with_margin)), lower, upper,
             self._scale(grid),
         )  # fmt: skip
 
     def grid(self, weight: float = 1.0) -> StripGrid:
-        """Nodes and basis of K, in mirrored pairs where symmetry is kept."""
-        basis = spline_basis(np.linspace(0, 1, self.nodes), self.coefficients)
-        if self.keep.symmetry:
-            half = (self.coefficients + 1) // 2
-            mirrored = basis[:, ::-1][:, :half].copy()
-            if self.coefficients % 2:
-                mirrored[:, -1] = 0
-            basis = basis[:, :half] + mirrored
+        """The nodes, with a share `weight` of gravity."""
         e = np.zeros(2) if self.gravity is None else self.gravity.e * self.wish.size**3 * weight
-        return StripGrid(basis, e)
+        return StripGrid(self.basis(np.linspace(0, 1, self.nodes)), e)
+
+    def basis(self, s: FloatArray) -> FloatArray:
+        """Values of the basis of K at s (n,) in 0..1, its functions in mirrored pairs where symmetry is kept."""
+        basis = spline_basis(s, self.coefficients)
+        if not self.keep.symmetry:
+            return basis
+        half = (self.coefficients + 1) // 2
+        mirrored = basis[:, ::-1][:, :half].copy()
+        if self.coefficients % 2:
+            mirrored[:, -1] = 0
+        return np.asarray(basis[:, :half] + mirrored)
 
     def coefficients_of(self, z: FloatArray) -> FloatArray:
         """All coefficients of K, mirrored where symmetry is kept."""
@@ -97,7 +101,7 @@ class Setting:
     def _box(self, grid: StripGrid) -> tuple[FloatArray, FloatArray]:
         u, wish = grid.unknowns, self.wish
         lower, upper = np.full(u.count, -np.inf), np.full(u.count, np.inf)
-        lower[u.stiffness], upper[u.stiffness] = 1.0, self.limits.largest_ratio
+        lower[u.stiffness], upper[u.stiffness] = self._stiffness_box(u.coefficients)
         start = self.supports.ends[0]
         if self.keep.both_ends[0]:
             lower[u.position] = upper[u.position] = wish.position[0]
@@ -130,7 +134,8 @@ class Setting:
                 )
         return float(low), float(high)
 
-    def _distance(self, measure: Measure) -> Distance:
+    def distance(self, measure: Measure) -> Distance:
+        """The measure of the distance from the wish."""
         if measure == "mean":
             targets, _ = self.wish.at(np.linspace(0, 1, self.nodes))
             return MeanDistance(targets, self._shares)
@@ -146,7 +151,7 @@ class Setting:
         shares[[0, -1]] /= 2
         return np.asarray(shares / shares.sum())
 
-    def _constraints(self, grid: StripGrid, with_margin: bool) -> list[rows.Constraint]:
+    def _constraints(self, with_margin: bool) -> list[rows.Constraint]:
         wish, limits, keep = self.wish, self.limits, self.keep
         end = self.supports.ends[1]
         found: list[rows.Constraint] = []
@@ -180,11 +185,8 @@ class Setting:
         if curvature is not None:
             found.append(rows.CurvatureLimit(curvature * wish.size))
         found += [rows.KeepOut(region, wish.size, _pair(wish.origin)) for region in limits.keep_out]
-        if limits.stiffness_bounds is not None:
-            for bound, sign in zip(limits.stiffness_bounds, (1.0, -1.0), strict=True):
-                if bound is not None:
-                    values = self._coefficient_bounds(bound, sign)[: grid.unknowns.coefficients]
-                    found.append(rows.RelativeStiffness(values, sign))
+        if limits.stiffness_bounds is not None and limits.stiffness_bounds[0] is not None:
+            found.append(rows.LeastStiffness())
         if with_margin and limits.margin is not None:
             found.append(rows.MarginLimit(limits.margin, self.supports))
         return found
@@ -208,13 +210,33 @@ class Setting:
             centre=_pair(centre), axis=_pair(axis), angle=angle, scale=5 * self.moment_scale
         )
 
-    def _coefficient_bounds(self, bound: object, sign: float) -> FloatArray:
-        """The strictest bound over the support of every basis function."""
+    def _stiffness_box(self, count: int) -> tuple[FloatArray, FloatArray]:
+        """Least and largest coefficients: of the bounds along the strip the strictest over each one's support."""
+        ratio = self.limits.largest_ratio
+        low, high = np.ones(count), np.full(count, ratio)
+        if self.limits.stiffness_bounds is None:
+            return low, high
         s = np.linspace(0, 1, 20 * self.coefficients + 1)
-        values = _along(bound, s, self.wish.size, "stiffness bounds")
-        support = spline_basis(s, self.coefficients) > 0
-        pick = np.where(support, values[:, None], -np.inf if sign > 0 else np.inf)
-        return np.asarray(pick.max(axis=0) if sign > 0 else pick.min(axis=0))
+        support = self.basis(s) > 0
+        below, above = self.limits.stiffness_bounds
+        if below is not None:
+            values = _along(below, s, self.wish.size, "stiffness bounds")
+            low = np.maximum(low, np.where(support, values[:, None], -np.inf).max(axis=0))
+        if above is not None:
+            values = _along(above, s, self.wish.size, "stiffness bounds")
+            high = np.minimum(high, np.where(support, values[:, None], np.inf).min(axis=0))
+        if low.min() > 1:
+            raise InputError(
+                f"stiffness_bounds ask for at least {low.min():.4g} everywhere, but K / min K is 1 somewhere: "
+                "let the lower bound come down to 1"
+            )
+        if np.any(low > high):
+            at = float(s[int(np.argmax(support[:, int(np.argmax(low - high))]))]) * self.wish.size
+            raise InputError(
+                f"no stiffness is both above the lower and below the upper bound (or the ratio limit {ratio:.4g}) "
+                f"near {at:.4g} mm: widen the bounds"
+            )
+        return low, high
 
 
 def spline_basis(x: FloatArray, count: int) -> FloatArray:

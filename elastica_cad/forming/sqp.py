@@ -16,6 +16,9 @@ __all__ = ["Outcome", "Problem", "lifted", "solve"]
 STEPS = 80
 SETTLED = 3e-4  # a step that promises less than this share of the distance ends the search
 CLOSED = 1e-9
+_GOOD = 0.5  # share of the promised gain above which a step is taken as it is
+_MENDING = 4
+_LOST = 3.0  # an angle that is still this wrong will not close
 _TOUCHED = 1e-3
 SMALLEST_RADIUS = 1e-7
 _DAMPING = 1e-9
@@ -60,11 +63,11 @@ class Problem:
             (float(_broken(c, v).max()) for c, v in zip(self.constraints, values, strict=True)), default=0.0
         )
 
-    def relaxed(self, factor: float) -> "Problem":
-        """The same with `factor` times the largest stiffness."""
-        upper = self.upper.copy()
-        upper[self.grid.unknowns.stiffness] *= factor
-        return replace(self, upper=upper)
+    def with_length(self, length: float) -> "Problem":
+        """The same with the length given, as far as it is allowed."""
+        lower, upper, at = self.lower.copy(), self.upper.copy(), self.grid.unknowns.length
+        lower[at] = upper[at] = np.clip(length, lower[at], upper[at])
+        return replace(self, lower=lower, upper=upper)
 
     def eager(self) -> "Problem":
         """The same without the constraints that make no sense far from balance."""
@@ -154,12 +157,14 @@ def solve(problem: Problem, z: FloatArray, *, steps: int = STEPS, radius: float 
             trial = problem.grid.rod(np.clip(rod.z + step, problem.lower, problem.upper))
             trial_values = problem.values(trial)
             trial_merit = problem.merit(trial, trial_values, prices)
-            mended = _mended(problem, rows, solution, trial, trial_values, step)
-            if mended is not None:
-                mended_values = problem.values(mended)
-                mended_merit = problem.merit(mended, mended_values, prices)
-                if mended_merit < trial_merit:
-                    trial, trial_values, trial_merit = mended, mended_values, mended_merit
+            gain = (merit - trial_merit) / max(promised, 1e-300)
+            if gain < _GOOD:
+                mended = _mended(problem, rows, solution, sensitivities, step)
+                if mended is not None:
+                    mended_values = problem.values(mended)
+                    mended_merit = problem.merit(mended, mended_values, prices)
+                    if mended_merit < trial_merit:
+                        trial, trial_values, trial_merit = mended, mended_values, mended_merit
             gain = (merit - trial_merit) / max(promised, 1e-300)
             accepted = gain > 1e-4
             if accepted:
@@ -195,6 +200,11 @@ class _Rows:
     jacobian: FloatArray
     price: FloatArray
     one_sided: FloatArray
+
+    @property
+    def keys(self) -> IntArray:
+        """One number for each row, the same from rod to rod."""
+        return self.constraint * 1_000_000 + self.index
 
 
 def _broken(constraint: Constraint, values: FloatArray) -> FloatArray:
@@ -281,27 +291,41 @@ def _prices(
 
 
 def _mended(
-    problem: Problem, rows: _Rows, solution: QuadraticSolution, trial: MarchedRod, values: list[FloatArray],
-    step: FloatArray,
-) -> MarchedRod | None:  # fmt: skip
-    """The trial moved least so that the constraints are where the quadratic program thought them (Maratos)."""
+    problem: Problem, rows: _Rows, solution: QuadraticSolution, sensitivities: Sensitivities, step: FloatArray
+) -> MarchedRod | None:
+    """Where the step leads when the whole rod follows it, not only its start; None when that does not close.
+
+    Angles and moments take their linear change, then Newton steps bring the rod into balance and, by least
+    changes of the unknowns that are free, what is touched to where the quadratic program thought it. A rod
+    that is sensitive to its start stands far larger steps so than marched from there (and no Maratos effect).
+    """
     y = solution.row_multipliers[: rows.value.size]
     touched = (rows.one_sided == 0) | (y > 1e-6 * rows.price)
-    if not touched.any():
-        return None
-    there = np.array([values[k][i] for k, i in zip(rows.constraint, rows.index, strict=True)])
-    gap = (there - rows.value - rows.jacobian @ step)[touched]
-    s = problem.scale
+    s, grid, before = problem.scale, problem.grid, sensitivities.rod
     p = s.size
-    free = np.minimum(trial.z - problem.lower, problem.upper - trial.z) > 1e-9 * s
-    free &= np.maximum(solution.lower_multipliers[:p], solution.upper_multipliers[:p]) < 1e-3 * (
-        np.abs(y).max() + 1e-12
-    )
-    jacobian = (rows.jacobian * s)[np.ix_(touched, free)]
-    change = np.linalg.lstsq(jacobian, -gap, rcond=1e-10)[0]
-    z = trial.z.copy()
-    z[free] += change * s[free]
-    return problem.grid.rod(np.clip(z, problem.lower, problem.upper))
+    z = np.clip(before.z + step, problem.lower, problem.upper)
+    free = np.minimum(z - problem.lower, problem.upper - z) > 1e-6 * s
+    aim, wanted = (rows.value + rows.jacobian @ step)[touched], rows.keys[touched]
+    angles = before.angles + sensitivities.angles @ step
+    moments = before.moments + sensitivities.moments @ step
+    for _ in range(_MENDING):
+        now = grid.guessed(z, angles, moments)
+        d = grid.sensitivities(now, closing=True)
+        late = float(np.abs(d.angles[:, -1]).max())
+        if not late < _LOST:
+            return None
+        change = np.zeros(p + 1)
+        change[-1] = 1.0
+        if wanted.size:
+            here = _rows(problem, now, d, problem.values(now))
+            _, a, b = np.intersect1d(wanted, here.keys, return_indices=True)
+            jacobian = (here.jacobian[b] * s)[:, free]
+            change[:-1][free] = np.linalg.lstsq(jacobian, aim[a] - here.value[b], rcond=1e-10)[0] * s[free]
+        z = np.clip(z + change[:-1], problem.lower, problem.upper)
+        angles, moments = angles + d.angles @ change, moments + d.moments @ change
+        if late < 1e-9:
+            break
+    return grid.rod(z)
 
 
 def _closed(problem: Problem, rod: MarchedRod, values: list[FloatArray]) -> MarchedRod:

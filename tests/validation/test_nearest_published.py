@@ -1,0 +1,134 @@
+"""`nearest_rod` against the published optimiser's results (Flower Pot, unstable S) and published limits."""
+
+import json
+
+import numpy as np
+import pytest
+from scipy.interpolate import BSpline
+from scipy.spatial import cKDTree
+
+from elastica_cad.forming import Keep, Limits, nearest_rod
+from elastica_cad.geometry import PlaneCurve
+from elastica_cad.mechanics import Gravity, bend, check_equilibrium, optimal_rod, stability
+
+
+def unclamped(control_points):
+    """The reference's uniform unclamped quartic spline."""
+    return PlaneCurve(np.arange(-4.0, len(control_points) + 1), np.asarray(control_points, dtype=float), 4)
+
+
+@pytest.fixture(scope="module")
+def flower_pot(shared_data):
+    data = json.loads((shared_data / "reference" / "flower_pot.json").read_text())
+    millimetres = 1000 * data["scale_m_per_unit"]
+    curves = [unclamped(np.array(c["cp_initial"]) * millimetres) for c in data["curves"]]
+    published = np.array([c["distance"]["hausdorff_fit_to_final_rel"] for c in data["curves"]])
+    e = np.array(data["e_gravity"]) * 1e-9  # 1/m3 to 1/mm3; it points up
+    gravity = Gravity(np.hypot(*e) ** (-1 / 3), tuple(-e))
+    return curves, published, gravity
+
+
+@pytest.fixture(scope="module")
+def s_curve(shared_data):
+    points = np.loadtxt(shared_data / "hafner" / "spline_infl_simple.txt", skiprows=1)
+    return unclamped(30 * points)
+
+
+def hausdorff(curve, nodes, count=3000):
+    """Largest distance of a curve and a chain of nodes, either way, over the diagonal: the file's own measure."""
+    spline = BSpline(curve.knots, curve.control_points, curve.degree)
+    a = spline(np.linspace(*curve.domain, count))
+    s = np.linspace(0, 1, len(nodes))
+    b = np.column_stack([np.interp(np.linspace(0, 1, count), s, nodes[:, k]) for k in (0, 1)])
+    return max(cKDTree(a).query(b)[0].max(), cKDTree(b).query(a)[0].max()) / np.hypot(*np.ptp(a, axis=0))
+
+
+def independent_residual(rod):
+    """Moment imbalance by the book: M' = <b, gamma'> with b' = -K R^t e, on the nodes' chords."""
+    h = rod.length / (rod.s.size - 1)
+    w = np.full(rod.s.size, h)
+    w[[0, -1]] /= 2
+    load = np.zeros_like(rod.position)
+    if rod.gravity is not None:
+        load = (w * rod.stiffness / rod.gravity.length**3)[:, None] * np.array(rod.gravity.direction)
+    force = rod.force[0] + np.cumsum(load, axis=0)[:-1]
+    step = np.diff(rod.position, axis=0)
+    across = force[:, 1] * step[:, 0] - force[:, 0] * step[:, 1]
+    return np.abs(np.diff(rod.moment) - across).max() / np.abs(rod.moment).max()
+
+
+def test_flower_pot_without_weight_beats_the_published_curves(flower_pot):
+    curves, published, _ = flower_pot
+    found = [nearest_rod(curve, Limits(ratio=2.5)) for curve in curves]
+    distances = np.array([hausdorff(c, n.rod.position) for c, n in zip(curves, found, strict=True)])
+    assert all(near.met for near in found)
+    assert max(near.rod.ratio for near in found) <= 2.5 * (1 + 1e-9)
+    assert np.all(distances < published)
+    assert distances.mean() <= 0.0195
+    for curve, near in zip(curves, found, strict=True):
+        np.testing.assert_allclose(
+            near.rod.position[[0, -1]], curve.evaluate(np.array(curve.domain)), atol=1e-6
+        )
+        assert near.deviation == pytest.approx(
+            hausdorff(curve, near.rod.position) * diagonal(curve), rel=0.02
+        )
+        assert independent_residual(near.rod) < 1e-9
+
+
+def diagonal(curve):
+    return float(np.hypot(*np.ptp(curve.sample(3000).position, axis=0)))
+
+
+def test_flower_pot_under_its_weight_is_stable(flower_pot):
+    curves, _, gravity = flower_pot
+    found = [nearest_rod(curve, Limits(ratio=3.3, margin=5.0), gravity=gravity) for curve in curves]
+    distances = np.array([hausdorff(c, n.rod.position) for c, n in zip(curves, found, strict=True)])
+    assert all(near.met for near in found)
+    assert max(near.rod.ratio for near in found) <= 3.3 * (1 + 1e-9)
+    assert distances.mean() <= 0.016
+    assert distances.max() <= 0.020
+    for near in found:
+        assert stability(near.rod).margin >= 5.0 - 1e-6
+        assert independent_residual(near.rod) < 1e-9
+
+
+@pytest.mark.parametrize(("ratio", "largest"), [(2.954, 0.0105), (2.0, 0.03)])
+def test_the_unstable_s_becomes_stable(s_curve, ratio, largest):
+    assert not stability(optimal_rod(s_curve)).stable
+    near = nearest_rod(s_curve, Limits(ratio=ratio, margin=5.0), Keep(tangents=True))
+    assert near.met
+    assert hausdorff(s_curve, near.rod.position) <= largest
+    assert stability(near.rod).margin >= 5.0 - 1e-6
+    assert near.rod.ratio <= ratio * (1 + 1e-9)
+    np.testing.assert_allclose(near.rod.angle[[0, -1]], s_curve.at([0.0, s_curve.length]).angle, atol=1e-7)
+    if ratio > 2.5:
+        least = nearest_rod(s_curve, Limits(ratio=ratio, margin=5.0), Keep(tangents=True), measure="max")
+        assert least.met
+        assert hausdorff(s_curve, least.rod.position) < 0.0085
+
+
+def test_near_curves_are_realizable_at_the_limit(flower_pot, s_curve):
+    curves, _, _ = flower_pot
+    cases = [(c, Limits(ratio=2.5), Keep()) for c in curves[:5]]
+    cases.append((s_curve, Limits(ratio=2.954, margin=5.0), Keep(tangents=True)))
+    for curve, limits, keep in cases:
+        spline = nearest_rod(curve, limits, keep).curve
+        assert spline.degree == 4
+        assert check_equilibrium(spline).realizable
+        assert optimal_rod(spline).ratio == pytest.approx(limits.ratio, rel=1e-3)
+
+
+def test_rods_return_when_disturbed(flower_pot, s_curve):
+    """Disturbed by 1 % of its curvature and released, a rod with positive margin comes back."""
+    curves, _, gravity = flower_pot
+    cases = [(curves[k], Limits(ratio=3.3, margin=5.0), Keep(), gravity) for k in (0, 2, 4)]
+    cases += [(curves[1], Limits(ratio=2.5, margin=5.0), Keep(), None)]
+    cases += [(s_curve, Limits(ratio=2.954, margin=5.0), Keep(tangents=True), None)]
+    for curve, limits, keep, weight in cases:
+        rod = nearest_rod(curve, limits, keep, weight).rod
+        phase = 2 * np.pi * rod.s / rod.length
+        disturbed = (
+            rod.angle + 0.01 * np.abs(rod.curvature).max() * rod.length / (2 * np.pi) * np.sin(phase) ** 2
+        )
+        back = bend(rod, guess=disturbed)
+        assert np.abs(back.position - rod.position).max() < 1e-6 * rod.length
