@@ -83,8 +83,9 @@ class StripOutline(_Made, bd.BaseSketchObject):
     Examples
     --------
     >>> arch = bd.Edge.make_spline([(0, 0), (60, 50), (120, 0)])
-    >>> StripOutline(arch, "card-200gsm", max_width=20).face().is_planar
-    True
+    >>> outline = StripOutline(arch, "card-200gsm", max_width=20)
+    >>> len(outline.edges()), outline.label
+    (8, 'strip')
     """
 
     def __init__(

@@ -72,7 +72,7 @@ def make_strip(
     Examples
     --------
     >>> arch = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
-    >>> make_strip(arch, "birch-plywood-0.8", max_width=30).width.extremes[1]
+    >>> round(make_strip(arch, "birch-plywood-0.8", max_width=30).width.extremes[1], 6)
     30.0
     """
     if isinstance(sheet, str):

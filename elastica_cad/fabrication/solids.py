@@ -61,7 +61,7 @@ class FlatSolid:
 
     Examples
     --------
-    >>> plate = FlatSolid(Path.rectangle((0, 0), (30, 20)), (), 2.0)
+    >>> plate = FlatSolid(Path.rectangle(30, 20), (), 2.0)
     >>> plate.volume
     1200.0
     """
