@@ -313,6 +313,7 @@ def _refuse_faults(strip: Strip, name: str) -> None:
     try:
         whole = strip.outline.closed
     except InputError as error:
-        raise InputError(str(error) if strip.label else f"{name}: {error}") from error
+        own = f"{strip.label or 'strip'}: "
+        raise InputError(f"{name}: {str(error).removeprefix(own)}") from error
     if not whole:
         raise InputError(f"{name}: the slots open its outline")

@@ -13,12 +13,12 @@ from elastica_cad.geometry import PlaneCurve, Profile, line_crossings
 
 __all__ = ["touching"]
 
-TOLERANCE = 1e-7  # mm
+TOLERANCE = 1e-5  # mm
 
 
 @dataclass(frozen=True, eq=False)
 class _Bound:
-    """Distance along the ruling to the bisector plane, a + <b, gamma>, for a curve gamma in its own plane."""
+    """Distance along the ruling to a plane, a + <b, gamma>, for a curve gamma in its own plane."""
 
     a: float
     b: FloatArray
@@ -32,15 +32,15 @@ def touching(
 ) -> tuple[Profile, ...]:
     """Widths at which strips on neighbouring planes meet at the planes that bisect the angle between theirs.
 
-    Half the width is the distance from the curve along the ruling to the nearer bisector plane, less the gap
-    (the Flower Pot and the Shell of the paper, section 9).
+    Half the width is the distance from the curve, along the ruling, to the nearer bisector plane after that was
+    moved towards the curve by the gap (the Flower Pot and the Shell of the paper, section 9).
 
     Parameters
     ----------
     strips : sequence of Placed, or of (PlaneCurve, Frame)
         In order around the surface; the frame is the plane in which the curve is drawn.
     gap : float
-        What is taken off each half width, mm.
+        Distance that either strip keeps from the bisector plane, mm.
     closed : bool
         True where the last strip is the first one's neighbour; otherwise both have one neighbour only.
 
@@ -75,24 +75,25 @@ def touching(
     found = []
     for i, (curve, frame) in enumerate(pairs):
         around = {(i - 1) % count, (i + 1) % count} if closed else {i - 1, i + 1} & set(range(count))
-        bounds = [_bound(curve, frame, *pairs[j], names[i], names[j]) for j in sorted(around)]
+        bounds = [_bound((curve, frame), pairs[j], gap, (names[i], names[j])) for j in sorted(around)]
         found.append(_width(curve, bounds, gap, names[i]))
     return tuple(found)
 
 
 def _bound(
-    curve: PlaneCurve, frame: Frame, neighbour: PlaneCurve, other: Frame, name: str, other_name: str
+    own: tuple[PlaneCurve, Frame], other: tuple[PlaneCurve, Frame], gap: float, names: tuple[str, str]
 ) -> _Bound:
-    """The plane between two strips, as seen from the first."""
-    middles = [f.point(c.sample(33).position.mean(axis=0)) for c, f in ((curve, frame), (neighbour, other))]
-    z, r = frame.z_axis, other.z_axis
+    """The plane between two strips, moved towards the first by the gap, as the first sees it."""
+    frame, opposite = own[1], other[1]
+    middles = [f.point(c.sample(33).position.mean(axis=0)) for c, f in (own, other)]
+    z, r = frame.z_axis, opposite.z_axis
     z = z * np.sign((middles[1] - frame.origin) @ z)
-    r = r * np.sign((middles[0] - other.origin) @ r)
+    r = r * np.sign((middles[0] - opposite.origin) @ r)
     normal = z - r  # of the points as far from either plane, on the sides that face each other
     pace = float(normal @ z)
     if not (np.any(z) and np.any(r)) or pace < 1e-12:
-        raise InputError(f"{name} and {other_name} lie in the same plane: no plane passes between them")
-    offset = z @ frame.origin - r @ other.origin
+        raise InputError(f"{names[0]} and {names[1]} lie in the same plane: no plane passes between them")
+    offset = z @ frame.origin - r @ opposite.origin - gap * np.linalg.norm(normal)
     return _Bound(
         float(offset - normal @ frame.origin) / pace,
         -np.array([normal @ frame.x_axis, normal @ frame.y_axis]) / pace,
@@ -100,7 +101,7 @@ def _bound(
 
 
 def _width(curve: PlaneCurve, bounds: Sequence[_Bound], gap: float, name: str) -> Profile:
-    """Twice the smaller of the bounds less the gap, with a kink where they change places."""
+    """Twice the smaller of the bounds, with a kink where they change places."""
     breaks = [(b.s, max(b.continuity, 0)) for b in curve.breaks]
     if len(bounds) == 2:
         one, two = bounds
@@ -111,7 +112,7 @@ def _width(curve: PlaneCurve, bounds: Sequence[_Bound], gap: float, name: str) -
 
     def half(s: FloatArray) -> FloatArray:
         points = curve.at(s).position
-        return np.asarray(np.min([bound(points) for bound in bounds], axis=0) - gap)
+        return np.asarray(np.min([bound(points) for bound in bounds], axis=0))
 
     width = Profile.fit(
         lambda s: 2 * half(s), curve.length, breaks=sorted(inside.items()), tolerance=TOLERANCE
