@@ -18,12 +18,13 @@ CONFIG = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 """
 
 
-def make_home(folder: Path) -> dict[str, str]:
+def make_home(folder: Path, *, addon: bool = True) -> dict[str, str]:
     """A home folder whose FreeCAD finds this checkout as an addon; the environment to start it in."""
     for version in ("", "v1-0/", "v1-1/"):
         mods = folder / f".local/share/FreeCAD/{version}Mod"
         mods.mkdir(parents=True, exist_ok=True)
-        (mods / "elastica_cad").symlink_to(ROOT)
+        if addon:
+            (mods / "elastica_cad").symlink_to(ROOT)
     inherited = {
         k: v for k, v in os.environ.items() if not k.startswith(("FREECAD_USER", "PYTHON", "VIRTUAL_ENV"))
     }
@@ -37,9 +38,14 @@ def program(name: str) -> str:
     return found
 
 
-def run_console(script: str, folder: Path, timeout: float = 120) -> dict[str, Any]:
+def run_console(script: str, folder: Path, *, addon: bool = True, **variables: str) -> dict[str, Any]:
     """Run a script in freecadcmd; its answers. FreeCAD ends with 0 whatever happens, so the answers decide."""
-    return _run([program("freecadcmd"), str(SCRIPTS / script)], folder, timeout)
+    return _run(
+        [program("freecadcmd"), str(SCRIPTS / script)],
+        folder,
+        120,
+        make_home(folder, addon=addon) | variables,
+    )
 
 
 def run_window(script: str, folder: Path, timeout: float = 240, language: str = "") -> dict[str, Any]:
@@ -48,15 +54,14 @@ def run_window(script: str, folder: Path, timeout: float = 240, language: str = 
     words = f'<FCText Name="Language">{language}</FCText>' if language else ""
     config.write_text(CONFIG.format(language=words))
     start = ["xvfb-run", "-a", "-s", SCREEN, program("freecad"), "-u", str(config), str(SCRIPTS / script)]
-    return _run(start, folder, timeout)
+    return _run(start, folder, timeout, make_home(folder))
 
 
-def _run(command: list[str], folder: Path, timeout: float) -> dict[str, Any]:
-    environment = make_home(folder) | {"ELASTICA_TEST_OUT": str(folder)}
+def _run(command: list[str], folder: Path, timeout: float, environment: dict[str, str]) -> dict[str, Any]:
     done = subprocess.run(
         command,
         check=False,
-        env=environment,
+        env=environment | {"ELASTICA_TEST_OUT": str(folder)},
         stdin=subprocess.DEVNULL,
         capture_output=True,
         text=True,

@@ -8,6 +8,7 @@ from pathlib import Path
 import FreeCAD as App
 import Part
 import pytest
+from freecad.elastica_wb import library
 from freecad.elastica_wb.cutting import KINDS, pieces_of, write_cutting_files
 from freecad.elastica_wb.dragging import Dragged
 from freecad.elastica_wb.drawn import curve_into, drawn_curve, sketch_curve
@@ -18,7 +19,7 @@ from freecad.elastica_wb.shapes import make_edge, make_wire
 from elastica_cad.errors import InputError, MissingDependencyError
 from elastica_cad.geometry import Arc, Line, PlaneCurve
 from elastica_cad.geometry import Path as PlanePath
-from elastica_cad.mechanics import check_equilibrium
+from elastica_cad.mechanics import Sheet, check_equilibrium
 
 ARCH = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]
 BAD = [(0, 0), (40, 60), (80, -55), (120, 10), (160, 30), (180, 0)]
@@ -318,3 +319,52 @@ def test_missing_scipy_is_a_sentence(document, drawn, monkeypatch):
     feature.touch()
     document.recompute()
     assert feature.State == ["Up-to-date"]
+
+
+def test_external_geometry_only(document, sketch):
+    other = document.addObject("Sketcher::SketchObject", "Other")
+    other.addExternal(sketch.Name, "Edge1")
+    document.recompute()
+    feature = strip.create(document, other)
+    document.recompute()
+    assert "Invalid" in feature.State
+    assert "external geometry only" in feature.getStatusString()
+
+
+def test_a_sheet_of_the_users_own(document, sketch, tmp_path: Path):
+    own = Sheet("my-board", thickness=1.1, youngs_modulus=4000, density=700, max_strain=0.02)
+    library.save_own_sheets([own])
+    try:
+        feature = strip.create(document, sketch)
+        assert library.sheet_list()[0] == "my-board"
+        feature.Sheet = "my-board"
+        assert feature.Thickness.Value == 1.1
+        document.recompute()
+        file = tmp_path / "own.FCStd"
+        document.saveAs(str(file))
+    finally:
+        library.save_own_sheets([])
+    App.closeDocument(document.Name)
+    assert "my-board" not in library.sheet_list()
+    again = App.openDocument(str(file))
+    try:
+        loaded = again.getObject("Strip")
+        loaded.touch()
+        again.recompute()
+        assert loaded.State == ["Up-to-date"], "the numbers travel with the document"
+        assert strip.strip_of(loaded).sheet.youngs_modulus == 4000
+    finally:
+        App.closeDocument(again.Name)
+
+
+def test_gravity_falls_in_space(document, sketch):
+    feature = strip.create(document, sketch)
+    feature.Sheet = "card-200gsm"
+    feature.Gravity = True
+    document.recompute()
+    assert strip.strip_of(feature).rod.gravity is None, "the sketch lies flat: its plane feels no weight"
+    sketch.Placement = App.Placement(App.Vector(), App.Rotation(App.Vector(1, 0, 0), 90))
+    document.recompute()
+    gravity = strip.strip_of(feature).rod.gravity
+    assert gravity.direction == pytest.approx((0, -1), abs=1e-12)
+    assert gravity.length == pytest.approx(Sheet.named("card-200gsm").elasto_gravity_length)

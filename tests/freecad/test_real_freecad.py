@@ -26,6 +26,14 @@ def test_freecadcmd(tmp_path):
     assert min(found["recompute"]) < 0.09, found["recompute"]
 
 
+def test_without_the_workbench(tmp_path):
+    file = Path(__file__).parent / "data" / "strip-0.1.FCStd"
+    found = launching.run_console("bare.py", tmp_path, addon=False, ELASTICA_TEST_FILE=str(file))
+    assert found["workbench"] is False
+    assert found["volumes"]["Strip"] == pytest.approx(3659.1, rel=1e-3)
+    assert found["volumes"]["Flat"] == pytest.approx(3659.1, rel=1e-3)
+
+
 def test_dragging_in_the_sketcher(tmp_path):
     found = launching.run_window("drag.py", tmp_path)
     assert found["usable"]

@@ -119,6 +119,7 @@ class Session:
             picture = curve_picture(self._curve, wish, self._scale)
         except ElasticaError as error:
             self._curve = None
+            self.overlay.clear()
             self._say(str(error))
             return
         self.overlay.show(picture)

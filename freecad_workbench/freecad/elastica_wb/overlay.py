@@ -57,6 +57,20 @@ class Overlay:
         self._crossings.set([picture.crossings])
         self._write(picture.distances)
 
+    def clear(self) -> None:
+        """Show nothing."""
+        for part in (
+            self._comb,
+            self._width,
+            self._line,
+            self._nearest,
+            self._good,
+            self._bad,
+            self._crossings,
+        ):
+            part.set([])
+        self._write(())
+
     def show_width(self, edges: Sequence[FloatArray]) -> None:
         """Both edges of the strip; none hides them."""
         self._width.set(edges)

@@ -19,7 +19,6 @@ DEFAULTS: dict[str, Any] = {
     "Tolerance": 0.02,
     "LiveMode": True,
     "LiveNearest": True,
-    "AdviceDegrees": True,
 }
 """Name of every preference and what holds until it is changed; the type is the default's."""
 

@@ -1,6 +1,6 @@
 """What all commands share: how they look, one undo step, errors as sentences."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
@@ -14,7 +14,16 @@ from freecad.elastica_wb.text import icon, tr
 
 from elastica_cad.errors import ElasticaError, InputError
 
-__all__ = ["Command", "chosen_curves", "chosen_sources", "chosen_strips", "tell", "undo_step"]
+__all__ = [
+    "Command",
+    "chosen_curves",
+    "chosen_sources",
+    "chosen_strips",
+    "edited_sketch",
+    "show_panel",
+    "tell",
+    "undo_step",
+]
 
 _told: list[Any] = []
 
@@ -34,8 +43,10 @@ class Command:
         return found | ({"Accel": self.shortcut} if self.shortcut else {})
 
     def IsActive(self) -> bool:
-        """Most commands need a document."""
-        return not self.needs_document or App.ActiveDocument is not None
+        """Most commands need a document; none works beside a panel, but for that of a sketch, which they close."""
+        if self.needs_document and App.ActiveDocument is None:
+            return False
+        return not Gui.Control.activeDialog() or edited_sketch() is not None
 
     def Activated(self, _index: int = 0) -> None:
         """The user asks for it."""
@@ -47,6 +58,20 @@ class Command:
     def run(self) -> None:
         """Do it."""
         raise NotImplementedError
+
+
+def edited_sketch() -> Any:
+    """The sketch that is being edited, or None."""
+    provider = Gui.ActiveDocument.getInEdit() if Gui.ActiveDocument else None
+    source = getattr(provider, "Object", None)
+    return source if source is not None and is_sketch(source) else None
+
+
+def show_panel(make: Callable[..., Any], *arguments: Any) -> None:
+    """Close the sketcher, then open a panel."""
+    if edited_sketch() is not None:
+        Gui.ActiveDocument.resetEdit()
+    Gui.Control.showDialog(make(*arguments))
 
 
 def tell(sentence: str) -> None:
@@ -91,9 +116,9 @@ def chosen_curves() -> list[tuple[Any, tuple[str, ...]]]:
             found.append((choice.Object, edges))
         elif hasattr(choice.Object, "Shape") and not choice.Object.Shape.Faces and choice.Object.Shape.Edges:
             found.append((choice.Object, ()))
-    edited = Gui.ActiveDocument.getInEdit() if Gui.ActiveDocument else None
-    if not found and edited is not None and is_sketch(edited.Object):
-        found.append((edited.Object, ()))
+    edited = edited_sketch()
+    if not found and edited is not None:
+        found.append((edited, ()))
     if not found:
         raise InputError(tr("Select a sketch with a spline, or an edge of an object, first."))
     return found

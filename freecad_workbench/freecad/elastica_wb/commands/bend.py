@@ -1,7 +1,6 @@
 """Bend forward."""
 
-import FreeCADGui as Gui
-from freecad.elastica_wb.commands.base import Command, chosen_strips
+from freecad.elastica_wb.commands.base import Command, chosen_strips, show_panel
 from freecad.elastica_wb.panels.bend import BendPanel
 
 __all__ = ["BendCommand"]
@@ -17,4 +16,4 @@ class BendCommand(Command):
 
     def run(self) -> None:
         """Open the panel."""
-        Gui.Control.showDialog(BendPanel(chosen_strips()[0]))
+        show_panel(BendPanel, chosen_strips()[0])

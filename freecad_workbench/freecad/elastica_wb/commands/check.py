@@ -1,8 +1,7 @@
 """Check curve."""
 
-import FreeCADGui as Gui
 from freecad.elastica_wb import live
-from freecad.elastica_wb.commands.base import Command, chosen_curves
+from freecad.elastica_wb.commands.base import Command, chosen_curves, edited_sketch, show_panel
 from freecad.elastica_wb.panels.check import CheckPanel
 
 __all__ = ["CheckCommand"]
@@ -19,8 +18,7 @@ class CheckCommand(Command):
     def run(self) -> None:
         """In the sketcher the overlay comes on; elsewhere a panel tells the whole answer."""
         (source, edges), *_ = chosen_curves()
-        edited = Gui.ActiveDocument.getInEdit()
-        if edited is not None and edited.Object is source:
+        if edited_sketch() is source:
             live.start(source)
             return
-        Gui.Control.showDialog(CheckPanel(source, edges))
+        show_panel(CheckPanel, source, edges)

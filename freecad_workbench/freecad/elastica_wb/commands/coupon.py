@@ -1,8 +1,7 @@
 """Coupon and calibrate."""
 
 import FreeCAD as App
-import FreeCADGui as Gui
-from freecad.elastica_wb.commands.base import Command
+from freecad.elastica_wb.commands.base import Command, show_panel
 from freecad.elastica_wb.panels.coupon import CouponPanel
 
 __all__ = ["CouponCommand"]
@@ -17,4 +16,4 @@ class CouponCommand(Command):
 
     def run(self) -> None:
         """Open the panel."""
-        Gui.Control.showDialog(CouponPanel(App.ActiveDocument))
+        show_panel(CouponPanel, App.ActiveDocument)

@@ -1,7 +1,6 @@
 """Export cutting files."""
 
-import FreeCADGui as Gui
-from freecad.elastica_wb.commands.base import Command, chosen_sources
+from freecad.elastica_wb.commands.base import Command, chosen_sources, show_panel
 from freecad.elastica_wb.panels.export import ExportPanel
 
 __all__ = ["ExportCommand"]
@@ -17,4 +16,4 @@ class ExportCommand(Command):
 
     def run(self) -> None:
         """Open the panel."""
-        Gui.Control.showDialog(ExportPanel(chosen_sources()))
+        show_panel(ExportPanel, chosen_sources())

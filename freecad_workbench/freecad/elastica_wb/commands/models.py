@@ -1,8 +1,7 @@
 """Interlock, end fixtures and base plate, nest."""
 
 import FreeCAD as App
-import FreeCADGui as Gui
-from freecad.elastica_wb.commands.base import Command, chosen_sources, chosen_strips, undo_step
+from freecad.elastica_wb.commands.base import Command, chosen_sources, chosen_strips, show_panel, undo_step
 from freecad.elastica_wb.features import model, nest
 from freecad.elastica_wb.panels.fixtures import FixturesPanel
 from freecad.elastica_wb.panels.model import ModelPanel
@@ -26,7 +25,7 @@ class InterlockCommand(Command):
         for strip in strips:
             strip.Visibility = False
         App.ActiveDocument.recompute()
-        Gui.Control.showDialog(ModelPanel(made))
+        show_panel(ModelPanel, made)
 
 
 class FixturesCommand(Command):
@@ -38,7 +37,7 @@ class FixturesCommand(Command):
 
     def run(self) -> None:
         """Open the panel."""
-        Gui.Control.showDialog(FixturesPanel(chosen_sources()))
+        show_panel(FixturesPanel, chosen_sources())
 
 
 class NestCommand(Command):

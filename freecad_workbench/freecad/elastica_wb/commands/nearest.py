@@ -1,7 +1,6 @@
 """Nearest curve to sketch."""
 
-import FreeCADGui as Gui
-from freecad.elastica_wb.commands.base import Command, chosen_curves
+from freecad.elastica_wb.commands.base import Command, chosen_curves, show_panel
 from freecad.elastica_wb.drawn import is_sketch
 from freecad.elastica_wb.panels.nearest import NearestPanel
 from freecad.elastica_wb.text import tr
@@ -24,6 +23,4 @@ class NearestCommand(Command):
         (source, edges), *_ = chosen_curves()
         if edges or not is_sketch(source):
             raise InputError(tr("Select a sketch with a spline first."))
-        if Gui.ActiveDocument.getInEdit() is not None:
-            Gui.ActiveDocument.resetEdit()
-        Gui.Control.showDialog(NearestPanel(source))
+        show_panel(NearestPanel, source)

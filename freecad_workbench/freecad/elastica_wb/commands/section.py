@@ -1,7 +1,7 @@
 """Section an object by planes into curves."""
 
 import FreeCADGui as Gui
-from freecad.elastica_wb.commands.base import Command
+from freecad.elastica_wb.commands.base import Command, show_panel
 from freecad.elastica_wb.panels.section import SectionPanel
 from freecad.elastica_wb.sections import chosen_bodies
 
@@ -17,4 +17,4 @@ class SectionCommand(Command):
 
     def run(self) -> None:
         """Open the panel."""
-        Gui.Control.showDialog(SectionPanel(chosen_bodies(Gui.Selection.getSelection())))
+        show_panel(SectionPanel, chosen_bodies(Gui.Selection.getSelection()))

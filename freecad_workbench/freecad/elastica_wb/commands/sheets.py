@@ -1,7 +1,6 @@
 """Sheet library editor."""
 
-import FreeCADGui as Gui
-from freecad.elastica_wb.commands.base import Command
+from freecad.elastica_wb.commands.base import Command, show_panel
 from freecad.elastica_wb.panels.sheets import SheetsPanel
 
 __all__ = ["SheetsCommand"]
@@ -17,4 +16,4 @@ class SheetsCommand(Command):
 
     def run(self) -> None:
         """Open the panel."""
-        Gui.Control.showDialog(SheetsPanel())
+        show_panel(SheetsPanel)

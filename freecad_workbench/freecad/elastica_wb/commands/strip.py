@@ -2,7 +2,7 @@
 
 import FreeCAD as App
 import FreeCADGui as Gui
-from freecad.elastica_wb.commands.base import Command, chosen_curves
+from freecad.elastica_wb.commands.base import Command, chosen_curves, edited_sketch, show_panel
 from freecad.elastica_wb.features import flat, strip
 from freecad.elastica_wb.panels.strip import StripPanel
 
@@ -21,7 +21,7 @@ class StripCommand(Command):
         """One strip for every selected curve; the panel of the last one stays open."""
         curves = chosen_curves()
         document = App.ActiveDocument
-        if Gui.ActiveDocument.getInEdit() is not None:
+        if edited_sketch() is not None:
             Gui.ActiveDocument.resetEdit()
         document.openTransaction("Strip from sketch")
         for source, edges in curves:
@@ -30,4 +30,4 @@ class StripCommand(Command):
         document.recompute()
         for source, _ in curves:
             source.Visibility = True
-        Gui.Control.showDialog(StripPanel(made))
+        show_panel(StripPanel, made)

@@ -1,8 +1,7 @@
 """Perforate and Laminate."""
 
 import FreeCAD as App
-import FreeCADGui as Gui
-from freecad.elastica_wb.commands.base import Command, chosen_strips
+from freecad.elastica_wb.commands.base import Command, chosen_strips, show_panel
 from freecad.elastica_wb.features import flat
 from freecad.elastica_wb.panels.strip import StripPanel
 
@@ -23,7 +22,7 @@ class PerforateCommand(Command):
         for strip in strips:
             strip.Style = "Perforated"
         App.ActiveDocument.recompute()
-        Gui.Control.showDialog(StripPanel(strips[-1]))
+        show_panel(StripPanel, strips[-1])
 
 
 class LaminateCommand(Command):
@@ -41,4 +40,4 @@ class LaminateCommand(Command):
             strip.Style = "Laminated"
             flat.create(App.ActiveDocument, strip, "Backing")
         App.ActiveDocument.recompute()
-        Gui.Control.showDialog(StripPanel(strips[-1]))
+        show_panel(StripPanel, strips[-1])

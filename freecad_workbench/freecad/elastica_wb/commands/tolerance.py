@@ -1,7 +1,6 @@
 """Tolerance study."""
 
-import FreeCADGui as Gui
-from freecad.elastica_wb.commands.base import Command, chosen_strips
+from freecad.elastica_wb.commands.base import Command, chosen_strips, show_panel
 from freecad.elastica_wb.panels.tolerance import TolerancePanel
 
 __all__ = ["ToleranceCommand"]
@@ -16,4 +15,4 @@ class ToleranceCommand(Command):
 
     def run(self) -> None:
         """Open the panel."""
-        Gui.Control.showDialog(TolerancePanel(chosen_strips()[0]))
+        show_panel(TolerancePanel, chosen_strips()[0])

@@ -6,6 +6,7 @@ from typing import Any
 import FreeCAD as App
 import numpy as np
 import Part
+from freecad.elastica_wb import preferences
 from freecad.elastica_wb.design import bent_shape
 from freecad.elastica_wb.drawn import drawn_curve, frame_of, placement_of
 from freecad.elastica_wb.features.properties import Property, put
@@ -62,6 +63,7 @@ def create(document: Any, strips: list[Any], *, interlock: bool = True) -> Any:
     obj = added(document, "Model", ModelFeature, strips)
     obj.Strips = strips
     obj.Interlock = interlock
+    obj.Clearance = preferences.get("Clearance")
     if App.GuiUp and strips:
         obj.ViewObject.ShapeColor = strips[0].ViewObject.ShapeColor
     return obj
