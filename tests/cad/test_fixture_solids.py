@@ -1,0 +1,83 @@
+"""Fixtures and base plates in OpenCASCADE: whole bodies that hold the bent strip without touching it."""
+
+import numpy as np
+import pytest
+
+pytest.importorskip("OCP")
+
+from elastica_cad import occt
+from elastica_cad.fabrication import (
+    BentSolid,
+    EndFixture,
+    FlatSolid,
+    Frame,
+    Hole,
+    Model,
+    Placed,
+    PrismSolid,
+    Strip,
+    Tab,
+)
+from elastica_cad.geometry import Path, PlaneCurve
+from elastica_cad.mechanics import Sheet, optimal_rod
+
+UPRIGHT = Frame((0, 0, 0), (1, 0, 0), (0, 0, 1))
+
+
+@pytest.fixture(scope="module")
+def strip():
+    rod = optimal_rod(PlaneCurve.ellipse((0, 0), (100.0, 60.0), 0.0, 0.3, np.pi - 0.5))
+    ends = (Tab(14), Tab(12, width=16, holes=(Hole(6, 3.0, 2.0),)))
+    return Strip(rod, Sheet.named("birch-plywood-0.8"), max_width=24.0, ends=ends, label="A")
+
+
+def common(a, b):
+    from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
+
+    return BRepAlgoAPI_Common(a, b).Shape()
+
+
+@pytest.mark.parametrize("end", ["start", "end"])
+@pytest.mark.parametrize("floor", [None, Frame((0, 0, -30.0))])
+def test_a_block_is_one_body_that_clears_the_strip(strip, measure, end, floor):
+    fixture = EndFixture.of(strip, end, UPRIGHT, floor=floor, number="")
+    body = occt.make_solid(fixture.solid)
+    assert measure.is_valid(body)
+    bent = occt.make_solid(BentSolid.of(strip, UPRIGHT))
+    assert abs(measure.volume(common(body, bent), bent=False)) < 1e-6
+    tight = EndFixture.of(strip, end, UPRIGHT, floor=floor, number="", clearance=0.0)
+    held = FlatSolid(
+        Path.rectangle(fixture.tab.length, fixture.tab.width, corner=(0, -fixture.tab.width / 2)),
+        thickness=1.0,
+        frame=fixture.tab.frame.shifted(z=0.4),
+    )
+    grip = measure.volume(common(occt.make_solid(tight.solid), occt.make_solid(held)), bent=False)
+    holes = sum(np.pi * hole.diameter**2 / 4 for hole in fixture.tab.holes)
+    assert grip == pytest.approx(fixture.tab.length * fixture.tab.width - holes, rel=1e-6)
+
+
+def test_letters_take_a_little_away(strip, measure):
+    plain, marked = (occt.make_solid(EndFixture.of(strip, number=number).solid) for number in ("", "A:1"))
+    assert measure.is_valid(marked)
+    gone = measure.volume(plain, bent=False) - measure.volume(marked, bent=False)
+    assert 0.5 < gone < 12
+
+
+def test_a_tab_goes_through_the_base_plate(strip, measure):
+    lowest = strip.rod.position[[0, -1], 1]
+    assert abs(np.ptp(lowest)) < 40
+    placed = Placed(strip, (0, 0, -min(lowest)), (1, 0, 0), (0, 0, 1))
+    base = Model([placed]).base_plate(Sheet.named("mdf-3"))
+    assert [slot.name for slot in base.slots] == ["A:2"] if lowest[0] > lowest[1] else ["A:1"]
+    plate = occt.make_solid(base.solid)
+    bent = occt.make_solid(BentSolid.of(strip, placed.frame))
+    assert abs(measure.volume(common(plate, bent), bent=False)) < 1e-6
+
+
+def test_prisms_must_make_one_body():
+    plate = FlatSolid(Path.rectangle(10, 10), thickness=2.0)
+    apart = FlatSolid(Path.rectangle(10, 10, corner=(20, 0)), thickness=2.0)
+    with pytest.raises(ValueError, match="leave 2 pieces"):
+        occt.make_solid(PrismSolid((plate, apart)))
+    with pytest.raises(ValueError, match="at least one prism"):
+        PrismSolid(())

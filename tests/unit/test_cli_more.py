@@ -1,0 +1,201 @@
+"""`elastica model`, `coupon` and `bend` as a user meets them: files, messages, exit codes."""
+
+import json
+
+import numpy as np
+import pytest
+
+pytest.importorskip("click")
+
+from click.testing import CliRunner
+
+import elastica_cad as ec
+from elastica_cad.cli.commands import elastica
+from elastica_cad.formats import curves_json
+
+DESIGN = """
+schema = 1
+name = "kit"
+sheet = "birch-plywood-0.8"
+max_width = 24
+
+[[strips]]
+count = 2
+label = "K{i}"
+origin = [0, "100 * i", 0]
+curve.ellipse = { semi_axes = [150, 100], start = "0.1", end = "pi - 0.1" }
+
+[base]
+sheet = "mdf-3"
+height = 10
+
+[fixtures]
+wall = 3
+
+[cut]
+kerf = "sheet"
+version = "R12"
+"""
+
+
+def run(*arguments):
+    return CliRunner().invoke(elastica, [str(argument) for argument in arguments])
+
+
+@pytest.fixture
+def design(tmp_path):
+    path = tmp_path / "kit.toml"
+    path.write_text(DESIGN)
+    return path
+
+
+def test_a_model_becomes_one_folder(design, tmp_path):
+    out = tmp_path / "out"
+    result = run("model", design, "-o", out)
+    assert result.exit_code == 0, result.output
+    assert "kit: 2 strips (2 different), 0 joints; 3 pieces" in result.output
+    names = {path.name for path in out.iterdir()}
+    assert {
+        "kit.png",
+        "kit.json",
+        "kit-cut-list.csv",
+        "kit-cut-list.txt",
+        "K1_birch-plywood-0.8_0.8mm_x1.svg",
+    } <= names
+    assert {"K1_birch-plywood-0.8_0.8mm_x1.mm.dxf", "kit-nest-1-birch-plywood-0.8.mm.dxf"} <= names
+    report = json.loads((out / "kit.json").read_text())
+    assert set(report["files"]) == names
+    assert "kit-base_mdf-3_3mm_x1.mm.dxf" in (out / "kit-cut-list.txt").read_text()
+    if "kit.step" in names:
+        text = (out / "kit.step").read_text()
+        assert all(f"'{name}'" in text for name in ("K1", "K2", "base", "fixture K1:1", "fixture K2:2"))
+
+
+def test_the_same_design_gives_the_same_files(design, tmp_path):
+    for folder in ("one", "two"):
+        assert run("model", design, "-o", tmp_path / folder, "--no-step", "--no-pictures").exit_code == 0
+    for path in (tmp_path / "one").iterdir():
+        assert path.read_bytes() == (tmp_path / "two" / path.name).read_bytes()
+
+
+def test_nothing_is_left_of_a_model_that_fails(design, tmp_path):
+    out = tmp_path / "out"
+    design.write_text(DESIGN.replace("max_width = 24", "max_width = 24\nnest.sheet_size = [300, 200]"))
+    result = run("model", design, "-o", out)
+    assert result.exit_code == 2
+    assert "K1: " in result.stderr
+    assert "is larger than a sheet of 300 by 200 mm" in result.stderr
+    assert not out.exists()
+    out.mkdir()
+    taken = out / "kit.json"
+    taken.write_text("mine")
+    design.write_text(DESIGN)
+    assert "exists already" in run("model", design, "-o", out, "--no-step").stderr
+    assert [path.name for path in out.iterdir()] == ["kit.json"]
+    assert taken.read_text() == "mine"
+
+
+def test_bad_designs_are_one_sentence(design):
+    design.write_text(DESIGN.replace("150, 100", '"os.system(1)", 100'))
+    result = run("model", design)
+    assert result.exit_code == 2
+    assert result.stderr.count("\n") == 1
+    assert "strips[1], i = 1 (K1): curve: ellipse: semi_axes[1]" in result.stderr
+
+
+def test_a_design_that_cannot_be_bent_exits_with_1(design):
+    wave = '{ x = "50 * t", y = "40 * sin(t) + 6 * t ** 1.6", t = [0.1, 7.8] }'
+    ellipse = next(line for line in DESIGN.splitlines() if line.startswith("curve.ellipse"))
+    design.write_text(DESIGN.replace(ellipse, f"curve = {wave}"))
+    result = run("model", design)
+    assert result.exit_code == 1
+    assert result.stderr.startswith("Not realizable: K1: ")
+
+
+def test_a_coupon_is_written(tmp_path, check_drawing_file):
+    result = run("coupon", "--sheet", "card-200gsm", "--overhang", 120, "-o", tmp_path)
+    assert result.exit_code == 0, result.output
+    curves = check_drawing_file(tmp_path / "coupon-card-200gsm.dxf")
+    (outline,) = [curve for curve in curves if curve.layer == "CUT_OUTER"]
+    assert outline.area == pytest.approx(160 * 20)
+    assert "exists already" in run("coupon", "--sheet", "card-200gsm", "-o", tmp_path).stderr
+
+
+def test_a_measured_coupon_becomes_a_sheet(tmp_path):
+    droop = float(ec.mechanics.cantilever_droop(150.0, 96.05))
+    result = run("coupon", "--sheet", "card-200gsm", "--measured", 150, droop, "--measured", 120,
+                 ec.mechanics.cantilever_droop(120.0, 96.05), "--thickness", 0.22, "--density", 900,
+                 "--least-radius", 22, "--name", "mine", "-o", tmp_path)  # fmt: skip
+    assert result.exit_code == 0, result.output
+    sheet = ec.load_sheets(tmp_path / "mine.toml")["mine"]
+    assert sheet.elasto_gravity_length == pytest.approx(96.05, abs=1e-4)
+    assert sheet.least_radius == pytest.approx(22)
+    assert (sheet.thickness, sheet.density, sheet.grain) == (0.22, 900, "along")
+    assert "elasto-gravity length 96.05 +-" in result.output
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("--sheet", "paper"), "unknown sheet 'paper'"),
+        (("--sheet", "card-200gsm", "--density", 900), "--density belongs to a measurement"),
+        (("--sheet", "card-200gsm", "--measured", 100, 120), "a droop of 120 mm is more than"),
+        (("--sheet", "card-200gsm", "--width", 2), "too narrow"),
+    ],
+)
+def test_coupons_refuse_in_words(arguments, message):
+    result = run("coupon", *arguments)
+    assert result.exit_code == 2
+    assert message in result.stderr
+
+
+@pytest.fixture
+def drawn(tmp_path):
+    path = tmp_path / "bow.json"
+    path.write_text(curves_json([ec.PlaneCurve.ellipse((0, 0), (200.0, 100.0), 0.0, 0.2, 2.9)]))
+    return path
+
+
+def test_bend_leads_the_ends(drawn, tmp_path):
+    result = run(
+        "bend", drawn, "--from", 180, 0, "--to", -170, 30, "--end-angle", 250, "--steps", 3, "-o", tmp_path
+    )
+    assert result.exit_code == 0, result.output
+    shapes = ec.read_curves(tmp_path / "bow-bent.json")
+    assert len(shapes) == 3
+    table = np.loadtxt(tmp_path / "bow-bent.csv", delimiter=",", skiprows=1)
+    last = table[table[:, 0] == 3]
+    assert last[[0, -1], 2:4] == pytest.approx(np.array([[180, 0], [-170, 30]]), abs=1e-5)
+    assert last[-1, 4] == pytest.approx(np.radians(250), abs=1e-5)
+    rod = ec.optimal_rod(ec.read_curves(drawn)[0])
+    bent = ec.bend(rod, (180, 0), (-170, 30), (None, np.radians(250)))
+    assert last[:, 2:4] == pytest.approx(bent.position, abs=1e-4)
+    assert last[:, 6] == pytest.approx(rod.stiffness, abs=1e-5)
+    assert result.output.count("stable, margin") == 3
+
+
+def test_a_straight_strip_buckles_to_the_side_asked_for(tmp_path):
+    arguments = ("bend", "--straight", 100, "--to", 70, 0, "--hold-start", "pinned", "--hold-end", "pinned")
+    for side, sign in (("left", 1), ("right", -1)):
+        assert run(*arguments, "--side", side, "-o", tmp_path / side).exit_code == 0
+        table = np.loadtxt(tmp_path / side / "straight-bent.csv", delimiter=",", skiprows=1)
+        peak = table[np.argmax(np.abs(table[:, 3])), 3]
+        assert sign * peak > 30
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ((), "name a CURVE"),
+        (("--straight", 100, "--to", 200, 0), "the ends are 200 mm apart"),
+        (("--straight", 100, "--gravity"), "--gravity needs to know the material"),
+        (("--straight", 100, "--hold-start", "free", "--hold-end", "free"), "the rod is free to fly"),
+        (("--straight", -1), "rod length is -1"),
+        (("none.dxf",), "cannot be read"),
+    ],
+)
+def test_bend_refuses_in_words(arguments, message, tmp_path):
+    result = run("bend", *arguments, "-o", tmp_path)
+    assert result.exit_code == 2
+    assert message in result.stderr
+    assert list(tmp_path.iterdir()) == []
