@@ -224,14 +224,21 @@ def _turned(pair: tuple[int, int], which: int) -> tuple[int, int]:
 
 def _reports(model: "Model", joints: list[Joint]) -> tuple[str, ...]:
     """Shallow angles, and how the model goes together."""
-    found = []
+    shallow: dict[tuple[int, int], list[Joint]] = {}
     for joint in joints:
         if joint.angle[0] < SHALLOW:
-            a, b = (model.name_of(i) for i in joint.members)
-            found.append(
-                f"{a} and {b} cross at {np.degrees(joint.angle[0]):.1f} degrees at {joint.slots[0].at:.1f} mm of "
-                f"{a}: the slots are {joint.slots[0].width:.2f} mm wide; a larger angle would hold better"
-            )
+            shallow.setdefault(joint.members, []).append(joint)
+    found = []
+    for (i, j), group in shallow.items():
+        a, b = model.name_of(i), model.name_of(j)
+        places = ", ".join(f"{joint.slots[0].at:.1f}" for joint in group)
+        width = max(
+            float(np.max(slot.widths)) for joint in group for slot in joint.slots if slot.widths is not None
+        )
+        found.append(
+            f"{a} and {b} cross at {np.degrees(min(joint.angle[0] for joint in group)):.1f} degrees at {places} mm of "
+            f"{a}: the slots are up to {width:.2f} mm wide; a larger angle would hold better"
+        )
     if joints:
         found.append(_assembly(model, joints))
     return tuple(found)
