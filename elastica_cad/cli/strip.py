@@ -105,7 +105,7 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
         label=engravable(name) if chosen["label"] is None else chosen["label"],
     )  # fmt: skip
     verdict = stability(rod)
-    written = _write_files(made, name, cut, near, verdict)
+    written = _write_files(made, name, path, cut, near, verdict)
     _tell(made, near, verdict, written)
     if chosen["strict"] and made.max_strain > sheet.max_strain:
         ctx.exit(1)
@@ -133,7 +133,7 @@ def _rod(chosen: dict[str, Any], wish: WishOptions, sheet: Sheet) -> tuple[Rod, 
 
 
 def _write_files(
-    made: Strip, name: str, cut: _Cut, near: NearestRod | None, verdict: Stability
+    made: Strip, name: str, drawn_in: Path, cut: _Cut, near: NearestRod | None, verdict: Stability
 ) -> list[Path]:
     """Write every file that the installed libraries allow: all of them, or after any error none."""
     # R12 has no header for its unit, so the name says it
@@ -141,6 +141,9 @@ def _write_files(
     names |= {kind: f"{name}.{kind}" for kind in ("svg", "json")}
     names |= {"png": f"{name}.png"} if find_spec("matplotlib") else {}
     names |= {"step": f"{name}.step"} if find_spec("OCP") else {}
+    written = [cut.output / file for file in names.values()]
+    if any(path.exists() and path.samefile(drawn_in) for path in written):
+        raise InputError(f"{drawn_in} holds the drawn curve and is kept: name another folder, e.g. -o out")
     drawing = replace(made.drawing(), name=name)
     drawn: dict[str, Any] = {
         "kerf": cut.width_burnt(made.sheet), "curves": cut.curves, "tolerance": cut.tolerance
@@ -159,7 +162,7 @@ def _write_files(
             write_strip_step(made, workshop / names["step"])
         report = strip_report(made, name=name, files=names, near=near, stability=verdict)
         (workshop / names["json"]).write_text(json.dumps(report, indent=1) + "\n", encoding="utf-8")
-    return [cut.output / file for file in names.values()]
+    return written
 
 
 def _tell(made: Strip, near: NearestRod | None, verdict: Stability, written: list[Path]) -> None:

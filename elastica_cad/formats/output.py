@@ -24,7 +24,9 @@ def checked_target(path: str | os.PathLike[str], *, force: bool = False) -> Path
     if not target.parent.is_dir():
         raise InputError(f"{path} can't be written: there is no folder {target.parent}; create it first")
     if target.exists() and not force:
-        raise InputError(f"{path} exists already: choose another name, or allow it to be overwritten (force)")
+        raise InputError(
+            f"{path} exists already: choose another name, or allow it to be overwritten (--force, or force=True)"
+        )
     if target.exists() and not os.access(target, os.W_OK):
         raise InputError(f"{path} can't be written: no permission to change that file; choose another name")
     return target

@@ -141,8 +141,8 @@ class _Problem:
 def _check_options(
     gravity: Gravity | None, samples: int | None, weight: Weight | None, bending_stiffness: float | None
 ) -> None:
-    if samples is not None and not (samples >= 3 and int(samples) == samples):
-        raise InputError(f"samples is {samples!r}: a rod needs 3 nodes or more")
+    if samples is not None and not (_is_whole(samples) and samples >= 3):
+        raise InputError(f"samples is {samples!r}: it must be a whole number, 3 or more")
     if weight is not None and gravity is None:
         raise InputError("a weight in newtons needs gravity too: pass gravity=Gravity(...) for its direction")
     if bending_stiffness is not None:
@@ -152,6 +152,10 @@ def _check_options(
             )
         if not (np.isfinite(bending_stiffness) and bending_stiffness > 0):
             raise InputError(f"bending stiffness is {bending_stiffness}: it must be positive, in N mm2")
+
+
+def _is_whole(number: object) -> bool:
+    return isinstance(number, int | np.integer) and not isinstance(number, bool)
 
 
 def _stations(problem: _Problem) -> FloatArray:

@@ -57,13 +57,24 @@ def test_nothing_is_overwritten_without_force(drawn, tmp_path):
     before = {p.name: p.read_bytes() for p in (tmp_path / "out").iterdir()}
     again = elastica(*arguments)
     assert again.returncode == 2
-    assert "overwritten (force)" in again.stderr
+    assert "overwritten (--force" in again.stderr
     assert {p.name: p.read_bytes() for p in (tmp_path / "out").iterdir()} == before
     assert elastica(*arguments, "--force").returncode == 0
     after = {p.name: p.read_bytes() for p in (tmp_path / "out").iterdir()}
     assert after["bow.dxf"] == before["bow.dxf"]
     assert after["bow.svg"] == before["bow.svg"]
     assert after["bow.json"] == before["bow.json"]
+
+
+def test_the_drawing_itself_is_never_overwritten(drawn):
+    before = drawn.read_bytes()
+    arguments = ("strip", drawn, "--sheet", "card-200gsm", "--max-width", 40, "-o", drawn.parent)
+    for force in ((), ("--force",)):
+        result = elastica(*arguments, *force)
+        assert result.returncode == 2
+        assert "bow.json holds the drawn curve" in result.stderr
+    assert [p.name for p in drawn.parent.iterdir()] == ["bow.json"]
+    assert drawn.read_bytes() == before
 
 
 def test_not_realizable_is_exit_code_1_with_advice_and_no_files(impossible, tmp_path):
@@ -88,7 +99,7 @@ def test_strain_warns_and_strict_makes_it_an_exit_code(tmp_path):
         "--max-width",
         20,
         "-o",
-        tmp_path,
+        tmp_path / "out",
         "--label",
         "T",
     )
@@ -174,10 +185,11 @@ def test_names_of_any_language(tmp_path):
     folder.mkdir()
     path = folder / "Öse 字.json"
     path.write_text(curves_json([ec.PlaneCurve.arc((0, 0), 100.0, 0.0, 2.0)]))
-    result = elastica("strip", path, "--sheet", "card-200gsm", "--max-width", 20, "-o", folder, "--force")
+    out = folder / "für Säge"
+    result = elastica("strip", path, "--sheet", "card-200gsm", "--max-width", 20, "-o", out)
     assert result.returncode == 0, result.stderr
     assert result.stdout.startswith("Ose _: ")
-    assert (folder / "Öse 字.dxf").stat().st_size > 1000
+    assert (out / "Öse 字.dxf").stat().st_size > 1000
 
 
 def test_folder_unknown_sheet_and_bad_numbers(drawn, tmp_path):

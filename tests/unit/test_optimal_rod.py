@@ -138,6 +138,11 @@ class TestRecord:
         near = rod.profile(s + np.array([-1e-6, -1e-9, 0.0, 1e-9, 1e-6]))
         assert np.ptp(near) < 1e-5
 
+    @pytest.mark.parametrize("samples", [2, -5, 2.5, 3.0, "7", np.nan, True])
+    def test_samples_that_are_no_number_of_nodes(self, samples):
+        with pytest.raises(InputError, match="must be a whole number, 3 or more"):
+            optimal_rod(ELLIPSE, samples=samples)
+
     def test_samples_are_the_only_places_judged(self):
         coarse = optimal_rod(ELLIPSE, samples=7)
         assert coarse.s.size == 7
@@ -276,7 +281,7 @@ class TestWeight:
 
 class TestBadInput:
     @pytest.mark.parametrize(("options", "message"), [
-        ({"samples": 2}, "3 nodes or more"),
+        ({"samples": 2}, "whole number, 3 or more"),
         ({"weight": Weight(1.0)}, "needs gravity too"),
         ({"bending_stiffness": 5.0}, "pass weight"),
         ({"gravity": LEANING, "weight": Weight(1.0), "bending_stiffness": -5.0}, "must be positive"),
