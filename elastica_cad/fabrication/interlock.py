@@ -235,9 +235,10 @@ def _reports(model: "Model", joints: list[Joint]) -> tuple[str, ...]:
         width = max(
             float(np.max(slot.widths)) for joint in group for slot in joint.slots if slot.widths is not None
         )
+        degrees = np.degrees(min(joint.angle[0] for joint in group))
         found.append(
-            f"{a} and {b} cross at {np.degrees(min(joint.angle[0] for joint in group)):.1f} degrees at {places} mm of "
-            f"{a}: the slots are up to {width:.2f} mm wide; a larger angle would hold better"
+            f"{a} and {b} cross at {degrees:.1f} degrees at {places} mm of {a}: the slots are up to "
+            f"{width:.2f} mm wide; a larger angle would hold better"
         )
     if joints:
         found.append(_assembly(model, joints))
