@@ -259,6 +259,17 @@ def test_overlap_is_cut_from_either_edge():
         assert b.slots[0].path[[0, -1], 1] == pytest.approx([-8, -10])
 
 
+def test_a_strip_held_from_both_edges_is_told():
+    """The last strip lies between one above and one below: it cannot simply be pushed on."""
+    over = turned(np.pi / 2, at=(30, 0, 16), label="A")
+    under = turned(np.pi / 2, at=(70, 0, -16), label="B")
+    last = Model([over, under, flat(label="C")]).interlock()
+    assert last.reports[-1].endswith("C must be threaded in, being held from both edges")
+    assert sorted(slot.side for slot in last.strips[2].slots) == ["lower", "upper"]
+    first = Model([flat(label="C"), over, under]).interlock()
+    assert "threaded" not in first.reports[-1]
+
+
 def test_shallow_angles_are_told():
     model = Model([flat(label="A"), turned(np.radians(10), label="B")]).interlock()
     assert "A and B cross at 10.0 degrees at 50.0 mm of A" in model.reports[0]
