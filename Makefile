@@ -4,7 +4,14 @@ PYTHON ?= $(shell command -v python3.11 || command -v python3)
 VENV := .venv
 BIN := $(VENV)/bin
 OUT ?= out
-PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-input
+
+# Install with the pip of environment $(1) what $(2) names; where that was done before and the network is gone, go on.
+COMMA := ,
+define install
+@$(1)/bin/python -m pip install --quiet --disable-pip-version-check --no-input $(2) 2> $(1)/pip.log && touch $@ || \
+	if test -f $@; then echo "nothing new can be installed (see $(1)/pip.log): going on with what is here"; \
+	else cat $(1)/pip.log; exit 1; fi
+endef
 
 .PHONY: demo test lint test-core test-kernels test-freecad freecad benchmark clean
 
@@ -54,25 +61,20 @@ $(VENV)/created:
 	@touch $@
 
 $(VENV)/demo-installed: $(VENV)/created pyproject.toml
-	$(PIP) --editable ".[plot]"
-	@touch $@
+	$(call install,$(VENV),--editable ".[plot]")
 
 $(VENV)/test-installed: $(VENV)/created pyproject.toml
-	$(PIP) --editable ".[plot,dev]" "build123d==0.12.0" "cadquery==2.8.0"
-	@touch $@ $(VENV)/demo-installed
+	$(call install,$(VENV),--editable ".[plot$(COMMA)dev]" "build123d==0.12.0" "cadquery==2.8.0")
+	@touch $(VENV)/demo-installed
 
 ALONE := $(PYTHON) -m venv
 .venv-core/installed: $(VENV)/created
 	@$(ALONE) .venv-core
-	.venv-core/bin/python -m pip install --quiet --disable-pip-version-check --no-input \
-		"numpy==1.24.*" "scipy==1.10.*" "pytest>=8" "hypothesis>=6.100"
-	@touch $@
+	$(call install,.venv-core,"numpy==1.24.*" "scipy==1.10.*" "pytest>=8" "hypothesis>=6.100")
 
 .venv-build123d/installed .venv-cadquery/installed: .venv-%/installed: $(VENV)/created pyproject.toml
 	@$(ALONE) .venv-$*
-	.venv-$*/bin/python -m pip install --quiet --disable-pip-version-check --no-input \
-		--editable ".[plot,$*]" "pytest>=8" "hypothesis>=6.100"
-	@touch $@
+	$(call install,.venv-$*,--editable ".[plot$(COMMA)$*]" "pytest>=8" "hypothesis>=6.100")
 
 clean:
 	rm -rf $(VENV) .venv-core .venv-build123d .venv-cadquery $(OUT)
