@@ -6,6 +6,7 @@ from elastica_cad.formats.dxf import DXF_VERSIONS, dxf_bytes, write_dxf
 from elastica_cad.formats.dxf_curves import read_dxf_curves
 from elastica_cad.formats.json_curves import curve_record, curves_json, read_json_curves, write_json_curves
 from elastica_cad.formats.layers import LayerStyle, layer_styles
+from elastica_cad.formats.meshes import read_mesh
 from elastica_cad.formats.output import checked_target, write_atomically
 from elastica_cad.formats.point_files import read_csv_curves, read_text_curves
 from elastica_cad.formats.report import REPORT_SCHEMA, check_report, strip_report
@@ -32,6 +33,7 @@ __all__ = [
     "read_csv_curves",
     "read_dxf_curves",
     "read_json_curves",
+    "read_mesh",
     "read_svg_curves",
     "read_text_curves",
     "strip_report",

@@ -11,6 +11,7 @@ from elastica_cad.geometry.constraints import (
 )
 from elastica_cad.geometry.cubics import as_cubics
 from elastica_cad.geometry.curve import PlaneCurve
+from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.lines import line_crossings
 from elastica_cad.geometry.offset import offset_path
 from elastica_cad.geometry.path import Path
@@ -27,6 +28,7 @@ __all__ = [
     "EndPositions",
     "EndTangents",
     "FixedLength",
+    "Frame",
     "InflectionsOnLine",
     "Line",
     "LineCrossing",

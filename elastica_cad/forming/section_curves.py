@@ -1,0 +1,241 @@
+"""From lines of sections to smooth curves that strips can follow: smoothing, fitting, false inflections removed."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.forming.sections import Section, SectionLine
+from elastica_cad.geometry import Frame, PlaneCurve
+from elastica_cad.mechanics import Gravity, Sheet
+
+__all__ = ["SectionCurve", "section_curves", "smoothed", "without_false_inflections"]
+
+SAMPLES = 240
+"""Points that smoothing works on."""
+
+FALSE_TURN = np.radians(4.0)
+"""A bend between two inflections that turns less than this comes from the mesh, not from its maker."""
+
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(8)
+
+
+@dataclass(frozen=True, eq=False)
+class SectionCurve:
+    """A smooth curve in its plane in space.
+
+    Attributes
+    ----------
+    curve : PlaneCurve
+    frame : Frame
+    name : str
+    deviation : float
+        Largest distance of the section's points from the curve, mm.
+    removed : int
+        False inflections that were smoothed away.
+    """
+
+    curve: PlaneCurve
+    frame: Frame
+    name: str
+    deviation: float
+    removed: int = 0
+
+    def gravity(self, sheet: Sheet, direction: ArrayLike = (0.0, 0.0, -1.0)) -> Gravity | None:
+        """The weight of a sheet as the curve's plane feels it, where things fall along `direction` in space."""
+        frame = self.frame
+        return Gravity.in_plane(sheet.elasto_gravity_length, direction, frame.x_axis, frame.y_axis)
+
+
+def section_curves(
+    sections: Iterable[Section | SectionLine],
+    *,
+    tolerance: float = 0.3,
+    wavelength: float = 0.0,
+    false_turn: float = FALSE_TURN,
+) -> tuple[tuple[SectionCurve, ...], tuple[str, ...]]:
+    """Curves of degree 4 along the lines of sections, ready for `nearest_rods`.
+
+    Parameters
+    ----------
+    sections : iterable of Section or SectionLine
+        All lines of a section are taken; closed ones must be split before.
+    tolerance : float
+        Largest distance of the (smoothed) points from the curve, mm.
+    wavelength : float
+        Waves of the line shorter than this are taken out first, mm; ends stay. 0 for none.
+    false_turn : float
+        Inflections in pairs between which the curve turns by less than this are removed, rad; 0 keeps all.
+
+    Returns
+    -------
+    curves : tuple of SectionCurve
+    reports : tuple of str
+        What the sections reported, and why a line gave no curve; the others go on.
+
+    Examples
+    --------
+    >>> u = np.linspace(0, np.pi, 60)
+    >>> line = SectionLine(50 * np.column_stack([-np.cos(u), np.sin(u)]), Frame(), "arch")
+    >>> (found,), reports = section_curves([line])
+    >>> found.name, found.curve.degree, reports
+    ('arch', 4, ())
+    """
+    found: list[SectionCurve] = []
+    reports: list[str] = []
+    for item in sections:
+        reports += item.reports if isinstance(item, Section) else ()
+        for line in item.lines if isinstance(item, Section) else (item,):
+            try:
+                curve, told = _curve(line, tolerance, wavelength, false_turn)
+            except (InputError, NotConvergedError) as error:
+                reports.append(f"{line.name}: {error}")
+                continue
+            found.append(curve)
+            reports += told
+    return tuple(found), tuple(reports)
+
+
+def _curve(
+    line: SectionLine, tolerance: float, wavelength: float, false_turn: float
+) -> tuple[SectionCurve, list[str]]:
+    if line.is_closed:
+        x, y, z = line.places[0]
+        raise InputError(
+            f"the section is closed (it passes ({x:.4g}, {y:.4g}, {z:.4g}) mm): a strip has two ends, so split it "
+            "at a spine or at two points"
+        )
+    points = smoothed(line.points, wavelength) if wavelength > 0 else line.points
+    curve = PlaneCurve.fit(points, degree=4, tolerance=tolerance)
+    before = curve.inflections.size
+    told = []
+    if false_turn > 0:
+        try:
+            curve = without_false_inflections(curve, turn=false_turn)
+        except NotConvergedError as error:
+            told.append(f"{line.name}: {error}; they are kept")
+    removed = before - curve.inflections.size
+    return SectionCurve(curve, line.frame, line.name, _distance(curve, line.points), removed), told
+
+
+def smoothed(
+    points: ArrayLike, wavelength: float, *, where: ArrayLike = (), count: int = SAMPLES
+) -> FloatArray:
+    """Points (count, 2) at equal distances along a polyline (n, 2), short waves taken out, both ends kept.
+
+    Of a wave as long as `wavelength` half is left, of one half as long a 65th: the points that make
+    |x - p|^2 + (wavelength / 2 pi)^6 |x'''|^2 least. Parabolas stay as they are.
+
+    Parameters
+    ----------
+    points : (n, 2) array_like
+        mm.
+    wavelength : float
+        mm.
+    where : (k, 2) array_like
+        Smooth only between these pairs of arc lengths, mm; everywhere if not given.
+    count : int
+        Points that are returned.
+
+    Raises
+    ------
+    InputError
+        A wavelength that is not positive, or points that are all the same.
+
+    Examples
+    --------
+    >>> x = np.linspace(0, 100, 400)
+    >>> wavy = np.column_stack([x, np.sin(2 * np.pi * x / 4)])
+    >>> bool(np.abs(smoothed(wavy, 20)[20:-20, 1]).max() < 0.05)
+    True
+    """
+    given = np.asarray(points, dtype=float)
+    if not (np.isfinite(wavelength) and wavelength > 0):
+        raise InputError(f"smoothing needs a positive wavelength in mm, not {wavelength!r}")
+    s = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(given, axis=0), axis=1)))
+    if s[-1] == 0:
+        raise InputError("the points to smooth are all the same")
+    at = np.linspace(0.0, s[-1], count)
+    even = np.column_stack([np.interp(at, s, column) for column in given.T])
+    third = np.diff(np.eye(count), 3, axis=0)
+    middle = (at[:-3] + at[3:]) / 2
+    spans = np.asarray(where, dtype=float).reshape(-1, 2)
+    counted = np.any([(middle >= a) & (middle <= b) for a, b in spans], axis=0) if len(spans) else True
+    third = (
+        third * (np.broadcast_to(counted, middle.shape) * (wavelength / (2 * np.pi * at[1])) ** 3)[:, None]
+    )
+    system = np.eye(count) + third.T @ third
+    inner = slice(1, -1)
+    right = even[inner] - system[inner][:, [0, -1]] @ even[[0, -1]]
+    even[inner] = np.linalg.solve(system[inner, inner], right)
+    return np.asarray(even)
+
+
+def without_false_inflections(
+    curve: PlaneCurve, *, turn: float = FALSE_TURN, give: float | None = None
+) -> PlaneCurve:
+    """The curve with bends that turn by less than `turn` (rad) smoothed away; ends stay.
+
+    Only what lies between two inflections, or between one and an end, counts as a bend. It is smoothed there and
+    a wavelength about, by the shortest wavelength that does.
+
+    Parameters
+    ----------
+    curve : PlaneCurve
+    turn : float
+        rad.
+    give : float, optional
+        Largest distance that the curve may move, mm; a hundredth of its length unless given.
+
+    Raises
+    ------
+    NotConvergedError
+        Such bends stay, or go only with larger moves.
+
+    Examples
+    --------
+    >>> x = np.linspace(0, 100, 60)
+    >>> bumpy = PlaneCurve.fit(np.column_stack([x, 0.01 * (x - 50) ** 2 + 0.02 * np.sin(x)]), tolerance=1e-3)
+    >>> bumpy.inflections.size > 4, without_false_inflections(bumpy).inflections.size
+    (True, 0)
+    """
+    bends = _false_bends(curve, turn)
+    if not len(bends):
+        return curve
+    points = curve.sample(SAMPLES).position
+    most = curve.length / 100 if give is None else give
+    for wavelength in curve.length * 2.0 ** np.arange(-4.0, 0.1, 0.5):
+        where = bends + wavelength * np.array([-1.0, 1.0])
+        even = smoothed(points, float(wavelength), where=where)
+        if np.hypot(*(even - points).T).max() > most:
+            break
+        simpler = PlaneCurve.fit(even, degree=4, tolerance=most / 20)
+        if not len(_false_bends(simpler, turn)):
+            return simpler
+    s = ", ".join(f"{v:.4g}" for v in curve.inflections[:6])
+    raise NotConvergedError(
+        f"inflections at {s} mm of the section part bends of less than {np.degrees(turn):.2g} degrees; "
+        f"smoothing them away would move the curve by more than {most:.3g} mm"
+    )
+
+
+def _false_bends(curve: PlaneCurve, turn: float) -> FloatArray:
+    """Parts (k, 2) between neighbouring inflections, arc lengths, that turn by less than `turn`."""
+    marks = np.concatenate([[0.0], curve.inflections, [curve.length]])
+    if marks.size == 2:
+        return np.empty((0, 2))
+    half = np.diff(marks) / 2
+    s = (marks[:-1] + half)[:, None] + half[:, None] * NODES
+    kappa = curve.at(s.ravel()).curvature.reshape(s.shape)
+    false = np.abs(kappa @ WEIGHTS) * half < turn
+    return np.column_stack([marks[:-1], marks[1:]])[false]
+
+
+def _distance(curve: PlaneCurve, points: FloatArray) -> float:
+    """Largest distance of points from a curve, from its chords between many samples."""
+    chain = curve.sample(1500).position
+    gaps = np.linalg.norm(points[:, None, :] - chain[None], axis=2).min(axis=1)
+    spacing = curve.length / (len(chain) - 1)
+    return float(np.sqrt(max(0.0, float(gaps.max()) ** 2 - (spacing / 2) ** 2)))

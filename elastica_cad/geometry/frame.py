@@ -1,0 +1,92 @@
+"""Where a plane lies in space."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError
+
+__all__ = ["Frame"]
+
+
+@dataclass(frozen=True, eq=False)
+class Frame:
+    """Where a plane lies in space.
+
+    Parameters
+    ----------
+    origin : (3,) array_like
+        mm.
+    x_axis, y_axis : (3,) array_like
+        Directions at right angles to each other; they are brought to unit length.
+
+    Raises
+    ------
+    InputError
+        Numbers that are not finite, or axes that are not at right angles.
+
+    Examples
+    --------
+    >>> upright = Frame(x_axis=(1, 0, 0), y_axis=(0, 0, 1))
+    >>> upright.point([2.0, 3.0]).tolist()
+    [2.0, 0.0, 3.0]
+    """
+
+    origin: FloatArray
+    x_axis: FloatArray
+    y_axis: FloatArray
+
+    def __init__(
+        self,
+        origin: ArrayLike = (0.0, 0.0, 0.0),
+        x_axis: ArrayLike = (1.0, 0.0, 0.0),
+        y_axis: ArrayLike = (0.0, 1.0, 0.0),
+    ) -> None:
+        rows = [np.array(v, dtype=float) for v in (origin, x_axis, y_axis)]
+        for name, row in zip(("origin", "x_axis", "y_axis"), rows, strict=True):
+            if row.shape != (3,) or not np.all(np.isfinite(row)):
+                raise InputError(f"frame {name} must be three finite numbers, got {row.tolist()}")
+        sizes = [float(np.linalg.norm(row)) for row in rows[1:]]
+        if min(sizes) == 0 or abs(rows[1] @ rows[2]) > 1e-9 * sizes[0] * sizes[1]:
+            raise InputError("frame x_axis and y_axis must be two directions at right angles to each other")
+        for name, row, size in zip(("origin", "x_axis", "y_axis"), rows, (1.0, *sizes), strict=True):
+            scaled = row / size
+            scaled.setflags(write=False)
+            object.__setattr__(self, name, scaled)
+
+    @property
+    def z_axis(self) -> FloatArray:
+        """Unit normal of the plane, x_axis cross y_axis."""
+        return np.asarray(self.axes[2], dtype=float)
+
+    @cached_property
+    def axes(self) -> FloatArray:
+        """The three unit axes as rows (3, 3)."""
+        a, b, c = self.x_axis
+        d, e, f = self.y_axis
+        rows = np.array([self.x_axis, self.y_axis, (b * f - c * e, c * d - a * f, a * e - b * d)])
+        rows.setflags(write=False)
+        return rows
+
+    def point(self, local: ArrayLike) -> FloatArray:
+        """Points in space (..., 3) of local coordinates (..., 2) or (..., 3), mm."""
+        return self.origin + self.direction(local)
+
+    def direction(self, local: ArrayLike) -> FloatArray:
+        """Vectors in space (..., 3) of local components (..., 2) or (..., 3)."""
+        local = np.asarray(local, dtype=float)
+        return np.asarray(local @ self.axes[: local.shape[-1]], dtype=float)
+
+    def local(self, points: ArrayLike) -> FloatArray:
+        """Local coordinates (..., 3) of points in space (..., 3), mm."""
+        return np.asarray((np.asarray(points, dtype=float) - self.origin) @ self.axes.T, dtype=float)
+
+    def within(self, outer: "Frame") -> "Frame":
+        """This frame, given in the coordinates of `outer`, in space."""
+        return Frame(outer.point(self.origin), outer.direction(self.x_axis), outer.direction(self.y_axis))
+
+    def shifted(self, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> "Frame":
+        """The frame with its origin moved along its own axes, mm."""
+        return Frame(self.point((x, y, z)), self.x_axis, self.y_axis)
