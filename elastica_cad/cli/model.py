@@ -10,10 +10,20 @@ from typing import Any
 import click
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication import BasePlate, EndFixture, Model, NestedSheet, Piece, cut_list, nested
+from elastica_cad.fabrication import (
+    BasePlate,
+    EndFixture,
+    FlatSolid,
+    Model,
+    NestedSheet,
+    Piece,
+    Rib,
+    cut_list,
+    nested,
+)
 from elastica_cad.files import read_curves, save
 from elastica_cad.formats import files_together
-from elastica_cad.formats.design import Design, read_design
+from elastica_cad.formats.design import Design, Nesting, read_design
 from elastica_cad.formats.model_report import model_report
 from elastica_cad.mechanics import Sheet
 
@@ -33,7 +43,8 @@ class _Kit:
     model: Model
     pieces: tuple[Piece, ...]
     nests: tuple[NestedSheet, ...]
-    base: BasePlate | None
+    plates: tuple[tuple[str, Sheet, FlatSolid], ...]
+    """Base, rails and ribs in space: name, material, body."""
     fixtures: tuple[EndFixture, ...]
     files: dict[str, tuple[str, Writer]] = field(default_factory=dict)
     """What each file is and how it is written, by its name."""
@@ -75,18 +86,26 @@ def _name_of(item: tuple[str, tuple[str, Writer]] | None) -> str:
 
 def _kit(design: Design, made: Model) -> _Kit:
     """Pieces, sheets, base and fixtures of a model."""
-    base = design.base_plate(made)
+    base, frame = design.base_plate(made), design.slotted_frame(made)
     strips = (*made.pieces, *design.extras())
     size, margin = design.nesting.sheet_size, design.nesting.margin
     nests = list(nested(strips, sheet_size=size, margin=margin, name=f"{made.name}-nest"))
-    pieces = strips
-    if base is not None and design.base is not None:
-        plate = replace(base.piece, name=f"{made.name}-{base.name}")
-        pieces = (*strips, plate)
-        own = design.base[2]
-        nests += nested([plate], sheet_size=own.sheet_size, margin=own.margin, name=f"{made.name}-base-nest")
+    pieces, plates = strips, []
+    wanted: list[tuple[str, tuple[Sheet, Any, Nesting] | None, tuple[BasePlate | Rib, ...]]] = [
+        ("base", design.base, () if base is None else (base,)),
+        ("frame", design.frame, () if frame is None else (*frame.rails, *frame.ribs)),
+    ]
+    for what, made_of, found in wanted:
+        if made_of is None:
+            continue
+        cut = [replace(plate.piece, name=f"{made.name}-{plate.name}") for plate in found]
+        nests += nested(
+            cut, sheet_size=made_of[2].sheet_size, margin=made_of[2].margin, name=f"{made.name}-{what}-nest"
+        )
+        pieces = (*pieces, *cut)
+        plates += [(plate.name, plate.sheet, plate.solid) for plate in found]
     fixtures = () if design.fixtures is None else made.fixtures(**design.fixtures)
-    return _Kit(design, made, pieces, tuple(nests), base, fixtures)
+    return _Kit(design, made, pieces, tuple(nests), tuple(plates), fixtures)
 
 
 def _plan(kit: _Kit, step: bool, pictures: bool) -> None:
@@ -149,8 +168,7 @@ def _write_step(kit: _Kit, path: Path) -> None:
     from elastica_cad.step import Part, model_parts, write_step
 
     parts = model_parts(kit.model)
-    if kit.base is not None:
-        parts.append(Part(kit.base.name, make_solid(kit.base.solid), sheet_color(kit.base.sheet)))
+    parts += [Part(name, make_solid(solid), sheet_color(sheet)) for name, sheet, solid in kit.plates]
     parts += [
         Part(f"fixture {fixture.number}", make_solid(fixture.solid), (0.35, 0.4, 0.5))
         for fixture in kit.fixtures

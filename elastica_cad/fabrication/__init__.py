@@ -8,6 +8,7 @@ from elastica_cad.fabrication.cutlist import CutList, CutListRow, cut_list
 from elastica_cad.fabrication.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, LAYERS, MARK, Drawing, LayeredPath
 from elastica_cad.fabrication.ends import Hole, Tab
 from elastica_cad.fabrication.fixtures import EndFixture, end_fixtures
+from elastica_cad.fabrication.frames import Rib, SlottedFrame, slotted_frame
 from elastica_cad.fabrication.holding import HoldingTabs, with_holding_tabs
 from elastica_cad.fabrication.interlock import Joint, slot_width
 from elastica_cad.fabrication.kerf import with_kerf
@@ -18,6 +19,7 @@ from elastica_cad.fabrication.nesting import NestedSheet, nested
 from elastica_cad.fabrication.perforation import Perforated
 from elastica_cad.fabrication.pieces import Piece
 from elastica_cad.fabrication.prisms import PrismSolid
+from elastica_cad.fabrication.revolution import revolution, revolved
 from elastica_cad.fabrication.slot_effects import SlotEffect
 from elastica_cad.fabrication.slots import Slot
 from elastica_cad.fabrication.solids import BentSolid, FlatSolid
@@ -54,8 +56,10 @@ __all__ = [
     "Plain",
     "PrismSolid",
     "Reactions",
+    "Rib",
     "Slot",
     "SlotEffect",
+    "SlottedFrame",
     "Strip",
     "Tab",
     "Text",
@@ -66,8 +70,11 @@ __all__ = [
     "end_fixtures",
     "nested",
     "reference_bar",
+    "revolution",
+    "revolved",
     "sheet_color",
     "slot_width",
+    "slotted_frame",
     "text_strokes",
     "text_width",
     "touching",

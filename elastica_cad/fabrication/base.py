@@ -1,5 +1,6 @@
 """A base plate: one slotted sheet into which all tabs of a model that stand on it are pushed."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
@@ -18,7 +19,7 @@ from elastica_cad.fabrication.solids import FlatSolid
 from elastica_cad.geometry import Path, offset_path
 from elastica_cad.mechanics import Sheet
 
-__all__ = ["BasePlate", "TabSlot", "base_plate"]
+__all__ = ["BasePlate", "TabSlot", "base_plate", "plate_with", "tab_slot"]
 
 FLATTEST = np.radians(15.0)
 """Tabs that lean farther than this towards the plate would need slots several times its thickness wide."""
@@ -100,14 +101,29 @@ class BasePlate:
         return Piece(self.name, self.drawing, self.sheet)
 
     def _label(self, slot: TabSlot) -> Text:
-        """The name along the slot, on the side where it reads upright."""
+        """The name along the slot, reading upright above it, or below where another slot is in the way."""
         a, b, c, _ = slot.corners
         along, off = (b - a) / np.hypot(*(b - a)), (c - b) / np.hypot(*(c - b))
         if along[0] < -1e-9 or (abs(along[0]) <= 1e-9 and along[1] < 0):
             along, off = -along, -off
-        middle = slot.corners.mean(axis=0)
         height = min(LABEL_HEIGHT, 0.2 * slot.size[0])
-        start = middle + (slot.size[1] / 2 + 0.5 * height) * off - text_width(slot.name, height) / 2 * along
+        long, far = text_width(slot.name, height) / 2, slot.size[1] / 2 + 0.5 * height
+        reach = 2 * max(slot.size) + 2 * long + 4 * height
+        others = [
+            other.corners
+            for other in self.slots
+            if other is not slot and np.abs(other.corners[0] - a).max() < reach + max(other.size)
+        ]
+        bases = [slot.corners.mean(axis=0) + shift * off for shift in (far, -far - height)]
+        boxes = [np.array([p - long * along, p + long * along]) for p in bases]
+        room = [
+            min(
+                (_gap(np.concatenate([box, box[::-1] + height * off]), other) for other in others),
+                default=1.0,
+            )
+            for box in boxes
+        ]
+        start = boxes[0 if room[0] > 0.2 * height or room[0] >= room[1] else 1][0]
         angle = float(np.arctan2(along[1], along[0]))
         return Text((float(start[0]), float(start[1])), slot.name, height, angle, ENGRAVE)
 
@@ -177,11 +193,27 @@ def base_plate(
             "the strips longer tabs"
         )
     slots = tuple(
-        _slot(tab, ground, sheet.thickness, play, clearance, slot_width or 0.0, name) for tab in standing
+        tab_slot(
+            tab, ground, sheet.thickness, play=play, clearance=clearance, least=slot_width or 0.0, name=name
+        )
+        for tab in standing
     )
+    return plate_with(slots, sheet, ground, border=border, shape=shape, name=name)
+
+
+def plate_with(
+    slots: Sequence[TabSlot],
+    sheet: Sheet,
+    frame: Frame,
+    *,
+    border: float,
+    shape: Shape = "hull",
+    name: str = "base",
+) -> BasePlate:
+    """The plate around slots; refused where two of them meet."""
     _refuse_meetings(slots, name)
     points = np.concatenate([slot.corners for slot in slots])
-    return BasePlate(sheet, ground, _outline(points, border, shape), slots, name)
+    return BasePlate(sheet, frame, _outline(points, border, shape), tuple(slots), name)
 
 
 def _stands(tab: HeldTab, ground: Frame) -> bool:
@@ -190,8 +222,15 @@ def _stands(tab: HeldTab, ground: Frame) -> bool:
     return bool(start > -tab.thickness and tip < -LIFT)
 
 
-def _slot(
-    tab: HeldTab, ground: Frame, thickness: float, play: float, clearance: float, least: float, name: str
+def tab_slot(
+    tab: HeldTab,
+    ground: Frame,
+    thickness: float,
+    *,
+    play: float,
+    clearance: float,
+    least: float = 0.0,
+    name: str = "base",
 ) -> TabSlot:
     """The rectangle that lets the tab through both faces."""
     down = -float(tab.frame.x_axis @ ground.z_axis)
@@ -216,11 +255,11 @@ def _slot(
     return TabSlot(box @ np.array([u, v]), tab.name)
 
 
-def _refuse_meetings(slots: tuple[TabSlot, ...], name: str) -> None:
+def _refuse_meetings(slots: Sequence[TabSlot], name: str) -> None:
     boxes = np.array([(s.corners.min(axis=0), s.corners.max(axis=0)) for s in slots])
     for i, a in enumerate(slots):
         near = np.all((boxes[:i, 0] <= boxes[i, 1] + BRIDGE) & (boxes[:i, 1] >= boxes[i, 0] - BRIDGE), axis=1)
-        for j in np.flatnonzero(near):
+        for j in np.flatnonzero(near).tolist():
             if _gap(a.corners, slots[j].corners) < BRIDGE:
                 x, y = (a.corners.mean(axis=0) + slots[j].corners.mean(axis=0)) / 2
                 raise InputError(

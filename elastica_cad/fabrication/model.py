@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from elastica_cad.fabrication.base import BasePlate
     from elastica_cad.fabrication.cutlist import CutList
     from elastica_cad.fabrication.fixtures import EndFixture
+    from elastica_cad.fabrication.frames import SlottedFrame
     from elastica_cad.fabrication.nesting import NestedSheet
     from elastica_cad.fabrication.pieces import Piece
     from elastica_cad.mechanics import Sheet
@@ -240,6 +241,12 @@ class Model:
         from elastica_cad.fabrication.base import base_plate
 
         return base_plate(self, sheet, frame=frame, **options)
+
+    def slotted_frame(self, sheet: "Sheet", **options: Any) -> "SlottedFrame":
+        """Rails for the tabs of both ends, joined by ribs, where there is no base: see `slotted_frame`."""
+        from elastica_cad.fabrication.frames import slotted_frame
+
+        return slotted_frame(self, sheet, **options)
 
     def nest(
         self,

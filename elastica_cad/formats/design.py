@@ -16,6 +16,7 @@ from elastica_cad.fabrication import (
     Model,
     Piece,
     Placed,
+    SlottedFrame,
     Strip,
     coupon_drawing,
     reference_bar,
@@ -49,7 +50,7 @@ DESIGN_SCHEMA = 1
 
 TOP_KEYS = (
     *MAKING_KEYS, "schema", "name", "let", "sheets", "sheets_file", "strips", "patterns", "interlock", "base",
-    "fixtures", "nest", "cut", "extras",
+    "frame", "fixtures", "nest", "cut", "extras",
 )  # fmt: skip
 
 
@@ -84,8 +85,8 @@ class Design:
         "mirror", "rotate", "repeat", applied in order.
     interlock, fixtures : dict or None
         Options of `Model.interlock` and `Model.fixtures`, where asked for.
-    base : (Sheet, dict, Nesting) or None
-        Sheet and options of the base plate, and the sheet size it is cut from.
+    base, frame : (Sheet, dict, Nesting) or None
+        Sheet and options of the base plate, of the slotted frame, and the sheet size they are cut from.
     nesting : Nesting
     cutting : Cutting
     coupon : bool
@@ -100,6 +101,7 @@ class Design:
     interlock: dict[str, Any] | None = None
     fixtures: dict[str, Any] | None = None
     base: tuple[Sheet, dict[str, Any], Nesting] | None = None
+    frame: tuple[Sheet, dict[str, Any], Nesting] | None = None
     nesting: Nesting = Nesting()
     cutting: Cutting = Cutting()
     coupon: bool = False
@@ -139,6 +141,13 @@ class Design:
             return None
         sheet, options, _ = self.base
         return model.base_plate(sheet, **options)
+
+    def slotted_frame(self, model: Model) -> SlottedFrame | None:
+        """The slotted frame, where the design has one."""
+        if self.frame is None:
+            return None
+        sheet, options, _ = self.frame
+        return model.slotted_frame(sheet, **options)
 
     def extras(self) -> tuple[Piece, ...]:
         """Coupons and the reference bar, where the design asks for them."""
@@ -197,6 +206,7 @@ def read_design(path: str | Path, read_curves: CurveReader) -> Design:
         interlock=_interlock(top.table("interlock")) if top.has("interlock") else None,
         fixtures=_fixtures(top.table("fixtures")) if top.has("fixtures") else None,
         base=_base(top.table("base"), sheets, nesting) if top.has("base") else None,
+        frame=_frame(top.table("frame"), sheets, nesting) if top.has("frame") else None,
         nesting=nesting,
         cutting=_cutting(top.table("cut")),
         coupon=extras.flag("coupon"),
@@ -273,6 +283,15 @@ def _base(table: Table, sheets: dict[str, Sheet], nesting: Nesting) -> tuple[She
     options: dict[str, Any] = {key: table.number(key) for key in sizes if table.has(key)}
     options["frame"] = Frame((0.0, 0.0, table.number("height", 0.0)))
     options["shape"] = table.text("shape", "hull", ("hull", "rectangle"))
+    size = table.vector("sheet_size", 2, nesting.sheet_size)
+    return named_sheet(table, "sheet", sheets), options, replace(nesting, sheet_size=(size[0], size[1]))
+
+
+def _frame(table: Table, sheets: dict[str, Sheet], nesting: Nesting) -> tuple[Sheet, dict[str, Any], Nesting]:
+    sizes = ("depth", "tongue", "play", "clearance", "border")
+    table.only("sheet", "ribs", "sheet_size", *sizes)
+    options: dict[str, Any] = {key: table.number(key) for key in sizes if table.has(key)}
+    options["ribs"] = table.count("ribs", 3)
     size = table.vector("sheet_size", 2, nesting.sheet_size)
     return named_sheet(table, "sheet", sheets), options, replace(nesting, sheet_size=(size[0], size[1]))
 
