@@ -9,6 +9,7 @@ from elastica_cad.forming.nearest import NearestRod, Status, nearest_rod
 from elastica_cad.forming.planes import parallel_planes, planes_along, radial_planes
 from elastica_cad.forming.ratio import OptimizedRatio, RatioStatus, optimize_ratio
 from elastica_cad.forming.recovery import RecoveredStability, RecoveryStatus, recover_stability
+from elastica_cad.forming.revolution import Meridian, meridian, meridian_through
 from elastica_cad.forming.section_curves import (
     SectionCurve,
     section_curves,
@@ -25,6 +26,7 @@ __all__ = [
     "HalfPlane",
     "Keep",
     "Limits",
+    "Meridian",
     "Mesh",
     "NearestRod",
     "OptimizedRatio",
@@ -37,6 +39,8 @@ __all__ = [
     "Splitting",
     "Status",
     "enforce_constraints",
+    "meridian",
+    "meridian_through",
     "mesh_sections",
     "nearest_rod",
     "nearest_rods",

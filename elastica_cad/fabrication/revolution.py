@@ -1,0 +1,75 @@
+"""Models of surfaces of revolution: equal strips that touch along all their edges."""
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.ends import Tab
+from elastica_cad.fabrication.model import Model, Placed
+from elastica_cad.fabrication.strip import Strip
+from elastica_cad.forming import Meridian, meridian
+from elastica_cad.mechanics import Sheet
+
+__all__ = ["revolution", "revolved"]
+
+
+def revolution(
+    a: float,
+    b: ArrayLike,
+    start: ArrayLike,
+    angle: float,
+    strips: int,
+    *,
+    length: float,
+    sheet: Sheet,
+    ring: float | None = None,
+    ends: tuple[Tab, Tab] = (Tab(8.0), Tab(8.0)),
+    name: str = "revolution",
+) -> Model:
+    """The surface of revolution about z whose meridian has x kappa = a + <b, gamma>, tiled by plain strips.
+
+    Parameters
+    ----------
+    a, b, start, angle, length, ring
+        As in `meridian`.
+    strips : int
+        How many make the surface.
+    sheet : Sheet
+    ends : pair of Tab
+        Of each strip.
+    name : str
+
+    Raises
+    ------
+    InputError, NotConvergedError
+        As `meridian`, and fewer than three strips.
+
+    Examples
+    --------
+    >>> card = Sheet.named("card-200gsm")
+    >>> vase = revolution(-1.5, (0, 0.03), (150, -11.5), 2.2, 15, length=300, sheet=card)
+    >>> len(vase.placed), len(vase.parts)
+    (15, 1)
+    """
+    return revolved(
+        meridian(a, b, start, angle, length, ring=ring), strips, sheet=sheet, ends=ends, name=name
+    )
+
+
+def revolved(
+    meridian: Meridian,
+    strips: int,
+    *,
+    sheet: Sheet,
+    ends: tuple[Tab, Tab] = (Tab(8.0), Tab(8.0)),
+    name: str = "revolution",
+) -> Model:
+    """A meridian's surface about z, tiled by so many equal plain strips; see `revolution`."""
+    if strips < 3:
+        raise InputError(f"strips={strips}: a surface of revolution is tiled by 3 strips or more")
+    width = 2 * float(np.tan(np.pi / strips)) * float(meridian.distance.extremes[1])
+    strip = Strip(meridian.rod, sheet, max_width=width, ends=ends)
+    turn = 2 * np.pi * np.arange(strips) / strips
+    return Model(
+        tuple(Placed(strip, (0, 0, 0), (np.cos(t), np.sin(t), 0), (0, 0, 1)) for t in turn), name=name
+    )

@@ -1,0 +1,135 @@
+"""Surfaces of revolution: the published meridians, tiling without gaps, rods in balance."""
+
+import json
+
+import numpy as np
+import pytest
+
+import elastica_cad as ec
+from elastica_cad.errors import InputError
+from elastica_cad.forming import meridian, meridian_through
+
+CARD = ec.Sheet.named("card-200gsm")
+SIZE = 60.0  # mm per unit of the published examples
+
+
+@pytest.fixture(scope="module", params=range(6))
+def published(request, shared_data):
+    return json.loads((shared_data / "reference" / "revolution.json").read_text())["examples"][request.param]
+
+
+def euler(record, finer):
+    """The published loop, steps shorter by a whole factor."""
+    step = record["ds"] / finer
+    point, angle = np.array(record["gamma0"], dtype=float), record["alpha0"]
+    for _ in range(record["steps"] * finer):
+        angle += step * (record["a"] + np.dot(record["b"], point)) / point[0]
+        point = point + step * np.array([np.cos(angle), np.sin(angle)])
+    return point
+
+
+def made(record, size=1.0):
+    b, start = np.array(record["b"]) / size, np.array(record["gamma0"]) * size
+    return meridian(record["a"], b, start, record["alpha0"], record["total_length"] * size)
+
+
+def test_the_published_loop_converges_to_it(published):
+    """First order: half the step, half the error; extrapolated, none that counts."""
+    ours = made(published)
+    end = ours.curve.evaluate(ours.curve.domain[1])
+    coarse, fine = euler(published, 1), euler(published, 2)
+    assert coarse == pytest.approx(published["gamma_end"], abs=1e-8)
+    errors = [np.hypot(*(end - point)) for point in (coarse, fine)]
+    assert errors[0] < 11 * published["ds"]
+    assert errors[0] / errors[1] == pytest.approx(2, rel=0.02)
+    assert np.hypot(*(end - (2 * fine - coarse))) < 0.007 * errors[0]
+    assert ours.curve.inflections.size == published["inflections"]
+
+
+def test_rods_are_in_balance_and_keep_their_shape(published):
+    ours = made(published, SIZE)
+    rod = ours.rod
+    assert rod.residual < 2e-5
+    assert np.abs(ec.bend(rod).position - rod.position).max() < 5e-5 * rod.length
+    assert ec.stability(rod).stable
+    assert rod.ratio == pytest.approx(rod.position[:, 0].max() / rod.position[:, 0].min(), rel=2e-4)
+
+
+def test_strips_tile_without_gaps(published):
+    """Each edge of every strip lies in the plane that halves the angle to its neighbour."""
+    count = published["num_strips"]
+    model = ec.revolution(
+        published["a"], np.array(published["b"]) / SIZE, SIZE * np.array(published["gamma0"]),
+        published["alpha0"], count, length=SIZE * published["total_length"], sheet=CARD,
+    )  # fmt: skip
+    assert len(model.placed) == count
+    assert len(model.parts) == 1
+    strip = model.strips[0]
+    s = np.linspace(0, strip.rod.length, 301)
+    across = strip.width(s) / 2
+    edges = [
+        placed.frame.point(np.column_stack([strip.rod.curve.at(s).position, side * across]))
+        for placed, side in ((model.placed[0], -1.0), (model.placed[1], 1.0))
+    ]
+    assert np.abs(edges[0] - edges[1]).max() < 1e-5
+    half = np.pi / count
+    assert np.abs(edges[0] @ [np.sin(half), -np.cos(half), 0]).max() < 1e-5
+
+
+def test_a_sphere_closes_at_the_pole():
+    """x kappa = x / r is a circle: a = 0, b = (1 / r, 0)."""
+    globe = meridian(0.0, (1 / 80, 0), (80, 0), np.pi / 2, 400)
+    assert globe.at_pole
+    points = globe.curve.sample(300).position
+    assert np.hypot(*points.T) == pytest.approx(80, abs=1e-7)
+    assert globe.ring[1] == pytest.approx(1e-3 * 480)
+    ringed = meridian(0.0, (1 / 80, 0), (80, 0), np.pi / 2, 400, ring=25)
+    assert ringed.ring == pytest.approx((80, 25))
+    model = ec.revolved(ringed, 12, sheet=CARD)
+    assert float(model.strips[0].width(0.0)) == pytest.approx(160 * np.tan(np.pi / 12), rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    "points", [[(60, 0), (80, 50), (55, 110)], [(60, 0), (80, 50), (55, 110), (50, 150)]]
+)
+def test_through_points(points):
+    found = meridian_through(points)
+    assert found.deviation < 1e-6
+    line = found.curve.sample(4001).position
+    for point in points:
+        assert np.hypot(*(line - point).T).min() < found.curve.length / 4000
+    assert found.rod.residual < 2e-5
+
+
+def test_a_profile_of_the_family_is_found_again():
+    known = meridian(-1.5, (0, 1.5 / 60), (180, -14), 2.2, 400)
+    points = known.curve.sample(25).position
+    found = meridian_through(points)
+    assert found.deviation < 1e-4
+    assert found.a == pytest.approx(known.a, rel=1e-4)
+    assert found.b == pytest.approx(known.b, abs=1e-6)
+
+
+def test_a_foreign_profile_is_approached():
+    x = np.linspace(0, np.pi, 9)
+    found = meridian_through(np.column_stack([50 + 15 * np.sin(x), 60 * x / np.pi]))
+    assert 0 < found.deviation < 3
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: meridian(1, (0, 0), (0, 0), 1, 10), "beside its axis"),
+        (lambda: meridian(1, (0, 0), (5, 0), 1, -10), "has a length"),
+        (lambda: meridian(1, (0, np.nan), (5, 0), 1, 10), "finite"),
+        (lambda: meridian(1, (0, 0, 0), (5, 0), 1, 10), "two numbers each"),
+        (lambda: meridian(1, (0, 0), (5, 0), 1, 10, ring=7), "ring=7"),
+        (lambda: meridian_through([(1, 1), (2, 2)]), "three points"),
+        (lambda: meridian_through([(1, 1), (-2, 2), (1, 3)]), "point 2"),
+        (lambda: meridian_through([(1, 1), (1, 1), (1, 3)]), "the same"),
+        (lambda: ec.revolution(0, (0, 0), (50, 0), 1.5, 2, length=30, sheet=CARD), "3 strips or more"),
+    ],
+)
+def test_bad_input(call, words):
+    with pytest.raises(InputError, match=words):
+        call()
