@@ -15,6 +15,7 @@ from elastica_cad.fabrication.held import ENDS, HeldTab
 from elastica_cad.fabrication.lettering import Text, text_width
 from elastica_cad.fabrication.model import Model
 from elastica_cad.fabrication.pieces import Piece
+from elastica_cad.fabrication.prisms import convex_corners
 from elastica_cad.fabrication.solids import FlatSolid
 from elastica_cad.geometry import Path, offset_path
 from elastica_cad.mechanics import Sheet
@@ -283,8 +284,5 @@ def _outline(points: FloatArray, border: float, shape: Shape) -> Path:
     low, high = points.min(axis=0) - border, points.max(axis=0) + border
     if shape == "rectangle":
         return Path.rectangle(*map(float, high - low), corner=low)
-    from scipy.spatial import ConvexHull
-
-    hull = Path.polygon(points[ConvexHull(points).vertices])
-    hull = hull if hull.area > 0 else hull.reversed()
+    hull = Path.polygon(convex_corners(points))
     return offset_path(hull, border) if border else hull

@@ -12,7 +12,7 @@ from elastica_cad.fabrication.boundary import Frame
 from elastica_cad.fabrication.held import ENDS, End, HeldTab
 from elastica_cad.fabrication.lettering import Text, text_strokes, text_width
 from elastica_cad.fabrication.model import Model
-from elastica_cad.fabrication.prisms import PrismSolid
+from elastica_cad.fabrication.prisms import PrismSolid, convex_corners
 from elastica_cad.fabrication.solids import FlatSolid
 from elastica_cad.fabrication.strip import Strip
 from elastica_cad.geometry import Path
@@ -115,18 +115,14 @@ class EndFixture:
         frame: Frame | None = None,
         *,
         floor: Frame | None = None,
-        clearance: float = 0.15,
-        wall: float = 4.0,
-        foot: float = 12.0,
-        foot_height: float = 4.0,
-        screw: float = 4.3,
         number: str | None = None,
+        **sizes: float,
     ) -> "EndFixture":
         """The fixture of a strip's "start" or "end", its curve drawn in `frame` (the xy plane unless told)."""
         if end not in ENDS:
             raise InputError(f'a strip has the ends "start" and "end", not {end!r}')
         tab = HeldTab.of(strip, end, frame)
-        return cls(tab, floor, clearance, wall, foot, foot_height, screw, number)
+        return cls(tab, floor, number=number, **sizes)
 
     @property
     def across(self) -> float:
@@ -179,7 +175,7 @@ class EndFixture:
         up, along, height = self._up
         core = self._core
         grounded = core - np.outer(core @ up - height, up)
-        body = _hull(np.concatenate([core, grounded]))
+        body = convex_corners(np.concatenate([core, grounded]))
         added = [self._prism(body, self.across)]
         reach = np.array([(core @ along).min(), (core @ along).max()])
         removed = [self._pocket(), *self._clamp_holes(body)]
@@ -249,13 +245,9 @@ def end_fixtures(
     model: Model,
     *,
     floor: Frame | None = None,
-    clearance: float = 0.15,
-    wall: float = 4.0,
-    foot: float = 12.0,
-    foot_height: float = 4.0,
-    screw: float = 4.3,
+    **sizes: float,
 ) -> tuple[EndFixture, ...]:
-    """Blocks for both ends of every strip of a model that has tabs; options as in `EndFixture`.
+    """Blocks for both ends of every strip of a model that has tabs; sizes as in `EndFixture`.
 
     Without `floor`, blocks whose strips stand upright share a horizontal floor that just touches the lowest of
     them; the others stand square to their tabs.
@@ -266,15 +258,15 @@ def end_fixtures(
         for end in ENDS
         if placed.strip.ends[ENDS.index(end)].length > 0
     ]
-    sizes = (clearance, wall, foot, foot_height, screw)
     if floor is not None:
-        return tuple(EndFixture(tab, floor, *sizes) for tab in tabs)
+        return tuple(EndFixture(tab, floor, number=None, **sizes) for tab in tabs)
     upright = [abs(tab.frame.y_axis[2]) <= LEVEL for tab in tabs]
-    trial = [EndFixture(tab, None, *sizes) for tab in tabs]
+    trial = [EndFixture(tab, None, number=None, **sizes) for tab in tabs]
     corners = [one.lowest_height for one, stands in zip(trial, upright, strict=True) if stands]
     ground = Frame((0.0, 0.0, min(corners))) if corners else None
     return tuple(
-        EndFixture(tab, ground if stands else None, *sizes) for tab, stands in zip(tabs, upright, strict=True)
+        EndFixture(tab, ground if stands else None, number=None, **sizes)
+        for tab, stands in zip(tabs, upright, strict=True)
     )
 
 
@@ -288,13 +280,6 @@ def _on_floor(
 def _polygon(corners: FloatArray) -> Path:
     path = Path.polygon(corners)
     return path if path.area > 0 else path.reversed()
-
-
-def _hull(points: FloatArray) -> FloatArray:
-    """Corners of the convex hull of points (n, 2)."""
-    from scipy.spatial import ConvexHull
-
-    return np.asarray(points[ConvexHull(points).vertices], dtype=float)
 
 
 def _chords(stroke: Path) -> list[tuple[FloatArray, FloatArray]]:

@@ -15,6 +15,7 @@ from elastica_cad.fabrication.held import ENDS, End, HeldTab
 from elastica_cad.fabrication.lettering import Text, text_width
 from elastica_cad.fabrication.model import Model
 from elastica_cad.fabrication.pieces import Piece
+from elastica_cad.fabrication.prisms import convex_corners
 from elastica_cad.fabrication.solids import FlatSolid
 from elastica_cad.geometry import Path
 from elastica_cad.geometry.crossings import self_crossing
@@ -252,7 +253,7 @@ class _RibPlan:
             *(a.at(-rest, under), a.at(rest, under), a.at(rest, half), b.at(rest, half), b.at(rest, under)),
             *(b.at(-rest, under), b.at(-rest, full), b.at(rest, full), a.at(rest, full), a.at(-rest, full)),
         ]
-        for loop in (_hull(np.array(block)), _anticlockwise(np.array(bar))):
+        for loop in (convex_corners(np.array(block)), _anticlockwise(np.array(bar))):
             drawn: FloatArray | None = loop
             for base in bases:
                 drawn = None if drawn is None else _with_tongue(drawn, base, under)
@@ -335,13 +336,6 @@ def _stations(rails: Sequence[_RailPlan], across: FloatArray, count: int, room: 
         if free:
             chosen.append(min(free, key=lambda gap: abs(gap - wanted)))
     return sorted(chosen)
-
-
-def _hull(points: FloatArray) -> FloatArray:
-    """Corners (n, 2) of the convex hull, anticlockwise."""
-    from scipy.spatial import ConvexHull
-
-    return np.asarray(points[ConvexHull(points).vertices], dtype=float)
 
 
 def _anticlockwise(loop: FloatArray) -> FloatArray:

@@ -3,11 +3,14 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+import numpy as np
+
+from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.boundary import Frame
 from elastica_cad.fabrication.solids import FlatSolid
 
-__all__ = ["PrismSolid"]
+__all__ = ["PrismSolid", "convex_corners"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,3 +37,10 @@ class PrismSolid:
     def __post_init__(self) -> None:
         if not self.added:
             raise InputError("a body of prisms needs at least one prism")
+
+
+def convex_corners(points: FloatArray) -> FloatArray:
+    """Corners (n, 2), anticlockwise, of the least convex polygon around points (m, 2)."""
+    from scipy.spatial import ConvexHull
+
+    return np.asarray(points[ConvexHull(points).vertices], dtype=float)
