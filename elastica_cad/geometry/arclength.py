@@ -12,6 +12,7 @@ __all__ = ["ArcLength", "arc_length_table"]
 
 _DEGREE = 15
 _DEEPEST = 40
+_NOISE = 1e-8
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,10 +70,12 @@ class ArcLength:
 def arc_length_table(speed: Callable[[FloatArray], FloatArray], edges: FloatArray) -> ArcLength:
     """Tabulate the integral of `speed` (parameters (n,) to mm per unit of t) over spans between `edges`.
 
-    Panels are halved until the Chebyshev coefficients of the speed have fallen to rounding level.
+    Panels are halved until the Chebyshev coefficients of the speed have fallen to rounding level, which is
+    where halving no longer helps when the parameters themselves are large beside their domain.
     """
     nodes, to_series, integrate = _chebyshev()
     low, width = edges[:-1], np.diff(edges)
+    parent = np.full(low.shape, np.inf)
     starts, widths, tables = [], [], []
     total = 0.0
     for depth in range(_DEEPEST):
@@ -84,11 +87,13 @@ def arc_length_table(speed: Callable[[FloatArray], FloatArray], edges: FloatArra
         fine = (
             (tail <= 2e-15 * coefficients[:, 0]) | (tail * width <= 1e-15 * total) | (depth == _DEEPEST - 1)
         )
+        fine |= (tail < _NOISE * coefficients[:, 0]) & (tail > 0.3 * parent)
         starts.append(low[fine])
         widths.append(width[fine])
         tables.append((coefficients[fine] * width[fine, None] / 2) @ integrate.T)
         low, width = low[~fine], width[~fine] / 2
         low, width = np.concatenate([low, low + width]), np.concatenate([width, width])
+        parent = np.concatenate([tail[~fine], tail[~fine]])
         if not low.size:
             break
     t = np.concatenate(starts)

@@ -66,6 +66,7 @@ class Jets:
         homogeneous += [np.zeros_like(homogeneous[0])] * (order + 1 - len(homogeneous))
         if self.rational:
             homogeneous = quotient([h[:2] for h in homogeneous], [h[2] for h in homogeneous])
+        homogeneous[0] = homogeneous[0] + self._origins[:, index]
         return [np.ascontiguousarray(h.T) for h in homogeneous]
 
     def position_and_velocity(self, t: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -87,9 +88,20 @@ class Jets:
 
     @cached_property
     def _columns(self) -> FloatArray:
-        """Pieces as (degree + 1, 3 or 2, p), the layout in which many points are evaluated fast."""
-        kept = self.bezier if self.rational else self.bezier[..., :2]
+        """Pieces as (degree + 1, 3 or 2, p), the layout in which many points are evaluated fast.
+
+        Each is seen from its own first point: derivatives of a short piece far from the origin would
+        otherwise carry the rounding of its coordinates.
+        """
+        kept = self.bezier.copy() if self.rational else self.bezier[..., :2].copy()
+        kept[..., :2] -= self.bezier[..., 2:] * self._origins.T[:, None, :]
         return np.ascontiguousarray(np.moveaxis(kept, 0, 2))
+
+    @cached_property
+    def _origins(self) -> FloatArray:
+        """First points (2, p) of the pieces, mm."""
+        first = self.bezier[:, 0]
+        return np.ascontiguousarray((first[:, :2] / first[:, 2:]).T)
 
 
 def quotient(numerators: list[FloatArray], weights: list[FloatArray]) -> list[FloatArray]:

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.geometry import PlaneCurve
+from elastica_cad.geometry.trim import trimmed_curve
 from elastica_cad.mechanics.panels import LEFT, NODES, RIGHT, WEIGHTS, PanelFunction, cut_into_panels
 
 WAVE = PlaneCurve.spline([(0, 0), (30, 40), (60, 5), (90, -40), (130, 0), (160, 30)], degree=4)
@@ -71,3 +72,10 @@ def test_curves_far_from_the_origin_do_not_end_in_ever_smaller_panels():
     far = PlaneCurve(WAVE.knots, WAVE.control_points + 1e6, WAVE.degree)
     zeros = [z.t for z in far.curvature_zeros]
     assert cut_into_panels(far, zeros).count < 200
+
+
+def test_a_piece_far_shorter_than_its_coordinates_is_one_smooth_panel():
+    piece = trimmed_curve(
+        PlaneCurve.spline([(40, 20), (70, 35), (90, 80), (150, 60)], degree=3), 0.3, 0.3 + 1e-7
+    )
+    assert cut_into_panels(piece, []).count < 8

@@ -8,6 +8,7 @@ from scipy.special import ellipeinc
 
 from elastica_cad.errors import InputError
 from elastica_cad.geometry import PlaneCurve
+from elastica_cad.geometry.trim import trimmed_curve
 
 pytestmark = pytest.mark.core
 
@@ -292,3 +293,29 @@ def test_any_size_of_drawing(size):
     assert [k.continuity for k in scaled.breaks] == [k.continuity for k in curve.breaks]
     fitted = PlaneCurve.fit(scaled.sample(200).position, tolerance=1e-3 * size)
     assert fitted.length == pytest.approx(scaled.length, rel=1e-5)
+
+
+@pytest.mark.parametrize("part", [1e-4, 1e-6, 1e-7])
+def test_a_short_piece_keeps_its_shape_and_few_panels(part):
+    """Derivatives of a short piece carry no rounding of its coordinates, which are large beside it."""
+    points = np.array([(40.0, 20.0), (70.0, 35.0), (90.0, 80.0), (150.0, 60.0)])
+    whole = PlaneCurve.spline(points, degree=3)
+    piece = trimmed_curve(whole, 0.3, 0.3 + part)
+    t = np.linspace(*piece.domain, 7)
+    np.testing.assert_allclose(piece.evaluate(t), whole.evaluate(t), atol=1e-13)
+    # what is left is the rounding of its control points
+    rounding = 1e-15 * 100 / piece.length
+    np.testing.assert_allclose(piece.angle_at(t), whole.angle_at(t), atol=20 * rounding)
+    assert np.ptp(piece.curvature_at(t)) < 1e-3 + 20 * rounding / piece.length
+    assert piece.length == pytest.approx(whole.arc_length(0.3 + part) - whole.arc_length(0.3), abs=1e-12)
+    assert piece.smooth_panels.size <= 5
+    moved = PlaneCurve(piece.knots, piece.control_points + 2.0**20, 3)
+    assert moved.smooth_panels.size <= 5
+
+
+@pytest.mark.parametrize("shift", [1e3, 1e5, 1e7])
+def test_parameters_large_beside_their_domain(shift):
+    curve = PlaneCurve.spline(POINTS, degree=4)
+    shifted = PlaneCurve(np.asarray(curve.knots) + shift, POINTS, 4)
+    assert shifted.length == pytest.approx(curve.length, rel=1e-10)
+    assert shifted.smooth_panels.size < 4 * curve.smooth_panels.size
