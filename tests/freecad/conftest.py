@@ -14,7 +14,7 @@ PLACES = (
     "/usr/lib/freecad-python3/lib",
     "/usr/lib/freecad/lib",
     "/usr/share/freecad/Ext",
-    "/usr/share/freecad/Mod/Draft",  # before the folder of all: 1.0 reads DXF with the module of that name
+    *map(str, sorted(Path("/usr/share/freecad/Mod").glob("*/"))),  # as FreeCAD does itself
     "/usr/share/freecad/Mod",
 )
 

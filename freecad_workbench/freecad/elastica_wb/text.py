@@ -7,7 +7,11 @@ import FreeCAD as App
 
 __all__ = ["RESOURCES", "icon", "load_panel", "tr"]
 
+TRIES = 10
+
 RESOURCES = Path(__file__).resolve().parents[2] / "resources"
+
+_aside: list[Any] = []
 
 
 def tr(words: str, context: str = "Elastica") -> str:
@@ -21,7 +25,31 @@ def icon(name: str) -> str:
 
 
 def load_panel(name: str) -> Any:
-    """A widget from its .ui file."""
+    """A widget from its .ui file.
+
+    PySide may take the Python face of a deleted widget for a new one at the same address (FreeCAD 1.0 on
+    Python 3.13 does); such a form is put aside, where it keeps its addresses, and the file is loaded anew.
+    """
     import FreeCADGui as Gui
 
-    return Gui.PySideUic.loadUi(str(RESOURCES / "ui" / f"{name}.ui"))
+    for _ in range(TRIES):
+        form = Gui.PySideUic.loadUi(str(RESOURCES / "ui" / f"{name}.ui"))
+        if _sound(form):
+            break
+        _aside.append(form)
+    return form
+
+
+def _sound(form: Any) -> bool:
+    """Does every widget have the face of its own class?"""
+    from freecad.elastica_wb.qt import QtCore, QtWidgets
+
+    for widget in vars(form).values():
+        if isinstance(widget, QtCore.QObject):
+            try:
+                kind = getattr(QtWidgets, widget.metaObject().className(), QtCore.QObject)
+            except RuntimeError:
+                return False
+            if not isinstance(widget, kind):
+                return False
+    return True

@@ -1,5 +1,6 @@
 """What all task panels share: a form, one undo step from opening to OK, numbers a moment after a change."""
 
+import gc
 from collections.abc import Callable
 from typing import Any
 
@@ -114,8 +115,10 @@ class Panel:
         if Gui.ActiveDocument is not None:
             Gui.ActiveDocument.resetEdit()
         Gui.Control.closeDialog()
-        # FreeCAD deletes the widgets; a kept Python face of one would be taken for the next at its address
+        # FreeCAD deletes the widgets; a Python face of one that lives on (signals hold their widget in a circle)
+        # would be taken for the next widget at its address
         self.form = None
+        gc.collect()
 
 
 def _signal(widget: Any) -> Any:
