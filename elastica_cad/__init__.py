@@ -96,6 +96,7 @@ from elastica_cad.geometry import (
     PlaneCurve,
     Profile,
 )
+from elastica_cad.kit import save_model
 from elastica_cad.mechanics import (
     AnticlasticWidths,
     Calibration,
@@ -254,6 +255,7 @@ __all__ = [
     "revolution",
     "revolved",
     "save",
+    "save_model",
     "section_curves",
     "sheet_names",
     "slot_width",

@@ -226,7 +226,7 @@ def _integrated(
     def at_axis(_: float, state: FloatArray) -> float:
         return float(state[0] - floor)
 
-    at_axis.terminal, at_axis.direction = True, -1.0  # type: ignore[attr-defined]
+    at_axis.__dict__.update(terminal=True, direction=-1.0)
     scale = max(length, 1e-300)
     found = solve_ivp(
         slope, (0.0, length), p[3:6], method="DOP853", rtol=ACCURACY, atol=ACCURACY * scale, dense_output=True,

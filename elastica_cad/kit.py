@@ -1,0 +1,224 @@
+"""Everything that a model becomes, written into one folder: all files together, or none."""
+
+import json
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication import (
+    BasePlate,
+    EndFixture,
+    FlatSolid,
+    Model,
+    NestedSheet,
+    Piece,
+    Rib,
+    cut_list,
+    nested,
+)
+from elastica_cad.files import save
+from elastica_cad.formats import files_together
+from elastica_cad.formats.design import Cutting, Design, Nesting
+from elastica_cad.formats.model_report import model_report
+from elastica_cad.mechanics import Sheet
+
+__all__ = ["Kit", "kit_of", "save_model", "write_kit"]
+
+Writer = Callable[[Path], None]
+
+
+@dataclass(frozen=True, eq=False)
+class Kit:
+    """Everything that a design becomes."""
+
+    design: Design
+    model: Model
+    pieces: tuple[Piece, ...]
+    nests: tuple[NestedSheet, ...]
+    plates: tuple[tuple[str, Sheet, FlatSolid], ...]
+    """Base, rails and ribs in space: name, material, body."""
+    fixtures: tuple[EndFixture, ...]
+    files: dict[str, tuple[str, Writer]] = field(default_factory=dict)
+    """What each file is and how it is written, by its name."""
+
+
+def kit_of(design: Design, made: Model) -> Kit:
+    """Pieces, sheets, base and fixtures of a model."""
+    base, frame = design.base_plate(made), design.slotted_frame(made)
+    strips = (*made.pieces, *design.extras())
+    size, margin = design.nesting.sheet_size, design.nesting.margin
+    nests = list(nested(strips, sheet_size=size, margin=margin, name=f"{made.name}-nest"))
+    pieces, plates = strips, []
+    wanted: list[tuple[str, tuple[Sheet, Any, Nesting] | None, tuple[BasePlate | Rib, ...]]] = [
+        ("base", design.base, () if base is None else (base,)),
+        ("frame", design.frame, () if frame is None else (*frame.rails, *frame.ribs)),
+    ]
+    for what, made_of, found in wanted:
+        if made_of is None:
+            continue
+        cut = [replace(plate.piece, name=f"{made.name}-{plate.name}") for plate in found]
+        nests += nested(
+            cut, sheet_size=made_of[2].sheet_size, margin=made_of[2].margin, name=f"{made.name}-{what}-nest"
+        )
+        pieces = (*pieces, *cut)
+        plates += [(plate.name, plate.sheet, plate.solid) for plate in found]
+    fixtures = () if design.fixtures is None else made.fixtures(**design.fixtures)
+    return Kit(design, made, pieces, tuple(nests), tuple(plates), fixtures)
+
+
+def write_kit(
+    kit: Kit,
+    folder: str | Path,
+    *,
+    step: bool = True,
+    pictures: bool = True,
+    force: bool = False,
+    done: Callable[[str, int], None] | None = None,
+) -> None:
+    """Write all files of a kit; the assembly and the pictures where a CAD kernel and matplotlib are installed.
+
+    `done` is called with the name of each file that has been written, and how many there are in all.
+
+    Raises
+    ------
+    InputError
+        Files that exist, without `force`.
+    """
+    _plan(kit, step and find_spec("OCP") is not None, pictures and find_spec("matplotlib") is not None)
+    with files_together(folder, kit.files, force=force) as workshop:
+        for name, (_, write) in kit.files.items():
+            write(workshop / name)
+            if done is not None:
+                done(name, len(kit.files))
+
+
+def save_model(
+    model: Model,
+    folder: str | Path,
+    *,
+    sheet_size: tuple[float, float] = (600.0, 400.0),
+    margin: float = 2.0,
+    kerf: float | None = 0.0,
+    step: bool = True,
+    pictures: bool = True,
+    force: bool = False,
+) -> Path:
+    """Nested sheets and parts (DXF, SVG), cut list, report, assembly (STEP) and pictures of a model.
+
+    Parameters
+    ----------
+    model : Model
+    folder : path-like
+        Made if need be.
+    sheet_size : (float, float)
+        Of the sheets that are cut, mm.
+    margin : float
+        Least distance between parts, mm.
+    kerf : float or None
+        Width of the cut, mm; None for each sheet's own.
+    step, pictures : bool
+        Write the assembly (with a CAD kernel), the pictures (with matplotlib).
+    force : bool
+        Overwrite files that exist.
+
+    Returns
+    -------
+    Path
+        The folder.
+
+    Raises
+    ------
+    InputError
+        Parts larger than a sheet, files that exist.
+    """
+    design = Design(
+        name=model.name, wishes=(), nesting=Nesting(sheet_size, margin), cutting=Cutting(kerf=kerf)
+    )
+    write_kit(kit_of(design, model), folder, step=step, pictures=pictures, force=force)
+    return Path(folder)
+
+
+def _plan(kit: Kit, step: bool, pictures: bool) -> None:
+    """Say which files there will be, and how each is written."""
+    name, files = kit.model.name, kit.files
+    for nest in kit.nests:
+        if nest.sheet is not None:
+            _add_drawing(kit, nest.name, nest, nest.sheet, "nested sheet")
+    for piece in kit.pieces:
+        _add_drawing(kit, piece.file_stem, piece.drawing, piece.sheet, "part")
+    listed = cut_list(kit.pieces, {piece.name: f"{piece.file_stem}.{_suffix(kit)}" for piece in kit.pieces})
+    files[f"{name}-cut-list.csv"] = ("cut list", lambda path: _write_text(path, listed.csv))
+    files[f"{name}-cut-list.txt"] = ("cut list", lambda path: _write_text(path, str(listed)))
+    if step:
+        files[f"{name}.step"] = ("assembly", lambda path: _write_step(kit, path))
+    if pictures:
+        files[f"{name}.png"] = ("picture of the model", lambda path: _draw_model(kit, path))
+        for nest in kit.nests:
+            files[f"{nest.name}.png"] = ("picture of a sheet", _nest_picture(nest))
+    files[f"{name}.json"] = ("report", lambda path: _write_report(kit, path))
+
+
+def _suffix(kit: Kit) -> str:
+    # R12 has no header for its unit, so the name says it
+    return "mm.dxf" if kit.design.cutting.version == "R12" else "dxf"
+
+
+def _add_drawing(kit: Kit, stem: str, drawing: Any, sheet: Sheet, what: str) -> None:
+    """The drawing as DXF and SVG."""
+    cutting = kit.design.cutting
+    if cutting.kerf is None and sheet.kerf == 0:
+        raise InputError(f"no kerf is known for {sheet.name}: give a number of mm instead of the word sheet")
+    options: dict[str, Any] = {
+        "kerf": sheet.kerf if cutting.kerf is None else cutting.kerf,
+        "curves": cutting.curves,
+        "tolerance": cutting.tolerance,
+    }
+    dxf = f"{stem}.{_suffix(kit)}"
+    kit.files[dxf] = (what, lambda path: _saved(drawing, path, version=cutting.version, **options))
+    kit.files[f"{stem}.svg"] = (what, lambda path: _saved(drawing, path, **options))
+
+
+def _saved(drawing: Any, path: Path, **options: Any) -> None:
+    save(drawing, path, **options)
+
+
+def _write_text(path: Path, text: str) -> None:
+    path.write_text(text, encoding="utf-8", newline="\n")
+
+
+def _write_report(kit: Kit, path: Path) -> None:
+    kinds = {name: kind for name, (kind, _) in kit.files.items()}
+    report = model_report(kit.model, cut_list=cut_list(kit.pieces), nests=kit.nests, files=kinds)
+    _write_text(path, json.dumps(report, indent=1) + "\n")
+
+
+def _write_step(kit: Kit, path: Path) -> None:
+    from elastica_cad.fabrication import sheet_color
+    from elastica_cad.occt import make_solid
+    from elastica_cad.step import Part, model_parts, write_step
+
+    parts = model_parts(kit.model)
+    parts += [Part(name, make_solid(solid), sheet_color(sheet)) for name, sheet, solid in kit.plates]
+    parts += [
+        Part(f"fixture {fixture.number}", make_solid(fixture.solid), (0.35, 0.4, 0.5))
+        for fixture in kit.fixtures
+    ]
+    write_step(parts, path, name=kit.model.name)
+
+
+def _draw_model(kit: Kit, path: Path) -> None:
+    from elastica_cad import plot
+
+    plot.save_figure(plot.model(kit.model), path)
+
+
+def _nest_picture(nest: NestedSheet) -> Writer:
+    def draw(path: Path) -> None:
+        from elastica_cad import plot
+
+        plot.save_figure(plot.drawing(nest), path)
+
+    return draw
