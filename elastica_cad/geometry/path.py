@@ -125,8 +125,18 @@ class Path:
     @cached_property
     def bounds(self) -> FloatArray:
         """[[x_min, y_min], [x_max, y_max]], mm, exact."""
-        corners = np.array([segment.bounds for segment in self.segments])
-        return np.array([corners[:, 0].min(axis=0), corners[:, 1].max(axis=0)])
+        ends = np.array([point for segment in self.segments for point in (segment.start, segment.end)])
+        low, high = ends.min(axis=0), ends.max(axis=0)
+        for segment in self.segments:
+            if isinstance(segment, Line):
+                continue
+            if isinstance(segment, Spline):  # within the hull of its control points
+                points = segment.curve.control_points
+                if np.all(points.min(axis=0) >= low) and np.all(points.max(axis=0) <= high):
+                    continue
+            box = segment.bounds
+            low, high = np.minimum(low, box[0]), np.maximum(high, box[1])
+        return np.array([low, high])
 
     def reversed(self) -> "Path":
         """The path run the other way."""
