@@ -178,17 +178,7 @@ def _refuse_tight(maps: Sequence[BentMap], reach: float) -> None:
 
 def _shape_of(rod: Rod) -> tuple[Shape, list[tuple[float, int]]]:
     """Position and unit tangent over the rod's arc length, and the breaks of the curve as (s, continuity)."""
-    if rod.shape is None:
-        from scipy.interpolate import make_interp_spline
-
-        through = make_interp_spline(rod.s, rod.position, k=min(DEGREE, rod.s.size - 1))
-
-        def nodes(s: FloatArray) -> tuple[FloatArray, FloatArray]:
-            d = through(s, 1)
-            return through(s), d / np.hypot(*d.T)[:, None]
-
-        return nodes, []
-    curve = rod.shape
+    curve = rod.curve
     scale = curve.length / rod.length
 
     def drawn(s: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -196,7 +186,7 @@ def _shape_of(rod: Rod) -> tuple[Shape, list[tuple[float, int]]]:
         return samples.position, np.column_stack([np.cos(samples.angle), np.sin(samples.angle)])
 
     breaks = [(b.s / scale, _smoothness(curve, b.t, b.continuity)) for b in curve.breaks]
-    return drawn, [(float(s), c) for s, c in breaks if 0 < s < rod.length]
+    return drawn, [(float(s), c) for s, c in breaks if 0 < s < rod.length and c < DEGREE - 1]
 
 
 def _smoothness(curve: PlaneCurve, t: float, continuity: int) -> int:

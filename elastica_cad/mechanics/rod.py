@@ -12,6 +12,7 @@ from elastica_cad.geometry import PlaneCurve, Profile
 from elastica_cad.mechanics.gravity import Gravity
 from elastica_cad.mechanics.loads import Weight
 from elastica_cad.mechanics.material_laws import MaterialLaw
+from elastica_cad.mechanics.rest_shape import is_marched, marched_curve
 from elastica_cad.mechanics.supports import Supports
 
 if TYPE_CHECKING:
@@ -214,9 +215,16 @@ class Rod:
 
     @cached_property
     def curve(self) -> PlaneCurve:
-        """The shape as a spline: the drawn curve where there is one, else a degree-5 fit of the nodes."""
+        """The shape as a spline: the drawn curve where there is one, else of degree 5.
+
+        Of a marched rod it has the rod's length, end positions and end angles, and passes the nodes at about
+        h^2 |kappa| / 24, the edge length being h (see `marched_curve`); through nodes that are samples of a curve
+        it is a fit.
+        """
         if self.shape is not None:
             return self.shape
+        if is_marched(self.s, self.position):
+            return marched_curve(self.s, self.position, self.angle)
         return PlaneCurve.fit(self.position, degree=5, tolerance=1e-6 * self.length)
 
     def with_stiffness(self, stiffness: "ArrayLike | Profile") -> "Rod":
