@@ -106,11 +106,12 @@ def _tell(rod: Rod, shapes: Sequence[Rod], verdicts: Sequence[Stability]) -> Non
     for shape, verdict in zip(shapes, verdicts, strict=True):
         (x0, y0), (x1, y1) = np.round(shape.position[[0, -1]], 2) + 0.0
         low, high = shape.position.min(axis=0), shape.position.max(axis=0)
-        radius = 1 / max(float(np.abs(shape.curvature).max()), 1e-12)
+        kappa = float(np.abs(shape.curvature).max())
+        bent = f"least radius {1 / kappa:.4g} mm" if kappa * shape.length > 1e-6 else "straight"
         stays = f"stable, margin {verdict.margin:.3g}" if verdict.stable else "unstable: it snaps away"
         click.echo(
             f"({x0:.2f}, {y0:.2f}) to ({x1:.2f}, {y1:.2f}): {high[0] - low[0]:.2f} by {high[1] - low[1]:.2f} mm, "
-            f"least radius {radius:.4g} mm, {stays}"
+            f"{bent}, {stays}"
         )
         for warning in shape.warnings:
             click.echo(f"Warning: {warning}", err=True)

@@ -1,4 +1,20 @@
-"""Design files: a whole model written down in TOML, read, checked and made."""
+"""Design files: a whole model written down in TOML, read, checked and made.
+
+Every number may be a formula in quotes (see `formulae`); lengths are mm, angles rad (30 * degrees). Keys:
+
+    schema = 1, name, let = {names for formulae}, sheets_file or [sheets.NAME] (as `load_sheets`)
+    for all strips, or in [[strips]] for some: sheet, max_width, min_width, gravity (true, or where things fall),
+        supports, natural_curvature, limits and keep (the curve may then change), style, and ends =
+        {length, width, corner_radius, chamfer, holes = [{at, diameter, across}]} or two of them
+    [[strips]] count (i = 1, 2, ...), label ("P{i}"), let, origin, x_axis, y_axis (the plane of the curve), slots,
+        curve = "file", {file, number, unit}, {x, y, t = [from, to], breaks = [[t, continuity]]},
+        {spline = [[x, y]], degree} or {ellipse = {center, semi_axes, rotation, start, end or above}}
+    [[patterns]] mirror = {point, normal, keep}, rotate = {count, axis, point, step}, repeat = {count, step}
+    interlock = {clearance, fit, relief, above}, fixtures = {floor, clearance, wall, foot, foot_height, screw}
+    base = {sheet, height, play, clearance, slot_width, border, shape, sheet_size}
+    frame = {sheet, ribs, depth, tongue, play, clearance, border, sheet_size}
+    nest = {sheet_size, margin}, cut = {kerf, curves, tolerance, version}, extras = {coupon, reference_bar}
+"""
 
 import tomllib
 from collections.abc import Callable
