@@ -122,10 +122,16 @@ def _rod(chosen: dict[str, Any], wish: WishOptions, sheet: Sheet) -> tuple[Rod, 
     gravity = sheet.gravity(chosen["down"]) if chosen["gravity"] else None
     supports = supports_of(chosen["start"], chosen["end"])
     if not wish.asked:
+        if wish.keep_tangents or wish.keep_length:
+            raise InputError(
+                "--keep-tangents and --keep-length are for a curve that may change: add --nearest"
+            )
         rod = optimal_rod(
             drawn, gravity, supports, natural_curvature=chosen["natural_curvature"], samples=chosen["samples"]
         )
         return rod, None
+    if chosen["samples"] is not None:
+        raise InputError("--samples takes the curve as drawn: do without --nearest and the limits")
     if chosen["natural_curvature"]:
         raise InputError("--natural-curvature takes the curve as drawn: do without --nearest and the limits")
     near = wish.fulfilled(drawn, sheet, gravity, supports)

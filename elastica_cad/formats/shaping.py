@@ -10,6 +10,9 @@ CURVES = ("spline", "arc", "polyline")
 _SPLINE_TOLERANCE = 1e-3
 """Splines cost few bytes: approximated ones stay this near (mm) even where a coarser tolerance is given."""
 
+FINEST = 1e-5
+"""Finer arcs and polylines, mm, would only fill the disk."""
+
 
 def checked_curves(curves: str) -> str:
     """The mode, refused unless it is one of `CURVES`."""
@@ -20,6 +23,10 @@ def checked_curves(curves: str) -> str:
 
 def shaped(path: Path, curves: str, tolerance: float, *, rational: bool = True) -> Path:
     """The path as a file holds it: splines of degree 3 at most (`rational` where allowed), arcs, or lines."""
+    if 0 < tolerance < FINEST and curves != "spline":
+        raise InputError(
+            f"the tolerance is {tolerance:g} mm: no machine cuts so finely, give {FINEST:g} or more"
+        )
     if curves == "spline":
         return as_cubics(path, min(tolerance, _SPLINE_TOLERANCE), rational=rational)
     return (as_arcs if curves == "arc" else as_polyline)(path, tolerance)

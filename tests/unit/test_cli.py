@@ -204,6 +204,12 @@ def test_folder_unknown_sheet_and_bad_numbers(drawn, tmp_path):
         (("strip", drawn, *good, "--curve", "7"), "7"),
         (("strip", drawn, *good, "--dxf-version", "R99"), "R99"),
         (("strip", drawn, *good, "--tolerance", "0"), "tolerance"),
+        (
+            ("strip", drawn, *good, "--tolerance", "1e-12", "--curves", "polyline"),
+            "no machine cuts so finely",
+        ),
+        (("strip", drawn, *good, "--keep-length"), "add --nearest"),
+        (("strip", drawn, *good, "--nearest", "--samples", "99"), "--samples"),
     ]
     for arguments, words in cases:
         result = elastica(*arguments)
