@@ -4,10 +4,21 @@ from dataclasses import replace
 from typing import Any
 
 from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.fabrication.lamination import Laminated
 from elastica_cad.fabrication.strip import Strip
+from elastica_cad.fabrication.styles import along
 from elastica_cad.forming import Keep, Limits, NearestRod, Status, nearest_rod
 from elastica_cad.geometry import PlaneCurve
-from elastica_cad.mechanics import EquilibriumCheck, Gravity, Rod, Sheet, Supports, optimal_rod
+from elastica_cad.mechanics import (
+    EquilibriumCheck,
+    Gravity,
+    LaminatedSection,
+    Rod,
+    Sheet,
+    Supports,
+    optimal_laminate,
+    optimal_rod,
+)
 
 __all__ = ["StripFacts", "make_strip"]
 
@@ -54,7 +65,8 @@ def make_strip(
     limits, keep : Limits, Keep, optional
         With one of them the curve may be changed, by `nearest_rod`; without them it is followed exactly.
     gravity : Gravity or bool, optional
-        True for the sheet's own weight, falling along -y.
+        True for the sheet's own weight, falling along -y. A laminate carries the weight of both its layers,
+        which is not proportional to its stiffness (see `optimal_laminate`).
     supports, natural_curvature
         As in `optimal_rod`.
     **options
@@ -82,6 +94,14 @@ def make_strip(
     if isinstance(gravity, bool):
         gravity = sheet.gravity() if gravity else None
     held = supports or Supports()
+    style = options.get("style")
+    if isinstance(style, Laminated) and gravity is not None:
+        if limits is not None or keep is not None or natural_curvature != 0.0:
+            raise InputError(
+                "a laminate that carries its weight follows its curve exactly, from flat sheets: leave out limits, "
+                "keep and natural_curvature, or gravity"
+            )
+        return Strip(_laminate(curve, sheet, style, gravity, held), sheet, **options)
     if limits is None and keep is None:
         rod = optimal_rod(curve, gravity=gravity, supports=held, natural_curvature=natural_curvature)
         return Strip(rod, sheet, **options)
@@ -91,6 +111,24 @@ def make_strip(
         )
     near = nearest_rod(curve, limits, keep, gravity, supports=held)
     return Strip(_accepted(near), sheet, **options)
+
+
+def _laminate(curve: PlaneCurve, sheet: Sheet, style: Laminated, gravity: Gravity, supports: Supports) -> Rod:
+    """The rod of base and backing under the weight of both."""
+    if abs(gravity.length / sheet.elasto_gravity_length - 1) > 1e-9:
+        raise InputError(
+            "a laminate that carries its weight must stand upright and weigh what its sheets do: turn its plane, "
+            "give gravity=True or the base sheet's gravity, or leave gravity out"
+        )
+    laminate = optimal_laminate(
+        curve,
+        LaminatedSection(sheet, style.backing),
+        along(style.width, curve.length, "the width of the base"),
+        direction=gravity.direction,
+        supports=supports,
+        least_backing=style.least_backing,
+    )
+    return laminate.rod
 
 
 def _accepted(near: NearestRod) -> Rod:

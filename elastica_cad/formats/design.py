@@ -28,7 +28,6 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication import (
     BasePlate,
     Frame,
-    Laminated,
     Model,
     Piece,
     Placed,
@@ -49,14 +48,10 @@ from elastica_cad.formats.wishes import (
     named_sheet,
     strip_wish,
 )
-from elastica_cad.geometry import Profile
 from elastica_cad.mechanics import (
-    Gravity,
-    LaminatedSection,
     NotRealizable,
     Sheet,
     load_sheets,
-    optimal_laminate,
 )
 from elastica_cad.mechanics.sheet import sheets_from_table
 
@@ -345,9 +340,6 @@ def _made(wish: StripWish) -> Strip:
     """The strip, with complaints that name it."""
     making = dict(wish.making, slots=())
     try:
-        style, gravity = making["style"], making["gravity"]
-        if isinstance(style, Laminated) and gravity is not None:
-            return _laminate(wish, style, gravity)
         return make_strip(wish.curve, wish.sheet, label=wish.label, **making)
     except NotRealizable as problem:
         named = NotRealizable(problem.check)
@@ -355,28 +347,3 @@ def _made(wish: StripWish) -> Strip:
         raise named from problem
     except (InputError, NotConvergedError) as problem:
         raise type(problem)(f"{wish.label}: {problem}") from problem
-
-
-def _laminate(wish: StripWish, style: Laminated, gravity: Gravity) -> Strip:
-    """A laminate that carries its weight, which is not proportional to its stiffness."""
-    making = wish.making
-    if making["limits"] is not None:
-        raise InputError(
-            "a laminate that carries its weight follows its curve exactly: leave limits and keep out"
-        )
-    if abs(gravity.length / wish.sheet.elasto_gravity_length - 1) > 1e-9:
-        raise InputError(
-            "a laminate that carries its weight must stand upright: turn its plane, or gravity off"
-        )
-    if not isinstance(style.width, float | Profile):
-        raise InputError("a laminate that carries its weight needs its width as a number or a profile")
-    section = LaminatedSection(wish.sheet, style.backing)
-    laminate = optimal_laminate(
-        wish.curve,
-        section,
-        style.width,
-        direction=gravity.direction,
-        supports=making["supports"],
-        least_backing=style.least_backing,
-    )
-    return Strip(laminate.rod, wish.sheet, style=style, ends=making["ends"], label=wish.label)
