@@ -12,6 +12,9 @@ from elastica_cad.geometry.segments import Segment, Spline, bulged, place
 
 __all__ = ["as_arcs", "as_polyline"]
 
+_ROUNDING = 1e-12
+"""A chord no longer than this part of its coordinates has no direction."""
+
 _SHORTEST = 1e-6
 """Splines are never cut into pieces shorter than this part of their parameter."""
 
@@ -91,8 +94,8 @@ def _biarc(spline: Spline, a: float, b: float, tolerance: float) -> list[Segment
     chord = q - p
     along, bend = float(chord @ (s + t)), float(2 * (1 - s @ t))
     square = float(chord @ chord)
-    if along <= 0:
-        return None
+    if along <= _ROUNDING * float(np.abs([p, q]).max()):
+        return None  # backwards, or once round a loop
     # positive root of bend d^2 + 2 along d = square, in the form that holds for bend = 0 too
     d = square / (along + np.sqrt(along**2 + bend * square))
     middle = (p + d * s + q - d * t) / 2

@@ -117,6 +117,17 @@ def test_low_degrees_stay_exact_and_are_clamped():
     assert plain.area == pytest.approx(32 * np.pi, abs=1e-5 * ellipse.length)
 
 
+@pytest.mark.parametrize("turn", np.linspace(0.0, 1.5, 8))
+def test_loops_that_close_up_to_rounding(turn):
+    """Whatever the last digit of the gap, it gives the arcs no direction."""
+    v = np.arange(11) * np.pi / 4 + turn
+    ring = 16 * np.column_stack([np.cos(v), np.sin(v)])
+    loop = Path([Spline(PlaneCurve(np.arange(15.0), ring, 3))], closed=True)
+    arcs = as_arcs(loop, 0.3)
+    assert len(arcs.segments) >= 2
+    assert arcs.area == pytest.approx(loop.area, abs=0.3 * loop.length)
+
+
 @pytest.mark.parametrize("tolerance", [0, -1, np.nan, np.inf])
 @pytest.mark.parametrize("convert", [as_arcs, as_cubics, as_polyline])
 def test_tolerances_must_be_positive(convert, tolerance):
