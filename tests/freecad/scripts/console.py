@@ -53,9 +53,9 @@ def work():
     times = []
     for i in range(12):
         redraw(sketch, [*ARCH[:2], (70, 80 + 0.5 * i), *ARCH[3:]])
-        began = time.perf_counter()
+        began = time.thread_time()
         document.recompute([feature])
-        times.append(time.perf_counter() - began)
+        times.append(time.thread_time() - began)
     answers["recompute"] = times
     redraw(sketch, [(0, 0), (40, 60), (80, -60), (120, 20), (160, 30), (180, 0)])
     document.recompute()
