@@ -6,7 +6,7 @@ from elastica_cad.fabrication.colors import sheet_color
 from elastica_cad.fabrication.coupon import coupon_drawing, coupon_overhang, reference_bar
 from elastica_cad.fabrication.cutlist import CutList, CutListRow, cut_list
 from elastica_cad.fabrication.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, LAYERS, MARK, Drawing, LayeredPath
-from elastica_cad.fabrication.ends import Hole, Tab
+from elastica_cad.fabrication.ends import Hole, Tab, TSlot
 from elastica_cad.fabrication.fixtures import EndFixture, end_fixtures
 from elastica_cad.fabrication.frames import Rib, SlottedFrame, slotted_frame
 from elastica_cad.fabrication.holding import HoldingTabs, with_holding_tabs
@@ -61,6 +61,7 @@ __all__ = [
     "SlotEffect",
     "SlottedFrame",
     "Strip",
+    "TSlot",
     "Tab",
     "Text",
     "base_plate",

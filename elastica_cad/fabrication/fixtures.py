@@ -178,7 +178,7 @@ class EndFixture:
         body = convex_corners(np.concatenate([core, grounded]))
         added = [self._prism(body, self.across)]
         reach = np.array([(core @ along).min(), (core @ along).max()])
-        removed = [self._pocket(), *self._clamp_holes(body)]
+        removed = [self._pocket(), *self._clamp_holes(body), *self._tip_hole(body)]
         if self.foot:
             span = reach + np.array([-self.foot, self.foot])
             corners = [
@@ -211,6 +211,15 @@ class EndFixture:
             FlatSolid(Path.circle((hole.at, hole.across), hole.diameter / 2), (), float(high - low), frame)
             for hole in self.tab.holes
         ]
+
+    def _tip_hole(self, body: FloatArray) -> list[FlatSolid]:
+        """For the screw of a T-slot, through the wall behind the tip and all below it."""
+        slot, tab = self.tab.t_slot, self.tab.frame
+        if slot is None:
+            return []
+        tip, back = self.tab.length, float(body[:, 0].max()) + 2 * self.foot + 1.0
+        frame = Frame(tab.point((tip, 0.0, 0.0)), tab.y_axis, tab.z_axis)
+        return [FlatSolid(Path.circle((0.0, 0.0), slot.screw / 2), (), back - tip, frame)]
 
     def _screw_hole(self, along: float) -> FlatSolid:
         up, level, height = self._up

@@ -7,7 +7,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.boundary import Frame
-from elastica_cad.fabrication.ends import Hole
+from elastica_cad.fabrication.ends import Hole, TSlot
 from elastica_cad.fabrication.strip import Strip
 
 __all__ = ["ENDS", "End", "HeldTab"]
@@ -31,6 +31,8 @@ class HeldTab:
         Seen along y of this frame.
     name : str
         Part number: the strip's name with 1 for the start and 2 for the end, which is the way its label reads.
+    t_slot : TSlot or None
+        The screw that goes in from the tip.
     """
 
     frame: Frame
@@ -39,6 +41,7 @@ class HeldTab:
     thickness: float
     holes: tuple[Hole, ...]
     name: str
+    t_slot: TSlot | None = None
 
     @classmethod
     def of(cls, strip: Strip, end: End, frame: Frame | None = None, *, name: str | None = None) -> "HeldTab":
@@ -57,6 +60,7 @@ class HeldTab:
             sum(layer.sheet.thickness for layer in strip.layers),
             tab.holes,
             f"{called}:{1 if end == 'start' else 2}",
+            tab.t_slot,
         )
 
     @property

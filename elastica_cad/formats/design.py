@@ -5,7 +5,8 @@ Every number may be a formula in quotes (see `formulae`); lengths are mm, angles
     schema = 1, name, let = {names for formulae}, sheets_file or [sheets.NAME] (as `load_sheets`)
     for all strips, or in [[strips]] for some: sheet, max_width, min_width, gravity (true, or where things fall),
         supports, natural_curvature, limits and keep (the curve may then change), style, and ends =
-        {length, width, corner_radius, chamfer, holes = [{at, diameter, across}]} or two of them
+        {length, width, corner_radius, chamfer, taper, holes = [{at, diameter, across}],
+        t_slot = {depth, screw, nut, wall}} or two of them
     [[strips]] count (i = 1, 2, ...), label ("P{i}"), let, origin, x_axis, y_axis (the plane of the curve), slots,
         curve = "file", {file, number, unit}, {x, y, t = [from, to], breaks = [[t, continuity]]},
         {spline = [[x, y]], degree} or {ellipse = {center, semi_axes, rotation, start, end or above}}

@@ -9,7 +9,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication import Frame, Hole, Laminated, Perforated, Plain, Slot, Tab
+from elastica_cad.fabrication import Frame, Hole, Laminated, Perforated, Plain, Slot, Tab, TSlot
 from elastica_cad.formats.formulae import Formula
 from elastica_cad.formats.tables import Table
 from elastica_cad.forming import Keep, Limits
@@ -247,16 +247,28 @@ def _ends(table: Table) -> tuple[Tab, Tab]:
 
 
 def _tab(table: Table) -> Tab:
-    table.only("length", "width", "corner_radius", "chamfer", "holes")
+    table.only("length", "width", "corner_radius", "chamfer", "taper", "holes", "t_slot")
     holes = tuple(
         Hole(hole.number("at"), hole.number("diameter"), hole.number("across", 0.0))
         for hole in (one.only("at", "diameter", "across") for one in table.tables("holes"))
     )
-    sizes = {key: table.number(key, 0.0) for key in ("corner_radius", "chamfer")}
+    sizes = {key: table.number(key, 0.0) for key in ("corner_radius", "chamfer", "taper")}
     try:
-        return Tab(table.number("length", 10.0), table.maybe("width"), holes=holes, **sizes)
+        t_slot = _t_slot(table.table("t_slot")) if table.has("t_slot") else None
+        return Tab(table.number("length", 10.0), table.maybe("width"), holes=holes, t_slot=t_slot, **sizes)
     except InputError as error:
         raise InputError(f"{table.where}: {error}") from error
+
+
+def _t_slot(table: Table) -> TSlot:
+    table.only("depth", "screw", "nut", "wall")
+    width, height = table.vector("nut", 2, TSlot.nut)
+    return TSlot(
+        table.number("depth"),
+        table.number("screw", TSlot.screw),
+        (width, height),
+        table.number("wall", TSlot.wall),
+    )
 
 
 def _style(table: Table, sheets: dict[str, Sheet]) -> Plain | Perforated | Laminated:
