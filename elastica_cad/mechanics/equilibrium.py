@@ -115,7 +115,7 @@ def examine_curvature(
     ]
     reasons = [
         *_pinned_reasons(curve, supports, natural_curvature, points),
-        *_flat_reasons(flats, curve.length, natural_curvature),
+        *_flat_reasons(curve, flats, natural_curvature),
         *_jump_reasons(jumps),
         *_touch_reasons(sorted([*touches, *gentle])),
     ]
@@ -187,7 +187,8 @@ def _with_line(
     ]
     reason = (
         f"{name[0].upper()}{name[1:]} {' and '.join(parts)}, where the moment would vanish or change sign "
-        "and the curvature does not: move the curve off the line there, or support the strip there."
+        "and the curvature does not: move the curve off the line there, or support the strip between there "
+        "and the inflections beside it."
     )
     return _refused(replace(check, crossings=crossings, touches=(*touches, *tangents)), reason)
 
@@ -278,15 +279,31 @@ def _pinned_reasons(
         )
 
 
-def _flat_reasons(flats: Sequence[CurvatureZero], length: float, natural_curvature: float) -> Iterable[str]:
+def _flat_reasons(
+    curve: PlaneCurve, flats: Sequence[CurvatureZero], natural_curvature: float
+) -> Iterable[str]:
     for flat in flats:
-        joints = [s for s in (flat.s, flat.s_end) if AT_END * length < s < (1 - AT_END) * length]
+        joints = [joint for joint in ((flat.s, flat.t, True), (flat.s_end, flat.t_end, False))
+                  if AT_END * curve.length < joint[0] < (1 - AT_END) * curve.length]  # fmt: skip
         what = "has exactly the natural curvature" if natural_curvature else "is straight"
-        yield (
+        opening = (
             f"The piece from {figure(flat.s)} to {flat.s_end:.4g} mm {what} and joined to a bent one, so "
-            f"the stiffness would have to go to 0 at the joint: support the strip {places(joints)}, or bend "
-            "the piece a little."
+            "the stiffness would have to go to 0 at the joint"
         )
+        if any(_is_gentle(curve, t, natural_curvature, left=left) for _, t, left in joints):
+            yield f"{opening}, whatever supports the strip there: bend the piece a little."
+        else:
+            yield (
+                f"{opening}: support the strip {places(s for s, _, _ in joints)}, or bend the piece a little."
+            )
+
+
+def _is_gentle(curve: PlaneCurve, t: float, natural_curvature: float, *, left: bool) -> bool:
+    """Does kappa - kappa_0 leave zero at t without a slope, so that no strip takes the bent piece alone?"""
+    at, largest = np.array(t), _largest(curve, natural_curvature)
+    kappa = abs(float(curve.curvature_at(at, left=left)) - natural_curvature)
+    slope = abs(float(curve.curvature_slope_at(at, left=left)))
+    return kappa <= PINNED * largest and slope <= PINNED * largest / curve.length
 
 
 def _jump_reasons(jumps: Sequence[float]) -> Iterable[str]:
@@ -302,8 +319,8 @@ def _touch_reasons(touches: Sequence[float]) -> Iterable[str]:
     if touches:
         yield (
             f"The curvature runs out to zero {places(touches)} without a clear change of sign, where the "
-            "stiffness would have to be infinite or zero: bend the curve a little more there, or support "
-            "the strip there."
+            "stiffness would have to be infinite or zero, whatever supports the strip: bend the curve a "
+            "little more there, or reverse its bending at a clear rate."
         )
 
 

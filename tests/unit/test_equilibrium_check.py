@@ -7,6 +7,7 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.geometry import PlaneCurve
+from elastica_cad.geometry.trim import trimmed_curve
 from elastica_cad.mechanics import End, NotRealizable, Supports, check_equilibrium
 from elastica_cad.mechanics.line import InflectionLine, fitted_line, pencil_of_lines
 
@@ -140,6 +141,16 @@ class TestNotRealizable:
         on_line = check.line.distance(curve.at(np.array(check.crossings)).position)
         assert on_line == pytest.approx(0.0, abs=1e-6)
         assert "crosses the curve at" in str(check)
+        # a support in the crossing itself would leave the line in the end of a piece
+        where = curve.parameter(check.crossings[0])
+        first = float(curve.parameter(check.inflections[-1]))
+        start, end = curve.domain
+        assert check.crossings[0] > check.inflections[-1]
+        assert not check_equilibrium(trimmed_curve(curve, start, float(where))).realizable
+        assert "support the strip between there and the inflections beside it" in str(check)
+        between = (float(where) + first) / 2
+        for piece in ((start, between), (between, end)):
+            assert check_equilibrium(trimmed_curve(curve, *piece)).realizable
 
     def test_no_line_through_one_inflection(self):
         """Both arms wind so far that every line through the inflection meets one of them."""
@@ -172,6 +183,17 @@ class TestNotRealizable:
         assert not check.realizable
         assert check.flats == (pytest.approx((0.0, 40.0), abs=1e-9),)
         assert "support the strip at 40 mm" in str(check)
+        assert check_equilibrium(trimmed_curve(curve, 1.0, 2.0)).realizable
+
+    def test_straight_piece_that_bends_too_gently_for_a_support(self):
+        """kappa grows as the square of the distance: alone, the bent piece can't be had either."""
+        line = [(0, 0), (10, 0), (20, 0), (30, 0), (40, 0)]
+        curve = bezier(*line, (50, 0), (60, 0), (70, 0), (80, 10), degree=4)
+        check = check_equilibrium(curve)
+        assert check.flats == (pytest.approx((0.0, 40.0), abs=1e-9),)
+        assert "whatever supports the strip there: bend the piece a little" in str(check)
+        assert "support the strip at" not in str(check)
+        assert not check_equilibrium(trimmed_curve(curve, 1.0, 2.0)).realizable
 
     def test_inflection_by_a_jump(self):
         check = check_equilibrium(chain((100, 1.0), (-60, 1.0)))
@@ -193,6 +215,10 @@ class TestNotRealizable:
         assert check.curvature_touches == (pytest.approx(exact.length / 2),)
         assert "without a clear change of sign" in str(check)
         assert touching.length == pytest.approx(exact.length, rel=1e-3)
+        assert "whatever supports the strip: bend the curve a little more there" in str(check)
+        # nor does a support there help: each half keeps the place as its end
+        for half in ((0.0, 0.5), (0.5, 1.0)):
+            assert not check_equilibrium(trimmed_curve(exact, *half)).realizable
 
     def test_tangent_line(self):
         """y = x^5 - like inflection with zero slope of the curvature is not secant-bounded."""
