@@ -224,6 +224,10 @@ def test_cutting_files(document, sketch, tmp_path: Path, request):
     assert "A1,birch-plywood-0.8" in files[-1].read_text()
     with pytest.raises(InputError, match="exists already"):
         write_cutting_files([feature], tmp_path / "out", kinds=kinds)
+    again = write_cutting_files([feature], tmp_path / "again", kinds=kinds)
+    assert [a.read_bytes() == b.read_bytes() for a, b in zip(files, again, strict=True)] == [True] * len(
+        files
+    )
     names = [piece.name for piece in pieces_of([feature, document.copyObject(feature)])]
     assert len(set(names)) == 2
     with pytest.raises(InputError, match="nothing to cut"):

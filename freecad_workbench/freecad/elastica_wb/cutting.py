@@ -1,5 +1,6 @@
 """Cutting files of what is in a document: DXF, SVG, STEP, nest and cut list, together or not at all."""
 
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from importlib.util import find_spec
@@ -19,8 +20,11 @@ from elastica_cad.fabrication.cutlist import cut_list
 from elastica_cad.fabrication.nesting import nested
 from elastica_cad.fabrication.pieces import Piece
 from elastica_cad.formats import files_together, write_drawing
+from elastica_cad.formats.step_text import canonical_step
 
 __all__ = ["KINDS", "pieces_of", "write_cutting_files"]
+
+HEADER = re.compile(rb"FILE_NAME\(\s*'[^']*'\s*,\s*'[^']*'")
 
 KINDS = ("dxf", "svg", "step", "csv", "nest")
 
@@ -132,8 +136,15 @@ def _write_step(obj: Any, path: Path) -> None:
             objects.append(body)
         document.recompute()
         Import.export(objects, str(path))
+        path.write_bytes(_lasting(path))
     finally:
         App.closeDocument(document.Name)
+
+
+def _lasting(path: Path) -> bytes:
+    """The same bytes for the same design: a name and no time instead of a temporary folder and today's."""
+    name = f"FILE_NAME('{path.stem}','2000-01-01T00:00:00'".encode("ascii", "replace")
+    return canonical_step(HEADER.sub(lambda _: name, path.read_bytes(), count=1))
 
 
 def _bodies(obj: Any) -> list[tuple[str, Any, App.Placement, Any]]:
