@@ -19,6 +19,7 @@ from elastica_cad.fabrication import (
     cut_list,
     nested,
 )
+from elastica_cad.fabrication.pieces import file_word
 from elastica_cad.files import save
 from elastica_cad.formats import files_together
 from elastica_cad.formats.design import Cutting, Design, Nesting
@@ -143,11 +144,16 @@ def save_model(
 
 def _plan(kit: Kit, step: bool, pictures: bool) -> None:
     """Say which files there will be, and how each is written."""
-    name, files = kit.model.name, kit.files
+    name, files = file_word(kit.model.name), kit.files
     for nest in kit.nests:
         if nest.sheet is not None:
-            _add_drawing(kit, nest.name, nest, nest.sheet, "nested sheet")
+            _add_drawing(kit, file_word(nest.name), nest, nest.sheet, "nested sheet")
     for piece in kit.pieces:
+        if any(file.casefold() == f"{piece.file_stem}.svg".casefold() for file in files):
+            raise InputError(
+                f"{piece.name}: another part would be written to {piece.file_stem}.svg too; choose labels that "
+                "differ in more than capitals and signs"
+            )
         _add_drawing(kit, piece.file_stem, piece.drawing, piece.sheet, "part")
     listed = cut_list(kit.pieces, {piece.name: f"{piece.file_stem}.{_suffix(kit)}" for piece in kit.pieces})
     files[f"{name}-cut-list.csv"] = ("cut list", lambda path: _write_text(path, listed.csv))
@@ -157,7 +163,7 @@ def _plan(kit: Kit, step: bool, pictures: bool) -> None:
     if pictures:
         files[f"{name}.png"] = ("picture of the model", lambda path: _draw_model(kit, path))
         for nest in kit.nests:
-            files[f"{nest.name}.png"] = ("picture of a sheet", _nest_picture(nest))
+            files[f"{file_word(nest.name)}.png"] = ("picture of a sheet", _nest_picture(nest))
     files[f"{name}.json"] = ("report", lambda path: _write_report(kit, path))
 
 

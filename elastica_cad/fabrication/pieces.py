@@ -14,7 +14,7 @@ from elastica_cad.fabrication.drawing import CUT_INNER, CUT_OUTER, Drawing
 from elastica_cad.fabrication.model import Model
 from elastica_cad.mechanics import Sheet
 
-__all__ = ["Piece", "strip_pieces"]
+__all__ = ["Piece", "file_word", "strip_pieces"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,7 +61,7 @@ class Piece:
     def file_stem(self) -> str:
         """File name without suffix: part, material, thickness and quantity."""
         words = (self.name, self.sheet.name, f"{self.sheet.thickness:g}mm", f"x{self.count}")
-        return "_".join(re.sub(r"[^\w.-]+", "-", word).strip("-.") or "part" for word in words)
+        return "_".join(map(file_word, words))
 
     @cached_property
     def bounds(self) -> FloatArray:
@@ -90,6 +90,17 @@ class Piece:
     def mass(self) -> float:
         """Of one piece, g."""
         return self.area * self.sheet.thickness * self.sheet.density * 1e-6
+
+
+def file_word(text: str) -> str:
+    """The text as it may stand in a file name on any system.
+
+    Examples
+    --------
+    >>> file_word("P 1/2: top")
+    'P-1-2-top'
+    """
+    return re.sub(r"[^\w.-]+", "-", text).strip("-.") or "part"
 
 
 def strip_pieces(model: Model) -> tuple[Piece, ...]:

@@ -112,6 +112,25 @@ def test_a_design_that_cannot_be_bent_exits_with_1(design):
     assert result.stderr.startswith("Not realizable: K1: ")
 
 
+def test_file_names_suit_every_system(design, tmp_path):
+    own = '[sheets."felt 1/2"]\nthickness_mm = 1\nyoungs_modulus_MPa = 20\ndensity_kg_m3 = 300\nmax_strain = 0.1\n'
+    text = (
+        DESIGN.replace('"kit"', '"my kit/2"')
+        .replace('"birch-plywood-0.8"', '"felt 1/2"')
+        .replace('"sheet"', "0")
+    )
+    design.write_text(text.replace('"K{i}"', '"K/{i}"') + own)
+    result = run("model", design, "-o", tmp_path / "out", "--no-step", "--no-pictures")
+    assert result.exit_code == 0, result.output
+    names = {path.name for path in (tmp_path / "out").iterdir()}
+    assert {"my-kit-2.json", "my-kit-2-nest-1-felt-1-2.svg", "K-1_felt-1-2_1mm_x1.svg"} <= names
+    second = "\n[[strips]]\nlabel = 'k1'\ncurve.ellipse = { semi_axes = [150, 100], start = 0.1, end = 2 }\n"
+    design.write_text(DESIGN + second)
+    assert (
+        "k1: another part would be written to k1_birch" in run("model", design, "-o", tmp_path / "no").stderr
+    )
+
+
 def test_a_coupon_is_written(tmp_path, check_drawing_file):
     result = run("coupon", "--sheet", "card-200gsm", "--overhang", 120, "-o", tmp_path)
     assert result.exit_code == 0, result.output

@@ -162,6 +162,21 @@ def test_own_sheets_extras_and_base(read):
     assert design.base[2].sheet_size == (900, 400)
 
 
+def test_frames_and_fixtures(read):
+    design = read(
+        HEAD
+        + f"ends.length = 16\n[[strips]]\ncount = 3\nlabel = 'F{{i}}'\norigin = [0, '50 * i', 0]\n{ARC}\n"
+        "[frame]\nsheet = 'mdf-3'\nribs = 2\ndepth = 15\n[fixtures]\nwall = 3\nfloor = -60\n"
+    )
+    model = design.model()
+    frame = design.slotted_frame(model)
+    assert [piece.name for piece in frame.pieces] == ["rail-start", "rail-end", "rib-1", "rib-2"]
+    assert design.base_plate(model) is None
+    fixtures = model.fixtures(**design.fixtures)
+    assert [fixture.number for fixture in fixtures] == ["F1:1", "F1:2", "F2:1", "F2:2", "F3:1", "F3:2"]
+    assert all(fixture.wall == 3 and fixture.floor.origin[2] == -60 for fixture in fixtures)
+
+
 def test_equal_curves_are_solved_once(read):
     design = read(
         HEAD
