@@ -2,11 +2,15 @@
 
 import ast
 import re
+import sys
 from pathlib import Path
 from xml.etree import ElementTree
 
 import FreeCAD as App
 import pytest
+from freecad.elastica_wb import libraries
+
+from elastica_cad.errors import MissingDependencyError
 
 ROOT = Path(__file__).resolve().parents[2]
 CODE = ROOT / "freecad_workbench" / "freecad" / "elastica_wb"
@@ -108,3 +112,30 @@ def test_package_for_the_addon_manager():
     required = re.findall(r'<depend type="python">(\w+)<', text)
     optional = re.findall(r'<depend type="python" optional="true">(\w+)<', text)
     assert (required, optional) == (["numpy", "scipy"], ["ezdxf", "highspy"])
+
+
+@pytest.mark.parametrize("code", [0, 1])
+def test_libraries_are_installed_beside_freecads_numpy(tmp_path, monkeypatch, code):
+    pip = tmp_path / "python"
+    pip.write_text(f'#!/bin/sh\necho "$@" > {tmp_path}/asked\necho "no network here" >&2\nexit {code}\n')
+    pip.chmod(0o755)
+    monkeypatch.setattr(libraries, "_python", lambda: str(pip))
+    monkeypatch.setattr(libraries, "folder", lambda: tmp_path / "packages")
+    monkeypatch.setattr(sys, "path", list(sys.path))
+    if code == 0:
+        libraries.install(["highspy"])
+        assert str(tmp_path / "packages") in sys.path
+    else:
+        with pytest.raises(MissingDependencyError, match="could not install highspy: no network here"):
+            libraries.install(["highspy"])
+    asked = (tmp_path / "asked").read_text().split()
+    assert asked[-1] == "highspy"
+    assert "--no-deps" in asked
+    assert "numpy" not in asked
+
+
+def test_no_pip_is_a_sentence(tmp_path, monkeypatch):
+    monkeypatch.setattr(libraries, "_python", lambda: str(tmp_path / "nothing"))
+    monkeypatch.setattr(libraries, "folder", lambda: tmp_path / "packages")
+    with pytest.raises(MissingDependencyError, match="no Python with pip"):
+        libraries.install(["ezdxf"])

@@ -16,7 +16,7 @@ __all__ = ["OPTIONAL", "folder", "install", "missing"]
 
 OPTIONAL = {
     "ezdxf": "writes DXF files",
-    "highspy": "finds the nearest curve that can be bent",
+    "highspy": "finds the best widths faster",
 }
 """Name of every optional library, and what it is for."""
 

@@ -53,6 +53,8 @@
  <message><source>thickness</source><translation>Dicke</translation></message>
  <message><source>kerf</source><translation>Schnittfuge</translation></message>
  <message><source>combined</source><translation>zusammen</translation></message>
+ <message><source>writes DXF files</source><translation>schreibt DXF-Dateien</translation></message>
+ <message><source>finds the best widths faster</source><translation>findet die besten Breiten schneller</translation></message>
 </context>
 <context>
  <name>ElasticaBend</name>
@@ -262,7 +264,7 @@
 <context>
  <name>Elastica_Libraries</name>
  <message><source>Install missing libraries</source><translation>Fehlende Bibliotheken installieren</translation></message>
- <message><source>Install the optional libraries that FreeCAD does not bring: ezdxf (DXF files), highspy (nearest curves)</source><translation>Die Bibliotheken installieren, die FreeCAD nicht mitbringt: ezdxf (DXF-Dateien), highspy (nächste Kurven)</translation></message>
+ <message><source>Install the optional libraries that FreeCAD does not bring: ezdxf (DXF files), highspy (faster)</source><translation>Die Bibliotheken installieren, die FreeCAD nicht mitbringt: ezdxf (DXF-Dateien), highspy (schneller)</translation></message>
 </context>
 <context>
  <name>Elastica_Nearest</name>

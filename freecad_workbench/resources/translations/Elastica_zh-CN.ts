@@ -53,6 +53,8 @@
  <message><source>thickness</source><translation>厚度</translation></message>
  <message><source>kerf</source><translation>切缝</translation></message>
  <message><source>combined</source><translation>综合</translation></message>
+ <message><source>writes DXF files</source><translation>写 DXF 文件</translation></message>
+ <message><source>finds the best widths faster</source><translation>更快求得最佳宽度</translation></message>
 </context>
 <context>
  <name>ElasticaBend</name>
@@ -262,7 +264,7 @@
 <context>
  <name>Elastica_Libraries</name>
  <message><source>Install missing libraries</source><translation>安装缺少的库</translation></message>
- <message><source>Install the optional libraries that FreeCAD does not bring: ezdxf (DXF files), highspy (nearest curves)</source><translation>安装 FreeCAD 未附带的可选库：ezdxf（DXF 文件）、highspy（最近曲线）</translation></message>
+ <message><source>Install the optional libraries that FreeCAD does not bring: ezdxf (DXF files), highspy (faster)</source><translation>安装 FreeCAD 未附带的可选库：ezdxf（DXF 文件）、highspy（更快）</translation></message>
 </context>
 <context>
  <name>Elastica_Nearest</name>

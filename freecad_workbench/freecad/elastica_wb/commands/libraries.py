@@ -14,7 +14,7 @@ class LibrariesCommand(Command):
 
     name = "Elastica_Libraries"
     text = "Install missing libraries"
-    tip = "Install the optional libraries that FreeCAD does not bring: ezdxf (DXF files), highspy (nearest curves)"
+    tip = "Install the optional libraries that FreeCAD does not bring: ezdxf (DXF files), highspy (faster)"
     needs_document = False
 
     def run(self) -> None:
