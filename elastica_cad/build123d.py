@@ -12,7 +12,8 @@ from elastica_cad import occt
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication import BentSolid, FlatSolid, Frame, Model, Strip, sheet_color
 from elastica_cad.fabrication import EndFixture as FixtureRecord
-from elastica_cad.fabrication.assembly import bent_parts
+from elastica_cad.fabrication.assembly import Holder, bent_parts, holder_bodies
+from elastica_cad.fabrication.colors import FIXTURE_COLOR
 from elastica_cad.fabrication.making import StripFacts, make_strip
 from elastica_cad.fabrication.prisms import PrismSolid
 from elastica_cad.geometry import PlaneCurve
@@ -29,9 +30,6 @@ __all__ = [
 ]
 
 Drawn: TypeAlias = bd.Edge | bd.Wire | PlaneCurve | Iterable[bd.Edge]
-
-
-FIXTURE_COLOR = (0.30, 0.36, 0.42)
 
 
 class _Made(StripFacts):
@@ -256,7 +254,7 @@ class PlacedStrip(_Made, bd.Part):
     """A bent strip of a model, in its place; `strip`, `rod`, `check`, `warnings` tell about it."""
 
 
-def model_compound(model: Model) -> bd.Compound:
+def model_compound(model: Model, *, others: Iterable[Holder] = ()) -> bd.Compound:
     """The bent strips of a model as an assembly: a compound whose children are called like the parts.
 
     Equal strips share one body. Every child has the joints of `BentStrip` and knows its `strip`.
@@ -264,14 +262,21 @@ def model_compound(model: Model) -> bd.Compound:
     Parameters
     ----------
     model : Model
+    others : iterable of BasePlate, SlottedFrame and EndFixture, optional
+        What holds the strips, as further children: plates and blocks, these with their joint "tab".
 
     Returns
     -------
     Compound
         Called like the model, with one `PlacedStrip` a strip.
+
+    Raises
+    ------
+    InputError
+        Something else among `others`.
     """
     bodies: dict[int, list[bd.Solid]] = {}
-    children = []
+    children: list[bd.Part] = []
     for part in bent_parts(model):
         if id(part.solids) not in bodies:
             bodies[id(part.solids)] = _solids(part.solids)
@@ -281,6 +286,11 @@ def model_compound(model: Model) -> bd.Compound:
         child.label = part.name
         child.location = bd.Location(occt.make_location(part.frame))
         children.append(child)
+    for body in holder_bodies(others):
+        holder = bd.Part(occt.make_solid(body.solid))
+        _join(holder, body.solid)
+        holder.label, holder.color = body.name, bd.Color(*body.color)
+        children.append(holder)
     return bd.Compound(label=model.name, children=children)
 
 

@@ -12,7 +12,7 @@ except ImportError as error:
 from elastica_cad import occt
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication import BentSolid, EndFixture, FlatSolid, Frame, Model, Strip, sheet_color
-from elastica_cad.fabrication.assembly import bent_parts
+from elastica_cad.fabrication.assembly import Holder, bent_parts, holder_bodies
 from elastica_cad.fabrication.making import StripFacts, make_strip
 from elastica_cad.geometry import PlaneCurve
 from elastica_cad.mechanics import Sheet
@@ -183,7 +183,7 @@ def end_fixture(
     return _dressed(FixtureSolid(occt.make_solid(block)), block.joints, strip)
 
 
-def model_assembly(model: Model) -> cq.Assembly:
+def model_assembly(model: Model, *, others: Iterable[Holder] = ()) -> cq.Assembly:
     """The bent strips of a model as an assembly with names, colours and places.
 
     The ends of every strip are held by constraints (points and axes of their end faces), so that parts which are
@@ -192,12 +192,19 @@ def model_assembly(model: Model) -> cq.Assembly:
     Parameters
     ----------
     model : Model
+    others : iterable of BasePlate, SlottedFrame and EndFixture, optional
+        What holds the strips, as further children, held where they are by `solve()` as the strips.
 
     Returns
     -------
     Assembly
-        Called like the model; its children like the parts (with "_" for what queries cannot hold), each with
-        its end faces tagged "start" and "end" and its `Strip` as metadata "strip".
+        Called like the model; its children like the parts (with "_" for what queries cannot hold), each strip
+        with its end faces tagged "start" and "end" and its `Strip` as metadata "strip".
+
+    Raises
+    ------
+    InputError
+        Something else among `others`.
     """
     assembly = cq.Assembly(name=model.name)
     bodies: dict[int, StripSolid | StripCompound] = {}
@@ -216,6 +223,10 @@ def model_assembly(model: Model) -> cq.Assembly:
             there = face.moved(place)
             assembly.constrain(f"{name}?{end}", "FixedPoint", there.Center().toTuple())
             assembly.constrain(f"{name}?{end}", "FixedAxis", there.normalAt().toTuple())
+    for body in holder_bodies(others):
+        name = _called(body.name, assembly)
+        assembly.add(cq.Solid(occt.make_solid(body.solid)), name=name, color=cq.Color(*body.color))
+        assembly.constrain(name, "Fixed")
     return assembly
 
 

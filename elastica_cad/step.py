@@ -1,6 +1,6 @@
 """STEP files: strips and models written by OpenCASCADE, curves read by it."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from io import BytesIO
 from os import PathLike
@@ -9,7 +9,7 @@ from typing import Any
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication import BentSolid, FlatSolid, Frame, Model, Strip, sheet_color
-from elastica_cad.fabrication.assembly import bent_parts, layer_names
+from elastica_cad.fabrication.assembly import Holder, bent_parts, holder_bodies, layer_names
 from elastica_cad.formats.opening import existing_file, naming
 from elastica_cad.formats.output import write_atomically
 from elastica_cad.formats.step_text import canonical_step
@@ -40,8 +40,8 @@ class Part:
     frame: Frame | None = None
 
 
-def model_parts(model: Model) -> list[Part]:
-    """The bent strips of a model, each in its place; equal strips share one shape."""
+def model_parts(model: Model, others: Iterable[Holder] = ()) -> list[Part]:
+    """The bent strips of a model, each in its place, and what holds them; equal strips share one shape."""
     shapes: dict[int, Shape] = {}
     parts = []
     for part in bent_parts(model):
@@ -49,12 +49,18 @@ def model_parts(model: Model) -> list[Part]:
             if id(solid) not in shapes:
                 shapes[id(solid)] = make_solid(solid)
             parts.append(Part(name, shapes[id(solid)], sheet_color(layer.sheet), part.frame))
+    parts += [Part(body.name, make_solid(body.solid), body.color) for body in holder_bodies(others)]
     return parts
 
 
-def write_model_step(model: Model, path: str | PathLike[str], *, force: bool = False) -> None:
-    """Write the bent strips of a model, in their places, to one STEP file."""
-    write_step(model_parts(model), path, name=model.name, force=force)
+def write_model_step(
+    model: Model, path: str | PathLike[str], *, others: Iterable[Holder] = (), force: bool = False
+) -> None:
+    """Write the bent strips of a model, in their places, to one STEP file.
+
+    `others` are its base plates, frames and fixtures, if these are wanted in the file.
+    """
+    write_step(model_parts(model, others), path, name=model.name, force=force)
 
 
 def write_step(

@@ -2,7 +2,10 @@
 
 from elastica_cad.mechanics import Sheet
 
-__all__ = ["sheet_color"]
+__all__ = ["FIXTURE_COLOR", "sheet_color"]
+
+FIXTURE_COLOR = (0.30, 0.36, 0.42)
+"""Printed blocks."""
 
 _BY_NAME = {
     "pom": (0.93, 0.93, 0.90),

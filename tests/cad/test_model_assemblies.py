@@ -8,9 +8,12 @@ import pytest
 pytest.importorskip("OCP")
 
 from elastica_cad import occt, step
-from elastica_cad.fabrication import Frame, Model, Placed, Slot
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication import Frame, Model, Placed, Slot, slotted_frame
+from elastica_cad.fabrication.assembly import holder_bodies
 from elastica_cad.fabrication.making import make_strip
 from elastica_cad.geometry import PlaneCurve
+from elastica_cad.mechanics import Sheet
 
 ARCH = PlaneCurve.spline([(20, 0), (40, 60), (70, 80), (120, 60), (150, 0)])
 S = PlaneCurve.spline([(20, 0), (50, 60), (100, 10), (150, -40), (200, 20)])
@@ -108,3 +111,77 @@ def test_cadquery_assembly(model):
     for child, (position, angles) in zip(made.children, before, strict=True):
         assert child.loc.toTuple()[0] == pytest.approx(position, abs=1e-4)
         assert np.cos(child.loc.toTuple()[1]) == pytest.approx(np.cos(angles), abs=1e-5)
+
+
+@pytest.fixture(scope="module")
+def crown():
+    arch = make_strip(ARCH, "birch-plywood-0.8", max_width=15, label="arch")
+    return Model((Placed(arch, (0, 0, 0), (1, 0, 0), (0, 0, 1)),), name="crown").rotated(3)
+
+
+@pytest.fixture(scope="module")
+def holders(crown):
+    base = crown.base_plate(Sheet.named("birch-plywood-0.8"))
+    return (base, *crown.fixtures()[:2])
+
+
+class TestWhatHoldsTheStrips:
+    """A base plate and printed blocks in the same assembly, where they belong."""
+
+    NAMES = ("base", "fixture arch:1", "fixture arch:2")
+
+    def test_records(self, crown, holders):
+        assert tuple(body.name for body in holder_bodies(holders)) == self.NAMES
+        twice = holder_bodies((holders[1], holders[1]))
+        assert [body.name for body in twice] == ["fixture arch:1_1", "fixture arch:1_2"]
+
+    def test_a_slotted_frame_is_its_rails_and_ribs(self):
+        arch = make_strip(ARCH, "birch-plywood-0.8", max_width=15)
+        row = Model(tuple(Placed(arch, (0, 30 * k, 0), (1, 0, 0), (0, 0, 1)) for k in range(3)))
+        frame = slotted_frame(row, Sheet.named("birch-plywood-0.8"))
+        assert [body.name for body in holder_bodies([frame])] == [name for name, _ in frame.solids]
+
+    def test_something_else(self, crown):
+        with pytest.raises(InputError, match="base plates, slotted frames and end fixtures, not by str"):
+            step.model_parts(crown, ["plate"])
+
+    def test_step(self, crown, holders, tmp_path, measure):
+        from OCP.STEPControl import STEPControl_Reader
+
+        path = tmp_path / "crown.step"
+        step.write_model_step(crown, path, others=holders)
+        text = path.read_text()
+        names = re.findall(r"NEXT_ASSEMBLY_USAGE_OCCURRENCE\('\d+','([^']*)'", text)
+        assert names == ["arch_1", "arch_2", "arch_3", *self.NAMES]
+        reader = STEPControl_Reader()
+        reader.ReadFile(str(path))
+        reader.TransferRoots()
+        corner = holders[0].frame.point([*holders[0].slots[0].corners[0], 0.0])
+        assert measure.distance(reader.OneShape(), [corner]) < 1e-6
+
+    def test_build123d(self, crown, holders):
+        pytest.importorskip("build123d")
+        from elastica_cad.build123d import model_compound
+
+        made = model_compound(crown, others=holders)
+        assert [child.label for child in made.children][3:] == list(self.NAMES)
+        assert made.is_valid
+        strip, base, block = made.children[0], made.children[3], made.children[4]
+        assert not strip & base
+        assert not strip & block
+        assert tuple(base.color) == pytest.approx(tuple(strip.color))
+        mate = strip.joints["start"].location
+        assert [*block.joints["tab"].location.position] == pytest.approx([*mate.position], abs=1e-9)
+
+    def test_cadquery(self, crown, holders):
+        pytest.importorskip("cadquery")
+        from elastica_cad.cadquery import model_assembly
+
+        made = model_assembly(crown, others=holders)
+        names = [child.name for child in made.children][3:]
+        assert names == ["base", "fixture_arch_1", "fixture_arch_2"]
+        before = [child.loc.toTuple()[0] for child in made.children]
+        made.solve()
+        for child, place in zip(made.children, before, strict=True):
+            assert child.loc.toTuple()[0] == pytest.approx(place, abs=1e-4)
+        assert made.children[3].obj.isValid()
