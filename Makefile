@@ -30,7 +30,7 @@ lint: $(VENV)/test-installed
 
 # The core on the oldest libraries that a Debian FreeCAD brings: numpy 1.24, scipy 1.10, no highspy, no ezdxf. Every
 # test that names nothing else must pass there.
-RIM := ezdxf|shapely|svgelements|highspy|OCP|matplotlib|click|build123d|cadquery|importlinter|pip|distributed|\.cli
+RIM := ezdxf|write_drawing|check_drawing|shapely|svgelements|highspy|OCP|matplotlib|click|build123d|cadquery|importlinter|pip|distributed|\.cli
 test-core: .venv-core/installed
 	PYTHONPATH=. .venv-core/bin/python -m pytest -o addopts="-q --import-mode=importlib" \
 		$$(grep -rLE "$(RIM)" --include="test_*.py" tests/unit tests/properties tests/validation)

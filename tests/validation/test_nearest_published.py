@@ -36,7 +36,8 @@ def s_curve(shared_data):
 
 def hausdorff(curve, nodes, count=3000):
     """Largest distance of a curve and a chain of nodes, either way, over the diagonal: the file's own measure."""
-    spline = BSpline(curve.knots, curve.control_points, curve.degree)
+    knots, points = np.array(curve.knots), np.array(curve.control_points)  # copies: scipy < 1.11
+    spline = BSpline(knots, points, curve.degree)
     a = spline(np.linspace(*curve.domain, count))
     s = np.linspace(0, 1, len(nodes))
     b = np.column_stack([np.interp(np.linspace(0, 1, count), s, nodes[:, k]) for k in (0, 1)])
