@@ -8,6 +8,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry import PlaneCurve, Profile
 from elastica_cad.mechanics.equilibrium import (
+    AT_END,
     EquilibriumCheck,
     NotRealizable,
     check_equilibrium,
@@ -19,6 +20,7 @@ from elastica_cad.mechanics.loads import Weight
 from elastica_cad.mechanics.material_laws import MaterialLaw
 from elastica_cad.mechanics.rod import DEFAULT_SAMPLES, Rod
 from elastica_cad.mechanics.supports import Supports
+from elastica_cad.mechanics.verdict import figure
 from elastica_cad.mechanics.weighing import BalancedStiffness, balance_with_weight, balance_without_weight
 
 __all__ = ["optimal_rod"]
@@ -100,6 +102,8 @@ def optimal_rod(
         check = check_equilibrium(curve, supports, natural_curvature, tolerance=tolerance)
     else:
         check = examine_curvature(curve, supports, natural_curvature)
+    if gravity is not None and not check.any_stiffness:
+        _require_load_at_free_end(check, supports, weight)
     if not check.realizable:
         raise NotRealizable(check)
     if law is not None:
@@ -152,6 +156,28 @@ def _check_options(
             )
         if not (np.isfinite(bending_stiffness) and bending_stiffness > 0):
             raise InputError(f"bending stiffness is {bending_stiffness}: it must be positive, in N mm2")
+
+
+def _require_load_at_free_end(check: EquilibriumCheck, supports: Supports, weight: Weight | None) -> None:
+    """Refuse an end that neither a support nor a mass holds: what the curve does there is not for drawing.
+
+    With u the distance from it and W the weight beyond, K kappa = integral of W cos(alpha) du. Both vanish at
+    u = 0, and where the weight is the strip's own, K stays finite and positive only for kappa = cos(alpha)
+    u^2 / (2 l_eg^3) + ...
+    """
+    masses = () if weight is None else weight.masses
+    for name, support, s in zip(("start", "end"), supports.ends, (0.0, check.length), strict=True):
+        hung = any(mass.mass > 0 and abs(mass.at - s) <= AT_END * check.length for mass in masses)
+        if support.x or support.y or support.angle or hung:
+            continue
+        reason = (
+            f"The {name} (at {figure(s)} mm) is free and carries the weight of the strip only, so moment and "
+            "force run out together: the curvature would have to vanish there with its slope, and grow just as "
+            "this sheet's weight asks (kappa = cos(angle) u^2 / (2 l^3) at the distance u, l being the "
+            "gravity's length), which no drawn curve does. nearest_rod finds the nearest curve that hangs so; "
+            "bend(Rod.straight(...)) shows how a given strip hangs; or hang a mass on this end."
+        )
+        raise NotRealizable(replace(check, realizable=False, reasons=(reason,)))
 
 
 def _is_whole(number: object) -> bool:

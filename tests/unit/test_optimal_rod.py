@@ -12,8 +12,10 @@ from elastica_cad.mechanics import (
     Gravity,
     NotRealizable,
     PointMass,
+    Rod,
     Supports,
     Weight,
+    bend,
     check_equilibrium,
     optimal_rod,
 )
@@ -245,6 +247,29 @@ class TestWeight:
         rod = optimal_rod(curve, **options)
         _, behind = marched(rod)
         assert behind == pytest.approx([0, 0], abs=1e-9)
+
+    @pytest.mark.parametrize("supports", [Supports("clamped", "free"), Supports("free", "clamped")])
+    def test_free_end_under_its_own_weight_only_is_explained(self, supports):
+        """Even a strip that hangs so is no drawing to start from: its end curvature is all but zero."""
+        gravity = Gravity(96.0)
+        hanging = bend(Rod.straight(100.0, samples=101, gravity=gravity, supports=supports))
+        for curve in (hanging.curve, OVERHANG):
+            with pytest.raises(NotRealizable, match=r"is free and carries the weight of the strip only"):
+                optimal_rod(curve, gravity, supports)
+            with pytest.raises(NotRealizable, match="nearest_rod finds the nearest curve that hangs so"):
+                optimal_rod(curve, gravity, supports, weight=Weight(1e-3, masses=(PointMass(50.0, 1.0),)))
+
+    def test_own_weight_alone_fixes_the_curvature_at_a_free_end(self):
+        """kappa = cos(alpha) u^2 / (2 l^3), whatever the stiffness: what the refusal says."""
+        for K in (1.0, np.linspace(3.0, 1.0, 801), np.linspace(1.0, 2.0, 801)):
+            rod = Rod.straight(
+                100.0, K, samples=801, gravity=Gravity(80.0), supports=Supports("clamped", "free")
+            )
+            rod = bend(rod)
+            u = rod.length - rod.s
+            at = (u > 1.0) & (u < 3.0)
+            asked = -np.cos(rod.angle[-1]) * u**2 / (2 * 80.0**3)
+            np.testing.assert_allclose(rod.curvature[at], asked[at], rtol=0.04)
 
     def test_sought_bending_stiffness_is_the_best(self):
         """Neither a stiffer nor a softer strip has a smaller ratio (without the smoothing of section 5.3)."""
