@@ -114,7 +114,7 @@ def lifted(
         rod = problem.grid.guessed(z, angles, moments)
         sensitivities = problem.grid.sensitivities(rod, closing=True)
         model = problem.distance.model(rod, sensitivities)
-        rows = _rows(problem, rod, sensitivities, problem.values(rod))
+        rows = _rows(problem, sensitivities)
         step, _ = _step(problem, z, model, rows, _FAR, _CALM)
         if step is None:
             break
@@ -140,7 +140,7 @@ def solve(problem: Problem, z: FloatArray, *, steps: int = STEPS, radius: float 
         iteration += 1
         sensitivities = problem.grid.sensitivities(rod)
         model = problem.distance.model(rod, sensitivities)
-        rows = _rows(problem, rod, sensitivities, values)
+        rows = _rows(problem, sensitivities, values)
         floor = SETTLED * problem.distance.value(rod) + _RESOLUTION
         accepted = False
         while not accepted and radius > SMALLEST_RADIUS:
@@ -212,11 +212,17 @@ def _broken(constraint: Constraint, values: FloatArray) -> FloatArray:
 
 
 def _rows(
-    problem: Problem, rod: MarchedRod, sensitivities: Sensitivities, values: Sequence[FloatArray]
+    problem: Problem,
+    sensitivities: Sensitivities,
+    values: Sequence[FloatArray] | None = None,
+    which: Sequence[int] | None = None,
 ) -> _Rows:
-    p = rod.z.size
+    """Rows of the constraints numbered `which` (all unless given); their `values` if they are at hand."""
+    p = sensitivities.rod.z.size
     parts: list[tuple[FloatArray | IntArray, ...]] = []
-    for k, (constraint, value) in enumerate(zip(problem.constraints, values, strict=True)):
+    for k in range(len(problem.constraints)) if which is None else which:
+        constraint = problem.constraints[k]
+        value = constraint.values(sensitivities.rod) if values is None else values[k]
         index, jacobian = constraint.rows(sensitivities)
         at = value[index] + (jacobian[:, p] if jacobian.shape[1] > p else 0.0)
         same = np.ones(index.size)
@@ -306,6 +312,7 @@ def _mended(
     z = np.clip(before.z + step, problem.lower, problem.upper)
     free = np.minimum(z - problem.lower, problem.upper - z) > 1e-6 * s
     aim, wanted = (rows.value + rows.jacobian @ step)[touched], rows.keys[touched]
+    asked = np.unique(rows.constraint[touched]).tolist()
     angles = before.angles + sensitivities.angles @ step
     moments = before.moments + sensitivities.moments @ step
     for _ in range(_MENDING):
@@ -317,7 +324,7 @@ def _mended(
         change = np.zeros(p + 1)
         change[-1] = 1.0
         if wanted.size:
-            here = _rows(problem, now, d, problem.values(now))
+            here = _rows(problem, d, which=asked)
             _, a, b = np.intersect1d(wanted, here.keys, return_indices=True)
             jacobian = (here.jacobian[b] * s)[:, free]
             change[:-1][free] = np.linalg.lstsq(jacobian, aim[a] - here.value[b], rcond=1e-10)[0] * s[free]
@@ -332,7 +339,7 @@ def _closed(problem: Problem, rod: MarchedRod, values: list[FloatArray]) -> Marc
     """Newton's method on the equalities and on the limits that are touched, by least steps of what is free."""
     s = problem.scale
     for _ in range(6):
-        rows = _rows(problem, rod, problem.grid.sensitivities(rod), values)
+        rows = _rows(problem, problem.grid.sensitivities(rod), values)
         touched = (rows.one_sided == 0) | (rows.value < _TOUCHED)
         if not touched.any():
             return rod
