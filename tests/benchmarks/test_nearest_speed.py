@@ -1,0 +1,65 @@
+"""Speed of `nearest_rod`; the times that matter are the user's, so these are milliseconds, not ratios."""
+
+import json
+
+import numpy as np
+import pytest
+
+from elastica_cad.forming import Keep, Limits, nearest_rod
+from elastica_cad.geometry import PlaneCurve
+from elastica_cad.mechanics import Gravity
+
+
+def unclamped(control_points):
+    return PlaneCurve(np.arange(-4.0, len(control_points) + 1), np.asarray(control_points, dtype=float), 4)
+
+
+@pytest.fixture(scope="module")
+def flower_pot(shared_data):
+    data = json.loads((shared_data / "reference" / "flower_pot.json").read_text())
+    e = np.array(data["e_gravity"]) * 1e-9
+    points = [np.array(c["cp_initial"]) * 1000 * data["scale_m_per_unit"] for c in data["curves"]]
+    return points, Gravity(np.hypot(*e) ** (-1 / 3), tuple(-e))
+
+
+def test_sixteen_light_curves(benchmark, flower_pot):
+    points, _ = flower_pot
+    found = benchmark.pedantic(
+        lambda: [nearest_rod(unclamped(p), Limits(ratio=2.5)) for p in points], rounds=5, warmup_rounds=1
+    )
+    assert all(near.met for near in found)
+    assert benchmark.stats.stats.median / 16 <= 0.025
+
+
+def test_sixteen_heavy_stable_curves(benchmark, flower_pot):
+    points, gravity = flower_pot
+    limits = Limits(ratio=3.3, margin=5.0)
+    found = benchmark.pedantic(
+        lambda: [nearest_rod(unclamped(p), limits, gravity=gravity) for p in points],
+        rounds=5,
+        warmup_rounds=1,
+    )
+    assert all(near.met for near in found)
+    assert benchmark.stats.stats.median <= 1.5
+    assert benchmark.stats.stats.median / 16 <= 0.060
+
+
+def test_unstable_s(benchmark, shared_data):
+    points = np.loadtxt(shared_data / "hafner" / "spline_infl_simple.txt", skiprows=1) * 30
+    near = benchmark.pedantic(
+        lambda: nearest_rod(unclamped(points), Limits(ratio=2.954, margin=5.0), Keep(tangents=True)),
+        rounds=5,
+        warmup_rounds=1,
+    )
+    assert near.met
+    assert benchmark.stats.stats.median <= 0.25
+
+
+def test_march_with_sensitivities(benchmark):
+    from elastica_cad.forming.march import StripGrid
+    from elastica_cad.forming.setting import spline_basis
+
+    grid = StripGrid(spline_basis(np.linspace(0, 1, 201), 38), np.array([1.0, 2.0]))
+    z = np.concatenate([np.full(38, 1.5), [4.0, 9.0, -7.0, 0.0, 0.0, 0.3, 1.0]])
+    benchmark(lambda: grid.sensitivities(grid.rod(z)))
+    assert benchmark.stats.stats.median <= 1e-3
