@@ -44,7 +44,9 @@ class Weight:
     def lumped(self, s: FloatArray, stiffness: FloatArray, node_lengths: FloatArray) -> FloatArray:
         """Weight of each node (n,), N; a point mass is shared by its two neighbours."""
         if self.own:
-            raise InputError("a strip's own weight has no value before optimal_rod has found it: give beta in N/mm")
+            raise InputError(
+                "a strip's own weight has no value before optimal_rod has found it: give beta in N/mm"
+            )
         at = [value(s) if isinstance(value, Profile) else np.full(s.shape, float(value))
               for value in (self.alpha, self.beta)]  # fmt: skip
         weight = node_lengths * (at[0] + at[1] * stiffness)
