@@ -60,12 +60,13 @@ def coupon(
     """
     known = Sheet.named(sheet)
     if measured:
-        _calibrate(
-            replace(known, thickness=thickness or known.thickness, density=density or known.density,
-                    thickness_range=None if thickness else known.thickness_range,
-                    density_range=None if density else known.density_range),
-            measured, reading_error, least_radius, name or f"my-{sheet}", output, force,
-        )  # fmt: skip
+        if name and ("/" in name or "\\" in name):
+            raise InputError(f"the name {name!r} is to name a file too: leave out / and \\")
+        if thickness is not None:
+            known = replace(known, thickness=thickness, thickness_range=None)
+        if density is not None:
+            known = replace(known, density=density, density_range=None)
+        _calibrate(known, measured, reading_error, least_radius, name or f"my-{sheet}", output, force)
         return
     for value, option in (
         (thickness, "--thickness"),

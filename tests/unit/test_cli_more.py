@@ -159,6 +159,9 @@ def test_a_measured_coupon_becomes_a_sheet(tmp_path):
         (("--sheet", "paper"), "unknown sheet 'paper'"),
         (("--sheet", "card-200gsm", "--density", 900), "--density belongs to a measurement"),
         (("--sheet", "card-200gsm", "--measured", 100, 120), "a droop of 120 mm is more than"),
+        (("--sheet", "card-200gsm", "--measured", 160, 74, "--density", 0), "density is 0"),
+        (("--sheet", "card-200gsm", "--measured", 160, 74, "--thickness", 0), "thickness is 0"),
+        (("--sheet", "card-200gsm", "--measured", 160, 74, "--name", "a/b"), "leave out /"),
         (("--sheet", "card-200gsm", "--width", 2), "too narrow"),
     ],
 )
