@@ -3,7 +3,7 @@
 import FreeCAD as App
 import pytest
 from freecad.elastica_wb.cutting import pieces_of, write_cutting_files
-from freecad.elastica_wb.features import baseplate, fixtures, model, nest, strip
+from freecad.elastica_wb.features import baseplate, fixtures, flat, model, nest, strip
 
 ARCH = [(-75, 0), (-50, 60), (0, 95), (50, 60), (75, 0)]
 
@@ -144,3 +144,17 @@ def test_a_model_survives_saving(document, crossing, tmp_path):
         assert sheets.State == ["Up-to-date"]
     finally:
         App.closeDocument(again.Name)
+
+
+def test_flat_parts_get_the_slots_of_their_model(document, crossing):
+    part = flat.create(document, crossing[0])
+    document.recompute()
+    plain = len(part.Shape.Faces)
+    part.Model = model.create(document, crossing)
+    document.recompute()
+    assert part.State == ["Up-to-date"], part.getStatusString()
+    assert len(part.Shape.Faces) >= plain + 3
+    assert flat.flats_of(crossing) == [part]
+    part.Model = model.create(document, crossing[1:])
+    document.recompute()
+    assert "does not belong" in part.getStatusString()

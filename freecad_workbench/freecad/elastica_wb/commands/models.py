@@ -2,7 +2,7 @@
 
 import FreeCAD as App
 from freecad.elastica_wb.commands.base import Command, chosen_sources, chosen_strips, show_panel, undo_step
-from freecad.elastica_wb.features import model, nest
+from freecad.elastica_wb.features import flat, model, nest
 from freecad.elastica_wb.panels.fixtures import FixturesPanel
 from freecad.elastica_wb.panels.model import ModelPanel
 
@@ -24,6 +24,8 @@ class InterlockCommand(Command):
         made = model.create(App.ActiveDocument, strips)
         for strip in strips:
             strip.Visibility = False
+        for part in flat.flats_of(strips):
+            part.Model = made
         App.ActiveDocument.recompute()
         show_panel(ModelPanel, made)
 

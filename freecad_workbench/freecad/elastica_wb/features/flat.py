@@ -1,62 +1,43 @@
 """The flat twin of a strip: a body of its own for assemblies, drawings and cutting."""
 
+from collections.abc import Iterable
 from typing import Any
 
 import FreeCAD as App
 from freecad.elastica_wb.design import flat_shape
-from freecad.elastica_wb.features.properties import Property, ensure
+from freecad.elastica_wb.features.model import is_model, model_of
+from freecad.elastica_wb.features.properties import Property
+from freecad.elastica_wb.features.proxy import Feature
 from freecad.elastica_wb.features.strip import is_strip, strip_of
 
-from elastica_cad.errors import ElasticaError, InputError
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication import Strip
 
-__all__ = ["FlatFeature", "create", "is_flat"]
+__all__ = ["FlatFeature", "create", "flats_of", "is_flat"]
 
 GAP = 10.0  # mm between the curve and the flat part
 
 LAYERS = ["Base", "Backing"]
 
-PROPERTIES = (
-    Property("LinkGlobal", "Strip", "Strip", "The strip whose flat part this is"),
-    Property(
-        "Enumeration", "Layer", "Strip", "Of a laminated strip the base, or the backing glued on", LAYERS
-    ),
-)
 
-
-class FlatFeature:
+class FlatFeature(Feature):
     """Proxy of the flat part; it may be placed anywhere."""
 
-    def __init__(self, obj: Any) -> None:
-        obj.Proxy = self
-        ensure(obj, PROPERTIES)
+    properties = (
+        Property("LinkGlobal", "Strip", "Strip", "The strip whose flat part this is"),
+        Property("Enumeration", "Layer", "Strip", "Of a laminated strip the base, or the backing", LAYERS),
+        Property("LinkGlobal", "Model", "Strip", "The model whose slots it gets; none for a strip by itself"),
+    )
 
-    def onDocumentRestored(self, obj: Any) -> None:
-        """Bring a file of an earlier version up to date."""
-        ensure(obj, PROPERTIES)
-
-    def execute(self, obj: Any) -> None:
+    def make(self, obj: Any) -> None:
         """Take the flat shape of the strip."""
         if obj.Strip is None or not is_strip(obj.Strip):
-            raise ValueError("the strip is missing: choose one in the property Strip")
-        try:
-            strip = strip_of(obj.Strip)
-            layer = LAYERS.index(obj.Layer)
-            if layer >= len(strip.layers):
-                raise InputError(
-                    f"{obj.Strip.Label} is not laminated: it has no backing; choose the layer Base"
-                )
-            obj.Shape = flat_shape(strip, layer)
-        except ElasticaError as error:
-            raise ValueError(str(error)) from None
-
-    def dumps(self) -> None:
-        """Nothing to save."""
-
-    def loads(self, state: Any) -> None:
-        """Nothing to load."""
-
-    __getstate__ = dumps
-    __setstate__ = loads
+            raise InputError("the strip is missing: choose one in the property Strip")
+        strip = _slotted(obj)
+        layer = LAYERS.index(obj.Layer)
+        if layer >= len(strip.layers):
+            raise InputError(f"{obj.Strip.Label} is not laminated: it has no backing; choose the layer Base")
+        obj.Shape = flat_shape(strip, layer)
 
 
 def create(document: Any, strip: Any, layer: str = "Base") -> Any:
@@ -78,12 +59,26 @@ def create(document: Any, strip: Any, layer: str = "Base") -> Any:
     return obj
 
 
+def _slotted(obj: Any) -> Strip:
+    """The strip, with its slots where it belongs to a model."""
+    if obj.Model is None:
+        return strip_of(obj.Strip)
+    if not is_model(obj.Model) or obj.Strip not in obj.Model.Strips:
+        raise InputError(f"{obj.Strip.Label} does not belong to {obj.Model.Label}: choose its model, or none")
+    return model_of(obj.Model).strips[obj.Model.Strips.index(obj.Strip)]
+
+
 def _beside(strip: Any) -> App.Placement:
     """On the ground in front of the drawn curve."""
     box = strip.Curve[0].Shape.BoundBox
     if not box.isValid():  # a sketch that was not recomputed yet
         return App.Placement(App.Vector(0, -GAP - strip.MaxWidth.Value, 0), App.Rotation())
     return App.Placement(App.Vector(box.XMin, box.YMin - GAP - strip.MaxWidth.Value, 0), App.Rotation())
+
+
+def flats_of(strips: Iterable[Any]) -> list[Any]:
+    """The flat parts of strips."""
+    return [obj for strip in strips for obj in strip.InList if is_flat(obj) and obj.Strip is strip]
 
 
 def is_flat(obj: Any) -> bool:

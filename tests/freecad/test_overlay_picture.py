@@ -1,0 +1,68 @@
+"""What the overlay shows, as points: no window needed."""
+
+import numpy as np
+import pytest
+from freecad.elastica_wb.design import Wish, solved
+from freecad.elastica_wb.picture import comb_scale, curve_picture, sentence_of, width_lines
+
+from elastica_cad.geometry import PlaneCurve
+from elastica_cad.mechanics import NotRealizable, Sheet, check_equilibrium
+
+WISH = Wish(Sheet.named("birch-plywood-0.8"), max_width=30.0)
+ARCH = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
+WAVE = PlaneCurve.spline([(0, 0), (25, 55), (60, 45), (95, -50), (130, -40), (150, 0)])
+SNAKE = PlaneCurve.spline([(0, 0), (40, 60), (80, -60), (120, 60), (160, -10), (200, 90)])
+
+
+def test_an_arch_has_a_comb_and_no_line():
+    picture = curve_picture(ARCH, WISH)
+    assert picture.realizable
+    assert picture.line is None
+    assert picture.on_line.shape == (0, 2)
+    rim, *teeth = picture.comb
+    samples = ARCH.sample(len(rim))
+    height = np.hypot(*(rim - samples.position).T)
+    assert height == pytest.approx(comb_scale(ARCH) * np.abs(samples.curvature))
+    assert len(teeth) == len(rim)
+    # the arch bends to the right, its comb stands on the outer side
+    assert rim[len(rim) // 2, 1] > samples.position[len(rim) // 2, 1]
+
+
+def test_a_wave_has_its_inflection_on_the_line():
+    picture = curve_picture(WAVE, WISH)
+    assert picture.realizable
+    assert picture.on_line == pytest.approx(WAVE.at(WAVE.inflections).position)
+    a, b = picture.line
+    along, off = (b - a) / np.hypot(*(b - a)), picture.on_line[0] - a
+    assert abs(along[0] * off[1] - along[1] * off[0]) < 1e-9
+    assert picture.sentence.endswith(".")
+
+
+def test_inflections_off_the_line_say_how_far():
+    picture = curve_picture(SNAKE, WISH)
+    check = check_equilibrium(SNAKE)
+    assert len(check.inflections) >= 2
+    assert picture.realizable is check.realizable is False
+    off = {s: d for s, d in check.off_line if abs(d) > 1e-4 * check.length}
+    assert len(picture.off_line) == len(off) >= 2
+    assert [words for _, words in picture.distances] == [f"{abs(d):.3g} mm" for d in off.values()]
+    assert picture.sentence == check.reasons[0]
+
+
+def test_the_width_lies_along_the_curve():
+    strip = solved(ARCH, WISH)
+    left, right = width_lines(strip, 41)
+    s = np.linspace(0, ARCH.length, 41)
+    assert np.hypot(*(left - right).T) == pytest.approx(strip.width(s), abs=1e-6)
+    assert (left + right) / 2 == pytest.approx(ARCH.sample(41).position, abs=1e-9)
+    assert "20.8 to 30 mm wide" in sentence_of(strip)
+
+
+def test_bad_curves_are_one_sentence():
+    closed = PlaneCurve.ellipse((0, 0), (50, 30))
+    picture = curve_picture(closed, WISH)
+    assert picture.realizable is False
+    assert "closed" in picture.sentence
+    with pytest.raises(NotRealizable) as caught:
+        solved(SNAKE, WISH)
+    assert sentence_of(caught.value) == check_equilibrium(SNAKE).reasons[0]
