@@ -37,8 +37,8 @@ test-core: .venv-core/installed
 
 # Kernels: .venv has build123d and CadQuery together (OCP 7.9); here the newest of each, alone.
 test-kernels: .venv-build123d/installed .venv-cadquery/installed
-	PYTHONPATH=. .venv-build123d/bin/python -m pytest -o addopts="-q --import-mode=importlib" tests/cad
-	PYTHONPATH=. .venv-cadquery/bin/python -m pytest -o addopts="-q --import-mode=importlib" tests/cad
+	ELASTICA_KERNELS=build123d PYTHONPATH=. .venv-build123d/bin/python -m pytest -o addopts="-q --import-mode=importlib" tests/cad
+	ELASTICA_KERNELS=cadquery PYTHONPATH=. .venv-cadquery/bin/python -m pytest -o addopts="-q --import-mode=importlib" tests/cad
 
 # FreeCAD 0.20 as Debian 12 has it; with RELEASE=trixie or RELEASE=sid (needs root) 1.0 or 1.1 in a folder of its own.
 test-freecad: $(VENV)/test-installed

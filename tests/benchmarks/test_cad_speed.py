@@ -5,8 +5,6 @@ from time import perf_counter
 import numpy as np
 import pytest
 
-pytest.importorskip("OCP")
-
 from elastica_cad import occt, step
 from elastica_cad.fabrication import BentSolid, FlatSolid, Hole, Model, Placed, Slot, Tab
 from elastica_cad.fabrication.making import make_strip

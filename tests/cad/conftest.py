@@ -1,4 +1,7 @@
-"""Curves, strips and independent measurements for the CAD tests."""
+"""Curves, strips and independent measurements for the CAD tests, and which of these are meant to run."""
+
+import os
+from importlib.util import find_spec
 
 import numpy as np
 import pytest
@@ -6,6 +9,40 @@ import pytest
 from elastica_cad.fabrication import Hole, Strip, Tab
 from elastica_cad.geometry import PlaneCurve
 from elastica_cad.mechanics import Sheet, optimal_rod
+
+SKINS = {"build123d", "cadquery"}
+NEEDS = {
+    "test_build123d_strips.py": {"build123d"},
+    "test_cadquery_strips.py": {"cadquery"},
+    "test_same_strip.py": SKINS,
+    "test_viewers.py": SKINS,
+}
+
+MEANT = set(os.environ.get("ELASTICA_KERNELS", "build123d cadquery").split()) - {"none"}
+"""What this environment is for: both, unless it says otherwise (as the Makefile does). Nothing is skipped."""
+
+collect_ignore = [name for name, needs in NEEDS.items() if not needs <= MEANT]
+collect_ignore_glob = [] if MEANT else ["test_*.py"]
+
+
+def pytest_configure(config):
+    missing = sorted(name for name in MEANT if name not in SKINS or find_spec(name) is None)
+    if missing:
+        raise pytest.UsageError(
+            f"tests/cad needs {' and '.join(missing)}: install it, or say in ELASTICA_KERNELS which of build123d "
+            "and cadquery this environment is for, or none"
+        )
+    config.addinivalue_line("markers", "build123d: needs build123d")
+    config.addinivalue_line("markers", "cadquery: needs CadQuery")
+
+
+def pytest_collection_modifyitems(config, items):
+    """Leave out tests marked for a library that this environment is not for."""
+    foreign = [item for item in items if any(item.get_closest_marker(name) for name in SKINS - MEANT)]
+    if foreign:
+        config.hook.pytest_deselected(items=foreign)
+        items[:] = [item for item in items if item not in foreign]
+
 
 CURVES = {
     "arch": PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)], degree=4),

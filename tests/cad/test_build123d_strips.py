@@ -2,12 +2,9 @@
 
 import copy
 
+import build123d as bd
 import numpy as np
 import pytest
-
-pytest.importorskip("build123d")
-
-import build123d as bd
 
 from elastica_cad.build123d import BentStrip, FlatStrip, StripOutline, elastic_strip
 from elastica_cad.errors import InputError

@@ -1,11 +1,8 @@
 """The CadQuery skin: free functions, Workplane and Sketch methods."""
 
+import cadquery as cq
 import numpy as np
 import pytest
-
-pytest.importorskip("cadquery")
-
-import cadquery as cq
 
 from elastica_cad.cadquery import StripSolid, bent_strip, flat_strip, register, strip_outline
 from elastica_cad.errors import InputError

@@ -4,9 +4,6 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-
-pytest.importorskip("OCP")
-
 from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeEdge, BRepBuilderAPI_MakeWire, BRepBuilderAPI_Transform
 from OCP.Geom import Geom_Ellipse, Geom_OffsetCurve
 from OCP.gp import gp_Ax1, gp_Ax2, gp_Circ, gp_Dir, gp_Elips, gp_Lin, gp_Pnt, gp_Trsf, gp_Vec

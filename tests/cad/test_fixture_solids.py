@@ -3,8 +3,6 @@
 import numpy as np
 import pytest
 
-pytest.importorskip("OCP")
-
 from elastica_cad import occt
 from elastica_cad.fabrication import (
     BentSolid,

@@ -6,8 +6,6 @@ import sys
 
 import pytest
 
-pytest.importorskip("OCP")
-
 from elastica_cad import occt, step
 from elastica_cad.errors import MissingDependencyError
 from elastica_cad.fabrication import FlatSolid

@@ -5,8 +5,6 @@ import re
 import numpy as np
 import pytest
 
-pytest.importorskip("OCP")
-
 from elastica_cad import occt, step
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication import Frame, Model, Placed, Slot, slotted_frame
@@ -75,8 +73,8 @@ def test_place_of_a_frame(tilted):
     )
 
 
+@pytest.mark.build123d
 def test_build123d_compound(model):
-    pytest.importorskip("build123d")
     from elastica_cad.build123d import BentStrip, PlacedStrip, model_compound
 
     made = model_compound(model)
@@ -95,8 +93,8 @@ def test_build123d_compound(model):
     assert first.solid().wrapped.IsPartner(made.children[1].solid().wrapped)
 
 
+@pytest.mark.cadquery
 def test_cadquery_assembly(model):
-    pytest.importorskip("cadquery")
     from elastica_cad.cadquery import model_assembly
 
     made = model_assembly(model)
@@ -159,8 +157,8 @@ class TestWhatHoldsTheStrips:
         corner = holders[0].frame.point([*holders[0].slots[0].corners[0], 0.0])
         assert measure.distance(reader.OneShape(), [corner]) < 1e-6
 
+    @pytest.mark.build123d
     def test_build123d(self, crown, holders):
-        pytest.importorskip("build123d")
         from elastica_cad.build123d import model_compound
 
         made = model_compound(crown, others=holders)
@@ -173,8 +171,8 @@ class TestWhatHoldsTheStrips:
         mate = strip.joints["start"].location
         assert [*block.joints["tab"].location.position] == pytest.approx([*mate.position], abs=1e-9)
 
+    @pytest.mark.cadquery
     def test_cadquery(self, crown, holders):
-        pytest.importorskip("cadquery")
         from elastica_cad.cadquery import model_assembly
 
         made = model_assembly(crown, others=holders)

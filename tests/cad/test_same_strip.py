@@ -1,13 +1,9 @@
 """One curve through the core, build123d and CadQuery: one strip, whoever drew the edge."""
 
-import numpy as np
-import pytest
-
-pytest.importorskip("build123d")
-pytest.importorskip("cadquery")
-
 import build123d as bd
 import cadquery as cq
+import numpy as np
+import pytest
 
 from elastica_cad import build123d, cadquery
 from elastica_cad.fabrication import Tab

@@ -3,8 +3,6 @@
 import numpy as np
 import pytest
 
-pytest.importorskip("OCP")
-
 from elastica_cad import occt, step
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication import BentSolid, FlatSolid, Hole, Laminated, Model, Perforated, Placed, Tab
@@ -73,11 +71,8 @@ def test_step_names_both_sheets(laminate, tmp_path):
         assert f"PRODUCT('{name}'" in many
 
 
+@pytest.mark.build123d
 class TestBuild123d:
-    @pytest.fixture(autouse=True)
-    def kernel(self):
-        pytest.importorskip("build123d")
-
     def test_laminate(self, laminate):
         from elastica_cad.build123d import BentStrip, FlatStrip, model_compound
 
@@ -111,11 +106,8 @@ class TestBuild123d:
             EndFixture(ARCH, PLY, max_width=30, ends=(Tab(0), Tab(10)))
 
 
+@pytest.mark.cadquery
 class TestCadQuery:
-    @pytest.fixture(autouse=True)
-    def kernel(self):
-        pytest.importorskip("cadquery")
-
     def test_laminate(self, laminate):
         from elastica_cad.cadquery import StripCompound, bent_strip, model_assembly
 

@@ -20,7 +20,6 @@ def run(project_root, tmp_path_factory):
     seen = {}
 
     def once(script):
-        pytest.importorskip(script.split("_")[1])
         if script not in seen:
             folder = tmp_path_factory.mktemp(script)
             with pytest.MonkeyPatch.context() as patch:
@@ -110,7 +109,6 @@ def test_slots_are_cut_into_flat_and_bent(run):
 
 
 def test_pictures_can_be_drawn(project_root, run):
-    pytest.importorskip("matplotlib")
     run("slotted_build123d")
     pictures = runpy.run_path(str(project_root / "examples" / "cad" / "pictures.py"))
     figure = pictures["draw"]("slotted")

@@ -7,7 +7,6 @@ import pytest
 
 @pytest.mark.parametrize("kernel", ["build123d", "cadquery"])
 def test_snippet_runs(kernel, project_root, capsys):
-    pytest.importorskip(kernel)
     snippets = re.findall(r"```python\n(.*?)```", (project_root / "README.md").read_text(), re.DOTALL)
     (code,) = [text for text in snippets if f"elastica_cad.{kernel} import" in text]
     names = {}
