@@ -9,15 +9,22 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication import Model, Placed, sheet_color
+from elastica_cad.mechanics import Rod
 from elastica_cad.plot.canvas import INK, WIDTH, Figure, new_figure
+from elastica_cad.plot.slabs import trapezoids
 
 __all__ = ["bodies", "model"]
 
+FINE = 5e-4  # lengths: how closely polygons follow loops
+RIM = 0.035  # widths: of the dark line along every edge
 LIGHT = np.array([0.35, -0.45, 0.82])
 
 
 def model(model: Model, *, elevation: float = 25.0, azimuth: float = -60.0) -> Figure:
-    """The bent strips of a model in the colours of their sheets, seen from two angles in degrees."""
+    """The bent strips of a model in the colours of their sheets, seen from two angles in degrees.
+
+    Tabs, slots and holes are drawn; of a laminate its base.
+    """
     patches, colors = (np.concatenate(part) for part in zip(*map(_ruled, model.placed), strict=True))
     count = f"{len(model.placed)} strips" if len(model.placed) > 1 else "1 strip"
     return _seen(patches, colors, f"{fill(model.name, 90)}\n{count}", elevation, azimuth)
@@ -114,12 +121,24 @@ def _fine(triangles: FloatArray, colors: FloatArray, longest: float) -> tuple[Fl
 
 
 def _ruled(placed: Placed) -> tuple[FloatArray, FloatArray]:
-    """The free part in space: patches (n, 4, 3) from ruling to ruling with dark rims, and colours (n, 3)."""
+    """The strip in space with tabs, slots and holes: patches (n, 4, 3) with dark rims, and colours (n, 3)."""
     strip = placed.strip
-    s = np.linspace(0.0, strip.rod.length, 81)
-    curve = np.column_stack([np.interp(s, strip.rod.s, column) for column in strip.rod.position.T])
-    half = strip.width(s) / 2
-    lines = [placed.frame.point(np.column_stack([curve, share * half])) for share in (-1.0, -0.93, 0.93, 1.0)]
-    bands = [np.stack([a[:-1], a[1:], b[1:], b[:-1]], axis=1) for a, b in pairwise(lines)]
+    rod = strip.rod
+    (first, low), (last, high) = strip.outline.bounds
+    flat = trapezoids((strip.outline, *strip.holes), np.linspace(0.0, rod.length, 81), FINE * (last - first))
+    across = np.diff(flat[..., 1:], axis=-1)
+    rim = np.minimum(RIM * (high - low), across / 4)
+    heights = [flat[..., 1:2], flat[..., 1:2] + rim, flat[..., 2:] - rim, flat[..., 2:]]
+    along = _bent(rod, flat[..., 0])
+    lines = [placed.frame.point(np.concatenate([along, y], axis=-1)) for y in heights]
+    bands = [np.stack([a[:, 0], a[:, 1], b[:, 1], b[:, 0]], axis=1) for a, b in pairwise(lines)]
     lit = _lit(bands[1]) * np.array(sheet_color(strip.sheet))
     return np.concatenate(bands), np.concatenate([0.45 * lit, lit, 0.45 * lit])
+
+
+def _bent(rod: Rod, x: FloatArray) -> FloatArray:
+    """Where the centre line (..., 2) goes at arc lengths x; tabs go on straight along the end tangents."""
+    inside = np.clip(x, 0.0, rod.length)
+    points = np.stack([np.interp(inside, rod.s, column) for column in rod.position.T], axis=-1)
+    angle = np.where(x < 0, rod.angle[0], rod.angle[-1])
+    return np.asarray(points + (x - inside)[..., None] * np.stack([np.cos(angle), np.sin(angle)], axis=-1))

@@ -1,0 +1,59 @@
+"""A flat pattern with its holes and slots as trapezoids, to be bent and painted."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.geometry import Path
+
+__all__ = ["trapezoids"]
+
+APART = 1e-7  # mm between stations that differ
+
+
+def trapezoids(loops: Sequence[Path], stations: FloatArray, tolerance: float) -> FloatArray:
+    """What lies inside an odd number of loops, cut along x at every corner and at `stations`.
+
+    Parameters
+    ----------
+    loops : sequence of Path
+        Closed; outline and holes in any direction.
+    stations : (k,) array
+        Further places where the trapezoids end, mm.
+    tolerance : float
+        Of the polygons that stand for curved loops, mm.
+
+    Returns
+    -------
+    (n, 2, 3) array
+        x, lower y and upper y at the left and at the right side of each, mm.
+
+    Examples
+    --------
+    >>> plate = [Path.rectangle(10.0, 4.0), Path.rectangle(2.0, 2.0, corner=(4.0, 1.0))]
+    >>> found = trapezoids(plate, np.array([]), 0.1)
+    >>> width, height = np.diff(found[..., 0], axis=1)[:, 0], (found[..., 2] - found[..., 1]).mean(axis=1)
+    >>> len(found), float(width @ height)
+    (4, 36.0)
+    """
+    polygons = [loop.points(tolerance) for loop in loops]
+    ends = np.concatenate([np.stack([p, np.roll(p, -1, axis=0)], axis=1) for p in polygons])
+    ends = ends[np.abs(ends[:, 1, 0] - ends[:, 0, 0]) > APART]
+    order = np.argsort(ends[..., 0], axis=1)
+    left, right = np.moveaxis(np.take_along_axis(ends, order[..., None], axis=1), 1, 0)
+    slope = (right[:, 1] - left[:, 1]) / (right[:, 0] - left[:, 0])
+    low, high = left[:, 0].min(), right[:, 0].max()
+    cuts = np.unique(
+        np.concatenate([left[:, 0], right[:, 0], stations[(stations > low) & (stations < high)]])
+    )
+    cuts = cuts[np.concatenate([[True], np.diff(cuts) > APART])]
+    found = []
+    for sides in np.stack([cuts[:-1], cuts[1:]], axis=1):
+        middle = sides.mean()
+        here = np.flatnonzero((left[:, 0] < middle) & (right[:, 0] > middle))
+        y = left[here, 1] + slope[here] * (sides[:, None] - left[here, 0])
+        y = y[:, np.argsort(y.sum(axis=0))]
+        x = np.broadcast_to(sides[:, None], (2, here.size // 2))
+        found.append(np.stack([x, y[:, 0::2], y[:, 1::2]], axis=-1).swapaxes(0, 1))
+    return np.concatenate(found)

@@ -1,0 +1,78 @@
+"""Pictures of models (matplotlib): what is painted is the flat pattern, bent, with tabs, slots and holes."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from elastica_cad import plot
+from elastica_cad.fabrication import Hole, Model, Placed, Slot, Tab
+from elastica_cad.fabrication.making import make_strip
+from elastica_cad.geometry import Path, PlaneCurve
+from elastica_cad.plot.slabs import trapezoids
+
+ARCH = PlaneCurve.spline([(20, 0), (40, 60), (70, 80), (120, 60), (150, 0)])
+SLOTS = (Slot(at=60, width=2), Slot(at=120, width=2, side="lower"))
+
+
+@pytest.fixture(scope="module")
+def strip():
+    ends = (Tab(14, holes=(Hole(7, 3),)), Tab(14))
+    return make_strip(ARCH, "birch-plywood-0.8", max_width=20, ends=ends, slots=SLOTS)
+
+
+def area(found):
+    return float(np.diff(found[..., 0], axis=1)[:, 0] @ np.diff(found[..., 1:])[..., 0].mean(axis=1))
+
+
+def test_all_of_the_pattern_and_nothing_else(strip):
+    loops = (strip.outline, *strip.holes)
+    found = trapezoids(loops, np.linspace(0, strip.rod.length, 50), 1e-3)
+    assert area(found) == pytest.approx(strip.area, rel=1e-3)
+    middle = found.mean(axis=1)
+    for slot in SLOTS:
+        here = np.abs(middle[:, 0] - slot.at) < 0.9
+        full = float(strip.width(slot.at))
+        assert here.any()
+        assert (middle[here, 2] - middle[here, 1]).sum() / here.sum() == pytest.approx(full / 2, rel=0.02)
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.integers(3, 12), st.floats(0, 6.3), st.lists(st.floats(-3, 3), max_size=4))
+def test_area_of_stars(corners, turn, stations):
+    """Stars with a hole, turned anyhow: trapezoids have their area, whatever the stations."""
+    angle = turn + np.pi * np.arange(2 * corners) / corners
+    radius = np.where(np.arange(2 * corners) % 2, 1.5, 3.0)[:, None]
+    star = Path.polygon(radius * np.column_stack([np.cos(angle), np.sin(angle)]))
+    hole = Path.polygon(0.4 * np.column_stack([np.cos(angle), np.sin(angle)])[::-1])
+    found = trapezoids((star, hole), np.array(stations), 0.1)
+    assert area(found) == pytest.approx(abs(star.area) - abs(hole.area), rel=1e-5)
+
+
+def test_a_picture_reaches_to_the_ends_of_the_tabs(strip):
+    """Its title tells the extent of what is drawn, tabs along the end tangents included."""
+    rod = strip.rod
+    ends = [rod.position[i] + sign * 14 * np.array([np.cos(rod.angle[i]), np.sin(rod.angle[i])])
+            for i, sign in ((0, -1), (-1, 1))]  # fmt: skip
+    lowest = min(end[1] for end in ends)
+    title = plot.model(Model((Placed(strip),))).get_suptitle()
+    tall = rod.position[:, 1].max() - lowest
+    assert f" by {tall:.0f} by " in title
+
+
+def test_slots_let_the_paper_through():
+    """No patch lies in the middle of a slot, seen square to the strip."""
+    from matplotlib.path import Path as Region
+
+    straight = make_strip(PlaneCurve.line((0, 0), (100, 0)), "card-200gsm", max_width=20,
+                          slots=(Slot(at=50, width=4),))  # fmt: skip
+    figure = plot.model(Model((Placed(straight),)), elevation=0.0, azimuth=90.0)
+    (patches,) = figure.axes[0].collections
+
+    def covered(point):
+        return any(Region(p.vertices).contains_point(point) for p in patches.get_paths())
+
+    mouths = [covered((-50.0, 8.0)), covered((-50.0, -8.0))]
+    assert sorted(mouths) == [False, True]
+    assert covered((-40.3, 8.1))
+    assert covered((-105.3, 0.1))
