@@ -43,7 +43,7 @@ def bindings(setting: Setting, problem: Problem, outcome: Outcome, measure: Meas
     if measure == "max":
         per = size
     else:
-        per = size / np.sqrt(2 * outcome.distance) if outcome.distance > 1e-14 else 0.0
+        per = float(size / np.sqrt(2 * outcome.distance)) if outcome.distance > 1e-14 else 0.0
     found: list[Binding] = []
     at_ratio = float(outcome.at_upper[u.stiffness].sum())
     found.append(Binding("ratio", limits.largest_ratio, per * at_ratio))

@@ -14,9 +14,11 @@ from elastica_cad.mechanics import Rod
 __all__ = ["editable_curve"]
 
 DEGREE = 4
+STRAIGHT = 1e-9  # rad over the whole length
 TOLERANCE = 1e-3  # mm between curve and rod
 FAITHFUL = 4e-4  # relative error of the extremes of the stiffness that the curve asks for
 LOOSE = 0.02  # and of the stiffness between
+UNBENT = 2e-3  # of the largest curvature, below which it tells nothing of the stiffness
 _REACH = 0.05  # curvature errors that extend this far weigh as much as the displacement they make
 _SPANS, _MOST_SPANS = 24, 240
 _SHORTEST = 1e-3  # span, in lengths: shorter ones fit rounding
@@ -47,6 +49,8 @@ def editable_curve(rod: Rod, *, tangents: tuple[bool, bool] = (False, False)) ->
     NotConvergedError
         The continuous rod or the fit did not reach its tolerance.
     """
+    if np.abs(rod.curvature).max() * rod.length < STRAIGHT:
+        return PlaneCurve.line(rod.position[0], rod.position[-1], degree=DEGREE)
     shape = _continuous(rod, tangents)
     edges = np.linspace(0, float(shape.s[-1]), _SPANS + 1)
     least, best = np.inf, None
@@ -79,7 +83,14 @@ def _refined(edges: FloatArray, places: FloatArray) -> FloatArray:
 class _Shape:
     """A continuous rod at uniform stations, in lengths of the discrete one.
 
-    s, angle, curvature, stiffness (k,), position (k, 2); inflections are station-free: (s, position, angle).
+    Attributes
+    ----------
+    s, angle, curvature, stiffness : (k,) arrays
+    position : (k, 2) array
+    inflections : (j,) array
+        Arc lengths where the moment vanishes: inside, and at ends that are free to turn.
+    size : float
+        The unit of length, mm.
     """
 
     s: FloatArray
@@ -218,7 +229,10 @@ def _extrapolated(a: MarchedRod, b: MarchedRod, rod: Rod) -> _Shape:
     if kappa_0.ndim:
         kappa_0 = np.interp(s / s[-1], np.linspace(0, 1, kappa_0.size), kappa_0)
     kappa = moment / K + kappa_0
-    return _Shape(s, position, angle, kappa, K, _zeros(s, kappa), rod.length)
+    bends = _zeros(s, kappa)
+    start, end = rod.supports.ends
+    bends = np.concatenate([s[:1][: not start.angle], bends, s[-1:][: not end.angle]])
+    return _Shape(s, position, angle, kappa, K, bends, rod.length)
 
 
 def _nodal(rod: MarchedRod) -> FloatArray:
@@ -297,7 +311,7 @@ def _errors(curve: PlaneCurve, shape: _Shape) -> FloatArray:
     for, and, stricter, of its extremes."""
     s, kappa, K = shape.s, shape.curvature, shape.stiffness
     off = np.hypot(*(curve.evaluate(s) - shape.position).T) * shape.size / TOLERANCE
-    near = np.abs(s[:, None] - shape.inflections).min(axis=1, initial=np.inf) < 1e-4 * s[-1]
+    near = np.abs(kappa) < UNBENT * np.abs(kappa).max()
     with np.errstate(divide="ignore", invalid="ignore"):
         asked = np.where(near, K, K * kappa / curve.curvature_at(s))
     beyond = np.maximum(asked / shape.stiffness.max() - 1, 1 - asked / shape.stiffness.min()) / FAITHFUL

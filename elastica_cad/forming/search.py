@@ -12,6 +12,7 @@ from elastica_cad.forming.sqp import Outcome, Problem, lifted, solve
 __all__ = ["MET", "best_outcome"]
 
 MET = 1e-6  # worst broken limit, in lengths, radians or shares of the limit, that counts as met
+_MOST_STEPS = 160  # in all, after which no new attempt is begun
 _PATIENCE = 40  # steps of one part of a continuation
 
 
@@ -26,7 +27,7 @@ def best_outcome(setting: Setting, measure: Measure) -> tuple[Problem, Outcome, 
     steps = best.iterations
     for enough, attempt in _attempts(setting, measure, problem, first):
         done = best.settled and best.violation <= MET
-        if done and mean_distance(setting, best) < enough * setting.wish.diagonal:
+        if steps > _MOST_STEPS or (done and mean_distance(setting, best) < enough * setting.wish.diagonal):
             break
         outcome = attempt()
         steps += outcome.iterations

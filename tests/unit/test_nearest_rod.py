@@ -260,6 +260,24 @@ def test_near_curve_is_realizable_and_asks_for_the_limit():
         assert np.abs(off).max() < 2e-4 * near.rod.length
 
 
+def test_near_curve_of_a_pinned_rod_is_straight_at_the_pin():
+    supports = Supports("clamped", "pinned")
+    near = nearest_rod(ARCH, Limits(ratio=3.0), supports=supports)
+    assert near.met
+    assert check_equilibrium(near.curve, supports=supports).realizable
+
+
+def test_near_curve_of_a_straight_rod():
+    near = nearest_rod(PlaneCurve.line((0, 0), (100, 0)), Limits(ratio=2.0))
+    assert near.curve.is_straight
+
+
+def test_near_curve_with_weight_follows_the_rod():
+    near = nearest_rod(WAVE, Limits(ratio=2.0, margin=3.0), gravity=Gravity(90.0))
+    off = near.curve.at(near.rod.s * (near.curve.length / near.rod.length)).position - near.rod.position
+    assert np.abs(off).max() < 1e-4 * near.rod.length
+
+
 def test_results_travel():
     near = nearest_rod(ARCH, Limits(ratio=1.3))
     again = pickle.loads(pickle.dumps(near))
