@@ -9,7 +9,7 @@ from scipy.spatial import cKDTree
 
 from elastica_cad.forming import Keep, Limits, nearest_rod
 from elastica_cad.geometry import PlaneCurve
-from elastica_cad.mechanics import Gravity, bend, check_equilibrium, optimal_rod, stability
+from elastica_cad.mechanics import Gravity, Rod, bend, bend_path, check_equilibrium, optimal_rod, stability
 
 
 def unclamped(control_points):
@@ -133,3 +133,20 @@ def test_rods_return_when_disturbed(flower_pot, s_curve):
         )
         back = bend(rod, guess=disturbed)
         assert np.abs(back.position - rod.position).max() < 1e-6 * rod.length
+
+
+def test_rods_without_inflection_rise_from_the_flat_strip():
+    """The strip that is cut flat, led to its ends in steps, stands in the shape that was found."""
+    arch = PlaneCurve.spline([(0, 0), (10, 60), (60, 95), (115, 60), (120, 0)], degree=4)
+    near = nearest_rod(arch, Limits(ratio=1.3, margin=5.0), Keep(tangents=True))
+    rod = near.rod
+    assert near.met
+    assert not np.any(rod.moment[1:-1] * rod.moment[1] < 0)
+    flat = Rod.straight(rod.length, rod.profile, samples=rod.s.size, angle=float(rod.angle.mean()))
+    share = np.linspace(0, 1, 13)[1:, None]
+    starts = (1 - share) * flat.position[0] + share * rod.position[0]
+    ends = (1 - share) * flat.position[-1] + share * rod.position[-1]
+    angles = (1 - share) * flat.angle[[0, -1]] + share * rod.angle[[0, -1]]
+    path = [{"start": a, "end": b, "angles": c} for a, b, c in zip(starts, ends, angles, strict=True)]
+    stands = bend_path(flat, path, side=1 if rod.moment[1] < 0 else -1)[-1]
+    assert np.abs(stands.position - rod.position).max() < 1e-6 * rod.length
