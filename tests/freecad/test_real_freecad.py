@@ -85,6 +85,8 @@ def test_every_command(tmp_path):
     assert "exists already" in found["export refused"]
     assert found["sections"] == 3
     assert found["strips of sections"] == [[["Up-to-date"], True]] * 3
+    assert found["bar"] == ["Bending the strip"]
+    assert "stopped" in found["cancelled"]
     assert found["told"].startswith("Select a sketch")
 
 

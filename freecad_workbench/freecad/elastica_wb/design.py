@@ -17,6 +17,8 @@ from elastica_cad.mechanics import Gravity, Rod, Sheet, Stability, Supports, opt
 
 __all__ = ["StyleChoice", "Wish", "bent_shape", "flat_shape", "judged", "nearest", "nearest_now", "solved"]
 
+MANY = 100  # holes
+
 
 @dataclass(frozen=True)
 class _Same:
@@ -121,8 +123,19 @@ def judged(rod: Rod) -> Stability | None:
 @lru_cache(maxsize=32)
 def bent_shape(strip: Strip) -> Part.Shape:
     """The strip bent, its curve in the xy plane; of a laminate both layers."""
-    solids = [make_solid(layer) for layer in BentSolid.layers(strip)]
+    # thousands of holes take seconds: then the records are made beside the window, with a bar that can be cancelled
+    many = len(strip.holes) > MANY
+    layers = patiently("Bending the strip", _bent, strip) if many else _bent(strip)
+    solids = [make_solid(layer) for layer in layers]
     return solids[0] if len(solids) == 1 else Part.Compound(solids)
+
+
+@lru_cache(maxsize=8)
+def _bent(strip: Strip) -> tuple[BentSolid, ...]:
+    layers = BentSolid.layers(strip)
+    for layer in layers:
+        _ = layer.boundary
+    return layers
 
 
 @lru_cache(maxsize=32)

@@ -10,7 +10,7 @@ import time
 import FreeCAD as App
 import FreeCADGui as Gui
 import Part
-from inside import ARCH, OUT, WAVE, answers, choose, picture, run, scene, sketch, wait
+from inside import ARCH, OUT, WAVE, QtCore, QtWidgets, answers, choose, picture, run, scene, sketch, wait
 
 
 def open_panel(command):
@@ -265,6 +265,34 @@ def style_commands(document, strip):
     assert len(document.Objects) == count
 
 
+def long_work():
+    """A strip with a thousand holes takes seconds: a bar shows, and its Cancel leaves a sentence."""
+    from freecad.elastica_wb.features import strip
+
+    document = App.newDocument("Long")
+    made = strip.create(document, sketch(document, ARCH))
+    document.recompute()
+    volume = made.Shape.Volume
+    made.Style, made.Columns, made.Rows = "Perforated", 4, 44
+    seen = []
+
+    def press():
+        for window in QtWidgets.QApplication.topLevelWidgets():
+            if isinstance(window, QtWidgets.QProgressDialog) and window.isVisible():
+                seen.append(window.labelText())
+                window.cancel()
+
+    timer = QtCore.QTimer()
+    timer.timeout.connect(press)
+    timer.start(100)
+    document.recompute()
+    timer.stop()
+    answers["bar"] = sorted(set(seen))
+    answers["cancelled"] = made.getStatusString()
+    assert made.Shape.Volume == volume, "the last good shape is kept"
+    App.closeDocument(document.Name)
+
+
 def model_commands():
     from freecad.elastica_wb.features import strip
 
@@ -349,6 +377,7 @@ def work():
     sheets_command()
     section_command(document)
     model_commands()
+    long_work()
     App.setActiveDocument(document.Name)
     document.saveAs(str(OUT / "work.FCStd"))
     # nothing selected, no such thing: a sentence, no window that waits
