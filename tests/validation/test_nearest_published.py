@@ -7,8 +7,8 @@ import pytest
 from scipy.interpolate import BSpline
 from scipy.spatial import cKDTree
 
-from elastica_cad.forming import Keep, Limits, nearest_rod
-from elastica_cad.geometry import PlaneCurve
+from elastica_cad.forming import Keep, Limits, mesh_sections, nearest_rod
+from elastica_cad.geometry import Frame, PlaneCurve
 from elastica_cad.mechanics import Gravity, Rod, bend, bend_path, check_equilibrium, optimal_rod, stability
 
 
@@ -150,3 +150,32 @@ def test_rods_without_inflection_rise_from_the_flat_strip():
     path = [{"start": a, "end": b, "angles": c} for a, b, c in zip(starts, ends, angles, strict=True)]
     stands = bend_path(flat, path, side=1 if rod.moment[1] < 0 else -1)[-1]
     assert np.abs(stands.position - rod.position).max() < 1e-6 * rod.length
+
+
+def test_shell_sections_at_a_ratio_of_1_5(shared_data):
+    """Ten planes from the Shell's foot, six control points each (paper, Fig. 20; 1.39 s there)."""
+    lines = (shared_data / "hafner" / "teaser" / "teaser_sixth.obj").read_text().splitlines()
+    vertices = 30 * np.array([line.split()[1:4] for line in lines if line.startswith("v ")], dtype=float)
+    quads = np.array(
+        [[int(c.split("/")[0]) - 1 for c in line.split()[1:]] for line in lines if line.startswith("f ")]
+    )
+    triangles = np.vstack([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
+    foot = vertices[vertices[:, 2] < 1e-2]
+    foot = foot[np.argsort(-np.arctan2(foot[:, 1], foot[:, 0]))]
+    along = np.append(0, np.cumsum(np.linalg.norm(np.diff(foot, axis=0), axis=1)))
+    knots = np.concatenate([np.zeros(5), [0.5], np.ones(5)])
+    u = np.linspace(0, 1, 200)
+    basis = BSpline.design_matrix(u, knots, 4).toarray()
+    for t in (np.arange(10) + 0.5) / 10:
+        angle = (1 - t) * np.pi / 2 + t * np.pi / 6 - t * (1 - t) / 2
+        start = [np.interp(t * along[-1], along, column) for column in foot.T]
+        frame = Frame(start, (np.cos(angle), np.sin(angle), 0), (0, 0, 1))
+        (section,) = mesh_sections(vertices, triangles, [frame])
+        points = max((line.points for line in section.lines), key=len)
+        at = np.append(0, np.cumsum(np.hypot(*np.diff(points, axis=0).T)))
+        dense = np.column_stack([np.interp(u, at / at[-1], column) for column in points.T])
+        wish = PlaneCurve(knots, np.linalg.lstsq(basis, dense, rcond=None)[0], 4)
+        near = nearest_rod(wish, Limits(ratio=1.5))
+        assert near.met
+        assert near.rod.ratio <= 1.5 * (1 + 1e-9)
+        assert near.deviation < 0.01 * diagonal(wish)
