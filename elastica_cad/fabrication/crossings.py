@@ -165,7 +165,8 @@ def _runs(strips: tuple[RuledStrip, RuledStrip], locus: Locus) -> list[tuple[flo
         q = np.append(fine, nodes[-1])
         m = margins(strips, locus.at(q))
         i, side = np.nonzero(np.sign(m[:-1]) * np.sign(m[1:]) < 0)
-        cuts = np.unique(np.concatenate([q[[0, -1]], _edges(strips, locus, q[i], q[i + 1], side)]))
+        on_edge = q[(m == 0).any(axis=1)]
+        cuts = np.unique(np.concatenate([q[[0, -1]], on_edge, _edges(strips, locus, q[i], q[i + 1], side)]))
         inside = margins(strips, locus.at((cuts[:-1] + cuts[1:]) / 2)).min(axis=1) > 0
         runs += [(float(cuts[first]), float(cuts[last])) for first, last in _blocks(inside)]
     return runs

@@ -202,6 +202,12 @@ class PlaneCurve:
         t = np.asarray(t, dtype=float)
         return self._jets.at(t.ravel(), derivative, left=left)[derivative].reshape(*t.shape, 2)
 
+    def position_and_velocity(self, t: ArrayLike) -> tuple[FloatArray, FloatArray]:
+        """Positions and their derivatives d/dt (..., 2) at parameters (...), in one evaluation."""
+        t = np.asarray(t, dtype=float)
+        position, velocity = self._jets.position_and_velocity(t.ravel())
+        return position.reshape(*t.shape, 2), velocity.reshape(*t.shape, 2)
+
     def basis(self, t: ArrayLike, derivative: int = 0) -> FloatArray:
         """Derivatives (n, m) of the position (or of its derivative) at t (n,) by the m control points.
 

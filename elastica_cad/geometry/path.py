@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from math import dist
 
 import numpy as np
 
@@ -50,7 +51,7 @@ class Path:
             raise InputError("a path needs at least one segment")
         following = self.segments[1:] + (self.segments[:1] if closed else ())
         for segment, after in zip(self.segments, following, strict=False):
-            gap = float(np.hypot(*(after.start - segment.end)))
+            gap = dist(after.start.tolist(), segment.end.tolist())
             if not gap <= JOIN:
                 raise InputError(
                     f"the path has a gap of {gap:.3g} mm at {place(segment.end)}: the ends must meet"

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from math import inf, isfinite
 from typing import TypeAlias
 
 import numpy as np
@@ -243,12 +244,14 @@ class Spline:
     @cached_property
     def start(self) -> FloatArray:
         """First point (2,), mm."""
-        return self.at(0.0)
+        c = self.curve
+        return c.control_points[0] if c.knots[0] == c.knots[c.degree] else self.at(0.0)
 
     @cached_property
     def end(self) -> FloatArray:
         """Last point (2,), mm."""
-        return self.at(1.0)
+        c = self.curve
+        return c.control_points[-1] if c.knots[-1] == c.knots[-c.degree - 1] else self.at(1.0)
 
     @property
     def length(self) -> float:
@@ -274,6 +277,12 @@ class Spline:
         """Derivative (..., 2) of `at` by u, mm."""
         t0, t1 = self.curve.domain
         return np.asarray(self.curve.evaluate(self.parameter(u), 1) * (t1 - t0), dtype=float)
+
+    def motion_at(self, u: float) -> tuple[FloatArray, FloatArray]:
+        """The point (2,) at u and its derivative by u, in one evaluation, mm."""
+        t0, t1 = self.curve.domain
+        position, velocity = self.curve.position_and_velocity(t0 * (1 - u) + t1 * u)
+        return position, velocity * (t1 - t0)
 
     def tangent_at(self, u: ArrayLike, *, left: bool = False) -> FloatArray:
         """Unit tangents (..., 2) at u in [0, 1]; at a corner the one after it, with `left` the one before."""
@@ -333,9 +342,12 @@ def moved_points(matrix: ArrayLike, points: ArrayLike) -> FloatArray:
 def checked_affine(matrix: ArrayLike) -> FloatArray:
     """The matrix, refused unless it is affine and invertible."""
     m = np.asarray(matrix, dtype=float)
-    if m.shape != (3, 3) or not np.all(np.isfinite(m)) or m[2, 2] == 0 or np.any(m[2, :2] != 0):
+    if m.shape != (3, 3):
         raise InputError("a path is moved by a finite 3x3 matrix with the last row 0, 0, 1")
-    if abs(np.linalg.det(m[:2, :2])) <= 1e-14 * np.abs(m[:2, :2]).max() ** 2:
+    (a, b, x), (c, d, y), last = m.tolist()  # plain numbers: this is asked once for every segment
+    if not all(map(isfinite, (a, b, x, c, d, y))) or last[:2] != [0.0, 0.0] or not 0 < abs(last[2]) < inf:
+        raise InputError("a path is moved by a finite 3x3 matrix with the last row 0, 0, 1")
+    if abs(a * d - b * c) <= 1e-14 * max(abs(a), abs(b), abs(c), abs(d)) ** 2:
         raise InputError("a path can't be flattened to a line: use an invertible matrix")
     return m
 

@@ -43,6 +43,17 @@ def test_two_flat_strips_on_edge(degrees):
     np.testing.assert_allclose(joint.angle, min(phi, np.pi - phi), rtol=1e-9)
 
 
+@pytest.mark.parametrize("back", [20.0, 30.0, 62.5])
+@pytest.mark.parametrize("width", [8.0, 16.0, 20.0, 33.0])
+def test_edges_at_a_node_of_the_ruling(width, back):
+    """Round sizes put the edges exactly where the search looks: the slot still ends on them."""
+    first, second = flat(width=width, label="A"), turned(np.pi / 9, back=back, width=width, label="B")
+    model = Model([first, second]).interlock(clearance=0.15)
+    for strip in model.strips:
+        (slot,) = strip.slots
+        np.testing.assert_allclose(np.abs(slot.path[[0, -1], 1]), [0.0, width / 2], atol=1e-9)
+
+
 def rotation(seed):
     return np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))[0]
 
