@@ -15,14 +15,14 @@ __all__ = ["Outcome", "Problem", "lifted", "solve"]
 
 STEPS = 80
 SETTLED = 3e-4  # a step that promises less than this share of the distance ends the search
-CLOSED = 1e-9
+CLOSED = 1e-9  # what a limit that is touched keeps in hand
+SMALLEST_RADIUS = 1e-7
 _GOOD = 0.5  # share of the promised gain above which a step is taken as it is
-_MENDING = 4
+_MENDING = 4  # Newton steps
 _LOST = 3.0  # an angle that is still this wrong will not close
 _TOUCHED = 1e-3
-SMALLEST_RADIUS = 1e-7
 _DAMPING = 1e-9
-_FAR = 20.0
+_FAR = 20.0  # radius of the lifted steps
 _CALM = 1e-6  # where several forces do, the start takes the least: the likeliest to be stable
 _RESOLUTION = 1e-11  # of half the mean square distance: a micrometre on a strip of 300 mm
 
@@ -128,10 +128,12 @@ def solve(problem: Problem, z: FloatArray, *, steps: int = STEPS, radius: float 
     """The local minimum downhill from z.
 
     The Gauss-Newton model of the distance, linearised constraints with prices, a box of size `radius` (in
-    scales), one quadratic program a step. What a step breaks of the constraints by their curvature is mended
-    by one least step of the unknowns that are free; the merit prices follow the multipliers (Powell's rule).
+    scales), one quadratic program a step. A step that disappoints when marched is tried again with the whole
+    rod following it; the merit's prices follow the multipliers (Powell's rule).
     """
     rod = problem.grid.rod(np.clip(z, problem.lower, problem.upper))
+    if not np.isfinite(rod.moments[-1]):
+        rod = problem.grid.rod(_slack(problem))
     values = problem.values(rod)
     prices = [0.0] * len(problem.constraints)
     found: tuple[_Rows, QuadraticSolution] | None = None
@@ -155,14 +157,12 @@ def solve(problem: Problem, z: FloatArray, *, steps: int = STEPS, radius: float 
             size = float(np.abs(step / problem.scale).max())
             settled = promised <= floor
             trial = problem.grid.rod(np.clip(rod.z + step, problem.lower, problem.upper))
-            trial_values = problem.values(trial)
-            trial_merit = problem.merit(trial, trial_values, prices)
+            trial_values, trial_merit = _judged(problem, trial, prices)
             gain = (merit - trial_merit) / max(promised, 1e-300)
             if gain < _GOOD:
                 mended = _mended(problem, rows, solution, sensitivities, step)
                 if mended is not None:
-                    mended_values = problem.values(mended)
-                    mended_merit = problem.merit(mended, mended_values, prices)
+                    mended_values, mended_merit = _judged(problem, mended, prices)
                     if mended_merit < trial_merit:
                         trial, trial_values, trial_merit = mended, mended_values, mended_merit
             gain = (merit - trial_merit) / max(promised, 1e-300)
@@ -190,6 +190,14 @@ def solve(problem: Problem, z: FloatArray, *, steps: int = STEPS, radius: float 
     )
 
 
+def _slack(problem: Problem) -> FloatArray:
+    """Unknowns of a rod without forces: from here something can always be said."""
+    u = problem.grid.unknowns
+    z = np.zeros(u.count)
+    z[u.stiffness], z[u.length] = 1.0, 1.0
+    return np.clip(z, problem.lower, problem.upper)
+
+
 @dataclass(frozen=True, eq=False)
 class _Rows:
     """The constraints' rows that matter, stacked."""
@@ -205,6 +213,14 @@ class _Rows:
     def keys(self) -> IntArray:
         """One number for each row, the same from rod to rod."""
         return self.constraint * 1_000_000 + self.index
+
+
+def _judged(problem: Problem, rod: MarchedRod, prices: Sequence[float]) -> tuple[list[FloatArray], float]:
+    """Values and merit; infinite merit for a rod that has wound up beyond all measure."""
+    if not np.isfinite(rod.moments[-1]):
+        return [], np.inf
+    values = problem.values(rod)
+    return values, problem.merit(rod, values, prices)
 
 
 def _broken(constraint: Constraint, values: FloatArray) -> FloatArray:
@@ -354,6 +370,8 @@ def _closed(problem: Problem, rod: MarchedRod, values: list[FloatArray]) -> Marc
         z = rod.z.copy()
         z[free] += step * s[free]
         trial = problem.grid.rod(np.clip(z, problem.lower, problem.upper))
+        if not np.isfinite(trial.moments[-1]):
+            return rod
         trial_values = problem.values(trial)
         if problem.violation(trial_values) >= problem.violation(values) and worst < 1e-10:
             return rod

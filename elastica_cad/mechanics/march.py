@@ -1,12 +1,14 @@
 """The rod as an initial value problem: stiffness and what happens at the start give every angle and moment."""
 
-from math import cos, sin
+from math import cos, nan, sin
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
 
 __all__ = ["march"]
+
+_WOUND = 1e6  # rad: nobody's rod, and rounding rules from there
 
 
 def march(
@@ -41,7 +43,8 @@ def march(
     Returns
     -------
     angles : (n+2,) array
-        alpha_0, the n edge angles, and the angle at the end.
+        alpha_0, the n edge angles, and the angle at the end; not a number from where the rod winds up beyond all
+        measure.
     moments : (n+1,) array
 
     Examples
@@ -63,6 +66,8 @@ def march(
     angles, moments = [alpha], [M]
     for i in range(n):  # plain floats: an array expression a step would cost twenty times as much
         alpha += bend[i] * M + rest[i]
+        if not -_WOUND < alpha < _WOUND:
+            alpha = M = nan
         M += pull_x[i] * cos(alpha) + pull_y[i] * sin(alpha)
         angles.append(alpha)
         moments.append(M)

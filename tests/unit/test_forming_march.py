@@ -87,3 +87,27 @@ def test_closing_column_leads_to_balance(e):
         angles, moments = angles + d.angles[:, -1], moments + d.moments[:, -1]
     np.testing.assert_allclose(angles, rod.angles, atol=1e-12)
     np.testing.assert_allclose(moments, rod.moments, atol=1e-10)
+
+
+def test_a_rod_that_winds_up_says_so():
+    g = grid()
+    z = unknowns(g)
+    z[g.unknowns.force] = (1e300, 1e300)
+    assert np.isnan(g.rod(z).moments[-1])
+
+
+def test_a_start_that_winds_up_is_left():
+    from elastica_cad.forming.distance import MeanDistance
+    from elastica_cad.forming.sqp import Problem, solve
+
+    g = grid()
+    u = g.unknowns
+    lower, upper = np.full(u.count, -np.inf), np.full(u.count, np.inf)
+    lower[u.stiffness], upper[u.stiffness] = 1.0, 2.0
+    lower[u.length], upper[u.length] = 0.5, 2.0
+    targets = np.column_stack([np.linspace(0, 1, EDGES + 1), np.zeros(EDGES + 1)])
+    distance = MeanDistance(targets, np.full(EDGES + 1, 1 / (EDGES + 1)))
+    problem = Problem(g, distance, (), lower, upper, np.ones(u.count))
+    z = unknowns(g)
+    z[u.force] = (1e300, 1e300)
+    assert solve(problem, z).distance < 1e-8
