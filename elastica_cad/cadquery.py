@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from types import MappingProxyType
 from typing import Any, Literal, TypeAlias, TypeVar
 
 try:
@@ -63,13 +64,15 @@ class _Jointed(_Made):
     _joints: Mapping[str, cq.Location]
 
     @property
-    def joints(self) -> dict[str, cq.Location]:
+    def joints(self) -> Mapping[str, cq.Location]:
         """Places to join other parts to.
 
         Of a strip "start" and "end" of the free part and "hole1", "hole2", ...: half way through the thickness, z
         off the strip, x along it (outward at the ends). Of a fixture "tab", which lies on the strip's start or end.
         """
-        return {name: self.location() * place for name, place in self._joints.items()}
+        here = self.location()
+        # a dict of this name would be taken for build123d's joints by viewers that show both libraries
+        return MappingProxyType({name: here * place for name, place in self._joints.items()})
 
 
 class _Ended(_Jointed):

@@ -15,7 +15,6 @@ NEEDS = {
     "test_build123d_strips.py": {"build123d"},
     "test_cadquery_strips.py": {"cadquery"},
     "test_same_strip.py": SKINS,
-    "test_viewers.py": SKINS,
 }
 
 MEANT = set(os.environ.get("ELASTICA_KERNELS", "build123d cadquery").split()) - {"none"}

@@ -1,0 +1,111 @@
+"""What ocp_vscode, CQ-editor and Jupyter do with an object to show it: meshes, compounds, web pages, colours."""
+
+import numpy as np
+import pytest
+
+from elastica_cad.fabrication import Hole, Laminated, Model, Placed, Tab
+from elastica_cad.fabrication.making import make_strip
+from elastica_cad.geometry import PlaneCurve
+from elastica_cad.mechanics import Sheet
+
+ARCH = PlaneCurve.spline([(20, 0), (40, 60), (70, 80), (120, 60), (150, 0)])
+PLY = Sheet.named("birch-plywood-0.8")
+OPTIONS = {"max_width": 20, "ends": (Tab(12, holes=(Hole(6, 3.2),)), Tab(12)), "label": "A"}
+LAMINATE = {"style": Laminated(width=24.0, backing=PLY), "label": "L"}
+
+
+@pytest.fixture(scope="module")
+def model():
+    strip = make_strip(ARCH, PLY, **OPTIONS)
+    return Model((Placed(strip, (0, 0, 0), (1, 0, 0), (0, 0, 1)),), name="crown").rotated(3)
+
+
+def enclosed(vertices, triangles):
+    """Volume inside a closed mesh, by the divergence theorem."""
+    a, b, c = np.moveaxis(np.array([tuple(v) for v in vertices])[np.array(triangles)], 1, 0)
+    return np.einsum("ij,ij->", a, np.cross(b, c)) / 6
+
+
+@pytest.mark.build123d
+class TestBuild123d:
+    def shown(self, model):
+        from elastica_cad.build123d import BentStrip, EndFixture, FlatStrip, model_compound
+
+        return [
+            BentStrip(ARCH, PLY, **OPTIONS),
+            FlatStrip(ARCH, PLY, **OPTIONS),
+            BentStrip(ARCH, PLY, **LAMINATE),
+            EndFixture(ARCH, PLY, **OPTIONS),
+            model_compound(model, others=model.fixtures()[:1]),
+        ]
+
+    def test_meshes_are_closed_and_fine(self, model):
+        for shape in self.shown(model):
+            vertices, triangles = shape.tessellate(0.01)
+            points = [tuple(vertex) for vertex in vertices]
+            assert enclosed(points, triangles) == pytest.approx(shape.volume, rel=0.02)
+
+    def test_jupyter(self, model):
+        from build123d.vtk_tools import has_vtk
+
+        for shape in self.shown(model):
+            page = shape._repr_html_()
+            assert ("<script>" in page) if has_vtk else repr(shape) == page
+
+    def test_colours_names_and_joints_of_all_that_is_shown(self, model):
+        """ocp_vscode walks children, and asks each for label, colour and the symbols of its joints."""
+        *single, whole = self.shown(model)
+        for shape in (*single, *whole.children):
+            assert shape.label
+            assert len(tuple(shape.color)) == 4
+            assert shape.joints
+            assert all(joint.symbol.edges() for joint in shape.joints.values())
+        assert [child.label for child in whole.children] == ["A_1", "A_2", "A_3", "fixture A:1"]
+
+
+@pytest.mark.cadquery
+class TestCadQuery:
+    def shown(self):
+        from elastica_cad.cadquery import bent_strip, end_fixture, flat_strip
+
+        return [
+            bent_strip(ARCH, PLY, **OPTIONS),
+            flat_strip(ARCH, PLY, **OPTIONS),
+            bent_strip(ARCH, PLY, **LAMINATE),
+            end_fixture(ARCH, PLY, **OPTIONS),
+        ]
+
+    def test_meshes_are_closed_and_fine(self):
+        for shape in self.shown():
+            vertices, triangles = shape.tessellate(0.01)
+            assert enclosed([v.toTuple() for v in vertices], triangles) == pytest.approx(
+                shape.Volume(), rel=0.02
+            )
+
+    def test_jupyter(self, model):
+        import cadquery as cq
+
+        from elastica_cad.cadquery import model_assembly, strip_outline
+
+        for shape in (*self.shown(), strip_outline(ARCH, PLY, **OPTIONS), model_assembly(model)):
+            assert "render" in shape._repr_javascript_()
+        assert "render" in cq.Workplane(obj=self.shown()[0])._repr_javascript_()
+
+    def test_cq_editor(self, model):
+        """`show_object` puts shapes into one compound, and turns an assembly into a document of OpenCASCADE."""
+        import cadquery as cq
+        from cadquery.occ_impl.assembly import toCAF
+
+        from elastica_cad.cadquery import model_assembly
+
+        shapes = self.shown()
+        together = cq.Compound.makeCompound(shapes)
+        assert together.Volume() == pytest.approx(sum(shape.Volume() for shape in shapes), rel=1e-3)
+        label, _ = toCAF(model_assembly(model, others=model.fixtures()[:1]))
+        assert label.NbChildren() == 4
+
+    def test_joints_are_no_dict(self):
+        """ocp_vscode takes a dict called joints for build123d's, whose values have symbols to draw."""
+        shape = self.shown()[0]
+        assert set(shape.joints) == {"start", "end", "hole1"}
+        assert not isinstance(shape.joints, dict)
