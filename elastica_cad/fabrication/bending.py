@@ -242,11 +242,8 @@ def _fitted(
 
     probes = np.array([0.06, 0.27, 0.5, 0.73, 0.94])
     while True:
-        inner = [
-            np.full(int(np.clip(DEGREE - smooth.get(float(e), DEGREE - 1), 1, DEGREE)), e)
-            for e in edges[1:-1]
-        ]
-        knots = np.concatenate([np.full(DEGREE + 1, edges[0]), *inner, np.full(DEGREE + 1, edges[-1])])
+        counts = [min(max(DEGREE - smooth.get(e, DEGREE - 1), 1), DEGREE) for e in edges[1:-1].tolist()]
+        knots = np.repeat(edges, [DEGREE + 1, *counts, DEGREE + 1])
         rows = _interpolated(function, knots, DEGREE)
         probe = (edges[:-1, None] + np.diff(edges)[:, None] * probes).ravel()
         error = np.abs(BSpline(knots, rows, DEGREE)(probe) - function(probe)) / tolerance

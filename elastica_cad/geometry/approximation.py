@@ -54,11 +54,8 @@ def adaptive_spline(
     places = np.concatenate([(1 + sites) / 2, _PROBES])
     samples = _sampled(function, edges[:-1], edges[1:], places)
     while True:
-        inner = [
-            np.full(np.clip(degree - order.get(e, degree - 1), 1, degree + 1), e)
-            for e in edges[1:-1].tolist()
-        ]
-        knots = np.concatenate([np.full(degree + 1, edges[0]), *inner, np.full(degree + 1, edges[-1])])
+        counts = [min(max(degree - order.get(e, degree - 1), 1), degree + 1) for e in edges[1:-1].tolist()]
+        knots = np.repeat(edges, [degree + 1, *counts, degree + 1])
         spans = bezier_spans(knots, degree)
         coefficients = _least_squares(spans, samples[:, : sites.size], places[: sites.size], weight)
         error = _largest_errors(spans, coefficients, samples[:, sites.size :])
