@@ -8,6 +8,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.mechanics.arguments import required_supports, whole_number
 from elastica_cad.mechanics.balance import Balance, State, edge_state
 from elastica_cad.mechanics.bifurcation import from_straight, is_straight, stretched
 from elastica_cad.mechanics.continuation import Reached, follow, is_balanced, relax, unstable_modes
@@ -99,18 +100,23 @@ def bend(
     >>> round(float(arch.position[:, 1].max()), 1)
     31.4
     """
+    if not isinstance(rod, Rod):
+        raise InputError(
+            f"bend needs a Rod, as optimal_rod or Rod.straight makes one, not {type(rod).__name__}"
+        )
     ends = rod.position[0], rod.position[-1]
     start, end = (own if given is None else given for given, own in zip((start, end), ends, strict=True))
     if samples is not None and samples != rod.s.size:
         rod = resampled(rod, samples)
     if not (gravity is None or isinstance(gravity, Gravity) or gravity == "keep"):
         raise InputError(f'gravity must be a Gravity record, None or "keep", not {gravity!r}')
-    if side not in {None, 1, -1} or mode < 1:
-        raise InputError(f"side must be +1 or -1 and mode at least 1, got side={side!r}, mode={mode!r}")
+    if side not in {None, 1, -1}:
+        raise InputError(f"side must be +1 or -1, got {side!r}")
+    whole_number(mode, "mode", 1)
     wanted = replace(
         rod,
         gravity=rod.gravity if isinstance(gravity, str) else gravity,
-        supports=rod.supports if supports is None else supports,
+        supports=rod.supports if supports is None else required_supports(supports),
     )
     balance = balance_of(wanted, rod, start, end, angles, force=force, moment=moment)
     state = state_of(rod, balance) if guess is None else _guessed(guess, balance)
@@ -241,8 +247,7 @@ def state_of(rod: Rod, balance: Balance) -> State:
 
 def resampled(rod: Rod, samples: int) -> Rod:
     """The same rod on another number of nodes: stiffness from its profile, the rest interpolated."""
-    if samples < 4:
-        raise InputError(f"samples is {samples}: a rod needs at least 4 nodes")
+    whole_number(samples, "samples", 4)
     s = np.linspace(0.0, rod.length, samples)
     K = rod.profile(s)
 

@@ -8,6 +8,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry import CurvatureZero, PlaneCurve
+from elastica_cad.mechanics.arguments import require_curve, require_tolerance, required_supports
 from elastica_cad.mechanics.line import fitted_line, line_meetings, pencil_of_lines
 from elastica_cad.mechanics.snap import snapped_to_line
 from elastica_cad.mechanics.supports import Supports
@@ -63,7 +64,8 @@ def check_equilibrium(
     >>> check.realizable, len(check.inflections)
     (True, 1)
     """
-    supports = supports or Supports()
+    require_tolerance(tolerance)
+    supports = required_supports(supports)
     check = examine_curvature(curve, supports, natural_curvature)
     if check.any_stiffness or not check.zeros:
         return check
@@ -89,8 +91,9 @@ def examine_curvature(
 
     With weight there is no line (paper, section 5), but these conditions stay. The same errors are raised.
     """
-    if not np.isfinite(natural_curvature):
-        raise InputError(f"natural curvature is {natural_curvature}: it must be a finite number, in 1/mm")
+    require_curve(curve)
+    if not (isinstance(natural_curvature, float | int | np.number) and np.isfinite(natural_curvature)):
+        raise InputError(f"natural curvature is {natural_curvature!r}: it must be a finite number, in 1/mm")
     require_bendable(curve)
     zeros = _zeros_of(curve, supports, natural_curvature)
     flats = [z for z in zeros if z.kind == "flat"]

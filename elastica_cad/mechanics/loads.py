@@ -20,6 +20,10 @@ class PointMass:
     at: float
     mass: float
 
+    def __post_init__(self) -> None:
+        if not (np.isfinite(self.mass) and self.mass >= 0):
+            raise InputError(f"a point mass is {self.mass:g}: it can't be negative, in g")
+
 
 @dataclass(frozen=True, eq=False)
 class Weight:
@@ -40,6 +44,13 @@ class Weight:
     beta: float | Profile = 0.0
     masses: tuple[PointMass, ...] = ()
     own: bool = False
+
+    def __post_init__(self) -> None:
+        for name in ("alpha", "beta"):
+            value = getattr(self, name)
+            # a profile may dip below 0: alpha + beta K as the tangent of a laminate's law
+            if not isinstance(value, Profile) and not (np.isfinite(value) and value >= 0):
+                raise InputError(f"weight {name} is {value:g}: it can't be negative, in N/mm")
 
     def lumped(self, s: FloatArray, stiffness: FloatArray, node_lengths: FloatArray) -> FloatArray:
         """Weight of each node (n,), N; a point mass is shared by its two neighbours."""

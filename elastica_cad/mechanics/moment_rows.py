@@ -78,7 +78,8 @@ def moment_rows(panels: Panels, load: LineLoad | None = None) -> MomentRows:
     """
     if load is None:
         return _weightless(panels)
-    return _weighted(panels, load)
+    with np.errstate(over="ignore", invalid="ignore"):  # a weight beyond all strips: the caller looks
+        return _weighted(panels, load)
 
 
 def _weightless(panels: Panels) -> MomentRows:

@@ -7,6 +7,12 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry import PlaneCurve, Profile
+from elastica_cad.mechanics.arguments import (
+    require_curve,
+    require_gravity,
+    required_supports,
+    whole_number,
+)
 from elastica_cad.mechanics.equilibrium import (
     AT_END,
     EquilibriumCheck,
@@ -96,7 +102,9 @@ def optimal_rod(
     >>> round(optimal_rod(arch).ratio, 4)
     1.5699
     """
-    supports = supports or Supports()
+    require_curve(curve)
+    require_gravity(gravity)
+    supports = required_supports(supports)
     _check_options(gravity, samples, weight, bending_stiffness)
     if gravity is None:
         check = check_equilibrium(curve, supports, natural_curvature, tolerance=tolerance)
@@ -145,8 +153,8 @@ class _Problem:
 def _check_options(
     gravity: Gravity | None, samples: int | None, weight: Weight | None, bending_stiffness: float | None
 ) -> None:
-    if samples is not None and not (_is_whole(samples) and samples >= 3):
-        raise InputError(f"samples is {samples!r}: it must be a whole number, 3 or more")
+    if samples is not None:
+        whole_number(samples, "samples", 3)
     if weight is not None and gravity is None:
         raise InputError("a weight in newtons needs gravity too: pass gravity=Gravity(...) for its direction")
     if bending_stiffness is not None:
@@ -178,10 +186,6 @@ def _require_load_at_free_end(check: EquilibriumCheck, supports: Supports, weigh
             "bend(Rod.straight(...)) shows how a given strip hangs; or hang a mass on this end."
         )
         raise NotRealizable(replace(check, realizable=False, reasons=(reason,)))
-
-
-def _is_whole(number: object) -> bool:
-    return isinstance(number, int | np.integer) and not isinstance(number, bool)
 
 
 def _stations(problem: _Problem) -> FloatArray:

@@ -9,6 +9,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry import PlaneCurve, Profile
+from elastica_cad.mechanics.arguments import require_gravity, required_supports, whole_number
 from elastica_cad.mechanics.gravity import Gravity
 from elastica_cad.mechanics.loads import Weight
 from elastica_cad.mechanics.material_laws import MaterialLaw
@@ -147,6 +148,15 @@ class Rod:
         >>> Rod.straight(100.0, [1, 2, 3]).ratio
         3.0
         """
+        require_gravity(gravity)
+        supports = required_supports(supports)
+        if samples is not None:
+            whole_number(samples, "samples", 3)
+        if bending_stiffness is not None and not (np.isfinite(bending_stiffness) and bending_stiffness > 0):
+            raise InputError(f"bending stiffness is {bending_stiffness}: it must be positive, in N mm2")
+        place = np.asarray(start, dtype=float)
+        if place.shape != (2,):
+            raise InputError(f"start must be two numbers, mm, got {start!r}")
         if not (np.isfinite(length) and length > 0):
             raise InputError(f"rod length is {length}: it must be positive, in mm")
         profile, n = _profile_of(stiffness, length, samples)
@@ -158,10 +168,10 @@ class Rod:
         profile = profile.scaled(1 / K.min())
         tangent = np.array([np.cos(angle), np.sin(angle)])
         rod = cls(
-            s=s, position=np.asarray(start, dtype=float) + s[:, None] * tangent,
+            s=s, position=place + s[:, None] * tangent,
             angle=np.full(n, float(angle)), curvature=np.zeros(n), stiffness=K / K.min(),
             moment=np.zeros(n), force=np.zeros((n, 2)), profile=profile, gravity=gravity,
-            supports=supports or Supports(), natural_curvature=natural_curvature, weight=weight,
+            supports=supports, natural_curvature=natural_curvature, weight=weight,
             bending_stiffness=bending_stiffness, law=law,
         )  # fmt: skip
         loaded = gravity is not None or weight is not None or natural_curvature != 0.0
@@ -232,6 +242,11 @@ class Rod:
 
         `stiffness` is (n,) nodal values or a `Profile`; it is scaled to a least value of 1.
         """
+        if not isinstance(stiffness, Profile) and np.size(stiffness) not in (1, self.s.size):
+            raise InputError(
+                f"stiffness has {np.size(stiffness)} values, the rod {self.s.size} nodes: give one a node, "
+                "or a Profile"
+            )
         profile, _ = _profile_of(stiffness, self.length, self.s.size)
         K = profile(self.s)
         if np.any(K <= 0):

@@ -87,6 +87,8 @@ def stability(rod: Rod) -> Stability:
     >>> stability(arch).stable
     True
     """
+    if not isinstance(rod, Rod):
+        raise InputError(f"stability needs a Rod, as optimal_rod or bend makes one, not {type(rod).__name__}")
     if rod.residual > OUT_OF_BALANCE:
         raise InputError(
             f"the rod is out of balance (residual {rod.residual:.2g}), so it has no stability: bend it first"

@@ -70,17 +70,23 @@ class Supports:
             value: End | EndName = getattr(self, side)
             if isinstance(value, str):
                 object.__setattr__(self, side, End.named(value))
+            elif not isinstance(value, End):
+                raise InputError(f"the support of the {side} is {value!r}: give a name or an End record")
         a, b = self.ends
         for axis in ("x", "y"):
             if not (getattr(a, axis) or getattr(b, axis)):
-                raise InputError(f"the rod is free to fly: no end holds {axis}; hold {axis} at one end at least")
+                raise InputError(
+                    f"the rod is free to fly: no end holds {axis}; hold {axis} at one end at least"
+                )
         if not (a.angle or b.angle or (a.x and b.x) or (a.y and b.y)):
             raise InputError("the rod is free to spin: hold the angle of one end, or the position of both")
 
     @property
     def ends(self) -> tuple[End, End]:
         """Both ends as `End` records."""
-        if isinstance(self.start, str) or isinstance(self.end, str):  # pragma: no cover - __post_init__ converts
+        if isinstance(self.start, str) or isinstance(
+            self.end, str
+        ):  # pragma: no cover - __post_init__ converts
             raise InputError("supports were not converted")
         return self.start, self.end
 

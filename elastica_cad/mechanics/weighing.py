@@ -107,7 +107,15 @@ class _Load:
             for mass in weight.masses:
                 points[int(np.abs(panels.edge_s - mass.at).argmin())] += mass.mass * 1e-3 * STANDARD_GRAVITY
         load = LineLoad(-np.asarray(self.gravity.direction), own, dead, points)
-        return ConditionedRows(self.check, self.supports, panels, moment_rows(panels, load), self.nodes)
+        rows = moment_rows(panels, load)
+        if not np.all(np.isfinite(rows.stiffness)):
+            reason = (
+                "The weight is far too much for the stiffness (a gravity length of "
+                f"{self.gravity.length:.4g} mm on a curve of {self.check.length:.4g} mm): use a lighter or "
+                "stiffer sheet, or look at the units (200 gsm card: 96 mm)."
+            )
+            raise NotRealizable(replace(self.check, realizable=False, reasons=(reason,)))
+        return ConditionedRows(self.check, self.supports, panels, rows, self.nodes)
 
 
 def _least_compliance(load: _Load, weight: Weight) -> float:

@@ -176,9 +176,9 @@ BAD = {
     "moment shape": (STRAIGHT, {"moment": (1.0, 2.0, 3.0)}, "one number or two"),
     "gravity": (STRAIGHT, {"gravity": 9.81}, "Gravity record"),
     "side": (STRAIGHT, {"side": 2}, "side must be"),
-    "mode": (STRAIGHT, {"mode": 0}, "mode at least 1"),
+    "mode": (STRAIGHT, {"mode": 0}, "mode is .*: it must be a whole number"),
     "guess": (STRAIGHT, {"guess": [0.0, 1.0], "end": (60.0, 0.0)}, "guess must be"),
-    "samples": (STRAIGHT, {"samples": 2}, "at least 4"),
+    "samples": (STRAIGHT, {"samples": 2}, "samples is 2: it must be a whole number, 4 or more"),
     "unloaded column": (
         Rod.straight(1.0, samples=51, supports=CANTILEVER), {"force": (-1.0, 0.0), "side": 1}, "too small"
     ),
