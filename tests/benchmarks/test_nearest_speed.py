@@ -10,7 +10,6 @@ from elastica_cad.forming import Keep, Limits, nearest_rod
 from elastica_cad.geometry import PlaneCurve
 from elastica_cad.mechanics import Gravity
 
-
 pytestmark = pytest.mark.benchmark(timer=time.process_time)
 
 
