@@ -267,7 +267,7 @@ def resampled(rod: Rod, samples: int) -> Rod:
 
 def reach(balance: Balance, state: State, side: int | None, mode: int) -> Reached:
     """Follow from `state` to the wanted equilibrium; leave a straight state where it must or is told to."""
-    if len(balance.held) == 2 and float(np.linalg.norm(balance.chord)) > balance.length * (1 - 1e-12):
+    if balance.held and float(np.linalg.norm(balance.chord)) > balance.length * (1 - 1e-12):
         taut = stretched(balance, state)
         if not is_balanced(balance, taut):
             raise InputError(

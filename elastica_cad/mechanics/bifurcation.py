@@ -31,8 +31,9 @@ def is_straight(state: State) -> bool:
 
 
 def stretched(balance: Balance, state: State) -> State:
-    """The straight, unloaded state along the line between the ends."""
-    chord = balance.end - balance.start
+    """The straight, unloaded state along the line between the ends, or along the one coordinate they hold."""
+    chord = np.zeros(2)
+    chord[list(balance.held)] = balance.chord
     angle = float(np.arctan2(chord[1], chord[0]))
     angle += 2 * np.pi * np.round((_direction(balance, state) - angle) / (2 * np.pi))
     return State(np.full(balance.edges, angle), np.zeros(len(balance.held)))

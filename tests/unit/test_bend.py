@@ -185,6 +185,17 @@ BAD = {
 }  # fmt: skip
 
 
+@pytest.mark.parametrize("start", ["clamped", "pinned"])
+def test_taut_along_the_one_coordinate_that_both_ends_hold(start):
+    """Free to slide across, but as far apart along as the rod is long: only a straight rod fits."""
+    taut = bend(Rod.straight(100.0, samples=61), supports=Supports(start, "slide-y"))
+    assert np.ptp(taut.position[:, 1]) < 1e-9
+    assert stability(taut).stable
+    with pytest.raises(InputError, match="as far apart as the rod is long"):
+        bend(taut, gravity=Gravity(70.0))
+    assert bend(taut, end=(99.9, 0.0), gravity=Gravity(70.0)).residual < 1e-9
+
+
 @pytest.mark.parametrize("name", BAD)
 def test_bad_input_is_one_sentence(name):
     rod, options, message = BAD[name]
