@@ -1,5 +1,7 @@
 """The flat part: widths, outline, tabs, strain, mass and reactions."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -49,6 +51,15 @@ def test_holes_and_mass():
 def test_strain_of_an_arc_is_half_thickness_over_radius():
     strip = ec.Strip(ec.optimal_rod(ec.PlaneCurve.arc((0, 0), 50.0, 0.0, 2.0)), CARD, max_width=20.0)
     assert strip.max_strain == pytest.approx(CARD.thickness / 2 / 50.0)
+
+
+def test_strain_counts_from_what_each_node_keeps():
+    """A strip that was bent beyond its limit has a natural curvature of its own at each node."""
+    drawn = ec.optimal_rod(ec.PlaneCurve.ellipse((0, 0), (60, 40), start=-0.5, end=1.0), samples=801)
+    half = replace(drawn, natural_curvature=drawn.curvature / 2)
+    fresh, kept = (ec.Strip(rod, CARD, max_width=20) for rod in (drawn, half))
+    assert kept.max_strain == pytest.approx(fresh.max_strain / 2, rel=1e-4)
+    assert kept.max_strain_at == pytest.approx(fresh.max_strain_at, abs=drawn.s[1])
 
 
 def test_strain_beyond_the_limit_warns_with_place_and_radius():
