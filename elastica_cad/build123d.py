@@ -66,10 +66,12 @@ class StripOutline(_Made, bd.BaseSketchObject):
         The curve that the strip is to take.
     sheet : Sheet or str
         The material, or the name of a built-in one.
+    max_width : float
+        The largest width of the free part, mm; or give `min_width`, the least.
     rotation, align, mode
         As in every sketch object of build123d.
     **options
-        `max_width` or `min_width` (mm), `limits`, `keep`, `gravity`, `supports`, and the options of `Strip`.
+        `min_width`, `limits`, `keep`, `gravity`, `supports`, and the options of `Strip`.
 
     Raises
     ------
@@ -91,13 +93,14 @@ class StripOutline(_Made, bd.BaseSketchObject):
         path: Drawn,
         sheet: Sheet | str,
         *,
+        max_width: float | None = None,
         rotation: float = 0,
         align: bd.Align | tuple[bd.Align, bd.Align] | None = None,
         mode: bd.Mode = bd.Mode.ADD,
         **options: Any,
     ) -> None:
         curve, _ = _curve_and_frame(path)
-        made = make_strip(curve, sheet, **options)
+        made = make_strip(curve, sheet, max_width=max_width, **options)
         super().__init__(bd.Face(occt.make_face(made.outline, made.holes)), rotation, align, mode)
         _dress(self, made)
 
@@ -114,13 +117,14 @@ class FlatStrip(_Made, bd.BasePartObject):
         path: Drawn,
         sheet: Sheet | str,
         *,
+        max_width: float | None = None,
         rotation: bd.RotationLike = (0, 0, 0),
         align: bd.Align | tuple[bd.Align, bd.Align, bd.Align] | None = None,
         mode: bd.Mode = bd.Mode.ADD,
         **options: Any,
     ) -> None:
         curve, _ = _curve_and_frame(path)
-        made = make_strip(curve, sheet, **options)
+        made = make_strip(curve, sheet, max_width=max_width, **options)
         super().__init__(_jointed(FlatSolid.layers(made)), rotation, align, mode)
         _dress(self, made)
 
@@ -137,13 +141,14 @@ class BentStrip(_Made, bd.BasePartObject):
         path: Drawn,
         sheet: Sheet | str,
         *,
+        max_width: float | None = None,
         rotation: bd.RotationLike = (0, 0, 0),
         align: bd.Align | tuple[bd.Align, bd.Align, bd.Align] | None = None,
         mode: bd.Mode = bd.Mode.ADD,
         **options: Any,
     ) -> None:
         curve, frame = _curve_and_frame(path)
-        made = make_strip(curve, sheet, **options)
+        made = make_strip(curve, sheet, max_width=max_width, **options)
         super().__init__(_jointed(BentSolid.layers(made, frame)), rotation, align, mode)
         _dress(self, made)
 
@@ -155,7 +160,7 @@ class EndFixture(_Made, bd.BasePartObject):
 
     Parameters
     ----------
-    path, sheet
+    path, sheet, max_width
         As in `StripOutline`.
     end : "start" or "end"
     floor : Plane, optional
@@ -176,6 +181,7 @@ class EndFixture(_Made, bd.BasePartObject):
         path: Drawn,
         sheet: Sheet | str,
         *,
+        max_width: float | None = None,
         end: Literal["start", "end"] = "start",
         floor: bd.Plane | None = None,
         clearance: float = 0.15,
@@ -190,7 +196,7 @@ class EndFixture(_Made, bd.BasePartObject):
         **options: Any,
     ) -> None:
         curve, frame = _curve_and_frame(path)
-        made = make_strip(curve, sheet, **options)
+        made = make_strip(curve, sheet, max_width=max_width, **options)
         sizes = {
             "clearance": clearance,
             "wall": wall,
@@ -211,6 +217,7 @@ def elastic_strip(
     path: Drawn | None = None,
     *,
     sheet: Sheet | str,
+    max_width: float | None = None,
     form: Literal["flat", "bent", "outline"] = "flat",
     mode: bd.Mode = bd.Mode.ADD,
     **options: Any,
@@ -222,12 +229,14 @@ def elastic_strip(
     path : Edge, Wire, edges or PlaneCurve, optional
     sheet : Sheet or str
         The material, or the name of a built-in one.
+    max_width : float
+        As in `StripOutline`.
     form : "flat", "bent" or "outline"
         The strip as cut (`FlatStrip`), as bent (`BentStrip`), or its flat pattern (`StripOutline`).
     mode : Mode
         How it joins the builder's part or sketch.
     **options
-        `max_width` or `min_width` (mm) and all others of `StripOutline`.
+        All others of `StripOutline`.
 
     Raises
     ------
@@ -246,7 +255,9 @@ def elastic_strip(
                 "there is no curve: give a path, or draw one with BuildLine in the builder first"
             )
         context.pending_edges = bd.ShapeList()
-    strip: FlatStrip | BentStrip | StripOutline = forms[form](path, sheet, mode=mode, **options)
+    strip: FlatStrip | BentStrip | StripOutline = forms[form](
+        path, sheet, max_width=max_width, mode=mode, **options
+    )
     return strip
 
 

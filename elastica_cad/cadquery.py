@@ -98,7 +98,9 @@ class FixtureSolid(_Jointed, cq.Solid):
 S = TypeVar("S", bound=_Jointed)
 
 
-def strip_outline(path: Drawn, sheet: Sheet | str, **options: Any) -> StripFace:
+def strip_outline(
+    path: Drawn, sheet: Sheet | str, *, max_width: float | None = None, **options: Any
+) -> StripFace:
     """The flat pattern of the strip that bends into a curve, on the xy plane.
 
     The x axis runs along the strip from the start of its free part, y = 0 is the centre line.
@@ -109,8 +111,10 @@ def strip_outline(path: Drawn, sheet: Sheet | str, **options: Any) -> StripFace:
         The curve that the strip is to take.
     sheet : Sheet or str
         The material, or the name of a built-in one.
+    max_width : float
+        The largest width of the free part, mm; or give `min_width`, the least.
     **options
-        `max_width` or `min_width` (mm), `limits`, `keep`, `gravity`, `supports`, and the options of `Strip`.
+        `min_width`, `limits`, `keep`, `gravity`, `supports`, and the options of `Strip`.
 
     Raises
     ------
@@ -125,24 +129,28 @@ def strip_outline(path: Drawn, sheet: Sheet | str, **options: Any) -> StripFace:
     >>> strip_outline(arch, "card-200gsm", max_width=20).geomType()
     'PLANE'
     """
-    strip, _ = _designed(path, sheet, options)
+    strip, _ = _designed(path, sheet, max_width=max_width, **options)
     face = StripFace(occt.make_face(strip.outline, strip.holes))
     face.strip = strip
     return face
 
 
-def flat_strip(path: Drawn, sheet: Sheet | str, **options: Any) -> StripSolid | StripCompound:
+def flat_strip(
+    path: Drawn, sheet: Sheet | str, *, max_width: float | None = None, **options: Any
+) -> StripSolid | StripCompound:
     """The strip as cut, from z = 0 upward; parameters, errors and axes as in `strip_outline`."""
-    strip, _ = _designed(path, sheet, options)
+    strip, _ = _designed(path, sheet, max_width=max_width, **options)
     return _body(FlatSolid.layers(strip), strip)
 
 
-def bent_strip(path: Drawn, sheet: Sheet | str, **options: Any) -> StripSolid | StripCompound:
+def bent_strip(
+    path: Drawn, sheet: Sheet | str, *, max_width: float | None = None, **options: Any
+) -> StripSolid | StripCompound:
     """The strip bent, standing on the drawn curve with half its thickness to either side.
 
     Parameters and errors as in `strip_outline`.
     """
-    strip, frame = _designed(path, sheet, options)
+    strip, frame = _designed(path, sheet, max_width=max_width, **options)
     return _body(BentSolid.layers(strip, frame), strip)
 
 
@@ -150,6 +158,7 @@ def end_fixture(
     path: Drawn,
     sheet: Sheet | str,
     *,
+    max_width: float | None = None,
     end: End = "start",
     floor: cq.Plane | None = None,
     clearance: float = 0.15,
@@ -164,7 +173,7 @@ def end_fixture(
 
     Parameters
     ----------
-    path, sheet, **options
+    path, sheet, max_width, **options
         As in `strip_outline`.
     end : "start" or "end"
     floor : Plane, optional
@@ -177,7 +186,7 @@ def end_fixture(
     InputError
         No tab at that end, sizes that do not fit, a floor not square to the curve's plane; and as `strip_outline`.
     """
-    strip, frame = _designed(path, sheet, options)
+    strip, frame = _designed(path, sheet, max_width=max_width, **options)
     sizes = {"clearance": clearance, "wall": wall, "foot": foot, "foot_height": foot_height, "screw": screw}
     ground = (
         None if floor is None else Frame(*(axis.toTuple() for axis in (floor.origin, floor.xDir, floor.yDir)))
@@ -256,6 +265,7 @@ def _workplane_strip(
     self: cq.Workplane,
     sheet: Sheet | str,
     *,
+    max_width: float | None = None,
     form: Form = "flat",
     combine: bool | str = False,
     clean: bool = True,
@@ -267,6 +277,8 @@ def _workplane_strip(
     ----------
     sheet : Sheet or str
         The material, or the name of a built-in one.
+    max_width : float
+        As in `strip_outline`.
     form : "flat" or "bent"
         Flat it lies on the workplane, the start of its free part at the origin; bent it stands on the edges.
     combine, clean
@@ -285,7 +297,7 @@ def _workplane_strip(
     drawn = pending or [item for item in self.objects if isinstance(item, cq.Edge | cq.Wire)]
     if not drawn:
         raise InputError("there is no curve: draw one on the workplane, or select edges")
-    solid = (flat_strip if form == "flat" else bent_strip)(drawn, sheet, **options)
+    solid = (flat_strip if form == "flat" else bent_strip)(drawn, sheet, max_width=max_width, **options)
     here = self.plane.location if form == "flat" else cq.Location()
     for end in ENDS:
         self.newObject([solid.end_face(end).moved(here)]).tag(end)
@@ -297,20 +309,26 @@ def _workplane_strip(
 
 
 def _sketch_strip(
-    self: cq.Sketch, sheet: Sheet | str, *, mode: str = "a", tag: str | None = None, **options: Any
+    self: cq.Sketch,
+    sheet: Sheet | str,
+    *,
+    max_width: float | None = None,
+    mode: str = "a",
+    tag: str | None = None,
+    **options: Any,
 ) -> cq.Sketch:
     """Add the flat pattern of the strip that bends into the sketch's edges; these are used up.
 
-    `mode` and `tag` as in `Sketch.face`, other options as in `strip_outline`.
+    `mode` and `tag` as in `Sketch.face`, other arguments as in `strip_outline`.
     """
     if not self._edges:
         raise InputError("there is no curve: draw edges in the sketch first")
-    face = strip_outline(list(self._edges), sheet, **options)
+    face = strip_outline(list(self._edges), sheet, max_width=max_width, **options)
     self._edges = []
     return self.reset().face(face, mode=mode, tag=tag)
 
 
-def _designed(path: Drawn, sheet: Sheet | str, options: dict[str, Any]) -> tuple[Strip, Frame]:
+def _designed(path: Drawn, sheet: Sheet | str, **options: Any) -> tuple[Strip, Frame]:
     if isinstance(path, cq.Workplane):
         path = [*path.ctx.pendingEdges, *path.ctx.pendingWires] or path.vals()
     curve, frame = (path, Frame()) if isinstance(path, PlaneCurve) else occt.plane_curve(path)

@@ -15,5 +15,5 @@ class NotConvergedError(ElasticaError, RuntimeError):
     """A solver stopped short of its tolerance; no half-converged shape is ever returned."""
 
 
-class MissingDependencyError(ElasticaError, RuntimeError):
-    """An optional library is needed for what was asked and is not installed."""
+class MissingDependencyError(ElasticaError, ImportError, RuntimeError):
+    """An optional library is needed for what was asked and is not installed, or of an unknown version."""

@@ -31,6 +31,13 @@ def test_unknown_version(version, monkeypatch):
         occt.make_solid(PLATE)
 
 
+def test_it_is_an_import_error(monkeypatch):
+    """As a library's own complaint would be."""
+    monkeypatch.setitem(sys.modules, "OCP", None)
+    with pytest.raises(ImportError, match="pip install"):
+        occt.make_wire(Path.rectangle(1, 1))
+
+
 def test_version_that_cannot_be_told(monkeypatch):
     import OCP
 

@@ -82,14 +82,25 @@ class TestCadQuery:
                 shape.Volume(), rel=0.02
             )
 
-    def test_jupyter(self, model):
+    def test_what_web_pages_are_made_of(self, model):
         import cadquery as cq
+        from cadquery.occ_impl.assembly import toJSON
 
         from elastica_cad.cadquery import model_assembly, strip_outline
 
-        for shape in (*self.shown(), strip_outline(ARCH, PLY, **OPTIONS), model_assembly(model)):
-            assert "render" in shape._repr_javascript_()
-        assert "render" in cq.Workplane(obj=self.shown()[0])._repr_javascript_()
+        for shape in (*self.shown(), strip_outline(ARCH, PLY, **OPTIONS)):
+            parts = toJSON(cq.Assembly(shape))
+            assert parts
+            assert all("<VTKFile" in part["shape"] for part in parts)
+        parts = toJSON(model_assembly(model))
+        assert sum(np.allclose(part["color"], (0.85, 0.70, 0.48, 1), atol=0.01) for part in parts) == 3
+
+    @pytest.mark.build123d  # which brings IPython
+    def test_jupyter(self, model):
+        from elastica_cad.cadquery import model_assembly
+
+        for shown in (self.shown()[0], model_assembly(model)):
+            assert "render" in shown._repr_javascript_()
 
     def test_cq_editor(self, model):
         """`show_object` puts shapes into one compound, and turns an assembly into a document of OpenCASCADE."""

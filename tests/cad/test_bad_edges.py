@@ -1,0 +1,142 @@
+"""What both skins refuse, in the words and with the error type of a library of their kernel."""
+
+import inspect
+
+import numpy as np
+import pytest
+from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeEdge
+from OCP.BRepPrimAPI import BRepPrimAPI_MakeCone
+from OCP.GeomAPI import GeomAPI_PointsToBSpline
+from OCP.gp import gp_Ax2, gp_Circ, gp_Dir, gp_Pnt
+
+from elastica_cad import occt
+from elastica_cad.errors import MissingDependencyError
+from elastica_cad.fabrication import Slot
+from elastica_cad.geometry import PlaneCurve
+
+SHEET = "birch-plywood-0.8"
+
+
+def line(a, b):
+    return BRepBuilderAPI_MakeEdge(gp_Pnt(*a), gp_Pnt(*b)).Edge()
+
+
+def circle(radius, first=0.0, last=2 * np.pi):
+    return BRepBuilderAPI_MakeEdge(
+        gp_Circ(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), radius), first, last
+    ).Edge()
+
+
+def helix():
+    turns = np.linspace(0, 3, 20)
+    points = occt.kernel().Points(1, 20)
+    for i, v in enumerate(turns, start=1):
+        points.SetValue(i, gp_Pnt(30 * np.cos(v), 30 * np.sin(v), 5 * v))
+    return BRepBuilderAPI_MakeEdge(GeomAPI_PointsToBSpline(points).Curve()).Edge()
+
+
+def degenerate():
+    """The tip of a cone."""
+    k = occt.kernel()
+    explorer = k.TopExp_Explorer(BRepPrimAPI_MakeCone(5, 0, 10).Shape(), k.TopAbs_ShapeEnum.TopAbs_EDGE)
+    while not k.BRep_Tool.Degenerated_s(k.as_edge(explorer.Current())):
+        explorer.Next()
+    return k.as_edge(explorer.Current())
+
+
+REFUSED = {
+    "not plane": (lambda: [helix()], {}, r"leaves its plane by [\d.]+ mm"),
+    "disjoint": (lambda: [line((0, 0, 0), (9, 0, 0)), line((20, 0, 0), (30, 0, 0))], {}, "2 separate chains"),
+    "closed": (lambda: [circle(50)], {}, "closed: a strip has two ends"),
+    "degenerate": (lambda: [degenerate()], {}, "degenerate"),
+    "corner": (lambda: [line((0, 0, 0), (9, 0, 0)), line((9, 0, 0), (9, 5, 0))], {}, "corner of 90 degrees"),
+    "too tight": (
+        lambda: [circle(0.35, 0, 2)],
+        {"max_width": 0.2},
+        r"radius at .* is 0\.35 mm.*gentler curve",
+    ),
+    "slots that meet": (
+        lambda: [circle(50, 0, 2)],
+        {"slots": (Slot(at=50, width=4), Slot(at=52, width=4))},
+        "slot",
+    ),
+    "no width": (lambda: [circle(50, 0, 2)], {"max_width": None}, "width"),
+    "a width that is none": (lambda: [circle(50, 0, 2)], {"max_width": -3}, "width"),
+}
+
+
+def told(make, name):
+    shapes, options, says = REFUSED[name]
+    with pytest.raises(ValueError, match=says) as caught:
+        make(shapes(), **{"max_width": 20, **options})
+    assert "\n" not in str(caught.value).strip()
+
+
+@pytest.mark.build123d
+@pytest.mark.parametrize("name", sorted(REFUSED))
+def test_build123d(name):
+    import build123d as bd
+
+    from elastica_cad.build123d import BentStrip
+
+    told(lambda shapes, **options: BentStrip([bd.Edge(e) for e in shapes], SHEET, **options), name)
+
+
+@pytest.mark.cadquery
+@pytest.mark.parametrize("name", sorted(REFUSED))
+def test_cadquery(name):
+    import cadquery as cq
+
+    from elastica_cad.cadquery import bent_strip
+
+    told(lambda shapes, **options: bent_strip([cq.Edge(e) for e in shapes], SHEET, **options), name)
+
+
+@pytest.mark.build123d
+def test_build123d_signatures():
+    from elastica_cad import build123d
+
+    for name in ("StripOutline", "FlatStrip", "BentStrip", "EndFixture"):
+        called_as(getattr(build123d, name).__init__, ["self", "path", "sheet"], {"max_width"})
+    called_as(build123d.elastic_strip, ["path"], {"sheet", "max_width", "form", "mode"})
+    assert inspect.signature(build123d.elastic_strip).parameters["path"].default is None
+    with pytest.raises(TypeError, match="widht"):
+        build123d.FlatStrip(PlaneCurve.arc((0, 0), 50, 0, 2), SHEET, widht=3)
+
+
+@pytest.mark.cadquery
+def test_cadquery_signatures():
+    import cadquery as cq
+
+    from elastica_cad import cadquery
+
+    for name in ("strip_outline", "flat_strip", "bent_strip", "end_fixture"):
+        called_as(getattr(cadquery, name), ["path", "sheet"], {"max_width"})
+    cadquery.register()
+    called_as(cq.Workplane.elasticStrip, ["self", "sheet"], {"max_width", "form"})
+    called_as(cq.Sketch.elasticStrip, ["self", "sheet"], {"max_width"})
+
+
+def called_as(function, positional, keywords):
+    """The fixed names: positional ones in order, then keywords."""
+    parameters = inspect.signature(function).parameters.values()
+    assert [p.name for p in parameters if p.kind is p.POSITIONAL_OR_KEYWORD] == positional
+    assert keywords <= {p.name for p in parameters if p.kind is p.KEYWORD_ONLY}
+
+
+@pytest.mark.parametrize("skin", [pytest.param("build123d", marks=pytest.mark.build123d),
+                                  pytest.param("cadquery", marks=pytest.mark.cadquery)])  # fmt: skip
+def test_unknown_kernel_through_a_skin(skin, monkeypatch):
+    """A line of OpenCASCADE's Python face that is not known is an ImportError that says what to do."""
+    import OCP
+
+    module = __import__(f"elastica_cad.{skin}", fromlist=["x"])
+    occt.kernel.cache_clear()
+    monkeypatch.setattr(OCP, "__version__", "11.0")
+    make = module.FlatStrip if skin == "build123d" else module.flat_strip
+    try:
+        with pytest.raises(ImportError, match=r"OCP 11\.0 .* install a build123d or cadquery") as caught:
+            make(__import__(skin).Edge(circle(50, 0, 2)), SHEET, max_width=20)
+    finally:
+        occt.kernel.cache_clear()
+    assert isinstance(caught.value, MissingDependencyError)
