@@ -23,6 +23,9 @@ __all__ = [
 
 Ends = tuple[Tab, Tab]
 
+SHOULDER = 1e-5
+"""mm."""
+
 
 def flat_rim(width: Profile, ends: Ends) -> Path:
     """The closed outer loop, anticlockwise, of a strip of full width `width` (mm) with its tabs.
@@ -32,8 +35,9 @@ def flat_rim(width: Profile, ends: Ends) -> Path:
     """
     lower, upper = long_sides(width)
     start, end = _end_widths(width)
-    far = [segment.transformed(_frame(width.length, 1)) for segment in ends[1].corners(end)]
-    near = [segment.transformed(_frame(0.0, -1)) for segment in ends[0].corners(start)]
+    near_tab, far_tab = (_flush(tab, at) for tab, at in zip(ends, (start, end), strict=True))
+    far = [segment.transformed(_frame(width.length, 1)) for segment in far_tab.corners(end)]
+    near = [segment.transformed(_frame(0.0, -1)) for segment in near_tab.corners(start)]
     return Path(chained([*lower, *far, *(side.reversed() for side in reversed(upper)), *near]), closed=True)
 
 
@@ -109,6 +113,12 @@ def _pieces(width: Profile) -> list[Profile]:
 def _side(width: Profile, factor: float) -> Spline:
     """One long side: the graph of `factor` times the width."""
     return graph(width.knots, factor * width.coefficients, width.degree)
+
+
+def _flush(tab: Tab, width: float) -> Tab:
+    """The tab without shoulders too small to cut: their ends would count as the same point in a file."""
+    small = tab.width is not None and abs(tab.width - width) < SHOULDER
+    return replace(tab, width=None) if small else tab
 
 
 def _end_widths(width: Profile) -> tuple[float, float]:

@@ -1,0 +1,44 @@
+"""The Carpet (paper, section 9.5): fifteen flowing strips whose lowest points hover above the ground."""
+
+import sys
+
+import numpy as np
+
+import elastica_cad as ec
+
+STRIPS = 15
+LENGTH, DEPTH, RISE = 460.0, 290.0, 115.0  # mm
+GROUND = 2.0  # mm that the strips keep above the ground, z = 0
+CARD = ec.Sheet.named("card-200gsm")
+LIMITS = ec.Limits(ratio=3.0, margin=5.0, keep_out=(ec.HalfPlane((0, GROUND), (0, 1)),))
+
+
+def wave(u):
+    """Control points of the strip at u = 0 (front) to 1 (back): a hill, a hollow near the ground, a hill."""
+    first, second = RISE * (1.15 - 0.5 * u), RISE * (0.55 + 0.6 * u)
+    hollow = LENGTH * (0.55 - 0.10 * u)
+    return [
+        (0, GROUND),
+        (0.04 * LENGTH, 0.75 * first),
+        (0.22 * LENGTH, 1.35 * first),
+        (hollow - 0.14 * LENGTH, 0.1 * RISE),
+        (hollow + 0.04 * LENGTH, -0.05 * RISE),
+        (hollow + 0.2 * LENGTH, 1.2 * second),
+        (0.93 * LENGTH, 1.1 * second),
+        (LENGTH, GROUND),
+    ]
+
+
+def build(count=STRIPS):
+    """Every strip bears its own weight, and stays above the ground with it."""
+    places = np.linspace(0, 1, count)
+    found = ec.nearest_rods([ec.PlaneCurve.spline(wave(u)) for u in places], LIMITS, gravity=CARD.gravity())
+    placed = []
+    for near, u in zip(found, places, strict=True):
+        strip = ec.Strip(near.rod, CARD, max_width=0.9 * DEPTH / STRIPS, label=f"C{len(placed) + 1}")
+        placed.append(ec.Placed(strip, (0, DEPTH * u, 0), (1, 0, 0), (0, 0, 1)))
+    return ec.Model(tuple(placed), name="carpet")
+
+
+if __name__ == "__main__":
+    ec.save_model(build(), sys.argv[1] if len(sys.argv) > 1 else "out/carpet")

@@ -1,0 +1,63 @@
+"""The Horse (paper, section 9.2): body, neck and head of an animal, cut across, split at the spine, laminated.
+
+The animal is our own, from eight ellipses along a bent spine.
+"""
+
+import sys
+
+import numpy as np
+
+import elastica_cad as ec
+
+PLANES = 20
+RATIO = 2.0
+LEAST_RADIUS = 40.0  # mm, for both layers
+SPACING = 560.0 / PLANES
+CARD = ec.Sheet.named("card-200gsm")
+PAPER = ec.Sheet("paper-100gsm", 0.1, CARD.youngs_modulus, density=CARD.density, max_strain=CARD.max_strain)
+# along x: height of the spine's axis, half width and half height of the body there, mm
+STATIONS = np.array([
+    (0, 240, 58, 62), (80, 236, 68, 74), (170, 226, 72, 80), (260, 232, 68, 76),
+    (340, 262, 60, 66), (420, 318, 52, 56), (500, 352, 50, 52), (560, 340, 48, 49),
+])  # fmt: skip
+
+
+def surface(turns=80, rows=160):
+    """Rings of eggs about the spine, fuller below; mm."""
+    x = np.linspace(0, 560, rows)
+    axis, wide, tall = (ec.Profile.interpolate(STATIONS[:, 0], column)(x) for column in STATIONS.T[1:])
+    v = np.linspace(0, 2 * np.pi, turns + 1)
+    y = wide[:, None] * np.sin(v) * (1 - 0.06 * np.cos(v))
+    z = axis[:, None] + tall[:, None] * np.cos(v)
+    points = np.stack([np.broadcast_to(x[:, None], y.shape), y, z], axis=-1)
+    points[:, -1] = points[:, 0]
+    corner = (np.arange(rows - 1)[:, None] * (turns + 1) + np.arange(turns)).ravel()
+    far = corner + turns + 1
+    faces = np.concatenate(
+        [np.column_stack([corner, far, far + 1]), np.column_stack([corner, far + 1, corner + 1])]
+    )
+    return ec.Mesh(points.reshape(-1, 3), faces)
+
+
+def build(planes=PLANES):
+    mesh = surface()
+    frames = ec.parallel_planes((0, 0, 0), (1, 0, 0), 560 * (np.arange(planes) + 0.5) / planes)
+    halves = []
+    for section in ec.mesh_sections(mesh.vertices, mesh.faces, frames):
+        halves += section.line.split_by((0, 0, 0), (0, 1, 0))
+    curves, reports = ec.section_curves(halves, tolerance=0.2)
+    found = ec.nearest_rods(
+        [c.curve for c in curves], ec.Limits(ratio=RATIO, margin=5.0, curvature=1 / LEAST_RADIUS)
+    )
+    style = ec.Laminated(SPACING - 4, backing=CARD)
+    placed = []
+    for near, c in zip(found, curves, strict=True):
+        strip = ec.Strip(
+            near.rod, PAPER, style=style, ends=(ec.Tab(6), ec.Tab(6)), label=f"H{len(placed) + 1}"
+        )
+        placed.append(ec.Placed(strip, c.frame.origin, c.frame.x_axis, c.frame.y_axis))
+    return ec.Model(tuple(placed), name="horse", reports=reports)
+
+
+if __name__ == "__main__":
+    ec.save_model(build(), sys.argv[1] if len(sys.argv) > 1 else "out/horse")

@@ -1,0 +1,38 @@
+"""The S-curve (paper, Figs. 10 and 11): a curve in equilibrium that would snap away, and the stable one by it."""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+
+import elastica_cad as ec
+
+PITCH, HEIGHT = 85.0, 42.0  # mm, between inflections and of the waves
+MARGIN = 5.0
+
+
+def wave(x):
+    return np.column_stack([x, HEIGHT * np.sin(np.pi * x / PITCH)])
+
+
+def build():
+    """The drawn curve's rod, and what was found near it."""
+    curve = ec.PlaneCurve.fit_function(wave, -0.5 * PITCH, 2.5 * PITCH, tolerance=1e-6)
+    return ec.optimal_rod(curve), ec.nearest_rod(curve, ec.Limits(ratio=3.5, margin=MARGIN))
+
+
+def main(folder="out/s_curve"):
+    drawn, found = build()
+    for name, rod in (("drawn", drawn), ("stable", found.rod)):
+        verdict = ec.stability(rod)
+        print(
+            f"{name}: ratio {rod.ratio:.2f}, margin {verdict.margin:.1f}, conjugate {verdict.conjugate_point}"
+        )
+    print(f"moved by at most {found.deviation:.2f} mm")
+    strip = ec.Strip(found.rod, ec.Sheet.named("card-200gsm"), max_width=25, label="S")
+    Path(folder).mkdir(parents=True, exist_ok=True)
+    ec.save(strip.drawing(), Path(folder) / "s.dxf", force=True)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

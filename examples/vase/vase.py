@@ -1,0 +1,20 @@
+"""The Vase (paper, section 9.4): twenty equal strips of card that close a surface of revolution without gaps."""
+
+import sys
+
+import elastica_cad as ec
+
+STRIPS = 20
+# x kappa = a + <b, gamma>; found by ec.meridian_through([(70, 0), (125, 55), (90, 115), (75, 140)])
+A, B = -4.488549, (0.06233611, -0.0145922)  # no unit, 1/mm
+START, ANGLE, LENGTH = (70.0, 0.0), 0.277409, 185.5945  # mm from the axis and up, rad, mm
+
+
+def build():
+    return ec.revolution(
+        A, B, START, ANGLE, STRIPS, length=LENGTH, sheet=ec.Sheet.named("card-200gsm"), name="vase"
+    )
+
+
+if __name__ == "__main__":
+    ec.save_model(build(), sys.argv[1] if len(sys.argv) > 1 else "out/vase")
