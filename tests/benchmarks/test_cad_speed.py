@@ -1,4 +1,4 @@
-"""What bodies cost on top of the core, and how much of that is OpenCASCADE's share."""
+"""What bodies cost on top of the core, how that compares with the core, and how much is OpenCASCADE's share."""
 
 from time import perf_counter
 
@@ -6,9 +6,11 @@ import numpy as np
 import pytest
 
 from elastica_cad import occt, step
-from elastica_cad.fabrication import BentSolid, FlatSolid, Hole, Model, Placed, Slot, Tab
+from elastica_cad.fabrication import BentSolid, FlatSolid, Hole, Model, Placed, Slot, Strip, Tab
 from elastica_cad.fabrication.making import make_strip
-from elastica_cad.geometry import PlaneCurve
+from elastica_cad.geometry import PlaneCurve, Profile
+from elastica_cad.mechanics import Rod, Sheet, bend
+from elastica_cad.mechanics.rest_shape import marched_curve
 
 ENDS = (Tab(12, holes=(Hole(6, 3.2),)), Tab(12, holes=(Hole(6, 3.2),)))
 
@@ -37,8 +39,11 @@ def test_one_strip(benchmark, kind, limit):
     occt.make_solid(kind.of(strip))
     benchmark(lambda: occt.make_solid(kind.of(strip)))
     whole, record = seconds(lambda: occt.make_solid(kind.of(strip))), seconds(lambda: kind.of(strip))
+    core = seconds(arch, 3)
     benchmark.extra_info["OpenCASCADE's share"] = round(1 - record / whole, 2)
+    benchmark.extra_info["times the core"] = round(whole / core, 2)
     assert whole <= limit
+    assert whole <= core
 
 
 def test_assembly_of_31_slotted_strips(benchmark):
@@ -49,8 +54,23 @@ def test_assembly_of_31_slotted_strips(benchmark):
     assert len({id(part.shape) for part in parts}) == 31
     whole = seconds(lambda: step.model_parts(model), 3)
     records = seconds(lambda: [BentSolid.of(placed.strip) for placed in model.placed], 3)
+    core = 31 * seconds(lambda: arch(0.5, slots), 3)
     benchmark.extra_info["OpenCASCADE's share"] = round(1 - records / whole, 2)
+    benchmark.extra_info["times the core"] = round(whole / core, 2)
     benchmark.extra_info["seconds to write STEP"] = round(
         seconds(lambda: step.step_bytes(parts, name="many"), 1), 2
     )
     assert whole <= 3.0
+
+
+def test_a_strip_bent_forward(benchmark):
+    """A marched rod: its smooth curve, and its body in the time of any other's."""
+    straight = Rod.straight(150.0, Profile.interpolate([0, 75, 150], [1, 1.6, 1]))
+    rod = bend(straight, start=(0, 0), end=(120, 0), angles=(0.9, -0.9))
+    strip = Strip(rod, Sheet.named("birch-plywood-0.8"), max_width=20)
+    curve = seconds(lambda: marched_curve(rod.s, rod.position, rod.angle), 5)
+    benchmark.extra_info["seconds of its curve"] = round(curve, 4)
+    assert strip.outline.closed
+    assert rod.curve.length > 0
+    occt.make_solid(benchmark(lambda: BentSolid.of(strip)))
+    assert seconds(lambda: occt.make_solid(BentSolid.of(strip)), 5) <= 0.100
