@@ -7,11 +7,12 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication import (
     BasePlate,
     EndFixture,
     FlatSolid,
+    HoldingTabs,
     Model,
     NestedSheet,
     Piece,
@@ -20,6 +21,7 @@ from elastica_cad.fabrication import (
     nested,
 )
 from elastica_cad.fabrication.pieces import file_word
+from elastica_cad.fabrication.slot_effects import SlotEffect, slot_effect
 from elastica_cad.files import save
 from elastica_cad.formats import files_together
 from elastica_cad.formats.design import Cutting, Design, Nesting
@@ -44,14 +46,19 @@ class Kit:
     fixtures: tuple[EndFixture, ...]
     files: dict[str, tuple[str, Writer]] = field(default_factory=dict)
     """What each file is and how it is written, by its name."""
+    effects: dict[str, SlotEffect] = field(default_factory=dict)
+    """What its slots do to each part, by its name, where it was asked for."""
+    notes: tuple[str, ...] = ()
+    """Parts that find no shape with their slots."""
 
 
-def kit_of(design: Design, made: Model) -> Kit:
-    """Pieces, sheets, base and fixtures of a model."""
+def kit_of(design: Design, made: Model, *, effects: bool = False) -> Kit:
+    """Pieces, sheets, base and fixtures of a model; with `effects` also what slots do to its strips."""
     base, frame = design.base_plate(made), design.slotted_frame(made)
     strips = (*made.pieces, *design.extras())
     size, margin = design.nesting.sheet_size, design.nesting.margin
-    nests = list(nested(strips, sheet_size=size, margin=margin, name=f"{made.name}-nest"))
+    kerf = design.cutting.kerf
+    nests = list(nested(strips, sheet_size=size, margin=margin, kerf=kerf, name=f"{made.name}-nest"))
     pieces, plates = strips, []
     wanted: list[tuple[str, tuple[Sheet, Any, Nesting] | None, tuple[BasePlate | Rib, ...]]] = [
         ("base", design.base, () if base is None else (base,)),
@@ -61,13 +68,25 @@ def kit_of(design: Design, made: Model) -> Kit:
         if made_of is None:
             continue
         cut = [replace(plate.piece, name=f"{made.name}-{plate.name}") for plate in found]
-        nests += nested(
-            cut, sheet_size=made_of[2].sheet_size, margin=made_of[2].margin, name=f"{made.name}-{what}-nest"
-        )
+        size, margin = made_of[2].sheet_size, made_of[2].margin
+        nests += nested(cut, sheet_size=size, margin=margin, kerf=kerf, name=f"{made.name}-{what}-nest")
         pieces = (*pieces, *cut)
         plates += [(plate.name, plate.sheet, plate.solid) for plate in found]
     fixtures = () if design.fixtures is None else made.fixtures(**design.fixtures)
-    return Kit(design, made, pieces, tuple(nests), tuple(plates), fixtures)
+    bent, notes = _slot_effects(made) if effects else ({}, ())
+    return Kit(design, made, pieces, tuple(nests), tuple(plates), fixtures, effects=bent, notes=notes)
+
+
+def _slot_effects(made: Model) -> tuple[dict[str, SlotEffect], tuple[str, ...]]:
+    """Of every different part with slots; and of those that fail, why."""
+    found, notes = {}, []
+    for part in made.parts:
+        if part.strip.slots:
+            try:
+                found[part.name] = slot_effect(part.strip)
+            except NotConvergedError as problem:
+                notes.append(f"{part.name}: with its slots no shape near the design was found: {problem}")
+    return found, tuple(notes)
 
 
 def write_kit(
@@ -76,11 +95,13 @@ def write_kit(
     *,
     step: bool = True,
     pictures: bool = True,
+    parts: bool = True,
     force: bool = False,
     done: Callable[[str, int], None] | None = None,
 ) -> None:
     """Write all files of a kit; the assembly and the pictures where a CAD kernel and matplotlib are installed.
 
+    Without `parts` only the nested sheets are drawn, not every part once more in files of its own.
     `done` is called with the name of each file that has been written, and how many there are in all.
 
     Raises
@@ -88,7 +109,8 @@ def write_kit(
     InputError
         Files that exist, without `force`.
     """
-    _plan(kit, step and find_spec("OCP") is not None, pictures and find_spec("matplotlib") is not None)
+    step, pictures = step and find_spec("OCP") is not None, pictures and find_spec("matplotlib") is not None
+    _plan(kit, step=step, pictures=pictures, parts=parts)
     with files_together(folder, kit.files, force=force) as workshop:
         for name, (_, write) in kit.files.items():
             write(workshop / name)
@@ -103,8 +125,10 @@ def save_model(
     sheet_size: tuple[float, float] = (600.0, 400.0),
     margin: float = 2.0,
     kerf: float | None = 0.0,
+    holding: HoldingTabs | None = None,
     step: bool = True,
     pictures: bool = True,
+    parts: bool = True,
     force: bool = False,
 ) -> Path:
     """Nested sheets and parts (DXF, SVG), cut list, report, assembly (STEP) and pictures of a model.
@@ -120,8 +144,10 @@ def save_model(
         Least distance between parts, mm.
     kerf : float or None
         Width of the cut, mm; None for each sheet's own.
-    step, pictures : bool
-        Write the assembly (with a CAD kernel), the pictures (with matplotlib).
+    holding : HoldingTabs, optional
+        Bridges that hold parts in the sheet; none unless given.
+    step, pictures, parts : bool
+        Write the assembly (with a CAD kernel), the pictures (with matplotlib), every part in files of its own.
     force : bool
         Overwrite files that exist.
 
@@ -135,27 +161,31 @@ def save_model(
     InputError
         Parts larger than a sheet, files that exist.
     """
-    design = Design(
-        name=model.name, wishes=(), nesting=Nesting(sheet_size, margin), cutting=Cutting(kerf=kerf)
-    )
-    write_kit(kit_of(design, model), folder, step=step, pictures=pictures, force=force)
+    cutting = Cutting(kerf=kerf, holding=holding)
+    design = Design(name=model.name, wishes=(), nesting=Nesting(sheet_size, margin), cutting=cutting)
+    kit = kit_of(design, model, effects=True)
+    write_kit(kit, folder, step=step, pictures=pictures, parts=parts, force=force)
     return Path(folder)
 
 
-def _plan(kit: Kit, step: bool, pictures: bool) -> None:
+def _plan(kit: Kit, *, step: bool, pictures: bool, parts: bool) -> None:
     """Say which files there will be, and how each is written."""
     name, files = file_word(kit.model.name), kit.files
     for nest in kit.nests:
         if nest.sheet is not None:
             _add_drawing(kit, file_word(nest.name), nest, nest.sheet, "nested sheet")
-    for piece in kit.pieces:
+    on_sheets = {
+        piece: f"{file_word(nest.name)}.{_suffix(kit)}" for nest in kit.nests for piece in nest.pieces
+    }
+    for piece in kit.pieces if parts else ():
         if any(file.casefold() == f"{piece.file_stem}.svg".casefold() for file in files):
             raise InputError(
                 f"{piece.name}: another part would be written to {piece.file_stem}.svg too; choose labels that "
                 "differ in more than capitals and signs"
             )
         _add_drawing(kit, piece.file_stem, piece.drawing, piece.sheet, "part")
-    listed = cut_list(kit.pieces, {piece.name: f"{piece.file_stem}.{_suffix(kit)}" for piece in kit.pieces})
+    own = {piece.name: f"{piece.file_stem}.{_suffix(kit)}" for piece in kit.pieces}
+    listed = cut_list(kit.pieces, own if parts else on_sheets)
     files[f"{name}-cut-list.csv"] = ("cut list", lambda path: _write_text(path, listed.csv))
     files[f"{name}-cut-list.txt"] = ("cut list", lambda path: _write_text(path, str(listed)))
     if step:
@@ -181,6 +211,7 @@ def _add_drawing(kit: Kit, stem: str, drawing: Any, sheet: Sheet, what: str) -> 
         "kerf": sheet.kerf if cutting.kerf is None else cutting.kerf,
         "curves": cutting.curves,
         "tolerance": cutting.tolerance,
+        "holding": cutting.holding,
     }
     dxf = f"{stem}.{_suffix(kit)}"
     kit.files[dxf] = (what, lambda path: _saved(drawing, path, version=cutting.version, **options))
@@ -197,7 +228,9 @@ def _write_text(path: Path, text: str) -> None:
 
 def _write_report(kit: Kit, path: Path) -> None:
     kinds = {name: kind for name, (kind, _) in kit.files.items()}
-    report = model_report(kit.model, cut_list=cut_list(kit.pieces), nests=kit.nests, files=kinds)
+    listed = cut_list(kit.pieces)
+    report = model_report(kit.model, cut_list=listed, nests=kit.nests, files=kinds, effects=kit.effects)
+    report["reports"] += kit.notes
     _write_text(path, json.dumps(report, indent=1) + "\n")
 
 

@@ -12,7 +12,14 @@ from elastica_cad.geometry import PlaneCurve
 from elastica_cad.mechanics import Supports
 from elastica_cad.mechanics.equilibrium import require_bendable
 
-__all__ = ["bendable_curves", "curve_options", "pick_curve", "support_options", "supports_of"]
+__all__ = [
+    "bendable_curves",
+    "curve_options",
+    "holding_option",
+    "pick_curve",
+    "support_options",
+    "supports_of",
+]
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -27,6 +34,16 @@ def curve_options(function: F) -> F:
         help="Unit of the file's numbers, where the file does not say or says it wrongly.",
     )(function)
     return click.argument("curve", type=click.Path(path_type=Path))(function)
+
+
+def holding_option(function: F) -> F:
+    """Bridges that hold parts in the sheet."""
+    return click.option(
+        "--holding",
+        type=float,
+        metavar="MM",
+        help="Leave bridges of this width in the outer cuts, which hold the parts in the sheet.",
+    )(function)
 
 
 def support_options(function: F) -> F:

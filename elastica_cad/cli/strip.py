@@ -9,10 +9,10 @@ from typing import Any, TypeVar
 
 import click
 
-from elastica_cad.cli.options import curve_options, pick_curve, support_options, supports_of
+from elastica_cad.cli.options import curve_options, holding_option, pick_curve, support_options, supports_of
 from elastica_cad.cli.wish import WishOptions, wish_options
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication import Strip, Tab
+from elastica_cad.fabrication import HoldingTabs, Strip, Tab
 from elastica_cad.fabrication.lettering import engravable
 from elastica_cad.files import save
 from elastica_cad.formats import files_together, strip_report
@@ -34,6 +34,7 @@ class _Cut:
     dxf_version: str
     force: bool
     output: Path
+    holding: float | None
 
     def width_burnt(self, sheet: Sheet) -> float:
         """The kerf in mm: a number, or the sheet's own."""
@@ -57,6 +58,7 @@ def _cut_options(function: F) -> F:
                      help="Largest error of arcs and polylines."),
         click.option("--dxf-version", default="R2010", show_default=True,
                      help="R12, R2000, R2004, R2007, R2010, R2013 or R2018."),
+        holding_option,
         click.option("--force", is_flag=True, help="Overwrite files that exist."),
         click.option("-o", "--output", type=click.Path(path_type=Path), default=Path(), help="Folder for files."),
     ]  # fmt: skip
@@ -152,7 +154,8 @@ def _write_files(
         raise InputError(f"{drawn_in} holds the drawn curve and is kept: name another folder, e.g. -o out")
     drawing = replace(made.drawing(), name=name)
     drawn: dict[str, Any] = {
-        "kerf": cut.width_burnt(made.sheet), "curves": cut.curves, "tolerance": cut.tolerance
+        "kerf": cut.width_burnt(made.sheet), "curves": cut.curves, "tolerance": cut.tolerance,
+        "holding": None if cut.holding is None else HoldingTabs(cut.holding),
     }  # fmt: skip
     with files_together(cut.output, names.values(), force=cut.force) as workshop:
         save(drawing, workshop / names["dxf"], version=cut.dxf_version, **drawn)

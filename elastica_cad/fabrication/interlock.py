@@ -240,9 +240,8 @@ def _reports(model: "Model", joints: list[Joint]) -> tuple[str, ...]:
             f"{a} and {b} cross at {degrees:.1f} degrees at {places} mm of {a}: the slots are up to "
             f"{width:.2f} mm wide; a larger angle would hold better"
         )
-    if joints:
-        found.append(_assembly(model, joints))
-    return tuple(found)
+    told = _assembly(model, joints) if joints else "no two strips cross: interlocking cut no slot"
+    return (*found, told)
 
 
 def _assembly(model: "Model", joints: list[Joint]) -> str:

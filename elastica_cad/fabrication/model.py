@@ -253,12 +253,14 @@ class Model:
         *,
         sheet_size: tuple[float, float] = (600.0, 400.0),
         margin: float = 2.0,
+        kerf: float | None = 0.0,
         others: "Iterable[Piece]" = (),
     ) -> "tuple[NestedSheet, ...]":
         """Drawings of all sheets to be cut: the strips, and other pieces. See `nested`."""
         from elastica_cad.fabrication.nesting import nested
 
-        return nested((*self.pieces, *others), sheet_size=sheet_size, margin=margin, name=f"{self.name}-nest")
+        pieces, name = (*self.pieces, *others), f"{self.name}-nest"
+        return nested(pieces, sheet_size=sheet_size, margin=margin, kerf=kerf, name=name)
 
     def cut_list(self, others: "Iterable[Piece]" = ()) -> "CutList":
         """The list of all pieces, equal ones once with their count."""

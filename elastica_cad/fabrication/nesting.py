@@ -78,6 +78,7 @@ def nested(
     *,
     sheet_size: tuple[float, float] = (600.0, 400.0),
     margin: float = 2.0,
+    kerf: float | None = 0.0,
     name: str = "nest",
 ) -> tuple[NestedSheet, ...]:
     """Lay pieces on as few sheets as rows allow; every material has sheets of its own.
@@ -94,6 +95,9 @@ def nested(
         mm.
     margin : float
         Least distance between pieces, and to the edge of the sheet, mm.
+    kerf : float or None
+        What the drawings will be moved by when they are written (`with_kerf`), mm; None for each sheet's own.
+        The margin is kept between the loops as the tool runs.
     name : str
         The drawings are called after it, the material and their number.
 
@@ -114,6 +118,8 @@ def nested(
     that curves keep it.
     """
     width, height = (float(v) for v in sheet_size)
+    if kerf is not None and not np.isfinite(kerf):
+        raise InputError(f"the kerf is {kerf}: it must be a finite number of mm, 0 for none")
     if not (np.isfinite([width, height, margin]).all() and min(width, height) > 0 and margin >= 0):
         raise InputError(
             f"sheet size is {width:g} by {height:g} mm with a margin of {margin:g} mm: sizes must be positive and "
@@ -124,7 +130,8 @@ def nested(
         groups.setdefault(piece.sheet, []).append(piece)
     drawings: list[NestedSheet] = []
     for sheet, group in groups.items():
-        drawings += _nested_group(sheet, group, (width, height), margin, name)
+        grown = max(sheet.kerf if kerf is None else kerf, 0.0)
+        drawings += _nested_group(sheet, group, (width, height), margin + grown, name)
     return tuple(drawings)
 
 

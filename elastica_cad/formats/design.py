@@ -14,7 +14,8 @@ Every number may be a formula in quotes (see `formulae`); lengths are mm, angles
     interlock = {clearance, fit, relief, above}, fixtures = {floor, clearance, wall, foot, foot_height, screw}
     base = {sheet, height, play, clearance, slot_width, border, shape, sheet_size}
     frame = {sheet, ribs, depth, tongue, play, clearance, border, sheet_size}
-    nest = {sheet_size, margin}, cut = {kerf, curves, tolerance, version}, extras = {coupon, reference_bar}
+    nest = {sheet_size, margin}, extras = {coupon, reference_bar}
+    cut = {kerf, curves, tolerance, version, holding = {width, spacing, least, inner}}
 """
 
 import tomllib
@@ -29,6 +30,7 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication import (
     BasePlate,
     Frame,
+    HoldingTabs,
     Model,
     Piece,
     Placed,
@@ -76,12 +78,13 @@ class Nesting:
 
 @dataclass(frozen=True)
 class Cutting:
-    """How cutting files are written: `kerf` in mm, or None for each sheet's own."""
+    """How cutting files are written: `kerf` in mm, or None for each sheet's own; no `holding` tabs for None."""
 
     kerf: float | None = 0.0
     curves: str = "spline"
     tolerance: float = 0.02
     version: str = "R2010"
+    holding: HoldingTabs | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -315,14 +318,29 @@ def _nesting(table: Table) -> Nesting:
 
 
 def _cutting(table: Table) -> Cutting:
-    table.only("kerf", "curves", "tolerance", "version")
+    table.only("kerf", "curves", "tolerance", "version", "holding")
     of_sheet = table.raw("kerf") == "sheet"
     return Cutting(
         kerf=None if of_sheet else table.number("kerf", 0.0),
         curves=table.text("curves", "spline", ("spline", "arc", "polyline")),
         tolerance=table.number("tolerance", 0.02),
         version=table.text("version", "R2010", DXF_VERSIONS),
+        holding=_holding(table.table("holding")) if table.has("holding") else None,
     )
+
+
+def _holding(table: Table) -> HoldingTabs:
+    table.only("width", "spacing", "least", "inner")
+    usual = HoldingTabs()
+    try:
+        return HoldingTabs(
+            table.number("width", usual.width),
+            table.number("spacing", usual.spacing),
+            table.count("least", usual.least),
+            table.flag("inner"),
+        )
+    except InputError as error:
+        raise InputError(f"{table.where}: {error}") from error
 
 
 def _likeness(wish: StripWish) -> Any:

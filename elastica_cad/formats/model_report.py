@@ -1,9 +1,11 @@
 """The report of a model: its strips, joints, sheets and files as one JSON record."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import asdict
 from typing import Any
 
 from elastica_cad.fabrication import CutList, Model, NestedSheet, Strip
+from elastica_cad.fabrication.slot_effects import SlotEffect
 from elastica_cad.formats.report import rounded, versions
 
 __all__ = ["MODEL_SCHEMA", "model_report"]
@@ -12,7 +14,12 @@ MODEL_SCHEMA = "elastica-model/1"
 
 
 def model_report(
-    model: Model, *, cut_list: CutList, nests: Sequence[NestedSheet], files: Mapping[str, str]
+    model: Model,
+    *,
+    cut_list: CutList,
+    nests: Sequence[NestedSheet],
+    files: Mapping[str, str],
+    effects: Mapping[str, SlotEffect],
 ) -> dict[str, Any]:
     """The report of a model, ready for JSON.
 
@@ -24,6 +31,8 @@ def model_report(
     nests : sequence of NestedSheet
     files : mapping
         What each file is, by its name.
+    effects : mapping
+        What its slots do to a part, by its name.
     """
     return {
         "schema": MODEL_SCHEMA,
@@ -31,7 +40,15 @@ def model_report(
         "versions": versions(),
         "units": {"length": "mm", "strain": "1", "mass": "g", "area": "mm2", "angle": "rad"},
         "strips": len(model.placed),
-        "parts": [{**_strip(part.strip), "name": part.name, "count": part.count} for part in model.parts],
+        "parts": [
+            {
+                **_strip(part.strip),
+                **({"slot_effect": _effect(effects[part.name])} if part.name in effects else {}),
+                "name": part.name,
+                "count": part.count,
+            }
+            for part in model.parts
+        ],
         "joints": [
             {
                 "strips": [model.name_of(i) for i in joint.members],
@@ -55,6 +72,10 @@ def model_report(
         "reports": list(model.reports),
         "files": dict(files),
     }
+
+
+def _effect(effect: SlotEffect) -> dict[str, float]:
+    return {name: rounded(value) for name, value in asdict(effect).items()}
 
 
 def _strip(strip: Strip) -> dict[str, Any]:

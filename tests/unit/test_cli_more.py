@@ -12,6 +12,7 @@ from click.testing import CliRunner
 import elastica_cad as ec
 from elastica_cad.cli.commands import elastica
 from elastica_cad.formats import curves_json
+from elastica_cad.formats.design import read_design
 
 DESIGN = """
 schema = 1
@@ -221,3 +222,79 @@ def test_bend_refuses_in_words(arguments, message, tmp_path):
     assert result.exit_code == 2
     assert message in result.stderr
     assert list(tmp_path.iterdir()) == []
+
+
+CROSSED = """
+schema = 1
+name = "crossed"
+sheet = "birch-plywood-0.8"
+max_width = 24
+interlock = { clearance = 0.1 }
+cut.holding = { width = 0.4, spacing = 200 }
+nest = { sheet_size = [600, 300], margin = 1 }
+
+[[strips]]
+label = "A"
+curve.ellipse = { semi_axes = [150, 100], start = "0.1", end = "pi - 0.1" }
+
+[[strips]]
+label = "B"
+origin = [100, 0, 0]
+curve.ellipse = { semi_axes = [140, 99], start = "0.1", end = "pi - 0.1" }
+"""
+
+
+@pytest.fixture
+def crossed(tmp_path):
+    path = tmp_path / "crossed.toml"
+    path.write_text(CROSSED)
+    return path
+
+
+def test_what_slots_do_is_told(crossed, tmp_path):
+    out = tmp_path / "out"
+    result = run("model", crossed, "-o", out, "--no-step", "--no-pictures")
+    assert result.exit_code == 0, result.output
+    assert "weakest at its slots" in result.output
+    parts = {part["name"]: part for part in json.loads((out / "crossed.json").read_text())["parts"]}
+    for effect in (parts["A"]["slot_effect"], parts["B"]["slot_effect"]):
+        assert 0.4 < effect["least_stiffness"] < 0.6  # cut half way
+        assert 0 < effect["deviation"] < 5
+    model = read_design(crossed, ec.read_curves).model()
+    assert parts["A"]["slot_effect"]["at"] == pytest.approx(model.slot_effects()[0].at, abs=1e-3)
+
+
+def test_the_sheets_alone(crossed, tmp_path):
+    out = tmp_path / "out"
+    quick = ("--no-step", "--no-pictures", "--no-parts", "--no-effects")
+    result = run("model", crossed, "-o", out, *quick)
+    assert result.exit_code == 0, result.output
+    assert "weakest" not in result.output
+    sheet = "crossed-nest-1-birch-plywood-0.8"
+    ends = ("-cut-list.csv", "-cut-list.txt", ".json")
+    assert {path.name for path in out.iterdir()} == {
+        f"{sheet}.dxf", f"{sheet}.svg", *(f"crossed{end}" for end in ends)
+    }  # fmt: skip
+    assert (out / "crossed-cut-list.csv").read_text().count(f"{sheet}.dxf") == 2
+    report = json.loads((out / "crossed.json").read_text())
+    assert "slot_effect" not in report["parts"][0]
+
+
+def test_bridges_hold_the_parts(crossed, drawn, tmp_path):
+    """Open cuts on the outer layer."""
+    ezdxf = pytest.importorskip("ezdxf")
+    for given, width in (((), 0.4), (("--holding", 1.5), 1.5)):
+        out = tmp_path / f"out{width}"
+        result = run("model", crossed, "-o", out, "--no-step", "--no-pictures", "--no-effects", *given)
+        assert result.exit_code == 0, result.output
+        (part,) = out.glob("A_*.dxf")
+        cuts = [e for e in ezdxf.readfile(part).modelspace() if e.dxf.layer == "CUT_OUTER"]
+        assert cuts
+        assert not any(cut.dxftype() == "LWPOLYLINE" and cut.closed for cut in cuts)
+    sizes = ("--sheet", "birch-plywood-0.8", "--max-width", 24)
+    whole = run("strip", drawn, *sizes, "-o", tmp_path / "whole")
+    held = run("strip", drawn, *sizes, "--holding", 0.5, "-o", tmp_path / "held")
+    assert (whole.exit_code, held.exit_code) == (0, 0), held.output
+    first, second = ((tmp_path / name / f"{drawn.stem}.svg").read_text() for name in ("whole", "held"))
+    assert first.count("Z") > second.count("Z") == 0
+    assert run("strip", drawn, *sizes, "--holding", -1, "-o", tmp_path).exit_code == 2

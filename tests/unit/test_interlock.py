@@ -54,6 +54,12 @@ def test_edges_at_a_node_of_the_ruling(width, back):
         np.testing.assert_allclose(np.abs(slot.path[[0, -1], 1]), [0.0, width / 2], atol=1e-9)
 
 
+def test_strips_that_do_not_cross_are_told():
+    model = Model([flat(label="A"), flat(label="B", origin=(0, 70, 0))]).interlock()
+    assert model.joints == ()
+    assert model.reports == ("no two strips cross: interlocking cut no slot",)
+
+
 def rotation(seed):
     return np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))[0]
 

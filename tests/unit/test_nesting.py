@@ -2,6 +2,7 @@
 
 import csv
 import io
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -19,12 +20,13 @@ from elastica_cad.fabrication import (
     Strip,
     cut_list,
     nested,
+    with_kerf,
 )
 from elastica_cad.geometry import Path
 from elastica_cad.mechanics import Rod, Sheet
 
 CARD = Sheet.named("card-200gsm")
-MDF = Sheet("board", 3.0, 3000.0, 700.0, 0.01)  # no grain
+MDF = Sheet("board", 3.0, 3000.0, 700.0, 0.01, kerf=0.16)  # no grain
 PLY_ACROSS = Sheet("ply-across", 1.0, 5000.0, 700.0, 0.01, grain="across")
 
 
@@ -69,6 +71,14 @@ def test_margin_is_kept_and_nothing_is_lost(margin, seed):
         assert {p.sheet for p in pieces if p.name in nest.pieces} == {nest.sheet}
         assert len(nest.on(CUT_OUTER)) == len(nest.on(CUT_INNER)) == len(nest.pieces)
         assert nest.filled <= nest.used <= 400 * 300
+
+
+@pytest.mark.parametrize(("kerf", "burnt"), [(0.3, 0.3), (None, MDF.kerf), (-0.2, -0.2)])
+def test_the_margin_holds_between_the_cuts_as_they_run(kerf, burnt):
+    pieces = [plate(f"p{i}", 30 + 7 * i, 20 + 3 * i, sheet=MDF, count=3) for i in range(5)]
+    for nest in nested(pieces, sheet_size=(200, 150), margin=1.0, kerf=kerf):
+        cut = with_kerf(nest, burnt)
+        assert_margin_kept(replace(nest, paths=cut.paths), 1.0)
 
 
 def test_rows_are_well_filled():
