@@ -38,7 +38,7 @@ def work():
     x, y = on_screen(*pole[:2])
     steps = []
     for i in range(1, 16):
-        steps += ["mousemove", x + 2 * i, y - 4 * i, "sleep", 0.12]
+        steps += ["mousemove", x + 2 * i, y - 4 * i, "sleep", 0.2]
     mouse(
         "mousemove",
         x - 2,
