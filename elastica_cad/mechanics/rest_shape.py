@@ -100,14 +100,17 @@ def _least_turn(s: FloatArray, position: FloatArray, held: FloatArray, angle: An
         moves = np.cumsum(np.einsum("eg,egk,egm->ekm", weight, N, basis), axis=0)
         across = N[:, -1]
         rows = np.concatenate([np.einsum("ek,ekm->em", across, moves), bend])
-        wanted = np.concatenate([np.einsum("ek,ek->e", across, missed), -bend @ c])
+        wanted = np.concatenate([np.einsum("ek,ek->e", across, missed), -np.einsum("em,m->e", bend, c)])
         held_rows = np.concatenate([at_ends, moves[-1] / length])
         held_by = np.concatenate([held - angle(s[[0, -1]]) - at_ends @ c, missed[-1] / length])
         if np.abs(held_by).max() < ROUNDING:
             break
+        # by einsum, as the threads of BLAS would cost ten times the product
+        square = np.einsum("ri,rj->ij", rows, rows) / length**2 / h.size
+        pull = np.einsum("ri,r->i", rows, wanted) / length**2 / h.size
         corner = np.zeros((held_by.size,) * 2)
-        system = np.block([[rows.T @ rows / length**2 / h.size, held_rows.T], [held_rows, corner]])
-        right = np.concatenate([rows.T @ wanted / length**2 / h.size, held_by])
+        system = np.block([[square, held_rows.T], [held_rows, corner]])
+        right = np.concatenate([pull, held_by])
         c = c + np.linalg.lstsq(system, right, rcond=1e-13)[0][: c.size]
     correction: Angle = BSpline(knots, c, DEGREE)
     return correction
