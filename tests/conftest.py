@@ -1,6 +1,7 @@
 """Fixtures shared by all tests."""
 
 import importlib.util
+import os
 import sys
 from collections.abc import Callable
 from functools import partial
@@ -11,6 +12,13 @@ from typing import Any
 import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
+
+if importlib.util.find_spec("hypothesis"):
+    from hypothesis import settings
+
+    # the same examples in every run, so that a change is judged by itself; HYPOTHESIS_SEARCH=1 looks for new ones
+    settings.register_profile("same", derandomize="HYPOTHESIS_SEARCH" not in os.environ, deadline=None)
+    settings.load_profile("same")
 
 
 @pytest.fixture(scope="session")

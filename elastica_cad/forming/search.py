@@ -13,6 +13,7 @@ __all__ = ["MET", "best_outcome"]
 
 MET = 1e-6  # worst broken limit, in lengths, radians or shares of the limit, that counts as met
 _MOST_STEPS = 160  # in all, after which no new attempt is begun
+_EVEN = 1.4  # ratio of a rod that is nearly even
 _PATIENCE = 40  # steps of one part of a continuation
 
 
@@ -58,6 +59,8 @@ def _attempts(
     if setting.gravity is not None:
         yield 0.03, lambda: _by_weight(setting, measure)
     yield 0.03, lambda: solve(problem, _start(setting, problem, lifts=8, stiffness=1.0), radius=0.3)
+    if setting.limits.largest_ratio > _EVEN and setting.limits.stiffness_bounds is None:
+        yield 0.03, lambda: solve(problem, _nearly_even(setting, measure))
 
 
 def _start(
@@ -82,6 +85,13 @@ def _start(
     z = np.clip(z, problem.lower, problem.upper)
     moments = (grid.basis @ z[u.stiffness]) * np.diff(angles) / grid.shares
     return lifted(replace(problem, distance=setting.distance("mean")), z, angles, moments, lifts)
+
+
+def _nearly_even(setting: Setting, measure: Measure) -> FloatArray:
+    """Unknowns of the nearest rod of little ratio: what it cannot follow it does not try to."""
+    even = replace(setting, limits=replace(setting.limits, ratio=_EVEN))
+    problem = even.problem(measure)
+    return solve(problem, _start(even, problem), steps=_PATIENCE).rod.z
 
 
 def _by_weight(setting: Setting, measure: Measure) -> Outcome:
