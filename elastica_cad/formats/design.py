@@ -8,6 +8,8 @@ Every number may be a formula in quotes (see `formulae`); lengths are mm, angles
         {length, width, corner_radius, chamfer, taper, holes = [{at, diameter, across}],
         t_slot = {depth, screw, nut, wall}} or two of them
     [[strips]] count (i = 1, 2, ...), label ("P{i}"), let, origin, x_axis, y_axis (the plane of the curve), slots,
+        sections = {mesh, unit, scale, half, tolerance, wavelength, and one of radial = {point, axis, zero, count or
+        angles}, parallel = {point, normal, offsets, up}, along = {path, count, ends, up}}: a strip each, or
         curve = "file", {file, number, unit}, {x, y, t = [from, to], breaks = [[t, continuity]]},
         {spline = [[x, y]], degree} or {ellipse = {center, semi_axes, rotation, start, end or above}}
     [[patterns]] mirror = {point, normal, keep}, rotate = {count, axis, point, step}, repeat = {count, step}
@@ -42,6 +44,7 @@ from elastica_cad.fabrication import (
 from elastica_cad.fabrication.making import make_strip
 from elastica_cad.formats.dxf import DXF_VERSIONS
 from elastica_cad.formats.opening import existing_file
+from elastica_cad.formats.section_wishes import sections_of
 from elastica_cad.formats.tables import Table
 from elastica_cad.formats.wishes import (
     MAKING_KEYS,
@@ -51,6 +54,7 @@ from elastica_cad.formats.wishes import (
     named_sheet,
     strip_wish,
 )
+from elastica_cad.forming import SectionCurve
 from elastica_cad.mechanics import (
     NotRealizable,
     Sheet,
@@ -108,6 +112,8 @@ class Design:
         Cut a coupon of every sheet.
     reference_bar : float or None
         Length of a bar to check the machine's scale with, mm.
+    reports : tuple of str
+        What sections of meshes have to say.
     """
 
     name: str
@@ -121,6 +127,7 @@ class Design:
     cutting: Cutting = Cutting()
     coupon: bool = False
     reference_bar: float | None = None
+    reports: tuple[str, ...] = ()
 
     def model(self, done: Callable[[str], None] | None = None) -> Model:
         """Make all strips, put them in their places, repeat and interlock them.
@@ -145,7 +152,7 @@ class Design:
             placed.append(Placed(strip, wish.frame.origin, wish.frame.x_axis, wish.frame.y_axis))
             if done is not None:
                 done(wish.label)
-        model = Model(tuple(placed), self.name)
+        model = Model(tuple(placed), self.name, reports=self.reports)
         for kind, options in self.patterns:
             model = getattr(model, _PATTERNS[kind])(**options)
         return model if self.interlock is None else model.interlock(**self.interlock)
@@ -206,7 +213,7 @@ def read_design(path: str | Path, read_curves: CurveReader) -> Design:
         )
     top.scope = top.within(data.get("let", {}))
     sheets = _own_sheets(top, path)
-    wishes = tuple(_wishes(top, path.parent, sheets, read_curves))
+    wishes, reports = _wishes(top, path.parent, sheets, read_curves)
     twice = sorted({w.label for w in wishes if sum(w.label == v.label for v in wishes) > 1})
     if twice:
         raise InputError(
@@ -216,7 +223,7 @@ def read_design(path: str | Path, read_curves: CurveReader) -> Design:
     extras = top.table("extras").only("coupon", "reference_bar")
     return Design(
         name=top.text("name", path.stem),
-        wishes=wishes,
+        wishes=tuple(wishes),
         patterns=tuple(_pattern(table) for table in top.tables("patterns")),
         interlock=_interlock(top.table("interlock")) if top.has("interlock") else None,
         fixtures=_fixtures(top.table("fixtures")) if top.has("fixtures") else None,
@@ -226,6 +233,7 @@ def read_design(path: str | Path, read_curves: CurveReader) -> Design:
         cutting=_cutting(top.table("cut")),
         coupon=extras.flag("coupon"),
         reference_bar=extras.maybe("reference_bar"),
+        reports=reports,
     )
 
 
@@ -239,21 +247,38 @@ def _own_sheets(top: Table, path: Path) -> dict[str, Sheet]:
     return sheets
 
 
-def _wishes(top: Table, folder: Path, sheets: dict[str, Sheet], read_curves: CurveReader) -> list[StripWish]:
+def _wishes(
+    top: Table, folder: Path, sheets: dict[str, Sheet], read_curves: CurveReader
+) -> tuple[list[StripWish], tuple[str, ...]]:
+    """All strips in order, and what sections of meshes have to say."""
     wishes: list[StripWish] = []
+    reports: list[str] = []
     for table in top.tables("strips"):
         table.only(*STRIP_KEYS)
-        count = table.count("count", 1)
-        for i in range(1, count + 1):
-            where = f"{table.where}, i = {i}" if count > 1 else table.where
+        sections: tuple[SectionCurve | None, ...]
+        if table.has("sections"):
+            sections, told = sections_of(_only_sections(table), folder)
+            reports += told
+        else:
+            sections = (None,) * table.count("count", 1)
+        for i, section in enumerate(sections, start=1):
+            where = f"{table.where}, i = {i}" if len(sections) > 1 else table.where
             one = Table(table.data, where, {**top.scope, "i": float(i)}, top)
             one.scope = one.within(table.data.get("let", {}))
             label = table.text("label", f"S{len(wishes) + 1}").replace("{i}", str(i))
             one.where = f"{where} ({label})"
-            wishes.append(strip_wish(one, label, folder, sheets, read_curves))
+            wishes.append(strip_wish(one, label, folder, sheets, read_curves, section))
     if not wishes:
         raise InputError(f"{top.where} has no strips: write at least one table [[strips]]")
-    return wishes
+    return wishes, tuple(reports)
+
+
+def _only_sections(table: Table) -> Table:
+    """The table of sections, which say themselves how many there are and where they lie."""
+    idle = [key for key in ("count", "curve", "origin", "x_axis", "y_axis") if key in table.data]
+    if idle:
+        raise InputError(f"{table.place(idle[0])} means nothing beside sections: leave it out")
+    return table.table("sections")
 
 
 def _pattern(table: Table) -> tuple[str, dict[str, Any]]:

@@ -12,7 +12,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication import Frame, Hole, Laminated, Perforated, Plain, Slot, Tab, TSlot
 from elastica_cad.formats.formulae import Formula
 from elastica_cad.formats.tables import Table
-from elastica_cad.forming import Keep, Limits
+from elastica_cad.forming import Keep, Limits, SectionCurve
 from elastica_cad.geometry import PlaneCurve
 from elastica_cad.mechanics import Gravity, Sheet, Supports
 
@@ -27,7 +27,9 @@ MAKING_KEYS = (
 )  # fmt: skip
 """Keys that may stand for all strips at the top of the file or for some in [[strips]]."""
 
-STRIP_KEYS = (*MAKING_KEYS, "label", "count", "let", "curve", "origin", "x_axis", "y_axis", "slots")
+STRIP_KEYS = (
+    *MAKING_KEYS, "label", "count", "let", "curve", "sections", "origin", "x_axis", "y_axis", "slots",
+)  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,9 +58,14 @@ class StripWish:
 
 
 def strip_wish(
-    table: Table, label: str, folder: Path, sheets: dict[str, Sheet], read_curves: CurveReader
+    table: Table,
+    label: str,
+    folder: Path,
+    sheets: dict[str, Sheet],
+    read_curves: CurveReader,
+    section: SectionCurve | None = None,
 ) -> StripWish:
-    """The wish that one table of strips makes, its formulae computed.
+    """The wish that one table of strips makes, its formulae computed; of a `section` curve and plane are known.
 
     Raises
     ------
@@ -66,12 +73,7 @@ def strip_wish(
         Unknown keys or values, missing files, curves that make no sense; the place is named.
     """
     sheet = named_sheet(table, "sheet", sheets)
-    x_axis = table.vector("x_axis", 3, (1.0, 0.0, 0.0))
-    y_axis = table.vector("y_axis", 3, (0.0, 0.0, 1.0))
-    try:
-        frame = Frame(table.vector("origin", 3, (0.0, 0.0, 0.0)), x_axis, y_axis)
-    except InputError as error:
-        raise InputError(f"{table.where}: {error}") from error
+    frame = _plane(table) if section is None else section.frame
     limited = table.has("limits") or table.has("keep")
     making: dict[str, Any] = {
         "max_width": table.maybe("max_width"),
@@ -85,7 +87,17 @@ def strip_wish(
         "style": _style(table.table("style"), sheets),
         "slots": tuple(_slot(slot) for slot in table.tables("slots")),
     }
-    return StripWish(label, _curve(table, folder, read_curves), frame, sheet, making, table.where)
+    curve = _curve(table, folder, read_curves) if section is None else section.curve
+    return StripWish(label, curve, frame, sheet, making, table.where)
+
+
+def _plane(table: Table) -> Frame:
+    x_axis = table.vector("x_axis", 3, (1.0, 0.0, 0.0))
+    y_axis = table.vector("y_axis", 3, (0.0, 0.0, 1.0))
+    try:
+        return Frame(table.vector("origin", 3, (0.0, 0.0, 0.0)), x_axis, y_axis)
+    except InputError as error:
+        raise InputError(f"{table.where}: {error}") from error
 
 
 def named_sheet(table: Table, key: str, sheets: dict[str, Sheet]) -> Sheet:

@@ -238,3 +238,65 @@ def test_missing_designs_are_told(tmp_path):
 def test_faults_of_a_strip_name_it(read):
     with pytest.raises(InputError, match=r"^thin: .*min_width"):
         read(HEAD + f"min_width = 19.9\n[[strips]]\nlabel = 'thin'\n{ARC}\n").model()
+
+
+DOME = 'sections = { mesh = "dome.obj", tolerance = 0.2, '
+
+
+@pytest.fixture
+def dome(tmp_path):
+    """A half ellipsoid of 100, 100 and 80 mm, as triangles."""
+    pytest.importorskip("trimesh")
+    up, around = np.meshgrid(np.linspace(0, np.pi / 2, 41), np.linspace(0, 2 * np.pi, 81), indexing="ij")
+    points = np.stack(
+        [100 * np.cos(up) * np.cos(around), 100 * np.cos(up) * np.sin(around), 80 * np.sin(up)], -1
+    )
+    points[:, -1], points[-1] = points[:, 0], (0, 0, 80)  # the seam and the top close
+    corner = (np.arange(40)[:, None] * 81 + np.arange(80)).ravel()
+    faces = np.stack([corner, corner + 1, corner + 82, corner + 81], -1) + 1
+    lines = [f"v {x} {y} {z}" for x, y, z in points.reshape(-1, 3)] + [
+        f"f {a} {b} {c} {d}" for a, b, c, d in faces
+    ]
+    (tmp_path / "dome.obj").write_text("\n".join(lines))
+
+
+def test_sections_of_a_mesh_become_strips(dome, read):
+    head = HEAD + 'limits = { ratio = 20 }\nlet.span = "2 * 30"\n[[strips]]\nlabel = "D{i}"\n'
+    design = read(head + DOME + 'parallel = { normal = [0, 1, 0], offsets = ["-span", 0, "span", 150] } }\n')
+    assert [wish.label for wish in design.wishes] == ["D1", "D2", "D3"]
+    assert any("section 4" in text and "misses" in text for text in design.reports)
+    for wish, y in zip(design.wishes, (-60, 0, 60), strict=True):
+        places = wish.frame.point(wish.curve.sample(50).position)
+        assert places[:, 1] == pytest.approx(np.full(50, y))
+        off = (places[:, 0] ** 2 + y**2) / 100**2 + (places[:, 2] / 80) ** 2
+        assert off == pytest.approx(np.ones(50), abs=0.01)
+    around = read(
+        head + DOME + 'scale = 0.5, radial = { count = 3 } }\nlet.half = "i / 2"\nmax_width = "9 + half"\n'
+    )
+    assert [wish.making["max_width"] for wish in around.wishes] == [9.5, 10, 10.5]
+    assert around.wishes[1].frame.x_axis == pytest.approx([-0.5, np.sqrt(3) / 2, 0])
+    assert around.wishes[0].curve.length == pytest.approx(141.8 / 2, rel=0.01)
+    bow = read(head + DOME + "along = { path = [[-40, 0, 0], [40, 0, 0]], count = 2, ends = true } }\n")
+    assert [wish.frame.origin[0] for wish in bow.wishes] == pytest.approx([-40, 40])
+    model = read(head + DOME + "parallel = { normal = [0, 1, 0], offsets = [0, 150] } }\n").model()
+    assert len(model.placed) == 1
+    assert any("misses" in text for text in model.reports)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "message"),
+    [
+        ('sections = { mesh = "none.obj", radial = {} }', "there is no file"),
+        ('sections = { mesh = "dome.obj" }', "must hold one of radial, parallel, along"),
+        (DOME + "radial = { axis = [0, 0, 0] } }", r"sections: axis"),
+        (DOME + "parallel = { normal = [0, 0, 1], offsets = [] } }", "at least one"),
+        (DOME + "parallel = { normal = [0, 1, 0], offsets = [500] } }", "no plane gives a strip: .*misses"),
+        (DOME + "parallel = { normal = [0, 0, 1], offsets = [20], up = [0, 1, 0] } }", "closed"),
+        (DOME + "scale = 0, radial = {} }", "must be positive"),
+        (DOME + "radial = {} }\ncount = 3", "count means nothing beside sections"),
+        (DOME + "radial = { cuont = 3 } }", "did you mean count"),
+    ],
+)
+def test_sections_refuse_in_words(dome, read, wrong, message):
+    with pytest.raises(InputError, match=message):
+        read(HEAD + "[[strips]]\n" + wrong + "\n")
