@@ -1,6 +1,7 @@
 """The sheets that a user can choose: the built-in ones and his own, kept in a TOML file."""
 
 from collections.abc import Iterable
+from functools import lru_cache
 from pathlib import Path
 
 import FreeCAD as App
@@ -27,9 +28,16 @@ def own_sheets_file() -> Path:
 
 def own_sheets() -> dict[str, Sheet]:
     """The user's sheets by name; an unreadable file is told in the report view and counts as empty."""
-    path = own_sheets_file()
-    if not path.exists():
+    try:
+        state = own_sheets_file().stat()
+    except OSError:
         return {}
+    return dict(_read(own_sheets_file(), state.st_mtime_ns, state.st_size))
+
+
+@lru_cache(maxsize=1)
+def _read(path: Path, *_state: int) -> dict[str, Sheet]:
+    """The file as it is in this state; it is asked for at every recompute."""
     try:
         return dict(load_sheets(path))
     except InputError as error:

@@ -45,6 +45,7 @@ class Session:
         self.moves = 0
         self.sentence = ""
         self._scale: float | None = None
+        self._asks: Wish | None = None
         self._curve: Any = None
         self._sensor: Any = None
         self._node: Any = None
@@ -59,7 +60,7 @@ class Session:
     def refresh(self) -> None:
         """Show the sketch as it is in the document."""
         self._soon.stop()
-        self._scale = None
+        self._scale = self._asks = None
         self._read()
         self._show(None)
 
@@ -168,10 +169,14 @@ class Session:
             self._say(f"{self.sentence} {tr('The nearest curve is')} {near.deviation:.3g} mm {tr('away')}.")
 
     def _wish(self) -> Wish:
-        for strip in followers(self.sketch):
-            return wish_of(strip, drawn_curve(strip.Curve, strip))
-        sheet = sheet_called(preferences.default_sheet())
-        return Wish(sheet=sheet, max_width=preferences.get("MaxWidth"))
+        """What the strip of this sketch is asked for; it cannot change while the mouse is down."""
+        if self._asks is None:
+            self._asks = Wish(
+                sheet_called(preferences.default_sheet()), max_width=preferences.get("MaxWidth")
+            )
+            for strip in followers(self.sketch):
+                self._asks = wish_of(strip, drawn_curve(strip.Curve, strip))
+        return self._asks
 
     def _say(self, sentence: str) -> None:
         self.sentence = sentence
