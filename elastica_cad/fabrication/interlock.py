@@ -127,7 +127,7 @@ class _Cutter:
 
     def joint(self, members: tuple[int, int], crossing: Crossing) -> Joint:
         """Both slots of one crossing, each from the half way point to where its strip ends."""
-        names = [self.model.name_of(i) for i in members]
+        names = [self.model.single_name_of(i) for i in members]
         ends = self._ends(members, crossing)
         points = crossing.course[2]
         low, high = float(points.angle.min()), float(points.angle.max())
@@ -171,7 +171,7 @@ class _Cutter:
             costs.append(float(sum(beyond)))
         if not np.isfinite(min(costs)):
             s = crossing.at(np.array([0.5])).first[0, 0]
-            names = [self.model.name_of(i) for i in members]
+            names = [self.model.single_name_of(i) for i in members]
             raise InputError(
                 f"{names[0]} and {names[1]} cross at {s:.6g} mm of {names[0]}, but one of them ends before the "
                 "crossing comes to its edge, so that no slot can open there: shorten, move or turn one of them"
@@ -202,7 +202,7 @@ class _Cutter:
             room = reach / np.tan(max(float(p.angle[0]), TOUCHING)) + 2 * spacing
             touch &= np.abs(a.stations - p.first[0, 0]) > 2 * room
         if touch.any():
-            names = [self.model.name_of(i) for i in members]
+            names = [self.model.single_name_of(i) for i in members]
             raise InputError(self._touch(names, float(a.stations[int(touch.argmax())])))
 
     def _touch(self, names: list[str], s: float) -> str:
@@ -230,7 +230,7 @@ def _reports(model: "Model", joints: list[Joint]) -> tuple[str, ...]:
             shallow.setdefault(joint.members, []).append(joint)
     found = []
     for (i, j), group in shallow.items():
-        a, b = model.name_of(i), model.name_of(j)
+        a, b = model.single_name_of(i), model.single_name_of(j)
         places = ", ".join(f"{joint.slots[0].at:.1f}" for joint in group)
         width = max(
             float(np.max(slot.widths)) for joint in group for slot in joint.slots if slot.widths is not None
@@ -249,8 +249,8 @@ def _assembly(model: "Model", joints: list[Joint]) -> str:
     sides: dict[int, set[str]] = {}
     for joint in joints:
         sides.setdefault(joint.members[1], set()).add(joint.slots[1].side)
-    both = [model.name_of(i) for i, found in sorted(sides.items()) if len(found) > 1]
-    order = ", ".join(dict.fromkeys(model.name_of(i) for i in range(len(model.placed))))
+    both = [model.single_name_of(i) for i, found in sorted(sides.items()) if len(found) > 1]
+    order = ", ".join(dict.fromkeys(model.single_name_of(i) for i in range(len(model.placed))))
     text = f"assembly: {order}; push each strip onto those before it"
     if both:
         text += f"; {', '.join(both)} must be threaded in, being held from both edges"

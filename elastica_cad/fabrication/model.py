@@ -155,6 +155,12 @@ class Model:
         """How messages call a strip: its label, or its place counted from 1."""
         return self.placed[index].strip.label or f"strip {index + 1}"
 
+    def single_name_of(self, index: int) -> str:
+        """Its name, with its place where other strips have the same label."""
+        label = self.placed[index].strip.label
+        alike = bool(label) and sum(placed.strip.label == label for placed in self.placed) > 1
+        return f"{label} (strip {index + 1})" if alike else self.name_of(index)
+
     @cached_property
     def parts(self) -> tuple[Part, ...]:
         """What must be cut: equal strips once, with their count.

@@ -357,15 +357,13 @@ def _cutting(table: Table) -> Cutting:
 def _holding(table: Table) -> HoldingTabs:
     table.only("width", "spacing", "least", "inner")
     usual = HoldingTabs()
-    try:
+    with table.naming():
         return HoldingTabs(
             table.number("width", usual.width),
             table.number("spacing", usual.spacing),
             table.count("least", usual.least),
             table.flag("inner"),
         )
-    except InputError as error:
-        raise InputError(f"{table.where}: {error}") from error
 
 
 def _likeness(wish: StripWish) -> Any:

@@ -51,7 +51,7 @@ def model_report(
         ],
         "joints": [
             {
-                "strips": [model.name_of(i) for i in joint.members],
+                "strips": [model.single_name_of(i) for i in joint.members],
                 "angle": rounded(joint.angle),
                 "position": rounded(joint.position),
             }

@@ -45,11 +45,8 @@ def sections_of(table: Table, folder: Path) -> tuple[tuple[SectionCurve, ...], t
     scale = table.number("scale", 1.0)
     if not scale > 0:
         raise InputError(f"{table.place('scale')} is {scale:g}: it must be positive")
-    try:
+    with table.naming():
         planes = _PLANES[found[0]](table.table(found[0]))
-    except InputError as error:
-        text = str(error)
-        raise InputError(text if text.startswith(table.where) else f"{table.where}: {text}") from error
     scaled = mesh.scaled(scale)
     sections = mesh_sections(
         scaled.vertices, scaled.faces, planes, half=table.flag("half", found[0] == "radial")

@@ -1,6 +1,7 @@
 """Tables of a design file: values by key, formulae computed, whatever nobody asked for refused."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from difflib import get_close_matches
 from typing import Any
 
@@ -62,6 +63,16 @@ class Table:
     def place(self, key: str) -> str:
         """How messages call a value."""
         return f"{self.where}: {key}"
+
+    @contextmanager
+    def naming(self, key: str | None = None) -> Iterator[None]:
+        """Complaints from inside name this table, or the value of `key`, unless they do already."""
+        try:
+            yield
+        except InputError as error:
+            where = self.where if key is None else self.place(key)
+            text = str(error)
+            raise InputError(text if text.startswith(self.where) else f"{where}: {text}") from error
 
     def raw(self, key: str, default: Any = None) -> Any:
         """The value as parsed, here or in the defaults."""

@@ -92,12 +92,11 @@ def strip_wish(
 
 
 def _plane(table: Table) -> Frame:
+    origin = table.vector("origin", 3, (0.0, 0.0, 0.0))
     x_axis = table.vector("x_axis", 3, (1.0, 0.0, 0.0))
     y_axis = table.vector("y_axis", 3, (0.0, 0.0, 1.0))
-    try:
-        return Frame(table.vector("origin", 3, (0.0, 0.0, 0.0)), x_axis, y_axis)
-    except InputError as error:
-        raise InputError(f"{table.where}: {error}") from error
+    with table.naming():
+        return Frame(origin, x_axis, y_axis)
 
 
 def named_sheet(table: Table, key: str, sheets: dict[str, Sheet]) -> Sheet:
@@ -105,10 +104,8 @@ def named_sheet(table: Table, key: str, sheets: dict[str, Sheet]) -> Sheet:
     if not table.has(key):
         raise InputError(f'{table.place(key)} is missing; name a sheet, e.g. sheet = "birch-plywood-0.8"')
     name = table.text(key)
-    try:
+    with table.naming(key):
         return sheets[name] if name in sheets else Sheet.named(name)
-    except InputError as error:
-        raise InputError(f"{table.place(key)}: {error}") from error
 
 
 def _curve(table: Table, folder: Path, read_curves: CurveReader) -> PlaneCurve:
@@ -210,17 +207,15 @@ def _supports(table: Table) -> Supports:
     given = table.raw("supports", ["clamped", "clamped"])
     if not isinstance(given, list) or len(given) != 2:
         raise InputError(f'{table.place("supports")} is {given!r}: name two, e.g. ["clamped", "pinned"]')
-    try:
+    with table.naming("supports"):
         return Supports(*given)
-    except InputError as error:
-        raise InputError(f"{table.place('supports')}: {error}") from error
 
 
 def _limits(table: Table, sheet: Sheet) -> Limits:
     table.only("ratio", "margin", "curvature", "strain", "length", "width")
     keep_strain = table.raw("strain", False)
     ranges: dict[str, Any] = {key: table.vector(key, 2) for key in ("length", "width") if table.has(key)}
-    try:
+    with table.naming():
         return Limits(
             ratio=table.maybe("ratio"),
             margin=table.maybe("margin"),
@@ -229,8 +224,6 @@ def _limits(table: Table, sheet: Sheet) -> Limits:
             strain=None if isinstance(keep_strain, bool) else table.number("strain"),
             **ranges,
         )
-    except InputError as error:
-        raise InputError(f"{table.where}: {error}") from error
 
 
 def _keep(table: Table) -> Keep:
@@ -265,11 +258,9 @@ def _tab(table: Table) -> Tab:
         for hole in (one.only("at", "diameter", "across") for one in table.tables("holes"))
     )
     sizes = {key: table.number(key, 0.0) for key in ("corner_radius", "chamfer", "taper")}
-    try:
+    with table.naming():
         t_slot = _t_slot(table.table("t_slot")) if table.has("t_slot") else None
         return Tab(table.number("length", 10.0), table.maybe("width"), holes=holes, t_slot=t_slot, **sizes)
-    except InputError as error:
-        raise InputError(f"{table.where}: {error}") from error
 
 
 def _t_slot(table: Table) -> TSlot:
@@ -286,7 +277,7 @@ def _t_slot(table: Table) -> TSlot:
 def _style(table: Table, sheets: dict[str, Sheet]) -> Plain | Perforated | Laminated:
     """Plain, perforated or laminated."""
     kind = table.text("kind", "plain", ("plain", "perforated", "laminated"))
-    try:
+    with table.naming():
         chosen: dict[str, Any]
         if kind == "perforated":
             sizes: tuple[str, ...] = ("hole_ratio", "least_ligament", "least_hole", "corner_radius")
@@ -299,11 +290,6 @@ def _style(table: Table, sheets: dict[str, Sheet]) -> Plain | Perforated | Lamin
             table.only("kind", "width", "backing", *sizes)
             chosen = {key: table.number(key) for key in sizes if table.has(key)}
             return Laminated(table.number("width"), named_sheet(table, "backing", sheets), **chosen)
-    except InputError as error:
-        message = str(error)
-        raise InputError(
-            message if message.startswith(table.where) else f"{table.where}: {message}"
-        ) from error
     table.only("kind")
     return Plain()
 
@@ -317,7 +303,5 @@ def _slot(table: Table) -> Slot:
         "relief": table.text("relief", "square"),
         "mate": table.text("mate", ""),
     }
-    try:
+    with table.naming():
         return Slot(table.number("at"), table.number("width"), **chosen)
-    except InputError as error:
-        raise InputError(f"{table.where}: {error}") from error

@@ -300,3 +300,10 @@ def test_sections_of_a_mesh_become_strips(dome, read):
 def test_sections_refuse_in_words(dome, read, wrong, message):
     with pytest.raises(InputError, match=message):
         read(HEAD + "[[strips]]\n" + wrong + "\n")
+
+
+@pytest.mark.parametrize("wrong", ['origin = ["radius", 0, 0]', "ends = { length = 'radius' }"])
+def test_the_place_is_named_once(read, wrong):
+    with pytest.raises(InputError) as refused:
+        read(HEAD + f"[[strips]]\n{wrong}\n{ARC}\n")
+    assert str(refused.value).count("strips[1]") == 1

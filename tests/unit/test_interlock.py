@@ -54,10 +54,12 @@ def test_edges_at_a_node_of_the_ruling(width, back):
         np.testing.assert_allclose(np.abs(slot.path[[0, -1], 1]), [0.0, width / 2], atol=1e-9)
 
 
-def test_strips_that_do_not_cross_are_told():
-    model = Model([flat(label="A"), flat(label="B", origin=(0, 70, 0))]).interlock()
-    assert model.joints == ()
-    assert model.reports == ("no two strips cross: interlocking cut no slot",)
+def test_copies_with_one_label_are_told_apart():
+    model = Model([flat(label="A", origin=(-50, 0, 0))]).rotated(2, step=0.1)
+    with pytest.raises(InputError, match=r"A \(strip 1\)"):
+        model.interlock(clearance=50.0)
+    lines = model.interlock().reports
+    assert any("A (strip 1), A (strip 2); push" in line for line in lines)
 
 
 def rotation(seed):
@@ -327,7 +329,7 @@ def test_strips_apart_stay_whole():
     model = Model([flat(label="A"), turned(1.0, at=(50, 0, 21), label="B")])
     joined = model.interlock()
     assert joined.joints == ()
-    assert joined.reports == ()
+    assert joined.reports == ("no two strips cross: interlocking cut no slot",)
     assert [strip.slots for strip in joined.strips] == [(), ()]
 
 
