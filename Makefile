@@ -20,7 +20,7 @@ demo: $(VENV)/demo-installed
 		--label ARCH --output $(OUT)/arch --force
 
 test: lint test-core test-kernels test-freecad
-	$(BIN)/python -m pytest -n 2 --ignore=tests/freecad
+	$(BIN)/python -m pytest -n 2 --ignore=tests/freecad --ignore=tests/benchmarks
 
 lint: $(VENV)/test-installed
 	$(BIN)/ruff check .
