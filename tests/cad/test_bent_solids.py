@@ -6,6 +6,7 @@ import pytest
 from elastica_cad import occt
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication import BentSolid, FlatSolid, Strip, Tab
+from elastica_cad.forming import Limits, nearest_rod
 from elastica_cad.geometry import Arc, Line, Path, PlaneCurve, Profile, Spline
 from elastica_cad.mechanics import Rod, bend, optimal_rod
 
@@ -122,6 +123,19 @@ def test_rod_without_a_drawn_curve(card, measure):
     for name, angle, sign in (("start", rod.angle[0], -1), ("end", rod.angle[-1], 1)):
         tangent = [sign * np.cos(angle), sign * np.sin(angle), 0]
         assert record.joints[name].x_axis == pytest.approx(tangent, abs=1e-7)
+
+
+def test_nearest_rod(card, measure):
+    """A rod of few nodes: still the flat area to 1e-6 and the rod's end tangents; h^2 kappa / 24 off its nodes."""
+    wave = PlaneCurve.spline([(0, 0), (20, 50), (50, -40), (80, 55), (110, -30), (140, 0)], degree=4)
+    rod = nearest_rod(wave, Limits(ratio=4.0)).rod
+    strip = Strip(rod, card, max_width=20)
+    record = BentSolid.of(strip)
+    check(record, strip.area, card.thickness, measure)
+    sag = rod.s[1] ** 2 * np.abs(rod.curvature).max() / 24
+    assert measure.distance(occt.make_shell(record.middle), strip_points(strip, record.frame)) < 3 * sag
+    outward = [np.cos(rod.angle[-1]), np.sin(rod.angle[-1]), 0]
+    assert record.joints["end"].x_axis == pytest.approx(outward, abs=1e-7)
 
 
 def test_straight_rod(card, measure):
