@@ -21,12 +21,28 @@ if importlib.util.find_spec("hypothesis"):
     settings.load_profile("same")
 
 
+NO_DATA = "reference data not present beside the checkout"
+
+
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    """In CI a skip may hide a missing part: only the reference data may be absent."""
+    reporter = session.config.pluginmanager.get_plugin("terminalreporter")
+    if "CI" not in os.environ or reporter is None:
+        return
+    hidden = [report for report in reporter.stats.get("skipped", ()) if NO_DATA not in str(report.longrepr)]
+    if hidden:
+        session.exitstatus = pytest.ExitCode.TESTS_FAILED
+        reporter.write_line("")
+        for report in hidden:
+            reporter.write_line(f"skipped in CI: {report.nodeid}: {report.longrepr}", red=True)
+
+
 @pytest.fixture(scope="session")
 def shared_data() -> Path:
     """Published reference data beside the checkout; absent on users' machines."""
     folder = ROOT.parent / "shared" / "data"
     if not folder.is_dir():
-        pytest.skip("reference data not present beside the checkout")
+        pytest.skip(NO_DATA)
     return folder
 
 
