@@ -6,10 +6,10 @@ import numpy as np
 
 import elastica_cad as ec
 
-RING = 45.0  # mm, where all strips are held, above and below
+RING = 60.0  # mm, where all strips are held, above and below
 # control points: distance from the axis and height, mm
-OUTER = [(RING, 0), (85, 5), (150, 50), (150, 150), (120, 235), (70, 255), (RING, 260)]
-INNER = [(RING, 0), (70, 10), (105, 60), (125, 140), (105, 215), (65, 250), (RING, 260)]
+OUTER = [(RING, 0), (95, 5), (150, 50), (150, 150), (120, 235), (85, 255), (RING, 260)]
+INNER = [(RING, 0), (80, 10), (105, 60), (125, 140), (105, 215), (80, 250), (RING, 260)]
 LIMITS = ec.Limits(ratio=3.0, margin=5.0, sheet=ec.Sheet.named("pom-0.5"))
 
 
@@ -21,7 +21,7 @@ def build():
         ec.Strip(
             near.rod, sheet, max_width=width, ends=(ec.Tab(12, width=10), ec.Tab(12, width=10)), label=label
         )
-        for near, width, label in zip(found, (34, 26), ("OUTER", "INNER"), strict=True)
+        for near, width, label in zip(found, (26, 22), ("OUTER", "INNER"), strict=True)
     ]
     angles = 2 * np.pi * np.arange(20) / 20
     frames = [((np.cos(a), np.sin(a), 0.0), (0.0, 0.0, 1.0)) for a in angles]

@@ -1,0 +1,137 @@
+"""Build every example, time it, draw it, and write the table of examples/gallery.md.
+
+python examples/gallery.py             the table
+python examples/gallery.py --pictures  and NAME/NAME.png beside each script
+"""
+
+import runpy
+import sys
+import time
+from contextlib import contextmanager
+from pathlib import Path
+
+import numpy as np
+
+import elastica_cad as ec
+from elastica_cad.fabrication import making
+from elastica_cad.formats.design import read_design
+
+HERE = Path(__file__).parent
+# seconds for stiffness and fabricability, and in all, from Table 1 of the paper
+PAPER = {
+    "shell": (1.44, 2.01),
+    "flower_pot": (14.56, 16.0),
+    "horse": (2.99, 14.6),
+    "pavilion": (0.30, 4.23),
+    "lantern": (0.473, 0.47),
+    "lamp": (14.11, 14.2),
+    "vase": (0.01, 0.01),
+    "carpet": (3.36, 5.12),
+    "facade": (7.53, 8.86),
+    "spiral": None,
+}
+VIEWS = {"horse": (15.0, -70.0), "lamp": (35.0, -60.0), "spiral": (35.0, -60.0), "facade": (20.0, -35.0)}
+
+
+SOLVERS = [
+    (place, name)
+    for place, names in (
+        (ec, ("nearest_rod", "nearest_rods", "optimal_rod", "revolution")),
+        (making, ("nearest_rod", "optimal_rod")),
+    )
+    for name in names
+]
+
+
+@contextmanager
+def stopwatch():
+    """Seconds spent in finding rods while the block runs, in a list of one."""
+    spent, kept = [0.0], [getattr(*solver) for solver in SOLVERS]
+
+    def timed(function):
+        def run(*arguments, **options):
+            start = time.perf_counter()
+            found = function(*arguments, **options)
+            spent[0] += time.perf_counter() - start
+            return found
+
+        return run
+
+    for (place, name), function in zip(SOLVERS, kept, strict=True):
+        setattr(place, name, timed(function))
+    yield spent
+    for (place, name), function in zip(SOLVERS, kept, strict=True):
+        setattr(place, name, function)
+
+
+def built(name):
+    """The model of an example, the seconds that finding its rods took, and those of the whole design."""
+    if name == "pavilion":
+        design = read_design(HERE / "pavilion" / "pavilion.toml", ec.read_curves)
+        build = design.model
+    else:
+        build = runpy.run_path(str(HERE / name / f"{name}.py"))["build"]
+    with stopwatch() as spent:
+        start = time.perf_counter()
+        model = build()
+        seconds = time.perf_counter() - start
+    return model, spent[0], seconds
+
+
+def draw(name, model):
+    """NAME/NAME.png with few colours, small enough to be looked at in a page."""
+    from PIL import Image
+
+    from elastica_cad import plot
+
+    if name == "facade":
+        model = runpy.run_path(str(HERE / name / f"{name}.py"))["build"](1.0)
+    elevation, azimuth = VIEWS.get(name, (25.0, -60.0))
+    file = HERE / name / f"{name}.png"
+    figure = plot.model(model, elevation=elevation, azimuth=azimuth)
+    plot.save_figure(figure, file, force=True, resolution=90)
+    Image.open(file).convert("RGB").quantize(48).save(file, optimize=True)
+
+
+def row(name, model, solving, seconds):
+    """One line of the table."""
+    rods = [part.strip.rod for part in model.parts]
+    places = np.concatenate([p.frame.point(p.strip.rod.position) for p in model.placed])
+    size = " x ".join(f"{extent / 10:.0f}" for extent in np.ptp(places, axis=0))
+    times = ["" if t is None else f"{t:.2f}" for t in PAPER[name] or (None, None)]
+    nodes = ", ".join(map(str, sorted({rod.s.size for rod in rods})))
+    sheets = ", ".join(sorted({layer.sheet.name for part in model.parts for layer in part.strip.layers}))
+    ratio = f"{min(rod.ratio for rod in rods):.2f}-{max(rod.ratio for rod in rods):.2f}"
+    return (
+        f"| {name.replace('_', ' ')} | {sheets} | {len(model.placed)} ({len(rods)}) | {nodes} | {size} | {ratio} "
+        f"| {solving:.2f} | {times[0]} | {seconds:.2f} | {times[1]} |"
+    )
+
+
+def main(*options):
+    lines = [
+        "| model | sheets | strips (different) | samples | size, cm | R | rods, s | paper | all, s | paper |",
+        "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |",
+    ]
+    total = np.zeros(4)
+    built("spiral")  # imports are paid for once
+    for name, times in PAPER.items():
+        model, solving, seconds = built(name)
+        total += np.array([solving, seconds, *times]) if times else 0.0
+        lines.append(row(name, model, solving, seconds))
+        print(lines[-1], flush=True)
+        if "--pictures" in options:
+            draw(name, model)
+    lines.append(
+        f"| all of the paper's | | | | | | {total[0]:.2f} | {total[2]:.2f} | {total[1]:.2f} | {total[3]:.2f} |"
+    )
+    text = (
+        "Written by gallery.py from one run. Rods: the seconds for stiffness and fabricability; all: from surfaces "
+        "or formulae to strips. Beside them those of the paper's Table 1, on another machine and, but for the "
+        "Pavilion and the Spiral, for other surfaces of the same kind.\n\n" + "\n".join(lines) + "\n"
+    )
+    (HERE / "gallery.md").write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
