@@ -197,7 +197,8 @@ class Model:
         The strips are taken as ruled surfaces, and their crossings are exact. A slot is as wide as the angle
         between the strips asks for, point by point. Each strip is cut from the side on which it ends; where
         both sides would do, the earlier of two strips opens towards `above`, so that the later one is pushed on
-        from there.
+        from there. Only the strips between their tabs are searched: keep tabs clear of other strips. A crossing
+        that leaves a strip through its end, not its edge, leaves no way to push it on and is refused.
 
         Parameters
         ----------
@@ -215,7 +216,8 @@ class Model:
         Raises
         ------
         InputError
-            Strips that touch along a line or cross at an end, slots that meet, a clearance larger than a strip.
+            Strips that touch along a line or cross where one of them ends, slots that meet, a clearance larger
+            than a strip.
         """
         slots, joints, reports = interlocked(
             self, clearance=clearance, fit=fit, relief=relief, pairs=pairs, above=above

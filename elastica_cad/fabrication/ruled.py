@@ -87,11 +87,13 @@ class RuledStrip:
     def _plane(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Points and tangents (n, 2) in the plane of the curve."""
         nodes, c = self._table
-        k = np.clip(np.searchsorted(nodes, s, side="right") - 1, 0, nodes.size - 2)
+        k = np.searchsorted(nodes[1:-1], s, side="right")
         u = (s - nodes[k])[:, None]
-        a = c[:, k]
-        point = a[0] + u * (a[1] + u * (a[2] + u * (a[3] + u * (a[4] + u * a[5]))))
-        slope = a[1] + u * (2 * a[2] + u * (3 * a[3] + u * (4 * a[4] + u * 5 * a[5])))
+        rows = c.take(k, axis=1)
+        point, slope = rows[5] * u + rows[4], rows[5]
+        for row in rows[3::-1]:  # Horner's scheme, for both at once
+            slope = slope * u + point
+            point = point * u + row
         return point, slope
 
     @cached_property
