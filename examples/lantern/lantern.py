@@ -21,7 +21,7 @@ def build():
         ec.Strip(
             near.rod, sheet, max_width=width, ends=(ec.Tab(12, width=10), ec.Tab(12, width=10)), label=label
         )
-        for near, width, label in zip(found, (26, 22), ("OUTER", "INNER"), strict=True)
+        for near, width, label in zip(found, (24, 20), ("OUTER", "INNER"), strict=True)
     ]
     angles = 2 * np.pi * np.arange(20) / 20
     frames = [((np.cos(a), np.sin(a), 0.0), (0.0, 0.0, 1.0)) for a in angles]
