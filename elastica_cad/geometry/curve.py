@@ -202,11 +202,9 @@ class PlaneCurve:
         t = np.asarray(t, dtype=float)
         return self._jets.at(t.ravel(), derivative, left=left)[derivative].reshape(*t.shape, 2)
 
-    def position_and_velocity(self, t: ArrayLike) -> tuple[FloatArray, FloatArray]:
-        """Positions and their derivatives d/dt (..., 2) at parameters (...), in one evaluation."""
-        t = np.asarray(t, dtype=float)
-        position, velocity = self._jets.position_and_velocity(t.ravel())
-        return position.reshape(*t.shape, 2), velocity.reshape(*t.shape, 2)
+    def position_and_velocity(self, t: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Positions and their derivatives d/dt, (n, 2) each, at parameters (n,), in one evaluation."""
+        return self._jets.position_and_velocity(t)
 
     def basis(self, t: ArrayLike, derivative: int = 0) -> FloatArray:
         """Derivatives (n, m) of the position (or of its derivative) at t (n,) by the m control points.
@@ -330,8 +328,8 @@ class PlaneCurve:
 
     def self_intersections(self) -> FloatArray:
         """Pairs of arc lengths (k, 2), mm, at which the curve crosses or touches itself, in order."""
-        jets = self._jets
-        return self.arc_length(self_meeting_places(jets.bezier, jets.edges, jets.position_and_velocity))
+        bezier, edges = self._jets.bezier, self._jets.edges
+        return self.arc_length(self_meeting_places(bezier, edges, self.position_and_velocity))
 
     def bezier_pieces(self) -> tuple[tuple[float, float, FloatArray], ...]:
         """The knot spans as (t0, t1, homogeneous control points (degree + 1, 3): rows x w, y w, w)."""

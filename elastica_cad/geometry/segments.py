@@ -281,8 +281,8 @@ class Spline:
     def motion_at(self, u: float) -> tuple[FloatArray, FloatArray]:
         """The point (2,) at u and its derivative by u, in one evaluation, mm."""
         t0, t1 = self.curve.domain
-        position, velocity = self.curve.position_and_velocity(t0 * (1 - u) + t1 * u)
-        return position, velocity * (t1 - t0)
+        position, velocity = self.curve.position_and_velocity(np.array([t0 * (1 - u) + t1 * u]))
+        return position[0], velocity[0] * (t1 - t0)
 
     def tangent_at(self, u: ArrayLike, *, left: bool = False) -> FloatArray:
         """Unit tangents (..., 2) at u in [0, 1]; at a corner the one after it, with `left` the one before."""
