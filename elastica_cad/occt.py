@@ -33,6 +33,7 @@ from elastica_cad.geometry import Arc, Line, Path, PlaneCurve, Segment, Spline
 
 __all__ = [
     "Shape",
+    "drawn_edges",
     "free_curves",
     "kernel",
     "make_face",
@@ -40,6 +41,7 @@ __all__ = [
     "make_shell",
     "make_solid",
     "make_wire",
+    "plane_axes_of",
     "plane_curve",
 ]
 
@@ -203,7 +205,7 @@ def make_location(frame: Frame) -> Any:
     """The TopLoc_Location that takes the world's axes to those of a frame."""
     k = kernel()
     place = k.gp_Trsf()
-    place.SetTransformation(_ax3(frame), k.gp_Ax3())
+    place.SetTransformation(plane_axes_of(frame), k.gp_Ax3())
     return k.TopLoc_Location(place)
 
 
@@ -263,9 +265,9 @@ def _spline(kind: Any, points: Any, segment: Spline) -> Any:
 def _surface(surface: Surface) -> Any:
     k = kernel()
     if isinstance(surface, PlaneSurface):
-        return k.Geom_Plane(_ax3(surface.frame))
+        return k.Geom_Plane(plane_axes_of(surface.frame))
     if isinstance(surface, CylinderSurface):
-        return k.Geom_CylindricalSurface(_ax3(surface.frame), surface.radius)
+        return k.Geom_CylindricalSurface(plane_axes_of(surface.frame), surface.radius)
     if isinstance(surface, ExtrudedSurface):
         return k.Geom_SurfaceOfLinearExtrusion(_curve(surface.profile), _dir(surface.profile.frame.z_axis))
     rows, columns, _ = surface.control_points.shape
@@ -321,7 +323,7 @@ def _dir(direction: FloatArray) -> Any:
     return kernel().gp_Dir(*direction.tolist())
 
 
-def _ax3(frame: Frame) -> Any:
+def plane_axes_of(frame: Frame) -> Any:
     return kernel().gp_Ax3(_pnt(frame.origin), _dir(frame.z_axis), _dir(frame.x_axis))
 
 
@@ -336,7 +338,7 @@ def plane_curve(shape: Shape | Iterable[Shape]) -> tuple[PlaneCurve, Frame]:
     InputError
         Edges that are not plane, have no length, do not meet or meet at a corner, or a closed wire.
     """
-    return placed_curve(_drawn_edges(shape))
+    return placed_curve(drawn_edges(shape))
 
 
 def free_curves(shape: Shape) -> list[PlaneCurve]:
@@ -347,14 +349,14 @@ def free_curves(shape: Shape) -> list[PlaneCurve]:
     return [curve for curve, _ in placed_curves(edges)]
 
 
-def _drawn_edges(shape: Shape | Iterable[Shape]) -> list[DrawnEdge]:
+def drawn_edges(shape: Shape | Iterable[Shape]) -> list[DrawnEdge]:
     """All edges of a shape, a wrapper of one, or several of these, in order."""
     k = kernel()
     shape = getattr(shape, "wrapped", shape)
     if not isinstance(shape, k.TopoDS_Shape):
         if isinstance(shape, str) or not isinstance(shape, Iterable):
             raise InputError(f"an edge or wire of a CAD kernel is needed, not {type(shape).__name__}")
-        return [edge for item in shape for edge in _drawn_edges(item)]
+        return [edge for item in shape for edge in drawn_edges(item)]
     return [_drawn_edge(k.as_edge(edge)) for edge in _parts(shape, k.TopAbs_ShapeEnum.TopAbs_EDGE)]
 
 

@@ -209,7 +209,7 @@ def _section(mesh: Mesh, frame: Frame, half: bool, name: str) -> Section:
     if half:
         chains = [part for chain in chains for part in _right_half(chain)]
     small = APART * mesh.size
-    lines = [_tidy(chain, small) for chain in chains]
+    lines = [tidied(chain, small) for chain in chains]
     lines = sorted((line for line in lines if len(line) > 1), key=lambda line: -_length(line))
     if not lines:
         depth = float(local[:, 2].min()) if local[:, 2].min() > 0 else float(local[:, 2].max())
@@ -294,7 +294,7 @@ def _right_half(points: FloatArray) -> list[FloatArray]:
     return [np.array(part) for part in parts]
 
 
-def _tidy(points: FloatArray, small: float) -> FloatArray:
+def tidied(points: FloatArray, small: float) -> FloatArray:
     """Without repeated points, run the agreed way round."""
     closed = bool(np.all(points[0] == points[-1])) and len(points) > 2
     keep = np.append(True, np.linalg.norm(np.diff(points, axis=0), axis=1) > small)

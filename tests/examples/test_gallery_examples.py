@@ -4,6 +4,7 @@ import runpy
 
 import numpy as np
 import pytest
+from scipy.integrate import trapezoid
 
 import elastica_cad as ec
 from elastica_cad.fabrication import CUT_OUTER
@@ -172,10 +173,10 @@ def test_the_facade_opens(example):
         assert np.all(fin.force > 0)
         # the work of the pressing force is the energy that the fin takes up
         energy = [
-            fin.strip.bending_stiffness * np.trapezoid(rod.moment**2 / rod.stiffness, rod.s) / 2
+            fin.strip.bending_stiffness * trapezoid(rod.moment**2 / rod.stiffness, rod.s) / 2
             for rod in fin.shapes
         ]
-        work = np.trapezoid(fin.force, fin.travel)
+        work = trapezoid(fin.force, fin.travel)
         assert energy[-1] - energy[0] == pytest.approx(work, rel=0.02)
         opened = names["build"](1.0, [fin]).strips[0]
         assert opened.max_strain < opened.strain_limit
