@@ -324,6 +324,7 @@ def _dir(direction: FloatArray) -> Any:
 
 
 def plane_axes_of(frame: Frame) -> Any:
+    """The frame's origin, normal and x axis for the kernel."""
     return kernel().gp_Ax3(_pnt(frame.origin), _dir(frame.z_axis), _dir(frame.x_axis))
 
 
