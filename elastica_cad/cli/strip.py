@@ -4,6 +4,7 @@ import json
 from collections.abc import Callable
 from dataclasses import dataclass, fields, replace
 from importlib.util import find_spec
+from itertools import islice
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -17,11 +18,14 @@ from elastica_cad.fabrication.lettering import engravable
 from elastica_cad.files import save
 from elastica_cad.formats import files_together, strip_report
 from elastica_cad.forming import NearestRod
+from elastica_cad.forming.advice import advised
 from elastica_cad.mechanics import Rod, Sheet, Stability, optimal_rod, stability
 
 __all__ = ["strip"]
 
 F = TypeVar("F", bound=Callable[..., Any])
+
+MOST_ADVICE = 1  # sentences after a success; each costs a solve or two
 
 
 @dataclass(frozen=True)
@@ -183,6 +187,8 @@ def _tell(made: Strip, near: NearestRod | None, verdict: Stability, written: lis
                f"({made.sheet.name} bears {100 * made.sheet.max_strain:.2f} %)")  # fmt: skip
     if near is not None:
         click.echo(f"largest distance from the drawn curve {near.deviation:.2f} mm. {near.status.value}")
+        for advice in islice(advised(near), MOST_ADVICE):
+            click.echo(advice)
     if verdict.stable:
         click.echo(f"stable, margin {verdict.margin:.3g}")
     else:

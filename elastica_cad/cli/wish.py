@@ -65,8 +65,7 @@ class WishOptions:
             supports=supports,
         )
         if not near.met:
-            binding = ", ".join(one.name for one in near.binding[:3])
-            raise NotMetError(f"{near.status.value} What binds first: {binding}.")
+            raise NotMetError(str(near))
         return near
 
 

@@ -1,8 +1,9 @@
 """The nearest rod to a drawn curve that material, machine and gravity allow."""
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
 from enum import Enum
-from functools import cached_property
+from functools import cached_property, partial
 
 import numpy as np
 
@@ -64,6 +65,12 @@ class NearestRod:
         As asked.
     message : str
         What went wrong where the status is FAILED.
+    measure : "mean", "closest" or "max"
+        As asked.
+    distance : float
+        What was made least: the distance as measured and weighted, mm.
+    again : callable, optional
+        `nearest_rod` with all else that was asked; see `relaxed`.
     """
 
     found: Rod | None
@@ -77,6 +84,9 @@ class NearestRod:
     limits: Limits
     keep: Keep
     message: str = ""
+    measure: Measure = "mean"
+    distance: float = np.inf
+    again: "Callable[..., NearestRod] | None" = field(default=None, repr=False)
 
     @classmethod
     def failed(
@@ -114,6 +124,41 @@ class NearestRod:
         `check_equilibrium` accepts it.
         """
         return editable_curve(self.rod, tangents=self.keep.both_tangents)
+
+    def relaxed(self, limits: Limits | None = None, keep: Keep | None = None) -> "NearestRod":
+        """The answer to the same wish with other limits, or other things kept, and all else as asked.
+
+        Raises
+        ------
+        NotConvergedError
+            When the status is FAILED.
+        """
+        if self.again is None:
+            raise NotConvergedError(f"there is no rod for this curve: {self.message}")
+        return self.again(limits=limits or self.limits, keep=keep or self.keep)
+
+    @cached_property
+    def advice(self) -> tuple[str, ...]:
+        """What binds in words, and what could be done: sentences, the most useful first.
+
+        Costs are differences to rods that are solved for when this is asked for, one limit relaxed at a time:
+        as long as a few calls of `nearest_rod`. Where supports would help, `split` says where.
+
+        Examples
+        --------
+        >>> wish = PlaneCurve.spline([(0, 0), (30, 60), (70, 60), (100, 0)], degree=3)
+        >>> nearest_rod(wish, Limits(ratio=1.2)).advice[0]  # doctest: +ELLIPSIS
+        'The ratio limit costs 0.17... mm of mean distance; 1.44 instead of 1.2 would cost 0.05... mm.'
+        """
+        from elastica_cad.forming.advice import advised
+
+        return tuple(advised(self))
+
+    def __str__(self) -> str:
+        if self.found is None:
+            return f"{self.status.value} {self.message}"
+        far = f"The rod leaves the drawn curve by {self.deviation:.3g} mm at most."
+        return " ".join((self.status.value, far, *self.advice))
 
 
 def nearest_rod(
@@ -181,6 +226,7 @@ def nearest_rod(
     problem, outcome, steps = best_outcome(setting, measure)
     rod = _rod(setting, outcome.rod)
     deviation = setting.wish.deviation(outcome.rod.position) * setting.wish.size
+    distance = outcome.distance if measure == "max" else float(np.sqrt(2 * outcome.distance))
     if outcome.violation > MET:
         status = Status.NOT_MET
     elif deviation > FAR * setting.wish.diagonal * setting.wish.size:
@@ -191,7 +237,12 @@ def nearest_rod(
         found=rod, wish=curve, status=status, deviation=deviation,
         mean_deviation=mean_distance(setting, outcome) * setting.wish.size,
         binding=bindings(setting, problem, outcome, measure), violation=outcome.violation, iterations=steps,
-        limits=setting.limits, keep=setting.keep,
+        limits=setting.limits, keep=setting.keep, measure=measure,
+        distance=distance * setting.wish.size,
+        again=partial(
+            nearest_rod, curve, gravity=gravity, supports=supports, weights=setting.weights, measure=measure,
+            samples=setting.nodes, coefficients=setting.coefficients,
+        ),
     )  # fmt: skip
 
 
