@@ -1,7 +1,8 @@
 """What a strip may be (limits, all hard) and what of the wish must stay (keep)."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from numbers import Real
 from typing import Literal, TypeAlias
 
 import numpy as np
@@ -141,6 +142,12 @@ class Limits:
     stiffness_bounds: tuple[Bound, Bound] | None = None
 
     def __post_init__(self) -> None:
+        for name in ("ratio", "margin", "curvature", "strain"):
+            value = getattr(self, name)
+            if not (value is None or isinstance(value, Real)):
+                raise InputError(f"limit {name}={value!r} must be a number, or None")
+        if not (self.sheet is None or isinstance(self.sheet, Sheet)):
+            raise InputError(f'limit sheet={self.sheet!r}: give a Sheet record, such as Sheet.named("pom-1")')
         if self.ratio is not None and not (np.isfinite(self.ratio) and self.ratio >= 1):
             raise InputError(
                 f"limit ratio={self.ratio}: max K / min K cannot be below 1; plain strips allow 2 to 4"
@@ -163,12 +170,14 @@ class Limits:
             if not 0 < low <= high:
                 raise InputError(f"limit {name}={value!r} must be a range (least, largest) of positive mm")
             object.__setattr__(self, name, (float(low), float(high)))
-        keep_out = (self.keep_out,) if isinstance(self.keep_out, (HalfPlane, Box)) else tuple(self.keep_out)
+        several = isinstance(self.keep_out, Iterable)
+        keep_out = tuple(self.keep_out) if several else (self.keep_out,)
         for region in keep_out:
             if not isinstance(region, (HalfPlane, Box)):
                 raise InputError(f"keep_out takes HalfPlane and Box records, not {region!r}")
         object.__setattr__(self, "keep_out", keep_out)
-        if self.stiffness_bounds is not None and len(self.stiffness_bounds) != 2:
+        bounds = self.stiffness_bounds
+        if bounds is not None and not (isinstance(bounds, (tuple, list)) and len(bounds) == 2):
             raise InputError("stiffness_bounds is a pair (lower, upper); put None where there is no bound")
 
     @property
@@ -225,13 +234,13 @@ class Keep:
             object.__setattr__(self, name, (bool(both[0]), bool(both[1])))
         if self.symmetry not in (None, "mirror", "turn"):
             raise InputError(f"keep symmetry={self.symmetry!r}: use 'mirror', 'turn' (a half turn) or None")
-        points = np.atleast_1d(np.asarray(self.points, dtype=float))
+        points = np.atleast_1d(_numbers("keep points", self.points))
         if points.ndim != 1 or not np.all(np.isfinite(points)):
             raise InputError("keep points= takes arc lengths on the drawn curve, mm")
         object.__setattr__(self, "points", tuple(float(s) for s in points))
         if self.line is None or isinstance(self.line, bool):
             return
-        line = np.asarray(self.line, dtype=float)
+        line = _numbers("keep line", self.line)
         if line.shape != (2, 2) or not np.all(np.isfinite(line)) or np.all(line[0] == line[1]):
             raise InputError("keep line= takes True, or two different points ((x, y), (x, y)) in mm")
         object.__setattr__(self, "line", tuple((float(x), float(y)) for x, y in line))
@@ -252,7 +261,14 @@ def _both(value: bool | tuple[bool, bool]) -> tuple[bool, bool]:
 
 
 def _pair(what: str, value: ArrayLike) -> FloatArray:
-    pair = np.asarray(value, dtype=float)
+    pair = _numbers(what, value)
     if pair.shape != (2,) or not np.all(np.isfinite(pair)):
         raise InputError(f"{what} must be two finite numbers, not {value!r}")
     return pair
+
+
+def _numbers(what: str, value: ArrayLike) -> FloatArray:
+    try:
+        return np.asarray(value, dtype=float)
+    except (TypeError, ValueError):
+        raise InputError(f"{what} must be numbers, not {value!r}") from None

@@ -1,6 +1,6 @@
 """Nearest rods of whole models, on one processor or on many."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import Executor, Future, as_completed
 from typing import Any, NamedTuple
 
@@ -11,6 +11,8 @@ from elastica_cad.geometry import PlaneCurve
 from elastica_cad.mechanics import Gravity, Supports
 
 __all__ = ["nearest_rods"]
+
+_OPTIONS = {"weights", "measure", "samples", "coefficients"}
 
 
 def nearest_rods(
@@ -55,6 +57,16 @@ def nearest_rods(
     >>> [near.met for near in nearest_rods([arch, arch.reversed()], Limits(ratio=1.6))]
     [True, True]
     """
+    if isinstance(curves, PlaneCurve) or not isinstance(curves, Iterable):
+        raise InputError(f"nearest_rods takes a list of curves, not a {type(curves).__name__}")
+    if not (executor is None or hasattr(executor, "submit")):
+        raise InputError(f"executor is {executor!r}: give a concurrent.futures.Executor, or None")
+    if not (progress is None or callable(progress)):
+        raise InputError(
+            f"progress is {progress!r}: give a function of (curves done, curves in all), or None"
+        )
+    if unknown := set(options) - _OPTIONS:
+        raise InputError(f"nearest_rods knows no option {min(unknown)!r}: use {', '.join(sorted(_OPTIONS))}")
     curves = list(curves)
     if not curves:
         raise InputError("nearest_rods got no curves: give one at least")

@@ -18,6 +18,12 @@ from elastica_cad.forming.setting import Measure, Setting, Weights, node_factors
 from elastica_cad.forming.wish import Wish
 from elastica_cad.geometry import PlaneCurve, Profile
 from elastica_cad.mechanics import Gravity, Rod, Supports
+from elastica_cad.mechanics.arguments import (
+    require_curve,
+    require_gravity,
+    required_supports,
+    whole_number,
+)
 from elastica_cad.mechanics.balance import Balance, State
 from elastica_cad.mechanics.equilibrium import check_equilibrium
 
@@ -251,15 +257,18 @@ def _setting(
     supports: Supports | None, weights: Weights, samples: int, coefficients: int | None,
 ) -> Setting:  # fmt: skip
     """Checked input."""
-    if not isinstance(curve, PlaneCurve):
-        raise InputError(f"nearest_rod takes a PlaneCurve, not {type(curve).__name__}")
-    if int(samples) != samples or not 20 <= samples <= 5000:
+    require_curve(curve)
+    require_gravity(gravity)
+    for name, value, record in (("limits", limits, Limits), ("keep", keep, Keep)):
+        if not (value is None or isinstance(value, record)):
+            raise InputError(f"{name} is {value!r}: give a {record.__name__} record, or None")
+    if whole_number(samples, "samples", 20) > 5000:
         raise InputError(f"samples={samples!r}: a rod needs 20 to 5000 nodes, 201 are usual")
     wish = Wish.of(curve)
     if coefficients is None:
         half_turns = float(np.abs(np.diff(wish.angle)).sum()) / np.pi
         coefficients = min(MOST, FEWEST + round(PER_HALF_TURN * half_turns), (samples - 1) // 2)
-    if int(coefficients) != coefficients or not 4 <= coefficients <= (samples - 1) // 2:
+    if whole_number(coefficients, "coefficients", 4) > (samples - 1) // 2:
         raise InputError(
             f"coefficients={coefficients!r}: the stiffness needs 4 coefficients or more, and at most half as many "
             f"as there are edges ({samples - 1})"
@@ -274,7 +283,7 @@ def _setting(
                     "move the curve or the region, or free that end"
                 )
     return Setting(
-        wish=wish, limits=limits, keep=keep, supports=supports or Supports(), gravity=gravity,
+        wish=wish, limits=limits, keep=keep, supports=required_supports(supports), gravity=gravity,
         weights=node_factors(weights, samples, wish.size), nodes=int(samples), coefficients=int(coefficients),
         line=_line(curve, keep, gravity),
     )  # fmt: skip

@@ -12,6 +12,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.forming.equilibrium_curve import EquilibriumCurve
 from elastica_cad.geometry import PlaneCurve
 from elastica_cad.geometry.trim import trimmed_curve
+from elastica_cad.mechanics.arguments import require_curve, required_supports
 from elastica_cad.mechanics.equilibrium import (
     EquilibriumCheck,
     NotRealizable,
@@ -108,7 +109,8 @@ def split(
     """
     if ratio is not None and not (np.isfinite(ratio) and ratio >= 1):
         raise InputError(f"ratio is {ratio}: max K / min K cannot be below 1; plain strips allow 2 to 4")
-    cut = _Cut(curve, ratio, supports or Supports(), _parameters(curve, places), tolerance)
+    require_curve(curve)
+    cut = _Cut(curve, ratio, required_supports(supports), _parameters(curve, places), tolerance)
     latest = _forwards(cut)
     if not latest:
         return _splitting(cut, [], [])
@@ -227,7 +229,10 @@ class _Cut:
 def _parameters(curve: PlaneCurve, places: ArrayLike | None) -> FloatArray | None:
     if places is None:
         return None
-    s = np.unique(np.asarray(places, dtype=float))
+    try:
+        s = np.unique(np.asarray(places, dtype=float))
+    except (TypeError, ValueError):
+        raise InputError(f"places must be arc lengths in mm, not {places!r}") from None
     if not np.all(np.isfinite(s)):
         raise InputError("places of supports must be finite arc lengths, in mm")
     t = curve.parameter(s)

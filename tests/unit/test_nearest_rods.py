@@ -93,3 +93,11 @@ def test_bad_lists_are_said():
         nearest_rods([])
     with pytest.raises(InputError, match="limits: 2 given for 3"):
         nearest_rods(ARCHES, [Limits(), Limits()])
+    with pytest.raises(InputError, match="list of curves"):
+        nearest_rods(ARCHES[0])
+    with pytest.raises(InputError, match="executor"):
+        nearest_rods(ARCHES, executor=2)
+    with pytest.raises(InputError, match="no option 'measur'"):
+        nearest_rods(ARCHES, measur="max")
+    with pytest.raises(InputError, match="progress"):
+        nearest_rods(ARCHES, progress=3)
