@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication.styles import Backing, Layout, Width, along, refined, stations_of
 from elastica_cad.geometry import Profile
 from elastica_cad.geometry.approximation import adaptive_spline
@@ -164,12 +164,14 @@ def _backing_width(
     def width(s: FloatArray) -> FloatArray:
         return section.backing_width(base(s), scale * rod.profile(s))
 
-    knots, coefficients = adaptive_spline(
-        width,
-        (0.0, rod.length),
-        degree=3,
-        tolerance=tolerance,
-        breaks=[(s, order) for s, order in (*rod.profile.breaks, *base.breaks) if order < smooth],
-        rounding=1e-13,
-    )
+    breaks = [(s, order) for s, order in (*rod.profile.breaks, *base.breaks) if order < smooth]
+    try:
+        knots, coefficients = adaptive_spline(
+            width, (0.0, rod.length), degree=3, tolerance=tolerance, breaks=breaks, rounding=1e-13
+        )
+    except NotConvergedError:
+        # where the backing fills the base its width is cut off there, with a kink too small to be declared
+        knots, coefficients = adaptive_spline(
+            width, (0.0, rod.length), degree=3, tolerance=max(tolerance, DRAWN), breaks=breaks, rounding=1e-9
+        )
     return Profile(knots, coefficients)

@@ -57,7 +57,9 @@ def made_rod(strip: "Strip") -> Rod:
     ends = np.linspace(0.0, rod.length, _CUTS * (n - 1) + 1)
     s = (ends[1:] + ends[:-1]) / 2
     left = [layer.material(s) for layer in strip.layers]
-    material, backing = left[0], left[1] if len(left) > 1 else None
+    material = left[0]
+    # as drawn, the backing's edge may pass the base's by the tolerance of the drawing
+    backing = np.minimum(left[1], material) if len(left) > 1 else None
     softer = strip.bending_stiffness * rod.profile(s) / strip.layout.stiffness(material, backing)
     EI = strip.bending_stiffness * rod.stiffness / _cell_means(softer, n)
     least = float(EI.min())

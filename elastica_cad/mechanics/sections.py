@@ -14,7 +14,7 @@ from elastica_cad.mechanics.sheet import Sheet
 
 __all__ = ["LaminatedSection", "PerforatedSection", "PlainSection"]
 
-_TOUCH = 1e-7  # relative slack on limits for a stiffness that comes out of an optimization
+_TOUCH = 1e-5  # relative slack on limits for a stiffness that is known between its nodes to 1e-6
 
 
 @dataclass(frozen=True)

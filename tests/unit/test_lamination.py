@@ -181,3 +181,23 @@ def test_a_rods_own_stiffness_must_fit(rod):
 def test_bad_options(options):
     with pytest.raises(InputError):
         Laminated(width=20.0, backing=CARD, **options)
+
+
+@pytest.mark.parametrize("name", ["inflected", "even base"])
+def test_backing_that_fills_the_base_under_its_own_weight(name):
+    """Stiffness is known to 1e-6 between its nodes: where the backing touches the base that is no refusal."""
+    base = replace(CARD, name="base", thickness=0.1, thickness_range=None)
+    if name == "inflected":
+        x = np.linspace(-80, 130, 200)
+        points = np.column_stack([x, 42 * np.sin(np.pi * x / 170)])
+        curve, width = ec.PlaneCurve.fit(points, degree=5, tolerance=1e-3), None
+    else:
+        curve = ec.PlaneCurve.spline([(0, 0), (50, 60), (100, 40), (150, -30), (200, 0)], degree=4)
+        width = 30.0
+    if width is None:
+        s = np.linspace(0.0, curve.length, 30)
+        width = ec.Profile.interpolate(s, 20 + 5 * np.sin(3 * s / s[-1]))
+    laminate = optimal_laminate(curve, LaminatedSection(base, CARD), width, direction=(0, -1))
+    strip = ec.Strip(laminate.rod, base, style=Laminated(width=width, backing=CARD))
+    assert len(strip.drawings()) == 2
+    assert strip.as_made.ratio == pytest.approx(laminate.rod.ratio, rel=1e-3)
