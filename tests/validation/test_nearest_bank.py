@@ -6,7 +6,7 @@ import numpy as np
 
 from elastica_cad.forming import Limits, nearest_rods
 from elastica_cad.geometry import PlaneCurve
-from elastica_cad.mechanics import Gravity
+from elastica_cad.mechanics import Gravity, Rod, bend, bend_path, optimal_rod, stability
 
 NODES = 201
 WISHES = 200
@@ -144,3 +144,44 @@ def test_all_kinds_are_in_the_bank():
 
 def test_most_wishes_are_met():
     assert np.mean([near.met for near in bank()[3]]) >= 0.97
+
+
+def stable_rods():
+    return [near.rod for near in bank()[3] if stability(near.rod).margin > 0]
+
+
+def test_stable_rods_return_when_disturbed():
+    """By 1 % of the curvature, in two ways, and bent on from there."""
+    rods = stable_rods()[::2]
+    assert len(rods) > 50
+    for rod in rods:
+        share = rod.s / rod.length
+        for turn in (np.sin(2 * np.pi * share) ** 2 / 2, np.sin(3 * np.pi * share) / 3):
+            off = 0.01 * np.abs(rod.curvature).max() * rod.length / np.pi * turn
+            back = bend(rod, guess=rod.angle + off)
+            assert np.abs(back.position - rod.position).max() < 1e-6 * rod.length
+
+
+def test_stable_rods_without_inflection_rise_from_the_flat_strip():
+    rods = [rod for rod in stable_rods() if not np.any(rod.moment[1:-1] * rod.moment[1] < 0)]
+    assert len(rods) > 20
+    for rod in rods:
+        flat = Rod.straight(
+            rod.length, rod.profile, samples=NODES, angle=float(rod.angle.mean()), gravity=rod.gravity
+        )
+        path = [
+            {
+                "start": (1 - share) * flat.position[0] + share * rod.position[0],
+                "end": (1 - share) * flat.position[-1] + share * rod.position[-1],
+                "angles": (1 - share) * flat.angle[[0, -1]] + share * rod.angle[[0, -1]],
+            }
+            for share in np.linspace(0, 1, 25)[1:]
+        ]
+        stands = bend_path(flat, path, side=1 if rod.moment[1] < 0 else -1)[-1]
+        assert np.abs(stands.position - rod.position).max() < 1e-6 * rod.length
+
+
+def test_curves_to_edit_need_the_ratio_of_their_rods():
+    light = [near for near in bank()[3] if near.rod.gravity is None]
+    for near in light[::6]:
+        assert optimal_rod(near.curve).ratio <= near.rod.ratio * (1 + 1.5e-3)
