@@ -1,4 +1,4 @@
-"""What a wish becomes: limits, what to keep, and the nearest rod that can be made."""
+"""Design changes: limits, the nearest rod that meets them, the paper's own routes, curves from surfaces."""
 
 from elastica_cad.forming.binding import Binding
 from elastica_cad.forming.enforce import EnforcedCurve, enforce_constraints

@@ -1,4 +1,4 @@
-"""mechanics"""
+"""Rods and what holds them: materials, balance, Theorem 1, optimal stiffness, bending, stability."""
 
 from elastica_cad.mechanics.anticlastic import AnticlasticWidths, anticlastic_factor, anticlastic_widths
 from elastica_cad.mechanics.bend import bend, bend_path
