@@ -18,6 +18,7 @@ __all__ = ["advised"]
 _MOST = 4  # things that bind, each solved again; and supports that are still a help
 _SLIGHT = 1e-3  # distances below this share of the diagonal are not worth advice
 _NEAR = 0.01  # and below this one no supports
+_HARDLY = 0.01  # of the distance: savings not worth a sentence
 _SAMPLES = 501
 _MISSED = 1e-4  # limits broken by less are what the search left open, not what it failed on
 
@@ -61,7 +62,9 @@ def _costs(near: NearestRod) -> Iterator[str]:
     for binding, change in _changes(near):
         free = near.relaxed(change.without.limits, change.without.keep)
         cost = near.distance - free.distance
-        if not free.met or cost < 0.01 * near.distance:
+        if free.met and 0 <= cost < _HARDLY * near.distance:
+            continue
+        if not free.met or cost < 0:
             if binding.limit is not None and not change.kept:
                 yield (
                     f"{_begun(change.without.words)} of {binding.limit:.4g} costs {binding.cost:.3g} {unit} per "
@@ -114,7 +117,9 @@ def _supports(near: NearestRod) -> Iterator[str]:
     try:
         if near.status is Status.MET and check_equilibrium(wish, rod.supports).realizable:
             return
-        found = split(wish, ratio=near.limits.ratio, supports=rod.supports)
+        limited = near.limits.ratio is not None or near.limits.width is not None
+        ratio = near.limits.largest_ratio if limited else None
+        found = split(wish, ratio=ratio, supports=rod.supports)
     except ElasticaError:
         return
     if 0 < len(found.supports) <= _MOST:

@@ -2,6 +2,7 @@
 
 import pickle
 import re
+from dataclasses import replace
 from itertools import islice
 
 import numpy as np
@@ -39,6 +40,18 @@ def test_the_cost_of_the_ratio_is_the_difference_to_other_rods(gravity):
         f"1.44 instead of 1.2 would cost {more - free:.3g} mm."
     )
     assert sentence(near, "The ratio limit") == expected
+
+
+def test_multipliers_speak_where_the_looser_search_ends_in_a_worse_valley():
+    near = nearest_rod(ARCH, Limits(ratio=1.2))
+    lost = replace(near, again=lambda limits, keep: replace(near, distance=2 * near.distance))
+    (ratio,) = (one.cost for one in near.binding if one.name == "ratio")
+    assert lost.advice[0] == (
+        f"The ratio limit of 1.2 costs {ratio:.3g} mm of mean distance per unit "
+        "(its multiplier: true of small changes)."
+    )
+    a, b = (nearest_rod(ARCH, Limits(ratio=r)).mean_deviation for r in (1.19, 1.21))
+    assert ratio == pytest.approx((a - b) / 0.02, rel=0.1)
 
 
 def test_costs_follow_the_measure_and_the_weights():
@@ -90,7 +103,8 @@ def test_other_limits_and_what_is_kept():
 
 
 def test_supports_are_told_where_the_wish_has_no_strip():
-    near = nearest_rod(WAVE, Limits(ratio=2.0))
+    near = nearest_rod(WAVE, Limits(width=(10, 20)))
+    assert near.advice[0].startswith("The ratio of the widths costs")
     assert not check_equilibrium(WAVE).realizable
     found = split(WAVE, ratio=2.0)
     assert near.advice[-1] == str(found)
