@@ -183,5 +183,6 @@ def test_stable_rods_without_inflection_rise_from_the_flat_strip():
 
 def test_curves_to_edit_need_the_ratio_of_their_rods():
     light = [near for near in bank()[3] if near.rod.gravity is None]
-    for near in light[::6]:
-        assert optimal_rod(near.curve).ratio <= near.rod.ratio * (1 + 1.5e-3)
+    assert len(light) > 100
+    for near in light[::2]:
+        assert optimal_rod(near.curve).ratio <= near.rod.ratio * (1 + 1e-3)
