@@ -8,10 +8,10 @@ from typing import Any
 import click
 import numpy as np
 
-from elastica_cad.cli.options import END_NAMES, pick_curve, supports_of
+from elastica_cad.cli.options import END_NAMES, pick_curve
 from elastica_cad.errors import InputError
 from elastica_cad.formats import curves_json, files_together
-from elastica_cad.mechanics import Rod, Sheet, Stability, bend_path, optimal_rod, stability
+from elastica_cad.mechanics import Rod, Sheet, Stability, Supports, bend_path, optimal_rod, stability
 
 __all__ = ["bend_command"]
 
@@ -85,7 +85,7 @@ def _steps(rod: Rod, chosen: dict[str, Any]) -> list[dict[str, Any]]:
     turned = [
         None if given is None else np.radians(given) for given in (chosen["start_angle"], chosen["end_angle"])
     ]
-    supports = supports_of(chosen["hold_start"], chosen["hold_end"])
+    supports = Supports(chosen["hold_start"], chosen["hold_end"])
     parts = np.arange(1, chosen["steps"] + 1) / chosen["steps"]
     return [
         {

@@ -5,9 +5,10 @@ from pathlib import Path
 
 import click
 
-from elastica_cad.cli.options import bendable_curves, curve_options, support_options, supports_of
+from elastica_cad.cli.options import bendable_curves, curve_options, support_options
 from elastica_cad.formats import check_report
-from elastica_cad.mechanics import check_equilibrium
+from elastica_cad.mechanics import Supports, check_equilibrium
+from elastica_cad.mechanics.supports import EndName
 
 __all__ = ["check"]
 
@@ -21,8 +22,8 @@ def check(
     ctx: click.Context,
     curve: Path,
     unit: str | None,
-    start: str,
-    end: str,
+    start: EndName,
+    end: EndName,
     natural_curvature: float,
     as_json: bool,
 ) -> None:
@@ -31,7 +32,7 @@ def check(
     A curve can be bent when one straight line meets it exactly in its inflections and is tangent to it in none
     of them. Exit code 1 when any curve fails.
     """
-    supports = supports_of(start, end)
+    supports = Supports(start, end)
     checks = [
         check_equilibrium(one, supports=supports, natural_curvature=natural_curvature)
         for one in bendable_curves(curve, unit)

@@ -9,7 +9,6 @@ import click
 from elastica_cad.errors import InputError
 from elastica_cad.files import read_curves
 from elastica_cad.geometry import PlaneCurve
-from elastica_cad.mechanics import Supports
 from elastica_cad.mechanics.equilibrium import require_bendable
 
 __all__ = [
@@ -18,7 +17,6 @@ __all__ = [
     "holding_option",
     "pick_curve",
     "support_options",
-    "supports_of",
 ]
 
 F = TypeVar("F", bound=Callable[..., Any])
@@ -94,8 +92,3 @@ def pick_curve(path: Path, number: int | None, unit: str | None) -> PlaneCurve:
     if not 1 <= number <= len(curves):
         raise InputError(f"{path} holds {len(curves)} curve(s): --curve {number} is not among them")
     return curves[number - 1]
-
-
-def supports_of(start: str, end: str) -> Supports:
-    """Supports from two names; click has checked them."""
-    return Supports(start, end)  # type: ignore[arg-type]

@@ -10,7 +10,7 @@ from typing import Any, TypeVar
 
 import click
 
-from elastica_cad.cli.options import curve_options, holding_option, pick_curve, support_options, supports_of
+from elastica_cad.cli.options import curve_options, holding_option, pick_curve, support_options
 from elastica_cad.cli.wish import WishOptions, wish_options
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication import HoldingTabs, Strip, Tab
@@ -19,7 +19,7 @@ from elastica_cad.files import save
 from elastica_cad.formats import files_together, strip_report
 from elastica_cad.forming import NearestRod
 from elastica_cad.forming.advice import advised
-from elastica_cad.mechanics import Rod, Sheet, Stability, optimal_rod, stability
+from elastica_cad.mechanics import Rod, Sheet, Stability, Supports, optimal_rod, stability
 
 __all__ = ["strip"]
 
@@ -126,7 +126,7 @@ def _rod(chosen: dict[str, Any], wish: WishOptions, sheet: Sheet) -> tuple[Rod, 
     """The rod that takes the drawn curve, or the nearest one where the curve may change."""
     drawn = pick_curve(chosen["curve"], chosen["number"], chosen["unit"])
     gravity = sheet.gravity(chosen["down"]) if chosen["gravity"] else None
-    supports = supports_of(chosen["start"], chosen["end"])
+    supports = Supports(chosen["start"], chosen["end"])
     if not wish.asked:
         if wish.keep_tangents or wish.keep_length:
             raise InputError(
