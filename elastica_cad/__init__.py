@@ -95,6 +95,7 @@ from elastica_cad.geometry import (
     Path,
     PlaneCurve,
     Profile,
+    four_point_map,
 )
 from elastica_cad.kit import save_model
 from elastica_cad.mechanics import (
@@ -235,6 +236,7 @@ __all__ = [
     "determinant_gradient",
     "end_fixtures",
     "enforce_constraints",
+    "four_point_map",
     "load_sheets",
     "meridian",
     "meridian_through",

@@ -16,6 +16,7 @@ from elastica_cad.geometry.lines import line_crossings
 from elastica_cad.geometry.offset import offset_path
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.profile import Profile
+from elastica_cad.geometry.projective import four_point_map
 from elastica_cad.geometry.records import Break, CurvatureZero, CurveSamples, LineCrossing, TangentBreak
 from elastica_cad.geometry.segments import Arc, Line, Segment, Spline
 
@@ -41,6 +42,7 @@ __all__ = [
     "as_arcs",
     "as_cubics",
     "as_polyline",
+    "four_point_map",
     "least_norm_newton",
     "line_crossings",
     "offset_path",

@@ -1,4 +1,6 @@
-"""Projective maps of rational splines."""
+"""Projective maps of the plane: by four handles, and what they make of rational splines."""
+
+from itertools import combinations
 
 import numpy as np
 
@@ -7,9 +9,92 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.bernstein import split
 from elastica_cad.geometry.checks import finite
 
-__all__ = ["projected"]
+__all__ = ["four_point_map", "projected"]
 
 _MOST_HALVINGS = 30
+
+IN_LINE = 1e-9
+"""Three points whose triangle is lower than this share of the four points' size lie in a line."""
+
+
+def four_point_map(before: ArrayLike, after: ArrayLike) -> FloatArray:
+    """The projective map that takes four handles to four other places; `PlaneCurve.transformed` applies it.
+
+    Lines stay lines, so inflections that lie on one line still do: a curve that can be bent from a strip can
+    be bent after any such edit too (Hafner and Bickel 2021, section 4.3).
+
+    Parameters
+    ----------
+    before, after : (4, 2) array_like
+        Handles and where they go, mm; no three of either in a line.
+
+    Returns
+    -------
+    (3, 3) array
+        matrix @ (x, y, 1) divided by its third number is the image; that number is 1 at the first handle.
+
+    Raises
+    ------
+    InputError
+        Not four points each, two handles in one place, or three in a line. Handles that swap sides can send
+        a curve through infinity: `transformed` refuses that, with the place.
+
+    Examples
+    --------
+    >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    >>> matrix = four_point_map(square, [(0, 0), (1, 0), (2, 2), (0, 1)])
+    >>> image = matrix @ (0.5, 0.0, 1)
+    >>> (image[:2] / image[2]).round(6).tolist()
+    [0.4, 0.0]
+    """
+    forth, home = _basis("before", before), _basis("after", after)
+    matrix = home @ np.linalg.inv(forth)
+    x, y = np.asarray(before, dtype=float)[0]
+    matrix = matrix / (matrix[2] @ (x, y, 1.0))
+    size = float(np.abs(np.asarray(before, dtype=float)).max())
+    if np.abs(matrix[2, :2]).max() * size < 1e-13:  # rounding only: an affine map leaves a curve polynomial
+        matrix[2] = 0.0, 0.0, 1.0
+    return np.asarray(matrix)
+
+
+def _basis(name: str, points: ArrayLike) -> FloatArray:
+    """The matrix that takes the unit vectors and their sum to the four points, homogeneous."""
+    handles = finite(name, points)
+    if handles.shape != (4, 2):
+        raise InputError(f"{name} must be four handles (x, y), shape (4, 2), not {handles.shape}")
+    middle, size = handles.mean(axis=0), float(np.ptp(handles, axis=0).max())
+    if size == 0:
+        raise InputError(f"{name}: all four handles lie at {_place(handles[0])}: take them apart")
+    rows = np.column_stack([(handles - middle) / size, np.ones(4)])
+    for i, j in combinations(range(4), 2):
+        if np.linalg.norm(rows[i] - rows[j]) <= IN_LINE:
+            raise InputError(
+                f"{name}: handles {i + 1} and {j + 1} lie in one place, {_place(handles[i])}: move one"
+            )
+    for three in combinations(range(4), 3):
+        corner = rows[list(three)]
+        longest = max(float(np.linalg.norm(corner[i] - corner[j])) for i, j in combinations(range(3), 2))
+        if abs(np.linalg.det(corner)) <= IN_LINE * longest:
+            numbers = ", ".join(str(i + 1) for i in three)
+            raise InputError(
+                f"{name}: handles {numbers} lie in one line, through {_place(handles[three[0]])} and "
+                f"{_place(handles[three[2]])}: move one off it"
+            )
+    shares = np.linalg.solve(rows[:3].T, rows[3])
+    back = np.array([[size, 0.0, middle[0]], [0.0, size, middle[1]], [0.0, 0.0, 1.0]])
+    return np.asarray(back @ (rows[:3] * shares[:, None]).T)
+
+
+def _vanishing(piece: FloatArray) -> FloatArray:
+    """Where along a Bezier piece, from a positive start, the weight comes to zero: a homogeneous point."""
+    for _ in range(_MOST_HALVINGS):
+        left, right = (np.ascontiguousarray(h.T) for h in split(piece.T))
+        piece = left if left[-1, 2] <= 0 else right
+    return np.asarray(piece[0])
+
+
+def _place(point: FloatArray) -> str:
+    return f"({point[0]:.4g}, {point[1]:.4g}) mm"
 
 
 def projected(
@@ -39,7 +124,7 @@ def projected(
         return knots, image[:, :2] / image[:, 2:], weights
     if np.all(image[:, 2] > 0) or np.all(image[:, 2] < 0):
         return knots, image[:, :2] / image[:, 2:], np.abs(image[:, 2])
-    pieces = _positive_pieces(bezier @ m.T, edges)
+    pieces = _positive_pieces(bezier @ m.T, edges, np.asarray(np.linalg.inv(m), dtype=float))
     t = [edges[0]] * (degree + 1)
     for start, _ in pieces[1:]:
         t += [start] * degree
@@ -49,7 +134,9 @@ def projected(
     return np.array(t), points[:, :2] / points[:, 2:], np.abs(points[:, 2])
 
 
-def _positive_pieces(bezier: FloatArray, edges: FloatArray) -> list[tuple[float, FloatArray]]:
+def _positive_pieces(
+    bezier: FloatArray, edges: FloatArray, back: FloatArray
+) -> list[tuple[float, FloatArray]]:
     sign = np.sign(bezier[0, 0, 2])
     todo = [(float(a), float(b), p * sign, 0) for a, b, p in zip(edges[:-1], edges[1:], bezier, strict=True)][
         ::-1
@@ -61,9 +148,10 @@ def _positive_pieces(bezier: FloatArray, edges: FloatArray) -> list[tuple[float,
             done.append((a, piece))
             continue
         if min(piece[0, 2], piece[-1, 2]) <= 0 or depth == _MOST_HALVINGS:
+            x, y, w = back @ _vanishing(piece)
             raise InputError(
-                "the projective map sends the curve through infinity, near parameter "
-                f"{a if piece[0, 2] <= 0 else b:g}: keep the map's vanishing line off the curve"
+                f"the projective map sends the curve through infinity, near {_place(np.array([x, y]) / w)}: keep "
+                "the map's vanishing line off the curve (move the handles less)"
             )
         left, right = (np.ascontiguousarray(h.T) for h in split(piece.T))
         middle = (a + b) / 2

@@ -201,7 +201,7 @@ def test_projective_maps_keep_curves_realizable(example):
     names = example("projective")
     before, after = names["build"]()
     for handle, moved in zip(names["HANDLES"], names["MOVED"], strict=True):
-        image = names["four_point_map"](names["HANDLES"], names["MOVED"]) @ [*handle, 1]
+        image = ec.four_point_map(names["HANDLES"], names["MOVED"]) @ [*handle, 1]
         assert image[:2] / image[2] == pytest.approx(moved)
     checks = [ec.check_equilibrium(curve) for curve in (before, after)]
     assert all(check.realizable for check in checks)
