@@ -11,8 +11,9 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication.boundary import Frame, SpaceCurve, SpaceSurface
+from elastica_cad.fabrication.flat import pace
 from elastica_cad.fabrication.regions import on_segment
-from elastica_cad.geometry import Line, PlaneCurve, Segment, Spline
+from elastica_cad.geometry import PlaneCurve, Segment, Spline
 from elastica_cad.mechanics import Rod
 
 __all__ = ["BentMap", "bent_maps"]
@@ -65,7 +66,7 @@ class BentMap:
 
         Exact where x runs evenly along the segment (long sides, lines); others are fitted to 5e-8 mm.
         """
-        pace = _pace(segment)
+        even = pace(segment)
 
         def values(t: FloatArray) -> FloatArray:
             flat = on_segment(segment, t)
@@ -73,12 +74,12 @@ class BentMap:
             planes = [np.column_stack([rows[:, :2] - up * rows[:, 2:], flat[:, 1]]) for up in heights]
             return self.frame.point(np.stack(planes, axis=1)).reshape(len(t), -1)
 
-        if pace is None:
+        if even is None:
             spans = np.linspace(first, last, 9)
             knots, rows = _fitted(values, spans, {}, np.full(3 * len(heights), SURFACE_TOLERANCE))
             degree = DEGREE
         else:
-            knots, degree = self._common_knots(segment, pace, first, last)
+            knots, degree = self._common_knots(segment, even, first, last)
             rows = _interpolated(values, knots, degree)
         return [SpaceCurve(knots, rows[:, 3 * k : 3 * k + 3], degree) for k in range(len(heights))]
 
@@ -113,10 +114,10 @@ class BentMap:
         return np.asarray(self._rows(s, derivative), dtype=float)
 
     def _common_knots(
-        self, segment: Segment, pace: tuple[float, float], first: float, last: float
+        self, segment: Segment, even: tuple[float, float], first: float, last: float
     ) -> tuple[FloatArray, int]:
         """Knots in the segment's parameter in which both its shape and the map are splines."""
-        offset, speed = pace
+        offset, speed = even
         smooth = [((s - offset) / speed, continuity) for s, continuity in self._smoothness]
         degree = DEGREE
         if isinstance(segment, Spline):
@@ -211,24 +212,6 @@ def _first_spans(rod: Rod, edges: FloatArray) -> FloatArray:
         for a, b, u, v in zip(edges[:-1], edges[1:], at[:-1], at[1:], strict=True)
     ]
     return np.concatenate([*rows, edges[-1:]])
-
-
-def _pace(segment: Segment) -> tuple[float, float] | None:
-    """(offset, speed) where x = offset + speed * parameter along the whole segment, else None."""
-    if isinstance(segment, Line):
-        return float(segment.start[0]), float((segment.end[0] - segment.start[0]) / segment.length)
-    if not isinstance(segment, Spline):
-        return None
-    curve = segment.curve
-    if curve.weights is not None and np.ptp(curve.weights) > 0:
-        return None
-    d = curve.degree
-    greville = np.lib.stride_tricks.sliding_window_view(curve.knots[1:-1], d).mean(axis=1)
-    x = curve.control_points[:, 0]
-    speed = (x[-1] - x[0]) / (greville[-1] - greville[0])
-    offset = x[0] - speed * greville[0]
-    even = np.abs(offset + speed * greville - x).max() <= 1e-10 * max(1.0, float(np.abs(x).max()))
-    return (float(offset), float(speed)) if even and speed != 0 else None
 
 
 def _fitted(

@@ -17,6 +17,7 @@ __all__ = [
     "graph",
     "greville",
     "long_sides",
+    "pace",
     "widths_held",
     "with_dots",
 ]
@@ -77,6 +78,22 @@ def with_dots(ends: Ends, diameter: float) -> Ends:
 def graph(knots: FloatArray, values: FloatArray, degree: int = 3) -> Spline:
     """The graph of a spline function as a segment: with Greville abscissae as x it is the curve itself."""
     return Spline(PlaneCurve(knots, np.column_stack([greville(knots, degree), values]), degree))
+
+
+def pace(segment: Segment) -> tuple[float, float] | None:
+    """(offset, speed) where x = offset + speed * parameter along the whole segment, else None."""
+    if isinstance(segment, Line):
+        return float(segment.start[0]), float((segment.end[0] - segment.start[0]) / segment.length)
+    if not isinstance(segment, Spline):
+        return None
+    curve = segment.curve
+    if curve.weights is not None and np.ptp(curve.weights) > 0:
+        return None
+    sites, x = greville(curve.knots, curve.degree), curve.control_points[:, 0]
+    speed = (x[-1] - x[0]) / (sites[-1] - sites[0])
+    offset = x[0] - speed * sites[0]
+    even = np.abs(offset + speed * sites - x).max() <= 1e-10 * max(1.0, float(np.abs(x).max()))
+    return (float(offset), float(speed)) if even and speed != 0 else None
 
 
 def greville(knots: FloatArray, degree: int) -> FloatArray:

@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad.geometry import Path, Profile
+from elastica_cad.fabrication.flat import pace
+from elastica_cad.geometry import Path, Profile, Spline
+from elastica_cad.geometry.flatten import chord_parameters
 from elastica_cad.mechanics import Rod, Weight
 
 if TYPE_CHECKING:
@@ -94,15 +96,35 @@ def _chord(loop: Path, s: FloatArray) -> FloatArray:
         return total
     order = met[np.argsort(s[met], kind="stable")]
     at = s[order]
-    points = loop.points(_FLAT)
-    x, y = points.T
-    x1, y1 = np.roll(x, -1), np.roll(y, -1)
-    # an edge meets the stations with min(x, x1) <= s < max(x, x1)
+    sums = np.zeros(at.size)
+    starts: list[FloatArray] = []
+    ends: list[FloatArray] = []
+    for segment, following in zip(loop.segments, (*loop.segments[1:], loop.segments[0]), strict=True):
+        even = pace(segment) if isinstance(segment, Spline) else None
+        if even is not None and isinstance(segment, Spline):
+            x0, x1 = segment.start[0], following.start[0]
+            first, last = np.searchsorted(at, sorted((x0, x1)), side="left")
+            if first < last:
+                t = np.clip((at[first:last] - even[0]) / even[1], *segment.curve.domain)
+                sums[first:last] += np.sign(x0 - x1) * segment.curve.evaluate(t)[:, 1]
+            continue
+        points = segment.at(chord_parameters(segment, _FLAT)[:-1])
+        starts.append(points)
+        ends += [points[1:], following.start[None]]
+    if starts:
+        sums += _crossed(np.concatenate(starts), np.concatenate(ends), at)
+    total[order] = sums
+    return np.abs(total)
+
+
+def _crossed(start: FloatArray, end: FloatArray, at: FloatArray) -> FloatArray:
+    """Signed sums (n,) of y where lines from `start` to `end` (k, 2) meet the sorted stations `at` (n,)."""
+    (x, y), (x1, y1) = start.T, end.T
+    # a line meets the stations with min(x, x1) <= s < max(x, x1)
     first = np.searchsorted(at, np.minimum(x, x1), side="left")
     count = np.searchsorted(at, np.maximum(x, x1), side="left") - first
-    edge = np.repeat(np.arange(x.size), count)
-    station = np.arange(edge.size) - np.repeat(np.cumsum(count) - count, count) + np.repeat(first, count)
-    u = (at[station] - x[edge]) / (x1 - x)[edge]
-    crossing = np.sign(x[edge] - x1[edge]) * (y[edge] * (1 - u) + y1[edge] * u)
-    total[order] = np.bincount(station, crossing, minlength=at.size)
-    return np.abs(total)
+    line = np.repeat(np.arange(x.size), count)
+    station = np.arange(line.size) - np.repeat(np.cumsum(count) - count, count) + np.repeat(first, count)
+    u = (at[station] - x[line]) / (x1 - x)[line]
+    crossing = np.sign(x[line] - x1[line]) * (y[line] * (1 - u) + y1[line] * u)
+    return np.asarray(np.bincount(station, crossing, minlength=at.size), dtype=float)

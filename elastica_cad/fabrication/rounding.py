@@ -66,23 +66,24 @@ def _corner(before: Segment, after: Segment, radius: float) -> tuple[float, floa
     for _ in range(_ROUNDS):
         if not (0 <= x[0] <= 1 and 0 <= x[1] <= 1):
             raise _too_short(before.end, radius)
-        gap = _beside(before, x[0], side) - _beside(after, x[1], side)
+        near, far = before.motion_at(x[0]), after.motion_at(x[1])
+        gap = _beside(*near, side) - _beside(*far, side)
         if np.abs(gap).max() < _CLOSE:
-            return float(x[0]), float(x[1]), _arc(before, after, x)
+            return float(x[0]), float(x[1]), _arc(near, far)
         # the sides bend so little that their tangents serve for the Jacobian
-        slope = np.column_stack([before.velocity_at(x[0]), -after.velocity_at(x[1])])
-        x = x - np.linalg.solve(slope, gap)
+        x = x - np.linalg.solve(np.column_stack([near[1], -far[1]]), gap)
     raise _too_short(before.end, radius)
 
 
-def _beside(segment: Segment, u: float, distance: float) -> FloatArray:
-    return np.asarray(segment.at(u) + distance * left_of(segment.tangent_at(u)), dtype=float)
+def _beside(point: FloatArray, velocity: FloatArray, distance: float) -> FloatArray:
+    return np.asarray(point + distance * left_of(velocity) / np.hypot(*velocity), dtype=float)
 
 
-def _arc(before: Segment, after: Segment, x: FloatArray) -> Arc:
-    s, t = before.tangent_at(x[0]), after.tangent_at(x[1])
+def _arc(near: tuple[FloatArray, FloatArray], far: tuple[FloatArray, FloatArray]) -> Arc:
+    """From the point and velocity where it leaves one segment to those where it enters the next."""
+    (start, s), (end, t) = near, far
     turn = float(np.arctan2(s[0] * t[1] - s[1] * t[0], s @ t))
-    return Arc.from_bulge(before.at(x[0]), after.at(x[1]), np.tan(turn / 4))
+    return Arc.from_bulge(start, end, np.tan(turn / 4))
 
 
 def _too_short(at: FloatArray, radius: float) -> InputError:

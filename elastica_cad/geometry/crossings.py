@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry.flatten import chord_parameters
-from elastica_cad.geometry.segments import Line, Segment, Spline
+from elastica_cad.geometry.segments import Line, Segment
 
 IndexArray: TypeAlias = NDArray[np.intp]
 
@@ -160,10 +160,7 @@ def _newton(a: Segment, b: Segment, u: float, v: float) -> tuple[float, float] |
 
 def _motion(segment: Segment, u: float) -> tuple[float, float, float, float]:
     """x and y of the point at u, and their derivatives by u, as plain numbers: few of them are fastest so."""
-    if isinstance(segment, Spline):
-        point, velocity = segment.motion_at(u)
-    else:
-        point, velocity = segment.at(u), segment.velocity_at(u)
+    point, velocity = segment.motion_at(u)
     x, y = point.tolist()
     dx, dy = velocity.tolist()
     return x, y, dx, dy

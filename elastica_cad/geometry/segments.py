@@ -75,6 +75,10 @@ class Line:
         """Derivative (..., 2) of `at` by u, mm."""
         return np.broadcast_to(self.end - self.start, (*np.shape(u), 2)).copy()
 
+    def motion_at(self, u: float) -> tuple[FloatArray, FloatArray]:
+        """The point (2,) at u and its derivative by u, mm."""
+        return self.at(u), self.velocity_at(u)
+
     def tangent_at(self, u: ArrayLike) -> FloatArray:
         """Unit tangents (..., 2) at u in [0, 1]."""
         return np.asarray(self.velocity_at(u) / self.length, dtype=float)
@@ -189,6 +193,10 @@ class Arc:
     def velocity_at(self, u: ArrayLike) -> FloatArray:
         """Derivative (..., 2) of `at` by u, mm."""
         return np.asarray(self.length * self.tangent_at(u), dtype=float)
+
+    def motion_at(self, u: float) -> tuple[FloatArray, FloatArray]:
+        """The point (2,) at u and its derivative by u, mm."""
+        return self.at(u), self.velocity_at(u)
 
     def tangent_at(self, u: ArrayLike) -> FloatArray:
         """Unit tangents (..., 2) at u in [0, 1]."""
