@@ -2,17 +2,18 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
+from elastica_cad._types import FloatArray, IntArray
 
 __all__ = ["ArcLength", "arc_length_table"]
 
 _DEGREE = 15
 _DEEPEST = 40
 _NOISE = 1e-8
+_NEWTON_STEP = 1e-8
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,36 +36,54 @@ class ArcLength:
 
     def length_at(self, t: FloatArray) -> FloatArray:
         """Arc lengths (n,) of parameters (n,)."""
-        panel = np.clip(np.searchsorted(self.t, t, side="right") - 1, 0, self.series.shape[0] - 1)
-        width = np.diff(self.t)[panel]
-        x = np.clip(2 * (t - self.t[panel]) / width - 1, -1.0, 1.0)
+        panel = self._panel(self.t, t)
+        x = np.minimum(np.maximum(2 * (t - self.t[panel]) / np.diff(self.t)[panel] - 1, -1.0), 1.0)
         s = self.s[panel] + _clenshaw(self.series[panel].T, x)
         return np.asarray(np.where(x <= -1, self.s[panel], np.where(x >= 1, self.s[panel + 1], s)))
 
     def parameter_at(self, s: FloatArray) -> FloatArray:
-        """Parameters (n,) of arc lengths (n,), by Newton steps kept inside the panel."""
-        panel = np.clip(np.searchsorted(self.s, s, side="right") - 1, 0, self.series.shape[0] - 1)
-        target = s - self.s[panel]
-        whole = np.diff(self.s)[panel]
-        slopes = self._slopes[panel].T
-        series = self.series[panel].T
-        x = np.clip(2 * target / whole - 1, -1.0, 1.0)
+        """Parameters (n,) of arc lengths (n,)."""
+        panel = self._panel(self.s, s)
+        target, whole = s - self.s[panel], np.diff(self.s)[panel]
+        guess = _clenshaw(self._inverse[panel].T, 2 * target / whole - 1)
+        x = self._places(panel, target, guess)
+        x = np.where(target <= 0, -1.0, np.where(target >= whole, 1.0, x))
+        return np.asarray(self.t[panel] + np.diff(self.t)[panel] * (1 + x) / 2)
+
+    def _panel(self, edges: FloatArray, places: FloatArray) -> IntArray:
+        """The panels between `edges` in which places (n,) lie; beyond the ends the outermost one."""
+        return np.asarray(np.searchsorted(edges[1:-1], places, side="right"))
+
+    def _places(self, panel: IntArray, target: FloatArray, guess: FloatArray) -> FloatArray:
+        """Places x in [-1, 1] of panels (n,) at arc lengths `target` from their starts, by Newton steps."""
+        series, slopes = self.series[panel].T, self._slopes[panel].T
+        x = np.minimum(np.maximum(guess, -1.0), 1.0)
         low, high = np.full(x.shape, -1.0), np.ones(x.shape)
         for _ in range(60):
             gap = _clenshaw(series, x) - target
             low, high = np.where(gap < 0, x, low), np.where(gap < 0, high, x)
             newton = x - gap / _clenshaw(slopes, x)
             following = np.where((newton >= low) & (newton <= high), newton, (low + high) / 2)
-            done = np.abs(following - x).max(initial=0.0) <= 1e-13
+            step = np.abs(following - x).max(initial=0.0)
             x = following
-            if done:
+            # the next step would be its square
+            if step <= _NEWTON_STEP:
                 break
-        ends = np.where(target <= 0, -1.0, np.where(target >= whole, 1.0, x))
-        return np.asarray(self.t[panel] + np.diff(self.t)[panel] * (1 + ends) / 2)
+        return np.asarray(x)
 
-    @property
+    @cached_property
     def _slopes(self) -> FloatArray:
         return np.asarray(np.polynomial.chebyshev.chebder(self.series, axis=1), dtype=float)
+
+    @cached_property
+    def _inverse(self) -> FloatArray:
+        """Series (k, 16) of the place x over the arc length, both from -1 to 1: where Newton's method starts."""
+        nodes, to_series, _ = _chebyshev()
+        count = self.series.shape[0]
+        panel = np.repeat(np.arange(count), nodes.size)
+        share = np.tile((1 + nodes) / 2, count)
+        x = self._places(panel, share * np.diff(self.s)[panel], 2 * share - 1)
+        return np.asarray(x.reshape(count, -1) @ to_series.T)
 
 
 def arc_length_table(speed: Callable[[FloatArray], FloatArray], edges: FloatArray) -> ArcLength:

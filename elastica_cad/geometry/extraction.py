@@ -1,6 +1,7 @@
 """From B-splines with any knots to Bezier pieces, and the basis functions themselves."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -35,6 +36,11 @@ class Spans:
         """Polynomial degree of the basis."""
         return int(self.matrix.shape[-1]) - 1
 
+    @cached_property
+    def widths(self) -> FloatArray:
+        """Lengths (p,) of the spans in the parameter."""
+        return np.diff(self.edges)
+
     def bezier(self, control_points: FloatArray) -> FloatArray:
         """Bezier control points (p, degree + 1, ...) of the spline with `control_points` (m, ...)."""
         local = control_points[self.first[:, None] + np.arange(self.degree + 1)]
@@ -42,10 +48,9 @@ class Spans:
 
     def locate(self, t: FloatArray, *, left: bool = False) -> tuple[IntArray, FloatArray]:
         """Span index and local coordinate u in [0, 1] of parameters (n,); at an edge the right span."""
-        index = np.searchsorted(self.edges, t, side="left" if left else "right") - 1
-        index = np.clip(index, 0, self.first.size - 1)
-        width = np.diff(self.edges)[index]
-        return index, np.clip((t - self.edges[index]) / width, 0.0, 1.0)
+        index = np.searchsorted(self.edges[1:-1], t, side="left" if left else "right")
+        u = (t - self.edges[index]) / self.widths[index]
+        return index, np.minimum(np.maximum(u, 0.0), 1.0)
 
     def bernstein(self, u: FloatArray) -> FloatArray:
         """Values (n, degree + 1) of the Bernstein polynomials at local coordinates u (n,)."""
@@ -62,7 +67,7 @@ class Spans:
     def local_basis(self, t: FloatArray, derivative: int = 0) -> tuple[FloatArray, IntArray]:
         """The degree + 1 basis functions that do not vanish (n, degree + 1), and the span index (n,)."""
         index, u = self.locate(t)
-        width = np.diff(self.edges)[index]
+        width = self.widths[index]
         bernstein = _bernstein_values(self.degree, u, derivative) / width[:, None] ** derivative
         return np.asarray(np.einsum("ni,nij->nj", bernstein, self.matrix[index])), index
 

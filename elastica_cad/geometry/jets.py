@@ -42,15 +42,15 @@ class Jets:
         """The parameters, rounding beyond the ends taken off; others outside are refused."""
         a, b = self.edges[0], self.edges[-1]
         slack = 1e-9 * (b - a)
-        if t.size and not (np.all(t >= a - slack) and np.all(t <= b + slack)):
+        if t.size and not (t.min() >= a - slack and t.max() <= b + slack):
             raise InputError(f"parameter outside the curve: use {a:g} to {b:g}")
-        return np.clip(t, a, b)
+        return np.minimum(np.maximum(t, a), b)
 
     def at(self, t: FloatArray, order: int, *, left: bool = False) -> list[FloatArray]:
         """Position and derivatives d/dt up to `order`, each (n, 2), by de Casteljau's scheme."""
         index, u = self.spans.locate(self.inside(t), left=left)
         degree = self.spans.degree
-        scale = 1 / np.diff(self.edges)[index]
+        scale = 1 / self.spans.widths[index]
         c = self._columns[:, :, index]
         differences: list[FloatArray] = []
         for remaining in range(degree, -1, -1):
