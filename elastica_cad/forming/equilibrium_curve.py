@@ -102,7 +102,7 @@ class EquilibriumCurve:
             )
         balance = balance_without_weight(check, supports, 0.0)
         dense = dense_places(balance.panels)
-        extremes = extreme_places(balance.stiffness, dense)
+        extremes = extreme_places(balance.stiffness)
         panel, x = (np.concatenate(pair) for pair in zip(dense, extremes, strict=True))
         order = np.lexsort((x, panel))
         places = (panel[order], x[order])

@@ -133,7 +133,7 @@ class ConditionedRows:
         if numbers.family.freedom == 0 and numbers.family.offset is None:
             return None
         if numbers.family.freedom > 0:
-            rows, _ = numbers.family.at(*dense_places(self.panels))
+            rows, _ = numbers.family.dense
             sizes = np.abs(rows).sum(axis=1)
             if not sizes.max() < WIDEST * sizes.min():
                 return None

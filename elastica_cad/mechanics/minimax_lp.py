@@ -9,12 +9,20 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
 
-__all__ = ["MinimaxSolution", "Solver", "minimax_ratio"]
+__all__ = [
+    "MAX_ROUNDS",
+    "MinimaxProgram",
+    "MinimaxSolution",
+    "Solver",
+    "minimax_ratio",
+    "start_rows",
+    "unsettled",
+]
 
 Solver: TypeAlias = Literal["auto", "highspy", "scipy"]
 
 _START_ROWS = 9
-_MAX_ROUNDS = 200
+MAX_ROUNDS = 200
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,20 +93,15 @@ def minimax_ratio(
         return MinimaxSolution(np.zeros(0), float(offset.max()), offset, 0) if fits else None
     if m == 1 and side_rows is None and not offset.any():
         return _single(rows[:, 0])
-    basis = _conditioned(rows)
-    program = _program(solver, basis.shape[1])
-    if side_rows is not None:
-        program.add(side_rows @ basis, np.zeros(len(side_rows)), len(side_rows))
-    first = np.arange(_START_ROWS) * (n - 1) // (_START_ROWS - 1)
-    low, high = first.tolist(), first.tolist()
+    program = MinimaxProgram(rows, side_rows=side_rows, solver=solver)
+    low = high = start_rows(n)
     asked_low, asked_high = set(low), set(high)
-    for rounds in range(1, _MAX_ROUNDS + 1):
-        new = low + high
-        program.add(rows[new] @ basis, offset[new] - 1.0 * (np.arange(len(new)) < len(low)), len(low))
+    for rounds in range(1, MAX_ROUNDS + 1):
+        program.demand(rows[low], offset[low], rows[high], offset[high])
         answer = program.solve()
         if answer is None:
             return None
-        x, ratio = basis @ answer[:-1], float(answer[-1])
+        x, ratio = answer
         values = rows @ x
         values += offset
         least, most = int(values.argmin()), int(values.argmax())
@@ -110,10 +113,52 @@ def minimax_ratio(
         low, high = [least] if fails_low else [], [most] if fails_high else []
         asked_low.update(low)
         asked_high.update(high)
-    raise NotConvergedError(
-        f"the linear program for the stiffness ratio did not settle in {_MAX_ROUNDS} rounds (ratio "
+    raise unsettled(ratio)
+
+
+def start_rows(count: int) -> list[int]:
+    """Which of so many samples to start with."""
+    return (np.arange(_START_ROWS) * (count - 1) // (_START_ROWS - 1)).tolist()
+
+
+def unsettled(ratio: float) -> NotConvergedError:
+    """The error of rows that are generated without end."""
+    return NotConvergedError(
+        f"the linear program for the stiffness ratio did not settle in {MAX_ROUNDS} rounds (ratio "
         f"{ratio:.6g}): the curve has almost straight places; move its control points a little"
     )
+
+
+class MinimaxProgram:
+    """Minimise R subject to demands on stiffnesses rows @ x + offset, which are added between solutions.
+
+    Parameters
+    ----------
+    samples : (n, m) array
+        Rows of the kind that will be demanded: they tell the sizes of the unknowns.
+    side_rows : (k, m) array, optional
+        Further conditions side_rows @ x >= 0.
+    """
+
+    def __init__(
+        self, samples: FloatArray, *, side_rows: FloatArray | None = None, solver: Solver = "auto"
+    ) -> None:
+        self.basis = _conditioned(samples)
+        self.program = _program(solver, self.basis.shape[1])
+        if side_rows is not None:
+            self.program.add(side_rows @ self.basis, np.zeros(len(side_rows)), len(side_rows))
+
+    def demand(
+        self, low: FloatArray, low_offset: FloatArray, high: FloatArray, high_offset: FloatArray
+    ) -> None:
+        """From now on 1 <= low @ x + low_offset, and high @ x + high_offset <= R."""
+        rows = np.concatenate([low, high]) @ self.basis
+        self.program.add(rows, np.concatenate([low_offset - 1, high_offset]), len(low))
+
+    def solve(self) -> tuple[FloatArray, float] | None:
+        """x and R, or None when no x meets the demands."""
+        answer = self.program.solve()
+        return None if answer is None else (self.basis @ answer[:-1], float(answer[-1]))
 
 
 def _single(row: FloatArray) -> MinimaxSolution | None:
@@ -145,13 +190,15 @@ class _Program(Protocol):
 
 
 def _program(solver: Solver, unknowns: int) -> _Program:
-    if solver == "scipy":
+    # a missing module is looked for only once: the search takes longer than the program
+    if solver == "scipy" or (solver == "auto" and hasattr(_local, "without_highs")):
         return _ScipyProgram(unknowns)
     try:
         return _HighsProgram(unknowns)
     except ImportError:
         if solver == "highspy":
             raise
+        _local.without_highs = True
         return _ScipyProgram(unknowns)
 
 

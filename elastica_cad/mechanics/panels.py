@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -9,7 +10,18 @@ from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.geometry import PlaneCurve
 from elastica_cad.mechanics.material_laws import MaterialLaw
 
-__all__ = ["LEFT", "NODES", "RIGHT", "WEIGHTS", "PanelFunction", "Panels", "cut_into_panels"]
+__all__ = [
+    "LEFT",
+    "NODES",
+    "RIGHT",
+    "SLOPES",
+    "TO_COEFFICIENTS",
+    "VANDER",
+    "WEIGHTS",
+    "PanelFunction",
+    "Panels",
+    "cut_into_panels",
+]
 
 ORDER = 12
 MAX_PANELS = 4000
@@ -18,8 +30,8 @@ NOISE = 1e-6
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(ORDER)
 _DEGREES = np.arange(ORDER)
-_VANDER = np.polynomial.legendre.legvander(NODES, ORDER - 1)
-TO_COEFFICIENTS = (_VANDER * WEIGHTS[:, None]).T * (_DEGREES + 0.5)[:, None]
+VANDER = np.polynomial.legendre.legvander(NODES, ORDER - 1)
+TO_COEFFICIENTS = (VANDER * WEIGHTS[:, None]).T * (_DEGREES + 0.5)[:, None]
 
 
 def _antiderivatives() -> tuple[FloatArray, FloatArray]:
@@ -34,6 +46,8 @@ def _antiderivatives() -> tuple[FloatArray, FloatArray]:
 
 
 LEFT, RIGHT = _antiderivatives()
+SLOPES = np.append(np.polynomial.legendre.legder(np.eye(ORDER)), np.zeros((1, ORDER)), axis=0)
+"""Legendre coefficients of the derivative from those of a function."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,15 +119,20 @@ class PanelFunction:
         basis = np.polynomial.legendre.legvander(x, ORDER - 1)
         return np.asarray(np.einsum("ni,ni...->n...", basis, self.coefficients[panel]))
 
+    def in_every_panel(self, x: FloatArray) -> FloatArray:
+        """Values (N, k, ...) at the same places x (k,) of every panel."""
+        basis = np.polynomial.legendre.legvander(x, ORDER - 1)
+        return np.asarray(np.einsum("ki,ni...->nk...", basis, self.coefficients))
+
     def slopes_at(self, panel: IntArray, x: FloatArray) -> tuple[FloatArray, FloatArray]:
         """First and second derivatives with respect to x (n, ...)."""
-        first = np.polynomial.legendre.legder(self.coefficients, axis=1)
-        second = np.polynomial.legendre.legder(self.coefficients, 2, axis=1)
-        one = np.polynomial.legendre.legvander(x, ORDER - 2)
-        return (
-            np.einsum("ni,ni...->n...", one, first[panel]),
-            np.einsum("ni,ni...->n...", one[:, :-1], second[panel]),
-        )
+        both = self._slopes.at(panel, x)
+        return both[..., 0], both[..., 1]
+
+    @cached_property
+    def _slopes(self) -> "PanelFunction":
+        first = np.einsum("ij,nj...->ni...", SLOPES, self.coefficients)
+        return PanelFunction(np.stack([first, np.einsum("ij,nj...->ni...", SLOPES, first)], axis=-1))
 
     def unresolved(self, tolerance: float) -> BoolArray:
         """Panels (N,) whose last coefficients exceed `tolerance` times the largest one."""

@@ -1,13 +1,22 @@
 """All stiffness profiles that balance a drawn curve, and the one of least ratio on the continuous curve."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.mechanics.gravity_lp import least_variation
-from elastica_cad.mechanics.minimax_lp import MinimaxSolution, Solver, minimax_ratio
-from elastica_cad.mechanics.panels import NODES, WEIGHTS, PanelFunction, Panels
+from elastica_cad.mechanics.minimax_lp import (
+    MAX_ROUNDS,
+    MinimaxProgram,
+    MinimaxSolution,
+    Solver,
+    minimax_ratio,
+    start_rows,
+    unsettled,
+)
+from elastica_cad.mechanics.panels import SLOPES, VANDER, WEIGHTS, PanelFunction, Panels
 
 __all__ = ["StiffnessFamily", "dense_places", "extreme_places", "least_ratio", "smoothest", "wrong_places"]
 
@@ -45,6 +54,18 @@ class StiffnessFamily:
         offset = np.zeros(len(x)) if self.offset is None else self.offset.at(panel, x)
         return self.rows.at(panel, x), offset
 
+    @cached_property
+    def dense(self) -> tuple[FloatArray, FloatArray]:
+        """Rows and offsets at `dense_places`."""
+        rows = self.rows.in_every_panel(DENSE).reshape(-1, self.freedom)
+        if self.offset is None:
+            return rows, np.zeros(len(rows))
+        return rows, self.offset.in_every_panel(DENSE).ravel()
+
+    def extremes(self, y: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Rows and offsets where K of the numbers y has its extremes."""
+        return self.at(*extreme_places(self.stiffness(y)))
+
     def stiffness(self, y: FloatArray) -> PanelFunction:
         """K of the numbers y."""
         K = self.rows.combined(y)
@@ -68,20 +89,47 @@ def least_ratio(
     Unless `places` (panel, x) fix the samples, R is judged on the continuous curve: extremes of K between the
     samples are found on its polynomials and join the program until R moves by less than `tolerance`.
     """
-    watch = places is None
-    panel, x = dense_places(family.panels) if places is None else places
-    rows, offset = family.at(panel, x)
-    solution = _solved(family, rows, offset, solver)
-    while solution is not None and watch:
-        panel, x = extreme_places(family.stiffness(solution.x), dense_places(family.panels))
-        more, more_offset = family.at(panel, x)
-        K = more @ solution.x + more_offset
-        exact = K.max() / min(1.0, K.min())
-        if K.min() >= 1 - tolerance and K.max() <= solution.ratio * (1 + tolerance):
-            return solution.x, float(max(exact, solution.ratio))
-        rows, offset = np.concatenate([rows, more]), np.concatenate([offset, more_offset])
-        solution = _solved(family, rows, offset, solver)
+    if places is not None:
+        solution = _sampled(family, *family.at(*places), solver)
+    elif family.freedom == 0 or (family.freedom == 1 and family.offset is None):
+        # no number, or one that only scales K: the extremes stay where they are
+        rows, offset = family.dense
+        more, more_offset = family.extremes(np.ones(family.freedom))
+        solution = _sampled(
+            family, np.concatenate([rows, more]), np.concatenate([offset, more_offset]), solver
+        )
+    else:
+        return _continuous_ratio(family, solver, tolerance)
     return None if solution is None else (solution.x, solution.ratio)
+
+
+def _sampled(
+    family: StiffnessFamily, rows: FloatArray, offset: FloatArray, solver: Solver
+) -> MinimaxSolution | None:
+    return minimax_ratio(rows, offset=offset, side_rows=family.side_rows, solver=solver)
+
+
+def _continuous_ratio(
+    family: StiffnessFamily, solver: Solver, tolerance: float
+) -> tuple[FloatArray, float] | None:
+    """The least R, all local extremes that exceed it being added in each round."""
+    rows, offset = family.dense
+    program = MinimaxProgram(rows, side_rows=family.side_rows, solver=solver)
+    first = start_rows(len(rows))
+    rows, offset = rows[first], offset[first]
+    low = high = np.ones(len(rows), dtype=bool)
+    for _ in range(MAX_ROUNDS):
+        program.demand(rows[low], offset[low], rows[high], offset[high])
+        answer = program.solve()
+        if answer is None:
+            return None
+        y, ratio = answer
+        rows, offset = family.extremes(y)
+        values = rows @ y + offset
+        low, high = values < 1 - tolerance, values > ratio * (1 + tolerance)
+        if not (low.any() or high.any()):
+            return y, float(max(values.max() / min(1.0, values.min()), ratio))
+    raise unsettled(ratio)
 
 
 def smoothest(family: StiffnessFamily, ratio: float) -> FloatArray:
@@ -89,28 +137,21 @@ def smoothest(family: StiffnessFamily, ratio: float) -> FloatArray:
     panels = family.panels
     count, order = panels.t.shape
     # d/ds = d/dx / stretch, twice; jumps of K' at the panel ends count too
-    to_slopes = np.linalg.solve(
-        np.polynomial.legendre.legvander(NODES, order - 1).T, _derivative_rows(NODES).T
-    ).T
-    to_ends = np.linalg.solve(
-        np.polynomial.legendre.legvander(NODES, order - 1).T,
-        np.polynomial.legendre.legvander(np.array([-1.0, 1.0]), order - 1).T,
-    ).T
     columns = family.rows.coefficients
     if family.offset is not None:
         columns = np.concatenate([columns, family.offset.coefficients[..., None]], axis=2)
-    nodal = np.einsum("ij,njm->nim", np.polynomial.legendre.legvander(NODES, order - 1), columns)
-    slope = np.einsum("ij,njm->nim", to_slopes, nodal) / panels.stretch[..., None]
-    bend = np.einsum("ij,njm->nim", to_slopes, slope) * WEIGHTS[:, None]
-    at_ends = np.einsum("ij,njm->nim", to_ends, slope)
+    slope = np.einsum("ij,njm->nim", VANDER @ SLOPES, columns) / panels.stretch[..., None]
+    slopes = PanelFunction.through(slope)
+    bend = np.einsum("ij,njm->nim", VANDER @ SLOPES, slopes.coefficients) * WEIGHTS[:, None]
+    at_ends = slopes.in_every_panel(np.array([-1.0, 1.0]))
     jumps = at_ends[1:, 0] - at_ends[:-1, 1]
     bends = np.concatenate([bend.reshape(count * order, -1), jumps])
     d = family.freedom
     bend_offset = bends[:, d] if family.offset is not None else np.zeros(len(bends))
-    rows, offset = family.at(*dense_places(family.panels))
+    rows, offset = family.dense
     for _ in range(4):
         y = least_variation(rows, offset, bends[:, :d], bend_offset, ratio)
-        more, more_offset = family.at(*extreme_places(family.stiffness(y), dense_places(family.panels)))
+        more, more_offset = family.extremes(y)
         K = more @ y + more_offset
         if K.min() >= 1 - 1e-9 and K.max() <= ratio * (1 + 1e-9):
             break
@@ -127,7 +168,7 @@ def wrong_places(family: StiffnessFamily) -> FloatArray:
     from scipy.optimize import linprog
 
     panel, x = dense_places(family.panels)
-    rows, offset = family.at(panel, x)
+    rows, offset = family.dense
     s = family.panels.arc_length(panel, x)
     d = family.freedom
     if d == 0:
@@ -145,46 +186,22 @@ def wrong_places(family: StiffnessFamily) -> FloatArray:
     return np.asarray(s[np.abs(result.ineqlin.marginals) > 1e-9])
 
 
-def _solved(
-    family: StiffnessFamily, rows: FloatArray, offset: FloatArray, solver: Solver
-) -> MinimaxSolution | None:
-    return minimax_ratio(rows, offset=offset, side_rows=family.side_rows, solver=solver)
-
-
-def _derivative_rows(x: FloatArray) -> FloatArray:
-    """Derivatives (n, p) of the Legendre polynomials at x."""
-    order = NODES.size
-    identity = np.eye(order)
-    return np.stack(
-        [np.polynomial.legendre.legval(x, np.polynomial.legendre.legder(identity[i])) for i in range(order)],
-        axis=1,
-    )
-
-
-def extreme_places(
-    K: PanelFunction, dense: tuple[IntArray, FloatArray], steps: int = 3
-) -> tuple[IntArray, FloatArray]:
+def extreme_places(K: PanelFunction, steps: int = 3) -> tuple[IntArray, FloatArray]:
     """Places of the local extremes of K near its largest and least value, by Newton's method from samples."""
-    panel, x = dense
-    values = K.at(panel, x)
-    table = values.reshape(-1, DENSE.size)
-    inner = np.zeros_like(table, dtype=bool)
+    table = K.in_every_panel(DENSE)
+    extreme = np.zeros_like(table, dtype=bool)
     middle, before, after = table[:, 1:-1], table[:, :-2], table[:, 2:]
-    inner[:, 1:-1] = ((middle >= before) & (middle >= after)) | ((middle <= before) & (middle <= after))
-    low, high = values.min(), values.max()
+    extreme[:, 1:-1] = ((middle >= before) & (middle >= after)) | ((middle <= before) & (middle <= after))
+    low, high = table.min(), table.max()
     band = 0.05 * (high - low)
-    near = inner.ravel() & ((values > high - band) | (values < low + band))
+    near = extreme & ((table > high - band) | (table < low + band))
     # the worst samples stay in, ends of panels among them
-    near[[int(values.argmin()), int(values.argmax())]] = True
-    panel, x = panel[near], x[near]
-    start = x.copy()
+    near.flat[[table.argmin(), table.argmax()]] = True
+    panel, place = np.nonzero(near)
+    start = x = DENSE[place]
+    lower, upper = np.maximum(start - 0.15, -1.0), np.minimum(start + 0.15, 1.0)
     for _ in range(steps):
         slope, curvature = K.slopes_at(panel, x)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            step = np.where(curvature != 0, -slope / curvature, 0.0)
-        x = np.clip(
-            np.where(np.isfinite(step), x + step, x),
-            np.maximum(start - 0.15, -1),
-            np.minimum(start + 0.15, 1),
-        )
+        step = np.divide(-slope, curvature, out=np.zeros_like(x), where=curvature != 0)
+        x = np.minimum(np.maximum(x + step, lower), upper)
     return np.concatenate([panel, panel]), np.concatenate([start, x])

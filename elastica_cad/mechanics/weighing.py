@@ -15,7 +15,6 @@ from elastica_cad.mechanics.loads import STANDARD_GRAVITY, Weight
 from elastica_cad.mechanics.material_laws import MaterialLaw
 from elastica_cad.mechanics.moment_rows import LineLoad, moment_rows
 from elastica_cad.mechanics.panels import Panels, cut_into_panels
-from elastica_cad.mechanics.stiffness_family import dense_places
 from elastica_cad.mechanics.supports import Supports
 from elastica_cad.mechanics.verdict import EquilibriumCheck, NotRealizable
 
@@ -135,7 +134,7 @@ def _least_compliance(load: _Load, weight: Weight) -> float:
     tau = float((numbers.basis @ heavy[0])[3])
     if light is None or heavy[1] < light[1] * (1 - NO_GAIN):
         return tau
-    rows, _ = numbers.family.at(*dense_places(numbers.family.panels))
+    rows, _ = numbers.family.dense
     return largest_number(rows, numbers.basis[3], light[1] * (1 + SMOOTHING))
 
 
