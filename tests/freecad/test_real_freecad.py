@@ -22,6 +22,13 @@ def test_freecadcmd(tmp_path):
     assert found["nearest"][0] == ["Up-to-date"], found["nearest"]
     assert found["step"] == pytest.approx(found["shapes"], rel=1e-6)
     assert len(found["files"]) == 3
+    first, *more = found["said"]
+    assert first == f"Elastica, Strip: {found['status']}"
+    assert more in ([], [f"Strip: {found['status']}"]), "FreeCAD 1.x repeats the state in a line of its own"
+    assert found["traceback"] == 0
+    assert not found["limit"]
+    assert "ZeroDivisionError" in found["mistake"]
+    assert "Traceback" in found["mistake"]
     # 30 ms is for a quiet machine of its own; three times that fails on every machine when something is wrong
     assert min(found["recompute"]) < 0.09, found["recompute"]
 

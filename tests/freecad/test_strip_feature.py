@@ -1,6 +1,7 @@
 """The parametric strip in a document, without a window."""
 
 import re
+import sys
 from pathlib import Path
 
 import FreeCAD as App
@@ -222,3 +223,14 @@ def test_tiny_and_huge_sketches_work_or_say_why(document, drawn, size):
         assert feature.getStatusString().strip().endswith((".", "it", "curve", "thickness"))
     else:
         assert feature.Shape.isValid()
+
+
+def test_a_kernel_that_fails_is_a_sentence(document, sketch, monkeypatch):
+    def fails(_):
+        raise Part.OCCError("BRep_API: command not done")
+
+    feature = strip.create(document, sketch)
+    monkeypatch.setattr(strip, "bent_shape", fails)
+    document.recompute()
+    assert "kernel cannot make this shape (BRep_API: command not done)" in feature.getStatusString()
+    assert not hasattr(sys, "tracebacklimit"), "other people's tracebacks are left alone"

@@ -29,6 +29,36 @@ def redraw(sketch, points, degree=4):
     sketch.addGeometry(spline(points, degree), False)
 
 
+def said(doing):
+    """What FreeCAD writes to the console meanwhile."""
+    kept, file = [os.dup(1), os.dup(2)], (OUT / "said.txt").open("w+")
+    for number in (1, 2):
+        os.dup2(file.fileno(), number)
+    doing()
+    for number, old in zip((1, 2), kept, strict=True):
+        os.dup2(old, number)
+    return (OUT / "said.txt").read_text()
+
+
+def report(document, feature):
+    """A failure that is meant, and one that nobody foresaw."""
+    from freecad.elastica_wb.features import strip
+
+    width = feature.MaxWidth.Value
+    feature.MaxWidth = 0
+    answers["said"] = [line for line in said(document.recompute).splitlines() if "max_width" in line]
+    answers["traceback"] = (OUT / "said.txt").read_text().count("Traceback")
+    answers["status"] = feature.getStatusString()
+    answers["limit"] = hasattr(sys, "tracebacklimit")
+    feature.MaxWidth = width
+    good, strip.bent_shape = strip.bent_shape, lambda _: 1 / 0
+    answers["mistake"] = said(document.recompute)
+    strip.bent_shape = good
+    feature.touch()
+    document.recompute()
+    assert feature.State == ["Up-to-date"]
+
+
 def work():
     import numpy
     import scipy
@@ -77,6 +107,7 @@ def work():
     step.read(str(next(path for path in files if path.suffix == ".step")))
     answers["step"] = sorted(solid.Volume for solid in step.Solids)
     answers["shapes"] = sorted([feature.Shape.Volume, document.getObject("Flat").Shape.Volume])
+    report(document, feature)
     document.saveAs(str(OUT / "console.FCStd"))
     App.closeDocument(document.Name)
     again = App.openDocument(str(OUT / "console.FCStd"))

@@ -5,8 +5,7 @@ from typing import Any
 
 import FreeCAD as App
 from freecad.elastica_wb.features.properties import Property, ensure
-
-from elastica_cad.errors import ElasticaError, MissingDependencyError
+from freecad.elastica_wb.features.refusal import FAILURES, explained, refused
 
 __all__ = ["Feature", "added"]
 
@@ -32,10 +31,8 @@ class Feature:
         """Make the shape, or fail with a sentence and keep the last good one."""
         try:
             self.make(obj)
-        except ElasticaError as error:
-            raise ValueError(str(error)) from None
-        except ImportError as error:
-            raise ValueError(str(MissingDependencyError(f"{error.name} is not installed here"))) from None
+        except FAILURES as error:
+            raise refused(obj, explained(error)) from None
 
     def make(self, obj: Any) -> None:
         """Set the shape and the results."""

@@ -9,9 +9,10 @@ from freecad.elastica_wb.design import bent_shape, flat_shape, judged, nearest, 
 from freecad.elastica_wb.drawn import drawn_curve, is_sketch
 from freecad.elastica_wb.features.asked import FORMS, PROPERTIES, wish_of
 from freecad.elastica_wb.features.properties import ensure, put
+from freecad.elastica_wb.features.refusal import FAILURES, explained, refused
 from freecad.elastica_wb.library import sheet_called, sheet_list
 
-from elastica_cad.errors import ElasticaError, InputError, MissingDependencyError
+from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.fabrication import Strip, sheet_color
 from elastica_cad.geometry import PlaneCurve
 from elastica_cad.mechanics import NotRealizable
@@ -51,15 +52,10 @@ class StripFeature:
             drawn = drawn_curve(obj.Curve, obj)
             strip = solved(drawn.curve, wish_of(obj, drawn))
             shape = bent_shape(strip) if obj.Form == "Bent" else flat_shape(strip)
-        except ElasticaError as error:
-            _tell_error(obj, error)
-            raise ValueError(str(error)) from None
-        except ImportError as error:
-            gone = MissingDependencyError(
-                f"{error.name} is not installed in this FreeCAD: strips need numpy and scipy"
-            )
-            _tell_error(obj, gone)
-            raise ValueError(str(gone)) from None
+        except FAILURES as error:
+            told = explained(error)
+            _tell_error(obj, told)
+            raise refused(obj, told) from None
         obj.Shape = shape
         if obj.Form == "Bent":
             obj.Placement = drawn.placement
