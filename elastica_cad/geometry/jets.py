@@ -44,7 +44,7 @@ class Jets:
         slack = 1e-9 * (b - a)
         if t.size and not (t.min() >= a - slack and t.max() <= b + slack):
             raise InputError(f"parameter outside the curve: use {a:g} to {b:g}")
-        return np.minimum(np.maximum(t, a), b)
+        return np.asarray(np.minimum(np.maximum(t, a), b))
 
     def at(self, t: FloatArray, order: int, *, left: bool = False) -> list[FloatArray]:
         """Position and derivatives d/dt up to `order`, each (n, 2), by de Casteljau's scheme."""

@@ -57,7 +57,7 @@ class StiffnessFamily:
     @cached_property
     def dense(self) -> tuple[FloatArray, FloatArray]:
         """Rows and offsets at `dense_places`."""
-        rows = self.rows.in_every_panel(DENSE).reshape(-1, self.freedom)
+        rows = self.rows.in_every_panel(DENSE).reshape(self.panels.count * DENSE.size, self.freedom)
         if self.offset is None:
             return rows, np.zeros(len(rows))
         return rows, self.offset.in_every_panel(DENSE).ravel()
