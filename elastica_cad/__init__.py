@@ -57,7 +57,7 @@ from elastica_cad.files import (
     read_curves,
     save,
 )
-from elastica_cad.formats import read_mesh
+from elastica_cad.formats import read_mesh, write_curves
 from elastica_cad.forming import (
     Binding,
     Box,
@@ -269,4 +269,5 @@ __all__ = [
     "touching",
     "with_holding_tabs",
     "with_kerf",
+    "write_curves",
 ]

@@ -9,6 +9,7 @@ from elastica_cad.cli.bend import bend_command
 from elastica_cad.cli.check import check
 from elastica_cad.cli.coupon import coupon
 from elastica_cad.cli.model import model
+from elastica_cad.cli.reshape import reshape
 from elastica_cad.cli.sheets import sheets
 from elastica_cad.cli.strip import strip
 from elastica_cad.cli.wish import NotMetError
@@ -63,5 +64,5 @@ def elastica() -> None:
     """
 
 
-for command in (check, strip, model, bend_command, coupon, sheets):
+for command in (check, strip, model, bend_command, reshape, coupon, sheets):
     elastica.add_command(command)

@@ -1,6 +1,7 @@
 """Files in and out: curve readers, drawings, reports."""
 
 from elastica_cad.formats.chains import FIT_TOLERANCE, JOIN_TOLERANCE
+from elastica_cad.formats.curve_files import write_curves
 from elastica_cad.formats.cutting import DRAWING_SUFFIXES, write_drawing
 from elastica_cad.formats.design import Design, read_design
 from elastica_cad.formats.dxf import DXF_VERSIONS, dxf_bytes, write_dxf
@@ -45,6 +46,7 @@ __all__ = [
     "strip_report",
     "svg_bytes",
     "write_atomically",
+    "write_curves",
     "write_drawing",
     "write_dxf",
     "write_json_curves",

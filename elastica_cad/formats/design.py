@@ -11,7 +11,9 @@ Every number may be a formula in quotes (see `formulae`); lengths are mm, angles
         sections = {mesh, unit, scale, half, tolerance, wavelength, and one of radial = {point, axis, zero, count or
         angles}, parallel = {point, normal, offsets, up}, along = {path, count, ends, up}}: a strip each, or
         curve = "file", {file, number, unit}, {x, y, t = [from, to], breaks = [[t, continuity]]},
-        {spline = [[x, y]], degree} or {ellipse = {center, semi_axes, rotation, start, end or above}}
+        {spline = [[x, y]], degree} or {ellipse = {center, semi_axes, rotation, start, end or above}}, any of them
+        with reshape = {bottom_left, bottom_right, top_right, top_left: where corners of its box go} or
+        {handles = four points, to = four points}
     [[patterns]] mirror = {point, normal, keep}, rotate = {count, axis, point, step}, repeat = {count, step}
     interlock = {clearance, fit, relief, above}, fixtures = {floor, clearance, wall, foot, foot_height, screw}
     base = {sheet, height, play, clearance, slot_width, border, shape, sheet_size}

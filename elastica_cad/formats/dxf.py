@@ -17,7 +17,7 @@ from elastica_cad.errors import InputError, MissingDependencyError
 from elastica_cad.fabrication.drawing import LAYERS, Drawing
 from elastica_cad.formats.layers import LayerChoice, LayerStyle, layer_styles
 from elastica_cad.formats.output import checked_target, write_atomically
-from elastica_cad.formats.shaping import checked_curves, shaped
+from elastica_cad.formats.shaping import EXACT, checked_curves, shaped
 from elastica_cad.geometry import Arc, Path, Segment, Spline
 from elastica_cad.geometry.trim import trimmed
 
@@ -83,8 +83,8 @@ def dxf_bytes(
     drawing : Drawing
     curves : str
         "spline" keeps splines up to degree 3 exactly, and higher ones as cubics to the tolerance but at most
-        0.001 mm; "arc" turns splines into tangent arcs; "polyline" turns splines and arcs into lines. R12
-        knows no splines: there "spline" means "arc".
+        0.001 mm; "exact" keeps them all; "arc" turns splines into tangent arcs; "polyline" turns splines and
+        arcs into lines. R12 knows no splines: there "spline" and "exact" mean "arc".
     tolerance : float
         Largest distance, mm, of a replaced curve from the true one.
     version : str
@@ -105,7 +105,7 @@ def dxf_bytes(
     styles = layer_styles(layers)
     if version == "R12":
         _check_old_names(styles)
-        curves = "arc" if curves == "spline" else curves
+        curves = "arc" if curves in ("spline", EXACT) else curves
     bounds = drawing.bounds
     with _plain_ezdxf():
         document = _new_document(version, styles, bounds)

@@ -3,9 +3,12 @@
 from elastica_cad.errors import InputError
 from elastica_cad.geometry import Path, as_arcs, as_cubics, as_polyline
 
-__all__ = ["CURVES", "checked_curves", "shaped"]
+__all__ = ["CURVES", "EXACT", "checked_curves", "shaped"]
 
 CURVES = ("spline", "arc", "polyline")
+
+EXACT = "exact"
+"""Splines of any degree as they are: for curves that a CAD program is to read, not a machine."""
 
 _SPLINE_TOLERANCE = 1e-3
 """Splines cost few bytes: approximated ones stay this near (mm) even where a coarser tolerance is given."""
@@ -15,14 +18,19 @@ FINEST = 1e-5
 
 
 def checked_curves(curves: str) -> str:
-    """The mode, refused unless it is one of `CURVES`."""
-    if curves not in CURVES:
+    """The mode, refused unless it is one of `CURVES` or `EXACT`."""
+    if curves not in (*CURVES, EXACT):
         raise InputError(f"curves is {curves!r}: use one of {', '.join(CURVES)}")
     return curves
 
 
 def shaped(path: Path, curves: str, tolerance: float, *, rational: bool = True) -> Path:
-    """The path as a file holds it: splines of degree 3 at most (`rational` where allowed), arcs, or lines."""
+    """The path as a file holds it: splines of degree 3 at most (`rational` where allowed), arcs, or lines.
+
+    With `EXACT` splines of any degree stay, where the file knows weights.
+    """
+    if curves == EXACT:
+        return path if rational else as_cubics(path, _SPLINE_TOLERANCE, rational=False)
     if 0 < tolerance < FINEST and curves != "spline":
         raise InputError(
             f"the tolerance is {tolerance:g} mm: no machine cuts so finely, give {FINEST:g} or more"

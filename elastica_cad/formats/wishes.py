@@ -11,6 +11,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication import Frame, Hole, Laminated, Perforated, Plain, Slot, Tab, TSlot
 from elastica_cad.formats.formulae import Formula
+from elastica_cad.formats.reshaping import reshaped_as
 from elastica_cad.formats.tables import Table
 from elastica_cad.forming import Keep, Limits, SectionCurve
 from elastica_cad.geometry import PlaneCurve
@@ -124,11 +125,12 @@ def _curve(table: Table, folder: Path, read_curves: CurveReader) -> PlaneCurve:
             f"{curve.where} must hold one of file, x (with y and t), ellipse or spline, not "
             f"{', '.join(curve.data) or 'nothing'}"
         )
-    return kinds[found[0]](curve, folder, read_curves)
+    drawn = kinds[found[0]](curve, folder, read_curves)
+    return reshaped_as(drawn, curve.table("reshape")) if curve.has("reshape") else drawn
 
 
 def _from_file(curve: Table, folder: Path, read_curves: CurveReader) -> PlaneCurve:
-    curve.only("file", "number", "unit")
+    curve.only("file", "number", "unit", "reshape")
     path = folder / curve.text("file")
     if not path.is_file():
         raise InputError(f"{curve.where}: there is no file {path}; names are relative to the design file")
@@ -143,7 +145,7 @@ def _from_file(curve: Table, folder: Path, read_curves: CurveReader) -> PlaneCur
 
 
 def _from_formulae(curve: Table, _folder: Path, _read: CurveReader) -> PlaneCurve:
-    curve.only("x", "y", "t", "breaks")
+    curve.only("x", "y", "t", "breaks", "reshape")
     x, y = (Formula(str(curve.raw(key, "")), curve.place(key)) for key in ("x", "y"))
     start, end = curve.vector("t", 2)
     if not start < end:
@@ -162,7 +164,7 @@ def _from_formulae(curve: Table, _folder: Path, _read: CurveReader) -> PlaneCurv
 
 def _from_ellipse(curve: Table, _folder: Path, _read: CurveReader) -> PlaneCurve:
     """An exact ellipse arc, between two parameters or above a height."""
-    given = curve.only("ellipse").table("ellipse")
+    given = curve.only("ellipse", "reshape").table("ellipse")
     given.only("center", "semi_axes", "rotation", "start", "end", "above")
     center, axes = given.vector("center", 2, (0.0, 0.0)), given.vector("semi_axes", 2)
     rotation = given.number("rotation", 0.0)
@@ -185,7 +187,7 @@ def _from_ellipse(curve: Table, _folder: Path, _read: CurveReader) -> PlaneCurve
 
 
 def _from_spline(curve: Table, _folder: Path, _read: CurveReader) -> PlaneCurve:
-    curve.only("spline", "degree")
+    curve.only("spline", "degree", "reshape")
     rows = curve.raw("spline")
     if not isinstance(rows, list):
         raise InputError(f"{curve.place('spline')} must be a list of control points [x, y]")

@@ -94,7 +94,8 @@ def _vanishing(piece: FloatArray) -> FloatArray:
 
 
 def _place(point: FloatArray) -> str:
-    return f"({point[0]:.4g}, {point[1]:.4g}) mm"
+    x, y = point.round(9) + 0.0
+    return f"({x:.4g}, {y:.4g}) mm"
 
 
 def projected(
