@@ -33,7 +33,7 @@ def test_there_and_back(wave, tmp_path):
     result = run("reshape", wave, *there, "-o", tmp_path)
     assert result.exit_code == 0, result.output
     assert (
-        "before: 456.84 mm long, inflections at 259.8 mm, can be bent, stiffness ratio 9.87" in result.output
+        "before: 456.84 mm long, inflections at 259.8 mm, can be bent, stiffness ratio 9.867" in result.output
     )
     assert (
         "after: 448.66 mm long, inflections at 223.3 mm, can be bent, stiffness ratio 16.71" in result.output
