@@ -1,5 +1,8 @@
 """Tridiagonal matrices bordered by a few rows: solves, inertia and lowest modes, all O(n) (LAPACK)."""
 
+import math
+from functools import lru_cache
+
 import numpy as np
 
 from elastica_cad._types import FloatArray
@@ -16,6 +19,10 @@ __all__ = [
 
 RANK_TOLERANCE = 1e-9  # rows closer to dependent than this (relative) are one: a straight rod has rank 1
 MOST_STEPS = 240
+_SMOOTH = 10  # polynomials that a lowest mode is first sought among
+_ROUGH = 40  # edges, below which nothing is smooth
+_REFINEMENTS = 8
+_UNTHREADED = 5000  # entries
 
 
 def solve_tridiagonal(diagonal: FloatArray, off: FloatArray, right: FloatArray) -> FloatArray:
@@ -81,7 +88,7 @@ def orthonormal_rows(rows: FloatArray) -> FloatArray:
         rest = row / size
         for _ in range(2):
             for q in basis:
-                rest = rest - _along(q[None], rest) * q
+                rest = rest - q.dot(rest) * q
         left = _norm(rest)
         if left > RANK_TOLERANCE:
             basis.append(rest / left)
@@ -110,7 +117,10 @@ def constrained_inertia(diagonal: FloatArray, off: FloatArray, rows: FloatArray,
 
     Sylvester's law on the bordered matrix: neg = neg(A - shift) + pos(S) - rank, S = C (A - shift)^-1 C^t.
     """
-    basis = orthonormal_rows(rows)
+    return _inertia(diagonal, off, orthonormal_rows(rows), shift)
+
+
+def _inertia(diagonal: FloatArray, off: FloatArray, basis: FloatArray, shift: float) -> int:
     negative = count_negative(diagonal, off, shift)
     if basis.shape[0] == 0:
         return negative
@@ -125,7 +135,9 @@ def lowest_constrained(
 ) -> tuple[FloatArray, FloatArray]:
     """Lowest eigenpairs of the symmetric tridiagonal matrix A on the null space of `rows` (k, n).
 
-    Shifted inverse Lanczos iteration, every step one positive definite tridiagonal solve: O(n).
+    The lowest mode alone is sought among smooth ones, refined by Rayleigh quotients, and proved the lowest by
+    the inertia just below it; several modes, or a rough one, by shifted inverse Lanczos iteration, every step
+    one positive definite tridiagonal solve: O(n).
 
     Returns
     -------
@@ -143,6 +155,10 @@ def lowest_constrained(
     if n <= 6:
         return _dense(diagonal, off, basis, count)
     reach = _reach(diagonal, off)
+    if count == 1 and n >= _ROUGH:
+        found = _smooth_mode(diagonal, off, basis, reach)
+        if found is not None:
+            return found
     tolerance = 0.01 * reach / n**2
     last = min(n, rank + count)
     lowest = dstebz(diagonal, off, 2, 0.0, 0.0, 1, last, tolerance, b"E")[1]
@@ -185,6 +201,52 @@ def lowest_constrained(
     raise NotConvergedError("the lowest mode of the rod was not found")
 
 
+def _smooth_mode(
+    diagonal: FloatArray, off: FloatArray, basis: FloatArray, reach: float
+) -> tuple[FloatArray, FloatArray] | None:
+    """The lowest eigenpair by Rayleigh quotient iteration (cubic) from the best polynomial; None if not sure."""
+    n, k = diagonal.size, basis.shape[0]
+    V = _polynomials(n)
+    turned = diagonal[:, None] * V
+    turned[1:] += off[:, None] * V[:-1]
+    turned[:-1] += off[:, None] * V[1:]
+    energy = V.T @ turned
+    free = np.eye(_SMOOTH)
+    if k:
+        free = np.linalg.qr((basis @ V).T, mode="complete")[0][:, k:]
+    values, modes = np.linalg.eigh(free.T @ energy @ free)
+    value, x = float(values[0]), V @ (free @ modes[:, 0])
+    scale = abs(value) + reach / n**2
+    right = np.empty((n, k + 1), order="F")
+    right[:, 1:] = basis.T
+    for _ in range(_REFINEMENTS):
+        right[:, 0] = x
+        solved = solve_tridiagonal(diagonal - value, off, right).T
+        x = solved[0]
+        if k:
+            schur = np.array([_along(solved, row) for row in basis])
+            x = x - _combined(_small_solution(schur[:, 1:], schur[:, 0]), solved[1:])
+            x -= _combined(_along(basis, x), basis)
+        size = _norm(x)
+        if not (np.isfinite(size) and size > 0):
+            return None
+        x /= size
+        change = float(_along(x[None], right[:, 0])[0]) / size
+        value += change
+        if abs(change) < 1e-5 * scale:
+            below = value - max(1e-9 / n**2, 64 * np.finfo(float).eps) * reach
+            sure = _inertia(diagonal, off, basis, below) == 0
+            return (np.array([value]), x[None]) if sure else None
+    return None
+
+
+@lru_cache(maxsize=16)
+def _polynomials(n: int) -> FloatArray:
+    """Orthonormal polynomials (n, _SMOOTH) on n equal steps."""
+    powers = np.polynomial.legendre.legvander(np.linspace(-1, 1, n), _SMOOTH - 1)
+    return np.asarray(np.linalg.qr(powers)[0])
+
+
 def _dense(
     diagonal: FloatArray, off: FloatArray, basis: FloatArray, count: int
 ) -> tuple[FloatArray, FloatArray]:
@@ -211,17 +273,23 @@ def _small_solution(matrix: FloatArray, right: FloatArray) -> FloatArray:
     return np.asarray(np.linalg.lstsq(matrix, right, rcond=1e-14)[0], dtype=float)
 
 
-# einsum, not BLAS: its threads cost far more than they give on vectors of this length
+# BLAS is the faster up to the size from which it starts threads, which cost far more than they give here
 def _along(rows: FloatArray, vector: FloatArray) -> FloatArray:
+    if rows.size <= _UNTHREADED:
+        return np.asarray(rows.dot(vector))
     return np.asarray(np.einsum("kn,n->k", rows, vector))
 
 
 def _combined(factors: FloatArray, rows: FloatArray) -> FloatArray:
+    if rows.size <= _UNTHREADED:
+        return np.asarray(factors.dot(rows))
     return np.asarray(np.einsum("k,kn->n", factors, rows))
 
 
 def _norm(vector: FloatArray) -> float:
-    return float(np.sqrt(np.einsum("n,n->", vector, vector)))
+    if vector.size <= _UNTHREADED:
+        return math.sqrt(vector.dot(vector))
+    return math.sqrt(np.einsum("n,n->", vector, vector))
 
 
 _START = np.array([0.31, -0.27, 0.83, 0.12, -0.55, 0.71, 0.44, -0.93, 0.08, 0.62, -0.38])

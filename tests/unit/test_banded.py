@@ -62,3 +62,36 @@ def test_rank_of_dependent_rows():
 def test_more_modes_than_there_are():
     with pytest.raises(NotConvergedError, match="more samples"):
         lowest_constrained(np.ones(3), np.zeros(2), np.eye(3)[:2], 2)
+
+
+def clamped_rod(stiffness, load):
+    """Second variation of a rod with K at the nodes and <lambda, T> on the edges, all of length 1."""
+    spring = stiffness * np.concatenate([[2.0], np.ones(stiffness.size - 2), [2.0]])
+    return spring[:-1] + spring[1:] - load, -spring[1:-1]
+
+
+@pytest.mark.parametrize("n", [40, 41, 200, 601])
+def test_lowest_mode_of_rods(n):
+    s = (np.arange(n) + 0.5) / n
+    rows = np.array([np.sin(4 * s), np.cos(4 * s)])
+    smooth = 1.5 + np.sin(7 * np.linspace(0, 1, n + 1))
+    weak = np.where(np.abs(np.linspace(0, 1, n + 1) - 0.7) < 0.01, 1e-3, 1.0)
+    spot = np.exp(-(((s - 0.3) * 60) ** 2))
+    cases = [(smooth, 0 * s), (smooth, 90 * np.cos(3 * s) / n**2), (weak, 0 * s), (smooth, 0.3 * spot)]
+    for K, load in cases:
+        diagonal, off = clamped_rod(K, load)
+        for held in (rows, rows[:1], rows[:0]):
+            free = scipy.linalg.null_space(held) if held.size else np.eye(n)
+            values, vectors = np.linalg.eigh(free.T @ dense(diagonal, off) @ free)
+            found, modes = lowest_constrained(diagonal, off, held)
+            assert found[0] == pytest.approx(values[0], abs=1e-12)
+            assert abs(modes[0] @ (free @ vectors[:, 0])) == pytest.approx(1, abs=1e-9)
+
+
+def test_a_low_mode_that_no_smooth_function_shows():
+    """Two rods side by side, the lower mode of which is a spike."""
+    n = 120
+    diagonal, off = clamped_rod(np.ones(n + 1), np.where(np.arange(n) == 77, 2.5, 0.0))
+    values = np.linalg.eigvalsh(dense(diagonal, off))
+    assert values[0] < 0 < values[1]
+    assert lowest_constrained(diagonal, off, np.zeros((0, n)))[0][0] == pytest.approx(values[0], abs=1e-12)
