@@ -76,12 +76,12 @@ def value_and_slope(c: FloatArray, u: FloatArray) -> tuple[FloatArray, FloatArra
 
 
 def without_end_root(c: FloatArray, *, at_end: bool) -> FloatArray:
-    """The polynomial (n+1,) divided by 1 - u (or by u), at the same degree: same signs inside (0, 1)."""
-    n = c.size - 1
+    """Polynomials (..., n+1) divided by 1 - u (or by u), at the same degree: same signs inside (0, 1)."""
+    n = c.shape[-1] - 1
     if n == 0:
         return c
     index = np.arange(n)
-    quotient = c[:-1] * n / (n - index) if at_end else c[1:] * n / (index + 1)
+    quotient = c[..., :-1] * n / (n - index) if at_end else c[..., 1:] * n / (index + 1)
     return elevated(quotient)
 
 

@@ -7,7 +7,7 @@ import numpy as np
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.jets import Jets, curvature, curvature_slope, norm
-from elastica_cad.geometry.turning import Turning, hodograph, zero_speed
+from elastica_cad.geometry.turning import Turning
 
 __all__ = ["continuity_orders", "refuse_standstill"]
 
@@ -35,7 +35,7 @@ def refuse_standstill(jets: Jets, control_points: FloatArray) -> None:
     """Raise InputError, with the place, when the curve has zero length or a point without tangent."""
     if np.ptp(control_points, axis=0).max() == 0:
         raise InputError("all control points coincide: the curve has zero length")
-    t = zero_speed(hodograph(jets.bezier), jets.edges)
+    t = jets.sectors.standstill
     if t is None:
         return
     x, y = jets.at(np.array([t]), 0)[0][0]

@@ -20,7 +20,7 @@ from elastica_cad.geometry.jets import Jets, curvature, curvature_slope, quotien
 from elastica_cad.geometry.projective import projected
 from elastica_cad.geometry.records import Break, CurvatureZero, CurveSamples, TangentBreak
 from elastica_cad.geometry.selfcrossings import self_meeting_places
-from elastica_cad.geometry.turning import Turning, hodograph, turning_table
+from elastica_cad.geometry.turning import Turning, turning_table
 
 __all__ = ["PlaneCurve"]
 
@@ -382,7 +382,7 @@ class PlaneCurve:
 
     @cached_property
     def _turning(self) -> Turning:
-        return turning_table(hodograph(self._jets.bezier), self._jets.edges)
+        return turning_table(self._jets.sectors)
 
     @cached_property
     def _arc_length(self) -> ArcLength:

@@ -10,7 +10,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.bernstein import interior_roots
 from elastica_cad.geometry.extraction import Spans
-from elastica_cad.geometry.turning import hodograph
+from elastica_cad.geometry.turning import Sectors, hodograph, sectors
 
 __all__ = ["Jets", "cross", "curvature", "curvature_slope", "norm", "quotient"]
 
@@ -85,6 +85,11 @@ class Jets:
         return np.array(
             [*edges, *(edges[r.piece] + r.u * (edges[r.piece + 1] - edges[r.piece]) for r in inner)]
         )
+
+    @cached_property
+    def sectors(self) -> Sectors:
+        """Parts of the curve within which it turns by less than half a turn."""
+        return sectors(hodograph(self.bezier), self.edges)
 
     @cached_property
     def _columns(self) -> FloatArray:

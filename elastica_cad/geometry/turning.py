@@ -7,7 +7,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry.bernstein import product, split
 
-__all__ = ["Turning", "hodograph", "turning_table", "zero_speed"]
+__all__ = ["Sectors", "Turning", "hodograph", "sectors", "turning_table"]
 
 _SLOWEST = 1e-9  # of the largest speed on the span; a curve slower than that stands still
 _DEEPEST = 27  # halvings of a knot span; a direction that still is undecided there is a cusp
@@ -33,8 +33,7 @@ class Turning:
 
     def at(self, t: FloatArray, velocity: FloatArray, *, left: bool = False) -> FloatArray:
         """Angle (n,) of velocities (n, 2) at parameters (n,), without jumps of 2 pi."""
-        sector = np.searchsorted(self.edges, t, side="left" if left else "right") - 1
-        sector = np.clip(sector, 0, self.angle.size - 1)
+        sector = np.searchsorted(self.edges[1:-1], t, side="left" if left else "right")
         return np.asarray(self.angle[sector] + _signed_angle(self.axis[sector], velocity), dtype=float)
 
 
@@ -50,15 +49,29 @@ def hodograph(bezier: FloatArray) -> FloatArray:
     return np.stack([product(aw, b[..., k]) - product(a[..., k], bw) for k in (0, 1)], axis=-1)
 
 
-def zero_speed(hodographs: FloatArray, edges: FloatArray) -> float | None:
-    """Parameter of the first place where the velocity vanishes (cusp, coincident control points), or None."""
-    return _sectors(hodographs, edges)[0]
+@dataclass(frozen=True, eq=False)
+class Sectors:
+    """Parts of a curve within which the velocity stays in an open half plane.
+
+    Attributes
+    ----------
+    edges : (k + 1,) array
+        Parameters at which they meet.
+    hodographs : (k, n, 2) array
+        Bernstein coefficients along the velocity.
+    standstill : float or None
+        Parameter of the first place where the velocity vanishes (cusp, coincident control points); the other
+        fields are of no use then.
+    """
+
+    edges: FloatArray
+    hodographs: FloatArray
+    standstill: float | None = None
 
 
-def turning_table(hodographs: FloatArray, edges: FloatArray) -> Turning:
-    """Sectors of a curve without cusp; at a tangent break the angle jumps by the exterior angle."""
-    _, low, coefficients = _sectors(hodographs, edges)
-    first, last = _unit(coefficients[:, 0]), _unit(coefficients[:, -1])
+def turning_table(sector: Sectors) -> Turning:
+    """The turning angle of a curve without cusp; at a tangent break it jumps by the exterior angle."""
+    first, last = _unit(sector.hodographs[:, 0]), _unit(sector.hodographs[:, -1])
     axis = _unit(first + last)
     to_end = _signed_angle(axis, last)
     to_start = _signed_angle(axis, first)
@@ -66,11 +79,11 @@ def turning_table(hodographs: FloatArray, edges: FloatArray) -> Turning:
     steps = to_end[:-1] + across - to_start[1:]
     start = np.arctan2(first[0, 1], first[0, 0]) - to_start[0]
     angle = start + np.concatenate([[0.0], np.cumsum(steps)])
-    return Turning(np.append(low, edges[-1]), axis, angle)
+    return Turning(sector.edges, axis, angle)
 
 
-def _sectors(hodographs: FloatArray, edges: FloatArray) -> tuple[float | None, FloatArray, FloatArray]:
-    """Place of zero speed or None; else starts (k,) and hodographs (k, n, 2) of the sectors."""
+def sectors(hodographs: FloatArray, edges: FloatArray) -> Sectors:
+    """The sectors of pieces whose velocities have Bernstein coefficients (p, n, 2)."""
     part, low, width = hodographs, edges[:-1], np.diff(edges)
     size = np.linalg.norm(part, axis=-1)
     largest = size.max(axis=1)
@@ -79,8 +92,8 @@ def _sectors(hodographs: FloatArray, edges: FloatArray) -> tuple[float | None, F
         [low[(size[:, 0] <= 1e-12 * largest) | still], (low + width)[size[:, -1] <= 1e-12 * largest]]
     )
     if stopped.size:
-        return float(stopped.min()), low, part
-    starts, sectors = [], []
+        return Sectors(edges, part, float(stopped.min()))
+    starts, found = [], []
     slowest = _SLOWEST * largest
     for _ in range(_DEEPEST):
         if not low.size:
@@ -90,17 +103,17 @@ def _sectors(hodographs: FloatArray, edges: FloatArray) -> tuple[float | None, F
         length = np.linalg.norm(part, axis=-1)
         decided = (along > 1e-9 * length).all(axis=1) & (length[:, [0, -1]].min(axis=1) > slowest)
         starts.append(low[decided])
-        sectors.append(part[decided])
+        found.append(part[decided])
         rest = ~decided
         left, right = split(np.swapaxes(part[rest], 1, 2))
         part = np.swapaxes(np.concatenate([left, right]), 1, 2)
         width, slowest = np.tile(width[rest] / 2, 2), np.tile(slowest[rest], 2)
         low = np.concatenate([low[rest], low[rest] + width[: rest.sum()]])
     if low.size:
-        return float((low + width / 2).min()), low, part
-    begin, coefficients = np.concatenate(starts), np.concatenate(sectors)
+        return Sectors(edges, part, float((low + width / 2).min()))
+    begin, coefficients = np.concatenate(starts), np.concatenate(found)
     order = np.argsort(begin, kind="stable")
-    return None, begin[order], coefficients[order]
+    return Sectors(np.append(begin[order], edges[-1]), coefficients[order])
 
 
 def _unit(v: FloatArray) -> FloatArray:

@@ -8,6 +8,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry import CurvatureZero, PlaneCurve, line_crossings
+from elastica_cad.geometry.sight import sight_from
 
 __all__ = ["InflectionLine", "LineMeeting", "Pencil", "fitted_line", "line_meetings", "pencil_of_lines"]
 
@@ -140,51 +141,16 @@ def pencil_of_lines(curve: PlaneCurve, zero: CurvatureZero, curvature_sign: int)
     curvature_sign : int
         Sign of kappa - kappa_0 after the zero; at the end of the curve minus the sign before it.
     """
-    view = _View(curve, zero, curvature_sign)
-    (s_low, low), (s_high, high) = view.extreme(-1.0), view.extreme(1.0)
-    places = (min(s_low, s_high), max(s_low, s_high))
-    if high - low >= np.pi - TANGENT:
-        return Pencil(None, high - low, places)
-    middle = (low + high) / 2
-    x, y = view.point
-    line = InflectionLine((float(x), float(y)), (float(np.sin(middle)), -float(np.cos(middle))))
-    return Pencil(line, high - low, places)
-
-
-@dataclass(frozen=True, eq=False)
-class _View:
-    """The curve as seen from one of its inflections."""
-
-    curve: PlaneCurve
-    zero: CurvatureZero
-    sign: int
-
-    @property
-    def point(self) -> FloatArray:
-        return np.asarray(self.curve.evaluate(np.array(self.zero.t)))
-
-    def angle(self, s: FloatArray) -> FloatArray:
-        """Continuous angle (n,) of sign(kappa - kappa_0)(gamma - p), near the tangent's at the inflection."""
-        away = np.sign(s - self.zero.s) * self.sign
-        tangent = np.asarray(self.curve.evaluate(np.array(self.zero.t), 1)) * self.sign
-        v = (np.asarray(self.curve.evaluate(self.curve.parameter(s))) - self.point) * away[:, None]
-        v[np.abs(s - self.zero.s) < 1e-7 * self.curve.length] = tangent
-        angle = np.arctan2(tangent[0] * v[:, 1] - tangent[1] * v[:, 0], v @ tangent)
-        # unwrapped both ways from the inflection, where the angle is small
-        first = int(np.searchsorted(s, self.zero.s))
-        before, after = np.unwrap(angle[:first][::-1])[::-1], np.unwrap(angle[first:])
-        return np.asarray(np.concatenate([before, after]) + np.arctan2(tangent[1], tangent[0]))
-
-    def extreme(self, side: float) -> tuple[float, float]:
-        """Place and value of the largest side * angle, closed in on from samples."""
-        s = np.linspace(0.0, self.curve.length, 2001)
-        theta = self.angle(s)
-        for _ in range(4):
-            at = int(np.argmax(side * theta))
-            best = float(theta[at])
-            s = np.linspace(s[max(at - 1, 0)], s[min(at + 1, s.size - 1)], 65)
-            theta = self.angle(s)
-            turns = (best - theta[int(np.argmax(side * theta))]) / (2 * np.pi)
-            theta += 2 * np.pi * np.round(turns)
-        at = int(np.argmax(side * theta))
-        return float(s[at]), float(theta[at])
+    sight = sight_from(curve, zero.t)
+    if sight is None:
+        return Pencil(None, np.pi, (zero.s, zero.s))
+    low, high = (float(s) for s in np.sort(curve.arc_length(np.array([sight.low_t, sight.high_t]))))
+    spread = sight.high - sight.low
+    if spread >= np.pi - TANGENT:
+        return Pencil(None, spread, (low, high))
+    middle = (sight.low + sight.high) / 2
+    x, y = curve.evaluate(zero.t)
+    # along the middle direction turned right by a quarter, so that its normal b is that direction
+    direction = curvature_sign * np.array([np.sin(middle), -np.cos(middle)])
+    line = InflectionLine((float(x), float(y)), (float(direction[0]), float(direction[1])))
+    return Pencil(line, spread, (low, high))

@@ -1,0 +1,53 @@
+"""The angle under which a curve is seen from one of its points, against dense sampling and closed forms."""
+
+import numpy as np
+import pytest
+
+from elastica_cad.geometry import PlaneCurve
+from elastica_cad.geometry.sight import sight_from
+
+
+def test_arc_from_its_start():
+    """The angle between chord and tangent is half the angle at the centre."""
+    curve = PlaneCurve.arc((3, 5), 40, 0.0, 5.0)
+    sight = sight_from(curve, curve.domain[0])
+    assert sight.low == pytest.approx(np.pi / 2, abs=1e-12)
+    assert sight.high == pytest.approx(np.pi / 2 + 2.5, abs=1e-12)
+    assert (sight.low_t, sight.high_t) == pytest.approx(curve.domain)
+
+
+def test_arc_from_its_middle():
+    curve = PlaneCurve.arc((3, 5), 40, 0.0, 5.0)
+    sight = sight_from(curve, float(curve.parameter(100.0)))
+    assert sight.high - sight.low == pytest.approx(2.5, abs=1e-9)
+
+
+@pytest.mark.parametrize("at", [0.0, 0.2, 0.5, 0.5 + 1e-11, 0.5 + 1e-7, 0.83, 1.0])
+@pytest.mark.parametrize("weights", [None, (1, 2, 0.5, 1, 1.5, 1)])
+def test_wave_agrees_with_samples(at, weights):
+    points = [(0, 0), (50, 80), (90, 60), (120, -60), (160, -80), (210, 0)]
+    knots = [0, 0, 0, 0, 0, 0.5, 1, 1, 1, 1, 1]
+    curve = PlaneCurve(np.array(knots), np.array(points, dtype=float), 4, weights and np.array(weights))
+    sight = sight_from(curve, at)
+    t = np.linspace(0, 1, 20001)
+    t = t[np.abs(t - at) > 1e-4]
+    away = (curve.evaluate(t) - curve.evaluate(at)) * np.sign(t - at)[:, None]
+    angle = np.unwrap(np.arctan2(away[:, 1], away[:, 0]))
+    tangent = curve.angle_at(at)
+    angle += 2 * np.pi * np.round((sight.low - angle.min()) / (2 * np.pi))
+    assert sight.low == pytest.approx(min(angle.min(), tangent), abs=3e-4)
+    assert sight.high == pytest.approx(max(angle.max(), tangent), abs=3e-4)
+    assert sight.low <= angle.min() + 1e-9
+    assert sight.high >= angle.max() - 1e-9
+
+
+def test_a_spiral_is_followed_through_more_than_a_turn():
+    spiral = PlaneCurve.fit_function(lambda v: np.column_stack([v * np.cos(v), v * np.sin(v)]), 1, 30)
+    sight = sight_from(spiral, spiral.domain[0])
+    assert sight.high - sight.low > 8 * np.pi
+
+
+def test_curve_that_comes_back():
+    """A loop that passes its own point again is seen in no direction there."""
+    loop = PlaneCurve.spline([(0, 0), (100, 0), (100, 80), (0, 80), (0, 0)])
+    assert sight_from(loop, loop.domain[0]) is None
