@@ -202,6 +202,10 @@ class PlaneCurve:
         t = np.asarray(t, dtype=float)
         return self._jets.at(t.ravel(), derivative, left=left)[derivative].reshape(*t.shape, 2)
 
+    def derivatives(self, t: FloatArray, order: int) -> list[FloatArray]:
+        """Positions and their derivatives d/dt up to `order`, (n, 2) each, at parameters (n,), at one go."""
+        return self._jets.at(t, order)
+
     def position_and_velocity(self, t: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Positions and their derivatives d/dt, (n, 2) each, at parameters (n,), in one evaluation."""
         return self._jets.position_and_velocity(t)

@@ -3,11 +3,13 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
+from typing import Self
 
 import numpy as np
 
 from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.geometry import PlaneCurve
+from elastica_cad.geometry.jets import curvature, curvature_slope
 from elastica_cad.mechanics.material_laws import MaterialLaw
 
 __all__ = [
@@ -88,15 +90,11 @@ class Panels:
         """Number of panels."""
         return len(self.t)
 
-    def chosen(self, which: BoolArray) -> "Panels":
-        """Some panels, of arrays with one entry a panel."""
-        return Panels(**{f.name: getattr(self, f.name)[which] for f in fields(self)})
-
     def locate(self, t: FloatArray) -> tuple[IntArray, FloatArray]:
         """Panel numbers and places x in [-1, 1] of parameters `t` (n,)."""
-        panel = np.clip(np.searchsorted(self.edges, t, side="right") - 1, 0, self.count - 1)
+        panel = np.searchsorted(self.edges[1:-1], t, side="right")
         start, end = self.edges[panel], self.edges[panel + 1]
-        return panel, np.clip((2 * t - start - end) / (end - start), -1.0, 1.0)
+        return panel, np.minimum(np.maximum((2 * t - start - end) / (end - start), -1.0), 1.0)
 
     def arc_length(self, panel: IntArray, x: FloatArray) -> FloatArray:
         """Arc lengths of places x in panels, mm."""
@@ -155,8 +153,8 @@ def cut_into_panels(
 ) -> Panels:
     """Panels that resolve the curve, and any moment over its curvature.
 
-    A panel is halved until the Legendre coefficients of the speed and of (t - zero)/(kappa - kappa_0) have
-    died away.
+    A panel is cut into 2, 4 or 8 until the Legendre coefficients of the speed and of (t - zero)/(kappa -
+    kappa_0) have died away.
 
     Parameters
     ----------
@@ -177,23 +175,33 @@ def cut_into_panels(
     edges = edges[np.concatenate([[True], np.diff(edges) > close])]
     flags = np.array([any(abs(z - e) <= close for z in zeros) for e in edges])
     cut = _Cut(edges[:-1], edges[1:], flags[:-1], flags[1:], np.full(edges.size - 1, np.inf))
-    cut = cut.halved(cut.zero_left & cut.zero_right)
-    done: list[Panels] = []
+    cut = cut.into(np.where(cut.zero_left & cut.zero_right, 2, 1))
+    done: list[_Nodes] = []
     while cut.left.size:
         found, tail = _evaluated(curve, cut, natural_curvature, law)
-        # where halving no longer helps, the rest is rounding noise
+        parts = _parts(tail, tolerance)
+        # where cutting no longer helps, the rest is rounding noise
         settled = (tail <= tolerance) | ((tail < NOISE) & (tail > 0.3 * cut.tail))
         settled |= cut.right - cut.left < 1e-7 * (high - low)
-        if sum(p.count for p in done) + 2 * cut.left.size > MAX_PANELS:
+        if sum(len(nodes.t) for nodes in done) + cut.left.size + parts[~settled].sum() > MAX_PANELS:
             settled[:] = True
         done.append(found.chosen(settled))
-        cut = replace(cut, tail=tail).chosen(~settled).halved()
-    return _joined(done, float(high), np.asarray(curve.evaluate(np.array([high]))))
+        cut = replace(cut, tail=tail).chosen(~settled).into(parts[~settled])
+    return _panels(curve, done)
 
 
 @dataclass(frozen=True, eq=False)
-class _Cut:
-    """Panels before they are evaluated; `tail` is how badly their parent was resolved."""
+class _Columns:
+    """Arrays with one entry a panel."""
+
+    def chosen(self, which: BoolArray | IntArray) -> Self:
+        """Some of the panels."""
+        return replace(self, **{f.name: getattr(self, f.name)[which] for f in fields(self)})
+
+
+@dataclass(frozen=True, eq=False)
+class _Cut(_Columns):
+    """Panels before they are evaluated; `tail` is how badly the panel they come from was resolved."""
 
     left: FloatArray
     right: FloatArray
@@ -201,37 +209,53 @@ class _Cut:
     zero_right: BoolArray
     tail: FloatArray
 
-    def chosen(self, which: BoolArray) -> "_Cut":
-        return _Cut(*(getattr(self, f.name)[which] for f in fields(self)))
-
-    def halved(self, which: BoolArray | None = None) -> "_Cut":
-        """Every panel, or every one of `which`, as two."""
-        if which is None:
-            which = np.ones(self.left.size, dtype=bool)
-        kept, split = self.chosen(~which), self.chosen(which)
-        middle = (split.left + split.right) / 2
-        no = np.zeros(middle.size, dtype=bool)
+    def into(self, parts: IntArray) -> "_Cut":
+        """Every panel cut into its number of equal parts."""
+        whole = self.chosen(np.repeat(np.arange(parts.size), parts))
+        count = np.repeat(parts, parts)
+        part = np.arange(count.size) - np.repeat(np.cumsum(parts) - parts, parts)
+        width, first, last = whole.right - whole.left, part == 0, part == count - 1
         return _Cut(
-            np.concatenate([kept.left, split.left, middle]),
-            np.concatenate([kept.right, middle, split.right]),
-            np.concatenate([kept.zero_left, split.zero_left, no]),
-            np.concatenate([kept.zero_right, no, split.zero_right]),
-            np.concatenate([kept.tail, split.tail, split.tail]),
+            whole.left + width * (part / count),
+            np.where(last, whole.right, whole.left + width * ((part + 1) / count)),
+            whole.zero_left & first,
+            whole.zero_right & last,
+            whole.tail,
         )
+
+
+def _parts(tail: FloatArray, tolerance: float) -> IntArray:
+    """How many parts a panel needs, 2, 4 or 8: halving divides the last coefficient by 2^p or so."""
+    halvings = np.ceil(np.log2(np.nan_to_num(tail, nan=1.0, posinf=1.0) / tolerance) / ORDER)
+    return np.asarray(2 ** np.minimum(np.maximum(halvings, 1), 3), dtype=int)
+
+
+@dataclass(frozen=True, eq=False)
+class _Nodes(_Columns):
+    """Panels evaluated at their Gauss nodes: fields as of `Panels`, `velocity` (N, p, 2) by x."""
+
+    left: FloatArray
+    zero_left: BoolArray
+    zero_right: BoolArray
+    t: FloatArray
+    velocity: FloatArray
+    stretch: FloatArray
+    curvature: FloatArray
 
 
 def _evaluated(
     curve: PlaneCurve, cut: _Cut, kappa_0: float, law: MaterialLaw | None
-) -> tuple[Panels, FloatArray]:
-    """Panels one by one (`edges` and its likes hold their left ends), and how much of them is unresolved."""
+) -> tuple[_Nodes, FloatArray]:
+    """The panels at their nodes, and how much of each is unresolved."""
     half = (cut.right - cut.left)[:, None] / 2
     t = cut.left[:, None] + half * (1 + NODES)
-    velocity = np.asarray(curve.evaluate(t, 1)) * half[..., None]
-    stretch = np.hypot(velocity[..., 0], velocity[..., 1])
-    kappa = np.asarray(curve.curvature_at(t)) - kappa_0
     beside = cut.zero_left | cut.zero_right
-    if beside.any():
-        growth = np.asarray(curve.curvature_slope_at(t[beside])) * stretch[beside]
+    _, d1, d2, *d3 = curve.derivatives(t.ravel(), 3 if beside.any() else 2)
+    velocity = d1.reshape(*t.shape, 2) * half[..., None]
+    stretch = np.hypot(velocity[..., 0], velocity[..., 1])
+    kappa = curvature(d1, d2).reshape(t.shape) - kappa_0
+    if d3:
+        growth = (curvature_slope(d1, d2, d3[0]).reshape(t.shape) * stretch)[beside]
         kappa[beside] = np.where(cut.zero_left[beside, None], growth @ LEFT.T, -(growth @ RIGHT.T))
     if law is not None:
         kappa = law.effective_curvature(kappa)
@@ -239,23 +263,20 @@ def _evaluated(
     with np.errstate(divide="ignore", invalid="ignore"):
         functions = np.stack([stretch, to_zero / kappa])
         tails = np.abs(functions @ TO_COEFFICIENTS[-2:].T).max(axis=-1) / np.abs(functions).max(axis=-1)
-    panels = Panels(
-        edges=cut.left, edge_s=stretch @ WEIGHTS, edge_position=np.asarray(curve.evaluate(cut.left)),
-        zero_left=cut.zero_left, zero_right=cut.zero_right, t=t, s=stretch @ LEFT.T, curvature=kappa,
-        stretch=stretch, from_left=np.einsum("ij,njk->nik", LEFT, velocity),
-        from_right=-np.einsum("ij,njk->nik", RIGHT, velocity),
-    )  # fmt: skip
-    return panels, np.asarray(tails.max(axis=0))
+    nodes = _Nodes(cut.left, cut.zero_left, cut.zero_right, t, velocity, stretch, kappa)
+    return nodes, np.asarray(tails.max(axis=0))
 
 
-def _joined(parts: list[Panels], last: float, last_position: FloatArray) -> Panels:
+def _panels(curve: PlaneCurve, parts: list[_Nodes]) -> Panels:
     """One chain of panels from loose ones."""
-    columns = {f.name: np.concatenate([getattr(p, f.name) for p in parts]) for f in fields(Panels)}
-    order = np.argsort(columns["edges"])
-    columns = {name: column[order] for name, column in columns.items()}
-    edge_s = np.concatenate([[0.0], np.cumsum(columns["edge_s"])])
-    columns["s"] = edge_s[:-1, None] + columns["s"]
-    columns["edge_s"] = edge_s
-    columns["edges"] = np.append(columns["edges"], last)
-    columns["edge_position"] = np.concatenate([columns["edge_position"], last_position])
-    return Panels(**columns)
+    nodes = _Nodes(*(np.concatenate([getattr(p, f.name) for p in parts]) for f in fields(_Nodes)))
+    nodes = nodes.chosen(np.argsort(nodes.left))
+    edges = np.append(nodes.left, curve.domain[1])
+    edge_s = np.concatenate([[0.0], np.cumsum(nodes.stretch @ WEIGHTS)])
+    return Panels(
+        edges=edges, edge_s=edge_s, edge_position=curve.evaluate(edges),
+        zero_left=nodes.zero_left, zero_right=nodes.zero_right, t=nodes.t,
+        s=edge_s[:-1, None] + nodes.stretch @ LEFT.T, curvature=nodes.curvature, stretch=nodes.stretch,
+        from_left=np.einsum("ij,njk->nik", LEFT, nodes.velocity),
+        from_right=-np.einsum("ij,njk->nik", RIGHT, nodes.velocity),
+    )  # fmt: skip
