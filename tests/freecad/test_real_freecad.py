@@ -103,3 +103,19 @@ def test_in_german(tmp_path):
     assert found["panel"] == "Streifen"
     assert found["untranslated"] == []
     assert found["preferences"] == "birch-plywood-0.8"
+
+
+def test_in_inches(tmp_path):
+    found = launching.run_window("inches.py", tmp_path)
+    assert found["preferences"] == ["inch", "R2000", pytest.approx(0.2)]
+    assert found["shown"] == "1.1811 in"
+    assert found["in its row"]
+    assert found["typed"] == pytest.approx([19.05, 20, 12.7, 12.7], abs=1e-4)
+    assert found["looked at"] == ["0.03150 in", 0.8]
+    assert found["stepped"][1] > 12.7
+    assert " in" in found["numbers"]
+    assert " mm" not in found["numbers"]
+    assert " in, birch" in found["cut list"]
+    assert found["kerf"] == ["0.00787 in", pytest.approx(0.2)]
+    assert found["version"] == "R2000"
+    assert "in wide" in found["advice"]

@@ -19,6 +19,7 @@ from freecad.elastica_wb.patience import begun
 from freecad.elastica_wb.picture import comb_scale, curve_picture, sentence_of, width_lines
 from freecad.elastica_wb.qt import QtCore
 from freecad.elastica_wb.text import tr
+from freecad.elastica_wb.units import worded
 from pivy import coin
 
 from elastica_cad.errors import ElasticaError
@@ -179,7 +180,7 @@ class Session:
         return self._asks
 
     def _say(self, sentence: str) -> None:
-        self.sentence = sentence
+        self.sentence = sentence = worded(sentence)
         Gui.getMainWindow().statusBar().showMessage(sentence, STATUS)
 
 

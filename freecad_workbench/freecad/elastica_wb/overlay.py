@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 from freecad.elastica_wb.picture import Picture
+from freecad.elastica_wb.units import worded
 from pivy import coin
 
 from elastica_cad._types import FloatArray
@@ -109,7 +110,7 @@ class Overlay:
             place.translation = (x, y, LIFT)
             text, font = coin.SoText2(), coin.SoFont()
             font.size = 14.0
-            text.string = f"  {words}"
+            text.string = f"  {worded(words)}"
             for node in (color, place, font, text):
                 part.addChild(node)
             self._texts.addChild(part)

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from freecad.elastica_wb.qt import QtCore, QtGui
+from freecad.elastica_wb.units import worded
 
 __all__ = ["bar_chart"]
 
@@ -26,6 +27,7 @@ def bar_chart(rows: Sequence[tuple[str, float, float]]) -> Any:
             painter.fillRect(
                 QtCore.QRect(LEFT, y + 2, round(room * value / largest), 14), QtGui.QColor(color)
             )
-        painter.drawText(QtCore.QPoint(LEFT + round(room * worst / largest) + 6, y + 14), f"{worst:.2f} mm")
+        end = QtCore.QPoint(LEFT + round(room * worst / largest) + 6, y + 14)
+        painter.drawText(end, worded(f"{worst:.2f} mm"))
     painter.end()
     return picture

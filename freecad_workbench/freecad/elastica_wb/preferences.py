@@ -4,7 +4,7 @@ from typing import Any
 
 import FreeCAD as App
 
-__all__ = ["DEFAULTS", "PATH", "default_sheet", "get", "put"]
+__all__ = ["CHOICES", "DEFAULTS", "PATH", "default_sheet", "get", "put"]
 
 PATH = "User parameter:BaseApp/Preferences/Mod/Elastica"
 
@@ -19,13 +19,24 @@ DEFAULTS: dict[str, Any] = {
     "Tolerance": 0.02,
     "LiveMode": True,
     "LiveNearest": True,
+    "Units": "FreeCAD",
 }
 """Name of every preference and what holds until it is changed; the type is the default's."""
+
+CHOICES = {
+    "DxfVersion": ("R2010", "R12", "R2000", "R2004", "R2007", "R2013", "R2018"),
+    "Curves": ("spline", "arc", "polyline"),
+    "Units": ("FreeCAD", "mm", "cm", "inch"),
+}
+"""What can be chosen, in the order of the preferences page: FreeCAD keeps the number of the choice."""
 
 
 def get(name: str) -> Any:
     """The value of a preference."""
     default, group = DEFAULTS[name], App.ParamGet(PATH)
+    if name in CHOICES:
+        number = group.GetInt(name, CHOICES[name].index(default))
+        return CHOICES[name][number] if 0 <= number < len(CHOICES[name]) else default
     if isinstance(default, bool):
         return group.GetBool(name, default)
     return group.GetFloat(name, default) if isinstance(default, float) else group.GetString(name, default)
@@ -34,7 +45,9 @@ def get(name: str) -> Any:
 def put(name: str, value: Any) -> None:
     """Change a preference."""
     group = App.ParamGet(PATH)
-    if isinstance(DEFAULTS[name], bool):
+    if name in CHOICES:
+        group.SetInt(name, CHOICES[name].index(value))
+    elif isinstance(DEFAULTS[name], bool):
         group.SetBool(name, bool(value))
     elif isinstance(DEFAULTS[name], float):
         group.SetFloat(name, float(value))

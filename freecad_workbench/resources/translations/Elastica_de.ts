@@ -42,7 +42,7 @@
  <message><source>Stability margin</source><translation>Stabilitätsreserve</translation></message>
  <message><source>Mass</source><translation>Masse</translation></message>
  <message><source>Ranges are those of the sheet.</source><translation>Die Bereiche sind die der Platte.</translation></message>
- <message><source>deviation, mm</source><translation>Abweichung, mm</translation></message>
+ <message><source>deviation</source><translation>Abweichung</translation></message>
  <message><source>worst</source><translation>größte</translation></message>
  <message><source>Stopped.</source><translation>Angehalten.</translation></message>
  <message><source>Bending varied strips</source><translation>Abgewandelte Streifen werden gebogen</translation></message>
@@ -162,6 +162,11 @@
  <message><source>While a sketch is edited</source><translation>Beim Bearbeiten einer Skizze</translation></message>
  <message><source>Show curvature, inflections and their line</source><translation>Krümmung, Wendepunkte und ihre Gerade zeigen</translation></message>
  <message><source>Show the nearest curve that can be bent</source><translation>Die nächste biegbare Kurve zeigen</translation></message>
+ <message><source>Lengths</source><translation>Längen</translation></message>
+ <message><source>Shown in</source><translation>Angezeigt in</translation></message>
+ <message><source>Unit of all lengths in panels, sentences and the sketch's overlay; files are always in mm</source><translation>Einheit aller Längen in Bedienfeldern, Sätzen und der Anzeige über der Skizze; Dateien sind immer in mm</translation></message>
+ <message><source>as FreeCAD</source><translation>wie FreeCAD</translation></message>
+ <message><source>inch</source><translation>Zoll</translation></message>
 </context>
 <context>
  <name>ElasticaSection</name>

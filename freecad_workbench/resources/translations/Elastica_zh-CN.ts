@@ -42,7 +42,7 @@
  <message><source>Stability margin</source><translation>稳定裕度</translation></message>
  <message><source>Mass</source><translation>质量</translation></message>
  <message><source>Ranges are those of the sheet.</source><translation>范围取自板材。</translation></message>
- <message><source>deviation, mm</source><translation>偏差，mm</translation></message>
+ <message><source>deviation</source><translation>偏差</translation></message>
  <message><source>worst</source><translation>最大</translation></message>
  <message><source>Stopped.</source><translation>已停止。</translation></message>
  <message><source>Bending varied strips</source><translation>正在弯曲变化的条带</translation></message>
@@ -162,6 +162,11 @@
  <message><source>While a sketch is edited</source><translation>编辑草图时</translation></message>
  <message><source>Show curvature, inflections and their line</source><translation>显示曲率、拐点及其直线</translation></message>
  <message><source>Show the nearest curve that can be bent</source><translation>显示可弯成的最近曲线</translation></message>
+ <message><source>Lengths</source><translation>长度</translation></message>
+ <message><source>Shown in</source><translation>显示单位</translation></message>
+ <message><source>Unit of all lengths in panels, sentences and the sketch's overlay; files are always in mm</source><translation>面板、提示语句和草图叠加显示中所有长度的单位；文件始终使用 mm</translation></message>
+ <message><source>as FreeCAD</source><translation>与 FreeCAD 相同</translation></message>
+ <message><source>inch</source><translation>英寸</translation></message>
 </context>
 <context>
  <name>ElasticaSection</name>

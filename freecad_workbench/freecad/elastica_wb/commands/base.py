@@ -11,6 +11,7 @@ from freecad.elastica_wb.features.flat import is_flat
 from freecad.elastica_wb.features.strip import is_strip
 from freecad.elastica_wb.qt import QtWidgets
 from freecad.elastica_wb.text import icon, tr
+from freecad.elastica_wb.units import worded
 
 from elastica_cad.errors import ElasticaError, InputError
 
@@ -76,6 +77,7 @@ def show_panel(make: Callable[..., Any], *arguments: Any) -> None:
 
 def tell(sentence: str) -> None:
     """A sentence in the report view, the status bar and a window that stops nobody."""
+    sentence = worded(sentence)
     App.Console.PrintError(f"Elastica: {sentence}\n")
     Gui.getMainWindow().statusBar().showMessage(sentence, 20000)
     box = QtWidgets.QMessageBox(Gui.getMainWindow())

@@ -12,6 +12,7 @@ from freecad.elastica_wb.drawn import drawn_curve, frame_of, placement_of
 from freecad.elastica_wb.features.properties import Property, put
 from freecad.elastica_wb.features.proxy import Feature, added
 from freecad.elastica_wb.features.strip import is_strip, strip_of
+from freecad.elastica_wb.units import worded
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication import Model, Placed, Strip
@@ -55,7 +56,7 @@ class ModelFeature(Feature):
             solid.Placement = inner * placement_of(placed.frame)
             solids.append(solid)
         obj.Shape = Part.Compound(solids)
-        put(obj, Joints=len(model.joints), Reports=list(model.reports))
+        put(obj, Joints=len(model.joints), Reports=[worded(report) for report in model.reports])
 
 
 def create(document: Any, strips: list[Any], *, interlock: bool = True) -> Any:

@@ -10,6 +10,7 @@ from typing import Any
 
 import FreeCAD as App
 import Part
+from freecad.elastica_wb.units import worded
 
 from elastica_cad.errors import ElasticaError, InputError, MissingDependencyError
 
@@ -53,7 +54,7 @@ class RefusalError(ValueError, metaclass=_Speaker):
 def refused(obj: Any, error: ElasticaError) -> RefusalError:
     """What `execute` raises when an object cannot be made."""
     RefusalError.who = obj.Label
-    return RefusalError(str(error))
+    return RefusalError(worded(str(error)))
 
 
 def explained(error: Exception) -> ElasticaError:

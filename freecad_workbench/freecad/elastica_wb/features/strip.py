@@ -11,6 +11,7 @@ from freecad.elastica_wb.features.asked import FORMS, PROPERTIES, wish_of
 from freecad.elastica_wb.features.properties import ensure, put
 from freecad.elastica_wb.features.refusal import FAILURES, explained, refused
 from freecad.elastica_wb.library import sheet_called, sheet_list
+from freecad.elastica_wb.units import worded
 
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.fabrication import Strip, sheet_color
@@ -134,8 +135,8 @@ def _tell_results(obj: Any, strip: Strip, curve: PlaneCurve) -> None:
     taken = f"a curve {deviation:.3g} mm from this one" if near else "this curve"
     put(
         obj,
-        Verdict=f"A flat strip takes {taken}{', with remarks' if notes else ''}.",
-        Reasons=notes,
+        Verdict=worded(f"A flat strip takes {taken}{', with remarks' if notes else ''}."),
+        Reasons=[worded(note) for note in notes],
         Ratio=rod.ratio,
         Margin=0.0 if found is None else found.margin,
         ConjugatePoint=0.0 if found is None or found.conjugate_point is None else found.conjugate_point,
@@ -156,7 +157,7 @@ def _tell_error(obj: Any, error: ElasticaError) -> None:
     verdict = (
         "A flat strip cannot take this curve." if isinstance(error, NotRealizable) else "There is no strip."
     )
-    put(obj, Verdict=verdict, Reasons=reasons)
+    put(obj, Verdict=verdict, Reasons=[worded(reason) for reason in reasons])
     if obj.Visibility and not is_edited(obj):
         obj.HiddenByError = True
         obj.Visibility = False

@@ -7,8 +7,10 @@ from typing import Any
 import FreeCAD as App
 import FreeCADGui as Gui
 from freecad.elastica_wb import live
+from freecad.elastica_wb.panels.boxes import lengths_in_users_unit
 from freecad.elastica_wb.qt import QtCore, QtWidgets
 from freecad.elastica_wb.text import icon, load_panel
+from freecad.elastica_wb.units import worded
 
 from elastica_cad.errors import ElasticaError
 
@@ -29,6 +31,7 @@ class Panel:
     def __init__(self, document: Any = None) -> None:
         Panel.opened = self
         self.form = load_panel(self.file)
+        lengths_in_users_unit(self.form)
         self.form.setWindowIcon(_qicon(self.icon_name))
         self.document = document
         self._timer = QtCore.QTimer(self.form)
@@ -84,8 +87,8 @@ class Panel:
         """Take previews away."""
 
     def tell(self, sentence: str) -> None:
-        """A sentence in the panel."""
-        self.form.message.setText(sentence)
+        """A sentence in the panel, worded in mm."""
+        self.form.message.setText(worded(sentence))
 
     def watch(self, *names: str) -> None:
         """Call `changed` after the user touches one of these widgets."""

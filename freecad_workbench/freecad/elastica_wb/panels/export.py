@@ -11,6 +11,7 @@ from freecad.elastica_wb.panels.files import ask_folder
 from freecad.elastica_wb.text import tr
 
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.pieces import Piece
 from elastica_cad.formats import CURVES, DXF_VERSIONS
 
 __all__ = ["ExportPanel"]
@@ -39,7 +40,7 @@ class ExportPanel(Panel):
         form.folder.setText(str(saved))
         form.browse.clicked.connect(self.browse)
         form.dxf.clicked.connect(self.need_ezdxf)
-        self.tell("\n".join(f"{piece.count} x {piece.name}" for piece in self.pieces))
+        self.tell("\n".join(map(_listed, self.pieces)))
 
     def browse(self, *_: Any) -> None:
         """Choose the folder."""
@@ -70,3 +71,8 @@ class ExportPanel(Panel):
             version=self.form.version.currentText(),
             force=self.form.force.isChecked(),
         )
+
+
+def _listed(piece: Piece) -> str:
+    """A line of the cut list."""
+    return f"{piece.count} x {piece.name}: {piece.size[0]:.5g} x {piece.size[1]:.5g} mm, {piece.sheet.name}"

@@ -6,6 +6,7 @@ import FreeCAD as App
 from freecad.elastica_wb.panels.base import Panel
 from freecad.elastica_wb.sections import AXES, section_sketches
 from freecad.elastica_wb.text import tr
+from freecad.elastica_wb.units import worded
 
 from elastica_cad.errors import InputError
 
@@ -50,4 +51,4 @@ class SectionPanel(Panel):
         if not self.sketches:
             raise InputError("; ".join(remarks))
         for remark in remarks:
-            App.Console.PrintWarning(f"Elastica: {remark}\n")
+            App.Console.PrintWarning(f"Elastica: {worded(remark)}\n")

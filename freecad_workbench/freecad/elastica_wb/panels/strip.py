@@ -5,6 +5,7 @@ from typing import Any
 from freecad.elastica_wb.panels.base import Panel
 from freecad.elastica_wb.qt import QtWidgets
 from freecad.elastica_wb.text import tr
+from freecad.elastica_wb.units import worded
 
 __all__ = ["StripPanel"]
 
@@ -84,7 +85,7 @@ class StripPanel(Panel):
         table = "".join(
             f"<tr><td>{name}&nbsp;&nbsp;</td><td><b>{value}</b></td></tr>" for name, value in rows
         )
-        self.form.numbers.setText(f"<table>{table}</table>")
+        self.form.numbers.setText(worded(f"<table>{table}</table>"))
         self.tell(" ".join([obj.Verdict, *obj.Reasons]))
 
 

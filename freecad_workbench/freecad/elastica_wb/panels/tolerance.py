@@ -7,6 +7,7 @@ from freecad.elastica_wb.features.strip import strip_of
 from freecad.elastica_wb.panels.base import Panel, progress
 from freecad.elastica_wb.plotting import bar_chart
 from freecad.elastica_wb.text import tr
+from freecad.elastica_wb.units import shown_unit
 
 from elastica_cad.errors import ElasticaError
 from elastica_cad.mechanics import ToleranceStudy, tolerance_study
@@ -44,13 +45,15 @@ class TolerancePanel(Panel):
         except ElasticaError as error:
             self.tell(str(error))
             return
-        effects = (*self.study.effects, self.study.combined)
+        effects, unit = (*self.study.effects, self.study.combined), shown_unit()
         rows = "".join(
-            f"<tr><td>{tr(e.name)}&nbsp;&nbsp;</td><td align=right>{e.percentile_95:.3f}&nbsp;&nbsp;</td>"
-            f"<td align=right>{e.worst:.3f}</td></tr>"
+            f"<tr><td>{tr(e.name)}&nbsp;&nbsp;</td><td align=right>{e.percentile_95 / unit.size:.3f}"
+            f"&nbsp;&nbsp;</td><td align=right>{e.worst / unit.size:.3f}</td></tr>"
             for e in effects
         )
-        head = f"<tr><td>{tr('deviation, mm')}</td><td>95 %&nbsp;&nbsp;</td><td>{tr('worst')}</td></tr>"
+        head = (
+            f"<tr><td>{tr('deviation')}, {unit.name}</td><td>95 %&nbsp;&nbsp;</td><td>{tr('worst')}</td></tr>"
+        )
         self.form.table.setText(f"<table>{head}{rows}</table>")
         self.form.plot.setPixmap(bar_chart([(tr(e.name), e.percentile_95, e.worst) for e in effects]))
         self.tell("")

@@ -1,0 +1,86 @@
+"""Lengths in the unit that the user reads; the preference, the sentences and what FreeCAD's page keeps."""
+
+from pathlib import Path
+from xml.etree import ElementTree
+
+import FreeCAD as App
+import pytest
+from freecad.elastica_wb import preferences
+from freecad.elastica_wb.features import strip
+from freecad.elastica_wb.units import Unit, shown_unit, worded
+
+INCH = Unit("in", 25.4)
+UI = Path(__file__).resolve().parents[2] / "freecad_workbench" / "resources" / "ui" / "preferences.ui"
+
+
+@pytest.fixture
+def prefer():
+    """`prefer(unit)`: as the preferences page does."""
+    yield lambda unit: preferences.put("Units", unit)
+    App.ParamGet(preferences.PATH).RemInt("Units")
+
+
+@pytest.mark.parametrize(
+    ("sentence", "expected"),
+    [
+        ("the curve is 254 mm long", "the curve is 10 in long"),
+        ("20.8 to 30 mm wide, stiffness ratio 1.44", "0.8189 to 1.181 in wide, stiffness ratio 1.44"),
+        ("it crosses at (25.4, -50.8) mm.", "it crosses at (1, -2) in."),
+        ("inflections at 25.4, 50.8 and 76.2 mm", "inflections at 1, 2 and 3 in"),
+        ("127 by 2.54e2 mm, 5 of 25.4 mm", "5 by 10 in, 5 of 1 in"),
+        ("elasto-gravity length 127 +- 2.54 mm", "elasto-gravity length 5 +- 0.1 in"),
+        ("curvature 0.02 1/mm, area 12 mm2, 3 N/mm2", "curvature 0.02 1/mm, area 12 mm2, 3 N/mm2"),
+        ("wrote A1_birch-0.8_0.8mm_x4.dxf", "wrote A1_birch-0.8_0.8mm_x4.dxf"),
+        ("no place 1/25.4 mm is meant", "no place 1/25.4 mm is meant"),
+    ],
+)
+def test_sentences(sentence, expected):
+    assert worded(sentence, INCH) == expected
+    assert worded(sentence, Unit("mm", 1.0)) == sentence
+
+
+def test_the_preference_rules(prefer):
+    assert shown_unit() == Unit("mm", 1.0)
+    for name, size in (("mm", 1.0), ("cm", 10.0), ("inch", 25.4)):
+        prefer(name)
+        assert shown_unit().size == size
+    prefer("FreeCAD")
+    schema = App.ParamGet("User parameter:BaseApp/Preferences/Units").GetInt("UserSchema", 0)
+    try:
+        for number, unit in ((2, INCH), (3, INCH), (4, Unit("cm", 10.0)), (7, Unit("ft", 304.8))):
+            App.Units.setSchema(number)
+            assert shown_unit().name == unit.name
+            assert shown_unit().size == pytest.approx(unit.size)
+    finally:
+        App.Units.setSchema(schema)
+
+
+def test_features_speak_it(document, sketch, prefer):
+    prefer("inch")
+    feature = strip.create(document, sketch)
+    feature.TabHole = 12.7
+    document.recompute()
+    assert " in " in feature.getStatusString()
+    assert " mm" not in feature.getStatusString()
+    assert " mm" not in " ".join(feature.Reasons)
+
+
+def test_choices_are_those_of_the_page():
+    """FreeCAD keeps the number of a choice."""
+    boxes = [
+        w for w in ElementTree.parse(UI).getroot().iter("widget") if w.get("class") == "Gui::PrefComboBox"
+    ]
+    assert len(boxes) == len(preferences.CHOICES)
+    for box in boxes:
+        entry = next(p for p in box.iter("property") if p.get("name") == "prefEntry").findtext("cstring")
+        items = [item.findtext("property/string") for item in box.findall("item")]
+        assert [item.replace("as ", "") for item in items] == list(preferences.CHOICES[entry])
+        assert preferences.CHOICES[entry][0] == preferences.DEFAULTS[entry]
+    group = App.ParamGet(preferences.PATH)
+    group.SetInt("DxfVersion", 2)
+    try:
+        assert preferences.get("DxfVersion") == "R2000"
+        group.SetInt("DxfVersion", 99)
+        assert preferences.get("DxfVersion") == "R2010"
+    finally:
+        group.RemInt("DxfVersion")
