@@ -117,8 +117,9 @@ class Layout:
         """Skin strain of each layer at stations `s` (n,) bent by `bend` (n,) = |kappa - kappa_0|, 1/mm."""
         if self.backing is None:
             return PlainSection(self.sheet).strains(bend)
-        section = LaminatedSection(self.sheet, self.backing.sheet)
-        return section.strains(bend, self.width(s), self.backing.width(s))
+        section, outer = LaminatedSection(self.sheet, self.backing.sheet), self.width(s)
+        # where it fills the base, the backing's fit may pass the base's by its tolerance
+        return section.strains(bend, outer, np.minimum(self.backing.width(s), outer))
 
     def stiffness(self, material: FloatArray, backing: FloatArray | None = None) -> FloatArray:
         """E I (n,), N mm2, of widths (n,), mm, that are really there of the sheet and of the backing."""

@@ -14,6 +14,10 @@ _PROBES = np.array([0.02, 0.11, 0.27, 0.43, 0.58, 0.72, 0.88, 0.98])
 _MOST_SPANS = 3000
 _WORST = 0.05
 _NARROWEST = 1e-9  # of the domain
+_SAME = 1e-10  # of the domain: breaks no farther apart are one
+_ALIKE = (
+    1e-7  # the same where the slope goes on in one of them: the span between them could not be solved for
+)
 _WIDER = 8.0  # than its neighbour: cut with it
 
 
@@ -24,6 +28,7 @@ def adaptive_spline(
     degree: int,
     tolerance: float,
     breaks: Sequence[tuple[float, int]] = (),
+    knots: FloatArray | Sequence[float] = (),
     rounding: float = 1e-13,
 ) -> tuple[FloatArray, FloatArray]:
     """Knots and coefficients (m, ...) of a clamped spline within `tolerance` of a function on `domain`.
@@ -38,6 +43,8 @@ def adaptive_spline(
     breaks : sequence of (place, continuity)
         Places where the function is only `continuity` times differentiable, -1 where it jumps: they become
         knots of the matching multiplicity.
+    knots : (k,) array_like
+        Where to begin with knots besides the breaks; more come where they are needed.
     rounding : float
         Relative error of the function's values; nothing closer is asked for.
 
@@ -49,21 +56,21 @@ def adaptive_spline(
         When it cannot be followed: an undeclared jump or kink, or noise above the tolerance.
     """
     order = _break_orders(breaks, domain)
-    edges = np.array([domain[0], *sorted(order), domain[1]])
+    edges = _with_knots(np.array([domain[0], *sorted(order), domain[1]]), np.asarray(knots, dtype=float))
     sites, weight = np.polynomial.legendre.leggauss(degree + 3)
     places = np.concatenate([(1 + sites) / 2, _PROBES])
     samples = _sampled(function, edges[:-1], edges[1:], places)
     while True:
         counts = [min(max(degree - order.get(e, degree - 1), 1), degree + 1) for e in edges[1:-1].tolist()]
-        knots = np.repeat(edges, [degree + 1, *counts, degree + 1])
-        spans = bezier_spans(knots, degree)
+        repeated = np.repeat(edges, [degree + 1, *counts, degree + 1])
+        spans = bezier_spans(repeated, degree)
         coefficients = _least_squares(spans, samples[:, : sites.size], places[: sites.size], weight)
         error = _largest_errors(spans, coefficients, samples[:, sites.size :])
         accepted = max(tolerance, rounding * float(np.abs(samples).max()))
         # a steep place spoils its neighbourhood too: only the worst is refined before the rest is judged
         bad = np.flatnonzero(error > max(accepted, _WORST * error.max()))
         if not bad.size:
-            return knots, coefficients
+            return repeated, coefficients
         worst = int(bad[error[bad].argmax()])
         too_narrow = np.diff(edges)[bad].min() < _NARROWEST * (edges[-1] - edges[0])
         if too_narrow or edges.size + bad.size > _MOST_SPANS:
@@ -77,19 +84,31 @@ def adaptive_spline(
 
 
 def _break_orders(breaks: Sequence[tuple[float, int]], domain: tuple[float, float]) -> dict[float, int]:
-    """Least continuity at each break inside the domain; breaks closer than rounding count as one."""
-    close = 1e-10 * (domain[1] - domain[0])
+    """Least continuity at each break inside the domain; breaks too close to be told apart count as one."""
+    length = domain[1] - domain[0]
     order: dict[float, int] = {}
     last = domain[0]
     for place, continuity in sorted((float(s), int(c)) for s, c in breaks):
-        if not domain[0] + close < place < domain[1] - close:
+        if not domain[0] + _SAME * length < place < domain[1] - _SAME * length:
             continue
-        if place - last <= close and last in order:
-            order[last] = min(order[last], continuity)
-            continue
-        order[place] = continuity
-        last = place
+        before = order.get(last)
+        if before is None or place - last > (_ALIKE if max(before, continuity) > 0 else _SAME) * length:
+            order[place] = continuity
+            last = place
+        elif continuity < before:
+            # the rougher of the two is where it is
+            del order[last]
+            order[place] = continuity
+            last = place
     return order
+
+
+def _with_knots(edges: FloatArray, knots: FloatArray) -> FloatArray:
+    """The edges and those knots that lie between them, none next to an edge."""
+    knots = knots[(knots > edges[0]) & (knots < edges[-1])]
+    after = np.searchsorted(edges, knots)
+    apart = np.minimum(edges[after] - knots, knots - edges[after - 1])
+    return np.union1d(edges, knots[apart > _NARROWEST * (edges[-1] - edges[0])])
 
 
 def _sampled(
@@ -151,9 +170,10 @@ def _least_squares(spans: Spans, values: FloatArray, places: FloatArray, weight:
     banded = np.zeros((degree + 1, count))
     total = np.zeros((count, *values.shape[2:]))
     for i in range(degree + 1):
-        np.add.at(total, spans.first + i, right[:, i])
+        # no two spans begin at the same control point
+        total[spans.first + i] += right[:, i]
         for j in range(i, degree + 1):
-            np.add.at(banded[degree - (j - i)], spans.first + j, gram[:, i, j])
+            banded[degree - (j - i), spans.first + j] += gram[:, i, j]
     solution: FloatArray = solveh_banded(banded, total)
     return solution
 

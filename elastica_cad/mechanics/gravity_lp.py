@@ -159,19 +159,35 @@ def least_variation(
         The terms of the variation.
     """
     from scipy.optimize import linprog
-    from scipy.sparse import bmat, identity
 
-    k, m = bends.shape
-    # variables x, u >= |bends @ x + bend_offset|
-    slack = identity(k, format="csr")
-    matrix = bmat([[-rows, None], [rows, None], [bends, -slack], [-bends, -slack]], format="csr")
-    limit = np.concatenate([offset - 1, largest - offset, -bend_offset, bend_offset])
-    cost = np.concatenate([np.zeros(m), np.ones(k)])
-    bounds = [(None, None)] * m + [(0, None)] * k
-    result = linprog(cost, matrix, limit, bounds=bounds, method="highs")
+    if bends.shape[1] == 1:
+        return _least_variation_of_one(rows[:, 0], offset, bends[:, 0], bend_offset, largest)
+    # the dual program: as many rows as there are numbers, which are the prices of its rows
+    matrix = np.concatenate([bends, -rows, rows]).T
+    cost = -np.concatenate([bend_offset, 1 - offset, offset - largest])
+    bounds = np.zeros((cost.size, 2))
+    bounds[:, 1] = np.inf
+    bounds[: len(bends)] = -1.0, 1.0
+    result = linprog(cost, A_eq=matrix, b_eq=np.zeros(len(matrix)), bounds=bounds, method="highs",
+                     options={"presolve": False})  # fmt: skip
     if result.status != 0:
         raise NotConvergedError(f"the second phase for a smooth stiffness stopped: {result.message}")
-    return np.asarray(result.x[:m], dtype=float)
+    return np.asarray(result.eqlin.marginals, dtype=float)
+
+
+def _least_variation_of_one(
+    row: FloatArray, offset: FloatArray, bend: FloatArray, bend_offset: FloatArray, largest: float
+) -> FloatArray:
+    """The same for a single number: the weighted median of where the terms vanish, moved into its bounds."""
+    counts = bend != 0
+    zeros, steep = -bend_offset[counts] / bend[counts], np.abs(bend[counts])
+    order = np.argsort(zeros)
+    passed = np.cumsum(steep[order])
+    best = float(zeros[order][np.searchsorted(passed, passed[-1] / 2)]) if zeros.size else 0.0
+    moves = row != 0
+    bounds = np.sort([(1 - offset[moves]) / row[moves], (largest - offset[moves]) / row[moves]], axis=0)
+    low, high = float(bounds[0].max()), float(bounds[1].min())
+    return np.array([min(max(best, low), high) if low <= high else (low + high) / 2])
 
 
 def largest_number(rows: FloatArray, number: FloatArray, largest: float) -> float:

@@ -201,3 +201,4 @@ def test_backing_that_fills_the_base_under_its_own_weight(name):
     strip = ec.Strip(laminate.rod, base, style=Laminated(width=width, backing=CARD))
     assert len(strip.drawings()) == 2
     assert strip.as_made.ratio == pytest.approx(laminate.rod.ratio, rel=1e-3)
+    assert 0 < strip.max_strain < 1

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.optimize import linprog
 
-from elastica_cad.mechanics.gravity_lp import sampled_stiffness
+from elastica_cad.mechanics.gravity_lp import least_variation, sampled_stiffness
 from elastica_cad.mechanics.minimax_lp import minimax_ratio
 
 
@@ -98,3 +98,22 @@ def test_sampled_stiffness_refuses_samples_on_inflections():
         sampled_stiffness([(0, 0), (1, 0), (2, 1)], [0.1, 0.0, 0.1])
     with pytest.raises(ValueError, match="positions"):
         sampled_stiffness([(0, 0), (1, 0)], [0.1, 0.2, 0.3])
+
+
+@pytest.mark.parametrize("numbers", [1, 2, 3, 4])
+@pytest.mark.parametrize("seed", range(3))
+def test_least_variation_is_that_of_the_program_as_it_is_written(numbers, seed):
+    """Section 5.3: sum |bends x + offset| with slack variables, against the solution by prices or medians."""
+    rng = np.random.default_rng(seed)
+    rows, bends = rng.normal(size=(200, numbers)), rng.normal(size=(150, numbers))
+    offset, bend_offset = rng.uniform(1.2, 2.8, 200) - rows @ rng.normal(size=numbers), rng.normal(size=150)
+    x = least_variation(rows, offset, bends, bend_offset, 3.0)
+    stiffness = rows @ x + offset
+    assert stiffness.min() > 1 - 1e-7
+    assert stiffness.max() < 3 + 1e-7
+    slack, none = np.eye(150), np.zeros((200, 150))
+    matrix = np.block([[-rows, none], [rows, none], [bends, -slack], [-bends, -slack]])
+    limit = np.concatenate([offset - 1, 3 - offset, -bend_offset, bend_offset])
+    cost, bounds = np.repeat([0.0, 1.0], [numbers, 150]), [(None, None)] * numbers + [(0, None)] * 150
+    whole = linprog(cost, matrix, limit, bounds=bounds, method="highs")
+    assert np.abs(bends @ x + bend_offset).sum() == pytest.approx(whole.fun, rel=1e-8)

@@ -79,6 +79,27 @@ def test_breaks_may_repeat_touch_the_ends_and_be_smooth():
     assert np.count_nonzero(profile.knots == 70) == 1
 
 
+@pytest.mark.parametrize("apart", [3e-9, 2e-7, 9e-6])
+def test_breaks_a_hair_apart_leave_the_rest_alone(apart):
+    """Knots of a curve and of a width may all but coincide: the span between them could not be solved for."""
+    places = np.linspace(0, 300, 81)[1:-1]
+    breaks = [(s + d, 1) for s in places for d in (0.0, apart)]
+    profile = Profile.fit(bump, 300.0, breaks=breaks, tolerance=3e-6)
+    s = np.linspace(0, 300, 5001)
+    assert np.abs(profile(s) - bump(s)).max() < 3e-6
+
+
+def test_the_rougher_of_two_near_breaks_keeps_its_place():
+    def kinked(s):
+        return 2 + np.abs(s - 40) / 10
+
+    for order in (1, -1):
+        breaks = [(40.0, 0), (40.0 + order * 4e-6, 1)]
+        profile = Profile.fit(kinked, 100.0, breaks=breaks, tolerance=1e-9)
+        assert profile(40.0) == pytest.approx(2, abs=1e-12)
+        assert np.count_nonzero(np.abs(profile.knots - 40) < 1e-3) == 3
+
+
 @pytest.mark.parametrize("place", [37.3, 50.0])
 def test_an_undeclared_jump_or_kink_is_refused_with_its_place(place):
     with pytest.raises(NotConvergedError, match=f"near {place:.4g}"):
