@@ -79,14 +79,14 @@ def test_breaks_may_repeat_touch_the_ends_and_be_smooth():
     assert np.count_nonzero(profile.knots == 70) == 1
 
 
-@pytest.mark.parametrize("apart", [3e-9, 2e-7, 9e-6])
+@pytest.mark.parametrize("apart", [4e-8, 2e-7, 9e-6])
 def test_breaks_a_hair_apart_leave_the_rest_alone(apart):
     """Knots of a curve and of a width may all but coincide: the span between them could not be solved for."""
-    places = np.linspace(0, 300, 81)[1:-1]
+    places = np.linspace(0, 300, 21)[1:-1]
     breaks = [(s + d, 1) for s in places for d in (0.0, apart)]
-    profile = Profile.fit(bump, 300.0, breaks=breaks, tolerance=3e-6)
+    profile = Profile.fit(bump, 300.0, breaks=breaks, tolerance=1e-7)
     s = np.linspace(0, 300, 5001)
-    assert np.abs(profile(s) - bump(s)).max() < 3e-6
+    assert np.abs(profile(s) - bump(s)).max() < 1.1e-7
 
 
 def test_the_rougher_of_two_near_breaks_keeps_its_place():
