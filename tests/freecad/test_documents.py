@@ -372,3 +372,22 @@ def test_gravity_falls_in_space(document, sketch):
     gravity = strip.strip_of(feature).rod.gravity
     assert gravity.direction == pytest.approx((0, -1), abs=1e-12)
     assert gravity.length == pytest.approx(Sheet.named("card-200gsm").elasto_gravity_length)
+
+
+def test_a_link_to_a_sketch(document, sketch):
+    part = document.addObject("App::Part", "Part")
+    part.Placement.Base = App.Vector(0, 0, 300)
+    link = document.addObject("App::Link", "Link")
+    link.LinkedObject = sketch
+    link.Placement = App.Placement(App.Vector(5, 6, 7), App.Rotation(App.Vector(1, 0, 0), 90))
+    part.addObject(link)
+    feature = strip.create(document, link)
+    document.recompute()
+    assert feature.State == ["Up-to-date"], feature.getStatusString()
+    assert feature.getParentGeoFeatureGroup() is part
+    place = part.Placement * link.Placement
+    assert in_document(feature).isInside(place.multVec(sketch.Geometry[0].value(0.5)), 1e-6, True)
+    link.Placement.Base = App.Vector(5, 6, 17)
+    document.recompute()
+    place = part.Placement * link.Placement
+    assert in_document(feature).isInside(place.multVec(sketch.Geometry[0].value(0.5)), 1e-6, True)

@@ -12,7 +12,16 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication import Frame
 from elastica_cad.geometry import PlaneCurve
 
-__all__ = ["DrawnCurve", "curve_into", "drawn_curve", "frame_of", "is_sketch", "placement_of", "sketch_curve"]
+__all__ = [
+    "DrawnCurve",
+    "container",
+    "curve_into",
+    "drawn_curve",
+    "frame_of",
+    "is_sketch",
+    "placement_of",
+    "sketch_curve",
+]
 
 SKETCH = "Sketcher::SketchObject"
 
@@ -37,14 +46,14 @@ def drawn_curve(link: Any, follower: Any = None) -> DrawnCurve:
     source, names = link if isinstance(link, tuple) else (link, ())
     if source is None:
         raise InputError("the curve is missing: choose a sketch or an edge in the property Curve")
-    world = source.getGlobalPlacement()
     edges = [name for name in names if name]
     if is_sketch(source) and not edges:
-        curve = sketch_curve(source)
+        curve, place = sketch_curve(source), source.Placement
     else:
         curve, frame = plane_curve(_edges(source, edges))
-        world = world * source.Placement.inverse() * placement_of(frame)
-    return DrawnCurve(curve, _container(follower).inverse() * world, world)
+        place = placement_of(frame)
+    world = container(source) * place
+    return DrawnCurve(curve, container(follower).inverse() * world, world)
 
 
 def sketch_curve(sketch: Any, geometry: list[Any] | None = None) -> PlaneCurve:
@@ -86,8 +95,8 @@ def _why_empty(sketch: Any) -> str:
 
 
 def _edges(source: Any, names: list[str]) -> list[Part.Edge]:
-    shape = getattr(source, "Shape", None)
-    if shape is None or shape.isNull():
+    shape = Part.getShape(source)  # of a link too, which has its own place
+    if shape.isNull():
         raise InputError(f"{source.Label} has no shape: choose a sketch, an edge or a wire")
     if not names:
         if shape.Faces:
@@ -103,8 +112,9 @@ def _edges(source: Any, names: list[str]) -> list[Part.Edge]:
     return found
 
 
-def _container(follower: Any) -> App.Placement:
-    group = None if follower is None else follower.getParentGeoFeatureGroup()
+def container(obj: Any) -> App.Placement:
+    """Where the container of an object lies in the whole document; links have no such method of their own."""
+    group = None if obj is None else obj.getParentGeoFeatureGroup()
     return App.Placement() if group is None else group.getGlobalPlacement()
 
 

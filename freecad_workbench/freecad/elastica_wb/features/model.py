@@ -8,7 +8,7 @@ import numpy as np
 import Part
 from freecad.elastica_wb import preferences
 from freecad.elastica_wb.design import bent_shape
-from freecad.elastica_wb.drawn import drawn_curve, frame_of, placement_of
+from freecad.elastica_wb.drawn import container, drawn_curve, frame_of, placement_of
 from freecad.elastica_wb.features.properties import Property, put
 from freecad.elastica_wb.features.proxy import Feature, added
 from freecad.elastica_wb.features.strip import is_strip, strip_of
@@ -49,7 +49,7 @@ class ModelFeature(Feature):
     def make(self, obj: Any) -> None:
         """Slot the strips and stand them in their places."""
         model = model_of(obj)
-        inner = _container(obj).inverse()
+        inner = container(obj).inverse()
         solids = []
         for placed in model.placed:
             solid = bent_shape(placed.strip).copy(False)
@@ -129,8 +129,3 @@ def _numbers(world: App.Placement) -> tuple[float, ...]:
     frame = frame_of(world)
     rows = np.array([frame.origin, frame.x_axis, frame.y_axis])
     return tuple(rows.ravel().tolist())
-
-
-def _container(obj: Any) -> App.Placement:
-    group = obj.getParentGeoFeatureGroup()
-    return App.Placement() if group is None else group.getGlobalPlacement()
