@@ -66,6 +66,7 @@ class Profile:
         length: float,
         *,
         breaks: Sequence[tuple[float, int]] = (),
+        knots: ArrayLike = (),
         tolerance: float = 1e-7,
         degree: int = 3,
     ) -> "Profile":
@@ -78,6 +79,8 @@ class Profile:
         breaks : sequence of (s, continuity)
             Places where the function is only `continuity` times differentiable; -1 is a jump.
             They become knots of the matching multiplicity, so that a kink stays a kink.
+        knots : (k,) array_like
+            Where to begin with knots; more are put where the tolerance asks for them.
 
         Raises
         ------
@@ -86,15 +89,16 @@ class Profile:
         """
         if not (np.isfinite(length) and length > 0):
             raise InputError(f"a profile needs a positive length, not {length!r} mm")
-        knots, coefficients = adaptive_spline(
+        found, coefficients = adaptive_spline(
             function,
             (0.0, float(length)),
             degree=degree,
             tolerance=tolerance,
             breaks=breaks,
+            knots=finite("knots", knots),
             rounding=1e-9,  # quotients of moment and curvature are rarely known better
         )
-        return cls(knots, coefficients, degree)
+        return cls(found, coefficients, degree)
 
     @classmethod
     def interpolate(cls, s: ArrayLike, values: ArrayLike) -> "Profile":

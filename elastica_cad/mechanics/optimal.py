@@ -25,19 +25,14 @@ from elastica_cad.mechanics.line import InflectionLine
 from elastica_cad.mechanics.loads import Weight
 from elastica_cad.mechanics.material_laws import MaterialLaw
 from elastica_cad.mechanics.rod import DEFAULT_SAMPLES, Rod
+from elastica_cad.mechanics.stiffness_profile import stiffness_profile
 from elastica_cad.mechanics.supports import Supports
 from elastica_cad.mechanics.verdict import figure
 from elastica_cad.mechanics.weighing import BalancedStiffness, balance_with_weight, balance_without_weight
 
 __all__ = ["optimal_rod"]
 
-PROFILE_TOLERANCE = 1e-6
-"""Error of the stiffness profile, relative to its largest value; its extremes are exact."""
-
 _LAW_SAMPLES = 2001
-
-STEP_LENGTH = 1e-5
-"""A step of the stiffness is spread over this part of the length, so that the outline stays one edge."""
 
 
 def optimal_rod(
@@ -256,7 +251,7 @@ def _bent_rod(problem: _Problem, balance: BalancedStiffness) -> Rod:
     return Rod(
         s=nodes.s, position=nodes.position, angle=nodes.angle, curvature=nodes.curvature, stiffness=K,
         moment=moment, force=np.column_stack([-b[:, 1], b[:, 0]]),
-        profile=_profile(check, balance, 1 / least),
+        profile=stiffness_profile(check, balance, 1 / least),
         gravity=problem.gravity, supports=problem.supports, natural_curvature=problem.natural_curvature,
         residual=residual, weight=weight, law=problem.law,
         bending_stiffness=None if balance.bending_stiffness is None else balance.bending_stiffness * least,
@@ -269,61 +264,3 @@ def _moment_line(moment: float, b: FloatArray, position: FloatArray) -> Inflecti
     size = np.hypot(*b)
     foot = position - b * moment / size**2
     return InflectionLine((float(foot[0]), float(foot[1])), (float(b[1] / size), float(-b[0] / size)))
-
-
-def _profile(check: EquilibriumCheck, balance: BalancedStiffness, scale: float) -> Profile:
-    """K as a cubic spline of arc length.
-
-    K has two derivatives less than the curve, and one less again in an inflection at a knot; a kink stays a
-    kink. A step is spread over a ramp.
-    """
-    curve, panels, K = check.curve, balance.panels, balance.stiffness
-    length = curve.length
-    zeros = np.array([z.s for z in check.zeros])
-    breaks: list[tuple[float, int]] = list(balance.kinks)
-    steps: list[float] = []
-    for knot in curve.breaks:
-        at_zero = zeros.size > 0 and np.abs(zeros - knot.s).min() < 1e-9 * length
-        continuity = knot.continuity - 2 - int(at_zero)
-        if continuity < 0:
-            steps.append(knot.s)
-        else:
-            breaks.append((knot.s, continuity))
-    half = STEP_LENGTH * length / 2
-    feet = [s + side * half for s in steps for side in (-1, 1)]
-    # fitted apart, or the ramp, which weighs nothing, would have to take over its neighbours' errors
-    breaks += [(s, -1) for s in feet]
-
-    def stiffness(s: FloatArray) -> FloatArray:
-        values = K.at(*panels.locate(curve.parameter(s))) * scale
-        for step in steps:
-            inside = np.abs(s - step) < half
-            if inside.any():
-                ends = K.at(*panels.locate(curve.parameter(np.array([step - half, step + half])))) * scale
-                values[inside] = np.interp(s[inside], [step - half, step + half], ends)
-        return values
-
-    largest = float(np.abs(stiffness(np.linspace(0.0, length, 257))).max())
-    fitted = Profile.fit(stiffness, length, breaks=breaks, tolerance=PROFILE_TOLERANCE * largest)
-    for i, foot in enumerate(feet):
-        fitted = _joined(fitted, foot, keep_left=i % 2 == 0)
-    return _with_extremes(fitted, stiffness(np.array(fitted.extreme_places)), PROFILE_TOLERANCE * largest)
-
-
-def _with_extremes(profile: Profile, exact: FloatArray, tolerance: float) -> Profile:
-    """The profile stretched a little so that its extremes are `exact`, the stiffness where it has them.
-
-    The stiffness is stationary there, so the places need not be exact.
-    """
-    low, high = profile.extremes
-    if high - low <= tolerance:
-        return profile
-    stretched = exact[0] + (profile.coefficients - low) * ((exact[1] - exact[0]) / (high - low))
-    return Profile(profile.knots, stretched, profile.degree)
-
-
-def _joined(profile: Profile, place: float, *, keep_left: bool) -> Profile:
-    """The profile with the gap at `place` closed: both sides get the value of the one kept."""
-    first = int(np.searchsorted(profile.knots, place - 1e-9 * profile.length))
-    coefficients = np.delete(profile.coefficients, first if keep_left else first - 1)
-    return Profile(np.delete(profile.knots, first), coefficients, profile.degree)

@@ -23,6 +23,7 @@ __all__ = [
     "PanelFunction",
     "Panels",
     "cut_into_panels",
+    "located",
 ]
 
 ORDER = 12
@@ -50,6 +51,13 @@ def _antiderivatives() -> tuple[FloatArray, FloatArray]:
 LEFT, RIGHT = _antiderivatives()
 SLOPES = np.append(np.polynomial.legendre.legder(np.eye(ORDER)), np.zeros((1, ORDER)), axis=0)
 """Legendre coefficients of the derivative from those of a function."""
+
+
+def located(edges: FloatArray, places: FloatArray) -> tuple[IntArray, FloatArray]:
+    """Between which edges (N + 1,) places (n,) lie, and where there, from -1 to 1."""
+    panel = np.searchsorted(edges[1:-1], places, side="right")
+    start, end = edges[panel], edges[panel + 1]
+    return panel, np.minimum(np.maximum((2 * places - start - end) / (end - start), -1.0), 1.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,9 +100,7 @@ class Panels:
 
     def locate(self, t: FloatArray) -> tuple[IntArray, FloatArray]:
         """Panel numbers and places x in [-1, 1] of parameters `t` (n,)."""
-        panel = np.searchsorted(self.edges[1:-1], t, side="right")
-        start, end = self.edges[panel], self.edges[panel + 1]
-        return panel, np.minimum(np.maximum((2 * t - start - end) / (end - start), -1.0), 1.0)
+        return located(self.edges, t)
 
     def arc_length(self, panel: IntArray, x: FloatArray) -> FloatArray:
         """Arc lengths of places x in panels, mm."""
