@@ -17,7 +17,7 @@ from elastica_cad.mechanics.supports import Supports
 
 __all__ = ["Laminate", "optimal_laminate"]
 
-_SETTLED = 1e-8
+_SETTLED = 1e-7
 _ROUNDS = 30
 _STATIONS = 81  # of the weight law, a cubic spline in between
 

@@ -23,6 +23,9 @@ __all__ = ["StiffnessFamily", "dense_places", "extreme_places", "least_ratio", "
 DENSE = np.concatenate([[-1.0], np.cos(np.pi * (np.arange(1, 24)[::-1] / 24)), [1.0]])
 """Places in each panel at which bounds are first watched."""
 
+BOUNDED = 1e-7
+"""Relative excess over its bounds that a smooth stiffness may have: the accuracy of its linear program."""
+
 
 @dataclass(frozen=True, eq=False)
 class StiffnessFamily:
@@ -149,14 +152,16 @@ def smoothest(family: StiffnessFamily, ratio: float) -> FloatArray:
     d = family.freedom
     bend_offset = bends[:, d] if family.offset is not None else np.zeros(len(bends))
     rows, offset = family.dense
-    for _ in range(4):
+    first = start_rows(len(rows))
+    rows, offset = rows[first], offset[first]
+    for _ in range(MAX_ROUNDS):
         y = least_variation(rows, offset, bends[:, :d], bend_offset, ratio)
         more, more_offset = family.extremes(y)
         K = more @ y + more_offset
-        if K.min() >= 1 - 1e-9 and K.max() <= ratio * (1 + 1e-9):
-            break
+        if K.min() >= 1 - BOUNDED and K.max() <= ratio * (1 + BOUNDED):
+            return y
         rows, offset = np.concatenate([rows, more]), np.concatenate([offset, more_offset])
-    return y
+    raise unsettled(ratio)
 
 
 def wrong_places(family: StiffnessFamily) -> FloatArray:
