@@ -18,11 +18,13 @@ from elastica_cad.formats import (
     write_drawing,
 )
 from elastica_cad.formats.opening import existing_file, millimetres, naming
+from elastica_cad.formats.surfaces import Surface, mesh_surface
 from elastica_cad.geometry import PlaneCurve
 
-__all__ = ["CURVE_SUFFIXES", "read_curves", "save"]
+__all__ = ["CURVE_SUFFIXES", "read_curves", "read_surface", "save"]
 
-CURVE_SUFFIXES = (".dxf", ".svg", ".csv", ".txt", ".json", ".step", ".stp", ".brep")
+KERNEL_SUFFIXES = (".step", ".stp", ".brep")
+CURVE_SUFFIXES = (".dxf", ".svg", ".csv", ".txt", ".json", *KERNEL_SUFFIXES)
 
 
 def read_curves(
@@ -70,7 +72,7 @@ def read_curves(
     ...     file = Path(folder, "arch.txt")
     ...     _ = file.write_text("2 3\\n0 0\\n50 80\\n100 0\\n")
     ...     round(read_curves(file)[0].length, 2)
-    64.05
+    66.69
     """
     path = existing_file(path)
     suffix = path.suffix.lower()
@@ -96,15 +98,41 @@ def _kernel_curves(path: Path, unit: str | None) -> list[PlaneCurve]:
     try:
         from elastica_cad.step import read_step_curves
     except ImportError as error:
-        raise MissingDependencyError(
-            f'reading {path.name} needs a CAD kernel: pip install "elastica-cad[build123d]"'
-        ) from error
+        raise _no_kernel(path) from error
     with naming(path):
         curves: list[PlaneCurve] = read_step_curves(path)
         if not curves:
             raise InputError("holds no plane curve: export the edges that the strips are to follow")
         to_mm = np.diag([millimetres(unit or "mm")] * 2 + [1.0])
         return curves if unit is None else [curve.transformed(to_mm) for curve in curves]
+
+
+def read_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.0) -> Surface:
+    """The surface in a file, to be cut by planes: a mesh (.obj, .stl, .ply) or a CAD body (.step, .stp, .brep).
+
+    Raises
+    ------
+    InputError
+        A missing or unknown file, nothing to cut in it, or a mesh whose size asks for `unit`.
+    MissingDependencyError
+        Meshes need trimesh, CAD bodies a kernel.
+    """
+    if Path(path).suffix.lower() not in KERNEL_SUFFIXES:
+        return mesh_surface(path, unit=unit, scale=scale)
+    path = existing_file(path)
+    try:
+        from elastica_cad.shape_sections import shape_surface
+        from elastica_cad.step import read_step_shape
+    except ImportError as error:
+        raise _no_kernel(path) from error
+    with naming(path):
+        return shape_surface(read_step_shape(path), millimetres(unit or "mm") * scale)
+
+
+def _no_kernel(path: Path) -> MissingDependencyError:
+    return MissingDependencyError(
+        f'reading {path.name} needs a CAD kernel: pip install "elastica-cad[build123d]"'
+    )
 
 
 def save(drawing: Drawing, path: str | Path, **options: Any) -> Path:

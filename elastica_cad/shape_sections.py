@@ -1,6 +1,7 @@
 """Sections of CAD solids and NURBS surfaces by planes, through the installed kernel."""
 
 from collections.abc import Sequence
+from itertools import product
 
 import numpy as np
 
@@ -8,11 +9,12 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.formats.chains import chained
 from elastica_cad.formats.edges import Edge
-from elastica_cad.forming.sections import Section, SectionLine, tidied
+from elastica_cad.formats.surfaces import Surface
+from elastica_cad.forming.sections import Section, SectionLine, right_half, tidied
 from elastica_cad.geometry import Frame
 from elastica_cad.occt import Shape, drawn_edges, plane_axes_of
 
-__all__ = ["shape_sections"]
+__all__ = ["shape_sections", "shape_surface"]
 
 JOIN = 1e-4
 """Ends of edges nearer than this meet, mm."""
@@ -21,7 +23,7 @@ POINTS = 120
 """Places on each span of an edge of a section."""
 
 
-def shape_sections(shape: Shape, planes: Sequence[Frame]) -> tuple[Section, ...]:
+def shape_sections(shape: Shape, planes: Sequence[Frame], *, half: bool = False) -> tuple[Section, ...]:
     """What planes cut out of a body or a surface of OpenCASCADE, as `mesh_sections` gives it for meshes.
 
     Parameters
@@ -29,6 +31,8 @@ def shape_sections(shape: Shape, planes: Sequence[Frame]) -> tuple[Section, ...]
     shape : TopoDS_Shape, or a wrapper of one
         Solid, shell or face, mm: a build123d object, or `.val()` of a CadQuery workplane.
     planes : sequence of Frame
+    half : bool
+        Only what lies at x >= 0 of each frame: half planes about an axis.
 
     Returns
     -------
@@ -46,15 +50,40 @@ def shape_sections(shape: Shape, planes: Sequence[Frame]) -> tuple[Section, ...]
     shape = getattr(shape, "wrapped", shape)
     if shape is None or shape.IsNull():
         raise InputError("there is no shape to cut: give a solid, a shell or a face")
+    cuts = (BRepAlgoAPI_Section(shape, gp_Pln(plane_axes_of(frame))).Shape() for frame in planes)
     return tuple(
-        _section(BRepAlgoAPI_Section(shape, gp_Pln(plane_axes_of(frame))).Shape(), frame, f"section {number}")
-        for number, frame in enumerate(planes, 1)
+        _section(cut, frame, half, f"section {number}")
+        for number, (cut, frame) in enumerate(zip(cuts, planes, strict=True), 1)
     )
 
 
-def _section(cut: Shape, frame: Frame, name: str) -> Section:
+def shape_surface(shape: Shape, scale: float = 1.0) -> Surface:
+    """A body or surface of OpenCASCADE, all lengths times `scale`, ready to be cut."""
+    from OCP.Bnd import Bnd_Box
+    from OCP.BRepBndLib import BRepBndLib
+    from OCP.BRepBuilderAPI import BRepBuilderAPI_Transform
+    from OCP.gp import gp_Trsf
+
+    if scale != 1.0:
+        larger = gp_Trsf()
+        larger.SetScaleFactor(scale)
+        shape = BRepBuilderAPI_Transform(shape, larger, True).Shape()
+    box = Bnd_Box()
+    BRepBndLib.AddOptimal_s(shape, box, False, False)
+    if box.IsVoid():
+        raise InputError("there is no shape to cut: give a solid, a shell or a face")
+    low, high = (
+        np.array([corner.X(), corner.Y(), corner.Z()]) for corner in (box.CornerMin(), box.CornerMax())
+    )
+    corners = np.array(list(product(*zip(low, high, strict=True))))
+    return Surface(corners, lambda planes, half: shape_sections(shape, planes, half=half))
+
+
+def _section(cut: Shape, frame: Frame, half: bool, name: str) -> Section:
     runs = chained([(edge,) for edge in drawn_edges(cut)], JOIN)
     lines = [_points(run, frame) for run in runs]
+    if half:
+        lines = [tidied(part, JOIN) for line in lines if len(line) > 1 for part in right_half(line)]
     lines = [line for line in lines if len(line) > 1]
     x, y, z = frame.origin
     reports: tuple[str, ...] = ()

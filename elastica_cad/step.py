@@ -20,6 +20,7 @@ __all__ = [
     "Part",
     "model_parts",
     "read_step_curves",
+    "read_step_shape",
     "step_bytes",
     "write_model_step",
     "write_step",
@@ -155,7 +156,7 @@ def read_step_curves(path: str | PathLike[str]) -> list[PlaneCurve]:
     """
     path = existing_file(Path(path))
     with naming(path):
-        curves = free_curves(_read_shape(path))
+        curves = free_curves(read_step_shape(path))
         if not curves:
             raise InputError(
                 "the file holds no free edges or wires: export the curves themselves, not solids or faces"
@@ -163,7 +164,14 @@ def read_step_curves(path: str | PathLike[str]) -> list[PlaneCurve]:
         return curves
 
 
-def _read_shape(path: Path) -> Shape:
+def read_step_shape(path: Path) -> Shape:
+    """All that a STEP or BREP file holds, mm.
+
+    Raises
+    ------
+    InputError
+        A file that OpenCASCADE cannot read.
+    """
     k = kernel()
     if path.suffix.lower() in (".brep", ".brp"):
         shape = k.TopoDS_Shape()

@@ -10,6 +10,7 @@ from elastica_cad.cli.check import check
 from elastica_cad.cli.coupon import coupon
 from elastica_cad.cli.model import model
 from elastica_cad.cli.reshape import reshape
+from elastica_cad.cli.sections import sections
 from elastica_cad.cli.sheets import sheets
 from elastica_cad.cli.strip import strip
 from elastica_cad.cli.wish import NotMetError
@@ -64,5 +65,5 @@ def elastica() -> None:
     """
 
 
-for command in (check, strip, model, bend_command, reshape, coupon, sheets):
+for command in (check, strip, model, bend_command, reshape, sections, coupon, sheets):
     elastica.add_command(command)

@@ -8,7 +8,7 @@ import click
 
 from elastica_cad.cli.options import holding_option
 from elastica_cad.fabrication import HoldingTabs, cut_list
-from elastica_cad.files import read_curves
+from elastica_cad.files import read_curves, read_surface
 from elastica_cad.formats.design import read_design
 from elastica_cad.kit import Kit, kit_of, write_kit
 
@@ -50,7 +50,7 @@ def model(
     everything has succeeded, or none. The fastest way to the nested sheets alone:
     --no-parts --no-effects --no-pictures --no-step.
     """
-    read = read_design(design, read_curves)
+    read = read_design(design, read_curves, read_surface)
     if holding is not None:
         read = replace(read, cutting=replace(read.cutting, holding=HoldingTabs(holding)))
     with click.progressbar(length=len(read.wishes) + 1, label="strips", item_show_func=str) as bar:
@@ -83,7 +83,7 @@ def _tell(kit: Kit, output: Path, *, step: bool, pictures: bool) -> None:
         moved = max(kit.effects, key=lambda name: kit.effects[name].deviation)
         click.echo(f"moved most by its slots, {moved}: {kit.effects[moved].deviation:.2g} mm")
     warnings = [f"{part.name}: {text}" for part in kit.model.parts for text in part.strip.warnings]
-    said = list(dict.fromkeys((*kit.notes, *warnings, *kit.model.reports)))
+    said = list(dict.fromkeys((*kit.notes, *kit.model.reports, *warnings)))
     for text in said[:MOST_SAID]:
         click.echo(f"Note: {text}", err=True)
     if len(said) > MOST_SAID:

@@ -8,8 +8,9 @@ Every number may be a formula in quotes (see `formulae`); lengths are mm, angles
         {length, width, corner_radius, chamfer, taper, holes = [{at, diameter, across}],
         t_slot = {depth, screw, nut, wall}} or two of them
     [[strips]] count (i = 1, 2, ...), label ("P{i}"), let, origin, x_axis, y_axis (the plane of the curve), slots,
-        sections = {mesh, unit, scale, half, tolerance, wavelength, and one of radial = {point, axis, zero, count or
-        angles}, parallel = {point, normal, offsets, up}, along = {path, count, ends, up}}: a strip each, or
+        sections = {mesh (or STEP body), unit, scale, half, longest, split = {point, normal}, {points}, {corners =
+        angle} or a list of such, tolerance, wavelength, and one of radial = {point, axis, zero, count or angles},
+        parallel = {point, normal, offsets or count, up}, along = {path, count, ends, up}}: a strip each, or
         curve = "file", {file, number, unit}, {x, y, t = [from, to], breaks = [[t, continuity]]},
         {spline = [[x, y]], degree} or {ellipse = {center, semi_axes, rotation, start, end or above}}, any of them
         with reshape = {bottom_left, bottom_right, top_right, top_left: where corners of its box go} or
@@ -24,17 +25,15 @@ Every number may be a formula in quotes (see `formulae`); lengths are mm, angles
 
 import tomllib
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import ElasticaError, InputError, NotConvergedError
 from elastica_cad.fabrication import (
     BasePlate,
-    Frame,
-    HoldingTabs,
     Model,
     Piece,
     Placed,
@@ -44,16 +43,25 @@ from elastica_cad.fabrication import (
     reference_bar,
 )
 from elastica_cad.fabrication.making import make_strip
-from elastica_cad.formats.dxf import DXF_VERSIONS
+from elastica_cad.formats.kit_wishes import (
+    Cutting,
+    Nesting,
+    base_wish,
+    cutting_wish,
+    fixtures_wish,
+    frame_wish,
+    interlock_wish,
+    nesting_wish,
+)
 from elastica_cad.formats.opening import existing_file
 from elastica_cad.formats.section_wishes import sections_of
+from elastica_cad.formats.surfaces import SurfaceReader, mesh_surface
 from elastica_cad.formats.tables import Table
 from elastica_cad.formats.wishes import (
     MAKING_KEYS,
     STRIP_KEYS,
     CurveReader,
     StripWish,
-    named_sheet,
     strip_wish,
 )
 from elastica_cad.forming import SectionCurve
@@ -72,25 +80,6 @@ TOP_KEYS = (
     *MAKING_KEYS, "schema", "name", "let", "sheets", "sheets_file", "strips", "patterns", "interlock", "base",
     "frame", "fixtures", "nest", "cut", "extras",
 )  # fmt: skip
-
-
-@dataclass(frozen=True)
-class Nesting:
-    """Sheets that pieces are laid on: (width, height) and least distance, mm."""
-
-    sheet_size: tuple[float, float] = (600.0, 400.0)
-    margin: float = 2.0
-
-
-@dataclass(frozen=True)
-class Cutting:
-    """How cutting files are written: `kerf` in mm, or None for each sheet's own; no `holding` tabs for None."""
-
-    kerf: float | None = 0.0
-    curves: str = "spline"
-    tolerance: float = 0.02
-    version: str = "R2010"
-    holding: HoldingTabs | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,8 +114,8 @@ class Design:
     fixtures: dict[str, Any] | None = None
     base: tuple[Sheet, dict[str, Any], Nesting] | None = None
     frame: tuple[Sheet, dict[str, Any], Nesting] | None = None
-    nesting: Nesting = Nesting()
-    cutting: Cutting = Cutting()
+    nesting: Nesting = field(default_factory=Nesting)
+    cutting: Cutting = field(default_factory=Cutting)
     coupon: bool = False
     reference_bar: float | None = None
     reports: tuple[str, ...] = ()
@@ -142,19 +131,30 @@ class Design:
         Raises
         ------
         NotRealizable, NotConvergedError, InputError
-            What `make_strip` and `Model.interlock` refuse, with the part's name.
+            What `make_strip` and `Model.interlock` refuse, with the part's name. A section that no strip can
+            follow is left out and reported; the first is raised where none is left.
         """
         made: dict[Any, Strip] = {}
-        placed = []
+        placed: list[Placed] = []
+        failed: list[ElasticaError] = []
         for wish in self.wishes:
             key = _likeness(wish)
             if key not in made:
-                made[key] = _made(wish)
+                try:
+                    made[key] = _made(wish)
+                except (NotRealizable, NotConvergedError, InputError) as problem:
+                    if not wish.section:
+                        raise
+                    failed.append(problem)
+                    continue
             strip = replace(made[key], label=wish.label, slots=wish.making["slots"])
             placed.append(Placed(strip, wish.frame.origin, wish.frame.x_axis, wish.frame.y_axis))
             if done is not None:
                 done(wish.label)
-        model = Model(tuple(placed), self.name, reports=self.reports)
+        if failed and not placed:
+            raise failed[0]
+        without = tuple(f"{problem} This section is left out." for problem in failed)
+        model = Model(tuple(placed), self.name, reports=(*without, *self.reports))
         for kind, options in self.patterns:
             model = getattr(model, _PATTERNS[kind])(**options)
         return model if self.interlock is None else model.interlock(**self.interlock)
@@ -188,7 +188,9 @@ class Design:
 _PATTERNS = {"mirror": "mirrored", "rotate": "rotated", "repeat": "repeated"}
 
 
-def read_design(path: str | Path, read_curves: CurveReader) -> Design:
+def read_design(
+    path: str | Path, read_curves: CurveReader, read_surface: SurfaceReader = mesh_surface
+) -> Design:
     """A design file, every formula computed and every curve file read.
 
     Parameters
@@ -197,6 +199,8 @@ def read_design(path: str | Path, read_curves: CurveReader) -> Design:
         TOML with `schema = 1`; files in it are relative to its folder.
     read_curves : callable
         Reads a curve file: `elastica_cad.read_curves`.
+    read_surface : callable
+        Reads a surface for sections: of meshes alone, or of STEP bodies too, `elastica_cad.files.read_surface`.
 
     Raises
     ------
@@ -215,24 +219,24 @@ def read_design(path: str | Path, read_curves: CurveReader) -> Design:
         )
     top.scope = top.within(data.get("let", {}))
     sheets = _own_sheets(top, path)
-    wishes, reports = _wishes(top, path.parent, sheets, read_curves)
+    wishes, reports = _wishes(top, path.parent, sheets, read_curves, read_surface)
     twice = sorted({w.label for w in wishes if sum(w.label == v.label for v in wishes) > 1})
     if twice:
         raise InputError(
             f"{path}: two strips are labelled {twice[0]!r}; give each its own label, with {{i}} for the count"
         )
-    nesting = _nesting(top.table("nest"))
+    nesting = nesting_wish(top.table("nest"))
     extras = top.table("extras").only("coupon", "reference_bar")
     return Design(
         name=top.text("name", path.stem),
         wishes=tuple(wishes),
         patterns=tuple(_pattern(table) for table in top.tables("patterns")),
-        interlock=_interlock(top.table("interlock")) if top.has("interlock") else None,
-        fixtures=_fixtures(top.table("fixtures")) if top.has("fixtures") else None,
-        base=_base(top.table("base"), sheets, nesting) if top.has("base") else None,
-        frame=_frame(top.table("frame"), sheets, nesting) if top.has("frame") else None,
+        interlock=interlock_wish(top.table("interlock")) if top.has("interlock") else None,
+        fixtures=fixtures_wish(top.table("fixtures")) if top.has("fixtures") else None,
+        base=base_wish(top.table("base"), sheets, nesting) if top.has("base") else None,
+        frame=frame_wish(top.table("frame"), sheets, nesting) if top.has("frame") else None,
         nesting=nesting,
-        cutting=_cutting(top.table("cut")),
+        cutting=cutting_wish(top.table("cut")),
         coupon=extras.flag("coupon"),
         reference_bar=extras.maybe("reference_bar"),
         reports=reports,
@@ -250,7 +254,11 @@ def _own_sheets(top: Table, path: Path) -> dict[str, Sheet]:
 
 
 def _wishes(
-    top: Table, folder: Path, sheets: dict[str, Sheet], read_curves: CurveReader
+    top: Table,
+    folder: Path,
+    sheets: dict[str, Sheet],
+    read_curves: CurveReader,
+    read_surface: SurfaceReader,
 ) -> tuple[list[StripWish], tuple[str, ...]]:
     """All strips in order, and what sections of meshes have to say."""
     wishes: list[StripWish] = []
@@ -259,7 +267,7 @@ def _wishes(
         table.only(*STRIP_KEYS)
         sections: tuple[SectionCurve | None, ...]
         if table.has("sections"):
-            sections, told = sections_of(_only_sections(table), folder)
+            sections, told = sections_of(_only_sections(table), folder, read_surface)
             reports += told
         else:
             sections = (None,) * table.count("count", 1)
@@ -302,72 +310,6 @@ def _pattern(table: Table) -> tuple[str, dict[str, Any]]:
     return kind, {"count": inner.count("count", 1), "axis": axis, "point": point, "step": inner.maybe("step")}
 
 
-def _interlock(table: Table) -> dict[str, Any]:
-    table.only("clearance", "fit", "relief", "above")
-    options: dict[str, Any] = {"clearance": table.number("clearance", 0.1)}
-    options["fit"] = table.text("fit", "exact", ("exact", "paper"))
-    options["relief"] = table.text("relief", "square", ("square", "round"))
-    return options | ({"above": table.vector("above", 3)} if table.has("above") else {})
-
-
-def _fixtures(table: Table) -> dict[str, Any]:
-    sizes = ("clearance", "wall", "foot", "foot_height", "screw")
-    table.only("floor", *sizes)
-    options: dict[str, Any] = {key: table.number(key) for key in sizes if table.has(key)}
-    if table.has("floor"):
-        options["floor"] = Frame((0.0, 0.0, table.number("floor")))
-    return options
-
-
-def _base(table: Table, sheets: dict[str, Sheet], nesting: Nesting) -> tuple[Sheet, dict[str, Any], Nesting]:
-    sizes = ("play", "clearance", "slot_width", "border")
-    table.only("sheet", "height", "shape", "sheet_size", *sizes)
-    options: dict[str, Any] = {key: table.number(key) for key in sizes if table.has(key)}
-    options["frame"] = Frame((0.0, 0.0, table.number("height", 0.0)))
-    options["shape"] = table.text("shape", "hull", ("hull", "rectangle"))
-    size = table.vector("sheet_size", 2, nesting.sheet_size)
-    return named_sheet(table, "sheet", sheets), options, replace(nesting, sheet_size=(size[0], size[1]))
-
-
-def _frame(table: Table, sheets: dict[str, Sheet], nesting: Nesting) -> tuple[Sheet, dict[str, Any], Nesting]:
-    sizes = ("depth", "tongue", "play", "clearance", "border")
-    table.only("sheet", "ribs", "sheet_size", *sizes)
-    options: dict[str, Any] = {key: table.number(key) for key in sizes if table.has(key)}
-    options["ribs"] = table.count("ribs", 3)
-    size = table.vector("sheet_size", 2, nesting.sheet_size)
-    return named_sheet(table, "sheet", sheets), options, replace(nesting, sheet_size=(size[0], size[1]))
-
-
-def _nesting(table: Table) -> Nesting:
-    table.only("sheet_size", "margin")
-    width, height = table.vector("sheet_size", 2, Nesting.sheet_size)
-    return Nesting((width, height), table.number("margin", Nesting.margin))
-
-
-def _cutting(table: Table) -> Cutting:
-    table.only("kerf", "curves", "tolerance", "version", "holding")
-    of_sheet = table.raw("kerf") == "sheet"
-    return Cutting(
-        kerf=None if of_sheet else table.number("kerf", 0.0),
-        curves=table.text("curves", "spline", ("spline", "arc", "polyline")),
-        tolerance=table.number("tolerance", 0.02),
-        version=table.text("version", "R2010", DXF_VERSIONS),
-        holding=_holding(table.table("holding")) if table.has("holding") else None,
-    )
-
-
-def _holding(table: Table) -> HoldingTabs:
-    table.only("width", "spacing", "least", "inner")
-    usual = HoldingTabs()
-    with table.naming():
-        return HoldingTabs(
-            table.number("width", usual.width),
-            table.number("spacing", usual.spacing),
-            table.count("least", usual.least),
-            table.flag("inner"),
-        )
-
-
 def _likeness(wish: StripWish) -> Any:
     """Strips with equal keys are made alike: the same curve but for rounding, the same options."""
     curve, making = wish.curve, dict(wish.making)
@@ -387,7 +329,7 @@ def _made(wish: StripWish) -> Strip:
         return make_strip(wish.curve, wish.sheet, label=wish.label, **making)
     except NotRealizable as problem:
         named = NotRealizable(problem.check)
-        named.args = (f"{wish.label}: {problem}",)
+        named.args = (f"{wish.called}: {problem}",)
         raise named from problem
     except (InputError, NotConvergedError) as problem:
-        raise type(problem)(f"{wish.label}: {problem}") from problem
+        raise type(problem)(f"{wish.called}: {problem}") from problem

@@ -12,11 +12,14 @@ __all__ = ["MESH_SUFFIXES", "read_mesh"]
 
 MESH_SUFFIXES = (".obj", ".stl", ".ply")
 
-LIKELY = (5.0, 20000.0)
+LIKELY = (50.0, 20000.0)
 """Sizes in mm that a model made of strips may well have."""
 
+GUESSES = ("cm", "in", "m")
+"""Units that a file without one was likely drawn in."""
 
-def read_mesh(path: str | Path, *, unit: str | None = None) -> Mesh:
+
+def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) -> Mesh:
     """The triangles of a file, in mm; faces of four corners and more are cut into triangles.
 
     Parameters
@@ -26,6 +29,8 @@ def read_mesh(path: str | Path, *, unit: str | None = None) -> Mesh:
     unit : str, optional
         What one unit of the file is: "mm", "cm", "m", "in", "ft". These formats don't say; unless told they are
         taken as mm, and a size that no model has is refused.
+    scale : float
+        Factor from the file to the model, besides the unit.
 
     Raises
     ------
@@ -49,7 +54,9 @@ def read_mesh(path: str | Path, *, unit: str | None = None) -> Mesh:
         raise InputError(
             f"{path} ends in {suffix!r}, which is no mesh known here: use {', '.join(MESH_SUFFIXES)}"
         )
-    factor = millimetres(unit or "mm")
+    if not (np.isfinite(scale) and scale > 0):
+        raise InputError(f"the scale of {path} is {scale:g}: it must be positive")
+    factor = millimetres(unit or "mm") * scale
     try:
         from trimesh import load
     except ImportError as error:
@@ -66,8 +73,19 @@ def read_mesh(path: str | Path, *, unit: str | None = None) -> Mesh:
             raise InputError("holds no faces: export a mesh, not points or lines")
         found = Mesh(vertices * factor, faces)
         if unit is None and not LIKELY[0] <= found.size <= LIKELY[1]:
-            raise InputError(
-                f"measures {found.size:.3g} from corner to corner, no likely size in mm: say what its unit is, "
-                'unit="m" or "cm" or "mm" (a mesh file does not)'
-            )
+            raise InputError(_asking(found.size))
         return found
+
+
+def _asking(size: float) -> str:
+    """What to ask of one whose mesh has no likely size in mm."""
+    guesses = [
+        f"{name}: {size * millimetres(name):.4g} mm"
+        for name in GUESSES
+        if LIKELY[0] <= size * millimetres(name) <= LIKELY[1]
+    ]
+    hint = f" ({', '.join(guesses)})" if guesses else ""
+    return (
+        f"measures {size:.3g} from corner to corner, no likely size in mm, and a mesh file does not say its unit: "
+        f'give it, --unit m or unit = "m"{hint}, or mm where that is right'
+    )

@@ -1,15 +1,18 @@
-"""What a design file says about sections of a mesh: which planes cut it, and the curves that come of it."""
+"""What a design file says about sections of a surface: which planes cut it, and the curves that come of it."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
+from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.formats.meshes import read_mesh
+from elastica_cad.formats.surfaces import Surface, SurfaceReader
 from elastica_cad.formats.tables import Table
 from elastica_cad.forming import (
+    Section,
     SectionCurve,
-    mesh_sections,
+    SectionLine,
     parallel_planes,
     planes_along,
     radial_planes,
@@ -17,22 +20,24 @@ from elastica_cad.forming import (
 )
 from elastica_cad.geometry import Frame
 
-__all__ = ["sections_of"]
+__all__ = ["FAMILIES", "sections_of"]
 
 FAMILIES = ("radial", "parallel", "along")
 
 
-def sections_of(table: Table, folder: Path) -> tuple[tuple[SectionCurve, ...], tuple[str, ...]]:
+def sections_of(
+    table: Table, folder: Path, read_surface: SurfaceReader
+) -> tuple[tuple[SectionCurve, ...], tuple[str, ...]]:
     """Curves of the sections that a table asks for, each in the plane of its own, and what is worth knowing.
 
     Raises
     ------
     InputError
-        A missing mesh, planes that make no sense, or no section that a strip could follow.
+        A missing surface, planes that make no sense, or no section that a strip could follow.
     MissingDependencyError
-        trimesh is not installed.
+        trimesh is not installed, or for CAD bodies no kernel.
     """
-    table.only("mesh", "unit", "scale", "half", "tolerance", "wavelength", *FAMILIES)
+    table.only("mesh", "unit", "scale", "half", "longest", "split", "tolerance", "wavelength", *FAMILIES)
     found = [family for family in FAMILIES if table.has(family)]
     if len(found) != 1:
         raise InputError(
@@ -41,27 +46,55 @@ def sections_of(table: Table, folder: Path) -> tuple[tuple[SectionCurve, ...], t
     path = folder / table.text("mesh")
     if not path.is_file():
         raise InputError(f"{table.where}: there is no file {path}; names are relative to the design file")
-    mesh = read_mesh(path, unit=table.text("unit") if table.has("unit") else None)
     scale = table.number("scale", 1.0)
     if not scale > 0:
         raise InputError(f"{table.place('scale')} is {scale:g}: it must be positive")
+    # a scale that is given tells the size, so the unit need not be asked for
+    unit = table.text("unit", "mm") if table.has("unit") or table.has("scale") else None
+    surface = read_surface(path, unit=unit, scale=scale)
     with table.naming():
-        planes = _PLANES[found[0]](table.table(found[0]))
-    scaled = mesh.scaled(scale)
-    sections = mesh_sections(
-        scaled.vertices, scaled.faces, planes, half=table.flag("half", found[0] == "radial")
-    )
-    curves, reports = section_curves(
-        sections, tolerance=table.number("tolerance", 0.3), wavelength=table.number("wavelength", 0.0)
-    )
-    if not curves:
-        raise InputError(
-            f"{table.where}: no plane gives a strip: {reports[0] if reports else 'none is given'}"
+        planes = _PLANES[found[0]](table.table(found[0]), surface)
+        sections = surface.cut(planes, table.flag("half", found[0] == "radial"))
+        sections = tuple(_divided(section, table) for section in sections)
+        curves, reports = section_curves(
+            sections, tolerance=table.number("tolerance", 0.3), wavelength=table.number("wavelength", 0.0)
         )
+    if not curves:
+        why = reports[-1] if reports else "none is given"
+        raise InputError(f"{table.where}: no plane gives a strip: {why}")
     return curves, reports
 
 
-def _radial(table: Table) -> tuple[Frame, ...]:
+def _divided(section: Section, table: Table) -> Section:
+    """The section with the lines that are wanted of it, split where that is asked for."""
+    lines, reports = section.lines, section.reports
+    if table.flag("longest") and len(lines) > 1:
+        reports = (*reports, f"{section.name}: the longest line is kept, {lines[0].length:.4g} mm of it")
+        lines = lines[:1]
+    given = table.raw("split", [])
+    for cut in [table.table("split")] if isinstance(given, dict) else table.tables("split"):
+        pieces: list[SectionLine] = []
+        for line in lines:
+            try:
+                pieces += _split(line, cut)
+            except InputError as problem:
+                reports = (*reports, f"{line.name}: {problem}")
+        lines = tuple(pieces)
+    return replace(section, lines=lines, reports=reports)
+
+
+def _split(line: SectionLine, cut: Table) -> tuple[SectionLine, ...]:
+    """By a plane through a point, at the places nearest to points in space, or at corners."""
+    if cut.has("corners"):
+        return line.split_at_corners(cut.only("corners").number("corners"))
+    if cut.has("points"):
+        cut.only("points")
+        return line.split_at(line.frame.local(_points(cut, "points"))[:, :2])
+    cut.only("point", "normal")
+    return line.split_by(cut.vector("point", 3, (0.0, 0.0, 0.0)), cut.vector("normal", 3))
+
+
+def _radial(table: Table, _surface: Surface) -> tuple[Frame, ...]:
     """`angles`, or as many as `count` says all around."""
     table.only("point", "axis", "zero", "count", "angles")
     point, axis = table.vector("point", 3, (0.0, 0.0, 0.0)), table.vector("axis", 3, (0.0, 0.0, 1.0))
@@ -72,26 +105,44 @@ def _radial(table: Table) -> tuple[Frame, ...]:
     return radial_planes(point, axis, 2 * np.pi * np.arange(count) / count, zero=zero)
 
 
-def _parallel(table: Table) -> tuple[Frame, ...]:
-    table.only("point", "normal", "offsets", "up")
+def _parallel(table: Table, surface: Surface) -> tuple[Frame, ...]:
+    """`offsets` from the point, or through the middles of `count` equal slices of the surface."""
+    table.only("point", "normal", "offsets", "count", "up")
     point, up = table.vector("point", 3, (0.0, 0.0, 0.0)), table.vector("up", 3, (0.0, 0.0, 1.0))
-    return parallel_planes(point, table.vector("normal", 3), _list(table, "offsets"), up=up)
+    normal = table.vector("normal", 3)
+    if not table.has("count"):
+        return parallel_planes(point, normal, _list(table, "offsets"), up=up)
+    if table.has("offsets"):
+        raise InputError(f"{table.place('count')} means nothing beside offsets: leave one of them out")
+    count = table.count("count", 8)
+    if not any(normal):
+        raise InputError(f"{table.place('normal')} is zero: give a direction of three numbers")
+    away = (surface.points - point) @ (np.array(normal) / np.linalg.norm(normal))
+    offsets = away.min() + np.ptp(away) * (np.arange(count) + 0.5) / count
+    return parallel_planes(point, normal, offsets, up=up)
 
 
-def _along(table: Table) -> tuple[Frame, ...]:
+def _along(table: Table, _surface: Surface) -> tuple[Frame, ...]:
     table.only("path", "count", "ends", "up")
-    rows = table.raw("path")
-    if not isinstance(rows, list):
-        raise InputError(f"{table.place('path')} must be a list of points [x, y, z]")
-    points = [
-        Table({"point": row}, f"{table.place('path')}[{i}]", table.scope).vector("point", 3)
-        for i, row in enumerate(rows, start=1)
-    ]
     up = table.vector("up", 3, (0.0, 0.0, 1.0))
+    points = _points(table, "path")
     return planes_along(points, table.count("count", 8), ends=table.flag("ends"), up=up)
 
 
 _PLANES = {"radial": _radial, "parallel": _parallel, "along": _along}
+
+
+def _points(table: Table, key: str) -> FloatArray:
+    """Places in space, however many."""
+    rows = table.raw(key)
+    if not isinstance(rows, list) or not rows:
+        raise InputError(f"{table.place(key)} must be a list of points [x, y, z]")
+    return np.array(
+        [
+            Table({"point": row}, f"{table.place(key)}[{i}]", table.scope).vector("point", 3)
+            for i, row in enumerate(rows, start=1)
+        ]
+    )
 
 
 def _list(table: Table, key: str) -> tuple[float, ...]:

@@ -48,6 +48,8 @@ class StripWish:
         Arguments of `make_strip` besides curve, sheet and label.
     where : str
         What messages call it.
+    section : str
+        The section of a surface that it follows and where that begins, else empty.
     """
 
     label: str
@@ -56,6 +58,12 @@ class StripWish:
     sheet: Sheet
     making: dict[str, Any] = field(default_factory=dict)
     where: str = ""
+    section: str = ""
+
+    @property
+    def called(self) -> str:
+        """Label, and section where there is one."""
+        return f"{self.label} ({self.section})" if self.section else self.label
 
 
 def strip_wish(
@@ -89,7 +97,9 @@ def strip_wish(
         "slots": tuple(_slot(slot) for slot in table.tables("slots")),
     }
     curve = _curve(table, folder, read_curves) if section is None else section.curve
-    return StripWish(label, curve, frame, sheet, making, table.where)
+    return StripWish(
+        label, curve, frame, sheet, making, table.where, "" if section is None else section.called
+    )
 
 
 def _plane(table: Table) -> Frame:

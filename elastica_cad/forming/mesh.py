@@ -13,13 +13,17 @@ __all__ = ["Mesh"]
 NAMED = 3
 """Places that a complaint lists."""
 
+CRACK = 1e-6
+"""Borders nearer to each other than this share of the size are one edge that was rounded twice."""
+
 
 @dataclass(frozen=True, eq=False)
 class Mesh:
     """Triangles in space, open or closed.
 
-    Corners at the same place are made one, as files often repeat them; triangles without area and repeated
-    ones are left out. Nothing is moved. `reports` says what was found; none of it stops a section.
+    Corners at the same place are made one, as files often repeat them, and along borders also those nearer than
+    a millionth of the mesh's size, as rounding leaves them; triangles without area and repeated ones are left
+    out. Nothing else is moved. `reports` says what was found; none of it stops a section.
 
     Parameters
     ----------
@@ -36,8 +40,8 @@ class Mesh:
     Examples
     --------
     >>> square = Mesh([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(0, 1, 2), (0, 2, 3), (2, 2, 1)])
-    >>> square.faces.shape[0], square.reports
-    (2, ('1 of 3 triangles has no area: left out (the first at (1, 0.666667, 0) mm)',))
+    >>> square.faces.shape[0], square.reports[0]
+    (2, '1 of 3 triangles has no area: left out (the first at (1, 0.666667, 0) mm)')
     """
 
     vertices: FloatArray
@@ -47,7 +51,7 @@ class Mesh:
     def __init__(self, vertices: ArrayLike, faces: ArrayLike) -> None:
         points, rows = _checked(vertices, faces)
         points, index = np.unique(points + 0.0, axis=0, return_inverse=True)
-        rows = index.reshape(-1)[rows]
+        rows = _sewn(points, index.reshape(-1)[rows])
         reports: list[str] = []
         area = _areas(points, rows)
         keep = (area > 0) & np.all(rows != np.roll(rows, 1, axis=1), axis=1)
@@ -105,6 +109,32 @@ def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArra
     return points, rows.astype(np.intp)
 
 
+def _sewn(points: FloatArray, rows: IntArray) -> IntArray:
+    """The triangles with corners of borders that lie within a crack made one."""
+    edges, count = np.unique(
+        np.sort(np.concatenate([rows[:, [0, 1]], rows[:, [1, 2]], rows[:, [2, 0]]]), axis=1),
+        axis=0,
+        return_counts=True,
+    )
+    border = np.unique(edges[(count == 1) & (edges[:, 0] != edges[:, 1])])
+    if not border.size:
+        return rows
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+    from scipy.spatial import cKDTree
+
+    width = CRACK * float(np.linalg.norm(np.ptp(points[border], axis=0)))
+    pairs = cKDTree(points[border]).query_pairs(width, output_type="ndarray")
+    if not len(pairs):
+        return rows
+    links = coo_array((np.ones(len(pairs)), pairs.T), shape=(border.size, border.size))
+    _, piece = connected_components(links, directed=False)
+    _, first = np.unique(piece, return_index=True)
+    own = np.arange(len(points))
+    own[border] = border[first[piece]]
+    return np.asarray(own[rows])
+
+
 def _areas(points: FloatArray, rows: IntArray) -> FloatArray:
     a, b, c = (points[rows[:, k]] for k in range(3))
     return np.asarray(np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2)
@@ -120,26 +150,35 @@ def _complaint(points: FloatArray, rows: IntArray, total: int, one: str, many: s
 
 
 def _edge_complaints(points: FloatArray, rows: IntArray) -> list[str]:
-    """Edges of more than two faces, and neighbours that are turned over against each other."""
+    """Edges of one face or of more than two, and neighbours that are turned over against each other."""
     directed = np.concatenate([rows[:, [0, 1]], rows[:, [1, 2]], rows[:, [2, 0]]])
     edges, index, count = np.unique(
         np.sort(directed, axis=1), axis=0, return_inverse=True, return_counts=True
     )
     sense = np.bincount(index.reshape(-1), weights=np.where(directed[:, 0] < directed[:, 1], 1.0, -1.0))
     found = []
+    border = edges[count == 1]
+    if len(border):
+        found.append(
+            f"the mesh is open along {_edges(border)} (near {_places(points, border)} mm): sections end there"
+        )
     crowded = edges[count > 2]
     if len(crowded):
         found.append(
-            f"{len(crowded)} edges have more than two faces (near {_places(points, crowded)} mm): sections fall "
+            f"more than two faces meet at {_edges(crowded)} (near {_places(points, crowded)} mm): sections fall "
             "apart there"
         )
     turned = edges[(count == 2) & (sense != 0)]
     if len(turned):
         found.append(
-            f"faces are turned over against their neighbours along {len(turned)} edges (near "
+            f"faces are turned over against their neighbours along {_edges(turned)} (near "
             f"{_places(points, turned)} mm): sections do not mind"
         )
     return found
+
+
+def _edges(edges: IntArray) -> str:
+    return "1 edge" if len(edges) == 1 else f"{len(edges)} edges"
 
 
 def _places(points: FloatArray, edges: Sequence[IntArray] | IntArray) -> str:

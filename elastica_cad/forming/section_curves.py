@@ -19,6 +19,12 @@ SAMPLES = 240
 FALSE_TURN = np.radians(4.0)
 """A bend between two inflections that turns less than this comes from the mesh, not from its maker."""
 
+CLOSED = 1e-6
+"""A gap between the ends below this share of the length is none."""
+
+CORNER = 0.01
+"""A radius below this share of the length is a corner."""
+
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(8)
 
 
@@ -42,6 +48,12 @@ class SectionCurve:
     name: str
     deviation: float
     removed: int = 0
+
+    @property
+    def called(self) -> str:
+        """Its name and where in space it begins."""
+        x, y, z = self.frame.point(self.curve.evaluate(self.curve.domain[0])).round(9) + 0.0
+        return f"{self.name}, from ({x:.4g}, {y:.4g}, {z:.4g}) mm"
 
     def gravity(self, sheet: Sheet, direction: ArrayLike = (0.0, 0.0, -1.0)) -> Gravity | None:
         """The weight of a sheet as the curve's plane feels it, where things fall along `direction` in space."""
@@ -101,7 +113,8 @@ def section_curves(
 def _curve(
     line: SectionLine, tolerance: float, wavelength: float, false_turn: float
 ) -> tuple[SectionCurve, list[str]]:
-    if line.is_closed:
+    small = CLOSED * line.length
+    if line.is_closed or np.linalg.norm(line.points[-1] - line.points[0]) <= small:
         x, y, z = line.places[0]
         raise InputError(
             f"the section is closed (it passes ({x:.4g}, {y:.4g}, {z:.4g}) mm): a strip has two ends, so split it "
@@ -110,7 +123,7 @@ def _curve(
     points = smoothed(line.points, wavelength) if wavelength > 0 else line.points
     curve = PlaneCurve.fit(points, degree=4, tolerance=tolerance)
     before = curve.inflections.size
-    told = []
+    told = _corner(curve, line)
     if false_turn > 0:
         try:
             curve = without_false_inflections(curve, turn=false_turn)
@@ -118,6 +131,20 @@ def _curve(
             told.append(f"{line.name}: {error}; they are kept")
     removed = before - curve.inflections.size
     return SectionCurve(curve, line.frame, line.name, _distance(curve, line.points), removed), told
+
+
+def _corner(curve: PlaneCurve, line: SectionLine) -> list[str]:
+    """Where the curve bends as no strip can, in words."""
+    samples = curve.sample(2001)
+    worst = int(np.abs(samples.curvature).argmax())
+    kappa = abs(float(samples.curvature[worst]))
+    if kappa * curve.length <= 1 / CORNER:
+        return []
+    x, y, z = line.frame.point(samples.position[worst]).round(6) + 0.0
+    return [
+        f"{line.name} bends with a radius of {1 / kappa:.2g} mm at ({x:.4g}, {y:.4g}, {z:.4g}) mm, a corner to any "
+        "strip: split it there, or smooth it"
+    ]
 
 
 def smoothed(

@@ -16,7 +16,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.forming.mesh import Mesh
 from elastica_cad.geometry import Frame
 
-__all__ = ["Section", "SectionLine", "mesh_sections"]
+__all__ = ["Section", "SectionLine", "mesh_sections", "right_half", "tidied"]
 
 IN_PLANE = 1e-12
 """Vertices nearer to the plane than this share of the mesh's size lie in it: rounding."""
@@ -90,6 +90,25 @@ class SectionLine:
         above = height >= 0
         i = np.flatnonzero(above[:-1] != above[1:])
         return self._split(i + height[i] / (height[i] - height[i + 1])) if i.size else (self,)
+
+    def split_at_corners(self, turn: float) -> tuple["SectionLine", ...]:
+        """The pieces between corners that turn by more than `turn`, rad; the line itself where it has none.
+
+        Raises
+        ------
+        InputError
+            An angle that is not between 0 and pi.
+        """
+        if not 0 < turn < np.pi:
+            raise InputError(f"corners turn by an angle between 0 and pi rad, not {turn!r}")
+        points = np.concatenate([self.points, self.points[1:2]]) if self.is_closed else self.points
+        step = np.diff(points, axis=0)
+        cross = step[:-1, 0] * step[1:, 1] - step[:-1, 1] * step[1:, 0]
+        turned = np.abs(np.arctan2(cross, (step[:-1] * step[1:]).sum(axis=1)))
+        corners = 1.0 + np.flatnonzero(turned > turn)
+        if self.is_closed:
+            corners %= len(self.points) - 1
+        return self._split(np.sort(corners)) if corners.size else (self,)
 
     def _split(self, cuts: FloatArray) -> tuple["SectionLine", ...]:
         """Pieces between cuts, in points and shares of the way to the next."""
@@ -207,7 +226,7 @@ def _section(mesh: Mesh, frame: Frame, half: bool, name: str) -> Section:
                 f"follows the longer of its two sides ({max(one, two):.6g} against {min(one, two):.6g} mm)"
             )
     if half:
-        chains = [part for chain in chains for part in _right_half(chain)]
+        chains = [part for chain in chains for part in right_half(chain)]
     small = APART * mesh.size
     lines = [tidied(chain, small) for chain in chains]
     lines = sorted((line for line in lines if len(line) > 1), key=lambda line: -_length(line))
@@ -268,7 +287,7 @@ def _walks(links: IntArray, count: int) -> list[list[int]]:
     return walks
 
 
-def _right_half(points: FloatArray) -> list[FloatArray]:
+def right_half(points: FloatArray) -> list[FloatArray]:
     """The parts of a line with x >= 0."""
     closed = bool(np.all(points[0] == points[-1]))
     x = points[:, 0]

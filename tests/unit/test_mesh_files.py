@@ -39,8 +39,14 @@ def test_three_formats(tmp_path, name, text, faces):
 def test_metres_are_asked_for(tmp_path):
     small = TENT.replace("90", "0.9").replace("50", "0.5")
     file = written(tmp_path, "tent.obj", small)
-    with pytest.raises(InputError, match=r"tent\.obj: measures 1\.37 .* unit="):
+    with pytest.raises(InputError, match=r"tent\.obj: measures 1\.37 .* --unit m .*\(m: 1367 mm\)"):
         read_mesh(file)
+    with pytest.raises(
+        InputError, match=r"measures 13\.7 .*\(cm: 136\.7 mm, in: 347\.3 mm, m: 1\.367e\+04 mm\)"
+    ):
+        read_mesh(file, scale=10)
+    with pytest.raises(InputError, match=r"scale of .* must be positive"):
+        read_mesh(file, scale=0)
     assert np.ptp(read_mesh(file, unit="m").vertices[:, 0]) == pytest.approx(900)
     with pytest.raises(InputError, match="unknown unit"):
         read_mesh(file, unit="furlong")

@@ -46,7 +46,8 @@ def test_the_flower_pot_as_it_is(pot, published):
     assert np.sort(angles) == pytest.approx(2 * np.pi * np.arange(16) / 16, abs=2e-3)
     curves, reports = section_curves(sections, tolerance=0.5)
     assert len(curves) == 16
-    assert reports == ()
+    (told,) = reports
+    assert "is open along" in told
     for found in curves:
         assert found.deviation < 0.2
         assert found.curve.inflections.size <= 2

@@ -1,0 +1,245 @@
+"""`elastica sections`: from a mesh or a CAD body to curves that strips can follow, and a design file for them."""
+
+import os
+import re
+from collections.abc import Sequence
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import click
+import numpy as np
+
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.files import read_surface
+from elastica_cad.formats import curves_json, files_together, write_curves
+from elastica_cad.formats.opening import existing_file
+from elastica_cad.formats.section_design import section_design
+from elastica_cad.formats.section_wishes import sections_of
+from elastica_cad.formats.surfaces import Surface
+from elastica_cad.formats.tables import Table
+from elastica_cad.forming import SectionCurve
+from elastica_cad.geometry import PlaneCurve
+from elastica_cad.mechanics import Sheet, check_equilibrium, optimal_rod
+
+__all__ = ["sections"]
+
+USUAL_RATIO = 3.5
+GAP = 20.0
+"""Between the curves of a drawing, mm."""
+
+Triple = tuple[float, float, float]
+TRIPLE = (float, float, float)
+
+
+@click.command()
+@click.argument("mesh", type=click.Path(path_type=Path))
+@click.option("--unit", type=click.Choice(["mm", "cm", "m", "in", "ft"]),
+              help="What one unit of the file is; meshes do not say.")  # fmt: skip
+@click.option("--scale", type=float, help="Factor from the file to the model, besides the unit.")
+@click.option("--radial", type=click.IntRange(1, 1000), metavar="N", help="N half planes about the axis.")
+@click.option("--angle", "angles", type=float, multiple=True, metavar="DEG",
+              help="Half planes about the axis at these angles; repeatable.")  # fmt: skip
+@click.option("--parallel", type=click.IntRange(1, 1000), metavar="N",
+              help="N planes across the axis, through equal slices.")  # fmt: skip
+@click.option("--offset", "offsets", type=float, multiple=True, metavar="MM",
+              help="Planes across the axis, so far from the point; repeatable.")  # fmt: skip
+@click.option("--along", type=click.Path(path_type=Path), metavar="FILE",
+              help="Planes across a path: rows x, y, z in mm, text or CSV.")  # fmt: skip
+@click.option("--count", type=click.IntRange(1, 1000), default=10, show_default=True,
+              help="Planes along the path.")  # fmt: skip
+@click.option(
+    "--point", type=TRIPLE, metavar="X Y Z", help="On the axis [default: the middle of the mesh's box]."
+)
+@click.option("--axis", type=TRIPLE, metavar="X Y Z",
+              help="Direction [default: up; for parallel planes the longest side of the box].")  # fmt: skip
+@click.option(
+    "--zero", type=TRIPLE, metavar="X Y Z", help="Where the angle 0 of half planes points [default: x]."
+)
+@click.option("--up", type=TRIPLE, metavar="X Y Z", help="Upward in the planes [default: z].")
+@click.option("--split", "splits", type=(*TRIPLE, *TRIPLE), multiple=True, metavar="X Y Z NX NY NZ",
+              help="Split sections at a spine: the plane through a point across a normal; repeatable.")  # fmt: skip
+@click.option("--split-at", "split_at", type=TRIPLE, multiple=True, metavar="X Y Z",
+              help="Split sections at their places nearest to these points; repeatable.")  # fmt: skip
+@click.option("--split-corners", type=click.FloatRange(0, 180, min_open=True, max_open=True), metavar="DEG",
+              help="Split sections where they turn by more than this at a corner.")  # fmt: skip
+@click.option("--longest", is_flag=True, help="Only the longest line of every section.")
+@click.option("--tolerance", type=float, default=0.3, show_default=True, metavar="MM",
+              help="Largest distance of the curves from the sections.")  # fmt: skip
+@click.option("--wavelength", type=float, metavar="MM", help="Smooth away waves shorter than this first.")
+@click.option(
+    "--sheet", metavar="NAME", help="Material of the strips: writes a design file for `elastica model`."
+)
+@click.option("--max-width", type=float, default=20.0, show_default=True, metavar="MM",
+              help="Width of the strips' widest place, in the design file.")  # fmt: skip
+@click.option("--ratio", type=float, default=USUAL_RATIO, show_default=True, metavar="R",
+              help="Largest stiffness ratio, in the design file: curves change as little as it takes.")  # fmt: skip
+@click.option("--margin", type=float, metavar="MU", help="Least stability margin, in the design file.")
+@click.option(
+    "--gravity", is_flag=True, help="Strips carry their weight, falling along -z, in the design file."
+)
+@click.option("--force", is_flag=True, help="Overwrite files that exist.")
+@click.option("-o", "--output", type=click.Path(path_type=Path), default=Path(), help="Folder for files.")
+def sections(mesh: Path, output: Path, force: bool, sheet: str | None, **chosen: Any) -> None:
+    """Cut a MESH (OBJ, STL, PLY) or a CAD body (STEP) by planes, and fit a curve for a strip to each section.
+
+    \b
+      elastica sections pot.obj --unit cm --radial 16 --sheet card-200gsm -o out
+      elastica sections horse.stl --parallel 20 --axis 1 0 0 --split 0 0 0 0 1 0 --sheet card-200gsm -o out
+      elastica model out/horse-sections.toml -o kit          makes the nearest strips, sheets, cut list
+
+    Writes NAME-sections.json (the curves, exactly), NAME-sections.dxf (the same side by side) and, with --sheet,
+    NAME-sections.toml, a design file to go on with. A section that gives no curve is named; the others go on.
+    """
+    if sheet is not None:
+        Sheet.named(sheet)
+    # the file is read once, for the defaults and for the sections
+    read = cache(read_surface)
+    wished = _wished(existing_file(mesh), chosen, read)
+    table = Table(wished, str(mesh), {})
+    curves, reports = sections_of(table, Path(), read)
+    for curve in curves:
+        click.echo(f"{curve.name}: {_told(curve)}")
+    for text in reports:
+        click.echo(f"Note: {text}", err=True)
+    for name in _write_files(f"{mesh.stem}-sections", curves, wished, sheet, chosen, output, force):
+        click.echo(f"wrote {output / name}")
+    if sheet is None:
+        click.echo("for strips along them add --sheet NAME, or give the curves to elastica strip")
+
+
+def _wished(mesh: Path, chosen: dict[str, Any], read: Any) -> dict[str, Any]:
+    """The options as the table of sections of a design file, all defaults written out."""
+    families = {
+        "--radial": chosen["radial"], "--angle": chosen["angles"], "--parallel": chosen["parallel"],
+        "--offset": chosen["offsets"], "--along": chosen["along"],
+    }  # fmt: skip
+    given = [option for option, value in families.items() if value]
+    if len(given) != 1:
+        raise InputError(
+            f"say by which planes to cut, with one of {', '.join(families)}"
+            + (f", not {' and '.join(given)}" if given else "")
+        )
+    wished: dict[str, Any] = {"mesh": str(mesh)}
+    wished |= {key: chosen[key] for key in ("unit", "scale", "wavelength") if chosen[key] is not None}
+    unit = "mm" if chosen["scale"] is not None and chosen["unit"] is None else chosen["unit"]
+    wished["tolerance"] = chosen["tolerance"]
+    if chosen["longest"]:
+        wished["longest"] = True
+    splits: list[dict[str, Any]] = [{"point": one[:3], "normal": one[3:]} for one in chosen["splits"]]
+    splits += [{"points": list(chosen["split_at"])}] if chosen["split_at"] else []
+    if chosen["split_corners"] is not None:
+        splits.append({"corners": f"{chosen['split_corners']!r} * degrees"})
+    if splits:
+        wished["split"] = splits
+    if chosen["along"] is not None:
+        path = _path_points(chosen["along"])
+        return wished | {
+            "along": {"path": path, "count": chosen["count"]} | _up(chosen, np.ptp(path, axis=0))
+        }
+    surface = read(mesh, unit=unit, scale=1.0 if chosen["scale"] is None else chosen["scale"])
+    return wished | _family(given[0], chosen, surface)
+
+
+def _family(given: str, chosen: dict[str, Any], surface: Surface) -> dict[str, Any]:
+    """Radial or parallel planes, where they are not told after the box of the surface."""
+    point = surface.middle.round(6).tolist() if chosen["point"] is None else list(chosen["point"])
+    if given in ("--radial", "--angle"):
+        radial = {"point": point, "axis": list(chosen["axis"] or (0.0, 0.0, 1.0))}
+        radial |= {} if chosen["zero"] is None else {"zero": list(chosen["zero"])}
+        if chosen["zero"] is None and not np.any(np.cross(radial["axis"], (1.0, 0.0, 0.0))):
+            radial["zero"] = [0.0, 1.0, 0.0]
+        return {"radial": radial | _planes(given, chosen)}
+    sides = np.ptp(surface.points, axis=0)
+    axis = list(chosen["axis"] or np.eye(3)[int(np.argmax(sides))])
+    return {
+        "parallel": {"point": point, "normal": axis} | _up(chosen, np.array(axis)) | _planes(given, chosen)
+    }
+
+
+def _planes(given: str, chosen: dict[str, Any]) -> dict[str, Any]:
+    if given == "--angle":
+        return {"angles": [f"{angle!r} * degrees" for angle in chosen["angles"]]}
+    if given == "--offset":
+        return {"offsets": list(chosen["offsets"])}
+    return {"count": chosen["radial" if given == "--radial" else "parallel"]}
+
+
+def _up(chosen: dict[str, Any], along: Any) -> dict[str, Any]:
+    """Which way is up in planes that stand across `along`: z, where that lies in them."""
+    if chosen["up"] is not None:
+        return {"up": list(chosen["up"])}
+    upright = np.linalg.norm(along[:2]) <= 1e-9 * np.linalg.norm(along)
+    return {"up": [0.0, 1.0, 0.0]} if upright else {}
+
+
+def _path_points(path: Path) -> list[list[float]]:
+    """Rows of three numbers."""
+    text = existing_file(path).read_text(encoding="utf-8", errors="replace")
+    rows = []
+    for number, line in enumerate(text.splitlines(), start=1):
+        if not line.strip() or line.lstrip().startswith("#"):
+            continue
+        try:
+            row = [float(word) for word in re.split(r"[\s,;]+", line.strip(" \t,;"))]
+        except ValueError:
+            row = []
+        if len(row) != 3 or not np.all(np.isfinite(row)):
+            raise InputError(f"{path}, line {number}: {line.strip()[:40]!r} is no point x, y, z in mm")
+        rows.append(row)
+    if len(rows) < 2:
+        raise InputError(f"{path} holds {len(rows)} points: a path needs two or more, a row x, y, z each")
+    return rows
+
+
+def _told(curve: SectionCurve) -> str:
+    """The curve in a line."""
+    found = f"{curve.curve.length:.2f} mm long, {curve.deviation:.2g} mm off the section"
+    try:
+        check = check_equilibrium(curve.curve)
+        if check.realizable:
+            return f"{found}, can be bent, stiffness ratio {optimal_rod(curve.curve).ratio:.4g}"
+    except (InputError, NotConvergedError) as problem:
+        return f"{found}, no strip: {problem}"
+    return f"{found}, cannot be bent as it is: {check.reasons[0]}"
+
+
+def _write_files(
+    name: str,
+    curves: Sequence[SectionCurve],
+    wished: dict[str, Any],
+    sheet: str | None,
+    chosen: dict[str, Any],
+    output: Path,
+    force: bool,
+) -> list[str]:
+    names = [f"{name}.json", f"{name}.dxf"] + ([f"{name}.toml"] if sheet is not None else [])
+    with files_together(output, names, force=force) as workshop:
+        (workshop / names[0]).write_text(curves_json([one.curve for one in curves]), encoding="utf-8")
+        write_curves(_side_by_side([one.curve for one in curves]), workshop / names[1])
+        if sheet is not None:
+            limits = {"ratio": chosen["ratio"]}
+            limits |= {} if chosen["margin"] is None else {"margin": chosen["margin"]}
+            strips: dict[str, Any] = {"sheet": sheet, "max_width": chosen["max_width"], "limits": limits}
+            strips |= {"gravity": True} if chosen["gravity"] else {}
+            text = section_design(name, wished | {"mesh": _relative(wished["mesh"], output)}, strips)
+            (workshop / names[2]).write_text(text, encoding="utf-8", newline="\n")
+    return names
+
+
+def _side_by_side(curves: Sequence[PlaneCurve]) -> list[PlaneCurve]:
+    """The curves in a row, apart from each other, so that a drawing shows them all and ends do not meet."""
+    placed, x = [], 0.0
+    for curve in curves:
+        (left, low), (right, _) = curve.bounds
+        placed.append(curve.transformed([[1, 0, x - left], [0, 1, -low], [0, 0, 1]]))
+        x += right - left + GAP
+    return placed
+
+
+def _relative(mesh: str, folder: Path) -> str:
+    """The file as seen from a folder, where that can be said."""
+    try:
+        return Path(os.path.relpath(mesh, folder)).as_posix()
+    except ValueError:  # another drive
+        return Path(mesh).resolve().as_posix()
