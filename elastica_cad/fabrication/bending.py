@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
+from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication.boundary import Frame, SpaceCurve, SpaceSurface
-from elastica_cad.fabrication.flat import pace
+from elastica_cad.fabrication.flat import greville, pace
 from elastica_cad.fabrication.regions import on_segment
 from elastica_cad.geometry import PlaneCurve, Segment, Spline
 from elastica_cad.mechanics import Rod
@@ -22,6 +22,10 @@ DEGREE = 5
 POSITION_TOLERANCE = 1e-6  # mm, of the centre line
 SURFACE_TOLERANCE = 5e-8  # mm, of edges drawn on the bent faces
 MOST_SPANS = 4000
+PROBES = np.array([0.06, 0.27, 0.5, 0.73, 0.94])
+MOST_PARTS = 4  # of a span at a time
+SURER = 1.1
+FIRST = 0.2  # rad
 
 Shape = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
 
@@ -53,11 +57,14 @@ class BentMap:
         tangent = self.frame.direction([normal[1], -normal[0]])
         return Frame(origin, tangent, self.frame.z_axis).shifted(x=-x)
 
-    def point(self, flat: FloatArray, up: float) -> FloatArray:
-        """Points in space (..., 3) of flat points (..., 2) at the height `up` above the middle, mm."""
-        row = self._spline(flat[..., 0])
-        plane = row[..., :2] - up * row[..., 2:]
-        return self.frame.point(np.concatenate([plane, flat[..., 1:2]], axis=-1))
+    def points(self, flat: FloatArray, heights: Sequence[float]) -> FloatArray:
+        """Points in space (k, levels, 3) of flat points (k, 2) at several heights above the middle, mm."""
+        rows = self._spline(flat[:, 0])
+        local = np.empty((len(flat), len(heights), 3))
+        for level, up in enumerate(heights):
+            local[:, level, :2] = rows[:, :2] - up * rows[:, 2:]
+        local[:, :, 2] = flat[:, 1:]
+        return self.frame.point(local.reshape(-1, 3)).reshape(local.shape)
 
     def curves(
         self, segment: Segment, first: float, last: float, heights: Sequence[float]
@@ -69,10 +76,7 @@ class BentMap:
         even = pace(segment)
 
         def values(t: FloatArray) -> FloatArray:
-            flat = on_segment(segment, t)
-            rows = self._spline(flat[:, 0])
-            planes = [np.column_stack([rows[:, :2] - up * rows[:, 2:], flat[:, 1]]) for up in heights]
-            return self.frame.point(np.stack(planes, axis=1)).reshape(len(t), -1)
+            return self.points(on_segment(segment, t), heights).reshape(len(t), -1)
 
         if even is None:
             spans = np.linspace(first, last, 9)
@@ -80,14 +84,17 @@ class BentMap:
             degree = DEGREE
         else:
             knots, degree = self._common_knots(segment, even, first, last)
-            rows = _interpolated(values, knots, degree)
+            sites = _sites(knots, degree)
+            rows = _interpolated(sites, values(sites), knots, degree)
         return [SpaceCurve(knots, rows[:, 3 * k : 3 * k + 3], degree) for k in range(len(heights))]
 
     def surface(self, low: float, high: float, up: float) -> SpaceSurface:
         """The bent face at the height `up`, from y = `low` to `high`; (u, v) are the flat (x, y)."""
         plane = self.coefficients[:, :2] - up * self.coefficients[:, 2:]
-        rows = [np.column_stack([plane, np.full(len(plane), y)]) for y in (low, high)]
-        points = self.frame.point(np.stack(rows, axis=1))
+        local = np.empty((len(plane), 2, 3))
+        local[:, :, :2] = plane[:, None]
+        local[:, :, 2] = low, high
+        points = self.frame.point(local.reshape(-1, 3)).reshape(local.shape)
         return SpaceSurface((self.knots, np.array([low, low, high, high])), points, (DEGREE, 1))
 
     @property
@@ -95,14 +102,14 @@ class BentMap:
         """Arc lengths and curvature of the centre line, nine to a span."""
         edges = np.unique(self.knots)
         s = np.linspace(edges[:-1], edges[1:], 9).ravel()
-        d1, d2 = (self._spline(s, k)[:, :2] for k in (1, 2))
-        return s, (d1[:, 0] * d2[:, 1] - d1[:, 1] * d2[:, 0]) / np.hypot(*d1.T) ** 3
+        along, turn = np.split(self._spline(s, 1), 2, axis=1)
+        return s, -(turn * along).sum(axis=1) / (along**2).sum(axis=1)
 
     @cached_property
-    def _smoothness(self) -> list[tuple[float, int]]:
+    def _smoothness(self) -> tuple[FloatArray, IntArray]:
         """Interior knots with the continuity there."""
         knots, counts = np.unique(self.knots, return_counts=True)
-        return [(float(s), DEGREE - int(m)) for s, m in zip(knots[1:-1], counts[1:-1], strict=True)]
+        return knots[1:-1], DEGREE - counts[1:-1]
 
     @cached_property
     def _rows(self) -> Any:
@@ -118,22 +125,23 @@ class BentMap:
     ) -> tuple[FloatArray, int]:
         """Knots in the segment's parameter in which both its shape and the map are splines."""
         offset, speed = even
-        smooth = [((s - offset) / speed, continuity) for s, continuity in self._smoothness]
-        degree = DEGREE
+        t, continuity = self._smoothness
+        t, degree = (t - offset) / speed, DEGREE
         if isinstance(segment, Spline):
             own = segment.curve
             degree = max(degree, own.degree)
             knots, counts = np.unique(own.knots, return_counts=True)
-            smooth += [(k, own.degree - m) for k, m in zip(knots, counts, strict=True)]
+            t = np.concatenate([t, knots])
+            continuity = np.concatenate([continuity, own.degree - counts])
         near = 1e-9 * (last - first)
-        inner: list[tuple[float, int]] = []
-        for t, continuity in sorted((float(t), int(c)) for t, c in smooth if first + near < t < last - near):
-            if inner and t - inner[-1][0] < near:
-                inner[-1] = inner[-1][0], min(inner[-1][1], continuity)
-            else:
-                inner.append((t, continuity))
-        rows = [np.full(min(degree - c, degree), t) for t, c in inner]
-        return np.concatenate([np.full(degree + 1, first), *rows, np.full(degree + 1, last)]), degree
+        order = np.argsort(t)
+        order = order[(t[order] > first + near) & (t[order] < last - near)]
+        t, continuity = t[order], continuity[order]
+        if t.size:
+            apart = np.flatnonzero(np.diff(t, prepend=first) >= near)
+            t, continuity = t[apart], np.minimum.reduceat(continuity, apart)
+        inner = np.repeat(t, np.minimum(degree - continuity, degree))
+        return np.concatenate([np.full(degree + 1, first), inner, np.full(degree + 1, last)]), degree
 
 
 def bent_maps(rod: Rod, frame: Frame, reach: float) -> tuple[BentMap, ...]:
@@ -204,11 +212,11 @@ def _smoothness(curve: PlaneCurve, t: float, continuity: int) -> int:
 
 
 def _first_spans(rod: Rod, edges: FloatArray) -> FloatArray:
-    """Every stretch divided so that no span turns by much more than 0.3 rad."""
+    """Every stretch divided so that no span turns by much more than 0.2 rad."""
     turned = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(rod.angle)))])
     at = np.interp(edges, rod.s, turned)
     rows = [
-        np.linspace(a, b, 1 + max(2, int(np.ceil((v - u) / 0.3))))[:-1]
+        np.linspace(a, b, 1 + max(2, int(np.ceil((v - u) / FIRST))))[:-1]
         for a, b, u, v in zip(edges[:-1], edges[1:], at[:-1], at[1:], strict=True)
     ]
     return np.concatenate([*rows, edges[-1:]])
@@ -220,17 +228,19 @@ def _fitted(
     smooth: Mapping[float, int],
     tolerance: FloatArray,
 ) -> tuple[FloatArray, FloatArray]:
-    """Knots and coefficients of a degree-5 spline through `function`, spans halved to meet `tolerance`."""
+    """Knots and coefficients of a degree-5 spline through `function`, spans divided to meet `tolerance`."""
     from scipy.interpolate import BSpline
 
-    probes = np.array([0.06, 0.27, 0.5, 0.73, 0.94])
     while True:
         counts = [min(max(DEGREE - smooth.get(e, DEGREE - 1), 1), DEGREE) for e in edges[1:-1].tolist()]
         knots = np.repeat(edges, [DEGREE + 1, *counts, DEGREE + 1])
-        rows = _interpolated(function, knots, DEGREE)
-        probe = (edges[:-1, None] + np.diff(edges)[:, None] * probes).ravel()
-        error = np.abs(BSpline(knots, rows, DEGREE)(probe) - function(probe)) / tolerance
-        bad = error.max(axis=1).reshape(-1, probes.size).max(axis=1) > 1
+        sites = _sites(knots, DEGREE)
+        probes = (edges[:-1, None] + np.diff(edges)[:, None] * PROBES).ravel()
+        values = function(np.concatenate([sites, probes]))
+        rows = _interpolated(sites, values[: sites.size], knots, DEGREE)
+        excess = np.abs(BSpline(knots, rows, DEGREE)(probes) - values[sites.size :]) / tolerance
+        excess = excess.max(axis=1).reshape(-1, PROBES.size).max(axis=1)
+        bad = excess > 1
         if not bad.any():
             return knots, rows
         if edges.size > MOST_SPANS:
@@ -239,13 +249,27 @@ def _fitted(
                 f"the bent strip cannot follow its curve near {at:.6g} mm: the curve changes too fast there; "
                 "smooth it"
             )
-        edges = np.sort(np.concatenate([edges, (edges[:-1] + np.diff(edges) / 2)[bad]]))
+        # the error falls with the power degree + 1 of the width
+        parts = np.where(bad, np.clip(np.ceil(SURER * excess ** (1 / (DEGREE + 1))), 2, MOST_PARTS), 1)
+        edges = _divided(edges, parts.astype(int))
 
 
-def _interpolated(function: Callable[[FloatArray], FloatArray], knots: FloatArray, degree: int) -> FloatArray:
-    """Coefficients of the spline that agrees with `function` at its Greville abscissae, ends included."""
+def _divided(edges: FloatArray, parts: IntArray) -> FloatArray:
+    """The edges (n + 1,) with every span cut into as many equal parts as `parts` (n,) says."""
+    inside = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
+    width = np.repeat(np.diff(edges) / parts, parts)
+    return np.append(np.repeat(edges[:-1], parts) + inside * width, edges[-1])
+
+
+def _sites(knots: FloatArray, degree: int) -> FloatArray:
+    """Greville abscissae, the ends exactly at the ends."""
+    sites = greville(knots, degree)
+    sites[[0, -1]] = knots[[0, -1]]
+    return sites
+
+
+def _interpolated(sites: FloatArray, values: FloatArray, knots: FloatArray, degree: int) -> FloatArray:
+    """Coefficients of the spline that has `values` at `sites`."""
     from scipy.interpolate import make_interp_spline
 
-    sites = np.lib.stride_tricks.sliding_window_view(knots[1:-1], degree).mean(axis=1)
-    sites[[0, -1]] = knots[[0, -1]]
-    return np.asarray(make_interp_spline(sites, function(sites), k=degree, t=knots).c, dtype=float)
+    return np.asarray(make_interp_spline(sites, values, k=degree, t=knots).c, dtype=float)

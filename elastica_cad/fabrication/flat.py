@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable
 from dataclasses import replace
+from math import dist
 
 import numpy as np
 
@@ -27,6 +28,9 @@ Ends = tuple[Tab, Tab]
 SHOULDER = 1e-5
 """mm."""
 
+MEETING = 1e-9
+"""mm."""
+
 
 def flat_rim(width: Profile, ends: Ends) -> Path:
     """The closed outer loop, anticlockwise, of a strip of full width `width` (mm) with its tabs.
@@ -34,12 +38,14 @@ def flat_rim(width: Profile, ends: Ends) -> Path:
     Its long sides are B-splines whose x control points are the Greville abscissae of the knots, so that y(x)
     is exactly half the width.
     """
-    lower, upper = long_sides(width)
+    pieces = _pieces(width)
+    lower = [_side(piece, -0.5) for piece in pieces]
+    upper = [_side(piece, 0.5, backward=True) for piece in reversed(pieces)]
     start, end = _end_widths(width)
     near_tab, far_tab = (_flush(tab, at) for tab, at in zip(ends, (start, end), strict=True))
     far = [segment.transformed(_frame(width.length, 1)) for segment in far_tab.corners(end)]
     near = [segment.transformed(_frame(0.0, -1)) for segment in near_tab.corners(start)]
-    return Path(chained([*lower, *far, *(side.reversed() for side in reversed(upper)), *near]), closed=True)
+    return Path(chained([*lower, *far, *upper, *near]), closed=True)
 
 
 def long_sides(width: Profile) -> tuple[list[Spline], list[Spline]]:
@@ -75,9 +81,12 @@ def with_dots(ends: Ends, diameter: float) -> Ends:
     return start, end
 
 
-def graph(knots: FloatArray, values: FloatArray, degree: int = 3) -> Spline:
-    """The graph of a spline function as a segment: with Greville abscissae as x it is the curve itself."""
-    return Spline(PlaneCurve(knots, np.column_stack([greville(knots, degree), values]), degree))
+def graph(knots: FloatArray, values: FloatArray, degree: int = 3, *, backward: bool = False) -> Spline:
+    """The spline function with these coefficients as a curve over x, from its start or from its end."""
+    points = np.column_stack([greville(knots, degree), values])
+    if backward:
+        knots, points = knots[0] + knots[-1] - knots[::-1], points[::-1]
+    return Spline(PlaneCurve(knots, points, degree))
 
 
 def pace(segment: Segment) -> tuple[float, float] | None:
@@ -98,20 +107,25 @@ def pace(segment: Segment) -> tuple[float, float] | None:
 
 def greville(knots: FloatArray, degree: int) -> FloatArray:
     """Greville abscissae (m,) of a knot vector."""
-    windows = np.lib.stride_tricks.sliding_window_view(knots[1:-1], degree)
-    return np.asarray(windows.mean(axis=1), dtype=float)
+    count = knots.size - degree - 1
+    total = sum((knots[i : i + count] for i in range(2, degree + 1)), start=knots[1 : count + 1])
+    return np.asarray(total / degree, dtype=float)
 
 
 def chained(segments: Iterable[Segment]) -> tuple[Segment, ...]:
     """The closed chain, with a line wherever two neighbours do not meet, as at a step of the width."""
     chain: list[Segment] = []
     for segment in segments:
-        if chain and not np.allclose(chain[-1].end, segment.start, rtol=0, atol=1e-9):
+        if chain and not _meet(chain[-1], segment):
             chain.append(Line(chain[-1].end, segment.start))
         chain.append(segment)
-    if not np.allclose(chain[-1].end, chain[0].start, rtol=0, atol=1e-9):
+    if not _meet(chain[-1], chain[0]):
         chain.append(Line(chain[-1].end, chain[0].start))
     return tuple(chain)
+
+
+def _meet(before: Segment, after: Segment) -> bool:
+    return dist(before.end.tolist(), after.start.tolist()) <= MEETING
 
 
 def _pieces(width: Profile) -> list[Profile]:
@@ -119,6 +133,8 @@ def _pieces(width: Profile) -> list[Profile]:
     k = width.degree
     knots, counts = np.unique(width.knots, return_counts=True)
     cuts = knots[(counts > k) & (knots > knots[0]) & (knots < knots[-1])]
+    if not cuts.size:
+        return [width]
     pieces, first = [], 0
     for cut in [*cuts, None]:
         last = width.coefficients.size if cut is None else int(np.searchsorted(width.knots, cut))
@@ -127,9 +143,9 @@ def _pieces(width: Profile) -> list[Profile]:
     return pieces
 
 
-def _side(width: Profile, factor: float) -> Spline:
+def _side(width: Profile, factor: float, *, backward: bool = False) -> Spline:
     """One long side: the graph of `factor` times the width."""
-    return graph(width.knots, factor * width.coefficients, width.degree)
+    return graph(width.knots, factor * width.coefficients, width.degree, backward=backward)
 
 
 def _flush(tab: Tab, width: float) -> Tab:

@@ -1,5 +1,6 @@
 """A flat pattern cut across at given stations: loops of pieces that share their corners and their seams."""
 
+from bisect import bisect_left
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import groupby
@@ -168,12 +169,14 @@ class _Cutter:
             low, high = np.searchsorted(self.stations, [x.min(), x.max()])
             if low == high:
                 return int(low)
-        middle = on_segment(segment, np.array((piece.first + piece.last) / 2))
-        near = np.flatnonzero(np.abs(self.stations - middle[0]) < ON_SEAM)
-        if isinstance(segment, Line) and near.size:
+        middle = float(on_segment(segment, np.array((piece.first + piece.last) / 2))[0])
+        stations = self.stations.tolist()
+        if isinstance(segment, Line):
             rises = (segment.end[1] > segment.start[1]) == piece.forward
-            return int(near[0]) + (0 if rises else 1)
-        return int(np.searchsorted(self.stations, middle[0]))
+            for k, station in enumerate(stations):
+                if abs(station - middle) < ON_SEAM:
+                    return k + (0 if rises else 1)
+        return bisect_left(stations, middle)
 
     def _corners_on(self, x: float) -> list[int]:
         """Corners on the line at x, from low y to high y."""

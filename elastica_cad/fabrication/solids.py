@@ -29,7 +29,7 @@ from elastica_cad.fabrication.boundary import (
 from elastica_cad.fabrication.joints import joint_places, levels, turned
 from elastica_cad.fabrication.regions import CutPattern, Piece, Region, cut_across
 from elastica_cad.fabrication.strip import Strip
-from elastica_cad.geometry import Arc, Line, Path
+from elastica_cad.geometry import Arc, Line, Path, Segment, Spline
 from elastica_cad.mechanics import Rod
 
 __all__ = ["BentSolid", "FlatSolid"]
@@ -295,8 +295,8 @@ class _Sheets:
         if isinstance(shape, Frame):
             surface = PlaneSurface(shape.shifted(z=up))
         else:
-            boxes = np.array([p.segment.bounds for loop in region.loops for p in loop])[..., 1]
-            surface = shape.surface(float(boxes.min()), float(boxes.max()), up)
+            low, high = np.array([_across(piece.segment) for loop in region.loops for piece in loop]).T
+            surface = shape.surface(float(low.min()), float(high.max()), up)
         self.faces.append(Face(surface, loops, outward=level == len(self.heights) - 1))
 
     def _use(self, piece: Piece, shape: Map, level: int) -> EdgeUse:
@@ -315,7 +315,7 @@ class _Sheets:
         low = self.at_piece[piece.number]
         surface = self._wall(piece, shape, self.edges[low], self.edges[low + 1])
         height = self.heights[1] - self.heights[0]
-        start, end = (self._post(i) for i in _ends(piece))
+        start, end = (self._post(i, shape) for i in _ends(piece))
         traces: list[StraightTrace | None] = [
             StraightTrace((0.0, 0.0), (1.0, 0.0)),
             StraightTrace((piece.last, 0.0), (0.0, 1.0)),
@@ -350,17 +350,23 @@ class _Sheets:
             return CylinderSurface(base, segment.radius)
         return ExtrudedSurface(PlacedSegment(segment, shape.shifted(z=up)))
 
-    def _post(self, corner: int) -> int:
+    def _post(self, corner: int, shape: Map) -> int:
         """The straight edge through the thickness at a corner."""
         if corner not in self.posts:
             low = self.at_corner[corner]
             rise = self.vertices[low + 1] - self.vertices[low]
             height = float(np.linalg.norm(rise))
-            aside = np.cross(rise, np.eye(3)[int(np.argmin(np.abs(rise)))])
-            line = PlacedSegment(Line((0.0, 0.0), (height, 0.0)), Frame(self.vertices[low], rise, aside))
+            across = shape.frame.z_axis if isinstance(shape, BentMap) else shape.y_axis
+            line = PlacedSegment(Line((0.0, 0.0), (height, 0.0)), Frame(self.vertices[low], rise, across))
             self.posts[corner] = len(self.edges)
             self.edges.append(Edge(line, 0.0, height, low, low + 1))
         return self.posts[corner]
+
+
+def _across(segment: Segment) -> tuple[float, float]:
+    """Bounds of y along a segment; of a spline those of its control points."""
+    rows = segment.curve.control_points if isinstance(segment, Spline) else segment.bounds
+    return float(rows[:, 1].min()), float(rows[:, 1].max())
 
 
 def _ends(piece: Piece) -> tuple[int, int]:
@@ -371,8 +377,8 @@ def _ends(piece: Piece) -> tuple[int, int]:
 def _points(shape: Map, flat: FloatArray, heights: Sequence[float]) -> FloatArray:
     """Points in space (k, levels, 3) of flat points (k, 2) at several heights."""
     if isinstance(shape, BentMap):
-        return np.stack([shape.point(flat, up) for up in heights], axis=1)
-    return np.stack([shape.point(np.column_stack([flat, np.full(len(flat), up)])) for up in heights], axis=1)
+        return shape.points(flat, heights)
+    return shape.point(flat)[:, None] + np.outer(heights, shape.z_axis)
 
 
 def _curves(shape: Map, piece: Piece, heights: Sequence[float]) -> Sequence[SpaceCurve | PlacedSegment]:

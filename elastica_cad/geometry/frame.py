@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from math import hypot, isfinite
 
 import numpy as np
 
@@ -9,6 +10,8 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 
 __all__ = ["Frame"]
+
+_PARTS = ("origin", "x_axis", "y_axis")
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,16 +48,18 @@ class Frame:
         y_axis: ArrayLike = (0.0, 1.0, 0.0),
     ) -> None:
         rows = [np.array(v, dtype=float) for v in (origin, x_axis, y_axis)]
-        for name, row in zip(("origin", "x_axis", "y_axis"), rows, strict=True):
-            if row.shape != (3,) or not np.all(np.isfinite(row)):
-                raise InputError(f"frame {name} must be three finite numbers, got {row.tolist()}")
-        sizes = [float(np.linalg.norm(row)) for row in rows[1:]]
+        for name, row in zip(_PARTS, rows, strict=True):
+            _require_finite(name, row)
+        sizes = [hypot(*row.tolist()) for row in rows[1:]]
         if min(sizes) == 0 or abs(rows[1] @ rows[2]) > 1e-9 * sizes[0] * sizes[1]:
             raise InputError("frame x_axis and y_axis must be two directions at right angles to each other")
-        for name, row, size in zip(("origin", "x_axis", "y_axis"), rows, (1.0, *sizes), strict=True):
-            scaled = row / size
-            scaled.setflags(write=False)
-            object.__setattr__(self, name, scaled)
+        self._hold(rows[0], rows[1] / sizes[0], rows[2] / sizes[1])
+
+    def _hold(self, *rows: FloatArray) -> None:
+        """Take checked rows: origin and unit axes."""
+        for name, row in zip(_PARTS, rows, strict=True):
+            row.setflags(write=False)
+            object.__setattr__(self, name, row)
 
     @property
     def z_axis(self) -> FloatArray:
@@ -64,9 +69,9 @@ class Frame:
     @cached_property
     def axes(self) -> FloatArray:
         """The three unit axes as rows (3, 3)."""
-        a, b, c = self.x_axis
-        d, e, f = self.y_axis
-        rows = np.array([self.x_axis, self.y_axis, (b * f - c * e, c * d - a * f, a * e - b * d)])
+        a, b, c = self.x_axis.tolist()
+        d, e, f = self.y_axis.tolist()
+        rows = np.array([(a, b, c), (d, e, f), (b * f - c * e, c * d - a * f, a * e - b * d)])
         rows.setflags(write=False)
         return rows
 
@@ -89,4 +94,13 @@ class Frame:
 
     def shifted(self, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> "Frame":
         """The frame with its origin moved along its own axes, mm."""
-        return Frame(self.point((x, y, z)), self.x_axis, self.y_axis)
+        origin = self.point((x, y, z))
+        _require_finite("origin", origin)
+        moved = object.__new__(Frame)  # its axes are known to be good
+        moved._hold(origin, self.x_axis, self.y_axis)
+        return moved
+
+
+def _require_finite(name: str, row: FloatArray) -> None:
+    if row.shape != (3,) or not all(map(isfinite, row.tolist())):
+        raise InputError(f"frame {name} must be three finite numbers, got {row.tolist()}")

@@ -1,8 +1,8 @@
 """The three kinds of segment a path is made of: straight line, circular arc, spline."""
 
 from dataclasses import dataclass
-from functools import cached_property
-from math import inf, isfinite
+from functools import cached_property, lru_cache
+from math import dist, inf, isfinite
 from typing import TypeAlias
 
 import numpy as np
@@ -53,13 +53,13 @@ class Line:
     def __init__(self, start: ArrayLike, end: ArrayLike) -> None:
         object.__setattr__(self, "start", _point(start, "line start"))
         object.__setattr__(self, "end", _point(end, "line end"))
-        if not np.any(self.start != self.end):
+        if self.start.tolist() == self.end.tolist():
             raise InputError(f"a line at {place(self.start)} has no length: leave it out")
 
     @property
     def length(self) -> float:
         """mm."""
-        return float(np.hypot(*(self.end - self.start)))
+        return dist(self.start.tolist(), self.end.tolist())
 
     @property
     def bounds(self) -> FloatArray:
@@ -300,7 +300,9 @@ class Spline:
     def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
         """Signed area swept by the ray from `origin`, mm2, to rounding error (Gauss on each Bezier piece)."""
         origin = np.asarray(origin, dtype=float)
-        knots = np.array([(t0, t1) for t0, t1, _ in self.curve.bezier_pieces()])
+        t0, t1 = self.curve.domain
+        knots = np.unique(self.curve.knots)
+        knots = knots[(knots >= t0) & (knots <= t1)]
         if not self.curve.is_rational:  # x y' - y x' is of degree 2 d - 1 at most: d nodes are exact
             return self._gauss_area(origin, knots, self.curve.degree)
         previous = np.inf
@@ -312,11 +314,11 @@ class Spline:
         return area
 
     def _gauss_area(self, origin: FloatArray, knots: FloatArray, nodes: int) -> float:
-        x, w = np.polynomial.legendre.leggauss(nodes)
-        half = np.diff(knots, axis=1) / 2
-        t = (knots.mean(axis=1)[:, None] + half * x).ravel()
-        p = np.asarray(self.curve.evaluate(t), dtype=float) - origin
-        d = np.asarray(self.curve.evaluate(t, 1), dtype=float)
+        x, w = _gauss(nodes)
+        half = np.diff(knots)[:, None] / 2
+        t = (knots[:-1, None] + half * (1 + x)).ravel()
+        p, d = self.curve.position_and_velocity(t)
+        p = p - origin
         return float(0.5 * np.sum((half * w).ravel() * (p[:, 0] * d[:, 1] - p[:, 1] * d[:, 0])))
 
     def reversed(self) -> "Spline":
@@ -368,6 +370,12 @@ def is_similarity(matrix: ArrayLike) -> bool:
     return bool(same or np.allclose(a[:, 1], -left_of(a[:, 0]), rtol=0, atol=1e-12 * size))
 
 
+@lru_cache(maxsize=64)
+def _gauss(count: int) -> tuple[FloatArray, FloatArray]:
+    """Places and weights of a Gauss rule over [-1, 1]."""
+    return np.polynomial.legendre.leggauss(count)
+
+
 def _beyond_sine(x: float) -> float:
     """x - sin x without cancellation, so that the segment of a flat arc keeps its digits."""
     if abs(x) > 0.3:
@@ -393,7 +401,7 @@ def place(p: ArrayLike) -> str:
 
 def _point(value: ArrayLike, name: str) -> FloatArray:
     p = np.array(value, dtype=float)
-    if p.shape != (2,) or not np.all(np.isfinite(p)):
+    if p.shape != (2,) or not all(map(isfinite, p.tolist())):
         raise InputError(f"{name} must be two finite numbers in mm, got {value!r}")
     p.setflags(write=False)
     return p

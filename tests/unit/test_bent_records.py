@@ -104,7 +104,7 @@ def test_centre_line_follows_the_rod(strip):
     normal = np.column_stack([-np.sin(samples.angle), np.cos(samples.angle)])
     (bent,) = BentSolid.of(strip).maps[1:-1]
     for up in (-0.4, 0.0, 0.4):
-        points = bent.point(np.column_stack([s, np.zeros_like(s)]), up)
+        points = bent.points(np.column_stack([s, np.zeros_like(s)]), [up])[:, 0]
         assert np.abs(points[:, :2] - (samples.position - up * normal)).max() < 2e-6
 
 

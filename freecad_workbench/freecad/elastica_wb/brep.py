@@ -1,15 +1,18 @@
-"""Boundary records as OpenCASCADE's BREP text: FreeCAD's Part can't build faces with given edges in (u, v).
+"""Boundary records as OpenCASCADE's binary BREP: FreeCAD's Part can't build faces with given edges in (u, v).
 
-The text holds what the record holds, digit for digit; nothing is projected, fitted or sewn.
+The bytes hold what the record holds, bit for bit; nothing is projected, fitted or sewn.
 """
 
 from collections.abc import Iterable, Sequence
+from struct import pack
 
 import numpy as np
 
+from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.boundary import (
     Boundary,
     CylinderSurface,
+    Edge,
     Frame,
     PlacedSegment,
     PlaneSurface,
@@ -18,159 +21,178 @@ from elastica_cad.fabrication.boundary import (
     StraightTrace,
     Surface,
 )
-from elastica_cad.geometry import Arc, Line, PlaneCurve, Segment
+from elastica_cad.fabrication.regions import on_segment
+from elastica_cad.geometry import Arc, Line, PlaneCurve, Segment, Spline
 
-__all__ = ["brep_text"]
+__all__ = ["brep_bytes"]
 
 CONFUSION = 1e-7  # mm: OpenCASCADE's own tolerance of edges and faces
 CORNER = 1e-6  # mm: gap that records may have between edges
 
-_VERTEX, _EDGE, _OPEN, _CLOSED, _SOLID = "0101101", "0101000", "0101000", "0101100", "1100000"
+_HEAD = b"\nOpen CASCADE Topology V3 (c)\n"  # the first that says where edges end in (u, v)
+_SOLID, _SHELL, _FACE, _WIRE, _EDGE, _VERTEX = range(2, 8)
+_LINE, _CIRCLE, _SPLINE_CURVE = 1, 2, 7
+_PLANE, _CYLINDER, _EXTRUSION, _SPLINE_SURFACE = 1, 2, 6, 9
+_KNOT = np.dtype([("place", "<f8"), ("count", "<i4")])
+
+# free, modified, checked, orientable, closed, infinite, convex
+_FLAGS = {
+    _VERTEX: (0, 1, 0, 1, 1, 0, 1),
+    _EDGE: (0, 1, 0, 1, 0, 0, 0),
+    _WIRE: (0, 1, 0, 1, 1, 0, 0),
+    _FACE: (0, 1, 0, 1, 0, 0, 0),
+    _SHELL: (0, 1, 0, 1, 0, 0, 0),
+    _SOLID: (1, 1, 0, 0, 0, 0, 0),
+}
 
 
-def brep_text(boundary: Boundary) -> str:
+def brep_bytes(boundary: Boundary) -> bytes:
     """A closed boundary as a solid, an open one as a shell."""
-    text = _Text()
-    vertices = [text.vertex(p) for p in boundary.vertices]
-    traces: list[list[str]] = [[] for _ in boundary.edges]
-    surfaces = [text.add(text.surfaces, _surface(face.surface)) for face in boundary.faces]
+    tables = _Tables()
+    vertices = [tables.shape(_VERTEX, pack("<4dB", CORNER, *point, 0)) for point in boundary.vertices]
+    traces: list[list[bytes]] = [[] for _ in boundary.edges]
+    surfaces = [_added(tables.surfaces, _surface(face.surface)) for face in boundary.faces]
     for face, surface in zip(boundary.faces, surfaces, strict=True):
         for use in (use for loop in face.loops for use in loop if use.trace is not None):
             edge = boundary.edges[use.edge]
-            number = text.add(text.traces, _trace(use.trace))
-            traces[use.edge].append(f"2 {number} {surface} 0 {_reals((edge.first, edge.last))}")
+            number = _added(tables.traces, _trace(use.trace))
+            limits = edge.first, edge.last
+            traces[use.edge].append(
+                pack("<B3i6d", 2, number, surface, 0, *limits, *_trace_ends(use.trace, *limits))
+            )
     edges = [
-        text.edge(
-            _curve(edge.curve), (edge.first, edge.last), (vertices[edge.start], vertices[edge.end]), lines
-        )
-        for edge, lines in zip(boundary.edges, traces, strict=True)
+        tables.edge(edge, (vertices[edge.start], vertices[edge.end]), rows)
+        for edge, rows in zip(boundary.edges, traces, strict=True)
     ]
     faces = []
     for face, surface in zip(boundary.faces, surfaces, strict=True):
         wires = [
-            text.shape("Wi", (), _CLOSED, [(edges[use.edge], use.forward) for use in loop])
-            for loop in face.loops
+            tables.shape(_WIRE, b"", [(edges[use.edge], use.forward) for use in loop]) for loop in face.loops
         ]
-        number = text.shape("Fa", (f"0 {CONFUSION!r} {surface} 0",), _OPEN, [(w, True) for w in wires])
-        faces.append((number, face.outward))
+        head = pack("<?d2iB", False, CONFUSION, surface, 0, 1)
+        faces.append((tables.shape(_FACE, head, [(wire, True) for wire in wires]), face.outward))
     closed = boundary.is_closed
-    whole = text.shape("Sh", (), _CLOSED if closed else _OPEN, faces)
+    whole = tables.shape(_SHELL, b"", faces, closed=closed)
     if closed:
-        whole = text.shape("So", (), _SOLID, [(whole, True)])
-    return text.written(whole)
+        whole = tables.shape(_SOLID, b"", [(whole, True)])
+    return tables.written(whole)
 
 
-class _Text:
-    """The numbered tables of a BREP text."""
+class _Tables:
+    """The numbered tables of a BREP."""
 
     def __init__(self) -> None:
-        self.traces: list[str] = []
-        self.curves: list[str] = []
-        self.surfaces: list[str] = []
-        self.shapes: list[tuple[str, Sequence[tuple[int, bool]]]] = []
+        self.traces: list[bytes] = []
+        self.curves: list[bytes] = []
+        self.surfaces: list[bytes] = []
+        self.shapes: list[tuple[bytes, Sequence[tuple[int, bool]]]] = []
 
-    @staticmethod
-    def add(table: list[str], row: str) -> int:
-        table.append(row)
-        return len(table)
-
-    def vertex(self, point: Sequence[float]) -> int:
-        return self.shape("Ve", (repr(CORNER), _reals(point), "0 0"), _VERTEX, [])
-
-    def edge(
-        self, curve: str, limits: tuple[float, float], ends: tuple[int, int], traces: Sequence[str]
+    def shape(
+        self, kind: int, geometry: bytes, parts: Sequence[tuple[int, bool]] = (), *, closed: bool = False
     ) -> int:
-        number = self.add(self.curves, curve)
-        rows = (f" {CONFUSION!r} 1 1 0", f"1 {number} 0 {_reals(limits)}", *traces, "0")
-        return self.shape("Ed", rows, _EDGE, [(ends[0], True), (ends[1], False)])
-
-    def shape(self, kind: str, rows: Iterable[str], flags: str, parts: Sequence[tuple[int, bool]]) -> int:
         """Number of a new shape made of earlier ones, each with its orientation."""
-        self.shapes.append(("\n".join([kind, *rows, "", flags]), parts))
+        flags = list(_FLAGS[kind])
+        flags[4] |= closed
+        self.shapes.append((bytes([kind]) + geometry + bytes(flags), parts))
         return len(self.shapes)
 
-    def written(self, whole: int) -> str:
+    def edge(self, edge: Edge, ends: tuple[int, int], traces: Iterable[bytes]) -> int:
+        number = _added(self.curves, _curve(edge.curve))
+        head = pack("<d3?B2i2d", CONFUSION, True, True, False, 1, number, 0, edge.first, edge.last)
+        return self.shape(_EDGE, b"".join([head, *traces, b"\0"]), [(ends[0], True), (ends[1], False)])
+
+    def written(self, whole: int) -> bytes:
+        """All tables; shapes name each other from the last one backwards."""
         count = len(self.shapes)
-
-        def named(number: int, forward: bool) -> str:
-            return f"{'+' if forward else '-'}{count - number + 1} 0"
-
         shapes = [
-            f"{head}\n{' '.join([*(named(*part) for part in parts), '*'])}" for head, parts in self.shapes
+            head + b"".join(pack("<B2i", not forward, count - number + 1, 0) for number, forward in parts)
+            for head, parts in self.shapes
         ]
         tables = (
-            ("Locations", []),
-            ("Curve2ds", self.traces),
-            ("Curves", self.curves),
-            ("Polygon3D", []),
-            ("PolygonOnTriangulations", []),
-            ("Surfaces", self.surfaces),
-            ("Triangulations", []),
-            ("\nTShapes", shapes),
+            (b"Locations", []),
+            (b"Curve2ds", self.traces),
+            (b"Curves", self.curves),
+            (b"Polygon3D", []),
+            (b"PolygonOnTriangulations", []),
+            (b"Surfaces", self.surfaces),
+            (b"Triangulations", []),
+            (b"\nTShapes", [row + b"*" for row in shapes]),
         )
-        lines = [f"{name} {len(rows)}" + "".join(f"\n{row}" for row in rows) for name, rows in tables]
-        head = "DBRep_DrawableShape\n\nCASCADE Topology V1, (c) Matra-Datavision"
-        return "\n".join([head, *lines, "", named(whole, True), ""])
+        rows = [b"%s %d\n%s" % (name, len(table), b"".join(table)) for name, table in tables]
+        return b"".join([_HEAD, *rows, pack("<3i", whole, 0, 0)])
 
 
-def _reals(*groups: Iterable[float]) -> str:
-    return " ".join(" ".join(map(repr, np.asarray(group, dtype=float).ravel().tolist())) for group in groups)
+def _added(table: list[bytes], row: bytes) -> int:
+    table.append(row)
+    return len(table)
 
 
-def _knots(knots: Iterable[float]) -> tuple[int, str]:
+def _reals(*groups: Iterable[float]) -> bytes:
+    return b"".join(np.asarray(group, dtype="<f8").tobytes() for group in groups)
+
+
+def _knots(knots: FloatArray) -> tuple[int, bytes]:
     """Number of distinct knots, and each with its multiplicity."""
     values, counts = np.unique(knots, return_counts=True)
-    pairs = zip(values.tolist(), counts.tolist(), strict=True)
-    return len(values), " ".join(f"{value!r} {count}" for value, count in pairs)
+    rows = np.empty(values.size, dtype=_KNOT)
+    rows["place"], rows["count"] = values, counts
+    return values.size, rows.tobytes()
 
 
-def _axes(frame: Frame) -> str:
+def _axes(frame: Frame) -> bytes:
     return _reals(frame.origin, frame.z_axis, frame.x_axis, frame.y_axis)
 
 
-def _spline(
-    knots: Iterable[float], degree: int, points: Sequence[Sequence[float]], weights: object = None
-) -> str:
-    rows = np.asarray(points) if weights is None else np.column_stack([points, weights])
-    count, text = _knots(knots)
-    return f"7 {int(weights is not None)} 0 {degree} {len(rows)} {count} {_reals(rows)} {text}"
+def _spline(knots: FloatArray, degree: int, points: FloatArray, weights: FloatArray | None = None) -> bytes:
+    rows = points if weights is None else np.column_stack([points, weights])
+    count, written = _knots(knots)
+    head = pack("<B2?H2i", _SPLINE_CURVE, weights is not None, False, degree, len(rows), count)
+    return head + _reals(rows) + written
 
 
-def _curve(curve: SpaceCurve | PlacedSegment) -> str:
+def _curve(curve: SpaceCurve | PlacedSegment) -> bytes:
     if isinstance(curve, SpaceCurve):
         return _spline(curve.knots, curve.degree, curve.control_points)
     segment, frame = curve.segment, curve.frame
     if isinstance(segment, Line):
-        along = frame.direction(segment.end - segment.start)
-        return f"1 {_reals(frame.point(segment.start), along / np.linalg.norm(along))}"
+        return bytes([_LINE]) + _reals(frame.point(segment.start), frame.direction(segment.tangent_at(0.0)))
     if isinstance(segment, Arc):
-        return f"2 {_axes(Frame(frame.point(segment.center), frame.x_axis, frame.y_axis))} {segment.radius!r}"
+        center = Frame(frame.point(segment.center), frame.x_axis, frame.y_axis)
+        return bytes([_CIRCLE]) + _axes(center) + _reals([segment.radius])
     return _placed(segment.curve, frame.point(segment.curve.control_points))
 
 
-def _placed(curve: PlaneCurve, points: Sequence[Sequence[float]]) -> str:
+def _placed(curve: PlaneCurve, points: FloatArray) -> bytes:
     return _spline(curve.knots, curve.degree, points, curve.weights)
 
 
-def _surface(surface: Surface) -> str:
+def _surface(surface: Surface) -> bytes:
     if isinstance(surface, PlaneSurface):
-        return f"1 {_axes(surface.frame)}"
+        return bytes([_PLANE]) + _axes(surface.frame)
     if isinstance(surface, CylinderSurface):
-        return f"2 {_axes(surface.frame)} {surface.radius!r}"
+        return bytes([_CYLINDER]) + _axes(surface.frame) + _reals([surface.radius])
     if not isinstance(surface, SpaceSurface):
-        return f"6 {_reals(surface.profile.frame.z_axis)}\n{_curve(surface.profile)}"
-    rows, columns, _ = surface.control_points.shape
+        return bytes([_EXTRUSION]) + _reals(surface.profile.frame.z_axis) + _curve(surface.profile)
     (u_count, u), (v_count, v) = map(_knots, surface.knots)
-    counts = f"9 0 0 0 0 {surface.degree[0]} {surface.degree[1]} {rows} {columns} {u_count} {v_count}"
-    return f"{counts} {_reals(surface.control_points)} {u} {v}"
+    counts = *surface.degree, *surface.control_points.shape[:2], u_count, v_count
+    return pack("<B4?2H4i", _SPLINE_SURFACE, *[False] * 4, *counts) + _reals(surface.control_points) + u + v
 
 
-def _trace(trace: StraightTrace | Segment) -> str:
+def _trace(trace: StraightTrace | Segment) -> bytes:
     if isinstance(trace, StraightTrace):
-        return f"1 {_reals(trace.origin, trace.direction)}"
+        return bytes([_LINE]) + _reals(trace.origin, trace.direction)
     if isinstance(trace, Line):
-        along = trace.end - trace.start
-        return f"1 {_reals(trace.start, along / np.linalg.norm(along))}"
+        return bytes([_LINE]) + _reals(trace.start, trace.tangent_at(0.0))
     if isinstance(trace, Arc):
-        return f"2 {_reals(trace.center, (1.0, 0.0), (0.0, 1.0))} {float(trace.radius)!r}"
+        return bytes([_CIRCLE]) + _reals(trace.center, (1.0, 0.0), (0.0, 1.0), [trace.radius])
     return _placed(trace.curve, trace.curve.control_points)
+
+
+def _trace_ends(trace: StraightTrace | Segment, first: float, last: float) -> Iterable[float]:
+    """(u, v) where an edge begins and where it ends."""
+    if isinstance(trace, StraightTrace):
+        (u, v), (along, up) = trace.origin, trace.direction
+        return u + first * along, v + first * up, u + last * along, v + last * up
+    if isinstance(trace, Spline) and (first, last) == trace.curve.domain:
+        return *trace.start.tolist(), *trace.end.tolist()
+    return on_segment(trace, np.array((first, last))).ravel().tolist()

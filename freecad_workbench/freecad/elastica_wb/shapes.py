@@ -1,12 +1,14 @@
 """Kernel-neutral records as shapes of FreeCAD's Part, and its edges as plane curves."""
 
+import os
+import tempfile
 from collections.abc import Iterable, Sequence
 from typing import Any
 
 import FreeCAD as App
 import numpy as np
 import Part
-from freecad.elastica_wb.brep import brep_text
+from freecad.elastica_wb.brep import brep_bytes
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication import BentSolid, FlatSolid, Frame
@@ -70,9 +72,29 @@ def make_solid(record: FlatSolid | BentSolid | PrismSolid) -> Part.Shape:
     if isinstance(record, FlatSolid):
         face = make_face(record.outline, record.holes, record.frame)
         return face.extrude(_vector(record.frame.z_axis * record.thickness))
+    return _read(brep_bytes(record.boundary))
+
+
+def _read(brep: bytes) -> Part.Shape:
+    """The shape of a binary BREP, which FreeCAD only takes from a file."""
     shape = Part.Shape()
-    shape.importBrepFromString(brep_text(record.boundary))
+    try:
+        handle, name = tempfile.mkstemp(suffix=".bin", dir=_folder())
+        try:
+            with os.fdopen(handle, "wb") as file:
+                file.write(brep)
+            shape.importBinary(name)
+        finally:
+            os.unlink(name)
+    except OSError as error:
+        raise InputError(f"there is no room for a passing file: {error}; empty that folder") from error
     return shape
+
+
+def _folder() -> str:
+    """Where files may lie for a moment: FreeCAD on Windows only opens names in ASCII."""
+    usual = tempfile.gettempdir()
+    return usual if os.name != "nt" or usual.isascii() else os.environ["PROGRAMDATA"]
 
 
 def plane_curve(drawn: Iterable[Any]) -> tuple[PlaneCurve, Frame]:
