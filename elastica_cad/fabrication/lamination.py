@@ -13,7 +13,7 @@ from elastica_cad.mechanics import LaminatedSection, Rod, ScaleRange, Sheet
 
 __all__ = ["Laminated"]
 
-SLACK = 1e-4
+SLACK = 3e-4
 """Relative slack of a rod's own stiffness: it was fitted at fewer stations, and is brought to what fits at all."""
 
 FIT, DRAWN = 1e-9, 1e-5

@@ -17,9 +17,10 @@ from elastica_cad.mechanics.supports import Supports
 
 __all__ = ["Laminate", "optimal_laminate"]
 
-_SETTLED = 1e-7
+_SETTLED = 1e-5
 _ROUNDS = 30
 _STATIONS = 81  # of the weight law, a cubic spline in between
+_DENSE = 2001  # at which the backing must fit
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,7 +110,9 @@ def optimal_laminate(
     rod = optimal_rod(curve, gravity, supports, samples=samples)
     w1 = _along(base_width, rod.s)
     stations = np.linspace(0.0, rod.length, _STATIONS)
-    everywhere = np.union1d(stations, rod.s)
+    everywhere = np.union1d(np.linspace(0.0, rod.length, _DENSE), rod.s)
+    if isinstance(base_width, Profile):
+        everywhere = np.union1d(everywhere, np.clip(base_width.knots, 0.0, rod.length))
     widths = _along(base_width, everywhere)
 
     def built(rod: Rod, scale: float, rounds: int) -> Laminate:
