@@ -13,7 +13,6 @@ from freecad.elastica_wb.cutting import KINDS, pieces_of, write_cutting_files
 from freecad.elastica_wb.dragging import Dragged
 from freecad.elastica_wb.drawn import curve_into, drawn_curve, sketch_curve
 from freecad.elastica_wb.features import flat, strip
-from freecad.elastica_wb.sections import section_sketches
 from freecad.elastica_wb.shapes import make_edge, make_wire
 
 from elastica_cad.errors import InputError, MissingDependencyError
@@ -232,26 +231,6 @@ def test_cutting_files(document, sketch, tmp_path: Path, request):
     assert len(set(names)) == 2
     with pytest.raises(InputError, match="nothing to cut"):
         pieces_of([sketch])
-
-
-def test_sections_of_a_surface(document):
-    face = Part.BSplineSurface()
-    across = (-60, -30, 0, 30, 60)
-    face.interpolate([[App.Vector(x, y, 40 - x * x / 90 - y * y / 160) for y in across] for x in across])
-    body = document.addObject("Part::Feature", "Shell")
-    body.Shape = face.toShape()
-    document.recompute()
-    sketches, remarks = section_sketches(document, body, "X", 3, 0.02)
-    document.recompute()
-    assert (len(sketches), remarks) == (3, [])
-    for sketch, x in zip(sketches, (-40, 0, 40), strict=True):
-        edge = sketch.Shape.Edges[0]
-        for t in (0.1, 0.5, 0.9):
-            point = edge.valueAt(t)
-            assert point.x == pytest.approx(x, abs=1e-6)
-            assert body.Shape.distToShape(Part.Vertex(point))[0] < 0.021
-    with pytest.raises(InputError, match="axis"):
-        section_sketches(document, body, "W", 3, 0.02)
 
 
 def test_nearest_follows_when_asked(document, drawn):

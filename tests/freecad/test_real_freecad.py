@@ -91,6 +91,12 @@ def test_every_command(tmp_path):
     assert found["step volumes"] == pytest.approx(found["volumes"], rel=1e-6)
     assert "exists already" in found["export refused"]
     assert found["sections"] == 3
+    assert found["about an axis"][1]
+    assert "Open lines: 3. Closed ones: 0." in found["lines shown"][0]
+    assert found["lines shown"][1] == 4
+    assert "Closed ones: 5" in found["along a path"]
+    assert "Ball, section 1 (6." in found["closed sections"]
+    assert found["halves"] == 11
     assert found["strips of sections"] == [[["Up-to-date"], True]] * 3
     assert found["bar"] == ["Bending the strip"]
     assert "stopped" in found["cancelled"]

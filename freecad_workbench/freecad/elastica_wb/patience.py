@@ -46,8 +46,9 @@ def patiently(title: str, work: Callable[..., Answer], *arguments: Any) -> Answe
 def _wait_with_bar(title: str, future: "Future[Any]") -> None:
     import FreeCADGui as Gui
     from freecad.elastica_wb.qt import QtCore, QtWidgets
+    from freecad.elastica_wb.text import tr
 
-    bar = QtWidgets.QProgressDialog(title, "Cancel", 0, 0, Gui.getMainWindow())
+    bar = QtWidgets.QProgressDialog(tr(title), tr("Cancel"), 0, 0, Gui.getMainWindow())
     bar.setWindowModality(QtCore.Qt.WindowModal)
     bar.setMinimumDuration(0)
     bar.show()

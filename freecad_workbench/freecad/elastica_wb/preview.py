@@ -1,6 +1,6 @@
 """A shape that is not in the document yet: lines in the view, and a handle to drag its end by."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -8,7 +8,7 @@ from pivy import coin
 
 from elastica_cad._types import FloatArray
 
-__all__ = ["Preview"]
+__all__ = ["Lines", "Preview"]
 
 BEFORE, AFTER = (0.6, 0.6, 0.6), (0.9, 0.35, 0.1)
 
@@ -75,3 +75,39 @@ class Preview:
             group.addChild(node)
         self.root.addChild(group)
         return coordinates, shape
+
+
+class Lines:
+    """Lines in space, of several colours: what is going to be made."""
+
+    def __init__(self, view: Any) -> None:
+        self._scene = view.getSceneGraph()
+        self.root = coin.SoSeparator()
+        self.root.setName("ElasticaLines")
+        self._scene.addChild(self.root)
+
+    def show(self, groups: Iterable[tuple[tuple[float, float, float], float, Sequence[FloatArray]]]) -> None:
+        """Replace everything: colour, width and lines (n, 3) of each group."""
+        self.root.removeAllChildren()
+        light, pick = coin.SoLightModel(), coin.SoPickStyle()
+        light.model, pick.style = coin.SoLightModel.BASE_COLOR, coin.SoPickStyle.UNPICKABLE
+        depth = coin.SoDepthBuffer()
+        depth.test = False  # what the object hides is to be seen too
+        for node in (light, pick, depth):
+            self.root.addChild(node)
+        for color, width, lines in groups:
+            if not lines:
+                continue
+            part, style, paint = coin.SoSeparator(), coin.SoDrawStyle(), coin.SoBaseColor()
+            style.lineWidth, paint.rgb = width, color
+            points, shape = coin.SoCoordinate3(), coin.SoLineSet()
+            rows = np.concatenate(lines)
+            points.point.setValues(0, len(rows), rows.tolist())
+            shape.numVertices.setValues(0, len(lines), [len(line) for line in lines])
+            for node in (paint, style, points, shape):
+                part.addChild(node)
+            self.root.addChild(part)
+
+    def remove(self) -> None:
+        """Take everything off the view."""
+        self._scene.removeChild(self.root)

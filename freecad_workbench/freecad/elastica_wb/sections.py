@@ -1,72 +1,317 @@
-"""Plane sections of bodies as smooth curves, each in a sketch of its own that strips can follow."""
+"""Plane sections of bodies, surfaces and meshes as smooth curves, each in a sketch that strips can follow."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 import FreeCAD as App
 import numpy as np
-from freecad.elastica_wb.drawn import placement_of
-from freecad.elastica_wb.shapes import plane_curve, spline_geometry
+import Part
+from freecad.elastica_wb.drawn import container, placement_of
+from freecad.elastica_wb.patience import patiently
+from freecad.elastica_wb.shapes import spline_geometry
 
-from elastica_cad.errors import ElasticaError, InputError
-from elastica_cad.geometry import PlaneCurve
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.formats.chains import chained
+from elastica_cad.formats.edges import Edge
+from elastica_cad.forming import (
+    Section,
+    SectionCurve,
+    SectionLine,
+    mesh_sections,
+    parallel_planes,
+    planes_along,
+    radial_planes,
+    section_curves,
+)
+from elastica_cad.forming.sections import right_half, tidied
+from elastica_cad.geometry import Frame
 
-__all__ = ["AXES", "chosen_bodies", "section_sketches"]
+__all__ = [
+    "AXES",
+    "CLOSED",
+    "FAMILIES",
+    "Family",
+    "box_of",
+    "chosen_bodies",
+    "curves_of",
+    "cut",
+    "is_path",
+    "path_points",
+    "section_sketches",
+]
 
 AXES = {"X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
-POINTS = 200
+FAMILIES = ("parallel", "about an axis", "along a path")
+CLOSED = ("left out", "left and right", "above and below")
+
+POINTS = 240  # along a wire of a section, and for each of its edges a quarter of that
+PATH = 400
+JOIN = 1e-4  # mm
+
+Step = Callable[[int], bool]
+
+
+@dataclass(frozen=True, eq=False)
+class Family:
+    """Planes that an object is cut by.
+
+    Parameters
+    ----------
+    kind : str
+        One of `FAMILIES`.
+    count : int
+    axis : str
+        Parallel planes stand across it, radial half planes about it.
+    through : (3,) sequence, optional
+        A point of the axis of radial planes, mm; the middle of the object unless given.
+    sweep : float
+        Angle that radial planes are spread over, degrees.
+    path : (n, 3) array, optional
+        Points that planes stand across, mm.
+    """
+
+    kind: str = "parallel"
+    count: int = 5
+    axis: str = "X"
+    through: Sequence[float] | None = None
+    sweep: float = 360.0
+    path: FloatArray | None = None
+
+    @property
+    def half(self) -> bool:
+        """Are they half planes, that end at an axis?"""
+        return self.kind == "about an axis"
+
+    def planes(self, box: Any) -> list[tuple[str, Frame]]:
+        """Name and plane of each, for an object in a bounding box.
+
+        Raises
+        ------
+        InputError
+            No such axis or family, no planes, no path.
+        """
+        if self.kind not in FAMILIES or self.axis not in AXES or self.count < 1:
+            raise InputError("choose a family, an axis (X, Y or Z) and one plane or more")
+        axis, middle = AXES[self.axis], np.array(tuple(box.Center))
+        if self.kind == "parallel":
+            low, high = (getattr(box, f"{self.axis}{side}") for side in ("Min", "Max"))
+            places = low + (high - low) * (np.arange(self.count) + 0.5) / self.count
+            up = (0.0, 1.0, 0.0) if self.axis == "Z" else (0.0, 0.0, 1.0)
+            frames = parallel_planes((0.0, 0.0, 0.0), axis, places, up=up)
+            return [(f"{self.axis} = {v:.4g} mm", frame) for v, frame in zip(places, frames, strict=True)]
+        if self.half:
+            whole = self.sweep >= 360
+            turns = np.linspace(0.0, self.sweep, self.count, endpoint=not whole)
+            point = middle if self.through is None else self.through
+            zero = (0.0, 1.0, 0.0) if self.axis == "X" else (1.0, 0.0, 0.0)
+            frames = radial_planes(point, axis, np.radians(turns), zero=zero)
+            return [(f"{v:.4g}°", frame) for v, frame in zip(turns, frames, strict=True)]
+        if self.path is None:
+            raise InputError("choose a path: a sketch or a wire that the planes stand across")
+        along = np.abs(self.path[-1] - self.path[0])
+        up = (0.0, 1.0, 0.0) if along[2] > 0.9 * np.linalg.norm(along) else (0.0, 0.0, 1.0)
+        frames = planes_along(self.path, self.count, up=up)
+        length = float(np.linalg.norm(np.diff(self.path, axis=0), axis=1).sum())
+        places = length * (np.arange(self.count) + 0.5) / self.count
+        return [(f"{v:.4g} mm along the path", frame) for v, frame in zip(places, frames, strict=True)]
 
 
 def chosen_bodies(objects: Iterable[Any]) -> list[Any]:
-    """The objects with faces.
+    """The objects with faces or triangles.
 
     Raises
     ------
     InputError
         There is none.
     """
-    found = [obj for obj in objects if getattr(obj, "Shape", None) is not None and obj.Shape.Faces]
+    found = [obj for obj in objects if _has_triangles(obj) or _shape(obj).Faces]
     if not found:
-        raise InputError("select a body or a surface to cut")
+        raise InputError("select a body, a surface or a mesh to cut")
     return found
 
 
-def section_sketches(
-    document: Any, source: Any, axis: str, count: int, tolerance: float
-) -> tuple[list[Any], list[str]]:
-    """Cut an object by `count` planes across an axis, evenly spread through it.
+def is_path(obj: Any) -> bool:
+    """Can planes stand across this object? It has edges and no faces."""
+    shape = _shape(obj)
+    return bool(shape.Edges) and not shape.Faces
 
-    Parameters
-    ----------
-    tolerance : float
-        Largest distance of a sketch's spline from the true section, mm.
 
-    Returns
-    -------
-    sketches, remarks
-        A sketch for every open section; a sentence for each section that makes none.
+def path_points(source: Any, names: Iterable[str] = ()) -> FloatArray:
+    """Points (n, 3) in the document along the edges of an object that follow each other.
+
+    Raises
+    ------
+    InputError
+        No edges, or edges in several chains.
     """
-    if axis not in AXES or count < 1:
-        raise InputError("choose an axis (X, Y or Z) and one plane or more")
-    normal, box = App.Vector(*AXES[axis]), source.Shape.BoundBox
-    low, high = (getattr(box, f"{axis}{side}") for side in ("Min", "Max"))
-    places = low + (high - low) * (np.arange(count) + 0.5) / count
-    sketches, remarks = [], []
-    for place in places:
-        wires = source.Shape.slice(normal, float(place))
-        if not wires:
-            remarks.append(f"at {axis} = {place:.4g} mm there is nothing to cut")
-        for wire in wires:
-            try:
-                curve, frame = plane_curve(wire.OrderedEdges)
-                smooth = PlaneCurve.fit(curve.sample(POINTS).position, tolerance=tolerance)
-            except ElasticaError as error:
-                remarks.append(f"at {axis} = {place:.4g} mm: {error}")
-                continue
-            sketch = document.addObject("Sketcher::SketchObject", "Section")
-            sketch.Label = f"{source.Label} {axis} {place:.4g}"
-            sketch.Placement = placement_of(frame)
-            number = sketch.addGeometry(spline_geometry(smooth), False)
-            sketch.exposeInternalGeometry(number)
-            sketches.append(sketch)
-    return sketches, remarks
+    shape = _shape(source)
+    edges = [shape.getElement(name) for name in names] or shape.Edges
+    chains = Part.sortEdges(edges) if edges else []
+    if len(chains) != 1:
+        raise InputError(f"{source.Label} has {len(chains)} chains of edges: a path is one")
+    return np.array([tuple(p) for p in Part.Wire(chains[0]).discretize(Number=PATH)])
+
+
+def box_of(source: Any) -> Any:
+    """Bounding box in the document."""
+    mesh = _mesh(source)
+    if mesh is None:
+        return _shape(source).BoundBox
+    box = App.BoundBox()
+    for point in mesh[0][[*np.argmin(mesh[0], axis=0), *np.argmax(mesh[0], axis=0)]]:
+        box.add(App.Vector(*point.tolist()))
+    return box
+
+
+def cut(source: Any, family: Family, step: Step | None = None) -> list[Section]:
+    """What the planes of a family cut out of a body, a surface or a mesh, in document coordinates.
+
+    Raises
+    ------
+    InputError
+        A mesh that is none, a family without planes.
+    NotConvergedError
+        `step`, told how many planes are done, said no.
+    """
+    planes = family.planes(box_of(source))
+    mesh = _mesh(source)
+    if mesh is not None:
+        frames = [frame for _, frame in planes]
+        found = list(patiently("Cutting the mesh", _mesh_sections, mesh, frames, family.half))
+    else:
+        shape, found = _shape(source), []
+        for i, (_, frame) in enumerate(planes):
+            _go_on(step, i)
+            found.append(_shape_section(shape, frame, f"section {i + 1}", family.half))
+    return [_called(section, source.Label, place) for section, (place, _) in zip(found, planes, strict=True)]
+
+
+def curves_of(
+    sections: Iterable[Section],
+    *,
+    tolerance: float = 0.05,
+    waves: float = 0.0,
+    closed: str = CLOSED[0],
+    step: Step | None = None,
+) -> tuple[list[SectionCurve], list[str]]:
+    """A smooth curve for every open line, and a sentence for everything that gave none."""
+    curves: list[SectionCurve] = []
+    remarks: list[str] = []
+    for i, section in enumerate(sections):
+        _go_on(step, i)
+        lines = [part for line in section.lines for part in _opened(line, closed)]
+        made, said = section_curves(
+            [replace(section, lines=tuple(lines))], tolerance=tolerance, wavelength=waves
+        )
+        curves += made
+        remarks += said
+    return curves, remarks
+
+
+def section_sketches(document: Any, source: Any, curves: Sequence[SectionCurve]) -> list[Any]:
+    """A sketch for every curve, several of them in a group."""
+    sketches = []
+    for found in curves:
+        sketch = document.addObject("Sketcher::SketchObject", "Section")
+        sketch.Label = found.name
+        sketch.Placement = placement_of(found.frame)
+        number = sketch.addGeometry(spline_geometry(found.curve), False)
+        sketch.exposeInternalGeometry(number)
+        sketches.append(sketch)
+    if len(sketches) > 1:
+        group = document.addObject("App::DocumentObjectGroup", "Curves")
+        group.Label = f"{source.Label} curves"
+        group.Group = sketches
+    return sketches
+
+
+def _shape(obj: Any) -> Part.Shape:
+    """The shape of an object or a link in the document."""
+    shape = Part.getShape(obj)
+    if not shape.isNull():
+        shape.Placement = container(obj) * shape.Placement
+    return shape
+
+
+def _mesh(obj: Any) -> tuple[FloatArray, Any] | None:
+    """Vertices in the document and triangles of a mesh or a link to one; None for anything else."""
+    source = _meshed(obj)
+    if source is None:
+        return None
+    points, faces = source.Mesh.Topology
+    place = container(obj) * obj.Placement
+    if source is not obj and getattr(obj, "LinkTransform", False):
+        place = place * source.Placement
+    matrix = (place * source.Placement.inverse()).toMatrix()
+    rows = np.array(matrix.A, dtype=float).reshape(4, 4)
+    vertices = np.array([tuple(p) for p in points]).reshape(-1, 3)
+    return vertices @ rows[:3, :3].T + rows[:3, 3], np.array(faces, dtype=int).reshape(-1, 3)
+
+
+def _meshed(obj: Any) -> Any:
+    """The mesh object itself, behind a link too; None for anything else."""
+    source = obj.getLinkedObject() if hasattr(obj, "getLinkedObject") else obj
+    return source if source is not None and source.isDerivedFrom("Mesh::Feature") else None
+
+
+def _has_triangles(obj: Any) -> bool:
+    source = _meshed(obj)
+    return source is not None and source.Mesh.CountFacets > 0
+
+
+def _mesh_sections(mesh: tuple[FloatArray, Any], frames: Sequence[Frame], half: bool) -> tuple[Section, ...]:
+    return mesh_sections(*mesh, frames, half=half)
+
+
+def _shape_section(shape: Part.Shape, frame: Frame, name: str, half: bool) -> Section:
+    """As `mesh_sections` answers, for a shape."""
+    wires = shape.slice(App.Vector(*frame.z_axis), float(frame.z_axis @ frame.origin))
+    pieces = []
+    for wire in wires:
+        count = max(POINTS, POINTS // 4 * len(wire.Edges))
+        points = np.array([tuple(p) for p in wire.discretize(Number=count)])
+        if wire.isClosed():
+            points[-1] = points[0]
+        pieces.append(points)
+    closed = [p for p in pieces if np.all(p[0] == p[-1])]
+    runs = chained([(Edge.polyline(p),) for p in pieces if not np.all(p[0] == p[-1])], JOIN)
+    whole = closed + [np.concatenate([run[0].points, *(e.points[1:] for e in run[1:])]) for run in runs]
+    flat = [frame.local(points)[:, :2] for points in whole]
+    if half:
+        flat = [part for points in flat for part in right_half(points)]
+    lines = [line for line in (tidied(points, JOIN) for points in flat) if len(line) > 1]
+    place = "(" + ", ".join(f"{v:.4g}" for v in frame.origin + 0.0) + ") mm"
+    reports: tuple[str, ...] = ()
+    if len(lines) != 1:
+        what = f"falls into {len(lines)} lines" if lines else "misses the shape"
+        reports = (f"{name} at {place}: the plane {what}",)
+    names = [name] if len(lines) == 1 else [f"{name}, line {k + 1}" for k in range(len(lines))]
+    found = [SectionLine(line, frame, called) for line, called in zip(lines, names, strict=True)]
+    return Section(name, frame, tuple(found), reports)
+
+
+def _opened(line: SectionLine, closed: str) -> tuple[SectionLine, ...]:
+    """A closed line in two halves, where that is asked for."""
+    if not line.is_closed or closed == CLOSED[0]:
+        return (line,)
+    middle = (line.points.min(axis=0) + line.points.max(axis=0)) / 2
+    across = line.frame.x_axis if closed == CLOSED[1] else line.frame.y_axis
+    return line.split_by(line.frame.point(middle), across)
+
+
+def _called(section: Section, label: str, place: str) -> Section:
+    """The section under a name that says of what it is and where."""
+    old, name = section.name, f"{label}, {section.name} ({place})"
+    lines = tuple(replace(line, name=line.name.replace(old, name, 1)) for line in section.lines)
+    reports = tuple(
+        report.replace(old, name, 1) if report.startswith(old) else f"{label}: {report}"
+        for report in section.reports
+    )
+    return replace(section, name=name, lines=lines, reports=reports)
+
+
+def _go_on(step: Step | None, done: int) -> None:
+    if step is not None and not step(done):
+        raise NotConvergedError("stopped: nothing was changed; take fewer planes, or try again")

@@ -30,8 +30,6 @@
  <message><source>Largest distance</source><translation>Größter Abstand</translation></message>
  <message><source>nearest</source><translation>nächste</translation></message>
  <message><source>Held away by</source><translation>Abgehalten durch</translation></message>
- <message><source>planes</source><translation>Ebenen</translation></message>
- <message><source>apart</source><translation>auseinander</translation></message>
  <message><source>Built-in sheets stay: keep yours under another name.</source><translation>Eingebaute Platten bleiben: Ihre bitte unter anderem Namen behalten.</translation></message>
  <message><source>least radius</source><translation>kleinster Radius</translation></message>
  <message><source>elasto-gravity length</source><translation>elasto-gravitative Länge</translation></message>
@@ -55,6 +53,12 @@
  <message><source>combined</source><translation>zusammen</translation></message>
  <message><source>writes DXF files</source><translation>schreibt DXF-Dateien</translation></message>
  <message><source>finds the best widths faster</source><translation>findet die besten Breiten schneller</translation></message>
+ <message><source>Cutting</source><translation>Schneide</translation></message>
+ <message><source>Making curves</source><translation>Erzeuge Kurven</translation></message>
+ <message><source>Open lines</source><translation>Offene Linien</translation></message>
+ <message><source>Closed ones</source><translation>Geschlossene</translation></message>
+ <message><source>the planes miss the object</source><translation>die Ebenen treffen das Objekt nicht</translation></message>
+ <message><source>Cancel</source><translation>Abbrechen</translation></message>
 </context>
 <context>
  <name>ElasticaBend</name>
@@ -172,9 +176,24 @@
  <name>ElasticaSection</name>
  <message><source>Section into curves</source><translation>In Kurven schneiden</translation></message>
  <message><source>Planes</source><translation>Ebenen</translation></message>
- <message><source>Across</source><translation>Quer zu</translation></message>
- <message><source>Number of planes</source><translation>Anzahl der Ebenen</translation></message>
  <message><source>Tolerance of the curves</source><translation>Toleranz der Kurven</translation></message>
+ <message><source>Family</source><translation>Art</translation></message>
+ <message><source>parallel</source><translation>parallel</translation></message>
+ <message><source>about an axis</source><translation>um eine Achse</translation></message>
+ <message><source>along a path</source><translation>entlang eines Pfads</translation></message>
+ <message><source>Across</source><translation>Quer zu</translation></message>
+ <message><source>Path</source><translation>Pfad</translation></message>
+ <message><source>Number of planes</source><translation>Anzahl der Ebenen</translation></message>
+ <message><source>Axis through x</source><translation>Achse durch x</translation></message>
+ <message><source>y</source><translation>y</translation></message>
+ <message><source>z</source><translation>z</translation></message>
+ <message><source>Sweep</source><translation>Winkelbereich</translation></message>
+ <message><source>Curves</source><translation>Kurven</translation></message>
+ <message><source>Closed sections</source><translation>Geschlossene Schnitte</translation></message>
+ <message><source>are left out</source><translation>weglassen</translation></message>
+ <message><source>are split left and right</source><translation>links und rechts teilen</translation></message>
+ <message><source>are split above and below</source><translation>oben und unten teilen</translation></message>
+ <message><source>Take out waves shorter than</source><translation>Wellen glätten, die kürzer sind als</translation></message>
 </context>
 <context>
  <name>ElasticaSheets</name>
@@ -289,7 +308,7 @@
 <context>
  <name>Elastica_Section</name>
  <message><source>Section into curves</source><translation>In Kurven schneiden</translation></message>
- <message><source>Cut the selected object by parallel planes into smooth curves that strips can follow</source><translation>Das gewählte Objekt mit parallelen Ebenen in glatte Kurven schneiden, denen Streifen folgen können</translation></message>
+ <message><source>Cut the selected body, surface or mesh by planes into smooth curves that strips can follow</source><translation>Schneidet den gewählten Körper, die Fläche oder das Netz mit Ebenen in glatte Kurven, denen Streifen folgen können</translation></message>
 </context>
 <context>
  <name>Elastica_Sheets</name>

@@ -30,8 +30,6 @@
  <message><source>Largest distance</source><translation>最大距离</translation></message>
  <message><source>nearest</source><translation>最近</translation></message>
  <message><source>Held away by</source><translation>受限于</translation></message>
- <message><source>planes</source><translation>平面</translation></message>
- <message><source>apart</source><translation>间隔</translation></message>
  <message><source>Built-in sheets stay: keep yours under another name.</source><translation>内置板材不可删除：请用其他名称保存。</translation></message>
  <message><source>least radius</source><translation>最小半径</translation></message>
  <message><source>elasto-gravity length</source><translation>弹性重力长度</translation></message>
@@ -55,6 +53,12 @@
  <message><source>combined</source><translation>综合</translation></message>
  <message><source>writes DXF files</source><translation>写 DXF 文件</translation></message>
  <message><source>finds the best widths faster</source><translation>更快求得最佳宽度</translation></message>
+ <message><source>Cutting</source><translation>正在切割</translation></message>
+ <message><source>Making curves</source><translation>正在生成曲线</translation></message>
+ <message><source>Open lines</source><translation>开放线</translation></message>
+ <message><source>Closed ones</source><translation>闭合线</translation></message>
+ <message><source>the planes miss the object</source><translation>平面与对象不相交</translation></message>
+ <message><source>Cancel</source><translation>取消</translation></message>
 </context>
 <context>
  <name>ElasticaBend</name>
@@ -172,9 +176,24 @@
  <name>ElasticaSection</name>
  <message><source>Section into curves</source><translation>剖切成曲线</translation></message>
  <message><source>Planes</source><translation>平面</translation></message>
- <message><source>Across</source><translation>垂直于</translation></message>
- <message><source>Number of planes</source><translation>平面数量</translation></message>
  <message><source>Tolerance of the curves</source><translation>曲线公差</translation></message>
+ <message><source>Family</source><translation>类型</translation></message>
+ <message><source>parallel</source><translation>平行</translation></message>
+ <message><source>about an axis</source><translation>绕轴</translation></message>
+ <message><source>along a path</source><translation>沿路径</translation></message>
+ <message><source>Across</source><translation>垂直于</translation></message>
+ <message><source>Path</source><translation>路径</translation></message>
+ <message><source>Number of planes</source><translation>平面数量</translation></message>
+ <message><source>Axis through x</source><translation>轴通过 x</translation></message>
+ <message><source>y</source><translation>y</translation></message>
+ <message><source>z</source><translation>z</translation></message>
+ <message><source>Sweep</source><translation>角度范围</translation></message>
+ <message><source>Curves</source><translation>曲线</translation></message>
+ <message><source>Closed sections</source><translation>闭合截面</translation></message>
+ <message><source>are left out</source><translation>忽略</translation></message>
+ <message><source>are split left and right</source><translation>左右分割</translation></message>
+ <message><source>are split above and below</source><translation>上下分割</translation></message>
+ <message><source>Take out waves shorter than</source><translation>平滑短于此值的波纹</translation></message>
 </context>
 <context>
  <name>ElasticaSheets</name>
@@ -289,7 +308,7 @@
 <context>
  <name>Elastica_Section</name>
  <message><source>Section into curves</source><translation>剖切成曲线</translation></message>
- <message><source>Cut the selected object by parallel planes into smooth curves that strips can follow</source><translation>用平行平面将所选对象剖切成条带可跟随的光滑曲线</translation></message>
+ <message><source>Cut the selected body, surface or mesh by planes into smooth curves that strips can follow</source><translation>用平面将所选实体、曲面或网格切割为条带可以跟随的光滑曲线</translation></message>
 </context>
 <context>
  <name>Elastica_Sheets</name>

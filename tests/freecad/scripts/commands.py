@@ -222,7 +222,16 @@ def section_command(document):
     document.recompute()
     choose(barrel)
     panel = open_panel("Elastica_Section")
+    panel.form.family.setCurrentIndex(1)
+    wait(300)
+    answers["about an axis"] = (panel.form.message.text(), panel.form.sweep.isVisible())
+    panel.form.family.setCurrentIndex(0)
     panel.form.count.setValue(3)
+    wait(300)
+    answers["lines shown"] = (panel.form.message.text(), panel.lines.root.getNumChildren() - 1)
+    Gui.ActiveDocument.ActiveView.viewIsometric()
+    Gui.ActiveDocument.ActiveView.fitAll()
+    picture("section-panel.png")
     panel.accept()
     wait(100)
     made = [o for o in document.Objects if o.Name.startswith("Section")]
@@ -239,6 +248,34 @@ def section_command(document):
     Gui.ActiveDocument.ActiveView.viewIsometric()
     Gui.ActiveDocument.ActiveView.fitAll()
     scene("sections.png")
+    mesh_sections_command(document)
+
+
+def mesh_sections_command(document):
+    """A mesh with a sketch as the path; sections that make no curve are told, Cancel leaves nothing."""
+    import Mesh
+
+    ball = document.addObject("Mesh::Feature", "Ball")
+    ball.Mesh = Mesh.createSphere(40.0, 60)
+    path = sketch(document, [(-30, 0), (-10, 5), (0, 6), (10, 5), (30, 0)], name="Path")
+    choose(ball, path)
+    before = names(document)
+    panel = open_panel("Elastica_Section")
+    assert panel.form.family.currentIndex() == 2
+    answers["along a path"] = panel.form.message.text()
+    assert not panel.accept(), "closed sections make no curve"
+    answers["closed sections"] = panel.form.message.text()
+    panel.reject()
+    assert names(document) == before
+    choose(ball, path)
+    panel = open_panel("Elastica_Section")
+    panel.form.closed.setCurrentIndex(1)
+    picture("mesh-section-panel.png")
+    assert panel.accept()
+    wait(100)
+    answers["halves"] = len(names(document)) - len(before)
+    document.undo()
+    assert names(document) == before
 
 
 def style_commands(document, strip):

@@ -1,7 +1,8 @@
 """What all task panels share: a form, one undo step from opening to OK, numbers a moment after a change."""
 
 import gc
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import FreeCAD as App
@@ -9,12 +10,12 @@ import FreeCADGui as Gui
 from freecad.elastica_wb import live
 from freecad.elastica_wb.panels.boxes import lengths_in_users_unit
 from freecad.elastica_wb.qt import QtCore, QtWidgets
-from freecad.elastica_wb.text import icon, load_panel
+from freecad.elastica_wb.text import icon, load_panel, tr
 from freecad.elastica_wb.units import worded
 
 from elastica_cad.errors import ElasticaError
 
-__all__ = ["Panel"]
+__all__ = ["Panel", "active_view", "placement_of_strip", "progress"]
 
 PAUSE = 60  # ms after the last key before anything is computed
 
@@ -141,10 +142,11 @@ def _qicon(name: str) -> Any:
     return QtGui.QIcon(icon(name))
 
 
-def progress(title: str, count: int) -> Callable[[int], bool]:
+@contextmanager
+def progress(title: str, count: int) -> Iterator[Callable[[int], bool]]:
     """A progress bar with a cancel button; the function it gives is told how much is done, False: stop."""
     bar = QtWidgets.QProgressDialog(title, None, 0, count, Gui.getMainWindow())
-    bar.setCancelButtonText("Cancel")
+    bar.setCancelButtonText(tr("Cancel"))
     bar.setMinimumDuration(500)
 
     def step(done: int) -> bool:
@@ -152,7 +154,11 @@ def progress(title: str, count: int) -> Callable[[int], bool]:
         QtWidgets.QApplication.processEvents()
         return not bar.wasCanceled()
 
-    return step
+    try:
+        yield step
+    finally:
+        bar.close()
+        bar.deleteLater()
 
 
 def active_view() -> Any:

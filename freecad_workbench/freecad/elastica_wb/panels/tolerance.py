@@ -78,9 +78,8 @@ class Watched:
             Cancel was pressed.
         """
         tasks = list(zip(*arguments, strict=True))
-        step = progress(self._title, len(tasks))
-        for done, task in enumerate(tasks):
-            if not step(done):
-                raise Stopped
-            yield work(*task)
-        step(len(tasks))
+        with progress(self._title, len(tasks)) as step:
+            for done, task in enumerate(tasks):
+                if not step(done):
+                    raise Stopped
+                yield work(*task)
