@@ -5,8 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad.forming.constraints import CurvatureLimit, MarginLimit
+from elastica_cad.forming.problem import Problem
 from elastica_cad.forming.setting import Measure, Setting
-from elastica_cad.forming.sqp import Outcome, Problem
+from elastica_cad.forming.sqp import Outcome
 
 __all__ = ["Binding", "bindings"]
 

@@ -16,19 +16,26 @@ __all__ = ["ClosestDistance", "Distance", "LargestDistance", "LocalModel", "Mean
 
 @dataclass(frozen=True, eq=False)
 class LocalModel:
-    """h^T d + d^T H d / 2, plus the largest of peaks + peak_rows d where there are peaks.
+    """value + h^T d + d^T H d / 2, plus the largest of peaks + peak_rows d where there are peaks.
 
     Attributes
     ----------
+    value : float
     hessian, gradient : (p, p), (p,) arrays
     peaks, peak_rows : (k,), (k, p) arrays
         Empty for smooth measures.
     """
 
+    value: float
     hessian: FloatArray
     gradient: FloatArray
     peaks: FloatArray
     peak_rows: FloatArray
+
+    def at(self, step: FloatArray) -> float:
+        """The distance that the model expects after a step (p,)."""
+        smooth = self.value + float((self.gradient + 0.5 * (self.hessian @ step)) @ step)
+        return smooth + (float((self.peaks + self.peak_rows @ step).max()) if self.peaks.size else 0.0)
 
 
 class Distance(Protocol):
@@ -121,10 +128,13 @@ class LargestDistance:
         _, normal = offsets(self.wish, rod)
         signed, far = self._peaks(rod)
         p = rod.z.size
-        across = _across(normal, sensitivities)[:, :p]
+        across = _across(normal, sensitivities)
         rows = (self.factors * np.sign(signed))[far, None] * across[far]
+        peaks = np.abs(signed[far])
+        if rows.shape[1] > p:
+            peaks = peaks + rows[:, p]
         # the mean-square curvature only decides what the peaks leave open
-        return LocalModel(1e-3 / signed.size * gram(across), np.zeros(p), np.abs(signed[far]), rows)
+        return LocalModel(0.0, 1e-3 / signed.size * gram(across[:, :p]), np.zeros(p), peaks, rows[:, :p])
 
     def _peaks(self, rod: MarchedRod) -> tuple[FloatArray, IntArray]:
         """Signed distances (n+1,) and the nodes that count."""
@@ -166,4 +176,6 @@ def _least_squares(J: FloatArray, r: FloatArray, p: int) -> LocalModel:
     joined = np.empty((J.shape[0], p + 1))
     joined[:, :p], joined[:, p] = J[:, :p], r
     product = gram(joined)
-    return LocalModel(product[:p, :p], product[:p, p], np.zeros(0), np.zeros((0, p)))
+    return LocalModel(
+        0.5 * float(product[p, p]), product[:p, :p], product[:p, p], np.zeros(0), np.zeros((0, p))
+    )

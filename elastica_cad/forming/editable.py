@@ -22,6 +22,7 @@ UNBENT = 2e-3  # of the largest curvature, below which it tells nothing of the s
 _REACH = 0.05  # curvature errors that extend this far weigh as much as the displacement they make
 _SPANS, _MOST_SPANS = 24, 240
 _SHORTEST = 1e-3  # span, in lengths: shorter ones fit rounding
+_SAME = 1e-6  # lengths
 _PARDONED = 2.0  # tolerances, where finer spans do not help
 _STIFF = (1e-9, 1e-6, 1e-3, np.inf)  # against moving coefficients of the stiffness, tried in turn
 _GROWN = 1e-4  # of the ratio, the most that giving way may cost
@@ -229,8 +230,9 @@ def _extrapolated(a: MarchedRod, b: MarchedRod, rod: Rod) -> _Shape:
     if kappa_0.ndim:
         kappa_0 = np.interp(s / s[-1], np.linspace(0, 1, kappa_0.size), kappa_0)
     kappa = moment / K + kappa_0
-    bends = _zeros(s, kappa)
-    start, end = rod.supports.ends
+    bends, (start, end) = _zeros(s, kappa), rod.supports.ends
+    # the zero of an end that is free to turn stands there once, whatever rounding makes of it
+    bends = bends[(start.angle | (bends > _SAME * s[-1])) & (end.angle | (bends < (1 - _SAME) * s[-1]))]
     bends = np.concatenate([s[:1][: not start.angle], bends, s[-1:][: not end.angle]])
     return _Shape(s, position, angle, kappa, K, bends, rod.length)
 

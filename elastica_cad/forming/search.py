@@ -5,9 +5,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
+from elastica_cad.forming.march import MarchedRod
+from elastica_cad.forming.problem import Problem
 from elastica_cad.forming.setting import Measure, Setting
-from elastica_cad.forming.sqp import Outcome, Problem, lifted, solve
+from elastica_cad.forming.sqp import Outcome, lifted, solve
 
 __all__ = ["MET", "best_outcome"]
 
@@ -48,17 +49,17 @@ def _rank(outcome: Outcome) -> tuple[bool, float]:
 
 
 def _attempts(
-    setting: Setting, measure: Measure, problem: Problem, first: FloatArray
+    setting: Setting, measure: Measure, problem: Problem, first: MarchedRod
 ) -> Iterator[tuple[float, Callable[[], Outcome]]]:
     """Further attempts, each with the mean distance, in diagonals of the wish, that makes it superfluous."""
-    yield 0.015, lambda: solve(problem, _start(setting, problem, lifts=8, same_length=True))
+    yield 0.015, lambda: solve(problem, _start(setting, problem, same_length=True))
     if measure != "mean":
-        yield 0.03, lambda: solve(problem, solve(setting.problem("mean"), first).rod.z)
+        yield 0.03, lambda: solve(problem, solve(setting.problem("mean"), first).rod)
     if setting.limits.margin is not None:
-        yield 0.03, lambda: solve(problem, solve(setting.problem(measure, with_margin=False), first).rod.z)
+        yield 0.03, lambda: solve(problem, solve(setting.problem(measure, with_margin=False), first).rod)
     if setting.gravity is not None:
         yield 0.03, lambda: _by_weight(setting, measure)
-    yield 0.03, lambda: solve(problem, _start(setting, problem, lifts=8, stiffness=1.0), radius=0.3)
+    yield 0.03, lambda: solve(problem, _start(setting, problem, stiffness=1.0), radius=0.3)
     if setting.limits.largest_ratio > _EVEN and setting.limits.stiffness_bounds is None:
         yield 0.03, lambda: solve(problem, _nearly_even(setting, measure))
 
@@ -67,11 +68,10 @@ def _start(
     setting: Setting,
     problem: Problem,
     *,
-    lifts: int = 3,
     same_length: bool = False,
     stiffness: float | None = None,
-) -> FloatArray:
-    """Unknowns that the lifted program finds from the wish itself with constant stiffness."""
+) -> MarchedRod:
+    """The rod that the lifted program finds from the wish itself with constant stiffness."""
     if stiffness is None:
         stiffness = float(np.sqrt(min(setting.limits.largest_ratio, 16.0)))
     grid, wish = problem.grid, setting.wish
@@ -84,14 +84,14 @@ def _start(
         problem = problem.with_length(z[u.length])
     z = np.clip(z, problem.lower, problem.upper)
     moments = (grid.basis @ z[u.stiffness]) * np.diff(angles) / grid.shares
-    return lifted(replace(problem, distance=setting.distance("mean")), z, angles, moments, lifts)
+    return lifted(replace(problem, distance=setting.distance("mean")), z, angles, moments)
 
 
-def _nearly_even(setting: Setting, measure: Measure) -> FloatArray:
-    """Unknowns of the nearest rod of little ratio: what it cannot follow it does not try to."""
+def _nearly_even(setting: Setting, measure: Measure) -> MarchedRod:
+    """The nearest rod of little ratio: what it cannot follow it does not try to."""
     even = replace(setting, limits=replace(setting.limits, ratio=_EVEN))
     problem = even.problem(measure)
-    return solve(problem, _start(even, problem), steps=_PATIENCE).rod.z
+    return solve(problem, _start(even, problem), steps=_PATIENCE).rod
 
 
 def _by_weight(setting: Setting, measure: Measure) -> Outcome:
@@ -99,5 +99,5 @@ def _by_weight(setting: Setting, measure: Measure) -> Outcome:
     problem = setting.problem(measure, weight=0.0)
     outcome = solve(problem, _start(setting, problem), steps=_PATIENCE)
     for weight in (0.25, 0.5, 1.0):
-        outcome = solve(setting.problem(measure, weight=weight), outcome.rod.z, steps=_PATIENCE)
+        outcome = solve(setting.problem(measure, weight=weight), outcome.rod, steps=_PATIENCE)
     return outcome

@@ -12,7 +12,7 @@ from elastica_cad.forming import constraints as rows
 from elastica_cad.forming.distance import ClosestDistance, Distance, LargestDistance, MeanDistance
 from elastica_cad.forming.limits import Keep, Limits, Symmetry
 from elastica_cad.forming.march import StripGrid
-from elastica_cad.forming.sqp import Problem
+from elastica_cad.forming.problem import Problem
 from elastica_cad.forming.wish import Wish, symmetry_frame
 from elastica_cad.mechanics import Gravity, Supports
 

@@ -1,0 +1,154 @@
+"""A rod nearly in balance with its local program, and where a step leads when the whole rod follows it."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from elastica_cad._types import FloatArray, IntArray
+from elastica_cad.forming.distance import LocalModel
+from elastica_cad.forming.march import MarchedRod, Sensitivities
+from elastica_cad.forming.problem import Problem, Rows, rows_near
+
+__all__ = ["Held", "Place", "balanced", "followed", "moved", "place"]
+
+_NEWTON = 4  # corrections on the way to one place
+_CLOSED = 1e-10  # rad that still change when a rod is as good as in balance
+_LOST = 1.5  # rad: a rod that would have to turn so far does not close
+_TELLING = 0.1  # share of what a step promises that may be unknown
+
+
+@dataclass(frozen=True, eq=False)
+class Held:
+    """Rows that a rod keeps at given values while it closes."""
+
+    keys: IntArray
+    aim: FloatArray
+
+
+_NOTHING = Held(np.zeros(0, dtype=int), np.zeros(0))
+
+
+@dataclass(frozen=True, eq=False)
+class Place:
+    """Where the search stands: a rod whose angles and moments need not be quite in balance with its unknowns.
+
+    Attributes
+    ----------
+    problem : Problem
+    rod : MarchedRod
+    sensitivities : Sensitivities
+        With the closing column.
+    rows : Rows
+    change : (p + 1,) array
+        The least step that closes the rod to first order and holds what is held; its last entry is 1.
+    turned : (n + 2,) array
+        What `change` does to the angles.
+    """
+
+    problem: Problem
+    rod: MarchedRod
+    sensitivities: Sensitivities
+    rows: Rows
+    change: FloatArray
+    turned: FloatArray
+
+    @property
+    def off(self) -> float:
+        """The angle, rad, by which the rod is out of balance."""
+        return float(np.abs(self.turned).max())
+
+    @cached_property
+    def model(self) -> LocalModel:
+        """Of the distance, in steps from the closed rod."""
+        return self.problem.distance.model(self.rod, self.sensitivities)
+
+    @cached_property
+    def distance(self) -> float:
+        """The distance of the closed rod, to second order in `off`."""
+        return self.model.at(self.change[:-1])
+
+    def merit(self, prices: FloatArray) -> float:
+        """Distance and price of what is broken, once closed."""
+        return self.distance + self._cost(self.change[:-1], prices)
+
+    def promised(self, step: FloatArray, prices: FloatArray) -> float:
+        """The merit that the local program expects after a step."""
+        return self.model.at(step) + self._cost(step, prices)
+
+    def _cost(self, step: FloatArray, prices: FloatArray) -> float:
+        rows = self.rows
+        if not rows.value.size:
+            return 0.0
+        return float(prices[rows.constraint] @ rows.broken(rows.value + rows.jacobian @ step))
+
+
+def place(problem: Problem, rod: MarchedRod, held: Held = _NOTHING) -> Place:
+    """The place of a rod, out of balance or not."""
+    sensitivities = problem.grid.sensitivities(rod, closing=True)
+    rows = rows_near(problem, sensitivities)
+    change = np.zeros(rod.z.size + 1)
+    change[-1] = 1.0
+    if held.keys.size:
+        here, there = _common(rows.keys, held.keys)
+        free = problem.free(rod.z)
+        s = problem.scale[free]
+        gap = held.aim[there] - rows.value[here]
+        change[:-1][free] = np.linalg.lstsq(rows.jacobian[np.ix_(here, free)] * s, gap, rcond=1e-10)[0] * s
+    return Place(problem, rod, sensitivities, rows, change, sensitivities.angles @ change)
+
+
+def followed(
+    start: Place, step: FloatArray, held: Held, promise: float, largest_price: float
+) -> Place | None:
+    """Where a step (p + 1,) leads when angles and moments follow; None when the rod does not close there.
+
+    They take their linear change, then Newton steps bring the rod towards balance and, by least changes of the
+    unknowns that are free, what is held to where the program thought it, until what is left is of second order
+    small beside the promise. A rod that is sensitive to its start stands far larger steps so than marched from
+    there (and no Maratos effect).
+    """
+    at = start
+    change = step
+    for _ in range(_NEWTON):
+        rod = moved(at, change)
+        at = place(start.problem, rod, held)
+        off = at.off
+        if not off < _LOST:
+            return None
+        weight = 1.0 if at.model.peaks.size else float(np.sqrt(2 * max(at.distance, 0.0)))
+        if off**2 * (weight + largest_price) < _TELLING * promise:
+            return at
+        change = at.change
+    return at if off < 0.1 else None
+
+
+def balanced(start: Place, held: Held) -> MarchedRod | None:
+    """The rod in balance near a place; None when there is none."""
+    at = start
+    for _ in range(2 * _NEWTON):
+        if not at.off < _LOST:
+            return None
+        rod = moved(at, at.change)
+        if at.off < _CLOSED:
+            break
+        at = place(start.problem, rod, held)
+    marched = start.problem.grid.rod(rod.z)
+    return marched if np.isfinite(marched.moments[-1]) else None
+
+
+def moved(at: Place, change: FloatArray) -> MarchedRod:
+    """The rod after a change (p + 1,), to first order."""
+    rod, d, problem = at.rod, at.sensitivities, at.problem
+    z = problem.inside(rod.z + change[:-1])
+    return problem.grid.guessed(z, rod.angles + d.angles @ change, rod.moments + d.moments @ change)
+
+
+def _common(here: IntArray, there: IntArray) -> tuple[IntArray, IntArray]:
+    """Places of the keys that both have, each key once in either."""
+    order = np.argsort(here)
+    found = np.minimum(np.searchsorted(here[order], there), here.size - 1)
+    if not here.size:
+        return order, order
+    matches = here[order[found]] == there
+    return order[found[matches]], np.flatnonzero(matches)
