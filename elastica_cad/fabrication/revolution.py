@@ -12,6 +12,15 @@ from elastica_cad.mechanics import Sheet
 
 __all__ = ["revolution", "revolved"]
 
+TAB = 8.0
+"""Length of a tab, mm."""
+
+APART = 0.5
+"""Between the tabs of neighbours where they are nearest, mm."""
+
+NARROW = 1.0
+"""A tab narrower than this, mm, holds nothing: at a pole strips end as they are."""
+
 
 def revolution(
     a: float,
@@ -23,7 +32,7 @@ def revolution(
     length: float,
     sheet: Sheet,
     ring: float | None = None,
-    ends: tuple[Tab, Tab] = (Tab(8.0), Tab(8.0)),
+    ends: tuple[Tab, Tab] | None = None,
     name: str = "revolution",
 ) -> Model:
     """The surface of revolution about z whose meridian has x kappa = a + <b, gamma>, tiled by plain strips.
@@ -35,8 +44,8 @@ def revolution(
     strips : int
         How many make the surface.
     sheet : Sheet
-    ends : pair of Tab
-        Of each strip.
+    ends : pair of Tab, optional
+        Of each strip; 8 mm long and so wide that neighbours' tabs keep apart, unless given.
     name : str
 
     Raises
@@ -61,15 +70,24 @@ def revolved(
     strips: int,
     *,
     sheet: Sheet,
-    ends: tuple[Tab, Tab] = (Tab(8.0), Tab(8.0)),
+    ends: tuple[Tab, Tab] | None = None,
     name: str = "revolution",
 ) -> Model:
     """A meridian's surface about z, tiled by so many equal plain strips; see `revolution`."""
     if strips < 3:
         raise InputError(f"strips={strips}: a surface of revolution is tiled by 3 strips or more")
     width = 2 * float(np.tan(np.pi / strips)) * float(meridian.distance.extremes[1])
-    strip = Strip(meridian.rod, sheet, max_width=width, ends=ends)
+    strip = Strip(meridian.rod, sheet, max_width=width, ends=ends or _tabs(meridian, strips))
     turn = 2 * np.pi * np.arange(strips) / strips
     return Model(
         tuple(Placed(strip, (0, 0, 0), (np.cos(t), np.sin(t), 0), (0, 0, 1)) for t in turn), name=name
     )
+
+
+def _tabs(meridian: Meridian, strips: int) -> tuple[Tab, Tab]:
+    """Tabs that go straight on, narrower than the room between the planes to both neighbours."""
+    ends = meridian.curve.sample(2)
+    far = ends.position[:, 0] + TAB * np.array([-1.0, 1.0]) * np.cos(ends.angle)
+    room = 2 * np.tan(np.pi / strips) * np.minimum(ends.position[:, 0], far) - APART
+    first, last = (Tab(TAB, width=float(wide)) if wide > NARROW else Tab(TAB) for wide in room)
+    return first, last

@@ -9,6 +9,7 @@ import elastica_cad as ec
 STRIPS = 10  # across one sixth of the roof
 SPAN, RISE = 240.0, 95.0  # mm
 GAP = 0.5  # mm taken off each half width
+TABS = (ec.Tab(10), ec.Tab(10, width=8))  # towards the axis there is less room between neighbours
 CARD = ec.Sheet.named("card-200gsm")
 
 
@@ -45,7 +46,7 @@ def build():
     placed = []
     for near, c, width in zip(found, curves, widths, strict=True):
         style = ec.Perforated(width, columns=2, rows=3, hole_ratio=0.9)
-        strip = ec.Strip(near.rod, CARD, style=style, label=f"S{len(placed) + 1}")
+        strip = ec.Strip(near.rod, CARD, style=style, ends=TABS, label=f"S{len(placed) + 1}")
         placed.append(ec.Placed(strip, c.frame.origin, c.frame.x_axis, c.frame.y_axis))
     sixth = ec.Model(tuple(placed), name="shell", reports=reports)
     return sixth.mirrored((0, 0, 0), (0, 1, 0)).rotated(3)

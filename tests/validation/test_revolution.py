@@ -76,6 +76,21 @@ def test_strips_tile_without_gaps(published):
     assert np.abs(edges[0] @ [np.sin(half), -np.cos(half), 0]).max() < 1e-5
 
 
+def test_tabs_keep_clear_of_their_neighbours():
+    """They go straight on towards the axis, where the room between neighbours' planes becomes less."""
+    count = 20
+    model = ec.revolution(
+        -4.488549, (0.06233611, -0.0145922), (70, 0), 0.277409, count, length=185.5945, sheet=CARD
+    )
+    strip = model.strips[0]
+    rod, half = strip.rod, np.tan(np.pi / count)
+    for tab, end, way in zip(strip.ends, (0, -1), (-1, 1), strict=True):
+        far = rod.position[end, 0] + way * tab.length * np.cos(rod.angle[end])
+        room = 2 * half * min(far, rod.position[end, 0]) - tab.width
+        assert room == pytest.approx(0.5, abs=1e-3)
+        assert tab.width < strip.end_widths[end]
+
+
 def test_a_sphere_closes_at_the_pole():
     """x kappa = x / r is a circle: a = 0, b = (1 / r, 0)."""
     globe = meridian(0.0, (1 / 80, 0), (80, 0), np.pi / 2, 400)
