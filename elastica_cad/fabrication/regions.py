@@ -89,6 +89,7 @@ def cut_across(outline: Path, holes: Sequence[Path], stations: Sequence[float]) 
     """
     cutter = _Cutter(np.asarray(stations, dtype=float))
     cutter.add(outline, backward=outline.area < 0)
+    cutter.rim = cutter.count
     for hole in holes:
         cutter.add(hole, backward=hole.area > 0)
     return cutter.result()
@@ -104,6 +105,8 @@ class _Cutter:
     chains: dict[int, list[list[Piece]]] = field(default_factory=dict)
     seams: dict[tuple[int, int], tuple[int, Line]] = field(default_factory=dict)
     count: int = 0
+    rim: int = 0
+    """Pieces with lower numbers are the outline's."""
 
     def add(self, path: Path, *, backward: bool) -> None:
         """Split one closed loop, perhaps run backward, at the stations; sort its pieces into intervals."""
@@ -224,6 +227,8 @@ class _Cutter:
 
     def _grouped(self, loops: list[list[Piece]]) -> list[list[list[Piece]]]:
         """Every outer loop with the holes inside it."""
+        if len(loops) == 1 and any(piece.number < self.rim for piece in loops[0]):
+            return [loops]
         polygons = [_polygon(loop) for loop in loops]
         outer = [k for k, polygon in enumerate(polygons) if _area(polygon) > 0]
         groups = {k: [loops[k]] for k in outer}
@@ -236,6 +241,8 @@ class _Cutter:
 
 def _corner(segment: Segment, t: float) -> FloatArray:
     """The point at a parameter; of a clamped spline's ends the control points."""
+    if isinstance(segment, Line) and t == 0.0:
+        return segment.start
     if isinstance(segment, Spline):
         curve = segment.curve
         for end, knot in ((0, curve.knots[0]), (-1, curve.knots[-1])):

@@ -211,10 +211,13 @@ class Strip:
     def _bend(self) -> tuple[FloatArray, FloatArray]:
         """Stations (n,) and what each is bent by, |kappa - kappa_0|, 1/mm."""
         rod = self.rod
-        samples = rod.curve.sample(max(2001, rod.s.size)) if rod.shape is not None else rod
+        s, curvature = rod.s, rod.curvature
+        if rod.shape is not None:
+            s = np.linspace(0.0, rod.curve.length, max(2001, rod.s.size))
+            curvature = rod.curve.curvature_at(rod.curve.parameter(s))
+        s = np.minimum(s, rod.length)
         rest = np.broadcast_to(np.asarray(rod.natural_curvature, dtype=float), rod.s.shape)
-        s = np.minimum(samples.s, rod.length)
-        return s, np.abs(samples.curvature - np.interp(s, rod.s, rest))
+        return s, np.abs(curvature - np.interp(s, rod.s, rest))
 
     @property
     def warnings(self) -> tuple[str, ...]:

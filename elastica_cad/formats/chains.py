@@ -33,9 +33,10 @@ def chained(runs: Iterable[Sequence[Edge]], tolerance: float = JOIN_TOLERANCE) -
     """
     if not (np.isfinite(tolerance) and tolerance > 0):
         raise InputError(f"the tolerance for joining is {tolerance}: it must be positive, in mm")
-    kept = _without_repeats([tuple(run) for run in runs if sum(e.size for e in run) > tolerance], tolerance)
-    if not kept:
-        return []
+    long = [tuple(run) for run in runs if sum(e.size for e in run) > tolerance]
+    if len(long) < 2:
+        return long
+    kept = _without_repeats(long, tolerance)
     partner = _partners(kept, tolerance)
     chains, used = [], [False] * len(kept)
     for first in range(len(kept)):
@@ -87,8 +88,6 @@ def _without_repeats(runs: Sequence[Run], tolerance: float) -> list[Run]:
     """The runs less those that lie on an earlier one, drawn either way."""
     from scipy.spatial import cKDTree
 
-    if not runs:
-        return []
     middles = np.array([_middle(run) for run in runs])
     kept: list[Run] = []
     dropped: set[int] = set()

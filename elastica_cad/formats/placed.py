@@ -64,7 +64,9 @@ def _placed(run: Sequence[Edge]) -> tuple[PlaneCurve, Frame]:
 
 
 def _plane_of(run: Sequence[Edge]) -> Frame:
-    points = np.concatenate([edge.at(edge.stations()) for edge in run])
+    points = np.concatenate([edge.points for edge in run])
+    if np.ptp(points[:, 2]) > JOIN:
+        points = np.concatenate([edge.at(edge.stations()) for edge in run])
     axes = plane_axes(points, max(JOIN, 1e-6 * float(np.ptp(points, axis=0).max())))
     normal = np.cross(*axes)
-    return Frame((points[0] @ normal) * normal, *axes)
+    return Frame((run[0].start @ normal) * normal, *axes)

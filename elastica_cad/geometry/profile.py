@@ -166,7 +166,11 @@ class Profile:
 
     def scaled(self, factor: float) -> "Profile":
         """The profile times `factor`."""
-        return Profile(self.knots, self.coefficients * factor, self.degree)
+        scaled = Profile(self.knots, self.coefficients * factor, self.degree)
+        if factor > 0 and "_extreme_points" in self.__dict__:
+            (first, low), (second, high) = self._extreme_points
+            scaled.__dict__["_extreme_points"] = (first, low * factor), (second, high * factor)
+        return scaled
 
     @cached_property
     def _spline(self) -> Any:

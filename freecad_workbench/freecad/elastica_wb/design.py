@@ -28,19 +28,12 @@ class _Same:
     knots: bytes
     points: bytes
     weights: bytes | None
+    curve: PlaneCurve = field(compare=False, repr=False)
 
     @classmethod
     def of(cls, curve: PlaneCurve) -> "_Same":
         weights = None if curve.weights is None else curve.weights.tobytes()
-        return cls(curve.degree, curve.knots.tobytes(), curve.control_points.tobytes(), weights)
-
-    def curve(self) -> PlaneCurve:
-        import numpy as np
-
-        rows = [
-            None if raw is None else np.frombuffer(raw) for raw in (self.knots, self.points, self.weights)
-        ]
-        return PlaneCurve(rows[0], rows[1].reshape(-1, 2), self.degree, rows[2])
+        return cls(curve.degree, curve.knots.tobytes(), curve.control_points.tobytes(), weights, curve)
 
 
 @dataclass(frozen=True)
@@ -153,7 +146,7 @@ def _question(wish: Wish) -> tuple[Any, ...]:
 
 @lru_cache(maxsize=32)
 def _rod(drawn: _Same, options: tuple[tuple[str, Any], ...]) -> Rod:
-    return optimal_rod(drawn.curve(), **dict(options))
+    return optimal_rod(drawn.curve, **dict(options))
 
 
 @lru_cache(maxsize=32)
@@ -161,7 +154,7 @@ def _near(drawn: _Same, question: tuple[Any, ...]) -> NearestRod:
     sheet, ratio, margin, strain, tangents, keeps_length, gravity, supports = question
     limits = Limits(ratio=ratio, margin=margin, sheet=sheet, strain=strain)
     keep = Keep(tangents=tangents, length=keeps_length)
-    return nearest_rod(drawn.curve(), limits, keep, gravity, supports=supports)
+    return nearest_rod(drawn.curve, limits, keep, gravity, supports=supports)
 
 
 @lru_cache(maxsize=32)
