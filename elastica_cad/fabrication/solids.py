@@ -316,14 +316,14 @@ class _Sheets:
         surface = self._wall(piece, shape, self.edges[low], self.edges[low + 1])
         height = self.heights[1] - self.heights[0]
         start, end = (self._post(i, shape) for i in _ends(piece))
-        traces: list[StraightTrace | None] = [
-            StraightTrace((0.0, 0.0), (1.0, 0.0)),
-            StraightTrace((piece.last, 0.0), (0.0, 1.0)),
-            StraightTrace((0.0, height), (1.0, 0.0)),
-            StraightTrace((piece.first, 0.0), (0.0, 1.0)),
-        ]
-        if isinstance(surface, PlaneSurface):
-            traces = [None] * 4
+        traces: list[StraightTrace | None] = [None] * 4
+        if not isinstance(surface, PlaneSurface):
+            traces = [
+                StraightTrace((0.0, 0.0), (1.0, 0.0)),
+                StraightTrace((piece.last, 0.0), (0.0, 1.0)),
+                StraightTrace((0.0, height), (1.0, 0.0)),
+                StraightTrace((piece.first, 0.0), (0.0, 1.0)),
+            ]
         uses = zip((low, end, low + 1, start), (True, True, False, False), traces, strict=True)
         self.faces.append(Face(surface, (tuple(EdgeUse(*use) for use in uses),), outward=piece.forward))
 

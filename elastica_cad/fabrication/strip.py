@@ -199,7 +199,7 @@ class Strip:
 
     @cached_property
     def strains(self) -> tuple[LayerStrain, ...]:
-        """Skin strain of each layer at uniform stations, with the limit of its sheet."""
+        """Skin strain of each layer at stations along the strip, with the limit of its sheet."""
         s, bend = self._bend
         return self.layout.strains(s, bend)
 
@@ -213,8 +213,10 @@ class Strip:
         rod = self.rod
         s, curvature = rod.s, rod.curvature
         if rod.shape is not None:
-            s = np.linspace(0.0, rod.curve.length, max(2001, rod.s.size))
-            curvature = rod.curve.curvature_at(rod.curve.parameter(s))
+            panels = rod.curve.smooth_panels
+            places = np.linspace(0.0, panels.size - 1.0, max(2001, rod.s.size))
+            t = np.interp(places, np.arange(panels.size), panels)
+            s, curvature = rod.curve.arc_length(t), rod.curve.curvature_at(t)
         s = np.minimum(s, rod.length)
         rest = np.broadcast_to(np.asarray(rod.natural_curvature, dtype=float), rod.s.shape)
         return s, np.abs(curvature - np.interp(s, rod.s, rest))

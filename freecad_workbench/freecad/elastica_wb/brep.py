@@ -133,10 +133,10 @@ def _reals(*groups: Iterable[float]) -> bytes:
 
 def _knots(knots: FloatArray) -> tuple[int, bytes]:
     """Number of distinct knots, and each with its multiplicity."""
-    values, counts = np.unique(knots, return_counts=True)
-    rows = np.empty(values.size, dtype=_KNOT)
-    rows["place"], rows["count"] = values, counts
-    return values.size, rows.tobytes()
+    runs = np.concatenate([[0], np.flatnonzero(knots[1:] != knots[:-1]) + 1, [knots.size]])
+    rows = np.empty(runs.size - 1, dtype=_KNOT)
+    rows["place"], rows["count"] = knots[runs[:-1]], runs[1:] - runs[:-1]
+    return rows.size, rows.tobytes()
 
 
 def _axes(frame: Frame) -> bytes:
@@ -155,11 +155,15 @@ def _curve(curve: SpaceCurve | PlacedSegment) -> bytes:
         return _spline(curve.knots, curve.degree, curve.control_points)
     segment, frame = curve.segment, curve.frame
     if isinstance(segment, Line):
-        return bytes([_LINE]) + _reals(frame.point(segment.start), frame.direction(segment.tangent_at(0.0)))
+        return bytes([_LINE]) + _reals(frame.point(segment.start), frame.direction(_along(segment)))
     if isinstance(segment, Arc):
         center = Frame(frame.point(segment.center), frame.x_axis, frame.y_axis)
         return bytes([_CIRCLE]) + _axes(center) + _reals([segment.radius])
     return _placed(segment.curve, frame.point(segment.curve.control_points))
+
+
+def _along(line: Line) -> FloatArray:
+    return (line.end - line.start) / line.length
 
 
 def _placed(curve: PlaneCurve, points: FloatArray) -> bytes:
@@ -182,7 +186,7 @@ def _trace(trace: StraightTrace | Segment) -> bytes:
     if isinstance(trace, StraightTrace):
         return bytes([_LINE]) + _reals(trace.origin, trace.direction)
     if isinstance(trace, Line):
-        return bytes([_LINE]) + _reals(trace.start, trace.tangent_at(0.0))
+        return bytes([_LINE]) + _reals(trace.start, _along(trace))
     if isinstance(trace, Arc):
         return bytes([_CIRCLE]) + _reals(trace.center, (1.0, 0.0), (0.0, 1.0), [trace.radius])
     return _placed(trace.curve, trace.curve.control_points)

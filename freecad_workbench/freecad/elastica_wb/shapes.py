@@ -48,7 +48,7 @@ def spline_geometry(curve: PlaneCurve, frame: Frame | None = None) -> Part.BSpli
     """A plane curve as Part geometry with the same poles, knots and weights."""
     spline = Part.BSplineCurve()
     knots, counts = np.unique(curve.knots, return_counts=True)
-    points = [_vector(p) for p in (frame or Frame()).point(curve.control_points)]
+    points = [App.Vector(*p) for p in (frame or Frame()).point(curve.control_points).tolist()]
     weights = [1.0] * len(points) if curve.weights is None else curve.weights.tolist()
     spline.buildFromPolesMultsKnots(points, counts.tolist(), knots.tolist(), False, curve.degree, weights)
     return spline
@@ -87,7 +87,9 @@ def _read(brep: bytes) -> Part.Shape:
         finally:
             os.unlink(name)
     except OSError as error:
-        raise InputError(f"there is no room for a passing file: {error}; empty that folder") from error
+        raise InputError(
+            f"the shape cannot pass through a temporary file ({error}): make that folder writable, with room in it"
+        ) from error
     return shape
 
 

@@ -15,7 +15,6 @@ from freecad.elastica_wb.units import worded
 
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.fabrication import Strip, sheet_color
-from elastica_cad.geometry import PlaneCurve
 from elastica_cad.mechanics import NotRealizable
 
 __all__ = ["FORMS", "StripFeature", "create", "hide_failed", "is_strip", "strip_of", "wish_of"]
@@ -51,7 +50,8 @@ class StripFeature:
         """Make the shape and tell the results, or fail with a sentence and keep the last good shape."""
         try:
             drawn = drawn_curve(obj.Curve, obj)
-            strip = solved(drawn.curve, wish_of(obj, drawn))
+            wish = wish_of(obj, drawn)
+            strip = solved(drawn.curve, wish)
             shape = bent_shape(strip) if obj.Form == "Bent" else flat_shape(strip)
         except FAILURES as error:
             told = explained(error)
@@ -60,7 +60,7 @@ class StripFeature:
         obj.Shape = shape
         if obj.Form == "Bent":
             obj.Placement = drawn.placement
-        _tell_results(obj, strip, drawn.curve)
+        _tell_results(obj, strip, nearest(drawn.curve, wish).deviation if wish.nearest else None)
 
     def dumps(self) -> None:
         """Nothing to save."""
@@ -122,17 +122,16 @@ def _solids(body: Any) -> bool:
     return shape is not None and not shape.isNull() and bool(shape.Solids)
 
 
-def _tell_results(obj: Any, strip: Strip, curve: PlaneCurve) -> None:
+def _tell_results(obj: Any, strip: Strip, changed: float | None) -> None:
+    """Write what was found; `changed`, mm, tells how far a nearest curve is from the drawn one."""
     rod, found = strip.rod, judged(strip.rod)
-    near = obj.Follow == "Nearest"
-    deviation = nearest(curve, wish_of(obj, drawn_curve(obj.Curve, obj))).deviation if near else rod.moved
     notes = list(strip.warnings)
     if found is not None and not found.stable:
         where = (
             "" if found.conjugate_point is None else f" (conjugate point at {found.conjugate_point:.4g} mm)"
         )
         notes.append(f"it does not stay in this shape: the stability margin is {found.margin:.3g}{where}")
-    taken = f"a curve {deviation:.3g} mm from this one" if near else "this curve"
+    taken = "this curve" if changed is None else f"a curve {changed:.3g} mm from this one"
     put(
         obj,
         Verdict=worded(f"A flat strip takes {taken}{', with remarks' if notes else ''}."),
@@ -142,7 +141,7 @@ def _tell_results(obj: Any, strip: Strip, curve: PlaneCurve) -> None:
         ConjugatePoint=0.0 if found is None or found.conjugate_point is None else found.conjugate_point,
         LargestStrain=100 * strip.max_strain,
         StrainUse=min(100, round(100 * strip.max_strain / strip.sheet.max_strain)),
-        Deviation=deviation,
+        Deviation=rod.moved if changed is None else changed,
         Length=rod.length,
         NarrowestWidth=strip.width.extremes[0],
         Mass=strip.mass,

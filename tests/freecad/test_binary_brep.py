@@ -1,0 +1,91 @@
+"""What FreeCAD reads from a record is the record: control points bit for bit, edges in (u, v) on their faces."""
+
+import tempfile
+from pathlib import Path
+
+import numpy as np
+import Part
+import pytest
+from freecad.elastica_wb.brep import brep_bytes
+from freecad.elastica_wb.shapes import make_solid
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication import BentSolid, Frame, Hole, Strip, Tab
+from elastica_cad.fabrication.boundary import SpaceCurve, SpaceSurface
+from elastica_cad.geometry import PlaneCurve
+from elastica_cad.mechanics import Sheet, optimal_rod
+
+PLACE = Frame((5.0, -7.0, 11.0), (2.0, -1.0, 2.0), (2.0, 2.0, -1.0))
+CURVES = {
+    "arch": PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]),
+    "wave": PlaneCurve.spline([(0, 0), (50, 80), (90, 60), (120, -60), (160, -80), (210, 0)]),
+}
+
+
+@pytest.fixture(params=sorted(CURVES))
+def record(request):
+    ends = (Tab(12, holes=(Hole(6, 3.2),)), Tab(14, width=18, corner_radius=3))
+    rod = optimal_rod(CURVES[request.param])
+    return BentSolid.of(Strip(rod, Sheet.named("birch-plywood-0.8"), max_width=30, ends=ends), PLACE)
+
+
+def spline_numbers(curve):
+    knots = np.repeat(curve.getKnots(), curve.getMultiplicities())
+    return curve.Degree, knots.tobytes(), np.array([tuple(p) for p in curve.getPoles()]).tobytes()
+
+
+def test_control_points_are_kept_bit_for_bit(record):
+    shape = make_solid(record)
+    assert shape.ShapeType == "Solid"
+    assert shape.isValid()
+    boundary = record.boundary
+    assert (len(shape.Faces), len(shape.Edges), len(shape.Vertexes)) == (
+        len(boundary.faces),
+        len(boundary.edges),
+        len(boundary.vertices),
+    )
+    given = {
+        (e.curve.degree, e.curve.knots.tobytes(), e.curve.control_points.tobytes())
+        for e in boundary.edges
+        if isinstance(e.curve, SpaceCurve)
+    }
+    assert len(given) == 4
+    read = {spline_numbers(e.Curve) for e in shape.Edges if isinstance(e.Curve, Part.BSplineCurve)}
+    assert given == read
+    surfaces = [f.surface for f in boundary.faces if isinstance(f.surface, SpaceSurface)]
+    poles = {surface.control_points.tobytes() for surface in surfaces}
+    bent = [f.Surface for f in shape.Faces if isinstance(f.Surface, Part.BSplineSurface)]
+    assert poles == {np.array([[tuple(p) for p in row] for row in s.getPoles()]).tobytes() for s in bent}
+
+
+def test_edges_run_on_their_faces(record):
+    checked = 0
+    for face in make_solid(record).Faces:
+        for edge in face.Edges:
+            if not isinstance(face.Surface, Part.BSplineSurface):
+                continue
+            trace, first, last = face.curveOnSurface(edge)
+            for t in np.linspace(first, last, 7):
+                at = trace.value(t)
+                assert face.Surface.value(at.x, at.y).distanceToPoint(edge.Curve.value(t)) < 1e-7
+            checked += 1
+    assert checked >= 16
+
+
+def test_an_open_sheet_is_a_shell(record, tmp_path: Path):
+    file = tmp_path / "middle.bin"
+    file.write_bytes(brep_bytes(record.middle))
+    shell = Part.Shape()
+    shell.importBinary(str(file))
+    assert shell.ShapeType == "Shell"
+    assert shell.isValid()
+    assert not shell.isClosed()
+
+
+def test_the_passing_file_goes_and_its_lack_is_a_sentence(record, tmp_path: Path, monkeypatch):
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    make_solid(record)
+    assert list(tmp_path.iterdir()) == []
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "gone"))
+    with pytest.raises(InputError, match="temporary file"):
+        make_solid(record)
