@@ -23,9 +23,9 @@ POSITION_TOLERANCE = 1e-6  # mm, of the centre line
 SURFACE_TOLERANCE = 5e-8  # mm, of edges drawn on the bent faces
 MOST_SPANS = 4000
 PROBES = np.array([0.06, 0.27, 0.5, 0.73, 0.94])
-MOST_PARTS = 4  # of a span at a time
-SURER = 1.1
-FIRST = 0.2  # rad
+MOST_PARTS = 4  # that a span is cut into at a time
+SPARE = 1.1  # parts for every one that the error asks for
+FIRST_TURN = 0.2  # rad, of the spans that are tried first
 
 Shape = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
 
@@ -216,7 +216,7 @@ def _first_spans(rod: Rod, edges: FloatArray) -> FloatArray:
     turned = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(rod.angle)))])
     at = np.interp(edges, rod.s, turned)
     rows = [
-        np.linspace(a, b, 1 + max(2, int(np.ceil((v - u) / FIRST))))[:-1]
+        np.linspace(a, b, 1 + max(2, int(np.ceil((v - u) / FIRST_TURN))))[:-1]
         for a, b, u, v in zip(edges[:-1], edges[1:], at[:-1], at[1:], strict=True)
     ]
     return np.concatenate([*rows, edges[-1:]])
@@ -250,7 +250,7 @@ def _fitted(
                 "smooth it"
             )
         # the error falls with the power degree + 1 of the width
-        parts = np.where(bad, np.clip(np.ceil(SURER * excess ** (1 / (DEGREE + 1))), 2, MOST_PARTS), 1)
+        parts = np.where(bad, np.clip(np.ceil(SPARE * excess ** (1 / (DEGREE + 1))), 2, MOST_PARTS), 1)
         edges = _divided(edges, parts.astype(int))
 
 
