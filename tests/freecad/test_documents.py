@@ -6,17 +6,20 @@ from importlib.util import find_spec
 from pathlib import Path
 
 import FreeCAD as App
+import numpy as np
 import Part
 import pytest
+import Sketcher
 from freecad.elastica_wb import library
 from freecad.elastica_wb.cutting import KINDS, pieces_of, write_cutting_files
 from freecad.elastica_wb.dragging import Dragged
 from freecad.elastica_wb.drawn import curve_into, drawn_curve, sketch_curve
 from freecad.elastica_wb.features import flat, strip
+from freecad.elastica_wb.pulling import box_around, evened, lost_constraints
 from freecad.elastica_wb.shapes import make_edge, make_wire
 
 from elastica_cad.errors import InputError, MissingDependencyError
-from elastica_cad.geometry import Arc, Line, PlaneCurve
+from elastica_cad.geometry import Arc, Line, PlaneCurve, four_point_map
 from elastica_cad.geometry import Path as PlanePath
 from elastica_cad.mechanics import Sheet, check_equilibrium
 
@@ -370,3 +373,29 @@ def test_a_link_to_a_sketch(document, sketch):
     document.recompute()
     place = part.Placement * link.Placement
     assert in_document(feature).isInside(place.multVec(sketch.Geometry[0].value(0.5)), 1e-6, True)
+
+
+def test_a_curve_pulled_by_handles(document, drawn):
+    sketch = drawn([(0, 0), (25, 55), (60, 45), (95, -50), (130, -40), (150, 0)])
+    sketch.exposeInternalGeometry(0)
+    sketch.addConstraint(Sketcher.Constraint("Coincident", 0, 1, -1, 1))
+    feature = strip.create(document, sketch)
+    document.recompute()
+    before = feature.Ratio
+    assert lost_constraints(sketch) == 1
+    curve = sketch_curve(sketch)
+    corners = box_around(curve)
+    shifts = np.array([(0, 0), (20, -5), (0, 30), (-10, 0)])
+    pulled = curve.transformed(four_point_map(corners, corners + shifts))
+    assert pulled.weights is not None
+    kept = evened(pulled)
+    assert np.prod(kept.weights) == pytest.approx(1)
+    curve_into(sketch, kept)
+    document.recompute()
+    assert sketch.Geometry[0].isRational()
+    assert lost_constraints(sketch) == 0
+    assert sketch_curve(sketch).length == pytest.approx(pulled.length, rel=1e-9)
+    assert feature.State == ["Up-to-date"], feature.getStatusString()
+    assert feature.Ratio != pytest.approx(before, rel=1e-3)
+    straight = box_around(PlaneCurve.line((0, 0), (100, 0)))
+    assert np.ptp(straight, axis=0) == pytest.approx([100, 20])

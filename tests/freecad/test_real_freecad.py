@@ -71,7 +71,7 @@ def test_dragging_in_the_sketcher(tmp_path):
 def test_every_command(tmp_path):
     found = launching.run_window("commands.py", tmp_path)
     assert found["workbench"] == "ElasticaWorkbench"
-    assert len(found["known"]) == 15
+    assert len(found["known"]) == 16
     assert "mm" in found["strip panel"]
     assert "can take this curve" in found["check"]
     assert found["check overlay"]["comb"] > 100
@@ -85,6 +85,26 @@ def test_every_command(tmp_path):
     assert found["fixtures"] == 4
     assert found["nest"] == [["Up-to-date"], 1]
     assert "stays" in found["bend"]
+    ends = [place for place, _, _ in found["bend drag"]]
+    assert len({tuple(end) for end in ends}) >= 10, "the bent shape follows the mouse"
+    assert [end[:2] for end in ends] == [
+        pytest.approx((150 + x, y), abs=1e-6) for _, x, y in found["bend drag"]
+    ], "the end is where the mouse put it"
+    assert found["bend handles"] == [False, 0], "a handle that is dragged selects nothing"
+    shift, place = found["start dragged"]
+    assert shift < -5
+    assert place[0] == pytest.approx(shift, abs=1e-6)
+    length, seen = found["projective drag"]
+    assert len({round(value, 6) for value in seen}) >= 8
+    assert seen[-1] > length
+    assert found["typed handle"].startswith("A flat strip")
+    assert found["projective verdict"].startswith("A flat strip")
+    assert "mm wide" in found["projective strip"]
+    rational, realizable, off, solved = found["projective"]
+    assert rational
+    assert realizable
+    assert off < 1e-9
+    assert solved == 0
     assert found["bent end"] == pytest.approx([120, 5, 0], abs=1e-5)
     assert "combined" in found["tolerance"]
     assert "elasto-gravity length" in found["coupon"]

@@ -11,7 +11,6 @@
  <message><source>Select a sketch with a spline first.</source><translation>Bitte zuerst eine Skizze mit einem Spline auswählen.</translation></message>
  <message><source>The nearest curve is</source><translation>Die nächste Kurve ist</translation></message>
  <message><source>away</source><translation>entfernt</translation></message>
- <message><source>Move or turn an end: type numbers, or drag the handle in the view.</source><translation>Ein Ende verschieben oder drehen: Zahlen eingeben oder am Griff in der Ansicht ziehen.</translation></message>
  <message><source>stays</source><translation>bleibt</translation></message>
  <message><source>does not stay</source><translation>bleibt nicht</translation></message>
  <message><source>bent further</source><translation>weiter gebogen</translation></message>
@@ -59,6 +58,8 @@
  <message><source>Closed ones</source><translation>Geschlossene</translation></message>
  <message><source>the planes miss the object</source><translation>die Ebenen treffen das Objekt nicht</translation></message>
  <message><source>Cancel</source><translation>Abbrechen</translation></message>
+ <message><source>Constraints on the drawn curve that OK takes away</source><translation>Bedingungen an der gezeichneten Kurve, die mit OK entfallen</translation></message>
+ <message><source>Move or turn an end: type numbers, or drag one of the handles in the view.</source><translation>Ein Ende verschieben oder drehen: Zahlen eingeben oder an einem der Griffe in der Ansicht ziehen.</translation></message>
 </context>
 <context>
  <name>ElasticaBend</name>
@@ -324,5 +325,20 @@
  <name>Elastica_Tolerance</name>
  <message><source>Tolerance study</source><translation>Toleranzstudie</translation></message>
  <message><source>Find how far the bent strip strays when sheet, cut and clamps vary within their ranges</source><translation>Ermitteln, wie weit der gebogene Streifen abweicht, wenn Platte, Schnitt und Klemmen in ihren Bereichen schwanken</translation></message>
+</context>
+<context>
+ <name>Elastica_Projective</name>
+ <message><source>Projective edit</source><translation>Projektiv bearbeiten</translation></message>
+ <message><source>Pull the selected sketch's curve by four handles: lines stay lines, a curve that can be bent stays one</source><translation>Zieht die Kurve der gewählten Skizze an vier Griffen: Geraden bleiben gerade, eine biegbare Kurve bleibt biegbar</translation></message>
+</context>
+<context>
+ <name>ElasticaProjective</name>
+ <message><source>Projective edit</source><translation>Projektiv bearbeiten</translation></message>
+ <message><source>Lower left</source><translation>Unten links</translation></message>
+ <message><source>Lower right</source><translation>Unten rechts</translation></message>
+ <message><source>Upper right</source><translation>Oben rechts</translation></message>
+ <message><source>Upper left</source><translation>Oben links</translation></message>
+ <message><source>Put the handles back</source><translation>Griffe zurücksetzen</translation></message>
+ <message><source>Handles (x, y)</source><translation>Griffe (x, y)</translation></message>
 </context>
 </TS>

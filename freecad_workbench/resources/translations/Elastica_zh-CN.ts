@@ -11,7 +11,6 @@
  <message><source>Select a sketch with a spline first.</source><translation>请先选择带样条的草图。</translation></message>
  <message><source>The nearest curve is</source><translation>最近曲线相距</translation></message>
  <message><source>away</source><translation>远</translation></message>
- <message><source>Move or turn an end: type numbers, or drag the handle in the view.</source><translation>移动或转动端部：输入数值，或在视图中拖动手柄。</translation></message>
  <message><source>stays</source><translation>稳定</translation></message>
  <message><source>does not stay</source><translation>不稳定</translation></message>
  <message><source>bent further</source><translation>继续弯曲</translation></message>
@@ -59,6 +58,8 @@
  <message><source>Closed ones</source><translation>闭合线</translation></message>
  <message><source>the planes miss the object</source><translation>平面与对象不相交</translation></message>
  <message><source>Cancel</source><translation>取消</translation></message>
+ <message><source>Constraints on the drawn curve that OK takes away</source><translation>点击确定后将移除的曲线约束</translation></message>
+ <message><source>Move or turn an end: type numbers, or drag one of the handles in the view.</source><translation>移动或旋转端部：输入数值，或在视图中拖动一个手柄。</translation></message>
 </context>
 <context>
  <name>ElasticaBend</name>
@@ -324,5 +325,20 @@
  <name>Elastica_Tolerance</name>
  <message><source>Tolerance study</source><translation>公差研究</translation></message>
  <message><source>Find how far the bent strip strays when sheet, cut and clamps vary within their ranges</source><translation>研究板材、切割和夹持在其范围内变化时弯曲条带的偏差</translation></message>
+</context>
+<context>
+ <name>Elastica_Projective</name>
+ <message><source>Projective edit</source><translation>射影编辑</translation></message>
+ <message><source>Pull the selected sketch's curve by four handles: lines stay lines, a curve that can be bent stays one</source><translation>用四个手柄拉动所选草图的曲线：直线保持为直线，可弯曲的曲线仍可弯曲</translation></message>
+</context>
+<context>
+ <name>ElasticaProjective</name>
+ <message><source>Projective edit</source><translation>射影编辑</translation></message>
+ <message><source>Lower left</source><translation>左下</translation></message>
+ <message><source>Lower right</source><translation>右下</translation></message>
+ <message><source>Upper right</source><translation>右上</translation></message>
+ <message><source>Upper left</source><translation>左上</translation></message>
+ <message><source>Put the handles back</source><translation>复位手柄</translation></message>
+ <message><source>Handles (x, y)</source><translation>手柄 (x, y)</translation></message>
 </context>
 </TS>

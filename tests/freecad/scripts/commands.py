@@ -10,7 +10,21 @@ import time
 import FreeCAD as App
 import FreeCADGui as Gui
 import Part
-from inside import ARCH, OUT, WAVE, QtCore, QtWidgets, answers, choose, picture, run, scene, sketch, wait
+from inside import (
+    ARCH,
+    OUT,
+    WAVE,
+    QtCore,
+    QtWidgets,
+    answers,
+    choose,
+    drag,
+    picture,
+    run,
+    scene,
+    sketch,
+    wait,
+)
 
 
 def open_panel(command):
@@ -121,10 +135,27 @@ def bend_command(document, strip):
     panel.form.endX.setValue(-15.0)
     wait(500)
     answers["bend"] = panel.form.message.text()
-    panel.preview.drag(-30.0, 5.0)
-    wait(100)
-    assert abs(panel.form.endX.value() + 30) < 1e-6
-    scene("bend.png")
+    view = Gui.ActiveDocument.ActiveView
+    view.viewTop()
+    view.fitAll()
+    wait(300)
+    chosen = len(Gui.Selection.getSelection())
+    places = drag(
+        panel.rod.position[-1],
+        12,
+        (-4, -3),
+        "bend.png",
+        lambda: (tuple(panel.rod.position[-1]), panel.form.endX.value(), panel.form.endY.value()),
+    )
+    answers["bend drag"] = places
+    answers["bend handles"] = (panel.preview.handles.is_held, len(Gui.Selection.getSelection()) - chosen)
+    drag(panel.rest.position[0], 5, (-4, 0))
+    answers["start dragged"] = (panel.form.startX.value(), tuple(panel.rod.position[0]))
+    panel.form.startX.setValue(0.0)
+    panel.form.startY.setValue(0.0)
+    panel.form.endX.setValue(-30.0)
+    panel.form.endY.setValue(5.0)
+    wait(400)
     panel.play()
     panel.accept()
     wait(100)
@@ -135,6 +166,56 @@ def bend_command(document, strip):
     assert document.getObject("Bent") is None
     choose(strip)
     open_panel("Elastica_Bend").reject()
+
+
+def projective_command(document):
+    """Four handles, pulled by a real mouse; the sketch's spline becomes rational."""
+    from freecad.elastica_wb.drawn import sketch_curve
+
+    from elastica_cad.mechanics import check_equilibrium
+
+    wave = sketch(document, WAVE, name="Wave")
+    wave.Placement = App.Placement(App.Vector(0, 0, 20), App.Rotation(App.Vector(1, 0, 0), 60))
+    document.recompute()
+    view = Gui.ActiveDocument.ActiveView
+    for obj in document.Objects:
+        obj.Visibility = obj is wave
+    view.viewIsometric()
+    view.fitAll()
+    wait(300)
+    before = names(document)
+    choose(wave)
+    panel = open_panel("Elastica_Projective")
+    panel.form.x3.setValue(200.0)
+    wait(300)
+    answers["typed handle"] = panel.form.message.text()
+    panel.reject()
+    assert not wave.Geometry[0].isRational(), "Cancel restores"
+    choose(wave)
+    panel = open_panel("Elastica_Projective")
+    corner = wave.Placement.multVec(App.Vector(*panel.corners[2], 0))
+    seen = drag(corner, 10, (4, -3), "projective.png", lambda: panel.curve.length)
+    answers["projective drag"] = (panel.drawn.length, seen)
+    answers["projective verdict"] = panel.form.message.text()
+    wait(300)
+    answers["projective strip"] = panel.form.message.text()
+    pulled = panel.curve
+    assert panel.accept()
+    wait(100)
+    kept = sketch_curve(wave)
+    answers["projective"] = (
+        wave.Geometry[0].isRational(),
+        check_equilibrium(kept).realizable,
+        abs(kept.length / pulled.length - 1),
+        wave.solve(),
+    )
+    assert names(document) == before
+    document.undo()
+    wait(100)
+    assert not wave.Geometry[0].isRational(), "one undo step"
+    document.removeObject(wave.Name)
+    for obj in document.Objects:
+        obj.Visibility = True
 
 
 def tolerance_command(strip):
@@ -408,6 +489,7 @@ def work():
     nearest_command(document, bad)
     style_commands(document, strip)
     bend_command(document, strip)
+    projective_command(document)
     tolerance_command(strip)
     coupon_command(document)
     export_command(strip)

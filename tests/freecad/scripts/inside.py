@@ -90,6 +90,21 @@ def mouse(*words):
     wait(100)
 
 
+def drag(start, steps, shift, name="", grab=lambda: None):
+    """A real mouse takes what is at a point in space and moves it by `steps` times `shift` pixels."""
+    x, y = on_screen(*start)
+    mouse("mousemove", x - 3, y + 3, "sleep", 0.1, "mousemove", x, y, "sleep", 0.1, "mousedown", 1)
+    seen = []
+    for i in range(1, steps + 1):
+        mouse("mousemove", x + shift[0] * i, y + shift[1] * i)
+        seen.append(grab())
+    if name:
+        picture(name)
+    mouse("mouseup", 1)
+    wait(200)
+    return seen
+
+
 def run(work):
     """Do the work once the window is up, write the answers, end FreeCAD."""
 

@@ -8,6 +8,7 @@ from freecad.elastica_wb.commands.export import ExportCommand
 from freecad.elastica_wb.commands.libraries import LibrariesCommand
 from freecad.elastica_wb.commands.models import FixturesCommand, InterlockCommand, NestCommand
 from freecad.elastica_wb.commands.nearest import NearestCommand
+from freecad.elastica_wb.commands.projective import ProjectiveCommand
 from freecad.elastica_wb.commands.section import SectionCommand
 from freecad.elastica_wb.commands.sheets import SheetsCommand
 from freecad.elastica_wb.commands.strip import StripCommand
@@ -20,6 +21,7 @@ COMMANDS: tuple[Command, ...] = (
     CheckCommand(),
     StripCommand(),
     NearestCommand(),
+    ProjectiveCommand(),
     PerforateCommand(),
     LaminateCommand(),
     InterlockCommand(),

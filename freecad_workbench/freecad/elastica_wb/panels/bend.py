@@ -20,14 +20,15 @@ FIELDS = ("startX", "startY", "endX", "endY", *ANGLES)
 
 
 class BendPanel(Panel):
-    """Displacements and turns of both ends; a dragger in the view moves the end too."""
+    """Displacements and turns of both ends; handles in the view move them too, the strip follows the mouse."""
 
     file = "bend"
     icon_name = "Elastica_Bend"
     step = "Bend forward"
 
     def __init__(self, obj: Any) -> None:
-        self.rest = strip_of(obj).rod
+        self.strip = strip_of(obj)
+        self.rest = self.strip.rod
         super().__init__(obj.Document)
         self.object = obj
         self.rod = self.rest
@@ -35,21 +36,22 @@ class BendPanel(Panel):
         view = active_view()
         if view is not None:
             self.preview = Preview(view, placement_of_strip(obj))
-            self.preview.show(self.rest.position, self.rest.position)
-            self.preview.add_dragger(self.rest.position[-1], self.dragged)
+            self.preview.add_handles(self.rest.position[[0, -1]], self.dragged)
+            self._draw(self.rest)
         self.watch(*FIELDS)
         self.form.play.clicked.connect(self.play)
-        self.tell(tr("Move or turn an end: type numbers, or drag the handle in the view."))
+        self.tell(tr("Move or turn an end: type numbers, or drag one of the handles in the view."))
 
     def changed(self) -> None:
         """Bend to what the widgets say, from the present shape."""
         self.rod = self._bent(1.0, self.rod)
         self._show(self.rod)
 
-    def dragged(self, place: tuple[float, float]) -> None:
-        """The handle of the end was moved to a place in the curve's plane."""
-        shift = np.asarray(place) - self.rest.position[-1]
-        for widget, value in zip((self.form.endX, self.form.endY), shift, strict=True):
+    def dragged(self, end: int, place: tuple[float, float]) -> None:
+        """The handle of the start (0) or the end (1) was moved to a place in the curve's plane."""
+        shift, name = np.asarray(place) - self.rest.position[-end], ("start", "end")[end]
+        widgets = (getattr(self.form, f"{name}{axis}") for axis in "XY")
+        for widget, value in zip(widgets, shift, strict=True):
             widget.blockSignals(True)
             widget.setValue(float(value))
             widget.blockSignals(False)
@@ -72,9 +74,10 @@ class BendPanel(Panel):
 
     def finished(self) -> None:
         """Keep the bent curve as an object of its own."""
-        self.now()
-        if self.rod is self.rest:
+        self._timer.stop()
+        if not any(getattr(self.form, name).value() for name in FIELDS):
             return
+        self.changed()
         curve = self.document.addObject("Part::Feature", "Bent")
         curve.Label = f"{self.object.Label} {tr('bent further')}"
         curve.Shape = spline_geometry(self.rod.curve).toShape()
@@ -90,13 +93,21 @@ class BendPanel(Panel):
         return moved(self.rest, {name: share * getattr(self.form, name).value() for name in FIELDS}, guess)
 
     def _show(self, rod: Rod) -> None:
-        if self.preview is not None:
-            self.preview.show(self.rest.position, rod.position)
+        self._draw(rod)
         found = stability(rod)
         state = tr("stays") if found.stable else tr("does not stay")
         largest = float(np.hypot(*(rod.position - self.rest.position).T).max())
         words = [f"{tr('largest move')} {largest:.2f} mm; {state}, {tr('margin')} {found.margin:.3g}"]
         self.tell(". ".join([*words, *(w for w in rod.warnings if w not in self.rest.warnings)]))
+
+    def _draw(self, rod: Rod) -> None:
+        if self.preview is None:
+            return
+        self.preview.show(self.rest.position, rod.position)
+        share = np.linspace(0.0, 1.0, len(rod.position))
+        self.preview.show_strip(rod.position, self.strip.width(share * self.strip.width.length))
+        if self.preview.handles is not None and not self.preview.handles.is_held:
+            self.preview.handles.put(rod.position[[0, -1]])
 
 
 def moved(rest: Rod, change: dict[str, float], guess: Rod | None = None) -> Rod:

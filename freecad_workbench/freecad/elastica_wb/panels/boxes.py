@@ -30,6 +30,7 @@ class LengthBox(QtWidgets.QDoubleSpinBox):
         self.setSuffix(f" {unit.name}")
         self.setKeyboardTracking(like.keyboardTracking())
         self.setToolTip(like.toolTip())
+        self.setSizePolicy(like.sizePolicy())
         self.setEnabled(like.isEnabled())
         self.setObjectName(like.objectName())
         self.setValue(like.value())

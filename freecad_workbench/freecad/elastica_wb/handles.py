@@ -1,0 +1,142 @@
+"""Points in the 3D view that a mouse drags within a plane; as large on every screen, however far the view is."""
+
+from collections.abc import Callable
+from typing import Any
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import numpy as np
+from freecad.elastica_wb.qt import QtCore
+from pivy import coin
+
+from elastica_cad._types import ArrayLike, FloatArray
+
+__all__ = ["Handles"]
+
+REACH = 12  # px around a handle in which the mouse takes it
+SIZE = 13  # px
+REST, HELD = (0.1, 0.45, 0.95), (1.0, 0.8, 0.1)
+EDGE_ON = 1e-6
+
+Place = tuple[float, float]
+
+
+class Handles:
+    """Handles at places (n, 2) of a plane; `moved` is told the number of the dragged one and where it is.
+
+    It is told at most as often as it can answer: what the mouse did meanwhile is left out.
+    """
+
+    def __init__(
+        self, view: Any, placement: Any, places: ArrayLike, moved: Callable[[int, Place], None]
+    ) -> None:
+        self._view, self._placement, self._moved = view, placement, moved
+        self._scene = view.getSceneGraph()
+        self._held: int | None = None
+        self._soon = QtCore.QTimer()
+        self._soon.setSingleShot(True)
+        self._soon.setInterval(0)
+        self._soon.timeout.connect(self._tell)
+        self.root = coin.SoSeparator()
+        self.root.setName("ElasticaHandles")
+        light, pick, depth = coin.SoLightModel(), coin.SoPickStyle(), coin.SoDepthBuffer()
+        light.model, pick.style = coin.SoLightModel.BASE_COLOR, coin.SoPickStyle.UNPICKABLE
+        depth.test = False
+        self._color, self._points, marks = coin.SoBaseColor(), coin.SoCoordinate3(), coin.SoMarkerSet()
+        self._color.rgb = REST
+        marks.markerIndex.setValue(Gui.getMarkerIndex("CIRCLE_FILLED", SIZE))
+        for node in (light, pick, depth, plane_node(placement), self._color, self._points, marks):
+            self.root.addChild(node)
+        self._scene.addChild(self.root)
+        # first in the scene: what is dragged here is neither selected nor turned
+        self._events = coin.SoEventCallback()
+        for kind, answer in (
+            (coin.SoMouseButtonEvent, self._pressed),
+            (coin.SoLocation2Event, self._dragged),
+        ):
+            self._events.addEventCallback(kind.getClassTypeId(), answer, None)
+        self._scene.insertChild(self._events, 0)
+        self.put(places)
+
+    def put(self, places: ArrayLike) -> None:
+        """Show the handles at other places (n, 2)."""
+        self.places: FloatArray = np.array(places, dtype=float)
+        rows = np.column_stack([self.places, np.zeros(len(self.places))])
+        self._points.point.setNum(len(rows))
+        self._points.point.setValues(0, len(rows), rows.tolist())
+
+    @property
+    def is_held(self) -> bool:
+        """Is one of them being dragged?"""
+        return self._held is not None
+
+    def on_screen(self) -> list[tuple[float, float]]:
+        """Pixels of the view at which they are, from its lower left corner."""
+        spots = []
+        for x, y in self.places:
+            px, py = self._view.getPointOnScreen(self._placement.multVec(App.Vector(x, y, 0)))
+            spots.append((float(px), float(py)))
+        return spots
+
+    def remove(self) -> None:
+        """Take them off the view."""
+        self._soon.stop()
+        self._scene.removeChild(self.root)
+        self._scene.removeChild(self._events)
+
+    def _pressed(self, _data: Any, node: Any) -> None:
+        event = node.getEvent()
+        if event.getButton() != coin.SoMouseButtonEvent.BUTTON1:
+            return
+        if event.getState() == coin.SoButtonEvent.DOWN:
+            away = np.hypot(*(np.array(self.on_screen()) - _pixel(event)).T)
+            self._held = int(np.argmin(away)) if away.min() <= REACH else None
+        elif self._held is not None:
+            self._soon.stop()
+            self._tell()
+            self._held = None
+            node.setHandled()
+        if self._held is not None:
+            node.setHandled()
+        self._color.rgb = REST if self._held is None else HELD
+
+    def _dragged(self, _data: Any, node: Any) -> None:
+        if self._held is None:
+            return
+        node.setHandled()
+        place = self._in_plane(_pixel(node.getEvent()))
+        if place is not None:
+            moved = self.places.copy()
+            moved[self._held] = place
+            self.put(moved)
+            if not self._soon.isActive():
+                self._soon.start()
+
+    def _tell(self) -> None:
+        if self._held is not None:
+            x, y = self.places[self._held]
+            self._moved(self._held, (float(x), float(y)))
+
+    def _in_plane(self, pixel: FloatArray) -> FloatArray | None:
+        """The place under a pixel; None where the plane is seen edge on."""
+        back = self._placement.inverse()
+        start, end = (
+            np.array(tuple(back.multVec(p))) for p in self._view.projectPointToLine(*map(int, pixel))
+        )
+        way = end - start
+        if abs(way[2]) <= EDGE_ON * np.linalg.norm(way):
+            return None
+        return np.asarray((start - way * (start[2] / way[2]))[:2])
+
+
+def plane_node(placement: Any) -> Any:
+    """A Coin node that carries x and y into a plane."""
+    node = coin.SoMatrixTransform()
+    rows = np.array(placement.toMatrix().A, dtype=float).reshape(4, 4).T
+    node.matrix.setValue(*rows.ravel().tolist())
+    return node
+
+
+def _pixel(event: Any) -> FloatArray:
+    spot = event.getPosition()
+    return np.array([spot[0], spot[1]], dtype=float)

@@ -1,0 +1,119 @@
+"""The panel of the projective edit: four handles about a curve, the pulled curve and its verdict at once."""
+
+from typing import Any
+
+import numpy as np
+from freecad.elastica_wb import preferences
+from freecad.elastica_wb.design import Wish, solved
+from freecad.elastica_wb.drawn import curve_into, sketch_curve
+from freecad.elastica_wb.library import sheet_called
+from freecad.elastica_wb.panels.base import Panel, active_view
+from freecad.elastica_wb.picture import sentence_of
+from freecad.elastica_wb.preview import Preview
+from freecad.elastica_wb.pulling import box_around, evened, lost_constraints
+from freecad.elastica_wb.text import tr
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import ElasticaError
+from elastica_cad.geometry import PlaneCurve, four_point_map
+from elastica_cad.mechanics import check_equilibrium
+
+__all__ = ["ProjectivePanel"]
+
+FIELDS = [f"{axis}{number}" for number in (1, 2, 3, 4) for axis in "xy"]
+
+
+class ProjectivePanel(Panel):
+    """OK writes poles and weights into the sketch, in one undo step."""
+
+    file = "projective"
+    icon_name = "Elastica_Projective"
+    step = "Projective edit"
+
+    def __init__(self, sketch: Any) -> None:
+        self.drawn = sketch_curve(sketch)
+        super().__init__(sketch.Document)
+        self.sketch = sketch
+        self.curve = self.drawn
+        self.corners = box_around(self.drawn)
+        self.lost = lost_constraints(sketch)
+        self.preview = None
+        view = active_view()
+        if view is not None:
+            self.preview = Preview(view, sketch.getGlobalPlacement())
+            self.preview.add_handles(self.corners, self.dragged)
+        self.watch(*FIELDS)
+        self.form.reset.clicked.connect(self.reset)
+        self.reset()
+
+    @property
+    def handles(self) -> FloatArray:
+        """Where the widgets say that the handles are (4, 2)."""
+        return np.array([getattr(self.form, name).value() for name in FIELDS]).reshape(4, 2)
+
+    def reset(self, *_: Any) -> None:
+        """The handles back to the box around the drawn curve."""
+        self._fill(self.corners)
+        self._safely_changed()
+
+    def dragged(self, number: int, place: tuple[float, float]) -> None:
+        """A handle was pulled: show the curve now, the strip it makes when the mouse rests."""
+        places = self.handles
+        places[number] = place
+        self._fill(places)
+        try:
+            self.pull()
+        except ElasticaError as error:
+            self.tell(str(error))
+            return
+        self.soon()
+
+    def changed(self) -> None:
+        """Pull the curve, and say what strip it makes."""
+        self.pull()
+        wish = Wish(sheet_called(preferences.default_sheet()), max_width=preferences.get("MaxWidth"))
+        try:
+            self.tell(f"{sentence_of(solved(self.curve, wish))}{self._warning()}")
+        except ElasticaError as error:
+            self.tell(f"{sentence_of(error)}{self._warning()}")
+
+    def pull(self) -> None:
+        """The curve as the handles pull it, and whether it can be bent."""
+        places = self.handles
+        self._frame(self.curve, places)
+        same = np.allclose(places, self.corners, rtol=0, atol=1e-9 * np.ptp(self.corners))
+        self.curve = self.drawn if same else self.drawn.transformed(four_point_map(self.corners, places))
+        self._frame(self.curve, places)
+        self.tell(f"{sentence_of(check_equilibrium(self.curve))}{self._warning()}")
+
+    def finished(self) -> None:
+        """Write the curve into the sketch."""
+        self._timer.stop()
+        self.pull()
+        if self.curve is not self.drawn:
+            curve_into(self.sketch, evened(self.curve))
+
+    def closed(self) -> None:
+        """Take the preview off the view."""
+        if self.preview is not None:
+            self.preview.remove()
+            self.preview = None
+
+    def _frame(self, curve: PlaneCurve, places: FloatArray) -> None:
+        if self.preview is not None:
+            around = places[[0, 1, 2, 3, 0]]
+            self.preview.show(self.drawn.sample(201).position, curve.sample(201).position, around)
+
+    def _fill(self, places: FloatArray) -> None:
+        for name, value in zip(FIELDS, places.ravel(), strict=True):
+            widget = getattr(self.form, name)
+            widget.blockSignals(True)
+            widget.setValue(float(value))
+            widget.blockSignals(False)
+        if self.preview is not None and not self.preview.handles.is_held:
+            self.preview.handles.put(places)
+
+    def _warning(self) -> str:
+        if not self.lost or self.curve is self.drawn:
+            return ""
+        return f"\n{tr('Constraints on the drawn curve that OK takes away')}: {self.lost}"
