@@ -334,11 +334,11 @@
 <context>
  <name>ElasticaProjective</name>
  <message><source>Projective edit</source><translation>Projektiv bearbeiten</translation></message>
- <message><source>Lower left</source><translation>Unten links</translation></message>
- <message><source>Lower right</source><translation>Unten rechts</translation></message>
- <message><source>Upper right</source><translation>Oben rechts</translation></message>
- <message><source>Upper left</source><translation>Oben links</translation></message>
  <message><source>Put the handles back</source><translation>Griffe zurücksetzen</translation></message>
  <message><source>Handles (x, y)</source><translation>Griffe (x, y)</translation></message>
+ <message><source>1, lower left</source><translation>1, unten links</translation></message>
+ <message><source>2, lower right</source><translation>2, unten rechts</translation></message>
+ <message><source>3, upper right</source><translation>3, oben rechts</translation></message>
+ <message><source>4, upper left</source><translation>4, oben links</translation></message>
 </context>
 </TS>

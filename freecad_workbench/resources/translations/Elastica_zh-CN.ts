@@ -334,11 +334,11 @@
 <context>
  <name>ElasticaProjective</name>
  <message><source>Projective edit</source><translation>射影编辑</translation></message>
- <message><source>Lower left</source><translation>左下</translation></message>
- <message><source>Lower right</source><translation>右下</translation></message>
- <message><source>Upper right</source><translation>右上</translation></message>
- <message><source>Upper left</source><translation>左上</translation></message>
  <message><source>Put the handles back</source><translation>复位手柄</translation></message>
  <message><source>Handles (x, y)</source><translation>手柄 (x, y)</translation></message>
+ <message><source>1, lower left</source><translation>1，左下</translation></message>
+ <message><source>2, lower right</source><translation>2，右下</translation></message>
+ <message><source>3, upper right</source><translation>3，右上</translation></message>
+ <message><source>4, upper left</source><translation>4，左上</translation></message>
 </context>
 </TS>

@@ -193,8 +193,9 @@ def projective_command(document):
     assert not wave.Geometry[0].isRational(), "Cancel restores"
     choose(wave)
     panel = open_panel("Elastica_Projective")
-    corner = wave.Placement.multVec(App.Vector(*panel.corners[2], 0))
-    seen = drag(corner, 10, (4, -3), "projective.png", lambda: panel.curve.length)
+    # 1.1 lays its panels over the view: what is at the left stays free
+    corner = wave.Placement.multVec(App.Vector(*panel.corners[3], 0))
+    seen = drag(corner, 10, (-4, -3), "projective.png", lambda: panel.curve.length)
     answers["projective drag"] = (panel.drawn.length, seen)
     answers["projective verdict"] = panel.form.message.text()
     wait(300)

@@ -15,7 +15,7 @@ from freecad.elastica_wb.text import tr
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import ElasticaError
-from elastica_cad.geometry import PlaneCurve, four_point_map
+from elastica_cad.geometry import four_point_map
 from elastica_cad.mechanics import check_equilibrium
 
 __all__ = ["ProjectivePanel"]
@@ -36,6 +36,7 @@ class ProjectivePanel(Panel):
         self.sketch = sketch
         self.curve = self.drawn
         self.corners = box_around(self.drawn)
+        self.handles: FloatArray = self.corners
         self.lost = lost_constraints(sketch)
         self.preview = None
         view = active_view()
@@ -46,11 +47,6 @@ class ProjectivePanel(Panel):
         self.form.reset.clicked.connect(self.reset)
         self.reset()
 
-    @property
-    def handles(self) -> FloatArray:
-        """Where the widgets say that the handles are (4, 2)."""
-        return np.array([getattr(self.form, name).value() for name in FIELDS]).reshape(4, 2)
-
     def reset(self, *_: Any) -> None:
         """The handles back to the box around the drawn curve."""
         self._fill(self.corners)
@@ -58,7 +54,7 @@ class ProjectivePanel(Panel):
 
     def dragged(self, number: int, place: tuple[float, float]) -> None:
         """A handle was pulled: show the curve now, the strip it makes when the mouse rests."""
-        places = self.handles
+        places = self.handles.copy()
         places[number] = place
         self._fill(places)
         try:
@@ -69,7 +65,8 @@ class ProjectivePanel(Panel):
         self.soon()
 
     def changed(self) -> None:
-        """Pull the curve, and say what strip it makes."""
+        """Take what was typed, pull the curve, and say what strip it makes."""
+        self._typed()
         self.pull()
         wish = Wish(sheet_called(preferences.default_sheet()), max_width=preferences.get("MaxWidth"))
         try:
@@ -79,16 +76,17 @@ class ProjectivePanel(Panel):
 
     def pull(self) -> None:
         """The curve as the handles pull it, and whether it can be bent."""
-        places = self.handles
-        self._frame(self.curve, places)
-        same = np.allclose(places, self.corners, rtol=0, atol=1e-9 * np.ptp(self.corners))
-        self.curve = self.drawn if same else self.drawn.transformed(four_point_map(self.corners, places))
-        self._frame(self.curve, places)
+        self._draw()
+        same = np.array_equal(self.handles, self.corners)
+        pulled = self.drawn if same else self.drawn.transformed(four_point_map(self.corners, self.handles))
+        self.curve = pulled
+        self._draw()
         self.tell(f"{sentence_of(check_equilibrium(self.curve))}{self._warning()}")
 
     def finished(self) -> None:
         """Write the curve into the sketch."""
         self._timer.stop()
+        self._typed()
         self.pull()
         if self.curve is not self.drawn:
             curve_into(self.sketch, evened(self.curve))
@@ -99,19 +97,28 @@ class ProjectivePanel(Panel):
             self.preview.remove()
             self.preview = None
 
-    def _frame(self, curve: PlaneCurve, places: FloatArray) -> None:
+    def _draw(self) -> None:
         if self.preview is not None:
-            around = places[[0, 1, 2, 3, 0]]
-            self.preview.show(self.drawn.sample(201).position, curve.sample(201).position, around)
+            around = self.handles[[0, 1, 2, 3, 0]]
+            self.preview.show(self.drawn.sample(201).position, self.curve.sample(201).position, around)
 
     def _fill(self, places: FloatArray) -> None:
+        """Show places in the widgets, which round them."""
+        self.handles, self._shown = places, []
         for name, value in zip(FIELDS, places.ravel(), strict=True):
             widget = getattr(self.form, name)
             widget.blockSignals(True)
             widget.setValue(float(value))
             widget.blockSignals(False)
+            self._shown.append(widget.value())
         if self.preview is not None and not self.preview.handles.is_held:
             self.preview.handles.put(places)
+
+    def _typed(self) -> None:
+        """Numbers that differ from what is shown were typed; the others stay as exact as they are."""
+        values = [getattr(self.form, name).value() for name in FIELDS]
+        places = np.where(np.array(values) == self._shown, self.handles.ravel(), values)
+        self._fill(places.reshape(4, 2))
 
     def _warning(self) -> str:
         if not self.lost or self.curve is self.drawn:
