@@ -12,6 +12,8 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.forming.meridian_search import FoundMeridian, search_meridian
+from elastica_cad.forming.section_curves import distances_to
 from elastica_cad.geometry import PlaneCurve, Profile
 from elastica_cad.mechanics import Rod
 
@@ -24,6 +26,11 @@ CURVE_TOLERANCE = 1e-10
 """Of the spline, in lengths of the meridian."""
 
 NODES = 601
+SOUGHT = 25
+"""Points of a profile that the search looks at."""
+
+HOPELESS = "strips that tile a surface of revolution cannot follow them"
+
 NARROW = 1e-3
 """A meridian nearer to the axis than this share of its largest distance has come to the pole."""
 
@@ -130,85 +137,103 @@ def meridian(
         raise InputError(
             f"a meridian starts beside its axis and has a length: start x = {p[3]:g} mm, length = {p[6]:g} mm"
         )
-    floor = NARROW * (p[3] + p[6]) if ring is None else float(ring)
-    if not (np.isfinite(floor) and 0 < floor < p[3]) and ring is not None:
-        raise InputError(f"ring={ring}: it must be positive and smaller than the start's {p[3]:g} mm")
-    floor = min(floor, p[3] / 2) if ring is None else floor
-    end, shape = _integrated(p[:6], p[6], floor)
+    end, shape = _integrated(p[:6], p[6], _floor(float(p[3]), float(p[6]), ring))
     curve = PlaneCurve.fit_function(
         lambda s: shape(s)[:2].T, 0.0, end, tolerance=CURVE_TOLERANCE * float(p[6]), degree=5
     )
     return Meridian(float(p[0]), p[1:3], curve, at_pole=end < p[6])
 
 
-def meridian_through(points: ArrayLike) -> Meridian:
-    """The meridian through three or four points as a rule, or as near to more (a profile) as there is one.
+def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = None) -> Meridian:
+    """The meridian through up to five points where there is one, or as near to points as there is (a profile).
 
-    a, b, the first direction and the places along the meridian are sought together, by least squares.
+    a, b, the start and the first direction give a meridian five freedoms, so five points fix it. Where none passes
+    them without winding about, and for more points, the squares of the distances are made least; `deviation` says
+    how far the farthest is off.
 
     Parameters
     ----------
-    points : (n, 2) array_like
-        In order, mm, at x > 0; the meridian starts at the first and ends at the last one's place.
+    points : (n, 2) array_like or PlaneCurve
+        In order, mm, at x > 0, the last perhaps on the axis, where the surface then closes at the pole; or a whole
+        profile. The meridian starts at the first point, or near it, and ends at the last one's place.
+    ring : float, optional
+        As in `meridian`: where a surface that closes at the pole is to end.
 
     Raises
     ------
     InputError
-        Fewer than three points, or some on the axis.
+        Fewer than three points, some on or beyond the axis, two alike.
     NotConvergedError
         No meridian near the points.
 
     Examples
     --------
-    >>> vase = meridian_through([(60, 0), (80, 50), (55, 110), (50, 150)])
+    >>> vase = meridian_through([(60, 0), (80, 50), (70, 80), (55, 110), (50, 150)])
     >>> vase.deviation < 1e-6
     True
     """
-    from scipy.optimize import least_squares
+    if isinstance(points, PlaneCurve):
+        points = points.sample(SOUGHT).position
+    data = _profile(points)
+    size = float(np.linalg.norm(np.ptp(data, axis=0)))
+    chosen = np.unique(np.linspace(0, len(data) - 1, min(len(data), SOUGHT)).round().astype(int))
+    found = search_meridian(data[chosen] / size)
+    if not (found.points[0, 0] > 0 and np.isfinite(found.length)):
+        raise NotConvergedError(f"no meridian was found near these points: {HOPELESS}")
+    length, start = found.length * size, float(found.points[0, 0]) * size
+    end = _end(found, size, _floor(start, length, ring))
+    curve = PlaneCurve.fit_function(
+        lambda s: size * found.position(s / size), 0.0, end, tolerance=CURVE_TOLERANCE * length, degree=5
+    )
+    closes = end < length
+    beside = data[:-1] if closes else data
+    if len(chosen) == len(data):
+        gaps = np.hypot(*(size * found.points - data).T)[: len(beside)]
+    else:
+        gaps = distances_to(curve, beside)
+    if not gaps.max() <= 0.25 * size:
+        raise NotConvergedError(
+            f"no meridian comes nearer than {gaps.max():.3g} mm to point {int(gaps.argmax()) + 1}: {HOPELESS}"
+        )
+    return Meridian(found.a, found.b / size, curve, closes, float(gaps.max()))
 
+
+def _floor(start: float, length: float, ring: float | None) -> float:
+    """The distance from the axis at which a meridian ends, mm."""
+    if ring is None:
+        return min(NARROW * (start + length), start / 2)
+    if not 0 < ring < start:
+        raise InputError(f"ring={ring}: it must be positive and smaller than the start's {start:g} mm")
+    return float(ring)
+
+
+def _end(found: FoundMeridian, size: float, floor: float) -> float:
+    """Arc length at which it comes down to a distance from the axis, or its whole length, mm."""
+    from scipy.optimize import brentq
+
+    def above(s: float | FloatArray) -> FloatArray:
+        return np.asarray(found.position(np.atleast_1d(s) / size)[:, 0] * size - floor)
+
+    s = np.linspace(0.0, found.length * size, 2001)
+    low = np.flatnonzero(above(s) <= 0)
+    if not low.size or low[0] == 0:
+        return float(s[-1])
+    return float(brentq(lambda at: float(above(at)[0]), s[low[0] - 1], s[low[0]], xtol=1e-12 * s[-1]))
+
+
+def _profile(points: ArrayLike) -> FloatArray:
+    """Points (n, 2) that a meridian can be sought through."""
     data = np.asarray(points, dtype=float)
     if data.ndim != 2 or data.shape[1] != 2 or len(data) < 3 or not np.all(np.isfinite(data)):
         raise InputError("a meridian is sought through three points (x, y) or more, mm")
-    if data[:, 0].min() <= 0:
-        i = int(np.argmin(data[:, 0]))
+    beyond = np.append(data[:-1, 0] <= 0, data[-1, 0] < 0)
+    if beyond.any():
+        i = int(np.argmax(beyond))
         raise InputError(
-            f"point {i + 1} at {data[i].tolist()} lies on or beyond the axis x = 0: keep x positive"
+            f"point {i + 1} at {data[i].tolist()} lies on or beyond the axis x = 0: keep x positive (the last may "
+            "lie on it)"
         )
-    size = float(np.linalg.norm(np.ptp(data, axis=0)))
-    given = data / size
-    guess = _first_guess(given)
-
-    def off(unknown: FloatArray) -> FloatArray:
-        places = np.cumsum(np.exp(unknown[4:]))
-        try:
-            _, shape = _integrated(np.array([*unknown[:3], *given[0], unknown[3]]), float(places[-1]), 1e-3)
-        except NotConvergedError:
-            return np.full(2 * len(given) - 2, 10.0)
-        return np.asarray((shape(places)[:2].T - given[1:]).ravel())
-
-    found = least_squares(off, guess, xtol=1e-14, ftol=1e-14, gtol=1e-14, x_scale="jac", max_nfev=400)
-    gaps = np.hypot(*off(found.x).reshape(-1, 2).T) * size
-    if gaps.max() > 0.25 * size:
-        raise NotConvergedError(
-            f"no meridian comes nearer than {gaps.max():.3g} mm to point {int(gaps.argmax()) + 2}: strips that "
-            "tile a surface of revolution cannot follow these points"
-        )
-    a, b1, b2, angle = found.x[:4]
-    length = float(np.exp(found.x[4:]).sum()) * size
-    made = meridian(a, np.array([b1, b2]) / size, data[0], angle, length)
-    return Meridian(made.a, made.b, made.curve, made.at_pole, float(gaps.max()))
-
-
-def _first_guess(points: FloatArray) -> FloatArray:
-    """a, b, angle and logarithms of the steps from a smooth curve through the points."""
-    curve = PlaneCurve.fit(points, degree=4, tolerance=1e-3)
-    at = curve.sample(200)
-    rows = np.column_stack([np.ones(200), at.position])
-    line = np.linalg.lstsq(rows, at.position[:, 0] * at.curvature, rcond=None)[0]
-    steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
-    if steps.min() == 0:
-        raise InputError("two neighbouring points of the meridian are the same: leave one out")
-    return np.concatenate([line, [at.angle[0]], np.log(steps * curve.length / steps.sum())])
+    return data
 
 
 def _integrated(

@@ -11,7 +11,7 @@ from elastica_cad.forming.sections import Section, SectionLine
 from elastica_cad.geometry import Frame, PlaneCurve
 from elastica_cad.mechanics import Gravity, Sheet
 
-__all__ = ["SectionCurve", "section_curves", "smoothed", "without_false_inflections"]
+__all__ = ["SectionCurve", "distances_to", "section_curves", "smoothed", "without_false_inflections"]
 
 SAMPLES = 240
 """Points that smoothing works on."""
@@ -130,7 +130,9 @@ def _curve(
         except NotConvergedError as error:
             told.append(f"{line.name}: {error}; they are kept")
     removed = before - curve.inflections.size
-    return SectionCurve(curve, line.frame, line.name, _distance(curve, line.points), removed), told
+    return SectionCurve(
+        curve, line.frame, line.name, float(distances_to(curve, line.points).max()), removed
+    ), told
 
 
 def _corner(curve: PlaneCurve, line: SectionLine) -> list[str]:
@@ -260,9 +262,9 @@ def _false_bends(curve: PlaneCurve, turn: float) -> FloatArray:
     return np.column_stack([marks[:-1], marks[1:]])[false]
 
 
-def _distance(curve: PlaneCurve, points: FloatArray) -> float:
-    """Largest distance of points from a curve, from its chords between many samples."""
+def distances_to(curve: PlaneCurve, points: FloatArray) -> FloatArray:
+    """Distances (n,) of points from a curve, from its chords between many samples."""
     chain = curve.sample(1500).position
     gaps = np.linalg.norm(points[:, None, :] - chain[None], axis=2).min(axis=1)
     spacing = curve.length / (len(chain) - 1)
-    return float(np.sqrt(max(0.0, float(gaps.max()) ** 2 - (spacing / 2) ** 2)))
+    return np.asarray(np.sqrt(np.maximum(0.0, gaps**2 - (spacing / 2) ** 2)))
