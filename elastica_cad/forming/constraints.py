@@ -166,7 +166,7 @@ class MarginLimit:
         rod = sensitivities.rod
         d = margin_derivatives(
             rod.stiffness, rod.edge_angles, rod.edge_force, rod.edge_length, self.supports,
-            margin=self._margin(rod),
+            margin=self._margin(rod), T=rod.tangents,
         )  # fmt: skip
         u = sensitivities.grid.unknowns
         row = d.angles @ sensitivities.angles[1:-1] + sensitivities.along_forces(d.force)
@@ -180,7 +180,7 @@ class MarginLimit:
         found: Margin = rod.remembered(
             ("margin", self.supports),
             lambda: constrained_margin(
-                rod.stiffness, rod.edge_angles, rod.edge_force, rod.edge_length, self.supports
+                rod.stiffness, rod.edge_angles, rod.edge_force, rod.edge_length, self.supports, T=rod.tangents
             ),
         )
         return found
@@ -424,10 +424,11 @@ def thinned(indices: IntArray, urgency: FloatArray) -> IntArray:
         return indices
     high = np.concatenate([[-np.inf], urgency, [-np.inf]])
     peak = (urgency >= high[:-2]) & (urgency >= high[2:])
-    kept = indices[peak[indices]][: MOST_ROWS // 2]
-    others = np.setdiff1d(indices, kept)
-    step = -(-others.size // (MOST_ROWS - kept.size))
-    return np.union1d(kept, others[::step])
+    kept = np.zeros(indices.size, dtype=bool)
+    kept[np.flatnonzero(peak[indices])[: MOST_ROWS // 2]] = True
+    others = np.flatnonzero(~kept)
+    kept[others[:: -(-others.size // (MOST_ROWS - kept.sum()))]] = True
+    return indices[kept]
 
 
 def _all(rows: FloatArray) -> tuple[IntArray, FloatArray]:

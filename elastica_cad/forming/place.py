@@ -10,11 +10,12 @@ from elastica_cad.forming.distance import LocalModel
 from elastica_cad.forming.march import MarchedRod, Sensitivities
 from elastica_cad.forming.problem import Problem, Rows, rows_near
 
-__all__ = ["Held", "Place", "balanced", "followed", "moved", "place"]
+__all__ = ["Held", "Place", "balanced", "equalities", "followed", "meeting_equalities", "moved", "place"]
 
 _NEWTON = 4  # corrections on the way to one place
-_CLOSED = 1e-10  # rad that still change when a rod is as good as in balance
+_CLOSED = 1e-8  # rad that still change when a rod is as good as in balance
 _LOST = 1.5  # rad: a rod that would have to turn so far does not close
+_BADLY = 1e-4  # of a constraint's value
 _TELLING = 0.1  # share of what a step promises that may be unknown
 
 
@@ -76,17 +77,40 @@ class Place:
         """The merit that the local program expects after a step."""
         return self.model.at(step) + self._cost(step, prices)
 
+    def mends(self, step: FloatArray) -> bool:
+        """Does a step put right most of what is badly broken, be it worth little?"""
+        now, then = (self._broken(change).max(initial=0.0) for change in (self.change[:-1], step))
+        return bool(now > _BADLY and then < 0.5 * now)
+
     def _cost(self, step: FloatArray, prices: FloatArray) -> float:
-        rows = self.rows
-        if not rows.value.size:
+        if not self.rows.value.size:
             return 0.0
-        return float(prices[rows.constraint] @ rows.broken(rows.value + rows.jacobian @ step))
+        return float(prices[self.rows.constraint] @ self._broken(step))
+
+    def _broken(self, step: FloatArray) -> FloatArray:
+        return self.rows.broken(self.rows.value + self.rows.jacobian @ step)
 
 
 def place(problem: Problem, rod: MarchedRod, held: Held = _NOTHING) -> Place:
     """The place of a rod, out of balance or not."""
     sensitivities = problem.grid.sensitivities(rod, closing=True)
     rows = rows_near(problem, sensitivities)
+    return _holding(problem, sensitivities, rows, held)
+
+
+def meeting_equalities(at: Place) -> Place:
+    """The same, to be closed by the least change that meets every equality."""
+    return _holding(at.problem, at.sensitivities, at.rows, equalities(at))
+
+
+def equalities(at: Place) -> Held:
+    """Every equality met."""
+    keys = at.rows.keys[~at.rows.one_sided]
+    return Held(keys, np.zeros(keys.size))
+
+
+def _holding(problem: Problem, sensitivities: Sensitivities, rows: Rows, held: Held) -> Place:
+    rod = sensitivities.rod
     change = np.zeros(rod.z.size + 1)
     change[-1] = 1.0
     if held.keys.size:
@@ -147,8 +171,8 @@ def moved(at: Place, change: FloatArray) -> MarchedRod:
 def _common(here: IntArray, there: IntArray) -> tuple[IntArray, IntArray]:
     """Places of the keys that both have, each key once in either."""
     order = np.argsort(here)
-    found = np.minimum(np.searchsorted(here[order], there), here.size - 1)
     if not here.size:
         return order, order
+    found = np.minimum(np.searchsorted(here[order], there), here.size - 1)
     matches = here[order[found]] == there
     return order[found[matches]], np.flatnonzero(matches)

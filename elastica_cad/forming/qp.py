@@ -14,6 +14,7 @@ __all__ = ["QuadraticProgram", "QuadraticSolution", "solve_quadratic"]
 ITERATIONS = 60
 TOLERANCE = 1e-10
 _BACKOFF = 0.995
+_ROUNDING = 1e-15  # rows that say nearly the same may not make the system singular
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,8 +61,11 @@ class QuadraticSolution:
     iterations: int
 
 
-def solve_quadratic(program: QuadraticProgram) -> QuadraticSolution:
+def solve_quadratic(program: QuadraticProgram, *, accuracy: float = TOLERANCE) -> QuadraticSolution:
     """Primal-dual interior points with Mehrotra's predictor and corrector.
+
+    The optimum is met to `accuracy`, relative to the largest number in the gradient or on the Hessian's
+    diagonal.
 
     The price of a row bounds its multiplier y: the row is the pairs p (y - y_low) = 0, q (y_high - y) = 0 with
     A x - r = p - q, so that equalities, inequalities and their elastic forms are one case.
@@ -77,31 +81,34 @@ def solve_quadratic(program: QuadraticProgram) -> QuadraticSolution:
     lower, upper = program.lower, program.upper
     fixed = upper - lower < 1e-14 * (1 + np.abs(lower))
     if np.any(fixed):
-        return _without(program, fixed)
+        return _without(program, fixed, accuracy)
     H, A, r = program.hessian, program.rows, program.right
     scale = 1 / max(1e-30, float(np.abs(program.gradient).max()), float(np.abs(np.diag(H)).max()))
     H, g, y_high = H * scale, program.gradient * scale, program.price * scale
-    tolerance = TOLERANCE * float(np.clip(np.abs(g).max(), 1e-6, 1.0))
+    tolerance = accuracy * float(np.clip(np.abs(g).max(), 1e-6, 1.0))
     y_low = np.where(program.one_sided, 0.0, -y_high)
     n, m = g.size, r.size
     low, high, up, down = slice(n), slice(n, 2 * n), slice(2 * n, 2 * n + m), slice(2 * n + m, None)
 
     # Complementary pairs u v = mu: u is linear in (x, y), its partner v (z_low, z_high, p, q) is free.
+    count = 2 * (n + m)
+    pairs, changes = np.empty(2 * count), np.empty(2 * count)
+    u, v, du, dv = pairs[:count], pairs[count:], changes[:count], changes[count:]
     inner = 0.1 * (upper - lower)
     x, y = np.clip(0.0, lower + inner, upper - inner), (y_low + y_high) / 2
-    u = np.concatenate([x - lower, upper - x, y - y_low, y_high - y])
+    u[low], u[high], u[up], u[down] = x - lower, upper - x, y - y_low, y_high - y
     mu = max(1e-3, 0.1 * float(np.abs(g) @ inner) / n)
-    v = mu / u
-    gap, room = A @ x - r, v[up]
+    np.divide(mu, u, out=v)
+    gap, room = A @ x - r, v[up].copy()
     v[up] = room + gap / 2 + np.hypot(room, gap / 2)
     v[down] = np.maximum(v[up] - gap, mu)
-    du, dv = np.empty_like(u), np.empty_like(v)
 
     converged, iteration = False, 0
     while iteration < ITERATIONS:
         dual = H @ x + g - y @ A - v[low] + v[high]
         primal = A @ x - r - v[up] + v[down]
-        mu = float(u @ v) / u.size
+        product = u * v
+        mu = float(product.sum()) / count
         if mu < tolerance and _largest(dual) < 10 * tolerance and _largest(primal) < 10 * TOLERANCE:
             converged = True
             break
@@ -111,19 +118,20 @@ def solve_quadratic(program: QuadraticProgram) -> QuadraticSolution:
         if system is None:
             break
         # Predictor straight to mu = 0, then Mehrotra's corrector towards the centre it leaves room for.
-        aim = -u * v
+        aim = -product
         for corrector in (False, True):
             change = aim / u
             dx, dy = _solved(system, change[low] - change[high] - dual, change[up] - change[down] - primal)
             du[low], du[high], du[up], du[down] = dx, -dx, dy, -dy
             np.subtract(change, ratio * du, out=dv)
-            step = min(_reach(u, du), _reach(v, dv))
+            worst = -float((changes / pairs).min())
+            step = min(1 / _BACKOFF, 1 / worst) if worst > 0 else 1 / _BACKOFF
             if not corrector:
-                after = float((u + step * du) @ (v + step * dv)) / u.size
-                aim = mu * (after / mu) ** 3 - u * v - du * dv
+                after = float((u + step * du) @ (v + step * dv)) / count
+                aim = mu * (after / mu) ** 3 - product - du * dv
         step *= _BACKOFF
         x, y = x + step * dx, y + step * dy
-        u, v = u + step * du, v + step * dv
+        pairs += step * changes
     return QuadraticSolution(x, y / scale, v[low] / scale, v[high] / scale, converged, iteration)
 
 
@@ -147,8 +155,12 @@ def _factorised(
     S = W.T @ W
     if not S.size:
         return inverse, W, S
-    S.flat[:: S.shape[0] + 1] += D
+    diagonals = S.reshape(-1)[:: S.shape[0] + 1]
+    diagonals += D
     C, info = dpotrf(S, lower=1)
+    if info != 0:
+        diagonals += _ROUNDING * diagonals.max()
+        C, info = dpotrf(S, lower=1)
     return None if info != 0 else (inverse, W, C)
 
 
@@ -167,17 +179,11 @@ def _solved(
     return half @ inverse, dy
 
 
-def _reach(value: FloatArray, change: FloatArray) -> float:
-    """The longest step, at most 1 / backoff, that keeps `value` + step `change` nonnegative."""
-    worst = -float((change / value).min())
-    return min(1 / _BACKOFF, 1 / worst) if worst > 0 else 1 / _BACKOFF
-
-
 def _largest(values: FloatArray) -> float:
     return float(np.abs(values).max()) if values.size else 0.0
 
 
-def _without(program: QuadraticProgram, fixed: BoolArray) -> QuadraticSolution:
+def _without(program: QuadraticProgram, fixed: BoolArray, accuracy: float) -> QuadraticSolution:
     """The program with its fixed unknowns put in."""
     free = ~fixed
     known = np.where(fixed, program.lower, 0.0)
@@ -186,7 +192,8 @@ def _without(program: QuadraticProgram, fixed: BoolArray) -> QuadraticSolution:
             program.hessian[np.ix_(free, free)], (program.gradient + program.hessian @ known)[free],
             program.lower[free], program.upper[free], np.ascontiguousarray(program.rows[:, free]),
             program.right - program.rows @ known, program.price, program.one_sided,
-        )
+        ),
+        accuracy=accuracy,
     )  # fmt: skip
     x = known.copy()
     x[free] = inner.x

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -27,11 +28,13 @@ def best_outcome(setting: Setting, measure: Measure) -> tuple[Problem, Outcome, 
     first = _start(setting, problem)
     best = solve(problem, first)
     steps = best.iterations
-    for enough, attempt in _attempts(setting, measure, problem, first):
+    for attempt in _attempts(setting, measure, problem, first):
         done = best.settled and best.violation <= MET
-        if steps > _MOST_STEPS or (done and mean_distance(setting, best) < enough * setting.wish.diagonal):
+        near = mean_distance(setting, best) < attempt.enough * setting.wish.diagonal
+        if steps > _MOST_STEPS or (done and near):
             break
-        outcome = attempt()
+        known = best if done and measure != "max" else None
+        outcome = solve(problem, attempt.start(), radius=attempt.radius, known=known)
         steps += outcome.iterations
         best = min(best, outcome, key=_rank)
     return problem, best, steps
@@ -48,20 +51,26 @@ def _rank(outcome: Outcome) -> tuple[bool, float]:
     return not met, outcome.distance + (0.0 if met else outcome.violation)
 
 
-def _attempts(
-    setting: Setting, measure: Measure, problem: Problem, first: MarchedRod
-) -> Iterator[tuple[float, Callable[[], Outcome]]]:
-    """Further attempts, each with the mean distance, in diagonals of the wish, that makes it superfluous."""
-    yield 0.015, lambda: solve(problem, _start(setting, problem, same_length=True))
+class _Attempt(NamedTuple):
+    """Where to start from, unless the mean distance found is small `enough`, in diagonals of the wish."""
+
+    enough: float
+    start: Callable[[], MarchedRod]
+    radius: float = 1.0
+
+
+def _attempts(setting: Setting, measure: Measure, problem: Problem, first: MarchedRod) -> Iterator[_Attempt]:
+    """Further attempts."""
+    yield _Attempt(0.015, lambda: _start(setting, problem, same_length=True))
     if measure != "mean":
-        yield 0.03, lambda: solve(problem, solve(setting.problem("mean"), first).rod)
+        yield _Attempt(0.03, lambda: solve(setting.problem("mean"), first).rod)
     if setting.limits.margin is not None:
-        yield 0.03, lambda: solve(problem, solve(setting.problem(measure, with_margin=False), first).rod)
+        yield _Attempt(0.03, lambda: solve(setting.problem(measure, with_margin=False), first).rod)
     if setting.gravity is not None:
-        yield 0.03, lambda: _by_weight(setting, measure)
-    yield 0.03, lambda: solve(problem, _start(setting, problem, stiffness=1.0), radius=0.3)
+        yield _Attempt(0.03, lambda: _half_the_weight(setting, measure))
+    yield _Attempt(0.03, lambda: _start(setting, problem, stiffness=1.0), 0.3)
     if setting.limits.largest_ratio > _EVEN and setting.limits.stiffness_bounds is None:
-        yield 0.03, lambda: solve(problem, _nearly_even(setting, measure))
+        yield _Attempt(0.03, lambda: _nearly_even(setting, measure))
 
 
 def _start(
@@ -94,10 +103,10 @@ def _nearly_even(setting: Setting, measure: Measure) -> MarchedRod:
     return solve(problem, _start(even, problem), steps=_PATIENCE).rod
 
 
-def _by_weight(setting: Setting, measure: Measure) -> Outcome:
+def _half_the_weight(setting: Setting, measure: Measure) -> MarchedRod:
     """From the weightless rod in steps of weight."""
     problem = setting.problem(measure, weight=0.0)
-    outcome = solve(problem, _start(setting, problem), steps=_PATIENCE)
-    for weight in (0.25, 0.5, 1.0):
-        outcome = solve(setting.problem(measure, weight=weight), outcome.rod, steps=_PATIENCE)
-    return outcome
+    rod = _start(setting, problem)
+    for weight in (0.0, 0.25, 0.5):
+        rod = solve(setting.problem(measure, weight=weight), rod, steps=_PATIENCE).rod
+    return rod

@@ -1,13 +1,23 @@
 """Sequential quadratic programming with a trust region and an exact penalty over rods that stay in balance."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad.forming.constraints import Constraint
 from elastica_cad.forming.march import MarchedRod
-from elastica_cad.forming.place import Held, Place, balanced, followed, moved, place
+from elastica_cad.forming.place import (
+    Held,
+    Place,
+    balanced,
+    equalities,
+    followed,
+    meeting_equalities,
+    moved,
+    place,
+)
 from elastica_cad.forming.problem import Problem, Rows, rows_near
 from elastica_cad.forming.qp import QuadraticProgram, QuadraticSolution, solve_quadratic
 
@@ -26,6 +36,7 @@ _CALM = 1e-6  # where several forces do, the start takes the least: the likelies
 _CALMED = 0.3  # rad: a lifted step that turns no edge further leaves a rod that closes
 _WORTHWHILE = 0.7  # a lifted step that leaves more of the distance is the last
 _AJAR = 1.0  # rad
+_ALIKE = 0.1
 _RESOLUTION = 1e-11  # of half the mean square distance: a micrometre on a strip of 300 mm
 
 
@@ -83,8 +94,15 @@ def lifted(
     return rod
 
 
-def solve(problem: Problem, start: MarchedRod, *, steps: int = STEPS, radius: float = 1.0) -> Outcome:
-    """The local minimum downhill from a rod that need not be in balance.
+def solve(
+    problem: Problem,
+    start: MarchedRod,
+    *,
+    steps: int = STEPS,
+    radius: float = 1.0,
+    known: Outcome | None = None,
+) -> Outcome:
+    """The local minimum downhill from a rod that need not be in balance; `known` where that is the same valley.
 
     The Gauss-Newton model of the distance, linearised constraints with prices, a box of size `radius` (in
     scales), one quadratic program a step. The whole rod follows a step, angles and moments as well (see
@@ -92,10 +110,12 @@ def solve(problem: Problem, start: MarchedRod, *, steps: int = STEPS, radius: fl
     """
     here = _first(problem, start)
     prices = np.zeros(len(problem.constraints))
-    held = _equalities(here)
+    held = equalities(here)
     found: tuple[Rows, QuadraticSolution] | None = None
     settled, iteration = False, 0
     while iteration < steps and not settled and radius > SMALLEST_RADIUS:
+        if known is not None and _like(here.rod, known):
+            return replace(known, iterations=iteration)
         iteration += 1
         floor = SETTLED * here.distance + _RESOLUTION
         damping = _damping(here, _DAMPING, _IDLE)
@@ -110,7 +130,7 @@ def solve(problem: Problem, start: MarchedRod, *, steps: int = STEPS, radius: fl
             merit = here.merit(prices)
             promised = merit - here.promised(step, prices)
             size = float(np.abs(step / problem.scale).max())
-            settled = promised <= floor
+            settled = promised <= floor and not here.mends(step)
             touched = _touched(here, step, solution)
             trial = followed(
                 here, np.append(step, 1.0), touched, max(promised, floor), prices.max(initial=0.0)
@@ -136,12 +156,17 @@ def solve(problem: Problem, start: MarchedRod, *, steps: int = STEPS, radius: fl
     )  # fmt: skip
 
 
+def _like(rod: MarchedRod, known: Outcome) -> bool:
+    """Is a rod far nearer to a known one than that is to the wish?"""
+    apart = float(np.mean((rod.position - known.rod.position) ** 2))
+    return apart < _ALIKE**2 * known.distance
+
+
 def _first(problem: Problem, start: MarchedRod) -> Place:
     """Where the search begins: at a rod as it is given, or where that closes nowhere, as it is marched."""
     rod = problem.grid.guessed(problem.inside(start.z), start.angles, start.moments)
     if np.isfinite(rod.moments[-1]):
-        here = place(problem, rod)
-        here = place(problem, rod, _equalities(here))
+        here = meeting_equalities(place(problem, rod))
         if here.off < _AJAR:
             return here
     return place(problem, _finite(problem, problem.grid.rod(rod.z)))
@@ -155,12 +180,6 @@ def _finite(problem: Problem, rod: MarchedRod) -> MarchedRod:
     z = np.zeros(u.count)
     z[u.stiffness], z[u.length] = 1.0, 1.0
     return problem.grid.rod(problem.inside(z))
-
-
-def _equalities(here: Place) -> Held:
-    """Every equality met."""
-    keys = here.rows.keys[~here.rows.one_sided]
-    return Held(keys, np.zeros(keys.size))
 
 
 def _touched(here: Place, step: FloatArray, solution: QuadraticSolution) -> Held:
@@ -221,13 +240,13 @@ def _closed(problem: Problem, rod: MarchedRod) -> MarchedRod:
     """Newton's method on the equalities and on the limits that are touched, by least steps of what is free."""
     s, values = problem.scale, problem.values(rod)
     for _ in range(6):
+        if not any(_missed(c, v) for c, v in zip(problem.constraints, values, strict=True)):
+            return rod
         rows = rows_near(problem, problem.grid.sensitivities(rod), values)
         touched = ~rows.one_sided | (rows.value < _TOUCHED)
-        if not touched.any():
-            return rod
         aim = np.where(rows.one_sided, np.maximum(CLOSED - rows.value, 0.0), -rows.value)
         worst = float(np.abs(aim[touched]).max())
-        if worst > 1e-3 or worst < 1e-14:
+        if worst > 1e-3:
             return rod
         free = problem.free(rod.z)
         jacobian = (rows.jacobian * s)[np.ix_(touched, free)]
@@ -244,6 +263,12 @@ def _closed(problem: Problem, rod: MarchedRod) -> MarchedRod:
             return rod
         rod, values = trial, trial_values
     return rod
+
+
+def _missed(constraint: Constraint, values: FloatArray) -> bool:
+    """Is an equality, or what a limit should keep in hand, missed by more than rounding?"""
+    gap = CLOSED - values.min() if constraint.one_sided else np.abs(values).max()
+    return bool(gap > 1e-13)
 
 
 def _multipliers(

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.mechanics.banded import lowest_constrained
+from elastica_cad.mechanics.banded import lowest_constrained, small_solution
 from elastica_cad.mechanics.supports import Supports
 
 __all__ = [
@@ -212,6 +212,8 @@ def constrained_margin(
     force: FloatArray,
     edge_length: float | FloatArray,
     supports: Supports | None = None,
+    *,
+    T: FloatArray | None = None,
 ) -> Margin:
     """Stability margin of a discrete rod, O(n); positive means stable.
 
@@ -227,6 +229,8 @@ def constrained_margin(
         mm.
     supports : Supports, optional
         Clamped at both ends unless given.
+    T : (n, 2) array, optional
+        `tangents(angles)` when already at hand.
 
     Returns
     -------
@@ -240,9 +244,10 @@ def constrained_margin(
     >>> round(margin.value / np.pi**2, 3)
     4.0
     """
-    lengths = np.broadcast_to(np.asarray(edge_length, dtype=float), angles.shape)
-    diagonal, off = second_variation(stiffness, angles, force, edge_length, supports)
-    rows = constraint_rows(angles, edge_length, supports)
+    lengths = np.full(angles.size, edge_length, dtype=float)
+    T = tangents(angles) if T is None else T
+    diagonal, off = second_variation(stiffness, angles, force, edge_length, supports, T=T)
+    rows = constraint_rows(angles, edge_length, supports, T=T)
     root = np.sqrt(lengths)
     values, vectors = lowest_constrained(diagonal / lengths, off / (root[:-1] * root[1:]), rows / root)
     v = vectors[0] / root
@@ -255,11 +260,10 @@ def constrained_margin(
         i for i, flag in enumerate((True, True) if supports is None else supports.transmits_force) if flag
     ]
     if held:
-        nu[held] = np.linalg.lstsq(
-            np.einsum("in,jn->ij", rows / lengths, rows),
-            np.einsum("in,n->i", rows / lengths, left),
-            rcond=1e-12,
-        )[0]
+        per_length = rows / lengths
+        nu[held] = small_solution(
+            np.einsum("in,jn->ij", per_length, rows), np.einsum("in,n->i", per_length, left)
+        )
     return Margin(float(values[0] * lengths.sum() ** 2), v, nu)
 
 
@@ -293,15 +297,16 @@ def margin_derivatives(
     supports: Supports | None = None,
     *,
     margin: Margin | None = None,
+    T: FloatArray | None = None,
 ) -> MarginDerivatives:
     """Derivatives of the margin: d(mu) = v^t dH v - mu v^t dW v - 2 nu^t dC v, with v^t W v = 1, C v = 0.
 
-    Parameters as in `constrained_margin`; `margin` is its answer when already at hand.
+    Parameters as in `constrained_margin`; `margin` is its answer, `T` the tangents when already at hand.
     """
     if margin is None:
         margin = constrained_margin(stiffness, angles, force, edge_length, supports)
     v, nu = margin.mode, margin.multipliers
-    lengths = np.broadcast_to(np.asarray(edge_length, dtype=float), angles.shape)
+    lengths = np.full(angles.size, edge_length, dtype=float)
     total = float(lengths.sum())
     square = total**2 * lengths * v**2
     step = np.diff(v, prepend=0.0, append=0.0)
@@ -309,7 +314,7 @@ def margin_derivatives(
     for node, held in zip((0, -1), held_angles(supports), strict=True):
         if not held:
             per_stiffness[node] = 0.0
-    T = tangents(angles)
+    T = tangents(angles) if T is None else T
     per_force = -square[:, None] * T
     across = force[..., 1] * T[:, 0] - force[..., 0] * T[:, 1]
     per_angle = -square * across + 2 * total**2 * lengths * v * (T @ nu)

@@ -70,7 +70,7 @@ def clamped_rod(stiffness, load):
     return spring[:-1] + spring[1:] - load, -spring[1:-1]
 
 
-@pytest.mark.parametrize("n", [40, 41, 200, 601])
+@pytest.mark.parametrize("n", [40, 41, 200])
 def test_lowest_mode_of_rods(n):
     s = (np.arange(n) + 0.5) / n
     rows = np.array([np.sin(4 * s), np.cos(4 * s)])
