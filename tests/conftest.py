@@ -80,3 +80,9 @@ def check_drawing(tmp_path: Path) -> Callable[..., None]:
 def pavilion() -> Callable[..., Any]:
     """`pavilion(count=31, labels=True)` is the paper's Pavilion as a model, without slots."""
     return _helper("pavilion").pavilion
+
+
+@pytest.fixture(scope="session")
+def collisions() -> ModuleType:
+    """Bands of bent strips and how near they come to each other."""
+    return _helper("collisions")

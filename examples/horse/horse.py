@@ -1,6 +1,7 @@
 """The Horse (paper, section 9.2): body, neck and head of an animal, cut across, split at the spine, laminated.
 
-The animal is our own, from eight ellipses along a bent spine.
+The animal is our own, from eight ellipses along a bent spine. Legs and tail are no strips, here as in the paper,
+where they were printed. Between the halves there is room for a rail along spine and belly, which holds their tabs.
 """
 
 import sys
@@ -13,6 +14,8 @@ PLANES = 20
 RATIO = 2.0
 LEAST_RADIUS = 40.0  # mm, for both layers
 SPACING = 560.0 / PLANES
+RAIL = 16.0  # mm between the halves
+TAB = ec.Tab(6)
 CARD = ec.Sheet.named("card-200gsm")
 PAPER = ec.Sheet("paper-100gsm", 0.1, CARD.youngs_modulus, density=CARD.density, max_strain=CARD.max_strain)
 # along x: height of the spine's axis, half width and half height of the body there, mm
@@ -39,12 +42,17 @@ def surface(turns=80, rows=160):
     return ec.Mesh(points.reshape(-1, 3), faces)
 
 
+def half(line, side):
+    """What of a closed section lies on one side (1: left, -1: right) of the rail."""
+    pieces = line.split_by((0, side * RAIL / 2, 0), (0, 1, 0))
+    return max(pieces, key=lambda piece: side * piece.places[:, 1].mean())
+
+
 def build(planes=PLANES):
     mesh = surface()
     frames = ec.parallel_planes((0, 0, 0), (1, 0, 0), 560 * (np.arange(planes) + 0.5) / planes)
-    halves = []
-    for section in ec.mesh_sections(mesh.vertices, mesh.faces, frames):
-        halves += section.line.split_by((0, 0, 0), (0, 1, 0))
+    sections = ec.mesh_sections(mesh.vertices, mesh.faces, frames)
+    halves = [half(section.line, side) for section in sections for side in (1, -1)]
     curves, reports = ec.section_curves(halves, tolerance=0.2)
     found = ec.nearest_rods(
         [c.curve for c in curves], ec.Limits(ratio=RATIO, margin=5.0, curvature=1 / LEAST_RADIUS)
@@ -52,9 +60,7 @@ def build(planes=PLANES):
     style = ec.Laminated(SPACING - 4, backing=CARD)
     placed = []
     for near, c in zip(found, curves, strict=True):
-        strip = ec.Strip(
-            near.rod, PAPER, style=style, ends=(ec.Tab(6), ec.Tab(6)), label=f"H{len(placed) + 1}"
-        )
+        strip = ec.Strip(near.rod, PAPER, style=style, ends=(TAB, TAB), label=f"H{len(placed) + 1}")
         placed.append(ec.Placed(strip, c.frame.origin, c.frame.x_axis, c.frame.y_axis))
     return ec.Model(tuple(placed), name="horse", reports=reports)
 

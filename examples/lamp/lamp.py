@@ -10,7 +10,7 @@ STRIPS = 32
 LENGTH, WIDTH, RISE = 930.0, 660.0, 170.0  # mm
 GAP = 3.0  # mm between strips
 BIRCH = ec.Sheet.named("birch-plywood-0.8")
-LIMITS = ec.Limits(ratio=2.5, margin=5.0, sheet=BIRCH, strain=0.9 * BIRCH.max_strain)
+LIMITS = ec.Limits(ratio=2.4, margin=5.0, sheet=BIRCH, strain=0.9 * BIRCH.max_strain)
 
 
 def outline(x):

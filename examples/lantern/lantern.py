@@ -10,6 +10,8 @@ RING = 60.0  # mm, where all strips are held, above and below
 # control points: distance from the axis and height, mm
 OUTER = [(RING, 0), (95, 5), (150, 50), (150, 150), (120, 235), (85, 255), (RING, 260)]
 INNER = [(RING, 0), (80, 10), (105, 60), (125, 140), (105, 215), (80, 250), (RING, 260)]
+WIDEST = 24.0  # mm
+ROOM = 2 * RING * np.tan(np.pi / 20) - 2.0  # mm beside each other on the rings
 LIMITS = ec.Limits(ratio=3.0, margin=5.0, sheet=ec.Sheet.named("pom-0.5"))
 
 
@@ -17,12 +19,12 @@ def build():
     """Ten strips of each kind in turn; the ends are kept, so that both rings close."""
     sheet = ec.Sheet.named("pom-0.5")
     found = ec.nearest_rods([ec.PlaneCurve.spline(points) for points in (OUTER, INNER)], LIMITS)
-    strips = [
-        ec.Strip(
-            near.rod, sheet, max_width=width, ends=(ec.Tab(12, width=10), ec.Tab(12, width=10)), label=label
-        )
-        for near, width, label in zip(found, (24, 20), ("OUTER", "INNER"), strict=True)
-    ]
+    tab = ec.Tab(12, width=10)
+    strips = []
+    for near, label in zip(found, ("OUTER", "INNER"), strict=True):
+        K = near.rod.stiffness
+        widest = min(WIDEST, float(ROOM * K.max() / max(K[0], K[-1])))
+        strips.append(ec.Strip(near.rod, sheet, max_width=widest, ends=(tab, tab), label=label))
     angles = 2 * np.pi * np.arange(20) / 20
     frames = [((np.cos(a), np.sin(a), 0.0), (0.0, 0.0, 1.0)) for a in angles]
     placed = tuple(ec.Placed(strips[i % 2], (0, 0, 0), *frame) for i, frame in enumerate(frames))

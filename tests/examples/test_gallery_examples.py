@@ -1,6 +1,8 @@
-"""Every example of the gallery: what it makes can be cut, bent, and stays in its shape."""
+"""Every example of the gallery: what it makes can be cut, bent, stays in its shape, and hits nothing."""
 
 import runpy
+from dataclasses import replace
+from itertools import combinations
 
 import numpy as np
 import pytest
@@ -8,7 +10,9 @@ from scipy.integrate import trapezoid
 
 import elastica_cad as ec
 from elastica_cad.fabrication import CUT_OUTER
+from elastica_cad.formats.design import read_design
 
+CARD = ec.Sheet.named("card-200gsm")
 REALIZED = 0.1  # mm between the bent strip as made and its design
 
 
@@ -26,13 +30,24 @@ def example(project_root):
 
 
 @pytest.fixture(scope="module")
-def built(example):
+def fins(example):
+    """The fins of the Facade with their way from closed to open."""
+    names = example("facade")
+    return [names["fin"](k) for k in range(names["FINS"])]
+
+
+@pytest.fixture(scope="module")
+def built(example, fins, project_root):
     """The model of an example, built once."""
     seen = {}
 
     def build(name):
-        if name not in seen:
-            seen[name] = example(name)["build"]()
+        if name not in seen and name == "pavilion":
+            design = read_design(project_root / "examples" / name / "pavilion.toml", ec.read_curves)
+            seen[name] = design.model()
+        elif name not in seen:
+            options = {"fins": fins} if name == "facade" else {}
+            seen[name] = example(name)["build"](**options)
         return seen[name]
 
     return build
@@ -43,11 +58,13 @@ MODELS = {
     "spiral": (1, 1, None, 1.842),
     "vase": (20, 1, (260, 260, 140), 4.0),
     "lantern": (20, 2, (280, 280, 260), 3.0),
-    "flower_pot": (16, 16, (270, 260, 150), 3.5),
+    "flower_pot": (16, 16, (300, 300, 170), 3.5),
     "shell": (60, 10, (480, 480, 95), 2.0),
     "horse": (40, 40, (560, 140, 260), 2.0),
-    "lamp": (32, 32, (930, 660, 200), 2.5),
+    "lamp": (32, 32, (930, 660, 200), 2.4),
     "carpet": (15, 15, (460, 310, 130), 3.0),
+    "pavilion": (31, 31, (540, 760, 130), 2.118),
+    "facade": (8, 8, None, 3.0),
 }
 
 
@@ -64,55 +81,112 @@ def test_counts_and_sizes(name, built):
 
 @pytest.mark.parametrize("name", MODELS)
 def test_strips_keep_their_shape(name, built):
-    """In balance, stable, and bent as they are really cut within 0.1 mm of the design."""
-    for i, part in enumerate(built(name).parts):
+    """In balance, stable with what they carry, within what the sheet bears, and as cut within 0.1 mm of the design.
+
+    Slots of the Pavilion are filled by the neighbours: without them it gives way by a little more.
+    """
+    for part in built(name).parts:
         strip = part.strip
         assert strip.rod.residual < 1e-3
         assert ec.stability(strip.rod).stable
-        if name != "lamp" or i in (0, 10):  # seconds each, for hundreds of diamonds
-            assert strip.deviation_as_made < REALIZED
-        if name != "spiral":  # the published one is too tight for card; its warning says where
-            assert strip.max_strain <= strip.strain_limit * (1 + 1e-6)
+        assert strip.deviation_as_made < (0.3 if strip.slots else REALIZED)
+        if strip.slots:
+            assert replace(strip, slots=()).deviation_as_made < REALIZED
+        assert strip.max_strain <= strip.strain_limit * (1 + 1e-6)
 
 
-@pytest.mark.parametrize("name", MODELS)
+@pytest.mark.parametrize("name", sorted({*MODELS} - {"lamp", "pavilion"}))
 def test_drawings_are_sound(name, built, check_drawing):
+    """The first and the last part; those of the Pavilion in its own tests."""
     parts = built(name).parts
-    for part in dict.fromkeys(parts[:: max(1, len(parts) - 1)] if name != "lamp" else parts[:1]):
+    for part in dict.fromkeys(parts[:: max(1, len(parts) - 1)]):
         for drawing in part.strip.drawings():
             assert len(drawing.on(CUT_OUTER)) == 1
             check_drawing(drawing)
 
 
-@pytest.mark.parametrize("name", ["flower_pot", "shell", "vase"])
-def test_touching_strips_do_not_overlap(name, built):
-    """Neighbours on a surface keep to their side of the plane between them."""
-    model = built(name)
-    order = range(10) if name == "shell" else range(len(model.placed))
-    for i in order:
-        one = model.placed[i]
-        angle = np.arctan2(one.x_axis[1], one.x_axis[0])
-        other = model.placed[order[(i + 1) % len(order)]]
-        after = np.arctan2(other.x_axis[1], other.x_axis[0])
-        gap = (after - angle) % (2 * np.pi)
-        if gap > np.pi / 2:
-            continue
-        s = np.linspace(0, one.strip.rod.length, 101)
-        middle = np.column_stack([np.interp(s, one.strip.rod.s, c) for c in one.strip.rod.position.T])
-        half = one.strip.width(s) / 2
-        border = np.array([np.sin(angle + gap / 2), -np.cos(angle + gap / 2), 0])
-        for side in (-1, 1):
-            edge = one.frame.point(np.column_stack([middle, side * half]))
-            assert np.min(edge @ border) > -1e-3
+def test_a_drawing_of_hundreds_of_diamonds_is_sound(built, check_drawing):
+    for drawing in built("lamp").strips[0].drawings():
+        assert len(drawing.on(CUT_OUTER)) == 1
+        check_drawing(drawing)
+
+
+# so many strips in order around or along, which see all that the others see where the model repeats itself
+NEIGHBOURS = {"lantern": 4, "flower_pot": 16, "shell": 21, "horse": 40, "lamp": 32, "carpet": 15, "facade": 8}
+
+
+@pytest.mark.parametrize("name", NEIGHBOURS)
+def test_bent_strips_do_not_collide(name, built, collisions):
+    """As they are really cut, tabs and all: at least their thickness apart."""
+    placed = built(name).placed
+    if name == "shell":
+        placed = sorted(placed, key=lambda one: np.arctan2(one.x_axis[1], one.x_axis[0]))
+    bands = [collisions.band(one) for one in placed[: NEIGHBOURS[name]]]
+    found = {
+        (i, j): collisions.clearance(bands[i], bands[j])
+        for i, j in combinations(range(len(bands)), 2)
+        if j - i <= 3
+    }
+    assert min(found.values()) > 0.5
+
+
+def test_strips_of_the_vase_touch_along_their_edges(built, collisions):
+    """Middle surfaces meet and do not overlap; tabs keep apart."""
+    bands = [collisions.band(one) for one in built("vase").placed[:3]]
+    assert collisions.overlap(bands[0], bands[1]) < 1e-3
+    assert collisions.clearance(bands[0], bands[1]) == pytest.approx(-0.2, abs=1e-3)
+    assert collisions.clearance(bands[0], bands[2]) > 5
+
+
+def test_windings_of_the_spiral_keep_apart(built, collisions):
+    band = collisions.band(built("spiral").placed[0])
+    assert collisions.self_clearance(band, 15.0) > 2
+
+
+def test_the_pavilion_collides_in_its_slots_only(built, collisions):
+    """In the shape that mates hold each other in: sheets cross where one of them is slotted, and nowhere else."""
+    model = built("pavilion")
+    plain = [collisions.band(one, as_made=False) for one in model.placed]
+    slotted = [collisions.band(one, as_made=False, slots=True) for one in model.placed]
+    near = [(i, j) for i, j in combinations(range(31), 2) if j - i <= 3]
+    crossing = {pair for pair in near if collisions.overlap(*(plain[i] for i in pair)) > 0}
+    assert crossing == {joint.members for joint in model.joints}
+    assert all(collisions.overlap(slotted[i], slotted[j]) == 0 for i, j in crossing)
+    assert min(collisions.clearance(plain[i], plain[j]) for i, j in near if (i, j) not in crossing) > 0.5
+
+
+@pytest.mark.parametrize("shift", [0.0, 12.0])
+def test_collisions_are_found(shift, collisions):
+    """Two flat strips that cross at a right angle, and side by side with 3 mm between."""
+    strip = ec.Strip(ec.Rod.straight(60.0), CARD, max_width=10, ends=(ec.Tab(5), ec.Tab(5)))
+    one = collisions.band(ec.Placed(strip), as_made=False)
+    through = ec.Placed(strip, (30.0 + shift, -30.0, 0.0), (0, 1, 0), (-1, 0, 0))
+    assert collisions.overlap(one, collisions.band(through, as_made=False)) == pytest.approx(4.95, abs=0.1)
+    beside = collisions.band(ec.Placed(strip, (shift, 0.0, 13.0)), as_made=False)
+    assert collisions.clearance(one, beside) == pytest.approx(2.8, abs=1e-6)
+    above = collisions.band(ec.Placed(strip, (shift, 1.0, 0.0)), as_made=False)
+    assert collisions.clearance(one, above) == pytest.approx(0.8, abs=1e-6)
+    assert collisions.overlap(one, above) == 0
 
 
 def test_the_spiral_is_the_published_one(built):
     (strip,) = built("spiral").strips
     assert strip.rod.length == pytest.approx(345.83, abs=0.005)
     assert strip.rod.ratio == pytest.approx(1.84167, abs=2e-5)
-    weighed = ec.optimal_rod(strip.rod.curve, gravity=strip.sheet.gravity())
+    weighed = ec.optimal_rod(strip.rod.curve, gravity=CARD.gravity())
     assert weighed.ratio == pytest.approx(2.07087, rel=2e-3)
-    assert any("beyond the 0.50 %" in text for text in strip.warnings)
+
+
+def test_the_spiral_of_card_is_told_to_be_too_tight(example, built):
+    """The published one went plastic in its innermost winding; paper of half the thickness does not."""
+    names = example("spiral")
+    (card,) = names["build"](names["CARD"]).strips
+    told = [text for text in card.warnings if "beyond the 0.50 %" in text]
+    assert len(told) == 1
+    assert "strain 0.66 % at 9.7 mm" in told[0]
+    (paper,) = built("spiral").strips
+    assert paper.max_strain == pytest.approx(card.max_strain / 2)
+    assert not any("beyond" in text for text in paper.warnings)
 
 
 @pytest.mark.parametrize(("name", "ring"), [("lantern", 60.0), ("vase", None)])
@@ -150,19 +224,41 @@ def test_the_lamp_stays_under_its_strain_limit(built):
 def test_the_flower_pot_on_the_published_surface(example, shared_data):
     pytest.importorskip("trimesh")
     file = shared_data / "hafner" / "flower-pot" / "flower-pot.obj"
-    model = example("flower_pot")["build"](ec.read_mesh(file, unit="cm").scaled(6.0))
+    model = example("flower_pot")["build"](ec.read_mesh(file, unit="cm").scaled(6.0), least_radius=None)
     assert len(model.placed) == 16
     for strip in model.strips:
         assert strip.rod.ratio <= 3.5 * (1 + 1e-6)
         assert ec.stability(strip.rod).stable
-        assert strip.deviation_as_made < 0.5  # its weight is not proportional to its stiffness
+        assert strip.deviation_as_made < REALIZED
+        # its radii of 13 mm and more are too tight for card, as the paper built it
+        assert 1 < strip.max_strain / strip.strain_limit < 2.5
+        assert any("beyond the 0.50 %" in text for text in strip.warnings)
 
 
-def test_the_facade_opens(example):
-    """Two of eight fins: travel, force and margin from closed to open; strains bearable all the way."""
+def test_the_pot_has_a_belly_and_a_neck(built):
+    """Every profile bends both ways, as those of the paper."""
+    inflections = [strip.rod.curve.inflections.size for strip in built("flower_pot").strips]
+    assert min(inflections) >= 1
+    assert max(inflections) >= 2
+
+
+@pytest.mark.parametrize("opened", [0.5, 1.0])
+def test_fins_on_their_way_do_not_collide_or_break(opened, example, fins, collisions):
+    """Half open and open: the same strips, bent further."""
+    model = example("facade")["build"](opened, fins)
+    for placed, fin in zip(model.placed, fins, strict=True):
+        assert placed.strip.width.extremes == pytest.approx(fin.strip.width.extremes, rel=1e-9)
+        assert placed.strip.deviation_as_made < REALIZED
+        assert ec.stability(placed.strip.rod).stable
+        assert placed.strip.max_strain <= placed.strip.strain_limit
+    bands = [collisions.band(one) for one in model.placed]
+    assert all(collisions.clearance(bands[i], bands[i + 1]) > 0.5 for i in range(7))
+
+
+def test_the_facade_opens(example, fins):
+    """Travel, force and margin of every fin from closed to open; strains bearable all the way."""
     names = example("facade")
-    for k in (0, 7):
-        fin = names["fin"](k)
+    for fin in fins:
         assert fin.travel[-1] == pytest.approx(14)
         for rod, travel in zip(fin.shapes, fin.travel, strict=True):
             assert rod.position[-1] == pytest.approx(fin.shapes[0].position[-1] - (0, travel), abs=1e-6)
