@@ -65,7 +65,7 @@ def choose(*things):
 def viewport():
     """The widget in which the 3D view is drawn."""
     area = Gui.getMainWindow().findChild(QtWidgets.QMdiArea)
-    return area.activeSubWindow().widget()
+    return (area.activeSubWindow() or area.currentSubWindow()).widget()
 
 
 def on_screen(x, y, z=0):
