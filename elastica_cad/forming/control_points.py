@@ -24,6 +24,7 @@ __all__ = ["Bounds", "Iterate", "Route", "moved_within"]
 
 _PRICE = 0.1  # of a broken bound, against half the mean square distance in lengths: far above all multipliers
 _ROW_PRICE = 10.0
+_ACCURACY = 1e-12  # of a step, against the price: half a mean square distance of 1e-8 still counts
 _MARGIN_UNIT = 50.0
 _COARSE = 3.0  # a step that takes the ratio this many times above where it is and may be is refused
 _RATIO_PART, _MARGIN_PART = 0.9, 6.0  # aimed at in one step: of the present ratio, above the present margin
@@ -221,7 +222,8 @@ def _step(changes: CurveChanges, offsets: FloatArray, aim: Bounds, radius: float
         solution = solve_quadratic(
             QuadraticProgram(
                 H, g, lower, upper, A, right, np.full(right.size, _ROW_PRICE), np.ones(right.size, dtype=bool)
-            )
+            ),
+            accuracy=_ACCURACY,
         )
         u, c, s = solution.x[:r], solution.x[r], solution.x[r + 1]
         there = C + dC @ u
