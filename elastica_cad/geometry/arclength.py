@@ -7,6 +7,7 @@ from functools import cached_property, lru_cache
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
+from elastica_cad.geometry.chebyshev import chebyshev, series_at
 
 __all__ = ["ArcLength", "arc_length_table"]
 
@@ -38,14 +39,15 @@ class ArcLength:
         """Arc lengths (n,) of parameters (n,)."""
         panel = self._panel(self.t, t)
         x = np.minimum(np.maximum(2 * (t - self.t[panel]) / np.diff(self.t)[panel] - 1, -1.0), 1.0)
-        s = self.s[panel] + _clenshaw(self.series[panel].T, x)
+        s = self.s[panel] + series_at(self.series, panel, chebyshev(x, self.series.shape[1]))
         return np.asarray(np.where(x <= -1, self.s[panel], np.where(x >= 1, self.s[panel + 1], s)))
 
     def parameter_at(self, s: FloatArray) -> FloatArray:
         """Parameters (n,) of arc lengths (n,)."""
         panel = self._panel(self.s, s)
         target, whole = s - self.s[panel], np.diff(self.s)[panel]
-        guess = _clenshaw(self._inverse[panel].T, 2 * target / whole - 1)
+        share = np.minimum(np.maximum(2 * target / whole - 1, -1.0), 1.0)
+        guess = series_at(self._inverse, panel, chebyshev(share, self._inverse.shape[1]))
         x = self._places(panel, target, guess)
         x = np.where(target <= 0, -1.0, np.where(target >= whole, 1.0, x))
         return np.asarray(self.t[panel] + np.diff(self.t)[panel] * (1 + x) / 2)
@@ -56,13 +58,13 @@ class ArcLength:
 
     def _places(self, panel: IntArray, target: FloatArray, guess: FloatArray) -> FloatArray:
         """Places x in [-1, 1] of panels (n,) at arc lengths `target` from their starts, by Newton steps."""
-        series, slopes = self.series[panel].T, self._slopes[panel].T
         x = np.minimum(np.maximum(guess, -1.0), 1.0)
         low, high = np.full(x.shape, -1.0), np.ones(x.shape)
         for _ in range(60):
-            gap = _clenshaw(series, x) - target
+            polynomials = chebyshev(x, self.series.shape[1])
+            gap = series_at(self.series, panel, polynomials) - target
             low, high = np.where(gap < 0, x, low), np.where(gap < 0, high, x)
-            newton = x - gap / _clenshaw(slopes, x)
+            newton = x - gap / series_at(self._slopes, panel, polynomials)
             following = np.where((newton >= low) & (newton <= high), newton, (low + high) / 2)
             step = np.abs(following - x).max(initial=0.0)
             x = following
@@ -131,12 +133,3 @@ def _chebyshev() -> tuple[FloatArray, FloatArray, FloatArray]:
     to_series[0] /= 2
     integrate = np.asarray(np.polynomial.chebyshev.chebint(np.eye(n), lbnd=-1, axis=0), dtype=float)
     return np.cos(phase), to_series, integrate
-
-
-def _clenshaw(c: FloatArray, x: FloatArray) -> FloatArray:
-    """Chebyshev series with coefficients (k, n) at x (n,), one series for each x."""
-    double = 2 * x
-    b1, b2 = np.zeros(x.shape), np.zeros(x.shape)
-    for k in range(c.shape[0] - 1, 0, -1):
-        b1, b2 = c[k] + double * b1 - b2, b1
-    return np.asarray(c[0] + x * b1 - b2)

@@ -1,5 +1,6 @@
 """How smooth a curve is at its knots, and the refusal of curves that stand still."""
 
+from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
@@ -9,10 +10,32 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.jets import Jets, curvature, curvature_slope, norm
 from elastica_cad.geometry.turning import Turning
 
-__all__ = ["continuity_orders", "refuse_standstill"]
+__all__ = ["KnotSides", "continuity_orders", "refuse_standstill"]
 
 
-def continuity_orders(jets: Jets, turning: Turning, knots: FloatArray, length: float) -> IntArray:
+@dataclass(frozen=True, eq=False)
+class KnotSides:
+    """Angle (rad), curvature and its slope just before and just after the interior knots, (3, p - 1) each."""
+
+    before: FloatArray
+    after: FloatArray
+
+    @classmethod
+    def of(cls, jets: Jets, turning: Turning) -> "KnotSides":
+        """What a curve does at its knots."""
+        sides = []
+        for (_, d1, d2, d3), left in zip(jets.beside_knots(3), (True, False), strict=True):
+            angle = turning.at(jets.edges[1:-1], d1, left=left)
+            sides.append(np.array([angle, curvature(d1, d2), curvature_slope(d1, d2, d3)]))
+        return cls(*sides)
+
+    @property
+    def corners(self) -> FloatArray:
+        """Exterior angles (p - 1,), rad."""
+        return np.asarray(self.after[0] - self.before[0])
+
+
+def continuity_orders(jets: Jets, sides: KnotSides, knots: FloatArray, length: float) -> IntArray:
     """Numbers (p - 1,) of continuous derivatives by arc length at the interior knots.
 
     At least degree - multiplicity; more where angle, curvature and its slope agree on both sides, as at the
@@ -20,11 +43,7 @@ def continuity_orders(jets: Jets, turning: Turning, knots: FloatArray, length: f
     """
     t = jets.edges[1:-1]
     multiplicity = (knots[None, :] == t[:, None]).sum(axis=1)
-    sides = []
-    for left in (True, False):
-        _, d1, d2, d3 = jets.at(t, 3, left=left)
-        sides.append([turning.at(t, d1, left=left), curvature(d1, d2), curvature_slope(d1, d2, d3)])
-    before, after = np.array(sides)
+    before, after = sides.before, sides.after
     scale = 1 / length + np.maximum(np.abs(before[1]), np.abs(after[1]))
     allowed = np.array([np.full(t.size, 1e-9), 1e-8 * scale, 1e-6 * scale**2])
     agreeing = np.cumprod(np.abs(before - after) <= allowed, axis=0).sum(axis=0)

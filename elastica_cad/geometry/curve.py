@@ -13,7 +13,7 @@ from elastica_cad.geometry.approximation import adaptive_spline
 from elastica_cad.geometry.arclength import ArcLength, arc_length_table
 from elastica_cad.geometry.checks import check_knots, finite, whole_degree
 from elastica_cad.geometry.conics import unit_circle_arc
-from elastica_cad.geometry.continuity import continuity_orders, refuse_standstill
+from elastica_cad.geometry.continuity import KnotSides, continuity_orders, refuse_standstill
 from elastica_cad.geometry.extraction import bezier_spans
 from elastica_cad.geometry.fitting import fitted_spline
 from elastica_cad.geometry.jets import Jets, curvature, curvature_slope, quotient
@@ -311,12 +311,12 @@ class PlaneCurve:
     @cached_property
     def tangent_breaks(self) -> tuple[TangentBreak, ...]:
         """Corners of more than 1e-5 rad."""
-        t = self._jets.edges[1:-1]
-        angle = self.angle_at(t) - self.angle_at(t, left=True)
-        s = self.arc_length(t)
+        angle = self._knot_sides.corners
+        sharp = np.flatnonzero(np.abs(angle) > 1e-5)
+        t = self._jets.edges[1:-1][sharp]
         return tuple(
-            TangentBreak(float(s[i]), float(t[i]), float(angle[i]))
-            for i in np.flatnonzero(np.abs(angle) > 1e-5)
+            TangentBreak(*map(float, corner))
+            for corner in zip(self.arc_length(t), t, angle[sharp], strict=True)
         )
 
     @cached_property
@@ -394,7 +394,11 @@ class PlaneCurve:
 
     @cached_property
     def _continuity(self) -> IntArray:
-        return continuity_orders(self._jets, self._turning, self.knots, self.length)
+        return continuity_orders(self._jets, self._knot_sides, self.knots, self.length)
+
+    @cached_property
+    def _knot_sides(self) -> KnotSides:
+        return KnotSides.of(self._jets, self._turning)
 
     @cached_property
     def _curvature_continuous(self) -> BoolArray:

@@ -6,7 +6,7 @@ from math import comb
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
+from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.bernstein import interior_roots
 from elastica_cad.geometry.extraction import Spans
@@ -47,19 +47,21 @@ class Jets:
         return np.asarray(np.minimum(np.maximum(t, a), b))
 
     def at(self, t: FloatArray, order: int, *, left: bool = False) -> list[FloatArray]:
-        """Position and derivatives d/dt up to `order`, each (n, 2), by de Casteljau's scheme."""
-        index, u = self.spans.locate(self.inside(t), left=left)
+        """Position and derivatives d/dt up to `order`, each (n, 2)."""
+        return self.within(*self.spans.locate(self.inside(t), left=left), order)
+
+    def within(self, index: IntArray, u: FloatArray, order: int) -> list[FloatArray]:
+        """The same at local coordinates u (n,) of spans (n,), by de Casteljau's scheme."""
         degree = self.spans.degree
-        scale = 1 / self.spans.widths[index]
         c = self._columns[:, :, index]
         differences: list[FloatArray] = []
         for remaining in range(degree, -1, -1):
             if remaining <= order:
-                differences.append(np.diff(c, remaining, axis=0)[0])
+                differences.append(_difference(c))
             if remaining:
                 c = c[:-1] + (c[1:] - c[:-1]) * u
         homogeneous = []
-        factor = np.ones_like(u)
+        factor, scale = np.ones_like(u), 1 / self.spans.widths[index]
         for k, difference in enumerate(reversed(differences)):
             homogeneous.append(difference * factor)
             factor = factor * scale * (degree - k)
@@ -68,6 +70,13 @@ class Jets:
             homogeneous = quotient([h[:2] for h in homogeneous], [h[2] for h in homogeneous])
         homogeneous[0] = homogeneous[0] + self._origins[:, index]
         return [np.ascontiguousarray(h.T) for h in homogeneous]
+
+    def beside_knots(self, order: int) -> tuple[list[FloatArray], list[FloatArray]]:
+        """Derivatives up to `order` just before and just after the p - 1 interior knots, each (p - 1, 2)."""
+        knots = self.edges.size - 2
+        before = np.arange(knots)
+        both = self.within(np.concatenate([before, before + 1]), np.repeat([1.0, 0.0], knots), order)
+        return [d[:knots] for d in both], [d[knots:] for d in both]
 
     def position_and_velocity(self, t: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Positions and velocities d/dt, (n, 2) each."""
@@ -107,6 +116,13 @@ class Jets:
         """First points (2, p) of the pieces, mm."""
         first = self.bezier[:, 0]
         return np.ascontiguousarray((first[:, :2] / first[:, 2:]).T)
+
+
+def _difference(c: FloatArray) -> FloatArray:
+    """The last forward difference of coefficients (k + 1, ...)."""
+    for _ in range(len(c) - 1):
+        c = c[1:] - c[:-1]
+    return np.asarray(c[0])
 
 
 def quotient(numerators: list[FloatArray], weights: list[FloatArray]) -> list[FloatArray]:

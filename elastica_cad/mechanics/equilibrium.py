@@ -95,7 +95,8 @@ def examine_curvature(
     if not (isinstance(natural_curvature, float | int | np.number) and np.isfinite(natural_curvature)):
         raise InputError(f"natural curvature is {natural_curvature!r}: it must be a finite number, in 1/mm")
     require_bendable(curve)
-    zeros = _zeros_of(curve, supports, natural_curvature)
+    largest = _largest(curve, natural_curvature)
+    zeros = _zeros_of(curve, supports, natural_curvature, largest)
     flats = [z for z in zeros if z.kind == "flat"]
     jumps = tuple(z.s for z in zeros if z.kind == "jump")
     touches = [z.s for z in zeros if z.kind == "touch"]
@@ -113,12 +114,10 @@ def examine_curvature(
     )
     if flats and flats[0].s <= AT_END * curve.length and flats[0].s_end >= (1 - AT_END) * curve.length:
         return replace(check, any_stiffness=True, warnings=_self_crossing(curve), zeros=())
-    gentle = [
-        z.s for z in points if _slope(curve, z) <= PINNED * _largest(curve, natural_curvature) / curve.length
-    ]
+    gentle = [z.s for z in points if _slope(curve, z) <= PINNED * largest / curve.length]
     reasons = [
         *_pinned_reasons(curve, supports, natural_curvature, points),
-        *_flat_reasons(curve, flats, natural_curvature),
+        *_flat_reasons(curve, flats, natural_curvature, largest),
         *_jump_reasons(jumps),
         *_touch_reasons(sorted([*touches, *gentle])),
     ]
@@ -229,7 +228,9 @@ def require_bendable(curve: PlaneCurve) -> None:
         )
 
 
-def _zeros_of(curve: PlaneCurve, supports: Supports, natural_curvature: float) -> tuple[CurvatureZero, ...]:
+def _zeros_of(
+    curve: PlaneCurve, supports: Supports, natural_curvature: float, largest: float
+) -> tuple[CurvatureZero, ...]:
     """Zeros of kappa - kappa_0, those next to an end put there; a pinned end may keep a trace."""
     low, high = curve.domain
     length, near = curve.length, AT_END * curve.length
@@ -241,7 +242,6 @@ def _zeros_of(curve: PlaneCurve, supports: Supports, natural_curvature: float) -
             found.append(zero)
         else:
             ends[at_end] = zero
-    largest = _largest(curve, natural_curvature)
     for is_end, support in enumerate(supports.ends):
         t = high if is_end else low
         kappa = float(curve.curvature_at(np.array(t))) - natural_curvature
@@ -255,7 +255,9 @@ def _zeros_of(curve: PlaneCurve, supports: Supports, natural_curvature: float) -
 
 
 def _largest(curve: PlaneCurve, natural_curvature: float) -> float:
-    return float(np.abs(curve.sample(401).curvature - natural_curvature).max())
+    """Largest |kappa - kappa_0|, nearly: the size against which others are small."""
+    kappa = curve.curvature_at(np.linspace(*curve.domain, 401))
+    return float(np.abs(kappa - natural_curvature).max())
 
 
 def _slope(curve: PlaneCurve, zero: CurvatureZero) -> float:
@@ -283,7 +285,7 @@ def _pinned_reasons(
 
 
 def _flat_reasons(
-    curve: PlaneCurve, flats: Sequence[CurvatureZero], natural_curvature: float
+    curve: PlaneCurve, flats: Sequence[CurvatureZero], natural_curvature: float, largest: float
 ) -> Iterable[str]:
     for flat in flats:
         joints = [joint for joint in ((flat.s, flat.t, True), (flat.s_end, flat.t_end, False))
@@ -293,7 +295,7 @@ def _flat_reasons(
             f"The piece from {figure(flat.s)} to {flat.s_end:.4g} mm {what} and joined to a bent one, so "
             "the stiffness would have to go to 0 at the joint"
         )
-        if any(_is_gentle(curve, t, natural_curvature, left=left) for _, t, left in joints):
+        if any(_is_gentle(curve, t, natural_curvature, largest, left=left) for _, t, left in joints):
             yield f"{opening}, whatever supports the strip there: bend the piece a little."
         else:
             yield (
@@ -301,9 +303,9 @@ def _flat_reasons(
             )
 
 
-def _is_gentle(curve: PlaneCurve, t: float, natural_curvature: float, *, left: bool) -> bool:
+def _is_gentle(curve: PlaneCurve, t: float, natural_curvature: float, largest: float, *, left: bool) -> bool:
     """Does kappa - kappa_0 leave zero at t without a slope, so that no strip takes the bent piece alone?"""
-    at, largest = np.array(t), _largest(curve, natural_curvature)
+    at = np.array(t)
     kappa = abs(float(curve.curvature_at(at, left=left)) - natural_curvature)
     slope = abs(float(curve.curvature_slope_at(at, left=left)))
     return kappa <= PINNED * largest and slope <= PINNED * largest / curve.length

@@ -86,10 +86,10 @@ def _weightless(panels: Panels) -> MomentRows:
     count, order = panels.t.shape
     reach = panels.edge_position - panels.edge_position[-1]
     edge_moment = np.concatenate([np.ones((count + 1, 1)), reach], axis=1)
-    # M at a node = M at the panel's near end + <b, step>; at a zero the first term is dropped
+    # M at a node = M at the panel's near end + <b, step>; at a zero the first term vanishes
     from_left = panels.zero_left
-    base = np.where(from_left[:, None], edge_moment[:-1], edge_moment[1:])
-    base[panels.zero_left | panels.zero_right] = 0.0
+    vanishing = _vanishing_at_zeros(panels, edge_moment)
+    base = np.where(from_left[:, None], vanishing[:-1], vanishing[1:])
     step = np.where(from_left[:, None, None], panels.from_left, panels.from_right)
     moment = np.repeat(base[:, None, :], order, axis=1)
     moment[..., 1:] += step
@@ -100,6 +100,18 @@ def _weightless(panels: Panels) -> MomentRows:
         force=np.broadcast_to(constant, (count, order, 2, 3)),
         edge_moment=edge_moment, start_force=constant, end_force=constant,
     )  # fmt: skip
+
+
+def _vanishing_at_zeros(panels: Panels, edge_moment: FloatArray) -> FloatArray:
+    """The moment at the panel ends less the traces (zero but for rounding) that it has where it must vanish.
+
+    Taken off linearly between the zeros of kappa - kappa_0: next to a zero the trace would be large beside M.
+    """
+    zeros = np.flatnonzero(np.append(panels.zero_left, False) | np.append(False, panels.zero_right))
+    if not zeros.size:
+        return edge_moment
+    traces = [np.interp(panels.edge_s, panels.edge_s[zeros], column) for column in edge_moment[zeros].T]
+    return np.asarray(edge_moment - np.column_stack(traces))
 
 
 def _weighted(panels: Panels, load: LineLoad) -> MomentRows:

@@ -24,6 +24,7 @@ from elastica_cad.mechanics.gravity import Gravity
 from elastica_cad.mechanics.line import InflectionLine
 from elastica_cad.mechanics.loads import Weight
 from elastica_cad.mechanics.material_laws import MaterialLaw
+from elastica_cad.mechanics.panels import values_at
 from elastica_cad.mechanics.rod import DEFAULT_SAMPLES, Rod
 from elastica_cad.mechanics.stiffness_profile import stiffness_profile
 from elastica_cad.mechanics.supports import Supports
@@ -225,13 +226,11 @@ def _bent_rod(problem: _Problem, balance: BalancedStiffness) -> Rod:
     check, curve, panels = problem.check, problem.check.curve, balance.panels
     nodes = curve.at(_stations(problem))
     panel, x = panels.locate(nodes.t)
-    K = balance.stiffness.at(panel, x)
-    if K.min() <= 0:
-        raise NotRealizable(check)
+    K, moment, b = values_at((balance.stiffness, balance.moment, balance.force), panel, x)
     least = float(K.min())
-    moment = balance.moment.at(panel, x) / least
-    b = balance.force.at(panel, x) / least
-    K = K / least
+    if least <= 0:
+        raise NotRealizable(check)
+    K, moment, b = K / least, moment / least, b / least
     size = np.abs(moment).max()
     change = nodes.curvature - problem.natural_curvature
     effective = change if problem.law is None else problem.law.effective_curvature(change)

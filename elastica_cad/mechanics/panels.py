@@ -9,6 +9,7 @@ import numpy as np
 
 from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.geometry import PlaneCurve
+from elastica_cad.geometry.chebyshev import chebyshev
 from elastica_cad.geometry.jets import curvature, curvature_slope
 from elastica_cad.mechanics.material_laws import MaterialLaw
 
@@ -24,6 +25,7 @@ __all__ = [
     "Panels",
     "cut_into_panels",
     "located",
+    "values_at",
 ]
 
 ORDER = 12
@@ -49,6 +51,7 @@ def _antiderivatives() -> tuple[FloatArray, FloatArray]:
 
 
 LEFT, RIGHT = _antiderivatives()
+_CHEBYSHEV_TO_LEGENDRE = np.linalg.solve(chebyshev(NODES, ORDER).T, VANDER)
 SLOPES = np.append(np.polynomial.legendre.legder(np.eye(ORDER)), np.zeros((1, ORDER)), axis=0)
 """Legendre coefficients of the derivative from those of a function."""
 
@@ -120,13 +123,11 @@ class PanelFunction:
 
     def at(self, panel: IntArray, x: FloatArray) -> FloatArray:
         """Values (n, ...) at places x (n,) of panels (n,)."""
-        basis = np.polynomial.legendre.legvander(x, ORDER - 1)
-        return np.asarray(np.einsum("ni,ni...->n...", basis, self.coefficients[panel]))
+        return values_at((self,), panel, x)[0]
 
     def in_every_panel(self, x: FloatArray) -> FloatArray:
         """Values (N, k, ...) at the same places x (k,) of every panel."""
-        basis = np.polynomial.legendre.legvander(x, ORDER - 1)
-        return np.asarray(np.einsum("ki,ni...->nk...", basis, self.coefficients))
+        return np.asarray(np.einsum("ki,ni...->nk...", _legendre(x), self.coefficients))
 
     def slopes_at(self, panel: IntArray, x: FloatArray) -> tuple[FloatArray, FloatArray]:
         """First and second derivatives with respect to x (n, ...)."""
@@ -146,6 +147,17 @@ class PanelFunction:
     def combined(self, numbers: FloatArray) -> "PanelFunction":
         """The last axis contracted with `numbers`."""
         return PanelFunction(self.coefficients @ numbers)
+
+
+def values_at(functions: Sequence[PanelFunction], panel: IntArray, x: FloatArray) -> list[FloatArray]:
+    """Values (n, ...) of each function at places x (n,) of panels (n,)."""
+    basis = _legendre(x)
+    return [np.asarray(np.einsum("ni,ni...->n...", basis, f.coefficients[panel])) for f in functions]
+
+
+def _legendre(x: FloatArray) -> FloatArray:
+    """Values (n, p) of the Legendre polynomials at x (n,)."""
+    return np.asarray(chebyshev(x, ORDER).T @ _CHEBYSHEV_TO_LEGENDRE)
 
 
 def cut_into_panels(
