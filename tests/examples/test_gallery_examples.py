@@ -314,11 +314,14 @@ def test_a_model_is_saved_as_a_folder(built, tmp_path, check_drawing_file):
 def test_the_table_comes_from_a_run(project_root):
     """A row has a cell for each column, counts from the model and seconds from the clock."""
     names = runpy.run_path(str(project_root / "examples" / "gallery.py"))
-    model, solving, seconds = names["built"]("lantern")
+    model, found, solving, seconds = names["built"]("lantern")
     assert 0 < solving <= seconds
-    cells = names["row"]("lantern", model, solving, seconds).strip("| ").split(" | ")
+    cells = names["row"]("lantern", model, found, solving, seconds).strip("| ").split(" | ")
     assert cells[:4] == ["lantern", "pom-0.5", "20 (2)", "201"]
-    assert len(cells) == 10
+    assert len(cells) == 12
+    asked, made = (float(cell.split()[0]) for cell in cells[6:8])
+    assert asked == pytest.approx(max(near.deviation for near in found), rel=0.06)
+    assert made == pytest.approx(max(strip.deviation_as_made for strip in model.strips), rel=0.06)
     table = (project_root / "examples" / "gallery.md").read_text()
     assert all(f"| {name.replace('_', ' ')} |" in table for name in names["PAPER"])
 
