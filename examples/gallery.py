@@ -139,8 +139,8 @@ def main(*options):
     )
     text = (
         "Written by gallery.py from one run. From the wish: the largest distance of the design from the curve "
-        "that was asked for; as made: that of the strip as it is cut, bent forward, from the design; in brackets as "
-        "shares of the curve's length. Rods: the seconds for stiffness and fabricability; all: from surfaces or "
+        "that was asked for; as made: that of the strip as it is cut, bent forward, from the design; in brackets "
+        "as shares of the curve's length. Rods: the seconds for stiffness and fabricability; all: from surfaces or "
         "formulae to strips. Beside them those of the paper's Table 1, on another machine and, but for the "
         "Pavilion and the Spiral, for other surfaces of the same kind.\n\n" + "\n".join(lines) + "\n"
     )
