@@ -12,7 +12,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
+from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError, MissingDependencyError
 from elastica_cad.fabrication.boundary import (
     Boundary,
@@ -24,6 +24,7 @@ from elastica_cad.fabrication.boundary import (
     SpaceCurve,
     StraightTrace,
     Surface,
+    trace_turn,
 )
 from elastica_cad.fabrication.prisms import PrismSolid
 from elastica_cad.fabrication.solids import BentSolid, FlatSolid
@@ -192,7 +193,8 @@ def make_shell(boundary: Boundary) -> Shape:
             builder.MakeWire(wire)
             for use in loop:
                 if use.trace is not None:
-                    builder.UpdateEdge(edges[use.edge], _trace(use.trace), face, CONFUSION)
+                    curve = _trace(use.trace, trace_turn(record.surface))
+                    builder.UpdateEdge(edges[use.edge], curve, face, CONFUSION)
                 builder.Add(wire, edges[use.edge] if use.forward else edges[use.edge].Reversed())
             wire.Closed(True)
             builder.Add(face, wire)
@@ -270,6 +272,7 @@ def _surface(surface: Surface) -> Any:
         return k.Geom_CylindricalSurface(plane_axes_of(surface.frame), surface.radius)
     if isinstance(surface, ExtrudedSurface):
         return k.Geom_SurfaceOfLinearExtrusion(_curve(surface.profile), _dir(surface.profile.frame.z_axis))
+    surface = surface.turned()
     rows, columns, _ = surface.control_points.shape
     grid = k.Grid(1, rows, 1, columns)
     for i, row in enumerate(surface.control_points, start=1):
@@ -279,18 +282,21 @@ def _surface(surface: Surface) -> Any:
     return k.Geom_BSplineSurface(grid, u, v, u_count, v_count, *surface.degree)
 
 
-def _trace(trace: StraightTrace | Segment) -> Any:
+def _trace(trace: StraightTrace | Segment, turn: FloatArray) -> Any:
     """A Geom2d_Curve in the (u, v) plane of a surface."""
     k = kernel()
+
+    def axis(origin: ArrayLike, direction: ArrayLike) -> Any:
+        place, along = (np.array((origin, direction)) @ turn.T).tolist()
+        return k.gp_Ax2d(k.gp_Pnt2d(*place), k.gp_Dir2d(*along))
+
     if isinstance(trace, StraightTrace):
-        return k.Geom2d_Line(k.gp_Pnt2d(*trace.origin), k.gp_Dir2d(*trace.direction))
+        return k.Geom2d_Line(axis(trace.origin, trace.direction))
     if isinstance(trace, Line):
-        direction = k.gp_Dir2d(*map(float, trace.end - trace.start))
-        return k.Geom2d_Line(k.gp_Pnt2d(*map(float, trace.start)), direction)
+        return k.Geom2d_Line(axis(trace.start, trace.end - trace.start))
     if isinstance(trace, Arc):
-        axis = k.gp_Ax2d(k.gp_Pnt2d(*map(float, trace.center)), k.gp_Dir2d(1.0, 0.0))
-        return k.Geom2d_Circle(axis, trace.radius)
-    points = (k.gp_Pnt2d(*row) for row in trace.curve.control_points.tolist())
+        return k.Geom2d_Circle(axis(trace.center, (1.0, 0.0)), trace.radius)
+    points = (k.gp_Pnt2d(*row) for row in (trace.curve.control_points @ turn.T).tolist())
     return _spline(k.Geom2d_BSplineCurve, _array(k.Points2d, points), trace)
 
 

@@ -26,6 +26,7 @@ from elastica_cad.fabrication.boundary import (
     StraightTrace,
     Surface,
 )
+from elastica_cad.fabrication.flat import graph
 from elastica_cad.fabrication.joints import joint_places, levels, turned
 from elastica_cad.fabrication.regions import CutPattern, Piece, Region, cut_across
 from elastica_cad.fabrication.strip import Strip
@@ -316,12 +317,12 @@ class _Sheets:
         surface = self._wall(piece, shape, self.edges[low], self.edges[low + 1])
         height = self.heights[1] - self.heights[0]
         start, end = (self._post(i, shape) for i in _ends(piece))
-        traces: list[StraightTrace | None] = [None] * 4
+        traces: list[StraightTrace | Segment | None] = [None] * 4
         if not isinstance(surface, PlaneSurface):
             traces = [
-                StraightTrace((0.0, 0.0), (1.0, 0.0)),
+                _along(surface, 0.0),
                 StraightTrace((piece.last, 0.0), (0.0, 1.0)),
-                StraightTrace((0.0, height), (1.0, 0.0)),
+                _along(surface, height),
                 StraightTrace((piece.first, 0.0), (0.0, 1.0)),
             ]
         uses = zip((low, end, low + 1, start), (True, True, False, False), traces, strict=True)
@@ -361,6 +362,19 @@ class _Sheets:
             self.posts[corner] = len(self.edges)
             self.edges.append(Edge(line, 0.0, height, low, low + 1))
         return self.posts[corner]
+
+
+def _along(wall: Surface, height: float) -> StraightTrace | Segment:
+    """The trace of a wall's edge at a height.
+
+    On a spline it has the spline's knots: kernels measure a face from knot to knot of its traces, and miss what
+    bends between.
+    """
+    if not isinstance(wall, SpaceSurface):
+        return StraightTrace((0.0, height), (1.0, 0.0))
+    edges = np.unique(wall.knots[0])
+    knots = np.concatenate([edges[:1], edges[:1], edges, edges[-1:], edges[-1:]])
+    return graph(knots, np.full(edges.size + 1, height), degree=2)
 
 
 def _across(segment: Segment) -> tuple[float, float]:

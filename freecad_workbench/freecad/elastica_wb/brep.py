@@ -20,6 +20,7 @@ from elastica_cad.fabrication.boundary import (
     SpaceSurface,
     StraightTrace,
     Surface,
+    trace_turn,
 )
 from elastica_cad.fabrication.regions import on_segment
 from elastica_cad.geometry import Arc, Line, PlaneCurve, Segment, Spline
@@ -54,12 +55,11 @@ def brep_bytes(boundary: Boundary) -> bytes:
     surfaces = [_added(tables.surfaces, _surface(face.surface)) for face in boundary.faces]
     for face, surface in zip(boundary.faces, surfaces, strict=True):
         for use in (use for loop in face.loops for use in loop if use.trace is not None):
-            edge = boundary.edges[use.edge]
-            number = _added(tables.traces, _trace(use.trace))
+            edge, turn = boundary.edges[use.edge], trace_turn(face.surface)
+            number = _added(tables.traces, _trace(use.trace, turn))
             limits = edge.first, edge.last
-            traces[use.edge].append(
-                pack("<B3i6d", 2, number, surface, 0, *limits, *_trace_ends(use.trace, *limits))
-            )
+            ends = _trace_ends(use.trace, *limits) @ turn.T
+            traces[use.edge].append(pack("<B3i6d", 2, number, surface, 0, *limits, *ends.ravel().tolist()))
     edges = [
         tables.edge(edge, (vertices[edge.start], vertices[edge.end]), rows)
         for edge, rows in zip(boundary.edges, traces, strict=True)
@@ -177,26 +177,26 @@ def _surface(surface: Surface) -> bytes:
         return bytes([_CYLINDER]) + _axes(surface.frame) + _reals([surface.radius])
     if not isinstance(surface, SpaceSurface):
         return bytes([_EXTRUSION]) + _reals(surface.profile.frame.z_axis) + _curve(surface.profile)
+    surface = surface.turned()
     (u_count, u), (v_count, v) = map(_knots, surface.knots)
     counts = *surface.degree, *surface.control_points.shape[:2], u_count, v_count
     return pack("<B4?2H4i", _SPLINE_SURFACE, *[False] * 4, *counts) + _reals(surface.control_points) + u + v
 
 
-def _trace(trace: StraightTrace | Segment) -> bytes:
+def _trace(trace: StraightTrace | Segment, turn: FloatArray) -> bytes:
     if isinstance(trace, StraightTrace):
-        return bytes([_LINE]) + _reals(trace.origin, trace.direction)
+        return bytes([_LINE]) + _reals(turn @ trace.origin, turn @ trace.direction)
     if isinstance(trace, Line):
-        return bytes([_LINE]) + _reals(trace.start, _along(trace))
+        return bytes([_LINE]) + _reals(turn @ trace.start, turn @ _along(trace))
     if isinstance(trace, Arc):
-        return bytes([_CIRCLE]) + _reals(trace.center, (1.0, 0.0), (0.0, 1.0), [trace.radius])
-    return _placed(trace.curve, trace.curve.control_points)
+        return bytes([_CIRCLE]) + _reals(turn @ trace.center, *turn.T, [trace.radius])
+    return _placed(trace.curve, trace.curve.control_points @ turn.T)
 
 
-def _trace_ends(trace: StraightTrace | Segment, first: float, last: float) -> Iterable[float]:
-    """(u, v) where an edge begins and where it ends."""
+def _trace_ends(trace: StraightTrace | Segment, first: float, last: float) -> FloatArray:
+    """Where an edge begins and where it ends, (2, 2)."""
     if isinstance(trace, StraightTrace):
-        (u, v), (along, up) = trace.origin, trace.direction
-        return u + first * along, v + first * up, u + last * along, v + last * up
+        return np.array(trace.origin) + np.outer((first, last), trace.direction)
     if isinstance(trace, Spline) and (first, last) == trace.curve.domain:
-        return *trace.start.tolist(), *trace.end.tolist()
-    return on_segment(trace, np.array((first, last))).ravel().tolist()
+        return np.array([trace.start, trace.end])
+    return on_segment(trace, np.array((first, last)))
