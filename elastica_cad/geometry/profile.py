@@ -142,11 +142,16 @@ class Profile:
     def _extreme_points(self) -> tuple[tuple[float, float], tuple[float, float]]:
         spans = bezier_spans(self.knots, self.degree)
         pieces = spans.bezier(self.coefficients)
-        turning = interior_roots(np.diff(pieces)) if self.degree > 1 else []
-        index = np.array([root.piece for root in turning], dtype=int)
+        at_knots = pieces[:, [0, -1]]
+        # a piece whose coefficients do not pass the extremes of the knots has none beyond them
+        passing = np.flatnonzero(
+            (pieces.min(axis=1) < at_knots.min()) | (pieces.max(axis=1) > at_knots.max())
+        )
+        turning = interior_roots(np.diff(pieces[passing])) if self.degree > 1 and passing.size else []
+        index = passing[[root.piece for root in turning]]
         u = np.array([root.u for root in turning])
         inside, _ = value_and_slope(pieces[index], u)
-        start, width = spans.edges[:-1], np.diff(spans.edges)
+        start, width = spans.edges[:-1], spans.widths
         places = np.concatenate([start, start + width, start[index] + u * width[index]])
         values = np.concatenate([pieces[:, 0], pieces[:, -1], inside])
         low, high = int(values.argmin()), int(values.argmax())

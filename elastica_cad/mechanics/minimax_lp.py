@@ -272,7 +272,9 @@ class _ScipyProgram:
 
         cost = np.zeros(self.matrix.shape[1])
         cost[-1] = 1.0
-        options = {"primal_feasibility_tolerance": 1e-10, "dual_feasibility_tolerance": 1e-10}
+        options = {
+            "presolve": False, "primal_feasibility_tolerance": 1e-10, "dual_feasibility_tolerance": 1e-10
+        }  # fmt: skip
         result = linprog(cost, self.matrix, self.limit, bounds=(None, None), method="highs", options=options)
         if result.status == 0:
             return np.asarray(result.x, dtype=float)
