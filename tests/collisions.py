@@ -65,7 +65,8 @@ def band(placed, *, as_made=True, slots=False):
         out = way * np.array([np.cos(bent.angle[end]), np.sin(bent.angle[end])])
         wide = half[end] if tab.width is None else tab.width / 2
         beyond = np.array([1e-6, tab.length])[::way]
-        rows = (points[end] + beyond[:, None] * out, s[end] + way * beyond, np.full(2, wide))
+        narrowed = np.array([wide, wide - tab.taper])[::way]
+        rows = (points[end] + beyond[:, None] * out, s[end] + way * beyond, narrowed)
         points, s, half = (
             np.concatenate([new, old] if way < 0 else [old, new])
             for new, old in zip(rows, (points, s, half), strict=True)

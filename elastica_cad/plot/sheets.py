@@ -11,7 +11,7 @@ from elastica_cad.geometry import Path, PlaneCurve
 from elastica_cad.mechanics import Rod
 from elastica_cad.plot.canvas import INK, WIDTH, Figure, new_figure
 
-__all__ = ["drawing", "rod", "strip", "strip_sheet"]
+__all__ = ["drawing", "paint_flat", "rod", "strip", "strip_sheet"]
 
 Axes: TypeAlias = Any
 
@@ -140,22 +140,7 @@ def _draw_stiffness(axes: Axes, rod: Rod) -> None:
 
 
 def _draw_flat(axes: Axes, strip: Strip) -> None:
-    from matplotlib.patches import PathPatch
-    from matplotlib.path import Path as Outline
-
-    for layer in strip.layers:
-        # what runs against the outline is left out of the filling
-        holes = [hole if hole.area < 0 else hole.reversed() for hole in layer.holes]
-        loops = [Outline(_points(loop), closed=True) for loop in (layer.outline, *holes)]
-        axes.add_patch(
-            PathPatch(
-                Outline.make_compound_path(*loops),
-                facecolor=sheet_color(layer.sheet),
-                edgecolor=INK,
-                linewidth=1.0,
-                alpha=None if layer is strip.layers[0] else 0.6,
-            )
-        )
+    paint_flat(axes, strip)
     (left, bottom), (right, top) = strip.outline.bounds
     length = right - left
     unit = 0.012 * length
@@ -178,6 +163,26 @@ def _draw_flat(axes: Axes, strip: Strip) -> None:
     axes.set_title(
         f"Flat: {low:.2f} to {high:.2f} mm wide, widths in mm below", fontsize=10, loc="left", color=INK
     )
+
+
+def paint_flat(axes: Axes, strip: Strip, shift: tuple[float, float] = (0.0, 0.0)) -> None:
+    """The cut pattern in the colours of its sheets, a backing seen through, moved by `shift` mm."""
+    from matplotlib.patches import PathPatch
+    from matplotlib.path import Path as Outline
+
+    for layer in strip.layers:
+        # what runs against the outline is left out of the filling
+        holes = [hole if hole.area < 0 else hole.reversed() for hole in layer.holes]
+        loops = [Outline(_points(loop) + shift, closed=True) for loop in (layer.outline, *holes)]
+        axes.add_patch(
+            PathPatch(
+                Outline.make_compound_path(*loops),
+                facecolor=sheet_color(layer.sheet),
+                edgecolor=INK,
+                linewidth=1.0,
+                alpha=None if layer is strip.layers[0] else 0.6,
+            )
+        )
 
 
 def _dimension(axes: Axes, start: tuple[float, float], end: tuple[float, float], text: str) -> None:

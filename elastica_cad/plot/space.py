@@ -8,26 +8,35 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication import Model, Placed, sheet_color
+from elastica_cad.fabrication import Model, Part, Placed, sheet_color
 from elastica_cad.mechanics import Rod
 from elastica_cad.plot.canvas import INK, WIDTH, Figure, new_figure
+from elastica_cad.plot.sheets import Axes, paint_flat
 from elastica_cad.plot.slabs import trapezoids
 
 __all__ = ["bodies", "model"]
 
 FINE = 5e-4  # lengths: how closely polygons follow loops
 RIM = 0.035  # widths: of the dark line along every edge
+NAMED = 0.045  # lengths of the longest flat part: room for its name
 LIGHT = np.array([0.35, -0.45, 0.82])
 
 
-def model(model: Model, *, elevation: float = 25.0, azimuth: float = -60.0) -> Figure:
+def model(model: Model, *, elevation: float = 25.0, azimuth: float = -60.0, flat: int = 0) -> Figure:
     """The bent strips of a model in the colours of their sheets, seen from two angles in degrees.
 
-    Tabs, slots and holes are drawn; of a laminate its base.
+    Tabs, slots and holes are drawn; of a laminate its base. So many different parts are shown as they are cut,
+    in one scale of their own, below: the first, the last, and others between them.
     """
     patches, colors = (np.concatenate(part) for part in zip(*map(_ruled, model.placed), strict=True))
     count = f"{len(model.placed)} strips" if len(model.placed) > 1 else "1 strip"
-    return _seen(patches, colors, f"{fill(model.name, 90)}\n{count}", elevation, azimuth)
+    title = f"{fill(model.name, 90)}\n{count}"
+    if flat < 1:
+        return _seen(patches, colors, title, elevation, azimuth)
+    chosen = np.unique(np.linspace(0, len(model.parts) - 1, flat).round().astype(int))
+    parts = [model.parts[i] for i in chosen]
+    longest = max(float(np.ptp(part.strip.outline.bounds, axis=0)[0]) for part in parts)
+    return _seen(patches, colors, title, elevation, azimuth, (parts, longest))
 
 
 def bodies(
@@ -69,8 +78,15 @@ def bodies(
     return _seen(corners, _lit(corners) * tints, title, elevation, azimuth)
 
 
-def _seen(patches: FloatArray, colors: FloatArray, title: str, elevation: float, azimuth: float) -> Figure:
-    """Patches (n, k, 3) painted from the farthest to the nearest."""
+def _seen(
+    patches: FloatArray,
+    colors: FloatArray,
+    title: str,
+    elevation: float,
+    azimuth: float,
+    flat: tuple[Sequence[Part], float] | None = None,
+) -> Figure:
+    """Patches (n, k, 3) painted from the farthest to the nearest, and flat parts with the longest one's length."""
     from matplotlib.collections import PolyCollection
 
     toward = _toward(elevation, azimuth)
@@ -78,8 +94,14 @@ def _seen(patches: FloatArray, colors: FloatArray, title: str, elevation: float,
     plane = patches @ np.column_stack([right, np.cross(toward, right)])
     order = np.argsort(patches.mean(axis=1) @ toward)
     size = np.maximum(np.ptp(plane.reshape(-1, 2), axis=0), 1e-9)
-    figure = new_figure(float(np.clip(WIDTH * size[1] / size[0], 2.0, 9.0)) + 0.6)
-    axes = figure.subplots()
+    tall = float(np.clip(WIDTH * size[1] / size[0], 2.0, 9.0 if flat is None else 6.0))
+    below = 0.0 if flat is None else WIDTH * _flat_height(*flat) / (1.04 * flat[1])
+    figure = new_figure(tall + below + 0.6)
+    if flat is None:
+        axes = figure.subplots()
+    else:
+        axes, lower = figure.subplots(2, 1, height_ratios=[tall, below])
+        _draw_flats(lower, *flat)
     tints = colors[order]
     axes.add_collection(
         PolyCollection(list(plane[order]), facecolors=tints, edgecolors=tints, linewidths=0.6)
@@ -90,6 +112,30 @@ def _seen(patches: FloatArray, colors: FloatArray, title: str, elevation: float,
     extent = " by ".join(f"{d:.0f}" for d in np.ptp(patches.reshape(-1, 3), axis=0))
     figure.suptitle(f"{title}, {extent} mm" if title else f"{extent} mm", fontsize=11, color=INK)
     return figure
+
+
+def _flat_height(parts: Sequence[Part], longest: float) -> float:
+    """Of the flat parts one above the other with their names between them, mm."""
+    return sum(float(np.ptp(part.strip.outline.bounds, axis=0)[1]) + NAMED * longest for part in parts)
+
+
+def _draw_flats(axes: Axes, parts: Sequence[Part], longest: float) -> None:
+    """Parts as they are cut, one above the other, each named."""
+    y = 0.0
+    for part in parts:
+        strip = part.strip
+        (left, bottom), (right, top) = strip.outline.bounds
+        y -= NAMED * longest
+        sheets = " on ".join(layer.sheet.name for layer in reversed(strip.layers))
+        times = "" if part.count == 1 else f", {part.count} times"
+        text = f"{part.name}{times}: {right - left:.0f} by {top - bottom:.0f} mm, {sheets}"
+        axes.text(0.0, y + 0.2 * NAMED * longest, text, fontsize=9, color=INK, va="bottom")
+        paint_flat(axes, strip, (-left, y - top))
+        y -= top - bottom
+    axes.set_xlim(-0.02 * longest, 1.02 * longest)
+    axes.set_ylim(y - 0.005 * longest, 0.0)
+    axes.set_aspect("equal")
+    axes.set_axis_off()
 
 
 def _toward(elevation: float, azimuth: float) -> FloatArray:

@@ -9,7 +9,7 @@ import elastica_cad as ec
 STRIPS = 10  # across one sixth of the roof
 SPAN, RISE = 240.0, 95.0  # mm
 GAP = 0.5  # mm taken off each half width
-TABS = (ec.Tab(10), ec.Tab(10, width=8))  # towards the axis there is less room between neighbours
+TABS = (ec.Tab(10), ec.Tab(10, taper=1.0))  # towards the axis there is less room between neighbours
 CARD = ec.Sheet.named("card-200gsm")
 
 
