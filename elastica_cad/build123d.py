@@ -297,7 +297,7 @@ def model_compound(model: Model, *, others: Iterable[Holder] = ()) -> bd.Compoun
         child.label = part.name
         child.location = bd.Location(occt.make_location(part.frame))
         children.append(child)
-    for body in holder_bodies(others):
+    for body in holder_bodies((*model.plates, *others)):
         holder = bd.Part(occt.make_solid(body.solid))
         _join(holder, body.solid)
         holder.label, holder.color = body.name, bd.Color(*body.color)

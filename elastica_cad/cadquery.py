@@ -235,7 +235,7 @@ def model_assembly(model: Model, *, others: Iterable[Holder] = ()) -> cq.Assembl
             there = face.moved(place)
             assembly.constrain(f"{name}?{end}", "FixedPoint", there.Center().toTuple())
             assembly.constrain(f"{name}?{end}", "FixedAxis", there.normalAt().toTuple())
-    for body in holder_bodies(others):
+    for body in holder_bodies((*model.plates, *others)):
         name = _called(body.name, assembly)
         assembly.add(cq.Solid(occt.make_solid(body.solid)), name=name, color=cq.Color(*body.color))
         assembly.constrain(name, "Fixed")

@@ -50,7 +50,8 @@ def model_parts(model: Model, others: Iterable[Holder] = ()) -> list[Part]:
             if id(solid) not in shapes:
                 shapes[id(solid)] = make_solid(solid)
             parts.append(Part(name, shapes[id(solid)], sheet_color(layer.sheet), part.frame))
-    parts += [Part(body.name, make_solid(body.solid), body.color) for body in holder_bodies(others)]
+    holders = holder_bodies((*model.plates, *others))
+    parts += [Part(body.name, make_solid(body.solid), body.color) for body in holders]
     return parts
 
 

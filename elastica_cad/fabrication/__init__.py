@@ -20,6 +20,7 @@ from elastica_cad.fabrication.perforation import Perforated
 from elastica_cad.fabrication.pieces import Piece
 from elastica_cad.fabrication.prisms import PrismSolid
 from elastica_cad.fabrication.revolution import revolution, revolved
+from elastica_cad.fabrication.rings import Ring, ring_plate
 from elastica_cad.fabrication.slot_effects import SlotEffect
 from elastica_cad.fabrication.slots import Slot
 from elastica_cad.fabrication.solids import BentSolid, FlatSolid
@@ -57,6 +58,7 @@ __all__ = [
     "PrismSolid",
     "Reactions",
     "Rib",
+    "Ring",
     "Slot",
     "SlotEffect",
     "SlottedFrame",
@@ -73,6 +75,7 @@ __all__ = [
     "reference_bar",
     "revolution",
     "revolved",
+    "ring_plate",
     "sheet_color",
     "slot_width",
     "slotted_frame",

@@ -13,12 +13,13 @@ from elastica_cad.fabrication.fixtures import EndFixture
 from elastica_cad.fabrication.frames import Rib, SlottedFrame
 from elastica_cad.fabrication.model import Model
 from elastica_cad.fabrication.prisms import PrismSolid
+from elastica_cad.fabrication.rings import Ring
 from elastica_cad.fabrication.solids import BentSolid, FlatSolid
 from elastica_cad.fabrication.strip import Strip
 
 __all__ = ["BentPart", "Holder", "HolderBody", "bent_parts", "holder_bodies", "layer_names"]
 
-Holder: TypeAlias = BasePlate | SlottedFrame | Rib | EndFixture
+Holder: TypeAlias = BasePlate | SlottedFrame | Rib | Ring | EndFixture
 """What holds the strips of a model: see `Model.base_plate`, `slotted_frame` and `Model.fixtures`."""
 
 
@@ -108,7 +109,7 @@ def holder_bodies(holders: Iterable[Holder]) -> tuple[HolderBody, ...]:
         if isinstance(holder, SlottedFrame):
             plates: tuple[BasePlate | Rib, ...] = (*holder.rails, *holder.ribs)
             found += [_plate(plate) for plate in plates]
-        elif isinstance(holder, BasePlate | Rib):
+        elif isinstance(holder, BasePlate | Rib | Ring):
             found.append(_plate(holder))
         elif isinstance(holder, EndFixture):
             found.append(HolderBody(f"fixture {holder.number}", holder.solid, FIXTURE_COLOR))
@@ -126,5 +127,5 @@ def holder_bodies(holders: Iterable[Holder]) -> tuple[HolderBody, ...]:
     return tuple(bodies)
 
 
-def _plate(plate: BasePlate | Rib) -> HolderBody:
+def _plate(plate: BasePlate | Rib | Ring) -> HolderBody:
     return HolderBody(plate.name, plate.solid, sheet_color(plate.sheet))

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from elastica_cad.fabrication.frames import SlottedFrame
     from elastica_cad.fabrication.nesting import NestedSheet
     from elastica_cad.fabrication.pieces import Piece
+    from elastica_cad.fabrication.rings import Ring
     from elastica_cad.mechanics import Sheet
 
 __all__ = ["Model", "Part", "Placed"]
@@ -128,6 +129,8 @@ class Model:
         What was found on the way, one sentence each.
     joints : tuple of Joint
         Where strips were slotted into each other by `interlock`.
+    plates : tuple of Ring
+        Flat parts that belong to it, in their places: rings and caps of a surface of revolution.
 
     Raises
     ------
@@ -139,6 +142,7 @@ class Model:
     name: str = "model"
     reports: tuple[str, ...] = ()
     joints: tuple[Joint, ...] = ()
+    plates: "tuple[Ring, ...]" = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "placed", tuple(self.placed))
@@ -233,10 +237,10 @@ class Model:
 
     @property
     def pieces(self) -> "tuple[Piece, ...]":
-        """What must be cut, drawn: as `parts`, each layer of a laminate a piece of its own."""
+        """What must be cut, drawn: as `parts`, each layer of a laminate a piece of its own, then the plates."""
         from elastica_cad.fabrication.pieces import strip_pieces
 
-        return strip_pieces(self)
+        return (*strip_pieces(self), *(plate.piece for plate in self.plates))
 
     def fixtures(self, *, floor: Frame | None = None, **sizes: float) -> "tuple[EndFixture, ...]":
         """Printed blocks that hold both ends of every strip: see `end_fixtures`."""
@@ -288,6 +292,7 @@ class Model:
             raise InputError("a mirror needs a point and a normal of three numbers, the normal not zero")
         n = n / size
         turn = np.eye(3) - 2 * np.outer(n, n)
+        self._refuse_plates()
         images = tuple(placed.moved(turn, 2 * (p @ n) * n) for placed in self.placed)
         return replace(self, placed=(*(self.placed if keep else ()), *images))
 
@@ -310,6 +315,7 @@ class Model:
         angle = 2 * np.pi / count if step is None else float(step)
         k = k / size
         cross = np.array([[0, -k[2], k[1]], [k[2], 0, -k[0]], [-k[1], k[0], 0]])
+        self._refuse_plates()
         copies: list[Placed] = []
         for i in range(count):
             turn = np.eye(3) + np.sin(i * angle) * cross + (1 - np.cos(i * angle)) * cross @ cross
@@ -321,8 +327,16 @@ class Model:
         if count < 1:
             raise InputError(f"a pattern repeats 1 time or more, not {count}")
         d = np.asarray(step, dtype=float)
+        self._refuse_plates()
         copies = [placed.moved(np.eye(3), i * d) for i in range(count) for placed in self.placed]
         return replace(self, placed=tuple(copies))
+
+    def _refuse_plates(self) -> None:
+        if self.plates:
+            raise InputError(
+                f"the model {self.name!r} has {self.plates[0].name}, made for its strips where they are: repeat "
+                "the strips without rings"
+            )
 
 
 def _refuse_faults(strip: Strip, name: str) -> None:

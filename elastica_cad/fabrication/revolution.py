@@ -4,8 +4,11 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.base import BRIDGE
 from elastica_cad.fabrication.ends import Tab
+from elastica_cad.fabrication.held import ENDS, HeldTab
 from elastica_cad.fabrication.model import Model, Placed
+from elastica_cad.fabrication.rings import PLAY, Ring, ring_plate, slot_reach
 from elastica_cad.fabrication.strip import Strip
 from elastica_cad.forming import Meridian, meridian
 from elastica_cad.mechanics import Sheet
@@ -33,6 +36,7 @@ def revolution(
     sheet: Sheet,
     ring: float | None = None,
     ends: tuple[Tab, Tab] | None = None,
+    rings: Sheet | None = None,
     name: str = "revolution",
 ) -> Model:
     """The surface of revolution about z whose meridian has x kappa = a + <b, gamma>, tiled by plain strips.
@@ -46,6 +50,8 @@ def revolution(
     sheet : Sheet
     ends : pair of Tab, optional
         Of each strip; 8 mm long and so wide that neighbours' tabs keep apart, unless given.
+    rings : Sheet, optional
+        Of a ring at each end, or a cap near the pole, which join the model as its `plates`; see `ring_plate`.
     name : str
 
     Raises
@@ -61,7 +67,12 @@ def revolution(
     (15, 1)
     """
     return revolved(
-        meridian(a, b, start, angle, length, ring=ring), strips, sheet=sheet, ends=ends, name=name
+        meridian(a, b, start, angle, length, ring=ring),
+        strips,
+        sheet=sheet,
+        ends=ends,
+        rings=rings,
+        name=name,
     )
 
 
@@ -71,23 +82,50 @@ def revolved(
     *,
     sheet: Sheet,
     ends: tuple[Tab, Tab] | None = None,
+    rings: Sheet | None = None,
     name: str = "revolution",
 ) -> Model:
     """A meridian's surface about z, tiled by so many equal plain strips; see `revolution`."""
     if strips < 3:
         raise InputError(f"strips={strips}: a surface of revolution is tiled by 3 strips or more")
     width = 2 * float(np.tan(np.pi / strips)) * float(meridian.distance.extremes[1])
-    strip = Strip(meridian.rod, sheet, max_width=width, ends=ends or _tabs(meridian, strips))
+    strip = Strip(meridian.rod, sheet, max_width=width, ends=ends or _tabs(meridian, strips, sheet, rings))
     turn = 2 * np.pi * np.arange(strips) / strips
-    return Model(
-        tuple(Placed(strip, (0, 0, 0), (np.cos(t), np.sin(t), 0), (0, 0, 1)) for t in turn), name=name
+    placed = tuple(Placed(strip, (0, 0, 0), (np.cos(t), np.sin(t), 0), (0, 0, 1)) for t in turn)
+    plates = () if rings is None else _rings(placed, rings)
+    return Model(placed, name=name, plates=plates)
+
+
+def _rings(placed: tuple[Placed, ...], sheet: Sheet) -> tuple[Ring, Ring]:
+    """At the start and at the end of all strips."""
+    heights = placed[0].strip.rod.position[:, 1]
+    middle = float(heights.min() + heights.max()) / 2
+    first, last = (
+        ring_plate(
+            [HeldTab.of(one.strip, end, one.frame, name=f"strip {i}") for i, one in enumerate(placed, 1)],
+            sheet,
+            middle=middle,
+            name=f"ring-{end}",
+        )
+        for end in ENDS
     )
+    return first, last
 
 
-def _tabs(meridian: Meridian, strips: int) -> tuple[Tab, Tab]:
+def _tabs(meridian: Meridian, strips: int, sheet: Sheet, rings: Sheet | None) -> tuple[Tab, Tab]:
     """Tabs that go straight on, narrower than the room between the planes to both neighbours."""
     ends = meridian.curve.sample(2)
-    far = ends.position[:, 0] + TAB * np.array([-1.0, 1.0]) * np.cos(ends.angle)
-    room = 2 * np.tan(np.pi / strips) * np.minimum(ends.position[:, 0], far) - APART
+    outward = ends.angle + np.array([np.pi, 0.0])
+    near = np.minimum(ends.position[:, 0], ends.position[:, 0] + TAB * np.cos(outward))
+    gap = APART
+    if rings is not None:
+        # what separates two slots is seen along the sides of either, turned by half the angle between them
+        gap = 2 * PLAY + 1.02 * BRIDGE / float(np.cos(np.pi / strips)) ** 2
+        inner = [
+            slot_reach(float(r), float(angle), rings.thickness, sheet.thickness)
+            for r, angle in zip(ends.position[:, 0], outward, strict=True)
+        ]
+        near = np.minimum(near, inner)
+    room = 2 * np.tan(np.pi / strips) * near - gap
     first, last = (Tab(TAB, width=float(wide)) if wide > NARROW else Tab(TAB) for wide in room)
     return first, last

@@ -1,4 +1,4 @@
-"""The Vase (paper, section 9.4): twenty equal strips of card that close a surface of revolution without gaps."""
+"""The Vase (paper, section 9.4): equal strips of card close a surface of revolution without gaps, between rings."""
 
 import sys
 
@@ -11,9 +11,8 @@ START, ANGLE, LENGTH = (70.0, 0.0), 0.277409, 185.5945  # mm from the axis and u
 
 
 def build():
-    return ec.revolution(
-        A, B, START, ANGLE, STRIPS, length=LENGTH, sheet=ec.Sheet.named("card-200gsm"), name="vase"
-    )
+    card, board = ec.Sheet.named("card-200gsm"), ec.Sheet.named("mdf-3")
+    return ec.revolution(A, B, START, ANGLE, STRIPS, length=LENGTH, sheet=card, rings=board, name="vase")
 
 
 if __name__ == "__main__":
