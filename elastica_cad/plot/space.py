@@ -8,7 +8,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication import Model, Part, Placed, sheet_color
+from elastica_cad.fabrication import Model, Part, Placed, Ring, sheet_color
 from elastica_cad.mechanics import Rod
 from elastica_cad.plot.canvas import INK, WIDTH, Figure, new_figure
 from elastica_cad.plot.sheets import Axes, paint_flat
@@ -28,7 +28,8 @@ def model(model: Model, *, elevation: float = 25.0, azimuth: float = -60.0, flat
     Tabs, slots and holes are drawn; of a laminate its base. So many different parts are shown as they are cut,
     in one scale of their own, below: the first, the last, and others between them.
     """
-    patches, colors = (np.concatenate(part) for part in zip(*map(_ruled, model.placed), strict=True))
+    drawn = [*map(_ruled, model.placed), *map(_ring, model.plates)]
+    patches, colors = (np.concatenate(part) for part in zip(*drawn, strict=True))
     count = f"{len(model.placed)} strips" if len(model.placed) > 1 else "1 strip"
     title = f"{fill(model.name, 90)}\n{count}"
     if flat < 1:
@@ -180,6 +181,21 @@ def _ruled(placed: Placed) -> tuple[FloatArray, FloatArray]:
     bands = [np.stack([a[:, 0], a[:, 1], b[:, 1], b[:, 0]], axis=1) for a, b in pairwise(lines)]
     lit = _lit(bands[1]) * np.array(sheet_color(strip.sheet))
     return np.concatenate(bands), np.concatenate([0.45 * lit, lit, 0.45 * lit])
+
+
+def _ring(ring: Ring) -> tuple[FloatArray, FloatArray]:
+    """A ring without its slots: patches (n, 4, 3) of faces and rims, and colours (n, 3)."""
+    turn = np.linspace(0.0, 2 * np.pi, 241)
+    around = np.column_stack([np.cos(turn), np.sin(turn)])
+    under, radii = -ring.sheet.thickness, np.linspace(*ring.radii, 17)
+    corners = [*((radius, 0.0) for radius in radii[::-1]), *((radius, under) for radius in radii)]
+    corners.append(corners[0])
+    lines = [
+        ring.frame.point(np.column_stack([radius * around, np.full(turn.size, z)])) for radius, z in corners
+    ]
+    bands = [np.stack([a[:-1], a[1:], b[1:], b[:-1]], axis=1) for a, b in pairwise(lines)]
+    patches = np.concatenate(bands)
+    return patches, _lit(patches) * np.array(sheet_color(ring.sheet))
 
 
 def _bent(rod: Rod, x: FloatArray) -> FloatArray:
