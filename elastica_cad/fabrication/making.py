@@ -77,7 +77,7 @@ def make_strip(
     NotRealizable
         No strip takes the curve and neither limits nor keep allow it to change.
     NotConvergedError
-        No rod near the curve meets the limits.
+        No rod near the curve meets the limits; the message says what would help.
     InputError
         As `optimal_rod`, `nearest_rod` and `Strip`.
 
@@ -134,8 +134,7 @@ def _laminate(curve: PlaneCurve, sheet: Sheet, style: Laminated, gravity: Gravit
 def _accepted(near: NearestRod) -> Rod:
     """The rod, with a warning where the search says one."""
     if not near.met:
-        names = ", ".join(binding.name for binding in near.binding[:3]) or "the limits"
-        raise NotConvergedError(f"{near.status.value} What binds most: {names}.")
+        raise NotConvergedError(str(near))
     if near.status is Status.MET:
         return near.rod
     return replace(near.rod, warnings=(*near.rod.warnings, near.status.value))
