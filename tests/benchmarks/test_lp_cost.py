@@ -1,8 +1,8 @@
 """Cost of the stiffness programs as ratios, in one run, against one plain HiGHS solve of all their rows."""
 
+import runpy
 from time import perf_counter
 
-import highspy
 import numpy as np
 import pytest
 
@@ -11,7 +11,11 @@ from elastica_cad.mechanics import Gravity, sampled_stiffness
 from elastica_cad.mechanics.gravity_lp import sampled_rows
 from elastica_cad.mechanics.minimax_lp import minimax_ratio
 
-CARD = Gravity(96.0)
+
+@pytest.fixture(scope="module")
+def plain(project_root):
+    """The names of examples/plain_highs.py: the programs of the paper, all rows written out."""
+    return runpy.run_path(str(project_root / "examples" / "plain_highs.py"))
 
 
 def seconds(function, repeats=15):
@@ -23,63 +27,6 @@ def seconds(function, repeats=15):
     return best
 
 
-def solved(program):
-    highs = highspy.Highs()
-    highs.setOptionValue("output_flag", False)
-    highs.passModel(program)
-    highs.run()
-    assert highs.getModelStatus() == highspy.HighsModelStatus.kOptimal
-    return highs.getInfo().objective_function_value
-
-
-def program(cost, column_bounds, matrix, row_bounds):
-    """A HiGHS model from a sparse or dense row-wise matrix."""
-    from scipy.sparse import csr_matrix
-
-    matrix = csr_matrix(matrix)
-    lp = highspy.HighsLp()
-    lp.num_row_, lp.num_col_ = matrix.shape
-    lp.col_cost_, (lp.col_lower_, lp.col_upper_) = cost, column_bounds
-    lp.row_lower_, lp.row_upper_ = row_bounds
-    lp.a_matrix_.format_ = highspy.MatrixFormat.kRowwise
-    lp.a_matrix_.start_ = matrix.indptr
-    lp.a_matrix_.index_ = matrix.indices
-    lp.a_matrix_.value_ = matrix.data
-    return lp
-
-
-def all_rows(rows):
-    """Eq. 4 with every sample's two rows."""
-    n, m = rows.shape
-    matrix = np.block([[rows, np.zeros((n, 1))], [rows, -np.ones((n, 1))]])
-    free = np.full(m + 1, np.inf)
-    low, high = np.repeat([1.0, -np.inf], n), np.repeat([np.inf, 0.0], n)
-    return program(np.eye(m + 1)[-1], (-free, free), matrix, (low, high))
-
-
-def full_gravity_program(position, curvature, weights, e):
-    """Eq. 6 with its 3n + 4 variables a, b, R, K_i, F_i, G_i."""
-    from scipy.sparse import bmat, diags, identity
-
-    n = curvature.size
-    g = position @ np.array([e[1], -e[0]])
-    one, after = identity(n), diags([np.ones(n - 1)], [1])
-    affine = np.column_stack([np.ones(n), position, np.zeros(n)])
-    ratio = np.zeros((n, 4))
-    ratio[:, 3] = -1.0
-    matrix = bmat([
-        [affine, diags(-curvature), diags(g), -one],
-        [None, diags(weights), after - one, None],
-        [None, diags(weights * g), None, after - one],
-        [ratio, one, None, None],
-    ], format="csr")  # fmt: skip
-    low = np.concatenate([np.full(4, -np.inf), np.ones(n), np.full(2 * n, -np.inf)])
-    high = np.full(4 + 3 * n, np.inf)
-    rows = np.zeros(3 * n), np.zeros(3 * n)
-    bounds = np.concatenate([rows[0], np.full(n, -np.inf)]), np.concatenate([rows[1], np.zeros(n)])
-    return program(np.eye(4 + 3 * n)[3], (low, high), matrix, bounds)
-
-
 def half_ellipse(n):
     curve = PlaneCurve.ellipse((0, 0), (2.0, 1.0), start=0, end=np.pi)
     samples = curve.sample(n)
@@ -87,33 +34,36 @@ def half_ellipse(n):
 
 
 @pytest.mark.parametrize(("n", "limit"), [(200, 0.5), (2000, 0.08)])
-def test_row_generation_against_all_rows(benchmark, n, limit):
-    rows = sampled_rows(*half_ellipse(n))
-    lp = all_rows(rows)
-    assert minimax_ratio(rows).ratio == pytest.approx(solved(lp), rel=1e-8)
+def test_row_generation_against_all_rows(benchmark, plain, n, limit):
+    position, curvature = half_ellipse(n)
+    rows = sampled_rows(position, curvature)
+
+    def at_once():
+        return plain["optimum"](plain["light_program"](position, curvature))
+
+    assert minimax_ratio(rows).ratio == pytest.approx(at_once(), rel=1e-8)
     benchmark(minimax_ratio, rows)
-    ratio = seconds(lambda: minimax_ratio(rows)) / seconds(lambda: solved(all_rows(rows)))
+    ratio = seconds(lambda: minimax_ratio(rows)) / seconds(at_once)
     benchmark.extra_info["ratio"] = ratio
     assert ratio <= limit
 
 
-def test_gravity_against_the_full_program(benchmark):
+def test_gravity_against_the_full_program(benchmark, plain):
     n = 500
     curve = PlaneCurve.spline([(-90, 0), (-70, 80), (0, 130), (70, 80), (90, 0)])
     samples = curve.sample(n)
     # lengths of order one, or the full program is badly scaled
-    position, curvature, e = samples.position / 100, samples.curvature * 100, CARD.e * 1e6
+    position, curvature, gravity = samples.position / 100, samples.curvature * 100, Gravity(0.96)
     weights = np.full(n, curve.length / 100 / (n - 1))
     weights[[0, -1]] /= 2
-    gravity = Gravity(0.96)
 
     def ours():
         return sampled_stiffness(position, curvature, weights, gravity=gravity)
 
-    lp = full_gravity_program(position, curvature, weights, e)
-    assert ours().ratio == pytest.approx(solved(lp), rel=1e-6)
+    lp = plain["heavy_program"](position, curvature, weights, gravity.e)
+    assert ours().ratio == pytest.approx(plain["optimum"](lp), rel=1e-8)
     benchmark(ours)
-    ratio = seconds(ours) / seconds(lambda: solved(lp), 5)
+    ratio = seconds(ours) / seconds(lambda: plain["optimum"](lp), 5)
     benchmark.extra_info["ratio"] = ratio
     assert ratio <= 0.1
 
@@ -122,3 +72,25 @@ def test_cost_hardly_grows_with_the_samples(benchmark):
     small, large = (sampled_rows(*half_ellipse(n)) for n in (200, 20000))
     benchmark(minimax_ratio, large)
     assert seconds(lambda: minimax_ratio(large)) <= 5 * seconds(lambda: minimax_ratio(small))
+
+
+def test_all_strips_of_the_gallery(benchmark, plain, project_root):
+    """The nine models of the paper: the same ratios from both, in a fraction of the seconds."""
+    gallery = runpy.run_path(str(project_root / "examples" / "gallery.py"))
+    models = {
+        name: [part.strip.rod for part in gallery["built"](name)[0].parts]
+        for name, seconds_of_the_paper in gallery["PAPER"].items()
+        if seconds_of_the_paper
+    }
+    assert len(models) == 9
+    spent = np.zeros(2)
+    for name, rods in models.items():
+        ours, plainly, apart = plain["race"](rods, repeats=3)
+        assert apart <= 1e-8, name
+        benchmark.extra_info[name] = ours / plainly
+        spent += ours, plainly
+    ratio = spent[0] / spent[1]
+    benchmark.extra_info["ratio"] = ratio
+    every = [plain["samples"](rod) for rods in models.values() for rod in rods]
+    benchmark.pedantic(lambda: [plain["ours"](*given) for given in every], rounds=3)
+    assert ratio <= 0.2
