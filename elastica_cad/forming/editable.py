@@ -27,6 +27,8 @@ _PARDONED = 2.0  # tolerances, where finer spans do not help
 _STIFF = (1e-9, 1e-6, 1e-3, np.inf)  # against moving coefficients of the stiffness, tried in turn
 _GROWN = 1e-4  # of the ratio, the most that giving way may cost
 _NEWTON = 15
+# Steps leave imbalance of the order of their squares; what resists makes them die out slowly along idle unknowns.
+_SETTLED, _STILL = 2e-7, 2e-6  # rad
 _FINE = 4  # the continuous rod is extrapolated from 4 and 8 times as many edges
 
 
@@ -123,7 +125,8 @@ def _continuous(rod: Rod, tangents: tuple[bool, bool]) -> _Shape:
     It is extrapolated from the rods with 4 and 8 times as many edges, whose error is a series in 1/n^2.
     """
     for stiff in _STIFF:
-        a, b = (_Refinement(rod, factor, tangents, stiff).solved() for factor in (_FINE, 2 * _FINE))
+        a = _Refinement(rod, _FINE, tangents, stiff).solved()
+        b = None if a is None else _Refinement(rod, 2 * _FINE, tangents, stiff).solved()
         if a is None or b is None:
             continue
         shape = _extrapolated(a, b, rod)
@@ -177,9 +180,9 @@ class _Refinement:
             size_of_step = float(np.abs(turn).max())
             if not size_of_step < 10:
                 return None
-            if size_of_step < 1e-11:
-                return grid.guessed(z, angles, moments)
-        return grid.guessed(z, angles, moments) if size_of_step < 1e-8 else None
+            if size_of_step < _SETTLED:
+                break
+        return grid.guessed(z, angles, moments) if size_of_step < _STILL else None
 
     def _free(self, grid: StripGrid) -> IntArray:
         """Unknowns that may move: coefficients of K that touch neither extreme give way a little."""
