@@ -36,7 +36,7 @@ VIEWS = {
     "horse": (15.0, -70.0),
     "lamp": (35.0, -60.0),
     "spiral": (35.0, -60.0),
-    "facade": (20.0, -35.0),
+    "facade": (20.0, -60.0),
     "revolution": (25.0, -90.0),
 }
 
@@ -94,7 +94,7 @@ def draw(name, model):
     from elastica_cad import plot
 
     if name == "facade":
-        model = runpy.run_path(str(HERE / name / f"{name}.py"))["build"](1.0)
+        model = runpy.run_path(str(HERE / name / f"{name}.py"))["states"]()
     elevation, azimuth = VIEWS.get(name, (25.0, -60.0))
     file = HERE / name / f"{name}.png"
     figure = plot.model(model, elevation=elevation, azimuth=azimuth, flat=FLAT.get(name, 2))

@@ -59,6 +59,17 @@ def build(opened=0.0, fins=None):
     return ec.Model(tuple(placed), name="facade")
 
 
+def states(apart=420.0):
+    """Closed, half open and open one behind the other, to be looked at."""
+    fins = [fin(k) for k in range(FINS)]
+    shown = [
+        one.moved(np.eye(3), (apart * i, 0, 0))
+        for i, opened in enumerate((0.0, 0.5, 1.0))
+        for one in build(opened, fins).placed
+    ]
+    return ec.Model(tuple(shown), name="facade: closed, half open, open")
+
+
 def main(folder="out/facade"):
     fins = [fin(k) for k in range(FINS)]
     for name, opened in (("closed", 0.0), ("half-open", 0.5), ("open", 1.0)):

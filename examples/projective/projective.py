@@ -1,15 +1,21 @@
 """Editing with four handles (paper, section 4.3): a projective map changes a curve and keeps it realizable."""
 
+import numpy as np
+
 import elastica_cad as ec
 
-HANDLES = [(0, 0), (300, 0), (300, 150), (0, 150)]  # mm, a rectangle around the curve
-MOVED = [(0, 0), (300, 0), (265, 190), (20, 130)]
-POINTS = [(10, 0), (40, 150), (130, 160), (170, 20), (230, -10), (290, 110)]
+PITCH, HEIGHT = 90.0, 45.0  # mm, between inflections and of the waves
+HANDLES = [(-50, -60), (230, -60), (230, 60), (-50, 60)]  # mm, a rectangle around the curve
+MOVED = [(-50, -60), (230, -75), (212, 85), (-42, 52)]
+
+
+def wave(x):
+    return np.column_stack([x, HEIGHT * np.sin(np.pi * x / PITCH)])
 
 
 def build():
-    """The curve before and after."""
-    curve = ec.PlaneCurve.spline(POINTS)
+    """A curve with three inflections on one line, and what the moved handles make of it: so has its image."""
+    curve = ec.PlaneCurve.fit_function(wave, -0.5 * PITCH, 2.5 * PITCH, tolerance=1e-6)
     return curve, curve.transformed(ec.four_point_map(HANDLES, MOVED))
 
 

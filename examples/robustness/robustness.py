@@ -1,5 +1,7 @@
 """The robustness study (paper, Fig. 15): how far a strip strays when stiffness, weight or angles are off."""
 
+from functools import cache
+
 import numpy as np
 
 import elastica_cad as ec
@@ -17,30 +19,39 @@ def arch():
     return ec.PlaneCurve.ellipse((0, 20), (75, 112.5), turn, top - reach, top + reach)
 
 
+@cache
+def designed():
+    return ec.optimal_rod(arch(), gravity=CARD.gravity(), samples=301)
+
+
+def strays(bent):
+    """Largest distance from the design, mm."""
+    return float(np.hypot(*(bent.position - designed().position).T).max())
+
+
+def bent():
+    """What becomes of the strip, by cause and by how far it is off."""
+    rod, ends = designed(), designed().angle[[0, -1]]
+    length = CARD.elasto_gravity_length
+    return {
+        "stiffness range": {
+            f"times {m:g}": ec.bend(rod.with_stiffness(1 + (rod.stiffness - 1) * m)) for m in FACTORS
+        },
+        "weight": {f"times {m:g}": ec.bend(rod, gravity=ec.Gravity(length * m ** (-1 / 3))) for m in FACTORS},
+        "end angles": {f"{d:g} degrees": ec.bend(rod, angles=ends + np.radians([-d, d])) for d in ANGLES},
+    }
+
+
 def build():
     """Largest distances from the design in mm, by cause."""
-    rod = ec.optimal_rod(arch(), gravity=CARD.gravity(), samples=301)
-
-    def strays(bent):
-        return float(np.hypot(*(bent.position - rod.position).T).max())
-
-    stiffer = [ec.bend(rod.with_stiffness(1 + (rod.stiffness - 1) * m)) for m in FACTORS]
-    heavier = [ec.bend(rod, gravity=ec.Gravity(CARD.elasto_gravity_length * m ** (-1 / 3))) for m in FACTORS]
-    ends = rod.angle[[0, -1]]
-    turned = [ec.bend(rod, angles=ends + np.radians([-d, d])) for d in ANGLES]
-    return {
-        "stiffness": [strays(b) for b in stiffer],
-        "weight": [strays(b) for b in heavier],
-        "angles": [strays(b) for b in turned],
-    }
+    return {cause: [strays(shape) for shape in shapes.values()] for cause, shapes in bent().items()}
 
 
 def main():
     print("largest distance from the design, mm")
     for cause, values in build().items():
-        print(f"{cause:10s}" + "".join(f"{v:8.2f}" for v in values))
-    rod = ec.optimal_rod(arch(), gravity=CARD.gravity(), samples=301)
-    print(ec.tolerance_study(rod, sheet=CARD, max_width=45, samples=30))
+        print(f"{cause:16s}" + "".join(f"{v:8.2f}" for v in values))
+    print(ec.tolerance_study(designed(), sheet=CARD, max_width=45, samples=30))
 
 
 if __name__ == "__main__":

@@ -21,17 +21,26 @@ def build():
     return ec.optimal_rod(curve), ec.nearest_rod(curve, ec.Limits(ratio=3.5, margin=MARGIN))
 
 
+def snapped(rod):
+    """Where the unstable one goes when it is let go: bent again from far along the way it gives."""
+    mode = ec.stability(rod).mode
+    return ec.bend(rod, guess=rod.angle + 2.0 * mode / np.abs(mode).max())
+
+
+def strip(rod, label):
+    return ec.Strip(rod, ec.Sheet.named("card-200gsm"), max_width=25, label=label)
+
+
 def main(folder="out/s_curve"):
     drawn, found = build()
-    for name, rod in (("drawn", drawn), ("stable", found.rod)):
+    for name, rod in (("drawn", drawn), ("snapped", snapped(drawn)), ("stable", found.rod)):
         verdict = ec.stability(rod)
         print(
             f"{name}: ratio {rod.ratio:.2f}, margin {verdict.margin:.1f}, conjugate {verdict.conjugate_point}"
         )
     print(f"moved by at most {found.deviation:.2f} mm")
-    strip = ec.Strip(found.rod, ec.Sheet.named("card-200gsm"), max_width=25, label="S")
     Path(folder).mkdir(parents=True, exist_ok=True)
-    ec.save(strip.drawing(), Path(folder) / "s.dxf", force=True)
+    ec.save(strip(found.rod, "S").drawing(), Path(folder) / "s.dxf", force=True)
 
 
 if __name__ == "__main__":
