@@ -17,12 +17,15 @@ from elastica_cad.geometry.continuity import KnotSides, continuity_orders, refus
 from elastica_cad.geometry.extraction import bezier_spans
 from elastica_cad.geometry.fitting import fitted_spline
 from elastica_cad.geometry.jets import Jets, curvature, curvature_slope, quotient
-from elastica_cad.geometry.projective import projected
+from elastica_cad.geometry.projective import keeps_shape, projected
 from elastica_cad.geometry.records import Break, CurvatureZero, CurveSamples, TangentBreak
 from elastica_cad.geometry.selfcrossings import self_meeting_places
 from elastica_cad.geometry.turning import Turning, turning_table
 
 __all__ = ["PlaneCurve"]
+
+FAR = 1e6
+"""A curve moved farther away than so many of its sizes loses digits, and is checked again."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,6 +80,19 @@ class PlaneCurve:
                 )
             object.__setattr__(self, "weights", weights if np.ptp(weights) > 0 else None)
         refuse_standstill(self._jets, self.control_points)
+
+    @classmethod
+    def of_sound(
+        cls, knots: FloatArray, control_points: FloatArray, degree: int, weights: FloatArray | None
+    ) -> "PlaneCurve":
+        """The curve of numbers that need no check, being those of a part or a moved copy of a curve."""
+        made = object.__new__(cls)
+        for name, value in (("knots", knots), ("control_points", control_points), ("weights", weights)):
+            if value is not None:
+                value.setflags(write=False)
+            object.__setattr__(made, name, value)
+        object.__setattr__(made, "degree", degree)
+        return made
 
     @classmethod
     def spline(cls, control_points: ArrayLike, degree: int = 4) -> "PlaneCurve":
@@ -346,7 +362,7 @@ class PlaneCurve:
     def reversed(self) -> "PlaneCurve":
         """The curve run from its other end."""
         weights = None if self.weights is None else self.weights[::-1]
-        return PlaneCurve(
+        return PlaneCurve.of_sound(
             self.knots[0] + self.knots[-1] - self.knots[::-1], self.control_points[::-1], self.degree, weights
         )
 
@@ -366,9 +382,10 @@ class PlaneCurve:
             self.weights,
             matrix,
             degree=self.degree,
-            bezier=self._jets.bezier,
-            edges=self._jets.edges,
+            pieces=lambda: (self._jets.bezier, self._jets.edges),
         )
+        if keeps_shape(matrix) and np.abs(points).max() < FAR * np.ptp(points, axis=0).max():
+            return PlaneCurve.of_sound(knots, points, self.degree, weights)
         return PlaneCurve(knots, points, self.degree, weights)
 
     @cached_property

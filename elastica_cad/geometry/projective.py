@@ -1,5 +1,6 @@
 """Projective maps of the plane: by four handles, and what they make of rational splines."""
 
+from collections.abc import Callable
 from itertools import combinations
 
 import numpy as np
@@ -9,7 +10,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.bernstein import split
 from elastica_cad.geometry.checks import finite
 
-__all__ = ["four_point_map", "projected"]
+__all__ = ["four_point_map", "keeps_shape", "projected"]
 
 _MOST_HALVINGS = 30
 
@@ -93,6 +94,15 @@ def _vanishing(piece: FloatArray) -> FloatArray:
     return np.asarray(piece[0])
 
 
+def keeps_shape(matrix: ArrayLike) -> bool:
+    """Does a 3 x 3 matrix only move, turn, mirror and scale evenly?"""
+    m = np.asarray(matrix, dtype=float)
+    gram = m[:2, :2].T @ m[:2, :2]
+    return not m[2, :2].any() and bool(
+        np.abs(gram - gram.trace() / 2 * np.eye(2)).max() <= 1e-9 * gram.trace()
+    )
+
+
 def _place(point: FloatArray) -> str:
     x, y = point.round(9) + 0.0
     return f"({x:.4g}, {y:.4g}) mm"
@@ -105,13 +115,13 @@ def projected(
     matrix: ArrayLike,
     *,
     degree: int,
-    bezier: FloatArray,
-    edges: FloatArray,
+    pieces: Callable[[], tuple[FloatArray, FloatArray]],
 ) -> tuple[FloatArray, FloatArray, FloatArray | None]:
     """Knots, control points and weights of the image of a spline under a 3 x 3 matrix.
 
     The map acts linearly on homogeneous control points. Where a control point (not the curve) would get a
-    weight that is not positive, the image is written as Bezier pieces, halved until all weights are positive.
+    weight that is not positive, the image is written as Bezier pieces, halved until all weights are positive;
+    `pieces` gives those of the spline, homogeneous, and their ends.
     """
     m = finite("matrix", matrix)
     if m.shape != (3, 3):
@@ -125,13 +135,14 @@ def projected(
         return knots, image[:, :2] / image[:, 2:], weights
     if np.all(image[:, 2] > 0) or np.all(image[:, 2] < 0):
         return knots, image[:, :2] / image[:, 2:], np.abs(image[:, 2])
-    pieces = _positive_pieces(bezier @ m.T, edges, np.asarray(np.linalg.inv(m), dtype=float))
+    bezier, edges = pieces()
+    parts = _positive_pieces(bezier @ m.T, edges, np.asarray(np.linalg.inv(m), dtype=float))
     t = [edges[0]] * (degree + 1)
-    for start, _ in pieces[1:]:
+    for start, _ in parts[1:]:
         t += [start] * degree
     t += [edges[-1]] * (degree + 1)
     # neighbours share their end point, so each piece but the first leaves out its first control point
-    points = np.concatenate([pieces[0][1], *(p[1:] for _, p in pieces[1:])])
+    points = np.concatenate([parts[0][1], *(p[1:] for _, p in parts[1:])])
     return np.array(t), points[:, :2] / points[:, 2:], np.abs(points[:, 2])
 
 

@@ -46,7 +46,7 @@ def trimmed_curve(curve: PlaneCurve, t0: float, t1: float) -> PlaneCurve:
     points = points[first - 1 : last]
     knots = np.concatenate([np.full(p + 1, t0), knots[first + p : last], np.full(p + 1, t1)])
     w = points[:, 2]
-    return PlaneCurve(knots, points[:, :2] / w[:, None], p, None if curve.weights is None else w)
+    return PlaneCurve.of_sound(knots, points[:, :2] / w[:, None], p, None if curve.weights is None else w)
 
 
 def _snapped(curve: PlaneCurve, t: float) -> float:
