@@ -89,7 +89,9 @@ def test_strips_keep_their_shape(name, built):
     for part in built(name).parts:
         strip = part.strip
         assert strip.rod.residual < 1e-3
-        assert ec.stability(strip.rod).stable
+        verdict = ec.stability(strip.rod)
+        assert verdict.stable
+        assert verdict.margin > (0.0 if name in ("spiral", "vase", "pavilion") else 5.0 - 1e-2)
         assert strip.deviation_as_made < (0.3 if strip.slots else REALIZED)
         if strip.slots:
             assert replace(strip, slots=()).deviation_as_made < REALIZED
@@ -201,7 +203,8 @@ def test_rings_close(name, ring, built):
         assert np.ptp(points[:, 2]) < 1e-6
         assert ring is None or radius[0] == pytest.approx(ring)
         widths = [p.strip.end_widths[end] for p in model.placed[:2]]
-        assert sum(widths) / 2 <= 2 * radius[0] * np.tan(np.pi / len(model.placed)) + 1e-6
+        gap = 2 * radius[0] * np.tan(np.pi / len(model.placed)) - sum(widths) / 2
+        assert gap == pytest.approx(0, abs=1e-6) if name == "vase" else 1.0 < gap < 10.0
 
 
 def test_the_carpet_hovers(built):
