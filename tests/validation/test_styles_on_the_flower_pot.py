@@ -1,6 +1,7 @@
 """The Flower Pot of the paper (section 9.2): strips that touch, laminated and perforated to their stiffness."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -8,7 +9,7 @@ import pytest
 import elastica_cad as ec
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication import Frame, Laminated, Perforated, touching
-from elastica_cad.mechanics import LaminatedSection
+from elastica_cad.mechanics import LaminatedSection, optimal_laminate
 
 CARD = ec.Sheet.named("card-200gsm")
 SCALE = 60.0  # mm per mesh unit
@@ -68,6 +69,21 @@ def test_laminated_as_published_with_the_exact_section(pot, widths, number):
     )
     assert np.abs(made / (strip.bending_stiffness * rod.profile(s)) - 1).max() < 1e-9
     assert strip.deviation_as_made < 0.01
+
+
+@pytest.mark.parametrize("number", range(0, 16, 5))
+def test_laminated_under_the_weight_of_both_layers(pot, widths, number):
+    """Footnote 4 of the paper: what is cut, weighed as it is, hangs within 0.1 mm of the published curve."""
+    section = LaminatedSection(card(0.1), card(0.2))
+    options = {"direction": (0, -1), "least_backing": 0.5}
+    laminate = optimal_laminate(pot[number][0], section, widths[number], **options)
+    style = Laminated(width=widths[number], backing=card(0.2), least_backing=0.5)
+    strip = ec.Strip(laminate.rod, card(0.1), style=style)
+    assert ec.stability(laminate.rod).stable
+    assert strip.deviation_as_made < 0.1
+    weightless = ec.Strip(ec.optimal_rod(pot[number][0]), card(0.1), style=style)
+    hanging = replace(weightless.as_made, gravity=laminate.rod.gravity, weight=strip.as_made.weight)
+    assert np.abs(ec.bend(hanging).position - hanging.position).max() > 0.1
 
 
 def test_the_other_way_round_is_refused_with_the_thickness_that_would_do(pot, widths):
