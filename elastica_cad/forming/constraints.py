@@ -215,11 +215,15 @@ class CurvatureLimit:
 
 @dataclass(frozen=True)
 class KeepOut:
-    """Every node outside a region; the region is in millimetres, the rod in `size` from `origin`."""
+    """Every node outside a region; the region is in millimetres, the rod in `size` from `origin`.
+
+    Ends that are `kept` where they are do not count: on the border they would only fight what keeps them.
+    """
 
     region: HalfPlane | Box
     size: float
     origin: tuple[float, float]
+    kept: tuple[bool, bool] = (False, False)
     name: str = "keep-out"
     one_sided: bool = True
     price: float = 100.0
@@ -239,7 +243,9 @@ class KeepOut:
 
     def _clearance(self, rod: MarchedRod) -> tuple[FloatArray, FloatArray]:
         value, gradient = self.region.clearance(rod.position * self.size + np.asarray(self.origin))
-        return value / self.size, gradient
+        value = value / self.size
+        value[[0, -1]] = np.where(self.kept, 1.0, value[[0, -1]])
+        return value, gradient
 
 
 @dataclass(frozen=True)

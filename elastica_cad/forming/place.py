@@ -16,7 +16,7 @@ _NEWTON = 4  # corrections on the way to one place
 _CLOSED = 1e-8  # rad that still change when a rod is as good as in balance
 _LOST = 1.5  # rad: a rod that would have to turn so far does not close
 _BADLY = 1e-4  # of a constraint's value
-_TELLING = 0.1  # share of what a step promises that may be unknown
+_TELLING = 0.5  # share of what a step promises that may be unknown
 
 
 @dataclass(frozen=True, eq=False)

@@ -184,7 +184,9 @@ class Setting:
         curvature = limits.largest_curvature
         if curvature is not None:
             found.append(rows.CurvatureLimit(curvature * wish.size))
-        found += [rows.KeepOut(region, wish.size, _pair(wish.origin)) for region in limits.keep_out]
+        found += [
+            rows.KeepOut(region, wish.size, _pair(wish.origin), keep.both_ends) for region in limits.keep_out
+        ]
         if limits.stiffness_bounds is not None and limits.stiffness_bounds[0] is not None:
             found.append(rows.LeastStiffness())
         if with_margin and limits.margin is not None:

@@ -131,6 +131,16 @@ def test_keep_out_regions():
     assert np.any(np.all((x > box.lower) & (x < box.upper), axis=1))
 
 
+def test_ends_on_the_ground_do_not_fight_it():
+    """Kept ends on the border cost nothing: the arch above is the one without ground."""
+    ground = HalfPlane((0, 0), (0, 1))
+    free, near = (nearest_rod(ARCH, Limits(ratio=1.4, keep_out=out)) for out in ((), (ground,)))
+    assert near.met
+    assert "keep-out" not in {b.name for b in near.binding}
+    np.testing.assert_allclose(near.rod.position, free.rod.position, atol=1e-3)
+    assert near.rod.position[:, 1].min() >= -1e-9
+
+
 def test_stiffness_bounds_along_the_strip():
     def least(s):
         return np.where(s < 50, 1.5, 1.0)
