@@ -4,6 +4,8 @@ import FreeCAD as App
 import pytest
 from freecad.elastica_wb.cutting import pieces_of, write_cutting_files
 from freecad.elastica_wb.features import baseplate, fixtures, flat, model, nest, strip
+from freecad.elastica_wb.prisms import make_block
+from freecad.elastica_wb.shapes import make_solid
 
 ARCH = [(-75, 0), (-50, 60), (0, 95), (50, 60), (75, 0)]
 
@@ -91,6 +93,17 @@ def test_fixtures_hold_every_end(document, standing):
     standing[0].StartTab = standing[0].EndTab = 0
     document.recompute()
     assert "tab" in single.getStatusString()
+
+
+def test_engraving_as_one_takes_the_same_away(document, standing):
+    standing[0].EngravedText = "R8"
+    document.recompute()
+    for block in fixtures.source_model(standing[:1]).fixtures():
+        united, plain = make_block(block.solid), make_solid(block.solid)
+        assert united.isValid()
+        assert united.Volume == pytest.approx(plain.Volume, rel=1e-9)
+        assert united.Area == pytest.approx(plain.Area, rel=1e-9)
+        assert len(united.Faces) < len(plain.Faces)
 
 
 def test_the_base_plate_takes_all_tabs(document, standing):

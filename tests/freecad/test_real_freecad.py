@@ -145,3 +145,20 @@ def test_in_inches(tmp_path):
     assert found["kerf"] == ["0.00787 in", pytest.approx(0.2)]
     assert found["version"] == "R2000"
     assert "in wide" in found["advice"]
+
+
+def test_a_hostile_user(tmp_path):
+    found = launching.run_window("hostile.py", tmp_path)
+    assert found["trouble"] == []
+    assert len(found["times"]) == 14 * 5 + 4
+    assert "is empty" in found["empty in edit"]
+    assert "closed" in found["circle in edit"]
+    assert "missing" in found["sketch gone"]
+    # two strips, and their copies beside them
+    assert found["pasted into Pasted"] == [[["Up-to-date"], True]] * 2
+    *curves, corner, polygon, point, space = found["draft"]
+    assert curves == [""] * 4
+    for said, words in ((corner, "corner"), (polygon, "many edges"), (point, "no curve"), (space, "plane")):
+        assert words in said
+    assert found["kerf of a new panel"] == pytest.approx(0.3)
+    assert found["sheet of a new panel"] == "birch-plywood-0.8"

@@ -14,6 +14,7 @@ from freecad.elastica_wb.drawn import drawn_curve, is_sketch, sketch_curve
 from freecad.elastica_wb.features.asked import wish_of
 from freecad.elastica_wb.features.strip import hide_failed, is_strip
 from freecad.elastica_wb.library import sheet_called
+from freecad.elastica_wb.living import lives
 from freecad.elastica_wb.overlay import Overlay
 from freecad.elastica_wb.patience import begun
 from freecad.elastica_wb.picture import comb_scale, curve_picture, sentence_of, width_lines
@@ -238,7 +239,7 @@ class _Edits:
         if _session is not None and getattr(provider, "Object", None) is _session.sketch:
             sketch = _session.sketch
             stop()
-            QtCore.QTimer.singleShot(0, lambda: hide_failed(followers(sketch)))
+            QtCore.QTimer.singleShot(0, lambda: hide_failed(followers(sketch) if lives(sketch) else []))
 
     def slotDeletedDocument(self, document: Any) -> None:
         if _session is not None and _session.sketch.Document.Name == document.Document.Name:
@@ -287,6 +288,8 @@ class _Changes:
 
 
 def _start_if_edited(sketch: Any) -> None:
+    if not lives(sketch):
+        return
     edited = Gui.getDocument(sketch.Document.Name).getInEdit()
     if edited is not None and edited.Object is sketch:
         start(sketch)
@@ -294,7 +297,7 @@ def _start_if_edited(sketch: Any) -> None:
 
 def _recompute(strips: list[Any]) -> None:
     """Strips and what hangs on them, nothing else."""
-    alive = [strip for strip in strips if _lives(strip)]
+    alive = [strip for strip in strips if lives(strip)]
     if not alive:
         return
     if alive[0].Document.Recomputing:  # its progress bar lets timers run
@@ -303,14 +306,6 @@ def _recompute(strips: list[Any]) -> None:
     for strip in alive:
         strip.touch()
     alive[0].Document.recompute(alive)
-
-
-def _lives(obj: Any) -> bool:
-    """Is it still in its document?"""
-    try:
-        return obj.Document is not None
-    except ReferenceError:
-        return False
 
 
 def _timer(work: Callable[[], None], wait: int) -> Any:

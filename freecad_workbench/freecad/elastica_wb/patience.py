@@ -1,7 +1,7 @@
 """Work that may take long: in a thread of its own, with a progress bar that can be cancelled."""
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from typing import Any, TypeVar
 
@@ -9,9 +9,9 @@ import FreeCAD as App
 
 from elastica_cad.errors import NotConvergedError
 
-__all__ = ["begun", "patiently"]
+__all__ = ["begun", "in_steps", "patiently"]
 
-Answer = TypeVar("Answer")
+Answer, Item = TypeVar("Answer"), TypeVar("Item")
 
 QUIET = 0.5  # s before anything is shown
 PULSE = 0.02  # s
@@ -61,3 +61,34 @@ def _wait_with_bar(title: str, future: "Future[Any]") -> None:
                 raise NotConvergedError(f"{title}: stopped; change the curve or the limits to try again")
     finally:
         bar.close()
+
+
+def in_steps(title: str, items: Sequence[Item], work: Callable[[Item], Answer]) -> list[Answer]:
+    """The answers of work on many things, one by one in this thread; after half a second the user can cancel.
+
+    Raises
+    ------
+    NotConvergedError
+        The user cancelled.
+    """
+    if not App.GuiUp or len(items) < 2:
+        return [work(item) for item in items]
+    import FreeCADGui as Gui
+    from freecad.elastica_wb.qt import QtCore, QtWidgets
+    from freecad.elastica_wb.text import tr
+
+    bar = QtWidgets.QProgressDialog(tr(title), tr("Cancel"), 0, len(items), Gui.getMainWindow())
+    bar.setWindowModality(QtCore.Qt.WindowModal)
+    bar.setMinimumDuration(int(1000 * QUIET))
+    answers = []
+    try:
+        for done, item in enumerate(items):
+            bar.setValue(done)
+            QtWidgets.QApplication.processEvents()
+            if bar.wasCanceled():
+                raise NotConvergedError(f"{title}: stopped; recompute to try again")
+            answers.append(work(item))
+    finally:
+        bar.close()
+        bar.deleteLater()
+    return answers

@@ -60,6 +60,13 @@
  <message><source>Cancel</source><translation>Abbrechen</translation></message>
  <message><source>Constraints on the drawn curve that OK takes away</source><translation>Bedingungen an der gezeichneten Kurve, die mit OK entfallen</translation></message>
  <message><source>Move or turn an end: type numbers, or drag one of the handles in the view.</source><translation>Ein Ende verschieben oder drehen: Zahlen eingeben oder an einem der Griffe in der Ansicht ziehen.</translation></message>
+ <message><source>Making the blocks</source><translation>Erzeuge die Blöcke</translation></message>
+ <message><source>Putting the model together</source><translation>Setze das Modell zusammen</translation></message>
+ <message><source>Cutting the mesh</source><translation>Schneide das Netz</translation></message>
+ <message><source>Bending the strip</source><translation>Biege den Streifen</translation></message>
+ <message><source>Searching the nearest curve</source><translation>Suche die nächste Kurve</translation></message>
+ <message><source>what this panel works on was deleted: press Cancel</source><translation>was dieses Bedienfeld bearbeitet, wurde gelöscht: Abbrechen drücken</translation></message>
+ <message><source>the path was deleted: choose another one</source><translation>der Pfad wurde gelöscht: einen anderen wählen</translation></message>
 </context>
 <context>
  <name>ElasticaBend</name>

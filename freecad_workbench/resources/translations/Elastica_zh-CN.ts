@@ -60,6 +60,13 @@
  <message><source>Cancel</source><translation>取消</translation></message>
  <message><source>Constraints on the drawn curve that OK takes away</source><translation>点击确定后将移除的曲线约束</translation></message>
  <message><source>Move or turn an end: type numbers, or drag one of the handles in the view.</source><translation>移动或旋转端部：输入数值，或在视图中拖动一个手柄。</translation></message>
+ <message><source>Making the blocks</source><translation>正在生成夹块</translation></message>
+ <message><source>Putting the model together</source><translation>正在组装模型</translation></message>
+ <message><source>Cutting the mesh</source><translation>正在切割网格</translation></message>
+ <message><source>Bending the strip</source><translation>正在弯曲条带</translation></message>
+ <message><source>Searching the nearest curve</source><translation>正在搜索最近的曲线</translation></message>
+ <message><source>what this panel works on was deleted: press Cancel</source><translation>此面板所处理的对象已被删除：请按取消</translation></message>
+ <message><source>the path was deleted: choose another one</source><translation>路径已被删除：请选择另一条</translation></message>
 </context>
 <context>
  <name>ElasticaBend</name>

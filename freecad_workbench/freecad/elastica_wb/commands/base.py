@@ -51,9 +51,12 @@ class Command:
 
     def Activated(self, _index: int = 0) -> None:
         """The user asks for it."""
+        step = App.getActiveTransaction()
         try:
             self.run()
         except ElasticaError as error:
+            if App.getActiveTransaction() != step:
+                App.closeActiveTransaction(True)
             tell(str(error))
 
     def run(self) -> None:
@@ -97,8 +100,10 @@ def undo_step(document: Any, name: str) -> Iterator[None]:
         yield
     except BaseException:
         document.abortTransaction()
+        App.closeActiveTransaction(True)
         raise
     document.commitTransaction()
+    App.closeActiveTransaction(False)
 
 
 def chosen_curves() -> list[tuple[Any, tuple[str, ...]]]:

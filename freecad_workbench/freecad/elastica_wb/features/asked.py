@@ -20,6 +20,9 @@ STYLES = ["Plain", "Perforated", "Laminated"]
 FOLLOW = ["Exactly", "Nearest"]
 ENDS = ["clamped", "pinned", "slide-x", "slide-y", "guided", "free"]
 
+LONGEST, THINNEST = 1e6, 1e-3  # mm
+MOST_SAMPLES = 20000  # a second's work
+
 PROPERTIES = (
     Property("LinkSub", "Curve", "Curve", "Sketch, or edges of an object, that the strip follows"),
     Property("Enumeration", "Form", "Curve", "What the shape is: the strip as bent, or as cut", FORMS),
@@ -100,7 +103,14 @@ PROPERTIES = (
 
 
 def wish_of(obj: Any, drawn: DrawnCurve) -> Wish:
-    """What the properties ask for."""
+    """What the properties ask for.
+
+    Raises
+    ------
+    InputError
+        Numbers that no strip has: a slip of the keyboard, or another unit.
+    """
+    _sensible(obj, drawn)
     sheet = _measured(sheet_called(obj.Sheet, obj.SheetData), obj.Thickness.Value)
     return Wish(
         sheet=sheet,
@@ -120,6 +130,19 @@ def wish_of(obj: Any, drawn: DrawnCurve) -> Wish:
         tangents=obj.KeepTangents,
         keeps_length=obj.KeepLength,
     )
+
+
+def _sensible(obj: Any, drawn: DrawnCurve) -> None:
+    lengths = {p.name: getattr(obj, p.name).Value for p in PROPERTIES if p.kind == "Length" and not p.result}
+    for name, value in (lengths | {"the length of the curve": drawn.curve.length}).items():
+        if value > LONGEST:
+            raise InputError(f"{name} is {value:.4g} mm, more than a kilometre: is its unit right?")
+    if 0 < lengths["Thickness"] < THINNEST:
+        raise InputError(
+            f"the thickness of the sheet is {lengths['Thickness']:.4g} mm, less than any foil's: is its unit right?"
+        )
+    if obj.Samples > MOST_SAMPLES:
+        raise InputError(f"{obj.Samples} samples are asked for: {MOST_SAMPLES} are the most, 0 chooses")
 
 
 def _style(obj: Any) -> StyleChoice:

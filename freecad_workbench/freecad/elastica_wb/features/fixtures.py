@@ -6,7 +6,8 @@ import Part
 from freecad.elastica_wb.features.model import is_model, model_of, strips_model
 from freecad.elastica_wb.features.properties import Property
 from freecad.elastica_wb.features.proxy import Feature, added
-from freecad.elastica_wb.shapes import make_solid
+from freecad.elastica_wb.patience import in_steps
+from freecad.elastica_wb.prisms import make_block
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication import Model
@@ -39,7 +40,9 @@ class FixturesFeature(Feature):
         )
         if not blocks:
             raise InputError("no strip here has a tab to be held: give the strips tabs")
-        obj.Shape = Part.Compound([make_solid(block.solid) for block in blocks])
+        obj.Shape = Part.Compound(
+            in_steps("Making the blocks", [block.solid for block in blocks], make_block)
+        )
 
 
 def create(document: Any, sources: list[Any]) -> Any:

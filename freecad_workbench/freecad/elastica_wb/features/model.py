@@ -12,6 +12,7 @@ from freecad.elastica_wb.drawn import container, drawn_curve, frame_of, placemen
 from freecad.elastica_wb.features.properties import Property, put
 from freecad.elastica_wb.features.proxy import Feature, added
 from freecad.elastica_wb.features.strip import is_strip, strip_of
+from freecad.elastica_wb.patience import patiently
 from freecad.elastica_wb.units import worded
 
 from elastica_cad.errors import InputError
@@ -105,7 +106,7 @@ def strips_model(strips: list[Any], *, name: str, options: tuple[tuple[str, Any]
             raise InputError(f"{obj.Label} is no strip: a model is made of strips")
         world = drawn_curve(obj.Curve, obj).world
         places.append((_labelled(strip_of(obj), obj.EngravedText or obj.Label), _numbers(world)))
-    return _model(tuple(places), name, options)
+    return patiently("Putting the model together", _model, tuple(places), name, options)
 
 
 @lru_cache(maxsize=8)

@@ -1,19 +1,20 @@
 """What all task panels share: a form, one undo step from opening to OK, numbers a moment after a change."""
 
 import gc
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
 import FreeCAD as App
 import FreeCADGui as Gui
 from freecad.elastica_wb import live
+from freecad.elastica_wb.living import document_lives, lives
 from freecad.elastica_wb.panels.boxes import lengths_in_users_unit
 from freecad.elastica_wb.qt import QtCore, QtWidgets
 from freecad.elastica_wb.text import icon, load_panel, tr
 from freecad.elastica_wb.units import worded
 
-from elastica_cad.errors import ElasticaError
+from elastica_cad.errors import ElasticaError, InputError
 
 __all__ = ["Panel", "active_view", "placement_of_strip", "progress"]
 
@@ -27,10 +28,14 @@ class Panel:
     icon_name = "Elastica"
     step = ""
     only_tells = False
+    preview: Any = None
     opened: "Panel | None" = None
 
-    def __init__(self, document: Any = None) -> None:
+    def __init__(self, document: Any = None, subjects: Iterable[Any] = ()) -> None:
+        """`document` is changed, `subjects` are the objects that the panel cannot do without."""
         Panel.opened = self
+        self.subjects = list(subjects)
+        _watch_documents()
         self.form = load_panel(self.file)
         lengths_in_users_unit(self.form)
         self.form.setWindowIcon(_qicon(self.icon_name))
@@ -45,24 +50,37 @@ class Panel:
     def accept(self) -> bool:
         """OK: everything since the opening is one undo step."""
         try:
+            self._all_there()
             self.finished()
         except ElasticaError as error:
             self.tell(str(error))
             return False
         if self.document is not None:
             self.document.recompute()
+            # a document that was not changed leaves the step open in FreeCAD, for changes of others to fall into
             self.document.commitTransaction()
+            App.closeActiveTransaction(False)
         self._close()
         return True
 
     def reject(self) -> bool:
         """Cancel: everything as it was."""
         self._timer.stop()
-        if self.document is not None:
+        if self.document is not None and document_lives(self.document):
             self.document.abortTransaction()
+            App.closeActiveTransaction(True)
             self.document.recompute()
         self._close()
         return True
+
+    def abandon(self) -> None:
+        """Its document was closed: nothing is left to be changed, nor a view to be tidied."""
+        if self.form is None:
+            return
+        App.closeActiveTransaction(True)
+        Gui.Control.closeDialog()
+        self.form = None
+        gc.collect()
 
     def getStandardButtons(self) -> int:
         """OK and Cancel, or for a panel that only tells something Close."""
@@ -106,8 +124,14 @@ class Panel:
             self._timer.stop()
             self._safely_changed()
 
+    def _all_there(self) -> None:
+        """Raises where the user deleted what the panel works on."""
+        if not all(map(lives, self.subjects)):
+            raise InputError(tr("what this panel works on was deleted: press Cancel"))
+
     def _safely_changed(self) -> None:
         try:
+            self._all_there()
             self.changed()
         except ElasticaError as error:
             self.tell(str(error))
@@ -123,6 +147,27 @@ class Panel:
         # would be taken for the next widget at its address
         self.form = None
         gc.collect()
+
+
+class _Documents:
+    """Closes the panel of a document that is closed."""
+
+    def slotDeletedDocument(self, document: Any) -> None:
+        panel = Panel.opened
+        if panel is not None and panel.form is not None and panel.document is document:
+            panel._timer.stop()
+            panel.document, panel.preview = None, None
+            # the document still stands with one foot in memory: an undo now would end FreeCAD
+            QtCore.QTimer.singleShot(0, panel.abandon)
+
+
+_documents: list[_Documents] = []
+
+
+def _watch_documents() -> None:
+    if not _documents:
+        _documents.append(_Documents())
+        App.addDocumentObserver(_documents[0])
 
 
 def _signal(widget: Any) -> Any:

@@ -29,10 +29,9 @@ class BendPanel(Panel):
     def __init__(self, obj: Any) -> None:
         self.strip = strip_of(obj)
         self.rest = self.strip.rod
-        super().__init__(obj.Document)
+        super().__init__(obj.Document, [obj])
         self.object = obj
         self.rod = self.rest
-        self.preview = None
         view = active_view()
         if view is not None:
             self.preview = Preview(view, placement_of_strip(obj))

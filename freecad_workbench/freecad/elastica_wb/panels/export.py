@@ -25,7 +25,7 @@ class ExportPanel(Panel):
 
     def __init__(self, strips: list[Any]) -> None:
         self.pieces = pieces_of(strips)
-        super().__init__()
+        super().__init__(subjects=strips)
         self.strips = strips
         self.written: list[Path] = []
         form = self.form

@@ -21,7 +21,7 @@ class FixturesPanel(Panel):
     step = "End fixtures and base plate"
 
     def __init__(self, sources: list[Any]) -> None:
-        super().__init__(sources[0].Document)
+        super().__init__(sources[0].Document, sources)
         self.sources = [obj for obj in sources if not baseplate.is_base_plate(obj)]
         self.form.sheet.addItems(sheet_list())
         self.form.sheet.setCurrentText(preferences.default_sheet())

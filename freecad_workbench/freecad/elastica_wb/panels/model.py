@@ -16,7 +16,7 @@ class ModelPanel(Panel):
     step = "Interlock strips"
 
     def __init__(self, obj: Any) -> None:
-        super().__init__(obj.Document)
+        super().__init__(obj.Document, [obj])
         self.object = obj
         form = self.form
         form.Interlock.setChecked(obj.Interlock)

@@ -28,7 +28,7 @@ class NearestPanel(Panel):
 
     def __init__(self, sketch: Any) -> None:
         self.curve = sketch_curve(sketch)
-        super().__init__(sketch.Document)
+        super().__init__(sketch.Document, [sketch])
         self.sketch = sketch
         self.near: NearestRod | None = None
         self.form.sheet.addItems(sheet_list())

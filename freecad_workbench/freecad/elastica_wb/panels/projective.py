@@ -32,7 +32,7 @@ class ProjectivePanel(Panel):
 
     def __init__(self, sketch: Any) -> None:
         self.drawn = sketch_curve(sketch)
-        super().__init__(sketch.Document)
+        super().__init__(sketch.Document, [sketch])
         self.sketch = sketch
         self.curve = self.drawn
         self.corners = box_around(self.drawn)

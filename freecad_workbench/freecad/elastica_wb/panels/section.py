@@ -5,6 +5,7 @@ from typing import Any
 
 import FreeCAD as App
 import numpy as np
+from freecad.elastica_wb.living import lives
 from freecad.elastica_wb.panels.base import Panel, active_view, progress
 from freecad.elastica_wb.preview import Lines
 from freecad.elastica_wb.sections import (
@@ -51,7 +52,7 @@ class SectionPanel(Panel):
     step = "Section into curves"
 
     def __init__(self, bodies: list[Any], path: tuple[Any, Sequence[str]] | None = None) -> None:
-        super().__init__(App.ActiveDocument)
+        super().__init__(App.ActiveDocument, bodies)
         self.bodies = bodies
         self.sketches: list[Any] = []
         self.remarks: list[str] = []
@@ -76,7 +77,10 @@ class SectionPanel(Panel):
         form, kind = self.form, FAMILIES[self.form.family.currentIndex()]
         path = None
         if kind == FAMILIES[2] and self.paths:
-            path = path_points(*self.paths[form.path.currentIndex()])
+            source, names = self.paths[form.path.currentIndex()]
+            if not lives(source):
+                raise InputError(tr("the path was deleted: choose another one"))
+            path = path_points(source, names)
         return Family(
             kind,
             form.count.value(),

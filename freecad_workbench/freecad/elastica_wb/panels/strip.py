@@ -26,7 +26,7 @@ class StripPanel(Panel):
     step = "Edit strip"
 
     def __init__(self, obj: Any) -> None:
-        super().__init__(obj.Document)
+        super().__init__(obj.Document, [obj])
         self.object = obj
         for name in FIELDS:
             self._fill(name)

@@ -1,0 +1,348 @@
+"""A hostile user before a window: things vanish under open panels, documents change, selections make no sense."""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+import time
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import Part
+from inside import ARCH, WAVE, QtCore, QtWidgets, answers, choose, run, sketch, wait
+
+PANELS = {
+    "Elastica_Strip": "sketch",
+    "Elastica_Check": "sketch",
+    "Elastica_Nearest": "sketch",
+    "Elastica_Projective": "sketch",
+    "Elastica_Perforate": "strip",
+    "Elastica_Laminate": "strip",
+    "Elastica_Interlock": "strips",
+    "Elastica_Fixtures": "strip",
+    "Elastica_Section": "body",
+    "Elastica_Bend": "strip",
+    "Elastica_Tolerance": "strip",
+    "Elastica_Coupon": None,
+    "Elastica_Export": "strip",
+    "Elastica_Sheets": None,
+}
+answers["trouble"] = []
+
+
+def report():
+    view = Gui.getMainWindow().findChild(QtWidgets.QTextEdit, "Report view")
+    return view.toPlainText() if view is not None else ""
+
+
+def told():
+    from freecad.elastica_wb.commands import base
+
+    words = [box.text() for box in base._told]
+    for box in base._told:
+        box.close()
+    base._told.clear()
+    return words
+
+
+def watched(name, work):
+    """Do something; a traceback anywhere, or more than a second without a bar, is trouble."""
+    seen = len(report())
+    sys.stderr.write(f"-- {name}\n")
+    began = time.process_time()
+    try:
+        work()
+    except BaseException as error:
+        import traceback
+
+        answers["trouble"].append(f"{name}: {error!r} {traceback.format_exc()[-900:]}")
+    wait(80)
+    took = time.process_time() - began
+    said = report()[seen:]
+    if "Traceback" in said or "Error:" in said:
+        answers["trouble"].append(f"{name}: {said[-1500:]}")
+    if Gui.Control.activeDialog():
+        Gui.Control.closeDialog()
+        answers["trouble"].append(f"{name}: a dialog stays open")
+        wait(50)
+    if App.getActiveTransaction():
+        answers["trouble"].append(f"{name}: {App.getActiveTransaction()} stays open")
+        App.closeActiveTransaction(True)
+    answers.setdefault("times", {})[name] = round(took, 2)
+    told()
+
+
+def scene(name="Doc"):
+    document = App.newDocument(name)
+    document.UndoMode = 1
+    from freecad.elastica_wb.features import flat, strip
+
+    first, second = sketch(document, ARCH), sketch(document, WAVE, name="Wave")
+    second.Placement.Base = App.Vector(0, 0, 60)
+    bent = strip.create(document, first)
+    flat.create(document, bent)
+    other = strip.create(document, second)
+    box = document.addObject("Part::Sphere", "Body")
+    document.recompute()
+    wait(50)
+    return {
+        "document": document,
+        "sketch": [first],
+        "strip": [bent],
+        "strips": [bent, other],
+        "body": [box],
+        None: [],
+    }
+
+
+def opened(command, parts):
+    from freecad.elastica_wb.panels.base import Panel
+
+    choose(*parts[PANELS[command]])
+    Panel.opened = None
+    Gui.runCommand(command)
+    wait(40)
+    assert Panel.opened is not None, f"{command} opened no panel: {told()}"
+    return Panel.opened
+
+
+def poke(panel):
+    """Touch every widget of a panel, as if a child played with it."""
+    for box in panel.form.findChildren(QtWidgets.QAbstractSpinBox):
+        if box.isVisible():
+            box.stepUp()
+    for box in panel.form.findChildren(QtWidgets.QCheckBox):
+        box.setChecked(not box.isChecked())
+    wait(90)
+
+
+def vanish(command):
+    """Everything that the panel works on is deleted while it is open."""
+    parts = scene()
+    document = parts["document"]
+    panel = opened(command, parts)
+    for obj in list(document.Objects):
+        if obj.Name in [o.Name for o in document.Objects]:
+            document.removeObject(obj.Name)
+    wait(100)
+    poke(panel)
+    if not panel.accept():
+        panel.reject()
+    wait(50)
+    App.closeDocument(document.Name)
+
+
+def undone(command):
+    parts = scene()
+    document = parts["document"]
+    panel = opened(command, parts)
+    poke(panel)
+    for _ in range(3):
+        document.undo()
+        wait(60)
+    document.redo()
+    wait(60)
+    poke(panel)
+    if not panel.accept():
+        panel.reject()
+    wait(50)
+    App.closeDocument(document.Name)
+
+
+def closed(command):
+    parts = scene()
+    panel = opened(command, parts)
+    poke(panel)
+    App.closeDocument(parts["document"].Name)
+    wait(150)
+    if Gui.Control.activeDialog():
+        panel.reject()
+    wait(50)
+
+
+def elsewhere(command):
+    """Another document comes to the front while the panel is open."""
+    parts = scene()
+    panel = opened(command, parts)
+    other = App.newDocument("Other")
+    App.setActiveDocument(other.Name)
+    Gui.ActiveDocument = Gui.getDocument(other.Name)
+    wait(60)
+    poke(panel)
+    if not panel.accept():
+        panel.reject()
+    wait(50)
+    assert not other.Objects, f"{command} works in the wrong document: {[o.Name for o in other.Objects]}"
+    App.closeDocument(other.Name)
+    App.closeDocument(parts["document"].Name)
+
+
+def nonsense(command):
+    """Selections that mean nothing to a command."""
+    from freecad.elastica_wb.panels.base import Panel
+
+    document = App.newDocument("Nonsense")
+    box = document.addObject("Part::Box", "Box")
+    things = [document.addObject(kind, "Thing") for kind in (
+        "App::DocumentObjectGroup", "Spreadsheet::Sheet", "App::Part", "App::FeaturePython", "Mesh::Feature",
+        "Sketcher::SketchObject", "PartDesign::Body",
+    )]  # fmt: skip
+    link = document.addObject("App::Link", "Link")
+    link.LinkedObject = box
+    loose = document.addObject("App::Link", "Loose")
+    document.recompute()
+    for choice in ([], [box], [link], [loose], things, things[4:5], things[5:6], [box, *things, link]):
+        choose(*choice)
+        Panel.opened = None
+        Gui.runCommand(command)
+        wait(20)
+        if Panel.opened is not None and Gui.Control.activeDialog():
+            if not Panel.opened.accept():
+                Panel.opened.reject()
+        told()
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(box, "Face1")
+    Gui.Selection.addSelection(box, "Vertex1")
+    Panel.opened = None
+    Gui.runCommand(command)
+    wait(60)
+    if Panel.opened is not None and Gui.Control.activeDialog():
+        Panel.opened.reject()
+    App.closeDocument(document.Name)
+
+
+def edits():
+    """The sketch is deleted, undone, its document closed, while it is being edited."""
+    from freecad.elastica_wb import live
+
+    parts = scene()
+    document, (drawn,) = parts["document"], parts["sketch"]
+    Gui.ActiveDocument.setEdit(drawn.Name)
+    wait(300)
+    assert live.session() is not None
+    for _ in range(4):
+        document.undo()
+        wait(80)
+    for _ in range(4):
+        document.redo()
+        wait(80)
+    Gui.ActiveDocument.resetEdit()
+    wait(100)
+    assert live.session() is None
+    Gui.ActiveDocument.setEdit(drawn.Name)
+    wait(200)
+    while drawn.Geometry:
+        drawn.delGeometry(0)
+        wait(60)
+    answers["empty in edit"] = live.session().sentence
+    drawn.addGeometry(Part.Circle(App.Vector(), App.Vector(0, 0, 1), 20), False)
+    wait(150)
+    answers["circle in edit"] = live.session().sentence
+    App.closeDocument(document.Name)
+    wait(200)
+    assert live.session() is None
+    parts = scene()
+    Gui.ActiveDocument.setEdit(parts["sketch"][0].Name)
+    wait(200)
+    Gui.ActiveDocument.resetEdit()
+    parts["document"].removeObject(parts["sketch"][0].Name)
+    parts["document"].recompute()
+    wait(100)
+    answers["sketch gone"] = parts["strip"][0].getStatusString()
+    App.closeDocument(parts["document"].Name)
+
+
+def copies():
+    """Copy and paste, within and into another document."""
+    parts = scene()
+    document = parts["document"]
+    choose(*parts["strips"])
+
+    def agree():
+        for box in QtWidgets.QApplication.topLevelWidgets():
+            if isinstance(box, QtWidgets.QDialog) and box.isVisible():
+                box.accept()
+
+    QtCore.QTimer.singleShot(500, agree)
+    Gui.runCommand("Std_Copy")
+    wait(600)
+    Gui.runCommand("Std_Paste")
+    wait(300)
+    other = App.newDocument("Pasted")
+    Gui.runCommand("Std_Paste")
+    wait(300)
+    for place in (document, other):
+        place.recompute()
+        from freecad.elastica_wb.features.strip import is_strip
+
+        answers[f"pasted into {place.Name}"] = [
+            (obj.State, obj.Shape.isValid()) for obj in place.Objects if is_strip(obj)
+        ]
+    App.closeDocument(other.Name)
+    App.closeDocument(document.Name)
+
+
+def draft():
+    import Draft
+    from freecad.elastica_wb.features import strip
+
+    document = App.newDocument("Draft")
+    points = [App.Vector(0, 0, 0), App.Vector(50, 30, 0), App.Vector(100, 0, 0)]
+    sources = (
+        Draft.make_bspline(points),
+        Draft.make_bezcurve(points),
+        Draft.make_circle(50, startangle=0, endangle=90),
+        Draft.make_line(points[0], points[2]),
+        Draft.make_wire(points),
+        Draft.make_polygon(5, 50),
+        Draft.make_point(1, 2, 3),
+        Draft.make_bspline([*points, App.Vector(150, 40, 40)]),
+    )
+    made = [strip.create(document, source) for source in sources]
+    document.recompute()
+    answers["draft"] = [obj.getStatusString() if "Invalid" in obj.State else "" for obj in made]
+    App.closeDocument(document.Name)
+
+
+def preferences():
+    """Preferences change beside an open panel."""
+    from freecad.elastica_wb import preferences as kept
+
+    parts = scene()
+    panel = opened("Elastica_Export", parts)
+    kept.put("Kerf", 0.3)
+    kept.put("Units", "inch")
+    kept.put("DefaultSheet", "no such sheet")
+    poke(panel)
+    panel.reject()
+    panel = opened("Elastica_Export", parts)
+    answers["kerf of a new panel"] = panel.form.kerf.value()
+    panel.reject()
+    panel = opened("Elastica_Nearest", parts)
+    answers["sheet of a new panel"] = panel.form.sheet.currentText()
+    panel.reject()
+    kept.put("Units", "FreeCAD")
+    kept.put("DefaultSheet", "birch-plywood-0.8")
+    App.closeDocument(parts["document"].Name)
+
+
+def work():
+    Gui.activateWorkbench("ElasticaWorkbench")
+    hook = sys.excepthook
+
+    def note(kind, error, trace):
+        import traceback
+
+        answers["trouble"].append("".join(traceback.format_exception(kind, error, trace))[-1200:])
+        hook(kind, error, trace)
+
+    sys.excepthook = note
+    for command in PANELS:
+        for way in (vanish, undone, closed, elsewhere, nonsense):
+            watched(f"{way.__name__} {command}", lambda way=way, command=command: way(command))
+    for way in (edits, copies, draft, preferences):
+        watched(way.__name__, way)
+
+
+run(work)
