@@ -105,7 +105,7 @@ def draw(name, model):
 def shares(distances, lengths):
     """The largest of some distances in mm, and the largest share of the curve's length."""
     share = max(distance / length for distance, length in zip(distances, lengths, strict=True))
-    return f"{max(distances):.2g} ({100 * share:.1g} %)"
+    return f"{max(distances):.3f} ({100 * share:.2f} %)"
 
 
 def row(name, model, found, solving, seconds):

@@ -1,4 +1,7 @@
-"""The Carpet (paper, section 9.5): fifteen flowing strips whose lowest points hover above the ground."""
+"""The Carpet (paper, section 9.5): fifteen flowing strips whose lowest points hover just above the ground.
+
+Low walls hold their ends; between two hills, one growing as the other shrinks, they come down to a few millimetres.
+"""
 
 import sys
 
@@ -15,17 +18,17 @@ LIMITS = ec.Limits(ratio=3.0, margin=5.0, keep_out=(ec.HalfPlane((0, GROUND), (0
 
 def wave(u):
     """Control points of the strip at u = 0 (front) to 1 (back): a hill, a hollow near the ground, a hill."""
-    first, second = RISE * (1.15 - 0.5 * u), RISE * (0.55 + 0.6 * u)
-    hollow = LENGTH * (0.55 - 0.10 * u)
+    first, second = RISE * (1.0 - 0.35 * u), RISE * (0.65 + 0.35 * u)
+    hollow, low = LENGTH * (0.54 - 0.08 * u), -0.12 * RISE
     return [
-        (0, GROUND),
-        (0.04 * LENGTH, 0.75 * first),
-        (0.22 * LENGTH, 1.35 * first),
-        (hollow - 0.14 * LENGTH, 0.1 * RISE),
-        (hollow + 0.04 * LENGTH, -0.05 * RISE),
-        (hollow + 0.2 * LENGTH, 1.2 * second),
-        (0.93 * LENGTH, 1.1 * second),
-        (LENGTH, GROUND),
+        (0, 0.35 * first),
+        (0.02 * LENGTH, 0.8 * first),
+        (0.2 * LENGTH, 1.5 * first),
+        (hollow - 0.13 * LENGTH, low),
+        (hollow + 0.13 * LENGTH, low),
+        (0.8 * LENGTH, 1.5 * second),
+        (0.98 * LENGTH, 0.8 * second),
+        (LENGTH, 0.35 * second),
     ]
 
 

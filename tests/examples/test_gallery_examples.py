@@ -63,7 +63,7 @@ MODELS = {
     "shell": (60, 10, (480, 480, 95), 2.0),
     "horse": (40, 40, (560, 140, 260), 2.0),
     "lamp": (32, 32, (930, 660, 200), 2.4),
-    "carpet": (15, 15, (460, 310, 130), 3.0),
+    "carpet": (15, 15, (460, 290, 115), 3.0),
     "pavilion": (31, 31, (540, 760, 130), 2.118),
     "facade": (8, 8, None, 3.0),
 }
@@ -208,14 +208,17 @@ def test_rings_close(name, ring, built):
 
 
 def test_the_carpet_hovers(built):
-    """Under its own weight, above the ground, with an inflection on the way."""
+    """Bent as it is cut, under its own weight: between two inflections it comes near the ground, not onto it."""
     for placed in built("carpet").placed:
         rod = placed.strip.rod
         assert rod.gravity is not None
         assert rod.position[:, 1].min() >= 2.0 - 1e-6
-        assert np.count_nonzero(np.diff(np.sign(rod.curvature[2:-2]))) >= 2
+        assert rod.curve.inflections.size == 2
         bent = ec.bend(placed.strip.as_made)
-        assert bent.position[:, 1].min() > 1.9
+        lowest = int(np.argmin(bent.position[:, 1]))
+        assert 1.9 < bent.position[lowest, 1] < 6.0
+        first, second = rod.curve.inflections
+        assert first < bent.s[lowest] < second
 
 
 def test_the_lamp_stays_under_its_strain_limit(built):
@@ -373,8 +376,8 @@ def test_the_table_comes_from_a_run(project_root):
     assert cells[:4] == ["lantern", "pom-0.5", "20 (2)", "201"]
     assert len(cells) == 12
     asked, made = (float(cell.split()[0]) for cell in cells[6:8])
-    assert asked == pytest.approx(max(near.deviation for near in found), rel=0.06)
-    assert made == pytest.approx(max(strip.deviation_as_made for strip in model.strips), rel=0.06)
+    assert asked == pytest.approx(max(near.deviation for near in found), abs=6e-4)
+    assert made == pytest.approx(max(strip.deviation_as_made for strip in model.strips), abs=6e-4)
     table = (project_root / "examples" / "gallery.md").read_text()
     assert all(f"| {name.replace('_', ' ')} |" in table for name in names["PAPER"])
 
