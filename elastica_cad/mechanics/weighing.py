@@ -25,6 +25,9 @@ ROUGH = 1e-9
 
 REFINEMENTS = 6
 
+SMOOTH = 4
+"""Continuous derivatives of K from which on a knot of the load needs no edge of a panel."""
+
 
 def balance_without_weight(
     check: EquilibriumCheck,
@@ -221,7 +224,10 @@ def _load_places(
         if isinstance(part, Profile):
             if not np.isclose(part.length, length, rtol=1e-6):
                 raise InputError(f"a weight profile is {part.length:.6g} mm long, the curve {length:.6g} mm")
-            kinks += [(float(s), 1) for s in np.unique(part.knots)]
+            # the moment is twice an integral of the load
+            knots, times = np.unique(part.knots, return_counts=True)
+            smooth = part.degree - times + 2
+            kinks += [(float(s), int(c)) for s, c in zip(knots, smooth, strict=True) if c < SMOOTH]
     kinks = [(s, c) for s, c in kinks if 0 < s < length]
     return [float(t) for t in check.curve.parameter(np.array([s for s, _ in kinks]))], kinks
 
