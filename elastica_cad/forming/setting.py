@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Literal, TypeAlias
 
 import numpy as np
@@ -64,11 +65,13 @@ class Setting:
     def grid(self, weight: float = 1.0) -> StripGrid:
         """The nodes, with a share `weight` of gravity."""
         e = np.zeros(2) if self.gravity is None else self.gravity.e * self.wish.size**3 * weight
-        return StripGrid(self.basis(np.linspace(0, 1, self.nodes)), e)
+        return StripGrid(self._paired(_nodal_basis(self.nodes, self.coefficients)), e)
 
     def basis(self, s: FloatArray) -> FloatArray:
         """Values of the basis of K at s (n,) in 0..1, its functions in mirrored pairs where symmetry is kept."""
-        basis = spline_basis(s, self.coefficients)
+        return self._paired(spline_basis(s, self.coefficients))
+
+    def _paired(self, basis: FloatArray) -> FloatArray:
         if not self.keep.symmetry:
             return basis
         half = (self.coefficients + 1) // 2
@@ -239,6 +242,13 @@ class Setting:
                 f"near {at:.4g} mm: widen the bounds"
             )
         return low, high
+
+
+@lru_cache(maxsize=16)
+def _nodal_basis(nodes: int, coefficients: int) -> FloatArray:
+    basis = spline_basis(np.linspace(0, 1, nodes), coefficients)
+    basis.flags.writeable = False
+    return basis
 
 
 def spline_basis(x: FloatArray, count: int) -> FloatArray:
