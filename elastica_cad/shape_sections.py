@@ -63,15 +63,17 @@ def shape_surface(shape: Shape, scale: float = 1.0) -> Surface:
     from OCP.BRepBndLib import BRepBndLib
     from OCP.BRepBuilderAPI import BRepBuilderAPI_Transform
     from OCP.gp import gp_Trsf
+    from OCP.TopAbs import TopAbs_ShapeEnum
+    from OCP.TopExp import TopExp_Explorer
 
     if scale != 1.0:
         larger = gp_Trsf()
         larger.SetScaleFactor(scale)
         shape = BRepBuilderAPI_Transform(shape, larger, True).Shape()
+    if not TopExp_Explorer(shape, TopAbs_ShapeEnum.TopAbs_FACE).More():
+        raise InputError("it holds no faces to cut: export a solid, a shell or a face")
     box = Bnd_Box()
     BRepBndLib.AddOptimal_s(shape, box, False, False)
-    if box.IsVoid():
-        raise InputError("there is no shape to cut: give a solid, a shell or a face")
     low, high = (
         np.array([corner.X(), corner.Y(), corner.Z()]) for corner in (box.CornerMin(), box.CornerMax())
     )

@@ -30,13 +30,14 @@ GAP = 20.0
 
 Triple = tuple[float, float, float]
 TRIPLE = (float, float, float)
+POSITIVE = click.FloatRange(0, min_open=True)
 
 
 @click.command()
 @click.argument("mesh", type=click.Path(path_type=Path))
-@click.option("--unit", type=click.Choice(["mm", "cm", "m", "in", "ft"]),
+@click.option("--unit", type=click.Choice(["mm", "cm", "m", "um", "in", "ft"]),
               help="What one unit of the file is; meshes do not say.")  # fmt: skip
-@click.option("--scale", type=float, help="Factor from the file to the model, besides the unit.")
+@click.option("--scale", type=POSITIVE, help="Factor from the file to the model, besides the unit.")
 @click.option("--radial", type=click.IntRange(1, 1000), metavar="N", help="N half planes about the axis.")
 @click.option("--angle", "angles", type=float, multiple=True, metavar="DEG",
               help="Half planes about the axis at these angles; repeatable.")  # fmt: skip
@@ -64,15 +65,15 @@ TRIPLE = (float, float, float)
 @click.option("--split-corners", type=click.FloatRange(0, 180, min_open=True, max_open=True), metavar="DEG",
               help="Split sections where they turn by more than this at a corner.")  # fmt: skip
 @click.option("--longest", is_flag=True, help="Only the longest line of every section.")
-@click.option("--tolerance", type=float, default=0.3, show_default=True, metavar="MM",
+@click.option("--tolerance", type=POSITIVE, default=0.3, show_default=True, metavar="MM",
               help="Largest distance of the curves from the sections.")  # fmt: skip
-@click.option("--wavelength", type=float, metavar="MM", help="Smooth away waves shorter than this first.")
+@click.option("--wavelength", type=POSITIVE, metavar="MM", help="Smooth away waves shorter than this first.")
 @click.option(
     "--sheet", metavar="NAME", help="Material of the strips: writes a design file for `elastica model`."
 )
-@click.option("--max-width", type=float, default=20.0, show_default=True, metavar="MM",
+@click.option("--max-width", type=POSITIVE, default=20.0, show_default=True, metavar="MM",
               help="Width of the strips' widest place, in the design file.")  # fmt: skip
-@click.option("--ratio", type=float, default=USUAL_RATIO, show_default=True, metavar="R",
+@click.option("--ratio", type=click.FloatRange(1), default=USUAL_RATIO, show_default=True, metavar="R",
               help="Largest stiffness ratio, in the design file: curves change as little as it takes.")  # fmt: skip
 @click.option("--margin", type=float, metavar="MU", help="Least stability margin, in the design file.")
 @click.option(
@@ -91,6 +92,7 @@ def sections(mesh: Path, output: Path, force: bool, sheet: str | None, **chosen:
     Writes NAME-sections.json (the curves, exactly), NAME-sections.dxf (the same side by side) and, with --sheet,
     NAME-sections.toml, a design file to go on with. A section that gives no curve is named; the others go on.
     """
+    _refuse_odd_numbers(chosen)
     if sheet is not None:
         Sheet.named(sheet)
     # the file is read once, for the defaults and for the sections
@@ -106,6 +108,14 @@ def sections(mesh: Path, output: Path, force: bool, sheet: str | None, **chosen:
         click.echo(f"wrote {output / name}")
     if sheet is None:
         click.echo("for strips along them add --sheet NAME, or give the curves to elastica strip")
+
+
+def _refuse_odd_numbers(chosen: dict[str, Any]) -> None:
+    """Python reads nan and inf as numbers."""
+    for option in click.get_current_context().command.params:
+        value = chosen.get(str(option.name))
+        if isinstance(value, float | tuple) and not np.all(np.isfinite(np.array(value, dtype=float))):
+            raise InputError(f"{option.opts[0]} is given as nan or infinite: give finite numbers")
 
 
 def _wished(mesh: Path, chosen: dict[str, Any], read: Any) -> dict[str, Any]:
@@ -169,7 +179,7 @@ def _up(chosen: dict[str, Any], along: Any) -> dict[str, Any]:
     """Which way is up in planes that stand across `along`: z, where that lies in them."""
     if chosen["up"] is not None:
         return {"up": list(chosen["up"])}
-    upright = np.linalg.norm(along[:2]) <= 1e-9 * np.linalg.norm(along)
+    upright = np.abs(along[:2]).max() <= 1e-9 * np.abs(along).max()
     return {"up": [0.0, 1.0, 0.0]} if upright else {}
 
 

@@ -15,7 +15,7 @@ MESH_SUFFIXES = (".obj", ".stl", ".ply")
 LIKELY = (50.0, 20000.0)
 """Sizes in mm that a model made of strips may well have."""
 
-GUESSES = ("cm", "in", "m")
+GUESSES = ("um", "cm", "in", "m")
 """Units that a file without one was likely drawn in."""
 
 
@@ -27,8 +27,8 @@ def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) 
     path : path-like
         .obj, .stl or .ply.
     unit : str, optional
-        What one unit of the file is: "mm", "cm", "m", "in", "ft". These formats don't say; unless told they are
-        taken as mm, and a size that no model has is refused.
+        What one unit of the file is: "mm", "cm", "m", "um", "in", "ft". These formats don't say; unless told
+        they are taken as mm, and a size that no model has is refused.
     scale : float
         Factor from the file to the model, besides the unit.
 
@@ -79,13 +79,11 @@ def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) 
 
 def _asking(size: float) -> str:
     """What to ask of one whose mesh has no likely size in mm."""
-    guesses = [
-        f"{name}: {size * millimetres(name):.4g} mm"
-        for name in GUESSES
-        if LIKELY[0] <= size * millimetres(name) <= LIKELY[1]
-    ]
-    hint = f" ({', '.join(guesses)})" if guesses else ""
+    guesses = {name: size * millimetres(name) for name in GUESSES}
+    likely = [name for name, long in guesses.items() if LIKELY[0] <= long <= LIKELY[1]]
+    hint = f" ({', '.join(f'{name}: {guesses[name]:.4g} mm' for name in likely)})" if likely else ""
+    unit = likely[-1] if likely else "m"
     return (
         f"measures {size:.3g} from corner to corner, no likely size in mm, and a mesh file does not say its unit: "
-        f'give it, --unit m or unit = "m"{hint}, or mm where that is right'
+        f'give it, --unit {unit} or unit = "{unit}"{hint}, or mm where that is right'
     )

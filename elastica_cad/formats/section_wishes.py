@@ -22,6 +22,9 @@ from elastica_cad.geometry import Frame
 
 __all__ = ["FAMILIES", "sections_of"]
 
+SIZES = (1.0, 1e6)
+"""mm; what is told to be smaller or larger was told wrongly."""
+
 FAMILIES = ("radial", "parallel", "along")
 
 
@@ -52,6 +55,11 @@ def sections_of(
     # a scale that is given tells the size, so the unit need not be asked for
     unit = table.text("unit", "mm") if table.has("unit") or table.has("scale") else None
     surface = read_surface(path, unit=unit, scale=scale)
+    if not SIZES[0] <= surface.size <= SIZES[1]:
+        raise InputError(
+            f"{path} measures {surface.size:.3g} mm from corner to corner with this unit and scale: nothing made "
+            "of strips does"
+        )
     with table.naming():
         planes = _PLANES[found[0]](table.table(found[0]), surface)
         sections = surface.cut(planes, table.flag("half", found[0] == "radial"))
@@ -78,7 +86,8 @@ def _divided(section: Section, table: Table) -> Section:
             try:
                 pieces += _split(line, cut)
             except InputError as problem:
-                reports = (*reports, f"{line.name}: {problem}")
+                text = str(problem)
+                reports = (*reports, text if text.startswith(line.name) else f"{line.name}: {text}")
         lines = tuple(pieces)
     return replace(section, lines=lines, reports=reports)
 
@@ -115,9 +124,8 @@ def _parallel(table: Table, surface: Surface) -> tuple[Frame, ...]:
     if table.has("offsets"):
         raise InputError(f"{table.place('count')} means nothing beside offsets: leave one of them out")
     count = table.count("count", 8)
-    if not any(normal):
-        raise InputError(f"{table.place('normal')} is zero: give a direction of three numbers")
-    away = (surface.points - point) @ (np.array(normal) / np.linalg.norm(normal))
+    (first,) = parallel_planes(point, normal, 0.0, up=up)
+    away = (surface.points - point) @ first.z_axis
     offsets = away.min() + np.ptp(away) * (np.arange(count) + 0.5) / count
     return parallel_planes(point, normal, offsets, up=up)
 

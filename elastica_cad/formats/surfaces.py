@@ -35,6 +35,11 @@ class Surface:
         """Middle (3,) of the box around it, mm."""
         return np.asarray((self.points.min(axis=0) + self.points.max(axis=0)) / 2)
 
+    @property
+    def size(self) -> float:
+        """Diagonal of the box around it, mm."""
+        return float(np.linalg.norm(np.ptp(self.points, axis=0)))
+
 
 SurfaceReader: TypeAlias = Callable[..., Surface]
 """`read_surface(path, unit=..., scale=...)`."""

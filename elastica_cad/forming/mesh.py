@@ -13,8 +13,11 @@ __all__ = ["Mesh"]
 NAMED = 3
 """Places that a complaint lists."""
 
-CRACK = 1e-6
-"""Borders nearer to each other than this share of the size are one edge that was rounded twice."""
+CRACK = 1e-5
+"""Borders nearer to each other than this share of their extent are one edge that was rounded twice."""
+
+FARTHEST = 1e9
+"""mm; coordinates beyond are no lengths of anything made of strips."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -22,8 +25,8 @@ class Mesh:
     """Triangles in space, open or closed.
 
     Corners at the same place are made one, as files often repeat them, and along borders also those nearer than
-    a millionth of the mesh's size, as rounding leaves them; triangles without area and repeated ones are left
-    out. Nothing else is moved. `reports` says what was found; none of it stops a section.
+    a hundred thousandth of the borders' extent, as rounding leaves them; triangles without area and repeated
+    ones are left out. Nothing else is moved. `reports` says what was found; none of it stops a section.
 
     Parameters
     ----------
@@ -102,6 +105,12 @@ def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArra
     if not np.all(np.isfinite(points)):
         bad = int(np.flatnonzero(~np.isfinite(points).all(axis=1))[0])
         raise InputError(f"vertex {bad} of the mesh is not finite: {points[bad].tolist()}")
+    far = float(np.abs(points).max())
+    if far > FARTHEST:
+        bad = int(np.abs(points).max(axis=1).argmax())
+        raise InputError(
+            f"vertex {bad} of the mesh lies {far:.3g} mm from the origin: give the right unit or scale, or mend it"
+        )
     if rows.min() < 0 or rows.max() >= len(points):
         raise InputError(
             f"a triangle names vertex {rows.max() if rows.min() >= 0 else rows.min()} of {len(points)}"

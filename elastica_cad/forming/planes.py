@@ -8,6 +8,9 @@ from elastica_cad.geometry import Frame
 
 __all__ = ["parallel_planes", "planes_along", "radial_planes"]
 
+FARTHEST = 1e9
+"""mm, and the largest component of a direction."""
+
 
 def parallel_planes(
     point: ArrayLike, normal: ArrayLike, offsets: ArrayLike, *, up: ArrayLike = (0.0, 0.0, 1.0)
@@ -149,4 +152,6 @@ def _numbers(name: str, value: ArrayLike) -> FloatArray:
     v = np.asarray(value, dtype=float)
     if not np.all(np.isfinite(v)):
         raise InputError(f"{name} must be finite numbers, got {v.tolist()}")
+    if np.abs(v).max(initial=0.0) > FARTHEST:
+        raise InputError(f"{name} holds {np.abs(v).max():.3g}: nothing made of strips is so far away")
     return v

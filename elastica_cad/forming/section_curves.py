@@ -87,6 +87,11 @@ def section_curves(
     reports : tuple of str
         What the sections reported, and why a line gave no curve; the others go on.
 
+    Raises
+    ------
+    InputError
+        A tolerance or a wavelength that is none.
+
     Examples
     --------
     >>> u = np.linspace(0, np.pi, 60)
@@ -95,6 +100,10 @@ def section_curves(
     >>> found.name, found.curve.degree, reports
     ('arch', 4, ())
     """
+    if not (np.isfinite(wavelength) and wavelength >= 0):
+        raise InputError(f"wavelength={wavelength}: it must be 0 mm (no smoothing) or more")
+    if not (np.isfinite(tolerance) and tolerance > 0):
+        raise InputError(f"tolerance={tolerance}: it must be positive, in mm")
     found: list[SectionCurve] = []
     reports: list[str] = []
     for item in sections:

@@ -89,7 +89,10 @@ class SectionLine:
         height = np.where(np.abs(height) <= IN_PLANE * np.abs(self.places).max(), 0.0, height)
         above = height >= 0
         i = np.flatnonzero(above[:-1] != above[1:])
-        return self._split(i + height[i] / (height[i] - height[i + 1])) if i.size else (self,)
+        cuts = i + height[i] / (height[i] - height[i + 1])
+        if not self.is_closed:  # a plane through its end does not split it
+            cuts = cuts[(cuts > 0) & (cuts < len(self.points) - 1)]
+        return self._split(cuts) if cuts.size else (self,)
 
     def split_at_corners(self, turn: float) -> tuple["SectionLine", ...]:
         """The pieces between corners that turn by more than `turn`, rad; the line itself where it has none.
@@ -231,15 +234,25 @@ def _section(mesh: Mesh, frame: Frame, half: bool, name: str) -> Section:
     lines = [tidied(chain, small) for chain in chains]
     lines = sorted((line for line in lines if len(line) > 1), key=lambda line: -_length(line))
     if not lines:
-        depth = float(local[:, 2].min()) if local[:, 2].min() > 0 else float(local[:, 2].max())
-        gap = f" by {abs(depth):.4g} mm" if local[:, 2].min() > 0 or local[:, 2].max() < 0 else ""
-        reports.append(f"{name} at {_place(frame.origin)}: the plane misses the mesh{gap}")
+        reports.append(f"{name} at {_place(frame.origin)}: the plane {_missing(mesh, local, height)}")
     elif len(lines) > 1:
         starts = "; ".join(_place(frame.point(line[0])) for line in lines[:3])
         reports.append(f"{name} falls into {len(lines)} lines, starting at {starts}")
     names = [name] if len(lines) == 1 else [f"{name}, line {k + 1}" for k in range(len(lines))]
     made = tuple(SectionLine(line, frame, n) for line, n in zip(lines, names, strict=True))
     return Section(name, frame, made, tuple(reports))
+
+
+def _missing(mesh: Mesh, local: FloatArray, height: FloatArray) -> str:
+    """How a plane comes to cut nothing."""
+    used = np.unique(mesh.faces)
+    low, high = float(local[used, 2].min()), float(local[used, 2].max())
+    if low > 0 or high < 0:
+        return f"misses the mesh by {min(abs(low), abs(high)):.4g} mm"
+    touched = used[height[used] == 0]
+    if touched.size and (low == 0 or high == 0):
+        return f"touches the mesh near {_place(mesh.vertices[touched[0]])} and cuts nothing: shift it"
+    return "misses the mesh"
 
 
 def _chained(mesh: Mesh, local: FloatArray, height: FloatArray, above: BoolArray) -> list[FloatArray]:

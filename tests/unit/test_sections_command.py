@@ -187,12 +187,16 @@ def test_a_section_that_no_rod_can_follow_is_named_and_the_others_go_on(tmp_path
     [
         ((), "say by which planes to cut, with one of --radial"),
         (("--radial", 3, "--parallel", 3), "not --radial and --parallel"),
-        (("--parallel", 3, "--axis", 0, 0, 0), "normal is zero"),
+        (("--parallel", 3, "--axis", 0, 0, 0), "normal is zero: give a direction"),
         (("--radial", 3, "--axis", 0, 0, 1, "--zero", 0, 0, 1), "zero"),
         (("--radial", 3, "--sheet", "paper-9000"), "paper-9000"),
         (("--offset", 900), "no plane gives a strip: section 1"),
-        (("--radial", 3, "--scale", -1), "must be positive"),
+        (("--radial", 3, "--scale", 1e-9), "nothing made of strips does"),
         (("--along", "none.csv"), "none.csv cannot be read"),
+        (("--radial", 3, "--point", "nan", 0, 0), "--point is given as nan or infinite"),
+        (("--angle", "inf"), "--angle is given as nan or infinite"),
+        (("--offset", 1e300), "offsets holds 1e+300: nothing made of strips is so far away"),
+        (("--parallel", 3, "--axis", 0, 1e300, 0), "normal holds 1e+300"),
     ],
 )
 def test_sentences(dome, tmp_path, options, sentence):
@@ -201,3 +205,52 @@ def test_sentences(dome, tmp_path, options, sentence):
     assert result.exit_code == 2
     assert sentence in result.stderr
     assert "Traceback" not in result.output
+
+
+@pytest.mark.parametrize(
+    ("spoilt", "sentence"),
+    [
+        (lambda v: v * 1e200, "lies 1e+202 mm from the origin: give the right unit"),
+        (lambda v: v * 1e-200, "no triangle with an area"),
+        (lambda v: np.where(v == v[0], np.nan, v), "vertex 0 of the mesh is not finite"),
+        (lambda v: v * 1e3, '--unit um or unit = "um" (um: '),
+        (lambda v: v * [1, 1, 0] + [0, 0, 7], "the plane touches the mesh near ("),
+    ],
+)
+def test_spoilt_meshes(dome, tmp_path, spoilt, sentence):
+    mesh = written(tmp_path / "dome.obj", spoilt(dome[0]), dome[1])
+    result = run("sections", mesh, "--parallel", 3, "--axis", 0, 0, 1)
+    assert result.exit_code == 2
+    assert sentence in result.stderr
+    assert "Traceback" not in result.output
+
+
+def test_a_mesh_in_pieces_is_read_as_one(tmp_path):
+    """Quads that do not share corners, a tenth of a micrometre apart, some turned over."""
+    u, v = np.meshgrid(np.linspace(0, np.pi, 40), np.linspace(0, 200, 10), indexing="ij")
+    points, quads = sheet_of(100 * np.cos(u), v, 80 * np.sin(u))
+    torn = points[quads].reshape(-1, 3) + 1e-4 * np.random.default_rng(0).normal(size=(quads.size, 3))
+    faces = np.arange(quads.size).reshape(-1, 4)
+    faces[::2] = faces[::2, ::-1]
+    mesh = written(tmp_path / "vault.obj", torn, faces)
+    made = run("sections", mesh, "--parallel", 3, "--axis", 0, 1, 0, "-o", tmp_path)
+    assert made.exit_code == 0, made.output
+    assert made.output.count("mm long") == 3
+    assert [c.length for c in ec.read_curves(tmp_path / "vault-sections.json")] == pytest.approx(
+        [283.4] * 3, abs=0.2
+    )
+    for words in ("the mesh is open along 96 edges", "turned over"):
+        assert words in made.stderr
+
+
+def test_a_split_at_an_end_is_none(dome, tmp_path):
+    """The spine twice gives the same pieces as once."""
+    mesh = written(tmp_path / "dome.obj", *dome)
+    spine = ("--split", 0, 0, 0, 1, 0, 0)
+    for count, folder in ((1, "once"), (2, "twice")):
+        made = run(
+            "sections", mesh, "--offset", 0, "--axis", 0, 1, 0, *count * spine, "-o", tmp_path / folder
+        )
+        assert made.exit_code == 0, made.output
+    once, twice = (ec.read_curves(tmp_path / folder / "dome-sections.json") for folder in ("once", "twice"))
+    assert [c.length for c in once] == [c.length for c in twice]
