@@ -18,7 +18,7 @@ from freecad.elastica_wb.features import flat, strip
 from freecad.elastica_wb.pulling import box_around, evened, lost_constraints
 from freecad.elastica_wb.shapes import make_edge, make_wire
 
-from elastica_cad.errors import InputError, MissingDependencyError
+from elastica_cad.errors import InputError, MissingDependencyError, NotConvergedError
 from elastica_cad.geometry import Arc, Line, PlaneCurve, four_point_map
 from elastica_cad.geometry import Path as PlanePath
 from elastica_cad.mechanics import Sheet, check_equilibrium
@@ -226,6 +226,9 @@ def test_cutting_files(document, sketch, tmp_path: Path, request):
     assert "A1,birch-plywood-0.8" in files[-1].read_text()
     with pytest.raises(InputError, match="exists already"):
         write_cutting_files([feature], tmp_path / "out", kinds=kinds)
+    with pytest.raises(NotConvergedError, match="no file was written"):
+        write_cutting_files([feature], tmp_path / "stopped", kinds=kinds, step=lambda done: done < 1)
+    assert not list((tmp_path / "stopped").glob("*"))
     again = write_cutting_files([feature], tmp_path / "again", kinds=kinds)
     assert [a.read_bytes() == b.read_bytes() for a, b in zip(files, again, strict=True)] == [True] * len(
         files

@@ -110,6 +110,7 @@ def test_every_command(tmp_path):
     assert "elasto-gravity length" in found["coupon"]
     assert found["step volumes"] == pytest.approx(found["volumes"], rel=1e-6)
     assert "exists already" in found["export refused"]
+    assert "tick the box" in found["export refused"]
     assert found["sections"] == 3
     assert found["about an axis"][1]
     assert "Open lines: 3. Closed ones: 0." in found["lines shown"][0]

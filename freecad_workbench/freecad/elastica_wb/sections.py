@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import Any
 
 import FreeCAD as App
@@ -240,14 +241,27 @@ def _mesh(obj: Any) -> tuple[FloatArray, Any] | None:
     source = _meshed(obj)
     if source is None:
         return None
-    points, faces = source.Mesh.Topology
+    own, faces = _arrays(source.Document.Name, source.Name, *_state(source))
     place = container(obj) * obj.Placement
     if source is not obj and getattr(obj, "LinkTransform", False):
         place = place * source.Placement
     matrix = (place * source.Placement.inverse()).toMatrix()
     rows = np.array(matrix.A, dtype=float).reshape(4, 4)
+    return own @ rows[:3, :3].T + rows[:3, 3], faces
+
+
+def _state(source: Any) -> tuple[float, ...]:
+    """What tells a mesh from the one that it was."""
+    mesh = source.Mesh
+    return (mesh.CountPoints, mesh.CountFacets, mesh.Area, mesh.Volume, *source.Placement.toMatrix().A)
+
+
+@lru_cache(maxsize=4)
+def _arrays(document: str, name: str, *_state: float) -> tuple[FloatArray, Any]:
+    """Vertices and triangles as arrays: FreeCAD gives them one by one, which takes a second for a million."""
+    points, faces = App.getDocument(document).getObject(name).Mesh.Topology
     vertices = np.array([tuple(p) for p in points]).reshape(-1, 3)
-    return vertices @ rows[:3, :3].T + rows[:3, 3], np.array(faces, dtype=int).reshape(-1, 3)
+    return vertices, np.array(faces, dtype=int).reshape(-1, 3)
 
 
 def _meshed(obj: Any) -> Any:

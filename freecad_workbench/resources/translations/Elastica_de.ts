@@ -67,6 +67,8 @@
  <message><source>Searching the nearest curve</source><translation>Suche die nächste Kurve</translation></message>
  <message><source>what this panel works on was deleted: press Cancel</source><translation>was dieses Bedienfeld bearbeitet, wurde gelöscht: Abbrechen drücken</translation></message>
  <message><source>the path was deleted: choose another one</source><translation>der Pfad wurde gelöscht: einen anderen wählen</translation></message>
+ <message><source>Writing files</source><translation>Schreibe Dateien</translation></message>
+ <message><source>tick the box for it</source><translation>das Kästchen dafür ankreuzen</translation></message>
 </context>
 <context>
  <name>ElasticaBend</name>

@@ -67,6 +67,8 @@
  <message><source>Searching the nearest curve</source><translation>正在搜索最近的曲线</translation></message>
  <message><source>what this panel works on was deleted: press Cancel</source><translation>此面板所处理的对象已被删除：请按取消</translation></message>
  <message><source>the path was deleted: choose another one</source><translation>路径已被删除：请选择另一条</translation></message>
+ <message><source>Writing files</source><translation>正在写入文件</translation></message>
+ <message><source>tick the box for it</source><translation>请勾选相应的复选框</translation></message>
 </context>
 <context>
  <name>ElasticaBend</name>

@@ -197,9 +197,8 @@ def nonsense(command):
         Panel.opened = None
         Gui.runCommand(command)
         wait(20)
-        if Panel.opened is not None and Gui.Control.activeDialog():
-            if not Panel.opened.accept():
-                Panel.opened.reject()
+        if Panel.opened is not None and Gui.Control.activeDialog() and not Panel.opened.accept():
+            Panel.opened.reject()
         told()
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(box, "Face1")

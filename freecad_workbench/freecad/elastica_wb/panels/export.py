@@ -6,7 +6,7 @@ from typing import Any
 
 from freecad.elastica_wb import preferences
 from freecad.elastica_wb.cutting import KINDS, pieces_of, write_cutting_files
-from freecad.elastica_wb.panels.base import Panel
+from freecad.elastica_wb.panels.base import Panel, progress
 from freecad.elastica_wb.panels.files import ask_folder
 from freecad.elastica_wb.text import tr
 
@@ -15,6 +15,8 @@ from elastica_cad.fabrication.pieces import Piece
 from elastica_cad.formats import CURVES, DXF_VERSIONS
 
 __all__ = ["ExportPanel"]
+
+BY_HAND = "(--force, or force=True)"  # how those who type allow files to be overwritten
 
 
 class ExportPanel(Panel):
@@ -57,20 +59,28 @@ class ExportPanel(Panel):
 
     def finished(self) -> None:
         """Write the files."""
+        try:
+            self._write()
+        except InputError as error:
+            raise InputError(str(error).replace(BY_HAND, tr("tick the box for it"))) from error
+
+    def _write(self) -> None:
         kinds = [kind for kind in KINDS if getattr(self.form, kind).isChecked()]
         if not self.form.folder.text().strip():
             raise InputError(tr("choose a folder for the files"))
-        self.written = write_cutting_files(
-            self.strips,
-            self.form.folder.text(),
-            kinds=kinds,
-            sheet_size=(self.form.sheetWidth.value(), self.form.sheetHeight.value()),
-            kerf=self.form.kerf.value(),
-            curves=self.form.curves.currentText(),
-            tolerance=self.form.tolerance.value(),
-            version=self.form.version.currentText(),
-            force=self.form.force.isChecked(),
-        )
+        with progress(tr("Writing files"), len(self.pieces) + len(self.strips)) as go_on:
+            self.written = write_cutting_files(
+                self.strips,
+                self.form.folder.text(),
+                kinds=kinds,
+                sheet_size=(self.form.sheetWidth.value(), self.form.sheetHeight.value()),
+                kerf=self.form.kerf.value(),
+                curves=self.form.curves.currentText(),
+                tolerance=self.form.tolerance.value(),
+                version=self.form.version.currentText(),
+                force=self.form.force.isChecked(),
+                step=go_on,
+            )
 
 
 def _listed(piece: Piece) -> str:
