@@ -7,16 +7,17 @@ import numpy as np
 import elastica_cad as ec
 
 STRIPS = 10  # across one sixth of the roof
-SPAN, RISE = 240.0, 95.0  # mm
+SPAN, RISE = 240.0, 130.0  # mm
+RATIO = 1.5
 GAP = 0.5  # mm taken off each half width
 TABS = (ec.Tab(10), ec.Tab(10, taper=1.0))  # towards the axis there is less room between neighbours
 CARD = ec.Sheet.named("card-200gsm")
 
 
 def height(x, y):
-    """A dome that three arches carry; it turns up towards the arches' edges."""
+    """A dome that three arches carry; towards their edges it turns up, so that every strip bends both ways."""
     r, v = np.hypot(x, y) / SPAN, np.arctan2(y, x)
-    return RISE * (1 - r**2) * (1 + 0.18 * r**2 * np.cos(3 * v))
+    return RISE * (1 - 1.75 * r**2 + 0.75 * r**4) * (1 + 0.3 * r**2 * np.cos(3 * v))
 
 
 def planes():
@@ -41,7 +42,7 @@ def build():
     mesh = surface()
     sections = ec.mesh_sections(mesh.vertices, mesh.faces, planes(), half=True)
     curves, reports = ec.section_curves(sections, tolerance=0.2)
-    found = ec.nearest_rods([c.curve for c in curves], ec.Limits(ratio=2.0, margin=5.0))
+    found = ec.nearest_rods([c.curve for c in curves], ec.Limits(ratio=RATIO, margin=5.0))
     widths = ec.touching([(near.curve, c.frame) for near, c in zip(found, curves, strict=True)], GAP)
     placed = []
     for near, c, width in zip(found, curves, widths, strict=True):
