@@ -142,6 +142,7 @@ def test_in_inches(tmp_path):
     assert found["stepped"][1] > 12.7
     assert " in" in found["numbers"]
     assert " mm" not in found["numbers"]
+    assert found["typed beside mm"] == ["19.05 mm", pytest.approx(19.05)]
     assert " in, birch" in found["cut list"]
     assert found["kerf"] == ["0.00787 in", pytest.approx(0.2)]
     assert found["version"] == "R2000"

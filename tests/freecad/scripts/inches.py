@@ -70,6 +70,15 @@ def work():
     answers["kerf"] = [Panel.opened.form.kerf.text(), Panel.opened.form.kerf.value()]
     answers["version"] = Panel.opened.form.version.currentText()
     Panel.opened.reject()
+    preferences.put("Units", "mm")
+    choose(strip)
+    Gui.ActiveDocument.setEdit(strip.Name)
+    wait(200)
+    type_into(Panel.opened.form.MaxWidth, "3/4 in")
+    answers["typed beside mm"] = [Panel.opened.form.MaxWidth.text(), strip.MaxWidth.Value]
+    Panel.opened.reject()
+    wait(100)
+    preferences.put("Units", "inch")
     Gui.ActiveDocument.setEdit(drawn.Name)
     wait(600)
     answers["advice"] = live.session().sentence

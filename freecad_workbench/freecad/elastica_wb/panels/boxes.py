@@ -74,8 +74,6 @@ class LengthBox(QtWidgets.QDoubleSpinBox):
 def lengths_in_users_unit(form: Any) -> None:
     """Put boxes in the user's unit in place of the form's boxes for mm."""
     unit = shown_unit()
-    if unit.size == 1.0:
-        return
     for box in form.findChildren(QtWidgets.QDoubleSpinBox):
         if box.suffix() == MM and not isinstance(box, LengthBox):
             better = LengthBox(unit, box)
