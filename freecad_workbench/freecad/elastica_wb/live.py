@@ -12,6 +12,7 @@ from freecad.elastica_wb.design import Wish, nearest_now, solved
 from freecad.elastica_wb.dragging import Dragged
 from freecad.elastica_wb.drawn import drawn_curve, is_sketch, sketch_curve
 from freecad.elastica_wb.features.asked import wish_of
+from freecad.elastica_wb.features.refusal import FAILURES, explained
 from freecad.elastica_wb.features.strip import hide_failed, is_strip
 from freecad.elastica_wb.library import sheet_called
 from freecad.elastica_wb.living import lives
@@ -22,8 +23,6 @@ from freecad.elastica_wb.qt import QtCore
 from freecad.elastica_wb.text import tr
 from freecad.elastica_wb.units import worded
 from pivy import coin
-
-from elastica_cad.errors import ElasticaError
 
 __all__ = ["Session", "followers", "install", "session", "start", "stop"]
 
@@ -120,10 +119,10 @@ class Session:
             if self._scale is None:
                 self._scale = comb_scale(self._curve)
             picture = curve_picture(self._curve, wish, self._scale)
-        except ElasticaError as error:
+        except FAILURES as error:
             self._curve = None
             self.overlay.clear()
-            self._say(str(error))
+            self._say(str(explained(error)))
             return
         self.overlay.show(picture)
         self.overlay.show_nearest(None)
@@ -141,9 +140,9 @@ class Session:
         wish = replace(self._wish(), nearest=False)
         try:
             strip = solved(self._curve, wish)
-        except ElasticaError as error:
+        except FAILURES as error:
             self.overlay.show_width(())
-            self._say(sentence_of(error))
+            self._say(sentence_of(explained(error)))
             if preferences.get("LiveNearest"):
                 self._ask(wish)
             return

@@ -8,12 +8,13 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from freecad.elastica_wb.drawn import is_sketch
 from freecad.elastica_wb.features.flat import is_flat
+from freecad.elastica_wb.features.refusal import FAILURES, explained
 from freecad.elastica_wb.features.strip import is_strip
 from freecad.elastica_wb.qt import QtWidgets
 from freecad.elastica_wb.text import icon, tr
 from freecad.elastica_wb.units import worded
 
-from elastica_cad.errors import ElasticaError, InputError
+from elastica_cad.errors import InputError
 
 __all__ = [
     "Command",
@@ -54,10 +55,10 @@ class Command:
         step = App.getActiveTransaction()
         try:
             self.run()
-        except ElasticaError as error:
+        except FAILURES as error:
             if App.getActiveTransaction() != step:
                 App.closeActiveTransaction(True)
-            tell(str(error))
+            tell(str(explained(error)))
 
     def run(self) -> None:
         """Do it."""

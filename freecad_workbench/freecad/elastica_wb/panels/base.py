@@ -8,13 +8,14 @@ from typing import Any
 import FreeCAD as App
 import FreeCADGui as Gui
 from freecad.elastica_wb import live
+from freecad.elastica_wb.features.refusal import FAILURES, explained
 from freecad.elastica_wb.living import document_lives, lives
 from freecad.elastica_wb.panels.boxes import lengths_in_users_unit
 from freecad.elastica_wb.qt import QtCore, QtWidgets
 from freecad.elastica_wb.text import icon, load_panel, tr
 from freecad.elastica_wb.units import worded
 
-from elastica_cad.errors import ElasticaError, InputError
+from elastica_cad.errors import InputError
 
 __all__ = ["Panel", "active_view", "placement_of_strip", "progress"]
 
@@ -52,8 +53,8 @@ class Panel:
         try:
             self._all_there()
             self.finished()
-        except ElasticaError as error:
-            self.tell(str(error))
+        except FAILURES as error:
+            self.tell(str(explained(error)))
             return False
         if self.document is not None:
             self.document.recompute()
@@ -133,8 +134,8 @@ class Panel:
         try:
             self._all_there()
             self.changed()
-        except ElasticaError as error:
-            self.tell(str(error))
+        except FAILURES as error:
+            self.tell(str(explained(error)))
 
     def _close(self) -> None:
         self._timer.stop()

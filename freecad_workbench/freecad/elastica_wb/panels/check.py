@@ -5,6 +5,7 @@ from typing import Any
 from freecad.elastica_wb import live, preferences
 from freecad.elastica_wb.design import Wish, solved
 from freecad.elastica_wb.drawn import drawn_curve, is_sketch
+from freecad.elastica_wb.features.refusal import FAILURES, explained
 from freecad.elastica_wb.library import sheet_called
 from freecad.elastica_wb.panels.base import Panel
 from freecad.elastica_wb.picture import sentence_of
@@ -28,8 +29,8 @@ class CheckPanel(Panel):
         try:
             curve = drawn_curve((source, edges)).curve
             self.check = check_equilibrium(curve)
-        except ElasticaError as error:
-            self.tell(str(error))
+        except FAILURES as error:
+            self.tell(str(explained(error)))
             return
         words = [str(self.check)]
         if self.check.realizable:
