@@ -41,7 +41,7 @@ def surface(rows=60, turns=120):
 def build():
     mesh = surface()
     sections = ec.mesh_sections(mesh.vertices, mesh.faces, planes(), half=True)
-    curves, reports = ec.section_curves(sections, tolerance=0.2)
+    curves, reports = ec.section_curves(sections, tolerance=0.1, false_turn=0.0)  # gentle bends are meant
     found = ec.nearest_rods([c.curve for c in curves], ec.Limits(ratio=RATIO, margin=5.0))
     widths = ec.touching([(near.curve, c.frame) for near, c in zip(found, curves, strict=True)], GAP)
     placed = []
