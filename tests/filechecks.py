@@ -197,6 +197,10 @@ def _svg_curves(path):
 def _svg_points(piece):
     import svgelements
 
+    if isinstance(piece, svgelements.CubicBezier):
+        corners = np.array([(p.x, p.y) for p in (piece.start, piece.control1, piece.control2, piece.end)])
+        t = np.linspace(0, 1, 301)[:, None]
+        return np.hstack([(1 - t) ** 3, 3 * t * (1 - t) ** 2, 3 * t**2 * (1 - t), t**3]) @ corners
     t = np.linspace(0, 1, 2 if isinstance(piece, svgelements.Line) else 301)
     return np.array([(p.x, p.y) for p in map(piece.point, t)])
 

@@ -6,6 +6,7 @@ from functools import cached_property
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad.fabrication.flat import pace
 from elastica_cad.fabrication.strip import Strip
 from elastica_cad.geometry import Path, Segment, Spline
 from elastica_cad.geometry.nearest import distances
@@ -17,6 +18,9 @@ SAME = 1e-6
 
 ROUGH = 0.02
 """Flatness of the loops whose centroids tell which way round parts may fit, mm."""
+
+STEEP = 100.0
+"""No long side rises more than this for each mm along the strip."""
 
 SAMPLES = 6
 """Points a segment by which loops are compared."""
@@ -94,8 +98,22 @@ def _along(path: Path, points: FloatArray) -> bool:
             np.all((points > low - SAME) & (points < high + SAME), axis=1) & (near > SAME)
         )
         if inside.size:
-            near[inside] = np.minimum(near[inside], distances(segment, points[inside]))
+            near[inside] = np.minimum(near[inside], _off(segment, points[inside]))
     return bool(near.max() <= SAME)
+
+
+def _off(segment: Segment, points: FloatArray) -> FloatArray:
+    """Distances (n,) of points from a segment; where they are too large to count, no more than that is sure."""
+    even = pace(segment) if isinstance(segment, Spline) else None
+    if even is None or not isinstance(segment, Spline):
+        return distances(segment, points)
+    # straight across where x runs evenly: no less than the distance, and the same in the end
+    t = np.clip((points[:, 0] - even[0]) / even[1], *segment.curve.domain)
+    off = np.asarray(np.hypot(*(segment.curve.evaluate(t) - points).T), dtype=float)
+    unsure = (off > SAME) & (off < STEEP * SAME)
+    if unsure.any():
+        off[unsure] = distances(segment, points[unsure])
+    return off
 
 
 def _box(segment: Segment) -> FloatArray:

@@ -172,14 +172,16 @@ class Model:
         Strips are equal where sheet, label and all cut loops are, after turning the part about or over.
         """
         found: list[tuple[FlatShape, list[int]]] = []
+        known: dict[int, list[int]] = {}  # one strip in several places need not be compared again
         for index, strip in enumerate(self.strips):
-            shape = FlatShape(strip)
-            for first, members in found:
-                if first.equals(shape):
-                    members.append(index)
-                    break
-            else:
-                found.append((shape, [index]))
+            if id(strip) not in known:
+                shape = FlatShape(strip)
+                alike = next((members for first, members in found if first.equals(shape)), None)
+                if alike is None:
+                    alike = []
+                    found.append((shape, alike))
+                known[id(strip)] = alike
+            known[id(strip)].append(index)
         return tuple(Part(shape.strip, self.name_of(members[0]), tuple(members)) for shape, members in found)
 
     def with_strips(self, strips: Sequence[Strip]) -> "Model":
