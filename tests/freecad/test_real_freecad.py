@@ -91,6 +91,7 @@ def test_every_command(tmp_path):
         pytest.approx((150 + x, y), abs=1e-6) for _, x, y in found["bend drag"]
     ], "the end is where the mouse put it"
     assert found["bend handles"] == [False, 0], "a handle that is dragged selects nothing"
+    assert found["view stays"]
     shift, place = found["start dragged"]
     assert shift < -5
     assert place[0] == pytest.approx(shift, abs=1e-6)
@@ -152,7 +153,7 @@ def test_in_inches(tmp_path):
 def test_a_hostile_user(tmp_path):
     found = launching.run_window("hostile.py", tmp_path)
     assert found["trouble"] == []
-    assert len(found["times"]) == 14 * 5 + 4
+    assert len(found["times"]) == 14 * 5 + 5
     assert "is empty" in found["empty in edit"]
     assert "closed" in found["circle in edit"]
     assert "missing" in found["sketch gone"]

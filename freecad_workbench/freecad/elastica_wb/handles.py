@@ -1,6 +1,7 @@
 """Points in the 3D view that a mouse drags within a plane; as large on every screen, however far the view is."""
 
 from collections.abc import Callable
+from contextlib import suppress
 from typing import Any
 
 import FreeCAD as App
@@ -48,14 +49,7 @@ class Handles:
         for node in (light, pick, depth, plane_node(placement), self._color, self._points, marks):
             self.root.addChild(node)
         self._scene.addChild(self.root)
-        # first in the scene: what is dragged here is neither selected nor turned
-        self._events = coin.SoEventCallback()
-        for kind, answer in (
-            (coin.SoMouseButtonEvent, self._pressed),
-            (coin.SoLocation2Event, self._dragged),
-        ):
-            self._events.addEventCallback(kind.getClassTypeId(), answer, None)
-        self._scene.insertChild(self._events, 0)
+        self._mouse = _Mouse(view, self._pressed, self._dragged, self._released)
         self.put(places)
 
     def put(self, places: ArrayLike) -> None:
@@ -81,36 +75,35 @@ class Handles:
     def remove(self) -> None:
         """Take them off the view."""
         self._soon.stop()
+        self._mouse.leave()
         self._scene.removeChild(self.root)
-        self._scene.removeChild(self._events)
 
-    def _pressed(self, _data: Any, node: Any) -> None:
-        event = node.getEvent()
-        if event.getButton() != coin.SoMouseButtonEvent.BUTTON1:
-            return
-        if event.getState() == coin.SoButtonEvent.DOWN:
-            away = np.hypot(*(np.array(self.on_screen()) - _pixel(event)).T)
-            self._held = int(np.argmin(away)) if away.min() <= REACH else None
-        elif self._held is not None:
-            self._soon.stop()
-            self._tell()
-            self._held = None
-            node.setHandled()
-        if self._held is not None:
-            node.setHandled()
+    def _pressed(self, pixel: FloatArray) -> bool:
+        away = np.hypot(*(np.array(self.on_screen()) - pixel).T)
+        self._held = int(np.argmin(away)) if away.min() <= REACH else None
         self._color.rgb = REST if self._held is None else HELD
+        return self._held is not None
 
-    def _dragged(self, _data: Any, node: Any) -> None:
+    def _dragged(self, pixel: FloatArray) -> bool:
         if self._held is None:
-            return
-        node.setHandled()
-        place = self._in_plane(_pixel(node.getEvent()))
+            return False
+        place = self._in_plane(pixel)
         if place is not None:
             moved = self.places.copy()
             moved[self._held] = place
             self.put(moved)
             if not self._soon.isActive():
                 self._soon.start()
+        return True
+
+    def _released(self, _pixel: FloatArray) -> bool:
+        if self._held is None:
+            return False
+        self._soon.stop()
+        self._tell()
+        self._held = None
+        self._color.rgb = REST
+        return True
 
     def _tell(self) -> None:
         if self._held is not None:
@@ -137,6 +130,34 @@ def plane_node(placement: Any) -> Any:
     return node
 
 
-def _pixel(event: Any) -> FloatArray:
-    spot = event.getPosition()
-    return np.array([spot[0], spot[1]], dtype=float)
+class _Mouse(QtCore.QObject):
+    """The left mouse button over a view, before FreeCAD turns the view or selects something by it.
+
+    Every style of navigation has its own use for that button, and some take it before the scene is asked.
+    """
+
+    def __init__(self, view: Any, *answers: Callable[[FloatArray], bool]) -> None:
+        super().__init__()
+        self._view, self._widget = view, view.graphicsView().viewport()
+        kinds = QtCore.QEvent
+        self._answers = dict(
+            zip((kinds.MouseButtonPress, kinds.MouseMove, kinds.MouseButtonRelease), answers, strict=True)
+        )
+        self._widget.installEventFilter(self)
+
+    def leave(self) -> None:
+        """Watch no longer; the view may be closed already."""
+        with suppress(RuntimeError):
+            self._widget.removeEventFilter(self)
+
+    def eventFilter(self, _widget: Any, event: Any) -> bool:
+        """Was the event for a handle? Then nobody else gets it."""
+        answer = self._answers.get(event.type())
+        if answer is None:
+            return False
+        button = QtCore.Qt.LeftButton
+        if event.button() != button and not event.buttons() & button:
+            return False
+        width, height = self._view.getSize()
+        x, y = event.pos().x() / self._widget.width(), event.pos().y() / self._widget.height()
+        return answer(np.array([x * width, (1 - y) * height]))

@@ -149,7 +149,12 @@ def bend_command(document, strip):
     )
     answers["bend drag"] = places
     answers["bend handles"] = (panel.preview.handles.is_held, len(Gui.Selection.getSelection()) - chosen)
+    # most styles of navigation turn the view by the same button
+    view.setNavigationType("Gui::GestureNavigationStyle")
+    turned = view.getCameraOrientation().Q
     drag(panel.rest.position[0], 5, (-4, 0))
+    answers["view stays"] = turned == view.getCameraOrientation().Q
+    view.setNavigationType("Gui::CADNavigationStyle")
     answers["start dragged"] = (panel.form.startX.value(), tuple(panel.rod.position[0]))
     panel.form.startX.setValue(0.0)
     panel.form.startY.setValue(0.0)

@@ -252,6 +252,24 @@ def edits():
     App.closeDocument(parts["document"].Name)
 
 
+def second_view():
+    """The view in which a panel shows its handles is closed, the document's other one stays."""
+    parts = scene()
+    for command in ("Elastica_Bend", "Elastica_Projective", "Elastica_Section", "Elastica_Check"):
+        Gui.runCommand("Std_ViewCreate")
+        wait(200)
+        panel = opened(command, parts)
+        area = Gui.getMainWindow().findChild(QtWidgets.QMdiArea)
+        window = area.activeSubWindow() or area.currentSubWindow()
+        window.close()
+        wait(200)
+        poke(panel)
+        panel.reject()
+        wait(50)
+    assert App.listDocuments(), "the document is still there"
+    App.closeDocument(parts["document"].Name)
+
+
 def copies():
     """Copy and paste, within and into another document."""
     parts = scene()
@@ -340,7 +358,7 @@ def work():
     for command in PANELS:
         for way in (vanish, undone, closed, elsewhere, nonsense):
             watched(f"{way.__name__} {command}", lambda way=way, command=command: way(command))
-    for way in (edits, copies, draft, preferences):
+    for way in (edits, second_view, copies, draft, preferences):
         watched(way.__name__, way)
 
 
