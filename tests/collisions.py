@@ -33,7 +33,7 @@ class Band:
 
     def samples(self):
         """Flat places (n, k, 2) and points in space (n, k, 3) from edge to edge."""
-        count = max(3, int(np.ceil(2 * self.half.max() / PITCH)) + 1)
+        count = int(np.clip(2 * self.half.max() / PITCH + 2, 3, 51))
         across = np.linspace(-1, 1, count) * self.half[:, None]
         plane = np.broadcast_to(self.points[:, None], (*across.shape, 2))
         flat = np.stack([np.broadcast_to(self.s[:, None], across.shape), across], axis=-1)
