@@ -1,10 +1,11 @@
 """Arguments and options that several commands share."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, TypeVar
 
 import click
+import numpy as np
 
 from elastica_cad.errors import InputError
 from elastica_cad.files import read_curves
@@ -16,6 +17,7 @@ __all__ = [
     "curve_options",
     "holding_option",
     "pick_curve",
+    "refuse_odd_numbers",
     "support_options",
 ]
 
@@ -92,3 +94,11 @@ def pick_curve(path: Path, number: int | None, unit: str | None) -> PlaneCurve:
     if not 1 <= number <= len(curves):
         raise InputError(f"{path} holds {len(curves)} curve(s): --curve {number} is not among them")
     return curves[number - 1]
+
+
+def refuse_odd_numbers(chosen: Mapping[str, Any]) -> None:
+    """Refuse nan and inf among the options of the running command: Python reads them as numbers."""
+    for option in click.get_current_context().command.params:
+        value = chosen.get(str(option.name))
+        if isinstance(value, float | tuple) and not np.all(np.isfinite(np.array(value, dtype=float))):
+            raise InputError(f"{option.opts[0]} is given as nan or infinite: give finite numbers")

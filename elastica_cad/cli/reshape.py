@@ -6,7 +6,7 @@ from pathlib import Path
 import click
 
 from elastica_cad._types import FloatArray
-from elastica_cad.cli.options import bendable_curves, pick_curve
+from elastica_cad.cli.options import bendable_curves, pick_curve, refuse_odd_numbers
 from elastica_cad.errors import InputError
 from elastica_cad.formats import files_together, write_curves
 from elastica_cad.formats.reshaping import CORNERS, corner_map
@@ -55,6 +55,7 @@ def reshape(
     weights), .svg (cubics, within 0.001 mm) and .json (exact). Exit code 1 when a curve cannot be bent; no such
     map mends that.
     """
+    refuse_odd_numbers({"handles": handles, **corners})
     drawn = bendable_curves(curve, unit) if number is None else [pick_curve(curve, number, unit)]
     matrix = _map(drawn, handles, {name: place for name, place in corners.items() if place is not None})
     changed = [one.transformed(matrix) for one in drawn]

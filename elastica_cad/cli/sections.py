@@ -10,6 +10,7 @@ from typing import Any
 import click
 import numpy as np
 
+from elastica_cad.cli.options import refuse_odd_numbers
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.files import read_surface
 from elastica_cad.formats import curves_json, files_together, write_curves
@@ -92,7 +93,7 @@ def sections(mesh: Path, output: Path, force: bool, sheet: str | None, **chosen:
     Writes NAME-sections.json (the curves, exactly), NAME-sections.dxf (the same side by side) and, with --sheet,
     NAME-sections.toml, a design file to go on with. A section that gives no curve is named; the others go on.
     """
-    _refuse_odd_numbers(chosen)
+    refuse_odd_numbers(chosen)
     if sheet is not None:
         Sheet.named(sheet)
     # the file is read once, for the defaults and for the sections
@@ -108,14 +109,6 @@ def sections(mesh: Path, output: Path, force: bool, sheet: str | None, **chosen:
         click.echo(f"wrote {output / name}")
     if sheet is None:
         click.echo("for strips along them add --sheet NAME, or give the curves to elastica strip")
-
-
-def _refuse_odd_numbers(chosen: dict[str, Any]) -> None:
-    """Python reads nan and inf as numbers."""
-    for option in click.get_current_context().command.params:
-        value = chosen.get(str(option.name))
-        if isinstance(value, float | tuple) and not np.all(np.isfinite(np.array(value, dtype=float))):
-            raise InputError(f"{option.opts[0]} is given as nan or infinite: give finite numbers")
 
 
 def _wished(mesh: Path, chosen: dict[str, Any], read: Any) -> dict[str, Any]:

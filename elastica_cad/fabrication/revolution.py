@@ -36,7 +36,7 @@ def revolution(
     sheet: Sheet,
     ring: float | None = None,
     ends: tuple[Tab, Tab] | None = None,
-    rings: Sheet | None = None,
+    rings: Sheet | str | None = None,
     name: str = "revolution",
 ) -> Model:
     """The surface of revolution about z whose meridian has x kappa = a + <b, gamma>, tiled by plain strips.
@@ -50,7 +50,7 @@ def revolution(
     sheet : Sheet
     ends : pair of Tab, optional
         Of each strip; 8 mm long and so wide that neighbours' tabs keep apart, unless given.
-    rings : Sheet, optional
+    rings : Sheet or str, optional
         Of a ring at each end, or a cap near the pole, which join the model as its `plates`; see `ring_plate`.
     name : str
 
@@ -82,12 +82,13 @@ def revolved(
     *,
     sheet: Sheet,
     ends: tuple[Tab, Tab] | None = None,
-    rings: Sheet | None = None,
+    rings: Sheet | str | None = None,
     name: str = "revolution",
 ) -> Model:
     """A meridian's surface about z, tiled by so many equal plain strips; see `revolution`."""
     if strips < 3:
         raise InputError(f"strips={strips}: a surface of revolution is tiled by 3 strips or more")
+    rings = Sheet.named(rings) if isinstance(rings, str) else rings
     width = 2 * float(np.tan(np.pi / strips)) * float(meridian.distance.extremes[1])
     strip = Strip(meridian.rod, sheet, max_width=width, ends=ends or _tabs(meridian, strips, sheet, rings))
     turn = 2 * np.pi * np.arange(strips) / strips

@@ -1,7 +1,9 @@
 """What a design file says about sections of a surface: which planes cut it, and the curves that come of it."""
 
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import TypeAlias
 
 import numpy as np
 
@@ -22,8 +24,13 @@ from elastica_cad.geometry import Frame
 
 __all__ = ["FAMILIES", "sections_of"]
 
+Split: TypeAlias = Callable[[SectionLine], tuple[SectionLine, ...]]
+
 SIZES = (1.0, 1e6)
 """mm; what is told to be smaller or larger was told wrongly."""
+
+MOST = 1000
+"""Planes."""
 
 FAMILIES = ("radial", "parallel", "along")
 
@@ -54,7 +61,9 @@ def sections_of(
         raise InputError(f"{table.place('scale')} is {scale:g}: it must be positive")
     # a scale that is given tells the size, so the unit need not be asked for
     unit = table.text("unit", "mm") if table.has("unit") or table.has("scale") else None
-    surface = read_surface(path, unit=unit, scale=scale)
+    splits = _splits(table)
+    with table.naming():
+        surface = read_surface(path, unit=unit, scale=scale)
     if not SIZES[0] <= surface.size <= SIZES[1]:
         raise InputError(
             f"{path} measures {surface.size:.3g} mm from corner to corner with this unit and scale: nothing made "
@@ -63,7 +72,7 @@ def sections_of(
     with table.naming():
         planes = _PLANES[found[0]](table.table(found[0]), surface)
         sections = surface.cut(planes, table.flag("half", found[0] == "radial"))
-        sections = tuple(_divided(section, table) for section in sections)
+        sections = tuple(_divided(section, table.flag("longest"), splits) for section in sections)
         curves, reports = section_curves(
             sections, tolerance=table.number("tolerance", 0.3), wavelength=table.number("wavelength", 0.0)
         )
@@ -73,34 +82,46 @@ def sections_of(
     return curves, reports
 
 
-def _divided(section: Section, table: Table) -> Section:
+def _splits(table: Table) -> list[Split]:
+    """Ways to split a line: by a plane through a point, at the places nearest to points in space, at corners."""
+    given = table.raw("split", [])
+    return [
+        _split(cut) for cut in ([table.table("split")] if isinstance(given, dict) else table.tables("split"))
+    ]
+
+
+def _split(cut: Table) -> Split:
+    if cut.has("corners"):
+        turn = cut.only("corners").number("corners")
+        if not 0 < turn < np.pi:
+            raise InputError(f"{cut.place('corners')} is {turn:g}: corners turn by an angle between 0 and pi")
+        return lambda line: line.split_at_corners(turn)
+    if cut.has("points"):
+        points = _points(cut.only("points"), "points")
+        return lambda line: line.split_at(line.frame.local(points)[:, :2])
+    cut.only("point", "normal")
+    point, normal = cut.vector("point", 3, (0.0, 0.0, 0.0)), cut.vector("normal", 3)
+    if not any(normal):
+        raise InputError(f"{cut.place('normal')} is zero: give a direction of three numbers")
+    return lambda line: line.split_by(point, normal)
+
+
+def _divided(section: Section, longest: bool, splits: Sequence[Split]) -> Section:
     """The section with the lines that are wanted of it, split where that is asked for."""
     lines, reports = section.lines, section.reports
-    if table.flag("longest") and len(lines) > 1:
+    if longest and len(lines) > 1:
         reports = (*reports, f"{section.name}: the longest line is kept, {lines[0].length:.4g} mm of it")
         lines = lines[:1]
-    given = table.raw("split", [])
-    for cut in [table.table("split")] if isinstance(given, dict) else table.tables("split"):
+    for split in splits:
         pieces: list[SectionLine] = []
         for line in lines:
             try:
-                pieces += _split(line, cut)
+                pieces += split(line)
             except InputError as problem:
                 text = str(problem)
                 reports = (*reports, text if text.startswith(line.name) else f"{line.name}: {text}")
         lines = tuple(pieces)
     return replace(section, lines=lines, reports=reports)
-
-
-def _split(line: SectionLine, cut: Table) -> tuple[SectionLine, ...]:
-    """By a plane through a point, at the places nearest to points in space, or at corners."""
-    if cut.has("corners"):
-        return line.split_at_corners(cut.only("corners").number("corners"))
-    if cut.has("points"):
-        cut.only("points")
-        return line.split_at(line.frame.local(_points(cut, "points"))[:, :2])
-    cut.only("point", "normal")
-    return line.split_by(cut.vector("point", 3, (0.0, 0.0, 0.0)), cut.vector("normal", 3))
 
 
 def _radial(table: Table, _surface: Surface) -> tuple[Frame, ...]:
@@ -110,7 +131,7 @@ def _radial(table: Table, _surface: Surface) -> tuple[Frame, ...]:
     zero = table.vector("zero", 3, (1.0, 0.0, 0.0))
     if table.has("angles"):
         return radial_planes(point, axis, _list(table, "angles"), zero=zero)
-    count = table.count("count", 8)
+    count = _count(table)
     return radial_planes(point, axis, 2 * np.pi * np.arange(count) / count, zero=zero)
 
 
@@ -123,7 +144,7 @@ def _parallel(table: Table, surface: Surface) -> tuple[Frame, ...]:
         return parallel_planes(point, normal, _list(table, "offsets"), up=up)
     if table.has("offsets"):
         raise InputError(f"{table.place('count')} means nothing beside offsets: leave one of them out")
-    count = table.count("count", 8)
+    count = _count(table)
     (first,) = parallel_planes(point, normal, 0.0, up=up)
     away = (surface.points - point) @ first.z_axis
     offsets = away.min() + np.ptp(away) * (np.arange(count) + 0.5) / count
@@ -134,10 +155,18 @@ def _along(table: Table, _surface: Surface) -> tuple[Frame, ...]:
     table.only("path", "count", "ends", "up")
     up = table.vector("up", 3, (0.0, 0.0, 1.0))
     points = _points(table, "path")
-    return planes_along(points, table.count("count", 8), ends=table.flag("ends"), up=up)
+    return planes_along(points, _count(table), ends=table.flag("ends"), up=up)
 
 
 _PLANES = {"radial": _radial, "parallel": _parallel, "along": _along}
+
+
+def _count(table: Table) -> int:
+    """How many planes."""
+    count = table.count("count", 8)
+    if count > MOST:
+        raise InputError(f"{table.place('count')} is {count}: {MOST} planes are the most")
+    return count
 
 
 def _points(table: Table, key: str) -> FloatArray:

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.polynomial import chebyshev
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry import PlaneCurve
 
 __all__ = ["EXACT_POINTS", "FoundMeridian", "search_meridian"]
@@ -27,9 +27,15 @@ STARTS = 30
 """First guesses of a and b that are tried: the regression's, then others of its size, always the same."""
 
 STEPS = 40
+LEAST_SHARE = 1e-3
+"""Of a step; where less of it would be needed the search leads nowhere."""
+
 SOLVED = 1e-11
 LONGEST = 1.5
 """A meridian longer than this times the smooth curve through the points winds about between them."""
+
+GOOD = 1e-7
+"""Equations missed by more than this share of the size were not solved."""
 
 SETTLED = 1e-10
 """Least squares end where a step changes nothing by more than this share of the size."""
@@ -87,6 +93,8 @@ def search_meridian(points: FloatArray) -> FoundMeridian:
     ------
     InputError
         Two neighbouring points are the same.
+    NotConvergedError
+        The search ended beside every meridian.
     """
     if np.linalg.norm(np.diff(points, axis=0), axis=1).min() == 0:
         raise InputError("two neighbouring points of the meridian are the same: leave one out")
@@ -98,6 +106,8 @@ def search_meridian(points: FloatArray) -> FoundMeridian:
             unknown = _through(points, equations, guess, length)
         if unknown is None:
             points, unknown = _nearest(points, equations, guess)
+    if not float(np.abs(equations.off(unknown, points)).max()) < GOOD:
+        raise NotConvergedError("no meridian was found near these points")
     angles, lengths, constants = equations.parts(unknown)
     tangents = np.stack([np.cos(angles), np.sin(angles)], axis=1)
     return FoundMeridian(float(constants[0]), constants[1:], points, lengths, tangents @ equations.series.T)
@@ -218,7 +228,7 @@ def _newton(points: FloatArray, equations: _Equations, unknown: FloatArray) -> F
             float(np.linalg.norm(equations.off(unknown + share * step, points))) <= (1 - 1e-4 * share) * size
         ):
             share /= 2
-            if share < 1e-6:
+            if share < LEAST_SHARE:
                 return None
         unknown = unknown + share * step
     return None
@@ -247,7 +257,7 @@ def _nearest(points: FloatArray, equations: _Equations, unknown: FloatArray) -> 
             return float(((p - points) ** 2).sum() / 2 + weight * np.abs(equations.off(u, p)).sum())
 
         share, before = _most(equations, unknown, step), merit(unknown, places)
-        while share > 1e-8 and not merit(unknown + share * step, places + share * move) <= before:
+        while share > LEAST_SHARE and not merit(unknown + share * step, places + share * move) <= before:
             share /= 2
         unknown, places = unknown + share * step, places + share * move
         if share * max(float(np.abs(move).max()), float(np.abs(missed).max())) < SETTLED:
@@ -256,13 +266,14 @@ def _nearest(points: FloatArray, equations: _Equations, unknown: FloatArray) -> 
 
 
 def _least_step(system: FloatArray, right: FloatArray) -> FloatArray:
-    """The solution of linear equations, of several the smallest."""
-    if system.shape[0] == system.shape[1]:
-        try:
+    """The solution of linear equations (m, n), m <= n, of several the smallest."""
+    try:
+        if system.shape[0] == system.shape[1]:
             return np.asarray(np.linalg.solve(system, right))
-        except np.linalg.LinAlgError:
-            pass
-    return np.asarray(np.linalg.lstsq(system, right, rcond=1e-13)[0])
+        across, corner = np.linalg.qr(system.T)
+        return np.asarray(across @ np.linalg.solve(corner.T, right))
+    except np.linalg.LinAlgError:
+        return np.asarray(np.linalg.lstsq(system, right, rcond=1e-13)[0])
 
 
 def _most(equations: _Equations, unknown: FloatArray, step: FloatArray) -> float:

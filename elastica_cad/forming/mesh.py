@@ -92,7 +92,10 @@ class Mesh:
 
 
 def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArray]:
-    points, rows = np.asarray(vertices, dtype=float), np.asarray(faces)
+    try:
+        points, rows = np.asarray(vertices, dtype=float), np.asarray(faces)
+    except (TypeError, ValueError):
+        raise InputError("a mesh is rows of numbers: vertices (n, 3) and triangles (m, 3)") from None
     if points.ndim != 2 or points.shape[1] != 3 or rows.ndim != 2 or rows.shape[1] != 3:
         raise InputError(
             f"a mesh is vertices (n, 3) and triangles (m, 3), not {points.shape} and {rows.shape}: "

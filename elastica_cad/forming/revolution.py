@@ -15,6 +15,7 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.forming.meridian_search import FoundMeridian, search_meridian
 from elastica_cad.forming.section_curves import distances_to
 from elastica_cad.geometry import PlaneCurve, Profile
+from elastica_cad.geometry.checks import finite
 from elastica_cad.mechanics import Rod
 
 __all__ = ["Meridian", "meridian", "meridian_through"]
@@ -177,14 +178,17 @@ def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = Non
     data = _profile(points)
     size = float(np.linalg.norm(np.ptp(data, axis=0)))
     chosen = np.unique(np.linspace(0, len(data) - 1, min(len(data), SOUGHT)).round().astype(int))
-    found = search_meridian(data[chosen] / size)
-    if not (found.points[0, 0] > 0 and np.isfinite(found.length)):
-        raise NotConvergedError(f"no meridian was found near these points: {HOPELESS}")
-    length, start = found.length * size, float(found.points[0, 0]) * size
-    end = _end(found, size, _floor(start, length, ring))
-    curve = PlaneCurve.fit_function(
-        lambda s: size * found.position(s / size), 0.0, end, tolerance=CURVE_TOLERANCE * length, degree=5
-    )
+    try:
+        found = search_meridian(data[chosen] / size)
+        if not found.points[0, 0] > 0:
+            raise NotConvergedError("the nearest meridian begins beyond the axis")
+        length, start = found.length * size, float(found.points[0, 0]) * size
+        end = _end(found, size, _floor(start, length, ring))
+        curve = PlaneCurve.fit_function(
+            lambda s: size * found.position(s / size), 0.0, end, tolerance=CURVE_TOLERANCE * length, degree=5
+        )
+    except NotConvergedError as problem:
+        raise NotConvergedError(f"{problem}: {HOPELESS}") from problem
     closes = end < length
     beside = data[:-1] if closes else data
     if len(chosen) == len(data):
@@ -223,8 +227,8 @@ def _end(found: FoundMeridian, size: float, floor: float) -> float:
 
 def _profile(points: ArrayLike) -> FloatArray:
     """Points (n, 2) that a meridian can be sought through."""
-    data = np.asarray(points, dtype=float)
-    if data.ndim != 2 or data.shape[1] != 2 or len(data) < 3 or not np.all(np.isfinite(data)):
+    data = finite("the points of a meridian", points)
+    if data.ndim != 2 or data.shape[1] != 2 or len(data) < 3:
         raise InputError("a meridian is sought through three points (x, y) or more, mm")
     beyond = np.append(data[:-1, 0] <= 0, data[-1, 0] < 0)
     if beyond.any():

@@ -295,6 +295,10 @@ def test_sections_of_a_mesh_become_strips(dome, read):
         (DOME + "scale = 0, radial = {} }", "must be positive"),
         (DOME + "radial = {} }\ncount = 3", "count means nothing beside sections"),
         (DOME + "radial = { cuont = 3 } }", "did you mean count"),
+        (
+            DOME + "parallel = { normal = [0, 1, 0], count = 1e9 } }",
+            "count is 1000000000: 1000 planes are the most",
+        ),
     ],
 )
 def test_sections_refuse_in_words(dome, read, wrong, message):

@@ -97,6 +97,8 @@ def test_what_cannot_be_bent_stays_so(tmp_path):
         (("--handle", 0, 0, 1, 1, "--top-left", 3, 4), "not both"),
         (("--top-right", 100, 0, "--top-left", 200, 0), "lie in one line, through"),
         (("--top-right", 60, 40), "through infinity, near ("),
+        (("--top-right", "nan", 40), "--top-right is given as nan or infinite"),
+        (("--handle", 0, 0, 1, "inf"), "--handle is given as nan or infinite"),
     ],
 )
 def test_sentences(wave, options, sentence):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import elastica_cad as ec
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.forming import meridian, meridian_through
 
 CARD = ec.Sheet.named("card-200gsm")
@@ -197,6 +197,9 @@ def test_a_dome_through_points_closes_at_the_pole_or_at_a_ring():
         (lambda: meridian(1, (0, 0, 0), (5, 0), 1, 10), "two numbers each"),
         (lambda: meridian(1, (0, 0), (5, 0), 1, 10, ring=7), "ring=7"),
         (lambda: meridian_through([(1, 1), (2, 2)]), "three points"),
+        (lambda: meridian_through("abc"), "must be numbers"),
+        (lambda: meridian_through([(0, 1), (2, 2), (1, 3)]), "point 1 at"),
+        (lambda: meridian_through([(3, 1), (2, 2), (1, 3)], ring=7), "ring=7"),
         (lambda: meridian_through([(1, 1), (-2, 2), (1, 3)]), "point 2"),
         (lambda: meridian_through([(1, 1), (1, 1), (1, 3)]), "the same"),
         (lambda: ec.revolution(0, (0, 0), (50, 0), 1.5, 2, length=30, sheet=CARD), "3 strips or more"),
@@ -205,3 +208,11 @@ def test_a_dome_through_points_closes_at_the_pole_or_at_a_ring():
 def test_bad_input(call, words):
     with pytest.raises(InputError, match=words):
         call()
+
+
+def test_points_beside_every_meridian_are_refused_at_once():
+    """Back and forth within a hair's breadth."""
+    with pytest.raises(
+        NotConvergedError, match="strips that tile a surface of revolution cannot follow them"
+    ):
+        meridian_through([(50, 0), (60, 50), (50, 1e-6), (60, 51)])
