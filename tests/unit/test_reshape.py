@@ -101,8 +101,8 @@ def test_what_cannot_be_bent_stays_so(tmp_path):
         (("--handle", 0, 0, 1, "inf"), "--handle is given as nan or infinite"),
     ],
 )
-def test_sentences(wave, options, sentence):
-    result = run("reshape", wave, *options)
+def test_sentences(wave, tmp_path, options, sentence):
+    result = run("reshape", wave, *options, "-o", tmp_path)
     assert result.exit_code == 2
     assert sentence in result.stderr
     assert result.stderr.count("\n") == 1

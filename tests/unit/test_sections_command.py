@@ -201,7 +201,7 @@ def test_a_section_that_no_rod_can_follow_is_named_and_the_others_go_on(tmp_path
 )
 def test_sentences(dome, tmp_path, options, sentence):
     mesh = written(tmp_path / "dome.obj", *dome)
-    result = run("sections", mesh, *options)
+    result = run("sections", mesh, *options, "-o", tmp_path)
     assert result.exit_code == 2
     assert sentence in result.stderr
     assert "Traceback" not in result.output
@@ -219,7 +219,7 @@ def test_sentences(dome, tmp_path, options, sentence):
 )
 def test_spoilt_meshes(dome, tmp_path, spoilt, sentence):
     mesh = written(tmp_path / "dome.obj", spoilt(dome[0]), dome[1])
-    result = run("sections", mesh, "--parallel", 3, "--axis", 0, 0, 1)
+    result = run("sections", mesh, "--parallel", 3, "--axis", 0, 0, 1, "-o", tmp_path)
     assert result.exit_code == 2
     assert sentence in result.stderr
     assert "Traceback" not in result.output
