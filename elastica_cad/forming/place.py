@@ -16,6 +16,8 @@ _NEWTON = 4  # corrections on the way to one place
 _CLOSED = 1e-8  # rad that still change when a rod is as good as in balance
 _LOST = 1.5  # rad: a rod that would have to turn so far does not close
 _BADLY = 1e-4  # of a constraint's value
+_NEARLY = 0.1  # rad by which a place may be off when it tells too little
+_WILD = 1e50
 _TELLING = 0.5  # share of what a step promises that may be unknown
 
 
@@ -77,6 +79,11 @@ class Place:
         """The merit that the local program expects after a step."""
         return self.model.at(step) + self._cost(step, prices)
 
+    def tells(self, promise: float, largest_price: float) -> bool:
+        """Is what closing the rod may still change, beyond the first order, small beside a promise?"""
+        weight = 1.0 if self.model.peaks.size else float(np.sqrt(2 * max(self.distance, 0.0)))
+        return self.off**2 * (weight + largest_price) < _TELLING * promise
+
     def mends(self, step: FloatArray) -> bool:
         """Does a step put right most of what is badly broken, be it worth little?"""
         now, then = (self._broken(change).max(initial=0.0) for change in (self.change[:-1], step))
@@ -91,9 +98,13 @@ class Place:
         return self.rows.broken(self.rows.value + self.rows.jacobian @ step)
 
 
-def place(problem: Problem, rod: MarchedRod, held: Held = _NOTHING) -> Place:
-    """The place of a rod, out of balance or not."""
+def place(problem: Problem, rod: MarchedRod, held: Held = _NOTHING) -> Place | None:
+    """The place of a rod, out of balance or not; None where it winds up, or is sensitive, beyond all measure."""
+    if not np.isfinite(rod.moments[-1]):
+        return None
     sensitivities = problem.grid.sensitivities(rod, closing=True)
+    if not np.abs(sensitivities.angles).max() < _WILD:
+        return None
     rows = rows_near(problem, sensitivities)
     return _holding(problem, sensitivities, rows, held)
 
@@ -132,19 +143,15 @@ def followed(
     small beside the promise. A rod that is sensitive to its start stands far larger steps so than marched from
     there (and no Maratos effect).
     """
-    at = start
-    change = step
+    at, change = start, step
     for _ in range(_NEWTON):
-        rod = moved(at, change)
-        at = place(start.problem, rod, held)
-        off = at.off
-        if not off < _LOST:
+        found = place(start.problem, moved(at, change), held)
+        if found is None or not found.off < _LOST:
             return None
-        weight = 1.0 if at.model.peaks.size else float(np.sqrt(2 * max(at.distance, 0.0)))
-        if off**2 * (weight + largest_price) < _TELLING * promise:
-            return at
-        change = at.change
-    return at if off < 0.1 else None
+        if found.tells(promise, largest_price):
+            return found
+        at, change = found, found.change
+    return at if at.off < _NEARLY else None
 
 
 def balanced(start: Place, held: Held) -> MarchedRod | None:
@@ -154,9 +161,10 @@ def balanced(start: Place, held: Held) -> MarchedRod | None:
         if not at.off < _LOST:
             return None
         rod = moved(at, at.change)
-        if at.off < _CLOSED:
+        found = None if at.off < _CLOSED else place(start.problem, rod, held)
+        if found is None:
             break
-        at = place(start.problem, rod, held)
+        at = found
     marched = start.problem.grid.rod(rod.z)
     return marched if np.isfinite(marched.moments[-1]) else None
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import BoolArray, FloatArray
+from elastica_cad.forming.dense import gram
 
 __all__ = ["QuadraticProgram", "QuadraticSolution", "solve_quadratic"]
 
@@ -199,7 +200,7 @@ def _factorised(
         return None
     inverse, _ = dtrtri(L, lower=1)
     W = inverse @ A.T
-    S = W.T @ W
+    S = gram(W) if W.size else np.zeros((0, 0))
     if not S.size:
         return inverse, W, S
     diagonals = S.reshape(-1)[:: S.shape[0] + 1]

@@ -9,13 +9,14 @@ import numpy as np
 from elastica_cad.forming.march import MarchedRod
 from elastica_cad.forming.problem import Problem
 from elastica_cad.forming.setting import Measure, Setting
-from elastica_cad.forming.sqp import Outcome, lifted, solve
+from elastica_cad.forming.sqp import LIFTS, Outcome, lifted, solve
 
 __all__ = ["MET", "best_outcome"]
 
 MET = 1e-6  # worst broken limit, in lengths, radians or shares of the limit, that counts as met
 _MOST_STEPS = 160  # in all, after which no new attempt is begun
 _EVEN = 1.4  # ratio of a rod that is nearly even
+_FEW = 3  # lifted steps after which a hard wish is still open to several valleys
 _PATIENCE = 40  # steps of one part of a continuation
 
 
@@ -71,12 +72,14 @@ def _attempts(setting: Setting, measure: Measure, problem: Problem, first: March
     yield _Attempt(0.03, lambda: _start(setting, problem, stiffness=1.0), 0.3)
     if setting.limits.largest_ratio > _EVEN and setting.limits.stiffness_bounds is None:
         yield _Attempt(0.03, lambda: _nearly_even(setting, measure))
+    yield _Attempt(0.03, lambda: problem.grid.rod(_start(setting, problem, lifts=_FEW).z))
 
 
 def _start(
     setting: Setting,
     problem: Problem,
     *,
+    lifts: int = LIFTS,
     same_length: bool = False,
     stiffness: float | None = None,
 ) -> MarchedRod:
@@ -93,7 +96,7 @@ def _start(
         problem = problem.with_length(z[u.length])
     z = np.clip(z, problem.lower, problem.upper)
     moments = (grid.basis @ z[u.stiffness]) * np.diff(angles) / grid.shares
-    return lifted(replace(problem, distance=setting.distance("mean")), z, angles, moments)
+    return lifted(replace(problem, distance=setting.distance("mean")), z, angles, moments, lifts)
 
 
 def _nearly_even(setting: Setting, measure: Measure) -> MarchedRod:

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad.errors import NotConvergedError
 from elastica_cad.forming.constraints import Constraint
 from elastica_cad.forming.march import MarchedRod
 from elastica_cad.forming.place import (
@@ -21,7 +22,7 @@ from elastica_cad.forming.place import (
 from elastica_cad.forming.problem import Problem, Rows, rows_near
 from elastica_cad.forming.qp import QuadraticProgram, QuadraticSolution, solve_quadratic
 
-__all__ = ["Outcome", "lifted", "solve"]
+__all__ = ["LIFTS", "Outcome", "lifted", "solve"]
 
 STEPS = 80
 LIFTS = 12
@@ -31,9 +32,10 @@ SMALLEST_RADIUS = 1e-7
 _TOUCHED = 1e-3
 _DAMPING = 1e-9
 _IDLE = 1e-2  # share of the distance left that a step of one scale costs where it changes nothing
+_EASIEST = 1e-4  # share of the damping that is left where steps keep what they promise
 _FAR = 20.0  # radius of the lifted steps
 _CALM = 1e-6  # where several forces do, the start takes the least: the likeliest to be stable
-_CALMED = 0.3  # rad: a lifted step that turns no edge further leaves a rod that closes
+_CALMED = 0.1  # rad: a lifted step that turns no edge further leaves a rod that closes
 _WORTHWHILE = 0.7  # a lifted step that leaves more of the distance is the last
 _AJAR = 1.0  # rad
 _ALIKE = 0.1
@@ -77,10 +79,12 @@ def lifted(
     the equation's error K kappa - M by its effect on the shape).
     """
     problem = problem.eager()
-    rod = problem.grid.guessed(z, angles, moments)
-    before = np.inf
+    rod = best = problem.grid.guessed(z, angles, moments)
+    before = least = np.inf
     for k in range(steps):
         here = place(problem, rod)
+        if here is None:
+            break
         damping = _damping(here, _CALM, np.inf if k == 0 else _IDLE)
         step, solution = _step(here, _FAR, damping)
         if step is None or solution is None:
@@ -88,11 +92,14 @@ def lifted(
         change = np.append(step, 1.0)
         rod = moved(here, change)
         after = problem.distance.value(rod)
-        calm = float(np.abs(here.sensitivities.angles @ change).max()) < _CALMED
-        if calm and after > _WORTHWHILE * before - _RESOLUTION:
+        turned = float(np.abs(here.sensitivities.angles @ change).max())
+        # second order in the turn is what closing the rod may add to its distance
+        if (rank := float(np.sqrt(2 * after)) + 0.1 * turned**2) < least:
+            best, least = rod, rank
+        if turned < _CALMED and after > _WORTHWHILE * before - _RESOLUTION:
             break
         before = after
-    return rod
+    return best
 
 
 def solve(
@@ -113,13 +120,13 @@ def solve(
     prices = np.zeros(len(problem.constraints))
     held = equalities(here)
     found: tuple[Rows, QuadraticSolution] | None = None
-    settled, iteration = False, 0
+    settled, iteration, ease = False, 0, 1.0
     while iteration < steps and not settled and radius > SMALLEST_RADIUS:
         if known is not None and _like(here.rod, known):
             return replace(known, iterations=iteration)
         iteration += 1
         floor = SETTLED * here.distance + _RESOLUTION
-        damping = _damping(here, _DAMPING, _IDLE)
+        damping = ease * _damping(here, _DAMPING, _IDLE)
         accepted = False
         while not accepted and radius > SMALLEST_RADIUS:
             step, solution = _step(here, radius, damping)
@@ -131,24 +138,32 @@ def solve(
             merit = here.merit(prices)
             promised = merit - here.promised(step, prices)
             size = float(np.abs(step / problem.scale).max())
-            settled = promised <= floor and not here.mends(step)
+            worth, dearest = max(promised, floor), float(prices.max(initial=0.0))
+            told = here.tells(worth, dearest)
+            settled = told and promised <= floor and not here.mends(step)
             touched = _touched(here, step, solution)
-            trial = followed(
-                here, np.append(step, 1.0), touched, max(promised, floor), prices.max(initial=0.0)
-            )
-            gain = -np.inf if trial is None else (merit - trial.merit(prices)) / max(promised, 1e-300)
+            trial = followed(here, np.append(step, 1.0), touched, worth, dearest)
+            gain = -np.inf if trial is None else (merit - trial.merit(prices)) / worth
             accepted = gain > 1e-4
             if trial is not None and accepted:
                 here, held = trial, touched
+            elif not told:
+                # what the trial did not come up to may be the merit of a rod that does not close so
+                nearer = followed(here, here.change, held, worth, dearest)
+                if nearer is not None:
+                    here, accepted = nearer, True
+                    continue
             if settled:
                 break
             if gain > 0.75:
-                radius = max(radius, min(5.0, 2 * size))
+                radius, ease = max(radius, min(5.0, 2 * size)), max(0.1 * ease, _EASIEST)
             elif gain < 0.25:
-                radius = (0.5 if accepted else 0.3) * size
+                radius, ease = (0.5 if accepted else 0.3) * size, 1.0
     rod = balanced(here, held)
     if rod is None:
-        rod = _finite(problem, problem.grid.rod(here.rod.z))
+        rod = problem.grid.rod(here.rod.z)
+    if not np.isfinite(rod.moments[-1]):
+        rod = _slack(problem)
     rod = _closed(problem, rod)
     values = problem.values(rod)
     multipliers, low, high = _multipliers(problem, values, found)
@@ -166,17 +181,20 @@ def _like(rod: MarchedRod, known: Outcome) -> bool:
 def _first(problem: Problem, start: MarchedRod) -> Place:
     """Where the search begins: at a rod as it is given, or where that closes nowhere, as it is marched."""
     rod = problem.grid.guessed(problem.inside(start.z), start.angles, start.moments)
-    if np.isfinite(rod.moments[-1]):
-        here = meeting_equalities(place(problem, rod))
+    found = place(problem, rod)
+    if found is not None:
+        here = meeting_equalities(found)
         if here.off < _AJAR:
             return here
-    return place(problem, _finite(problem, problem.grid.rod(rod.z)))
+    for other in (problem.grid.rod(rod.z), _slack(problem)):
+        found = place(problem, other)
+        if found is not None:
+            return found
+    raise NotConvergedError("no rod is found to begin with: draw a smoother curve, or a shorter one")
 
 
-def _finite(problem: Problem, rod: MarchedRod) -> MarchedRod:
-    """The rod, or where it has wound up beyond all measure one without forces: there something can be said."""
-    if np.isfinite(rod.moments[-1]):
-        return rod
+def _slack(problem: Problem) -> MarchedRod:
+    """A rod without forces: where nothing else closes, here something can be said."""
     u = problem.grid.unknowns
     z = np.zeros(u.count)
     z[u.stiffness], z[u.length] = 1.0, 1.0
