@@ -59,6 +59,7 @@ def elastica() -> None:
       elastica sheets                               materials we know
       elastica strip arch.dxf --sheet birch-plywood-0.8 --max-width 40 -o out
       elastica model pavilion.toml -o out           many strips: slots, base, nested sheets, cut list
+      elastica sections pot.obj --radial 16         curves for strips along a mesh or a STEP body
 
     Curves come from DXF, SVG, CSV, JSON, text files of control points, and STEP with a CAD kernel installed.
     Lengths are mm. Exit code: 0 done, 1 not realizable (or too much strain with --strict), 2 bad input.
