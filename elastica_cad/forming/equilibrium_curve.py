@@ -23,6 +23,8 @@ from elastica_cad.mechanics.weighing import BalancedStiffness, balance_without_w
 
 __all__ = ["BothEnds", "EquilibriumCurve", "NodalRod", "collinear", "kept"]
 
+_PARTS = 96  # of a panel: a step moves the extremes of K, and bounds hold at samples only
+
 BothEnds: TypeAlias = "bool | tuple[bool, bool]"
 
 
@@ -101,7 +103,7 @@ class EquilibriumCurve:
                 "the curve is straight, so a strip of one width takes it: there is nothing to change"
             )
         balance = balance_without_weight(check, supports, 0.0)
-        dense = dense_places(balance.panels)
+        dense = dense_places(balance.panels, _PARTS)
         extremes = extreme_places(balance.stiffness)
         panel, x = (np.concatenate(pair) for pair in zip(dense, extremes, strict=True))
         order = np.lexsort((x, panel))

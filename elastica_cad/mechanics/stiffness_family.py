@@ -20,7 +20,14 @@ from elastica_cad.mechanics.panels import SLOPES, VANDER, WEIGHTS, PanelFunction
 
 __all__ = ["StiffnessFamily", "dense_places", "extreme_places", "least_ratio", "smoothest", "wrong_places"]
 
-DENSE = np.concatenate([[-1.0], np.cos(np.pi * (np.arange(1, 24)[::-1] / 24)), [1.0]])
+
+def _lobatto(parts: int) -> FloatArray:
+    """Places (parts + 1,) from -1 to 1, closer towards the ends."""
+    inner = np.cos(np.pi * (np.arange(1, parts)[::-1] / parts))
+    return np.concatenate([[-1.0], inner, [1.0]])
+
+
+DENSE = _lobatto(24)
 """Places in each panel at which bounds are first watched."""
 
 BOUNDED = 1e-7
@@ -75,9 +82,10 @@ class StiffnessFamily:
         return K if self.offset is None else PanelFunction(K.coefficients + self.offset.coefficients)
 
 
-def dense_places(panels: Panels) -> tuple[IntArray, FloatArray]:
-    """Panel numbers and places x of a dense sampling, panel ends included."""
-    return np.repeat(np.arange(panels.count), DENSE.size), np.tile(DENSE, panels.count)
+def dense_places(panels: Panels, parts: int | None = None) -> tuple[IntArray, FloatArray]:
+    """Panel numbers and places x of a dense sampling, panel ends included; in so many parts a panel."""
+    x = DENSE if parts is None else _lobatto(parts)
+    return np.repeat(np.arange(panels.count), x.size), np.tile(x, panels.count)
 
 
 def least_ratio(
