@@ -5,7 +5,7 @@ from functools import cached_property
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
+from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError
 from elastica_cad.forming.limits import Symmetry
 from elastica_cad.geometry import PlaneCurve
@@ -14,6 +14,7 @@ __all__ = ["Wish", "symmetry_frame"]
 
 SPANS = 1000
 _WINDOW = 0.08  # how far a foot may lie from its point's place along the curve, in lengths
+_DOUBTS = 8
 _SYMMETRIC = 1e-4  # a curve off its mirror image by less, in lengths, is symmetric
 
 
@@ -131,14 +132,34 @@ def symmetry_frame(wish: Wish, kind: Symmetry) -> tuple[FloatArray, FloatArray]:
 
 
 def _largest_distance(points: FloatArray, chain: FloatArray) -> float:
-    """The largest distance of `points` from the nearest chord of a fine chain of points."""
+    """The largest distance of `points` from the nearest chord of a fine chain of points.
+
+    Where the chain runs beside them, distances from chords near by are upper bounds, and the largest is exact if
+    no chord at all is nearer.
+    """
+    last = chain.shape[0] - 2
+    chords = np.diff(chain, axis=0)
+    squares = np.maximum((chords**2).sum(axis=1), 1e-300)
+    k = np.minimum(np.arange(points.shape[0]), last)
+    for _ in range(3):
+        ahead = ((points - chain[k]) * chords[k]).sum(axis=1) / squares[k]
+        k = np.clip(k + np.floor(ahead).astype(int), 0, last)
+
+    def beside(points: FloatArray, k: IntArray | slice) -> FloatArray:
+        off, chord = points - chain[:-1][k], chords[k]
+        off = off - np.clip((off * chord).sum(axis=1) / squares[k], 0, 1)[:, None] * chord
+        return np.asarray(np.hypot(off[:, 0], off[:, 1]))
+
+    bounds = beside(points, k)
+    for _ in range(_DOUBTS):
+        farthest = int(np.argmax(bounds))
+        exact = float(beside(points[farthest], slice(None)).min())
+        if exact >= bounds[farthest] * (1 - 1e-12):
+            return exact
+        bounds[farthest] = exact
     from scipy.spatial import cKDTree
 
     _, nearest = cKDTree(chain).query(points)
-    best = np.full(points.shape[0], np.inf)
-    for first in (np.maximum(nearest - 1, 0), np.minimum(nearest, chain.shape[0] - 2)):
-        a, d = chain[first], chain[first + 1] - chain[first]
-        where = np.clip(((points - a) * d).sum(axis=1) / np.maximum((d**2).sum(axis=1), 1e-300), 0, 1)
-        off = points - a - where[:, None] * d
-        best = np.minimum(best, np.hypot(off[:, 0], off[:, 1]))
-    return float(best.max())
+    for k in (np.maximum(nearest - 1, 0), np.minimum(nearest, last)):
+        bounds = np.minimum(bounds, beside(points, k))
+    return float(bounds.max())
