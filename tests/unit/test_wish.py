@@ -1,5 +1,7 @@
 """Distances of rods from the drawn curve, against brute force."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
@@ -12,7 +14,7 @@ DRAWN = PlaneCurve.spline([(0, 0), (40, 60), (70, -60), (110, 70), (150, -40), (
 def farthest(points, chain):
     """Largest distance of points from the chords of a chain, one chord after the other."""
     best = np.full(len(points), np.inf)
-    for a, b in zip(chain[:-1], chain[1:], strict=True):
+    for a, b in pairwise(chain):
         off = points - a
         off = off - np.clip(off @ (b - a) / ((b - a) @ (b - a)), 0, 1)[:, None] * (b - a)
         best = np.minimum(best, np.hypot(*off.T))
