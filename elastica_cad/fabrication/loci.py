@@ -134,9 +134,20 @@ class _Heights:
         """n brought to unit length."""
         return self.n / np.linalg.norm(self.n)
 
-    def of(self, position: FloatArray) -> FloatArray:
-        """Heights (n,) of points in space, from the origin of a's frame."""
-        return (position - self.a.frame.origin) @ self.up
+    def along(self, strip: RuledStrip, s: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Heights of one of the curves, from the origin of a's frame, and their slopes, (n,) each."""
+        across, base = self._ways[0 if strip is self.a else 1]
+        position, tangent = strip.in_plane(s)
+        return position @ across + base, tangent @ across
+
+    @cached_property
+    def _ways(self) -> tuple[tuple[FloatArray, float], ...]:
+        """How height grows along x and y of each frame, and the height of its origin."""
+        origin = self.a.frame.origin
+        return tuple(
+            (strip.frame.axes[:2] @ self.up, float((strip.frame.origin - origin) @ self.up))
+            for strip in (self.a, self.b)
+        )
 
     def common(self, s_a: FloatArray, s_b: FloatArray, gap: FloatArray) -> LocusPoints:
         """v and u where the heights are equal: v z_a - u z_b = gap, from gamma_a to gamma_b."""
@@ -173,14 +184,13 @@ class Branch:
         s = [np.interp(q, self.nodes, row) for row in (self.s_a, self.s_b)]
         tolerance = NEWTON * max(strip.length for strip in strips)
         for _ in range(30):
-            (p, dp), (r, dr) = (strip.motion(x) for strip, x in zip(strips, s, strict=True))
-            gap = h.of(p) - h.of(r)
+            (p, f), (r, g) = (h.along(strip, x) for strip, x in zip(strips, s, strict=True))
+            gap = p - r
             if np.abs(gap).max(initial=0.0) <= tolerance:
                 break
-            f, g = dp @ h.up, dr @ h.up
             step = gap / np.maximum(f**2 + g**2, FLATTEST)
             s = [np.clip(s[0] - step * f, 0.0, h.a.length), np.clip(s[1] + step * g, 0.0, h.b.length)]
-        return h.common(s[0], s[1], r - p)
+        return h.common(s[0], s[1], strips[1].motion(s[1])[0] - strips[0].motion(s[0])[0])
 
 
 def _chained(heights: _Heights) -> list[tuple[FloatArray, FloatArray]]:
@@ -216,13 +226,12 @@ def _level(
 def _monotone(heights: _Heights, strip: RuledStrip) -> list[tuple[FloatArray, FloatArray]]:
     """Stretches (s, height) between the places where the height turns."""
     s = strip.stations
-    position, tangent = strip.motion(s)
-    height, slope = heights.of(position), tangent @ heights.up
+    height, slope = heights.along(strip, s)
     if np.abs(slope).max() < LEVEL:
         return [(s, np.full(s.size, height.mean()))]
     turns = np.flatnonzero((slope[:-1] < 0) != (slope[1:] < 0))
-    found = bracketed_zeros(lambda x: strip.motion(x)[1] @ heights.up, s[turns], s[turns + 1])
-    top = heights.of(strip.motion(found)[0])
+    found = bracketed_zeros(lambda x: heights.along(strip, x)[1], s[turns], s[turns + 1])
+    top = heights.along(strip, found)[0]
     stretches = []
     stops = [-1, *turns.tolist(), s.size - 1]
     for i, (before, after) in enumerate(pairwise(stops)):

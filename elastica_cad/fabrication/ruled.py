@@ -56,12 +56,12 @@ class RuledStrip:
 
     def motion(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Points of the curve in space and unit tangents, (n, 3) each, at arc lengths (n,)."""
-        p, d = self._plane(s)
+        p, d = self.in_plane(s)
         return self.frame.point(p), self.frame.direction(d)
 
     def normal(self, s: FloatArray) -> FloatArray:
         """Unit normals of the surface (n, 3), to the left of the curve."""
-        d = self._plane(s)[1]
+        d = self.in_plane(s)[1]
         return self.frame.direction(np.stack([-d[:, 1], d[:, 0]], axis=1))
 
     def may_meet(self, other: "RuledStrip") -> bool:
@@ -84,7 +84,7 @@ class RuledStrip:
         low, high = self.curve.bounds
         return np.array([[*low, -reach], [*high, reach]])
 
-    def _plane(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
+    def in_plane(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Points and tangents (n, 2) in the plane of the curve."""
         nodes, c = self._table
         k = np.searchsorted(nodes[1:-1], s, side="right")
