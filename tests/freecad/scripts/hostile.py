@@ -267,7 +267,6 @@ def second_view():
         panel.reject()
         wait(50)
     assert App.listDocuments(), "the document is still there"
-    App.closeDocument(parts["document"].Name)
 
 
 def copies():
@@ -358,7 +357,8 @@ def work():
     for command in PANELS:
         for way in (vanish, undone, closed, elsewhere, nonsense):
             watched(f"{way.__name__} {command}", lambda way=way, command=command: way(command))
-    for way in (edits, second_view, copies, draft, preferences):
+    # 0.20 itself crashes at the next document after a second view was closed: that comes last
+    for way in (edits, copies, draft, preferences, second_view):
         watched(way.__name__, way)
 
 
