@@ -4,9 +4,18 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 
-__all__ = ["gram"]
+__all__ = ["applied", "gram"]
 
-_UNTHREADED = 200_000  # multiplications
+_UNTHREADED = 200_000  # multiplications of a product of matrices
+_UNTHREADED_ENTRIES = 9_000  # of a matrix times a vector
+
+
+def applied(A: FloatArray, x: FloatArray) -> FloatArray:
+    """A x in blocks of rows."""
+    block = max(1, _UNTHREADED_ENTRIES // A.shape[1])
+    if A.shape[0] <= block:
+        return np.asarray(A @ x)
+    return np.concatenate([A[first : first + block] @ x for first in range(0, A.shape[0], block)])
 
 
 def gram(A: FloatArray) -> FloatArray:

@@ -6,7 +6,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import NotConvergedError
-from elastica_cad.forming.dense import gram
+from elastica_cad.forming.dense import applied, gram
 from elastica_cad.forming.march import MarchedRod, Sensitivities, StripGrid
 from elastica_cad.geometry import PlaneCurve
 from elastica_cad.mechanics import Rod
@@ -174,9 +174,11 @@ class _Refinement:
             system = np.block([[gram(J) + np.diag(resist), C.T], [C, np.zeros((gap.size, gap.size))]])
             change = np.zeros(u.count + 1)
             change[-1] = 1.0
-            change[free] = np.linalg.solve(system, np.concatenate([-J.T @ off, -gap]))[: free.size] / scale
-            z, turn = z + change[:-1], d.angles @ change
-            angles, moments = angles + turn, moments + d.moments @ change
+            change[free] = (
+                np.linalg.solve(system, np.concatenate([-applied(J.T, off), -gap]))[: free.size] / scale
+            )
+            z, turn = z + change[:-1], applied(d.angles, change)
+            angles, moments = angles + turn, moments + applied(d.moments, change)
             size_of_step = float(np.abs(turn).max())
             if not size_of_step < 10:
                 return None

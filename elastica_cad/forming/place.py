@@ -6,6 +6,7 @@ from functools import cached_property
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
+from elastica_cad.forming.dense import applied
 from elastica_cad.forming.distance import LocalModel
 from elastica_cad.forming.march import MarchedRod, Sensitivities
 from elastica_cad.forming.problem import Problem, Rows, rows_near
@@ -130,7 +131,7 @@ def _holding(problem: Problem, sensitivities: Sensitivities, rows: Rows, held: H
         s = problem.scale[free]
         gap = held.aim[there] - rows.value[here]
         change[:-1][free] = np.linalg.lstsq(rows.jacobian[np.ix_(here, free)] * s, gap, rcond=1e-10)[0] * s
-    return Place(problem, rod, sensitivities, rows, change, sensitivities.angles @ change)
+    return Place(problem, rod, sensitivities, rows, change, applied(sensitivities.angles, change))
 
 
 def followed(
@@ -173,7 +174,9 @@ def moved(at: Place, change: FloatArray) -> MarchedRod:
     """The rod after a change (p + 1,), to first order."""
     rod, d, problem = at.rod, at.sensitivities, at.problem
     z = problem.inside(rod.z + change[:-1])
-    return problem.grid.guessed(z, rod.angles + d.angles @ change, rod.moments + d.moments @ change)
+    return problem.grid.guessed(
+        z, rod.angles + applied(d.angles, change), rod.moments + applied(d.moments, change)
+    )
 
 
 def _common(here: IntArray, there: IntArray) -> tuple[IntArray, IntArray]:

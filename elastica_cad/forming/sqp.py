@@ -8,6 +8,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.forming.constraints import Constraint
+from elastica_cad.forming.dense import applied
 from elastica_cad.forming.march import MarchedRod
 from elastica_cad.forming.place import (
     Held,
@@ -92,7 +93,7 @@ def lifted(
         change = np.append(step, 1.0)
         rod = moved(here, change)
         after = problem.distance.value(rod)
-        turned = float(np.abs(here.sensitivities.angles @ change).max())
+        turned = float(np.abs(applied(here.sensitivities.angles, change)).max())
         # second order in the turn is what closing the rod may add to its distance
         if (rank := float(np.sqrt(2 * after)) + 0.1 * turned**2) < least:
             best, least = rod, rank
