@@ -15,6 +15,9 @@ from elastica_cad.mechanics import Sheet
 
 __all__ = ["revolution", "revolved"]
 
+MOST = 1000
+"""Strips."""
+
 TAB = 8.0
 """Length of a tab, mm."""
 
@@ -86,8 +89,10 @@ def revolved(
     name: str = "revolution",
 ) -> Model:
     """A meridian's surface about z, tiled by so many equal plain strips; see `revolution`."""
-    if strips < 3:
-        raise InputError(f"strips={strips}: a surface of revolution is tiled by 3 strips or more")
+    if not 3 <= strips <= MOST:
+        raise InputError(
+            f"strips={strips}: a surface of revolution is tiled by 3 strips or more, {MOST} at most"
+        )
     rings = Sheet.named(rings) if isinstance(rings, str) else rings
     width = 2 * float(np.tan(np.pi / strips)) * float(meridian.distance.extremes[1])
     strip = Strip(meridian.rod, sheet, max_width=width, ends=ends or _tabs(meridian, strips, sheet, rings))

@@ -15,6 +15,8 @@ Every number may be a formula in quotes (see `formulae`); lengths are mm, angles
         {spline = [[x, y]], degree} or {ellipse = {center, semi_axes, rotation, start, end or above}}, any of them
         with reshape = {bottom_left, bottom_right, top_right, top_left: where corners of its box go} or
         {handles = four points, to = four points}
+    revolution = {points = [[x, y]] from the axis, or curve (as above), or a, b, start, angle and length; strips,
+        ring, rings = "SHEET", sheet, ends}: a surface of revolution about z, tiled by equal strips
     [[patterns]] mirror = {point, normal, keep}, rotate = {count, axis, point, step}, repeat = {count, step}
     interlock = {clearance, fit, relief, above}, fixtures = {floor, clearance, wall, foot, foot_height, screw}
     base = {sheet, height, play, clearance, slot_width, border, shape, sheet_size}
@@ -37,6 +39,7 @@ from elastica_cad.fabrication import (
     Model,
     Piece,
     Placed,
+    Ring,
     SlottedFrame,
     Strip,
     coupon_drawing,
@@ -54,6 +57,7 @@ from elastica_cad.formats.kit_wishes import (
     nesting_wish,
 )
 from elastica_cad.formats.opening import existing_file
+from elastica_cad.formats.revolution_wish import RevolutionWish, revolution_wish
 from elastica_cad.formats.section_wishes import sections_of
 from elastica_cad.formats.surfaces import SurfaceReader, mesh_surface
 from elastica_cad.formats.tables import Table
@@ -78,7 +82,7 @@ DESIGN_SCHEMA = 1
 
 TOP_KEYS = (
     *MAKING_KEYS, "schema", "name", "let", "sheets", "sheets_file", "strips", "patterns", "interlock", "base",
-    "frame", "fixtures", "nest", "cut", "extras",
+    "frame", "fixtures", "nest", "cut", "extras", "revolution",
 )  # fmt: skip
 
 
@@ -104,7 +108,9 @@ class Design:
     reference_bar : float or None
         Length of a bar to check the machine's scale with, mm.
     reports : tuple of str
-        What sections of meshes have to say.
+        What sections of meshes and meridians have to say.
+    revolution : RevolutionWish or None
+        A surface of revolution, made before all strips.
     """
 
     name: str
@@ -119,6 +125,7 @@ class Design:
     coupon: bool = False
     reference_bar: float | None = None
     reports: tuple[str, ...] = ()
+    revolution: RevolutionWish | None = None
 
     def model(self, done: Callable[[str], None] | None = None) -> Model:
         """Make all strips, put them in their places, repeat and interlock them.
@@ -151,10 +158,14 @@ class Design:
             placed.append(Placed(strip, wish.frame.origin, wish.frame.x_axis, wish.frame.y_axis))
             if done is not None:
                 done(wish.label)
+        plates: tuple[Ring, ...] = ()
+        if self.revolution is not None:
+            surface = self.revolution.model(self.name)
+            placed, plates = [*surface.placed, *placed], surface.plates
         if failed and not placed:
             raise failed[0]
         without = tuple(f"{problem} This section is left out." for problem in failed)
-        model = Model(tuple(placed), self.name, reports=(*without, *self.reports))
+        model = Model(tuple(placed), self.name, reports=(*without, *self.reports), plates=plates)
         for kind, options in self.patterns:
             model = getattr(model, _PATTERNS[kind])(**options)
         return model if self.interlock is None else model.interlock(**self.interlock)
@@ -175,7 +186,8 @@ class Design:
 
     def extras(self) -> tuple[Piece, ...]:
         """Coupons and the reference bar, where the design asks for them."""
-        sheets = list(dict.fromkeys(wish.sheet for wish in self.wishes))
+        used = [wish.sheet for wish in self.wishes]
+        sheets = list(dict.fromkeys(used if self.revolution is None else [self.revolution.sheet, *used]))
         pieces = []
         if self.coupon:
             names = ["coupon"] if len(sheets) == 1 else [f"coupon-{n}" for n in range(1, len(sheets) + 1)]
@@ -219,7 +231,16 @@ def read_design(
         )
     top.scope = top.within(data.get("let", {}))
     sheets = _own_sheets(top, path)
+    revolution = None
+    if top.has("revolution"):
+        inner = top.table("revolution")
+        inner.defaults = Table(
+            {key: top.raw(key) for key in ("sheet", "ends") if top.has(key)}, top.where, top.scope
+        )
+        revolution = revolution_wish(inner, path.parent, sheets, read_curves)
     wishes, reports = _wishes(top, path.parent, sheets, read_curves, read_surface)
+    if not wishes and revolution is None:
+        raise InputError(f"{top.where} has no strips: write at least one table [[strips]]")
     twice = sorted({w.label for w in wishes if sum(w.label == v.label for v in wishes) > 1})
     if twice:
         raise InputError(
@@ -239,7 +260,8 @@ def read_design(
         cutting=cutting_wish(top.table("cut")),
         coupon=extras.flag("coupon"),
         reference_bar=extras.maybe("reference_bar"),
-        reports=reports,
+        reports=reports if revolution is None else (*revolution.reports, *reports),
+        revolution=revolution,
     )
 
 
@@ -278,8 +300,6 @@ def _wishes(
             label = table.text("label", f"S{len(wishes) + 1}").replace("{i}", str(i))
             one.where = f"{where} ({label})"
             wishes.append(strip_wish(one, label, folder, sheets, read_curves, section))
-    if not wishes:
-        raise InputError(f"{top.where} has no strips: write at least one table [[strips]]")
     return wishes, tuple(reports)
 
 

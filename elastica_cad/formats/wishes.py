@@ -17,7 +17,7 @@ from elastica_cad.forming import Keep, Limits, SectionCurve
 from elastica_cad.geometry import PlaneCurve
 from elastica_cad.mechanics import Gravity, Sheet, Supports
 
-__all__ = ["STRIP_KEYS", "CurveReader", "StripWish", "strip_wish"]
+__all__ = ["STRIP_KEYS", "CurveReader", "StripWish", "drawn_curve", "named_sheet", "strip_wish", "tabs"]
 
 CurveReader: TypeAlias = Callable[..., list[PlaneCurve]]
 """`read_curves(path, unit=...)`."""
@@ -92,11 +92,11 @@ def strip_wish(
         "natural_curvature": table.number("natural_curvature", 0.0),
         "limits": _limits(table.table("limits"), sheet) if limited else None,
         "keep": _keep(table.table("keep")) if limited else None,
-        "ends": _ends(table),
+        "ends": tabs(table),
         "style": _style(table.table("style"), sheets),
         "slots": tuple(_slot(slot) for slot in table.tables("slots")),
     }
-    curve = _curve(table, folder, read_curves) if section is None else section.curve
+    curve = drawn_curve(table, folder, read_curves) if section is None else section.curve
     return StripWish(
         label, curve, frame, sheet, making, table.where, "" if section is None else section.called
     )
@@ -119,7 +119,8 @@ def named_sheet(table: Table, key: str, sheets: dict[str, Sheet]) -> Sheet:
         return sheets[name] if name in sheets else Sheet.named(name)
 
 
-def _curve(table: Table, folder: Path, read_curves: CurveReader) -> PlaneCurve:
+def drawn_curve(table: Table, folder: Path, read_curves: CurveReader) -> PlaneCurve:
+    """The curve that the key `curve` tells of."""
     given = table.raw("curve")
     if given is None:
         raise InputError(
@@ -249,7 +250,7 @@ def _keep(table: Table) -> Keep:
     )
 
 
-def _ends(table: Table) -> tuple[Tab, Tab]:
+def tabs(table: Table) -> tuple[Tab, Tab]:
     """One table for both ends, or a list of two."""
     given = table.raw("ends", {})
     if isinstance(given, list):
