@@ -1,7 +1,7 @@
 """Cutting files of what is in a document: DXF, SVG, STEP, nest and cut list, together or not at all."""
 
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from importlib.util import find_spec
 from pathlib import Path
@@ -13,8 +13,9 @@ from freecad.elastica_wb.drawn import drawn_curve
 from freecad.elastica_wb.features.baseplate import is_base_plate, plate_of
 from freecad.elastica_wb.features.model import is_model, model_of
 from freecad.elastica_wb.features.strip import is_strip, strip_of
+from freecad.elastica_wb.patience import Step, go_on
 
-from elastica_cad.errors import InputError, MissingDependencyError, NotConvergedError
+from elastica_cad.errors import InputError, MissingDependencyError
 from elastica_cad.fabrication import sheet_color
 from elastica_cad.fabrication.cutlist import cut_list
 from elastica_cad.fabrication.nesting import nested
@@ -69,7 +70,7 @@ def write_cutting_files(
     tolerance: float = 0.02,
     version: str = "R2010",
     force: bool = False,
-    step: Callable[[int], bool] | None = None,
+    step: Step | None = None,
 ) -> list[Path]:
     """Write the files of strips, models and base plates into a folder.
 
@@ -102,24 +103,19 @@ def write_cutting_files(
     options = {"kerf": kerf, "curves": curves, "tolerance": tolerance}
     with files_together(folder, names, force=force) as workshop:
         for done, (stem, drawing) in enumerate(drawings.items()):
-            _go_on(step, done)
+            go_on(step, done, "no file was written")
             named = replace(drawing, name=stem)
             if "dxf" in kinds:
                 write_drawing(named, workshop / f"{stem}.dxf", version=version, **options)
             if "svg" in kinds:
                 write_drawing(named, workshop / f"{stem}.svg", **options)
         for done, obj in enumerate(bodies, len(drawings)):
-            _go_on(step, done)
+            go_on(step, done, "no file was written")
             _write_step(obj, workshop / f"{obj.Label}.step")
         if "csv" in kinds:
             files = {piece.name: f"{piece.file_stem}.{flat[0] if flat else 'dxf'}" for piece in pieces}
             (workshop / "cut-list.csv").write_text(cut_list(pieces, files).csv, encoding="utf-8")
     return [Path(folder) / name for name in names]
-
-
-def _go_on(step: Callable[[int], bool] | None, done: int) -> None:
-    if step is not None and not step(done):
-        raise NotConvergedError("stopped: no file was written")
 
 
 def _strip_pieces(obj: Any) -> list[Piece]:

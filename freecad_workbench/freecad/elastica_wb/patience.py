@@ -9,7 +9,10 @@ import FreeCAD as App
 
 from elastica_cad.errors import NotConvergedError
 
-__all__ = ["begun", "in_steps", "patiently"]
+__all__ = ["Step", "begun", "go_on", "in_steps", "patiently"]
+
+Step = Callable[[int], bool]
+"""Told how much is done; says whether to go on."""
 
 Answer, Item = TypeVar("Answer"), TypeVar("Item")
 
@@ -61,6 +64,18 @@ def _wait_with_bar(title: str, future: "Future[Any]") -> None:
                 raise NotConvergedError(f"{title}: stopped; change the curve or the limits to try again")
     finally:
         bar.close()
+
+
+def go_on(step: Step | None, done: int, stopped: str) -> None:
+    """Tell how much is done.
+
+    Raises
+    ------
+    NotConvergedError
+        The user said stop; with what that leaves.
+    """
+    if step is not None and not step(done):
+        raise NotConvergedError(f"stopped: {stopped}")
 
 
 def in_steps(title: str, items: Sequence[Item], work: Callable[[Item], Answer]) -> list[Answer]:

@@ -1,6 +1,6 @@
 """Plane sections of bodies, surfaces and meshes as smooth curves, each in a sketch that strips can follow."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
@@ -9,11 +9,11 @@ import FreeCAD as App
 import numpy as np
 import Part
 from freecad.elastica_wb.drawn import container, placement_of
-from freecad.elastica_wb.patience import patiently
+from freecad.elastica_wb.patience import Step, go_on, patiently
 from freecad.elastica_wb.shapes import spline_geometry
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import InputError
 from elastica_cad.formats.chains import chained
 from elastica_cad.formats.edges import Edge
 from elastica_cad.forming import (
@@ -51,7 +51,7 @@ POINTS = 240  # along a wire of a section, and for each of its edges a quarter o
 PATH = 400
 JOIN = 1e-4  # mm
 
-Step = Callable[[int], bool]
+STOPPED = "nothing was changed; take fewer planes, or try again"
 
 
 @dataclass(frozen=True, eq=False)
@@ -184,7 +184,7 @@ def cut(source: Any, family: Family, step: Step | None = None) -> list[Section]:
     else:
         shape, found = _shape(source), []
         for i, (_, frame) in enumerate(planes):
-            _go_on(step, i)
+            go_on(step, i, STOPPED)
             found.append(_shape_section(shape, frame, f"section {i + 1}", family.half))
     return [_called(section, source.Label, place) for section, (place, _) in zip(found, planes, strict=True)]
 
@@ -201,7 +201,7 @@ def curves_of(
     curves: list[SectionCurve] = []
     remarks: list[str] = []
     for i, section in enumerate(sections):
-        _go_on(step, i)
+        go_on(step, i, STOPPED)
         lines = [part for line in section.lines for part in _opened(line, closed)]
         made, said = section_curves(
             [replace(section, lines=tuple(lines))], tolerance=tolerance, wavelength=waves
@@ -296,6 +296,7 @@ def _shape_section(shape: Part.Shape, frame: Frame, name: str, half: bool) -> Se
     if half:
         flat = [part for points in flat for part in right_half(points)]
     lines = [line for line in (tidied(points, JOIN) for points in flat) if len(line) > 1]
+    lines.sort(key=lambda line: -np.linalg.norm(np.diff(line, axis=0), axis=1).sum())
     place = "(" + ", ".join(f"{v:.4g}" for v in frame.origin + 0.0) + ") mm"
     reports: tuple[str, ...] = ()
     if len(lines) != 1:
@@ -324,8 +325,3 @@ def _called(section: Section, label: str, place: str) -> Section:
         for report in section.reports
     )
     return replace(section, name=name, lines=lines, reports=reports)
-
-
-def _go_on(step: Step | None, done: int) -> None:
-    if step is not None and not step(done):
-        raise NotConvergedError("stopped: nothing was changed; take fewer planes, or try again")

@@ -19,6 +19,7 @@ from elastica_cad.errors import InputError
 __all__ = [
     "Command",
     "chosen_curves",
+    "chosen_sketch",
     "chosen_sources",
     "chosen_strips",
     "edited_sketch",
@@ -130,6 +131,20 @@ def chosen_curves() -> list[tuple[Any, tuple[str, ...]]]:
     if not found:
         raise InputError(tr("Select a sketch with a spline, or an edge of an object, first."))
     return found
+
+
+def chosen_sketch() -> Any:
+    """The selected or edited sketch.
+
+    Raises
+    ------
+    InputError
+        Something else is selected, or nothing.
+    """
+    (source, edges), *_ = chosen_curves()
+    if edges or not is_sketch(source):
+        raise InputError(tr("Select a sketch with a spline first."))
+    return source
 
 
 def chosen_sources() -> list[Any]:

@@ -1,11 +1,7 @@
 """Nearest curve to sketch."""
 
-from freecad.elastica_wb.commands.base import Command, chosen_curves, show_panel
-from freecad.elastica_wb.drawn import is_sketch
+from freecad.elastica_wb.commands.base import Command, chosen_sketch, show_panel
 from freecad.elastica_wb.panels.nearest import NearestPanel
-from freecad.elastica_wb.text import tr
-
-from elastica_cad.errors import InputError
 
 __all__ = ["NearestCommand"]
 
@@ -20,7 +16,4 @@ class NearestCommand(Command):
 
     def run(self) -> None:
         """Open the panel."""
-        (source, edges), *_ = chosen_curves()
-        if edges or not is_sketch(source):
-            raise InputError(tr("Select a sketch with a spline first."))
-        show_panel(NearestPanel, source)
+        show_panel(NearestPanel, chosen_sketch())

@@ -1,11 +1,7 @@
 """Projective edit."""
 
-from freecad.elastica_wb.commands.base import Command, chosen_curves, show_panel
-from freecad.elastica_wb.drawn import is_sketch
+from freecad.elastica_wb.commands.base import Command, chosen_sketch, show_panel
 from freecad.elastica_wb.panels.projective import ProjectivePanel
-from freecad.elastica_wb.text import tr
-
-from elastica_cad.errors import InputError
 
 __all__ = ["ProjectiveCommand"]
 
@@ -20,7 +16,4 @@ class ProjectiveCommand(Command):
 
     def run(self) -> None:
         """Open the panel."""
-        (source, edges), *_ = chosen_curves()
-        if edges or not is_sketch(source):
-            raise InputError(tr("Select a sketch with a spline first."))
-        show_panel(ProjectivePanel, source)
+        show_panel(ProjectivePanel, chosen_sketch())
