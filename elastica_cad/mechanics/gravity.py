@@ -28,8 +28,8 @@ class Gravity:
 
     Examples
     --------
-    >>> Gravity(96.0).e.round(9).tolist()
-    [0.0, 1.13e-06]
+    >>> Gravity(96.0, (3, -4)).e.round(9).tolist()
+    [-6.78e-07, 9.04e-07]
     """
 
     length: float
