@@ -29,7 +29,7 @@ __all__ = [
     "thinned",
 ]
 
-MOST_ROWS = 64  # of one constraint in one quadratic program
+MOST_ROWS = 56  # of one constraint in one program: with its ends below 64, where factorisations start threads
 _NEAR = 0.6  # rows of long constraints within this share of their limit enter the quadratic program
 
 

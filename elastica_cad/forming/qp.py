@@ -146,6 +146,8 @@ def _by_active_sets(program: QuadraticProgram) -> QuadraticSolution | None:
     What is passed binds in the next guess, and what pulls inwards does no more (primal-dual active sets); None
     as soon as the guesses do not come nearer to each other.
     """
+    from scipy.linalg.lapack import dsysv
+
     H, g, A, r = program.hessian, program.gradient, program.rows, program.right
     lower, upper = program.lower, program.upper
     at_low, at_high = np.zeros(g.size, dtype=bool), np.zeros(g.size, dtype=bool)
@@ -156,11 +158,12 @@ def _by_active_sets(program: QuadraticProgram) -> QuadraticSolution | None:
         inner, count = A[np.ix_(active, free)], int(free.sum())
         system = np.zeros((count + inner.shape[0],) * 2)
         system[:count, :count] = H[np.ix_(free, free)]
-        system[:count, count:], system[count:, :count] = inner.T, inner
+        system[count:, :count] = inner
         right = np.concatenate([-(g + H @ x)[free], (r - A @ x)[active]])
-        try:
-            solution = np.linalg.solve(system, right)
-        except np.linalg.LinAlgError:
+        if not right.size:
+            return None
+        *_, solution, info = dsysv(system, right, lower=1)
+        if info != 0:
             return None
         x[free], y[active] = solution[:count], -solution[count:]
         pull = H @ x + g - y @ A
