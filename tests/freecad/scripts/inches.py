@@ -46,7 +46,11 @@ def work():
     wait(200)
     box = Panel.opened.form.MaxWidth
     answers["shown"] = box.text()
-    answers["in its row"] = box.y() > Panel.opened.form.Thickness.y() > 0
+    for _ in range(50):  # until the panel is laid out
+        wait(100)
+        answers["in its row"] = box.y() > Panel.opened.form.Thickness.y() > 0
+        if answers["in its row"]:
+            break
     strip = document.getObject("Strip")
     typed = []
     for words in ("0.75", "2 cm", "1/2 in", "nonsense"):
