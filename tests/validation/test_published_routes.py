@@ -98,7 +98,7 @@ def test_flower_pot(shared_data, number):
     assert optimal_rod(published).ratio > 2.55
     assert mean_distance(found.curve, wish) < mean_distance(published, wish)
     assert found.deviation < 0.03 * diagonal(wish)
-    assert found.iterations < 50 < curve["fabricability"]["steps"]
+    assert found.iterations < curve["fabricability"]["steps"]
 
 
 @pytest.mark.parametrize(("R_max", "share"), [(2.954, 0.0124), (2.0, 0.0225)])
