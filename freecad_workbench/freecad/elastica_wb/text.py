@@ -1,5 +1,6 @@
 """Words and pictures of the workbench: translation, icons, panels."""
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -24,8 +25,8 @@ def icon(name: str) -> str:
     return str(RESOURCES / "icons" / f"{name}.svg")
 
 
-def load_panel(name: str) -> Any:
-    """A widget from its .ui file.
+def load_panel(name: str, furnish: Callable[[Any], None] = lambda _: None) -> Any:
+    """A widget from its .ui file, furnished further.
 
     PySide may take the Python face of a deleted widget for a new one at the same address (FreeCAD 1.0 on
     Python 3.13 does); such a form is put aside, where it keeps its addresses, and the file is loaded anew.
@@ -34,10 +35,19 @@ def load_panel(name: str) -> Any:
 
     for _ in range(TRIES):
         form = Gui.PySideUic.loadUi(str(RESOURCES / "ui" / f"{name}.ui"))
-        if _sound(form):
+        if _sound(form) and _furnished(form, furnish):
             break
         _aside.append(form)
     return form
+
+
+def _furnished(form: Any, furnish: Callable[[Any], None]) -> bool:
+    """A face of another class has not the methods that are asked of it."""
+    try:
+        furnish(form)
+    except (AttributeError, RuntimeError, TypeError):
+        return False
+    return True
 
 
 def _sound(form: Any) -> bool:

@@ -37,8 +37,7 @@ class Panel:
         Panel.opened = self
         self.subjects = list(subjects)
         _watch_documents()
-        self.form = load_panel(self.file)
-        lengths_in_users_unit(self.form)
+        self.form = load_panel(self.file, lengths_in_users_unit)
         self.form.setWindowIcon(_qicon(self.icon_name))
         self.document = document
         self._timer = QtCore.QTimer(self.form)

@@ -32,14 +32,14 @@ __all__ = ["SectionPanel"]
 
 FIELDS = ("family", "axis", "path", "count", "throughX", "throughY", "throughZ", "sweep")
 SHOWN = {
-    "axis": FAMILIES[:2],
-    "path": FAMILIES[2:],
-    "throughX": FAMILIES[1:2],
-    "throughY": FAMILIES[1:2],
-    "throughZ": FAMILIES[1:2],
-    "sweep": FAMILIES[1:2],
+    "axis": ("label_1_Across", FAMILIES[:2]),
+    "path": ("label_2_Path", FAMILIES[2:]),
+    "throughX": ("label_4_x", FAMILIES[1:2]),
+    "throughY": ("label_5_y", FAMILIES[1:2]),
+    "throughZ": ("label_6_z", FAMILIES[1:2]),
+    "sweep": ("label_7_Sweep", FAMILIES[1:2]),
 }
-"""Which families a field belongs to; the others have no use for it."""
+"""Label of a field, and which families have a use for it."""
 
 PLANE, OPEN, CLOSED_LINE = (0.8, 0.85, 0.95), (1.0, 0.45, 0.0), (0.75, 0.1, 0.75)
 
@@ -94,10 +94,9 @@ class SectionPanel(Panel):
         """Cut, show planes and lines, count them."""
         self.sections = []
         kind = FAMILIES[self.form.family.currentIndex()]
-        for name, families in SHOWN.items():
-            field = getattr(self.form, name)
-            field.setVisible(kind in families)
-            field.parentWidget().layout().labelForField(field).setVisible(kind in families)
+        for name, (label, families) in SHOWN.items():
+            for widget in (name, label):
+                getattr(self.form, widget).setVisible(kind in families)
         if self.lines is not None:
             self.lines.show([])
         family = self.family()
