@@ -21,6 +21,8 @@ from elastica_cad.mechanics import LayerStrain, Rod, Sheet, bend
 
 __all__ = ["Layer", "Reactions", "Strip"]
 
+FINE_EDGES = 1600  # at least, of the rod that is bent as made
+
 
 @dataclass(frozen=True, eq=False)
 class Reactions:
@@ -259,9 +261,14 @@ class Strip:
 
     @cached_property
     def deviation_as_made(self) -> float:
-        """How far the strip as made, bent and held as designed, strays from the design, mm."""
-        bent = bend(self.as_made)
-        return float(np.hypot(*(bent.position - self.rod.position).T).max())
+        """How far the strip as made, bent and held as designed, strays from the design, mm.
+
+        Bent on finer nodes than the design's, which may be too coarse for its own stiffness.
+        """
+        edges = self.rod.s.size - 1
+        finer = -(-FINE_EDGES // edges)
+        bent = bend(self.as_made, end=self.rod.position[-1], samples=finer * edges + 1)
+        return float(np.hypot(*(bent.position[::finer] - self.rod.position).T).max())
 
     def reactions(self) -> Reactions:
         """Forces (N) and moments (N mm) that the supports exert on the strip.
