@@ -19,6 +19,8 @@ PLACES = (
     "/usr/share/freecad/Mod",
 )
 
+collect_ignore_glob = ["scripts/*"]  # they run inside FreeCAD
+
 os.environ.setdefault("FREECAD_USER_HOME", tempfile.mkdtemp(prefix="elastica-freecad-"))
 sys.path += [place for place in PLACES if Path(place).is_dir()]
 if str(ROOT) not in sys.path:
@@ -33,7 +35,7 @@ except ImportError as missing:
         raise pytest.UsageError(
             f"FreeCAD is not installed ({missing}): run tests/freecad/setup.sh"
         ) from missing
-    collect_ignore_glob = ["test_*.py"]
+    collect_ignore_glob += ["test_*.py"]
 else:
     freecad.__path__.append(str(ROOT / "freecad_workbench" / "freecad"))
     if find_spec("OCP") is None:  # in the folders of other releases there is FreeCAD's own OpenCASCADE only
