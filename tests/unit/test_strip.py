@@ -104,3 +104,12 @@ def test_bad_sizes_are_refused_in_one_sentence(options, words):
 def test_hole_that_leaves_its_tab_is_refused():
     with pytest.raises(InputError, match="does not fit"):
         ec.Tab(5, holes=(Hole(1.0, 3.0),))
+
+
+def test_as_made_is_bent_on_finer_nodes_than_the_design():
+    """A design on too few nodes balances on them, but not between."""
+    points = [(0, 40), (9, 92), (92, 172), (188, -14), (308, -14), (368, 112), (451, 60), (460, 26)]
+    limits = ec.Limits(ratio=3.0, margin=5.0)
+    rod = ec.nearest_rod(ec.PlaneCurve.spline(points), limits, gravity=CARD.gravity(), samples=101).rod
+    assert np.abs(ec.bend(rod).position - rod.position).max() < 1e-3
+    assert ec.Strip(rod, CARD, max_width=17.4).deviation_as_made > 0.1
