@@ -99,7 +99,7 @@ from elastica_cad.geometry import (
     Profile,
     four_point_map,
 )
-from elastica_cad.kit import save_model
+from elastica_cad.kit import SavedKit, save_model
 from elastica_cad.mechanics import (
     AnticlasticWidths,
     Calibration,
@@ -205,6 +205,7 @@ __all__ = [
     "RecoveryStatus",
     "Ring",
     "Rod",
+    "SavedKit",
     "ScaleRange",
     "Section",
     "SectionCurve",

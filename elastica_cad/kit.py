@@ -28,7 +28,7 @@ from elastica_cad.formats.design import Cutting, Design, Nesting
 from elastica_cad.formats.model_report import model_report
 from elastica_cad.mechanics import Sheet
 
-__all__ = ["Kit", "kit_of", "save_model", "write_kit"]
+__all__ = ["Kit", "SavedKit", "kit_of", "left_out", "save_model", "write_kit"]
 
 Writer = Callable[[Path], None]
 
@@ -50,6 +50,43 @@ class Kit:
     """What its slots do to each part, by its name, where it was asked for."""
     notes: tuple[str, ...] = ()
     """Parts that find no shape with their slots."""
+
+
+@dataclass(frozen=True)
+class SavedKit:
+    """What `save_model` wrote; as text, where it is and what was left out.
+
+    Attributes
+    ----------
+    folder : Path
+    files : tuple of str
+        Names in the folder.
+    left_out : tuple of str
+        What was asked for and cannot be made here, and why.
+    summary : str
+        Strips and sheets in one line.
+    """
+
+    folder: Path
+    files: tuple[str, ...]
+    left_out: tuple[str, ...]
+    summary: str
+
+    def __fspath__(self) -> str:
+        return str(self.folder)
+
+    def __str__(self) -> str:
+        return "\n".join((self.summary, *self.left_out, f"wrote {len(self.files)} files to {self.folder}"))
+
+
+def left_out(*, step: bool = True, pictures: bool = True) -> tuple[str, ...]:
+    """What of the assembly and the pictures cannot be written here, and which package would."""
+    wanted = ((pictures, "matplotlib", "matplotlib", "pictures"), (step, "OCP", "build123d", "STEP"))
+    return tuple(
+        f"no {kind}: pip install {package}"
+        for asked, module, package, kind in wanted
+        if asked and find_spec(module) is None
+    )
 
 
 def kit_of(design: Design, made: Model, *, effects: bool = False) -> Kit:
@@ -130,7 +167,7 @@ def save_model(
     pictures: bool = True,
     parts: bool = True,
     force: bool = False,
-) -> Path:
+) -> SavedKit:
     """Nested sheets and parts (DXF, SVG), cut list, report, assembly (STEP) and pictures of a model.
 
     Parameters
@@ -153,8 +190,8 @@ def save_model(
 
     Returns
     -------
-    Path
-        The folder.
+    SavedKit
+        The folder and its files; printed, a few lines for the one who waits.
 
     Raises
     ------
@@ -165,7 +202,12 @@ def save_model(
     design = Design(name=model.name, wishes=(), nesting=Nesting(sheet_size, margin), cutting=cutting)
     kit = kit_of(design, model, effects=True)
     write_kit(kit, folder, step=step, pictures=pictures, parts=parts, force=force)
-    return Path(folder)
+    count, unlike, sheets = len(model.placed), len(model.parts), len(kit.nests)
+    summary = (
+        f"{model.name}: {count} {'strip' if count == 1 else 'strips'} ({unlike} different) "
+        f"on {sheets} {'sheet' if sheets == 1 else 'sheets'}"
+    )
+    return SavedKit(Path(folder), tuple(kit.files), left_out(step=step, pictures=pictures), summary)
 
 
 def _plan(kit: Kit, *, step: bool, pictures: bool, parts: bool) -> None:

@@ -1,7 +1,6 @@
 """`elastica model`: from a design file to a folder with everything that is needed to build it."""
 
 from dataclasses import replace
-from importlib.util import find_spec
 from pathlib import Path
 
 import click
@@ -10,7 +9,7 @@ from elastica_cad.cli.options import holding_option
 from elastica_cad.fabrication import HoldingTabs, cut_list
 from elastica_cad.files import read_curves, read_surface
 from elastica_cad.formats.design import read_design
-from elastica_cad.kit import Kit, kit_of, write_kit
+from elastica_cad.kit import Kit, kit_of, left_out, write_kit
 
 __all__ = ["model"]
 
@@ -88,7 +87,6 @@ def _tell(kit: Kit, output: Path, *, step: bool, pictures: bool) -> None:
         click.echo(f"Note: {text}", err=True)
     if len(said) > MOST_SAID:
         click.echo(f"Note: {len(said) - MOST_SAID} more in {kit.model.name}.json", err=True)
-    for asked, package, kind in ((pictures, "matplotlib", "pictures"), (step, "build123d", "STEP")):
-        if asked and find_spec("OCP" if package == "build123d" else package) is None:
-            click.echo(f"no {kind}: pip install {package}")
+    for text in left_out(step=step, pictures=pictures):
+        click.echo(text)
     click.echo(f"wrote {len(kit.files)} files to {output}")

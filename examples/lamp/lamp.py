@@ -43,4 +43,6 @@ def build(count=STRIPS):
 
 
 if __name__ == "__main__":
-    ec.save_model(build(), sys.argv[1] if len(sys.argv) > 1 else "out/lamp", sheet_size=(1250.0, 1250.0))
+    print(
+        ec.save_model(build(), sys.argv[1] if len(sys.argv) > 1 else "out/lamp", sheet_size=(1250.0, 1250.0))
+    )

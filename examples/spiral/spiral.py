@@ -47,7 +47,7 @@ def main(folder="out/spiral", sheet="paper"):
     model = build(CARD if sheet == "card" else PAPER)
     for text in model.strips[0].warnings:
         print(text)
-    ec.save_model(model, folder)
+    print(ec.save_model(model, folder))
 
 
 if __name__ == "__main__":

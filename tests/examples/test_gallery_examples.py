@@ -360,8 +360,15 @@ def test_surfaces_of_revolution_can_be_made(example, collisions):
 
 
 def test_a_model_is_saved_as_a_folder(built, tmp_path, check_drawing_file):
-    folder = ec.save_model(built("vase"), tmp_path / "vase", step=False, pictures=False)
-    names = {path.name for path in folder.iterdir()}
+    saved = ec.save_model(built("vase"), tmp_path / "vase", step=False, pictures=False)
+    folder, names = saved.folder, {path.name for path in saved.folder.iterdir()}
+    assert folder == tmp_path / "vase"
+    assert names == set(saved.files)
+    assert saved.left_out == ()
+    assert str(saved).splitlines() == [
+        "vase: 20 strips (1 different) on 3 sheets",
+        f"wrote {len(names)} files to {folder}",
+    ]
     assert {"vase.json", "vase-cut-list.csv", "vase-nest-1-card-200gsm.dxf"} <= names
     check_drawing_file(folder / "vase-nest-1-card-200gsm.dxf")
 
