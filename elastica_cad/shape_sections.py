@@ -20,7 +20,13 @@ JOIN = 1e-4
 """Ends of edges nearer than this meet, mm."""
 
 POINTS = 120
-"""Places on each span of an edge of a section."""
+"""Places on each span of an edge of a section; on edges of more than four spans fewer on each."""
+
+MOST = 1000
+"""Points of a line; of lines with more those are kept that it bends at, and as many at even distances."""
+
+BETWEEN = 1e-3
+"""Points that are left out lie nearer than this to the chords between those that are kept, mm."""
 
 
 def shape_sections(shape: Shape, planes: Sequence[Frame], *, half: bool = False) -> tuple[Section, ...]:
@@ -37,7 +43,8 @@ def shape_sections(shape: Shape, planes: Sequence[Frame], *, half: bool = False)
     Returns
     -------
     tuple of Section
-        Points lie on the surface itself, 120 to a span; a plane that misses gives a section without lines.
+        Points lie on the surface, a thousand to a line or as many as keep its chords within 0.001 mm; a plane
+        that misses gives a section without lines.
 
     Raises
     ------
@@ -50,10 +57,15 @@ def shape_sections(shape: Shape, planes: Sequence[Frame], *, half: bool = False)
     shape = getattr(shape, "wrapped", shape)
     if shape is None or shape.IsNull():
         raise InputError("there is no shape to cut: give a solid, a shell or a face")
-    cuts = (BRepAlgoAPI_Section(shape, gp_Pln(plane_axes_of(frame))).Shape() for frame in planes)
+
+    def cut(frame: Frame) -> Shape:
+        section = BRepAlgoAPI_Section(shape, gp_Pln(plane_axes_of(frame)), False)
+        section.Approximation(True)  # else a cut through a freeform face is a polyline of ten thousand points
+        section.Build()
+        return section.Shape()
+
     return tuple(
-        _section(cut, frame, half, f"section {number}")
-        for number, (cut, frame) in enumerate(zip(cuts, planes, strict=True), 1)
+        _section(cut(frame), frame, half, f"section {number}") for number, frame in enumerate(planes, 1)
     )
 
 
@@ -100,8 +112,42 @@ def _section(cut: Shape, frame: Frame, half: bool, name: str) -> Section:
 
 def _points(run: Sequence[Edge], frame: Frame) -> FloatArray:
     """The chain's points in the plane, run the agreed way round."""
-    parts = [frame.local(edge.at(edge.stations(POINTS)))[:, :2] for edge in run]
+    parts = [frame.local(_places(edge))[:, :2] for edge in run]
     points = np.concatenate([parts[0], *(part[1:] for part in parts[1:])])
     if np.linalg.norm(points[-1] - points[0]) <= JOIN:
         points[-1] = points[0]
-    return tidied(points, JOIN)
+    return tidied(_thinned(points), JOIN)
+
+
+def _places(edge: Edge) -> FloatArray:
+    """Points (n, 3) along an edge, its knots among them."""
+    count = len(edge.spans.edges) - 1
+    if edge.degree == 1 and count > 4 * POINTS:
+        return edge.points
+    stations = edge.stations(max(edge.degree + 2, min(POINTS, 4 * POINTS // count)))
+    rows = max(1, MOST * MOST // len(edge.points))  # the basis is dense
+    return np.concatenate([edge.at(stations[i : i + rows]) for i in range(0, len(stations), rows)])
+
+
+def _thinned(points: FloatArray) -> FloatArray:
+    """Of many points those at even distances and, where chords between them leave the line, those farthest off."""
+    if len(points) <= MOST:
+        return points
+    s = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1)))
+    kept = np.unique(np.searchsorted(s, np.linspace(0.0, s[-1], MOST // 2)).clip(0, len(s) - 1))
+    kept[0] = 0
+    todo = list(zip(kept[:-1].tolist(), kept[1:].tolist(), strict=True))
+    found = set(kept.tolist())
+    while todo:
+        a, b = todo.pop()
+        if b - a < 2:
+            continue
+        along, off = points[b] - points[a], points[a + 1 : b] - points[a]
+        share = np.clip(off @ along / max(along @ along, np.finfo(float).tiny), 0.0, 1.0)
+        gaps = np.linalg.norm(off - share[:, None] * along, axis=1)
+        worst = int(gaps.argmax())
+        if gaps[worst] > BETWEEN:
+            middle = a + 1 + worst
+            found.add(middle)
+            todo += [(a, middle), (middle, b)]
+    return points[sorted(found)]

@@ -273,7 +273,9 @@ def _false_bends(curve: PlaneCurve, turn: float) -> FloatArray:
 
 def distances_to(curve: PlaneCurve, points: FloatArray) -> FloatArray:
     """Distances (n,) of points from a curve, from its chords between many samples."""
+    from scipy.spatial import cKDTree
+
     chain = curve.sample(1500).position
-    gaps = np.linalg.norm(points[:, None, :] - chain[None], axis=2).min(axis=1)
+    gaps = np.asarray(cKDTree(chain).query(points)[0])
     spacing = curve.length / (len(chain) - 1)
     return np.asarray(np.sqrt(np.maximum(0.0, gaps**2 - (spacing / 2) ** 2)))
