@@ -9,6 +9,7 @@ from elastica_cad.fabrication.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, LAYE
 from elastica_cad.fabrication.ends import Hole, Tab, TSlot
 from elastica_cad.fabrication.fixtures import EndFixture, end_fixtures
 from elastica_cad.fabrication.frames import Rib, SlottedFrame, slotted_frame
+from elastica_cad.fabrication.held import HeldTab
 from elastica_cad.fabrication.holding import HoldingTabs, with_holding_tabs
 from elastica_cad.fabrication.interlock import Joint, slot_width
 from elastica_cad.fabrication.kerf import with_kerf
@@ -42,6 +43,7 @@ __all__ = [
     "EndFixture",
     "FlatSolid",
     "Frame",
+    "HeldTab",
     "HoldingTabs",
     "Hole",
     "Joint",

@@ -9,6 +9,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication import Model, Part, Placed, Ring, sheet_color
+from elastica_cad.fabrication.boundary import Frame
 from elastica_cad.mechanics import Rod
 from elastica_cad.plot.canvas import INK, WIDTH, Figure, new_figure
 from elastica_cad.plot.sheets import Axes, paint_flat
@@ -18,6 +19,8 @@ __all__ = ["bodies", "model"]
 
 FINE = 5e-4  # lengths: how closely polygons follow loops
 RIM = 0.035  # widths: of the dark line along every edge
+FINEST_RIM = 0.0015  # extents of the model: no such line is wider
+ON_IT = 1e-6  # mm from a plane
 NAMED = 0.045  # lengths of the longest flat part: room for its name
 LIGHT = np.array([0.35, -0.45, 0.82])
 
@@ -28,16 +31,21 @@ def model(model: Model, *, elevation: float = 25.0, azimuth: float = -60.0, flat
     Tabs, slots and holes are drawn; of a laminate its base. So many different parts are shown as they are cut,
     in one scale of their own, below: the first, the last, and others between them.
     """
-    drawn = [*map(_ruled, model.placed), *map(_ring, model.plates)]
+    faces = [frame for ring in model.plates for frame in _faces(ring)]
+    bent = np.concatenate([one.frame.point(one.strip.rod.position) for one in model.placed])
+    rim = FINEST_RIM * float(np.ptp(bent, axis=0).max())
+    strips = [_ruled(placed, faces, rim) for placed in model.placed]
+    strips = [_outside(one, model.plates) for one in strips]
+    drawn = [*strips, *map(_ring, model.plates)]
     patches, colors = (np.concatenate(part) for part in zip(*drawn, strict=True))
     count = f"{len(model.placed)} strips" if len(model.placed) > 1 else "1 strip"
     title = f"{fill(model.name, 90)}\n{count}"
     if flat < 1:
-        return _seen(patches, colors, title, elevation, azimuth)
+        return _seen(patches, colors, title, elevation, azimuth, faces=faces)
     chosen = np.unique(np.linspace(0, len(model.parts) - 1, flat).round().astype(int))
     parts = [model.parts[i] for i in chosen]
     longest = max(float(np.ptp(part.strip.outline.bounds, axis=0)[0]) for part in parts)
-    return _seen(patches, colors, title, elevation, azimuth, (parts, longest))
+    return _seen(patches, colors, title, elevation, azimuth, (parts, longest), faces)
 
 
 def bodies(
@@ -86,14 +94,20 @@ def _seen(
     elevation: float,
     azimuth: float,
     flat: tuple[Sequence[Part], float] | None = None,
+    faces: Sequence[Frame] = (),
 ) -> Figure:
-    """Patches (n, k, 3) painted from the farthest to the nearest, and flat parts with the longest one's length."""
+    """Patches (n, k, 3) painted from the farthest to the nearest, and flat parts with the longest one's length.
+
+    What lies on the eye's side of a face is painted after all that lies on its other side.
+    """
     from matplotlib.collections import PolyCollection
 
     toward = _toward(elevation, azimuth)
     right = np.array([-np.sin(np.radians(azimuth)), np.cos(np.radians(azimuth)), 0.0])
     plane = patches @ np.column_stack([right, np.cross(toward, right)])
-    order = np.argsort(patches.mean(axis=1) @ toward)
+    middle = patches.mean(axis=1)
+    before = [_height(middle, face) * np.sign(face.z_axis @ toward) > ON_IT for face in faces]
+    order = np.lexsort([middle @ toward, *before])
     size = np.maximum(np.ptp(plane.reshape(-1, 2), axis=0), 1e-9)
     tall = float(np.clip(WIDTH * size[1] / size[0], 2.0, 9.0 if flat is None else 6.0))
     below = 0.0 if flat is None else WIDTH * _flat_height(*flat) / (1.04 * flat[1])
@@ -167,20 +181,55 @@ def _fine(triangles: FloatArray, colors: FloatArray, longest: float) -> tuple[Fl
         colors = np.concatenate([colors[~large], colors[large], colors[large]])
 
 
-def _ruled(placed: Placed) -> tuple[FloatArray, FloatArray]:
+def _ruled(placed: Placed, faces: Sequence[Frame], rim_most: float) -> tuple[FloatArray, FloatArray]:
     """The strip in space with tabs, slots and holes: patches (n, 4, 3) with dark rims, and colours (n, 3)."""
     strip = placed.strip
     rod = strip.rod
     (first, low), (last, high) = strip.outline.bounds
-    flat = trapezoids((strip.outline, *strip.holes), np.linspace(0.0, rod.length, 81), FINE * (last - first))
+    stations = np.concatenate([np.linspace(0.0, rod.length, 81), _crossings(placed, faces, (first, last))])
+    flat = trapezoids((strip.outline, *strip.holes), stations, FINE * (last - first))
     across = np.diff(flat[..., 1:], axis=-1)
-    rim = np.minimum(RIM * (high - low), across / 4)
+    rim = np.minimum(min(RIM * (high - low), rim_most), across / 4)
     heights = [flat[..., 1:2], flat[..., 1:2] + rim, flat[..., 2:] - rim, flat[..., 2:]]
     along = _bent(rod, flat[..., 0])
     lines = [placed.frame.point(np.concatenate([along, y], axis=-1)) for y in heights]
     bands = [np.stack([a[:, 0], a[:, 1], b[:, 1], b[:, 0]], axis=1) for a, b in pairwise(lines)]
     lit = _lit(bands[1]) * np.array(sheet_color(strip.sheet))
     return np.concatenate(bands), np.concatenate([0.45 * lit, lit, 0.45 * lit])
+
+
+def _faces(ring: Ring) -> tuple[Frame, Frame]:
+    """The planes of both faces of a ring."""
+    return ring.frame, ring.frame.shifted(z=-ring.sheet.thickness)
+
+
+def _height(points: FloatArray, face: Frame) -> FloatArray:
+    """Of points (n, 3) above a plane, mm."""
+    return np.asarray((points - face.origin) @ face.z_axis, dtype=float)
+
+
+def _crossings(placed: Placed, faces: Sequence[Frame], ends: tuple[float, float]) -> FloatArray:
+    """Arc lengths at which the middle of a strip, tabs included, goes through planes."""
+    rod = placed.strip.rod
+    x = np.unique([*ends, *rod.s])
+    points, found = placed.frame.point(_bent(rod, x)), []
+    for face in faces:
+        h = _height(points, face)
+        i = np.flatnonzero(h[:-1] * h[1:] < 0)
+        found.append(x[i] - h[i] * (x[i + 1] - x[i]) / (h[i + 1] - h[i]))
+    return np.concatenate([np.empty(0), *found])
+
+
+def _outside(drawn: tuple[FloatArray, FloatArray], rings: Sequence[Ring]) -> tuple[FloatArray, FloatArray]:
+    """Patches of a strip without those that lie within a ring, in its slots."""
+    patches, colors = drawn
+    for ring in rings:
+        place = ring.frame.local(patches.mean(axis=1))
+        away, (inner, outer) = np.hypot(place[:, 0], place[:, 1]), ring.radii
+        deep = (place[:, 2] < 0) & (place[:, 2] > -ring.sheet.thickness)
+        seen = ~(deep & (away > inner) & (away < outer))
+        patches, colors = patches[seen], colors[seen]
+    return patches, colors
 
 
 def _ring(ring: Ring) -> tuple[FloatArray, FloatArray]:

@@ -7,8 +7,8 @@ import numpy as np
 import elastica_cad as ec
 
 RING = 60.0  # mm, where all strips are held, above and below
-# control points: distance from the axis and height, mm
-OUTER = [(RING, 0), (95, 5), (150, 50), (150, 150), (120, 235), (85, 255), (RING, 260)]
+# control points: distance from the axis and height, mm; ends steep enough for tabs to go through the rings
+OUTER = [(RING, 0), (92, 14), (150, 50), (150, 150), (120, 232), (88, 249), (RING, 260)]
 INNER = [(RING, 0), (80, 10), (105, 60), (125, 140), (105, 215), (80, 250), (RING, 260)]
 WIDEST = 24.0  # mm
 ROOM = 2 * RING * np.tan(np.pi / 20) - 2.0  # mm beside each other on the rings
@@ -17,7 +17,7 @@ LIMITS = ec.Limits(ratio=3.0, margin=5.0, sheet=ec.Sheet.named("pom-0.5"))
 
 def build():
     """Ten strips of each kind in turn; the ends are kept, so that both rings close."""
-    sheet = ec.Sheet.named("pom-0.5")
+    sheet, board = ec.Sheet.named("pom-0.5"), ec.Sheet.named("mdf-3")
     found = ec.nearest_rods([ec.PlaneCurve.spline(points) for points in (OUTER, INNER)], LIMITS)
     tab = ec.Tab(12, width=10)
     strips = []
@@ -28,7 +28,11 @@ def build():
     angles = 2 * np.pi * np.arange(20) / 20
     frames = [((np.cos(a), np.sin(a), 0.0), (0.0, 0.0, 1.0)) for a in angles]
     placed = tuple(ec.Placed(strips[i % 2], (0, 0, 0), *frame) for i, frame in enumerate(frames))
-    return ec.Model(placed, name="lantern")
+    rings = tuple(
+        ec.ring_plate([ec.HeldTab.of(one.strip, end, one.frame) for one in placed], board, name=f"ring-{end}")
+        for end in ("start", "end")
+    )
+    return ec.Model(placed, name="lantern", plates=rings)
 
 
 if __name__ == "__main__":

@@ -207,6 +207,27 @@ def test_rings_close(name, ring, built):
         assert gap == pytest.approx(0, abs=1e-6) if name == "vase" else 1.0 < gap < 10.0
 
 
+@pytest.mark.parametrize(("name", "deep"), [("lantern", 3.0), ("vase", 2.0)])
+def test_every_tab_finds_its_slot_in_a_ring(name, deep, built):
+    """Both rings are pieces of the kit; a slot for each strip lets its tab in, so many mm at least."""
+    model = built(name)
+    assert len(model.plates) == 2
+    assert {ring.name for ring in model.plates} <= {piece.name for piece in model.pieces}
+    for end, ring in zip(("start", "end"), model.plates, strict=True):
+        assert len(ring.slots) == len(model.placed)
+        for one, slot in zip(model.placed, ring.slots, strict=True):
+            tab = ec.HeldTab.of(one.strip, end, one.frame)
+            corners, middle = ring.frame.local(tab.edges), ring.frame.local(tab.tip)
+            assert middle[2] < -deep
+            step = (middle - ring.frame.local(tab.frame.origin)) / tab.length
+            for depth in (0.0, -ring.sheet.thickness):
+                inside = corners - np.outer((corners[:, 2] - depth) / step[2], step)
+                u = (slot.corners[1] - slot.corners[0]) / slot.size[0]
+                v = np.array([-u[1], u[0]])
+                placed = (inside[:, :2] - slot.corners[0]) @ np.array([u, v]).T
+                assert np.all((placed > 0) & (placed < slot.size))
+
+
 def test_the_carpet_hovers(built):
     """Bent as it is cut, under its own weight: between two inflections it comes near the ground, not onto it."""
     for placed in built("carpet").placed:

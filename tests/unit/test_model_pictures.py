@@ -6,9 +6,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from elastica_cad import plot
-from elastica_cad.fabrication import Hole, Model, Placed, Slot, Tab
+from elastica_cad.fabrication import HeldTab, Hole, Model, Placed, Slot, Tab, ring_plate
 from elastica_cad.fabrication.making import make_strip
 from elastica_cad.geometry import Path, PlaneCurve
+from elastica_cad.mechanics import Sheet
 from elastica_cad.plot.slabs import trapezoids
 
 ARCH = PlaneCurve.spline([(20, 0), (40, 60), (70, 80), (120, 60), (150, 0)])
@@ -95,3 +96,25 @@ def test_slots_let_the_paper_through():
     assert sorted(mouths) == [False, True]
     assert covered((-40.3, 8.1))
     assert covered((-105.3, 0.1))
+
+
+@pytest.mark.parametrize("elevation", [40.0, -40.0])
+def test_tabs_come_out_of_a_ring_whole(elevation):
+    """The part beyond the ring is painted after it, from its face on; what is in the slot is not painted."""
+    leaning = make_strip(
+        PlaneCurve.line((60, 0), (75, -30)), "card-200gsm", max_width=12, ends=(Tab(12), Tab(12))
+    )
+    turns = 2 * np.pi * np.arange(8) / 8
+    placed = tuple(Placed(leaning, (0, 0, 0), (np.cos(t), np.sin(t), 0), (0, 0, 1)) for t in turns)
+    tabs = [HeldTab.of(leaning, "start", one.frame) for one in placed]
+    ring = ring_plate(tabs, Sheet.named("mdf-3"))
+    figure = plot.model(Model(placed, plates=(ring,)), elevation=elevation)
+    (patches,) = figure.axes[0].collections
+    colors = patches.get_facecolor()
+    strip_at = np.flatnonzero(colors[:, 0] < 1.25 * colors[:, 2])
+    # behind the ring, its visible face without a gap, and what comes out of it
+    face = np.diff(strip_at).argmax()
+    assert np.diff(strip_at)[face] > 16 * 240
+    assert strip_at[-1] == len(colors) - 1
+    assert face + 1 >= 8 * 3
+    assert len(strip_at) - face - 1 >= 8 * 3
