@@ -20,12 +20,15 @@ from elastica_cad.formats.section_wishes import sections_of
 from elastica_cad.formats.surfaces import Surface
 from elastica_cad.formats.tables import Table
 from elastica_cad.forming import SectionCurve
+from elastica_cad.forming.section_curves import AT_CORNERS
 from elastica_cad.geometry import PlaneCurve
 from elastica_cad.mechanics import Sheet, check_equilibrium, optimal_rod
 
 __all__ = ["sections"]
 
 USUAL_RATIO = 3.5
+ALONG = 10
+"""Planes along a path, unless told."""
 GAP = 20.0
 """Between the curves of a drawing, mm."""
 
@@ -48,8 +51,8 @@ POSITIVE = click.FloatRange(0, min_open=True)
               help="Planes across the axis, so far from the point; repeatable.")  # fmt: skip
 @click.option("--along", type=click.Path(path_type=Path), metavar="FILE",
               help="Planes across a path: rows x, y, z in mm, text or CSV.")  # fmt: skip
-@click.option("--count", type=click.IntRange(1, 1000), default=10, show_default=True,
-              help="Planes along the path.")  # fmt: skip
+@click.option("--count", type=click.IntRange(1, 1000), metavar="N",
+              help=f"Planes along the path  [default: {ALONG}]")  # fmt: skip
 @click.option(
     "--point", type=TRIPLE, metavar="X Y Z", help="On the axis [default: the middle of the mesh's box]."
 )
@@ -100,15 +103,23 @@ def sections(mesh: Path, output: Path, force: bool, sheet: str | None, **chosen:
     read = cache(read_surface)
     wished = _wished(existing_file(mesh), chosen, read)
     table = Table(wished, str(mesh), {})
-    curves, reports = sections_of(table, Path(), read)
+    try:
+        curves, reports = sections_of(table, Path(), read)
+    except InputError as problem:
+        raise InputError(f"{problem}{_option_for(str(problem), chosen)}") from None
     for curve in curves:
         click.echo(f"{curve.name}: {_told(curve)}")
     for text in reports:
-        click.echo(f"Note: {text}", err=True)
+        click.echo(f"Note: {text}{_option_for(text, chosen)}", err=True)
     for name in _write_files(f"{mesh.stem}-sections", curves, wished, sheet, chosen, output, force):
         click.echo(f"wrote {output / name}")
     if sheet is None:
         click.echo("for strips along them add --sheet NAME, or give the curves to elastica strip")
+
+
+def _option_for(text: str, chosen: dict[str, Any]) -> str:
+    """The option that splits at corners, where a sentence asks for that."""
+    return " (--split-corners 20)" if AT_CORNERS in text and chosen["split_corners"] is None else ""
 
 
 def _wished(mesh: Path, chosen: dict[str, Any], read: Any) -> dict[str, Any]:
@@ -123,6 +134,8 @@ def _wished(mesh: Path, chosen: dict[str, Any], read: Any) -> dict[str, Any]:
             f"say by which planes to cut, with one of {', '.join(families)}"
             + (f", not {' and '.join(given)}" if given else "")
         )
+    if chosen["count"] is not None and chosen["along"] is None:
+        raise InputError(f"--count is of planes along a path, and {given[0]} takes none: leave it out")
     wished: dict[str, Any] = {"mesh": str(mesh)}
     wished |= {key: chosen[key] for key in ("unit", "scale", "wavelength") if chosen[key] is not None}
     unit = "mm" if chosen["scale"] is not None and chosen["unit"] is None else chosen["unit"]
@@ -138,7 +151,7 @@ def _wished(mesh: Path, chosen: dict[str, Any], read: Any) -> dict[str, Any]:
     if chosen["along"] is not None:
         path = _path_points(chosen["along"])
         return wished | {
-            "along": {"path": path, "count": chosen["count"]} | _up(chosen, np.ptp(path, axis=0))
+            "along": {"path": path, "count": chosen["count"] or ALONG} | _up(chosen, np.ptp(path, axis=0))
         }
     surface = read(mesh, unit=unit, scale=1.0 if chosen["scale"] is None else chosen["scale"])
     return wished | _family(given[0], chosen, surface)
@@ -177,15 +190,24 @@ def _up(chosen: dict[str, Any], along: Any) -> dict[str, Any]:
 
 
 def _path_points(path: Path) -> list[list[float]]:
-    """Rows of three numbers."""
+    """Rows of three numbers, under a row of three names or none."""
     text = existing_file(path).read_text(encoding="utf-8", errors="replace")
-    rows = []
+    rows: list[list[float]] = []
+    headed = False
     for number, line in enumerate(text.splitlines(), start=1):
         if not line.strip() or line.lstrip().startswith("#"):
             continue
+        words = re.split(r"[\s,;]+", line.strip(" \t,;"))
         try:
-            row = [float(word) for word in re.split(r"[\s,;]+", line.strip(" \t,;"))]
+            row = [float(word) for word in words]
         except ValueError:
+            if (
+                not rows
+                and [word.strip("\"'").lower()[:1] for word in words] == ["x", "y", "z"]
+                and not headed
+            ):
+                headed = True
+                continue
             row = []
         if len(row) != 3 or not np.all(np.isfinite(row)):
             raise InputError(f"{path}, line {number}: {line.strip()[:40]!r} is no point x, y, z in mm")

@@ -24,13 +24,17 @@ from elastica_cad.geometry import Frame
 
 __all__ = ["FAMILIES", "sections_of"]
 
-Split: TypeAlias = Callable[[SectionLine], tuple[SectionLine, ...]]
+Split: TypeAlias = tuple[str, Callable[[SectionLine], tuple[SectionLine, ...]]]
+"""What it splits at, in words, and how."""
 
 SIZES = (1.0, 1e6)
 """mm; what is told to be smaller or larger was told wrongly."""
 
 MOST = 1000
 """Planes."""
+
+NAMED = 6
+"""Reasons that a refusal names."""
 
 FAMILIES = ("radial", "parallel", "along")
 
@@ -72,14 +76,23 @@ def sections_of(
     with table.naming():
         planes = _PLANES[found[0]](table.table(found[0]), surface)
         sections = surface.cut(planes, table.flag("half", found[0] == "radial"))
-        sections = tuple(_divided(section, table.flag("longest"), splits) for section in sections)
+        divided = [_divided(section, table.flag("longest"), splits) for section in sections]
         curves, reports = section_curves(
-            sections, tolerance=table.number("tolerance", 0.3), wavelength=table.number("wavelength", 0.0)
+            [section for section, _ in divided],
+            tolerance=table.number("tolerance", 0.3),
+            wavelength=table.number("wavelength", 0.0),
         )
     if not curves:
-        why = reports[-1] if reports else "none is given"
-        raise InputError(f"{table.where}: no plane gives a strip: {why}")
-    return curves, reports
+        raise InputError(f"{table.where}: no plane gives a strip: {_reasons(reports)}")
+    idle = [name for name, _ in splits if not any(name in used for _, used in divided)]
+    return curves, (*reports, *(f"{name} splits no section" for name in idle))
+
+
+def _reasons(reports: Sequence[str]) -> str:
+    """Why sections gave no strip, one after the other."""
+    reasons = [text for text in reports if text.startswith("section ")] or list(reports)
+    more = f"; and {len(reasons) - NAMED} more like these" if len(reasons) > NAMED else ""
+    return "; ".join(reasons[:NAMED]) + more if reasons else "none is given"
 
 
 def _splits(table: Table) -> list[Split]:
@@ -95,33 +108,44 @@ def _split(cut: Table) -> Split:
         turn = cut.only("corners").number("corners")
         if not 0 < turn < np.pi:
             raise InputError(f"{cut.place('corners')} is {turn:g}: corners turn by an angle between 0 and pi")
-        return lambda line: line.split_at_corners(turn)
+        name = f"a turn of more than {np.degrees(turn):.4g} degrees at a corner"
+        return name, lambda line: line.split_at_corners(turn)
     if cut.has("points"):
         points = _points(cut.only("points"), "points")
-        return lambda line: line.split_at(line.frame.local(points)[:, :2])
+        return "a point", lambda line: line.split_at(line.frame.local(points)[:, :2])
     cut.only("point", "normal")
     point, normal = cut.vector("point", 3, (0.0, 0.0, 0.0)), cut.vector("normal", 3)
     if not any(normal):
         raise InputError(f"{cut.place('normal')} is zero: give a direction of three numbers")
-    return lambda line: line.split_by(point, normal)
+    through, across = (", ".join(f"{v:.4g}" for v in vector) for vector in (point, normal))
+    name = f"the plane through ({through}) mm across ({across})"
+    return name, lambda line: line.split_by(point, normal)
 
 
-def _divided(section: Section, longest: bool, splits: Sequence[Split]) -> Section:
-    """The section with the lines that are wanted of it, split where that is asked for."""
+def _divided(section: Section, longest: bool, splits: Sequence[Split]) -> tuple[Section, frozenset[str]]:
+    """The section with the lines that are wanted of it, split where that is asked for; what split any of them."""
+    used = set()
     lines, reports = section.lines, section.reports
     if longest and len(lines) > 1:
         reports = (*reports, f"{section.name}: the longest line is kept, {lines[0].length:.4g} mm of it")
         lines = lines[:1]
-    for split in splits:
+    for name, split in splits:
         pieces: list[SectionLine] = []
         for line in lines:
             try:
-                pieces += split(line)
+                found = split(line)
             except InputError as problem:
                 text = str(problem)
                 reports = (*reports, text if text.startswith(line.name) else f"{line.name}: {text}")
+                used.add(name)
+                continue
+            pieces += found
+            if found != (line,):
+                used.add(name)
         lines = tuple(pieces)
-    return replace(section, lines=lines, reports=reports)
+    if not lines:
+        used |= {name for name, _ in splits if not section.lines}
+    return replace(section, lines=lines, reports=reports), frozenset(used)
 
 
 def _radial(table: Table, _surface: Surface) -> tuple[Frame, ...]:
@@ -130,7 +154,9 @@ def _radial(table: Table, _surface: Surface) -> tuple[Frame, ...]:
     point, axis = table.vector("point", 3, (0.0, 0.0, 0.0)), table.vector("axis", 3, (0.0, 0.0, 1.0))
     zero = table.vector("zero", 3, (1.0, 0.0, 0.0))
     if table.has("angles"):
-        return radial_planes(point, axis, _list(table, "angles"), zero=zero)
+        angles = _list(table, "angles")
+        _once(table.place("angles"), angles, 2 * np.pi)
+        return radial_planes(point, axis, angles, zero=zero)
     count = _count(table)
     return radial_planes(point, axis, 2 * np.pi * np.arange(count) / count, zero=zero)
 
@@ -141,7 +167,9 @@ def _parallel(table: Table, surface: Surface) -> tuple[Frame, ...]:
     point, up = table.vector("point", 3, (0.0, 0.0, 0.0)), table.vector("up", 3, (0.0, 0.0, 1.0))
     normal = table.vector("normal", 3)
     if not table.has("count"):
-        return parallel_planes(point, normal, _list(table, "offsets"), up=up)
+        given = _list(table, "offsets")
+        _once(table.place("offsets"), given)
+        return parallel_planes(point, normal, given, up=up)
     if table.has("offsets"):
         raise InputError(f"{table.place('count')} means nothing beside offsets: leave one of them out")
     count = _count(table)
@@ -159,6 +187,19 @@ def _along(table: Table, _surface: Surface) -> tuple[Frame, ...]:
 
 
 _PLANES = {"radial": _radial, "parallel": _parallel, "along": _along}
+
+
+def _once(place: str, values: Sequence[float], period: float = np.inf) -> None:
+    """Refuse planes that are given twice."""
+    order = np.argsort(np.mod(values, period), kind="stable")
+    ring = np.append(order, order[:1]) if np.isfinite(period) else order
+    steps = np.diff(np.asarray(values)[ring])
+    if np.isfinite(period):
+        steps -= period * np.round(steps / period)
+    twice = np.flatnonzero(np.abs(steps) <= 1e-9 * max(1.0, float(np.abs(values).max(initial=0.0))))
+    if len(values) > 1 and twice.size:
+        i, j = sorted((int(ring[twice[0]]), int(ring[twice[0] + 1])))
+        raise InputError(f"{place} holds one plane twice, as its numbers {i + 1} and {j + 1}: leave one out")
 
 
 def _count(table: Table) -> int:

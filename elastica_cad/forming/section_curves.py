@@ -25,6 +25,12 @@ CLOSED = 1e-6
 CORNER = 0.01
 """A radius below this share of the length is a corner."""
 
+SHARP = np.radians(20.0)
+"""A line that turns by more than this at one point has a corner there."""
+
+AT_CORNERS = "split it at its corners"
+"""How messages call the way out; callers can name the option that does it."""
+
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(8)
 
 
@@ -90,7 +96,7 @@ def section_curves(
     Raises
     ------
     InputError
-        A tolerance or a wavelength that is none.
+        A tolerance, a wavelength or an angle that is none.
 
     Examples
     --------
@@ -100,10 +106,12 @@ def section_curves(
     >>> found.name, found.curve.degree, reports
     ('arch', 4, ())
     """
-    if not (np.isfinite(wavelength) and wavelength >= 0):
-        raise InputError(f"wavelength={wavelength}: it must be 0 mm (no smoothing) or more")
-    if not (np.isfinite(tolerance) and tolerance > 0):
-        raise InputError(f"tolerance={tolerance}: it must be positive, in mm")
+    if not (_is_finite(wavelength) and wavelength >= 0):
+        raise InputError(f"wavelength={wavelength!r}: it must be 0 mm (no smoothing) or more")
+    if not (_is_finite(tolerance) and tolerance > 0):
+        raise InputError(f"tolerance={tolerance!r}: it must be positive, in mm")
+    if not (_is_finite(false_turn) and 0 <= false_turn <= np.pi):
+        raise InputError(f"false_turn={false_turn!r}: it must be an angle from 0 to pi rad")
     found: list[SectionCurve] = []
     reports: list[str] = []
     for item in sections:
@@ -130,18 +138,63 @@ def _curve(
             "at a spine or at two points"
         )
     points = smoothed(line.points, wavelength) if wavelength > 0 else line.points
-    curve = PlaneCurve.fit(points, degree=4, tolerance=tolerance)
-    before = curve.inflections.size
+    try:
+        curve = PlaneCurve.fit(points, degree=4, tolerance=tolerance)
+    except NotConvergedError as error:
+        raise NotConvergedError(_unfitted(line, tolerance) or str(error)) from error
+    fitted, before = curve, curve.inflections.size
     told = _corner(curve, line)
     if false_turn > 0:
         try:
             curve = without_false_inflections(curve, turn=false_turn)
         except NotConvergedError as error:
-            told.append(f"{line.name}: {error}; they are kept")
+            told.append(f"{line.name}: {error}: it is kept")
     removed = before - curve.inflections.size
-    return SectionCurve(
-        curve, line.frame, line.name, float(distances_to(curve, line.points).max()), removed
-    ), told
+    off = distances_to(curve, line.points)
+    if off.max() > tolerance:
+        told.append(_departure(line, off, tolerance, wavelength, changed=curve is not fitted))
+    return SectionCurve(curve, line.frame, line.name, float(off.max()), removed), told
+
+
+def _is_finite(value: object) -> bool:
+    return isinstance(value, int | float | np.number) and bool(np.isfinite(value))
+
+
+def _place(line: SectionLine, point: FloatArray) -> str:
+    x, y, z = line.frame.point(point).round(6) + 0.0
+    return f"({x:.4g}, {y:.4g}, {z:.4g}) mm"
+
+
+def _unfitted(line: SectionLine, tolerance: float) -> str:
+    """Why no smooth curve follows a line: its sharpest corner, or nothing if it has none."""
+    step = np.diff(line.points, axis=0)
+    cross = step[:-1, 0] * step[1:, 1] - step[:-1, 1] * step[1:, 0]
+    turned = np.abs(np.arctan2(cross, (step[:-1] * step[1:]).sum(axis=1)))
+    worst = int(turned.argmax())
+    if turned[worst] < SHARP:
+        return ""
+    return (
+        f"no smooth curve stays within the tolerance of {tolerance:g} mm: the section turns by "
+        f"{np.degrees(turned[worst]):.3g} degrees at {_place(line, line.points[worst + 1])}; {AT_CORNERS}, or "
+        "smooth it"
+    )
+
+
+def _departure(
+    line: SectionLine, off: FloatArray, tolerance: float, wavelength: float, *, changed: bool
+) -> str:
+    """Where the curve leaves its section by more than the tolerance, in words."""
+    worst = int(off.argmax())
+    if wavelength > 0:
+        cause = f"smoothing took waves shorter than {wavelength:g} mm away; a shorter wavelength stays nearer"
+    elif changed:
+        cause = "bends between false inflections were smoothed away"
+    else:
+        cause = "no smooth curve came nearer; smooth the section first, with a wavelength"
+    return (
+        f"{line.name}: the curve lies {off[worst]:.3g} mm off the section at {_place(line, line.points[worst])}, "
+        f"more than the tolerance of {tolerance:g} mm: {cause}"
+    )
 
 
 def _corner(curve: PlaneCurve, line: SectionLine) -> list[str]:
@@ -151,10 +204,9 @@ def _corner(curve: PlaneCurve, line: SectionLine) -> list[str]:
     kappa = abs(float(samples.curvature[worst]))
     if kappa * curve.length <= 1 / CORNER:
         return []
-    x, y, z = line.frame.point(samples.position[worst]).round(6) + 0.0
     return [
-        f"{line.name} bends with a radius of {1 / kappa:.2g} mm at ({x:.4g}, {y:.4g}, {z:.4g}) mm, a corner to any "
-        "strip: split it there, or smooth it"
+        f"{line.name} bends with a radius of {1 / kappa:.2g} mm at {_place(line, samples.position[worst])}, a "
+        f"corner to any strip: {AT_CORNERS}, or smooth it"
     ]
 
 
@@ -201,9 +253,9 @@ def smoothed(
     middle = (at[:-3] + at[3:]) / 2
     spans = np.asarray(where, dtype=float).reshape(-1, 2)
     counted = np.any([(middle >= a) & (middle <= b) for a, b in spans], axis=0) if len(spans) else True
-    third = (
-        third * (np.broadcast_to(counted, middle.shape) * (wavelength / (2 * np.pi * at[1])) ** 3)[:, None]
-    )
+    # of waves four times as long as the line nothing is left but a parabola; beyond, only digits are lost
+    share = min(wavelength, 4 * s[-1]) / (2 * np.pi * at[1])
+    third = third * (np.broadcast_to(counted, middle.shape) * share**3)[:, None]
     system = np.eye(count) + third.T @ third
     inner = slice(1, -1)
     right = even[inner] - system[inner][:, [0, -1]] @ even[[0, -1]]
@@ -249,13 +301,17 @@ def without_false_inflections(
         even = smoothed(points, float(wavelength), where=where)
         if np.hypot(*(even - points).T).max() > most:
             break
-        simpler = PlaneCurve.fit(even, degree=4, tolerance=most / 20)
+        try:
+            simpler = PlaneCurve.fit(even, degree=4, tolerance=most / 20)
+        except NotConvergedError:  # kinks where the smoothed part begins: a longer wavelength may have none
+            continue
         if not len(_false_bends(simpler, turn)):
             return simpler
-    s = ", ".join(f"{v:.4g}" for v in curve.inflections[:6])
+    named = ", ".join(f"from {a:.4g} to {b:.4g}" for a, b in bends[:3])
+    more = f" and at {len(bends) - 3} more places" if len(bends) > 3 else ""
     raise NotConvergedError(
-        f"inflections at {s} mm of the section part bends of less than {np.degrees(turn):.2g} degrees; "
-        f"smoothing them away would move the curve by more than {most:.3g} mm"
+        f"{named} mm along the curve{more} it turns by less than {np.degrees(turn):.2g} degrees between "
+        f"inflections; no smoothing that moves it by less than {most:.3g} mm takes that away"
     )
 
 

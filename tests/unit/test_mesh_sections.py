@@ -264,3 +264,65 @@ def test_a_line_in_space():
     line = SectionLine(np.array([[0.0, 0], [3, 4]]), Frame((1, 2, 3), (0, 1, 0), (0, 0, 1)), "l")
     assert line.places.tolist() == [[1, 2, 3], [1, 5, 7]]
     assert line.reversed().points.tolist() == [[3, 4], [0, 0]]
+
+
+def vase(count=60):
+    """A wave of revolution, whose second inflection lies near its rim."""
+    z, u = np.meshgrid(np.linspace(0, 200, count), np.linspace(0, 2 * np.pi, 81), indexing="ij")
+    r = 60 + 25 * np.sin(2 * np.pi * z / 200 + 0.4)
+    return grid(r * np.cos(u), r * np.sin(u), z)
+
+
+def test_a_gentle_end_is_no_scatter():
+    """Its last 16 mm turn by less than 4 degrees, as designed: kept, in words that say so."""
+    sections = mesh_sections(*vase(), radial_planes((0, 0, 0), (0, 0, 1), (0.0, 0.5)), half=True)
+    curves, reports = section_curves(sections)
+    assert len(curves) == 2
+    assert not any("scatter" in text for text in reports)
+    told = [text for text in reports if text.startswith("section 1: from 212")]
+    assert told
+    assert told[0].endswith("is kept")
+    assert curves[0].curve.inflections.size == 2
+
+
+def test_a_curve_far_from_its_section_is_told():
+    t = np.linspace(0, np.pi, 200)
+    arch = SectionLine(100 * np.column_stack([-np.cos(t), np.sin(t)]), UPRIGHT, "arch")
+    near, far = (section_curves([arch], wavelength=wavelength) for wavelength in (20.0, 1e6))
+    assert near[1] == ()
+    assert far[0][0].deviation > 1.0
+    (told,) = far[1]
+    assert told.startswith(f"arch: the curve lies {far[0][0].deviation:.3g} mm off the section at (")
+    assert "waves shorter than 1e+06 mm" in told
+
+
+def test_waves_longer_than_the_line_leave_a_parabola():
+    x = np.linspace(-50, 50, 300)
+    even = smoothed(np.column_stack([x, np.cos(x / 20)]), 1e9)
+    assert np.abs(np.diff(even[:, 1], 3)).max() < 1e-6
+
+
+def test_a_corner_that_cannot_be_followed_is_named():
+    x = np.arange(1200) / 10
+    saw = SectionLine(np.column_stack([x, np.where(np.arange(1200) % 4 < 2, 0.0, 0.1)]), UPRIGHT, "saw")
+    curves, (told,) = section_curves([saw], tolerance=1e-3)
+    assert curves == ()
+    assert told.startswith(
+        "saw: no smooth curve stays within the tolerance of 0.001 mm: the section turns by 45 "
+    )
+    assert "split it at its corners" in told
+
+
+@pytest.mark.parametrize(
+    ("wishes", "words"),
+    [
+        ({"tolerance": "a"}, "tolerance='a': it must be positive"),
+        ({"tolerance": np.nan}, "tolerance=nan"),
+        ({"wavelength": None}, "wavelength=None"),
+        ({"false_turn": np.nan}, "false_turn=nan: it must be an angle"),
+        ({"false_turn": -0.1}, "false_turn=-0.1"),
+    ],
+)
+def test_bad_wishes(wishes, words):
+    with pytest.raises(InputError, match=words):
+        section_curves([], **wishes)

@@ -125,7 +125,7 @@ def test_closed_sections_are_split(torus, tmp_path):
     mesh = written(tmp_path / "ring.obj", *torus)
     whole = run("sections", mesh, "--radial", 3)
     assert whole.exit_code == 2
-    assert "no plane gives a strip: section 3: the section is closed (it passes (" in whole.stderr
+    assert "no plane gives a strip: section 1: the section is closed (it passes (" in whole.stderr
     halves = run("sections", mesh, "--radial", 3, "--split", 0, 0, 1, 0, 0, 1, "-o", tmp_path)
     assert halves.exit_code == 0, halves.output
     assert halves.output.count("mm long") == 6
@@ -149,7 +149,7 @@ def test_corners_are_told_and_split(tmp_path):
     grid = np.meshgrid(x, [0.0, 50.0, 100.0], indexing="ij")
     mesh = written(tmp_path / "trough.obj", *sheet_of(*grid, np.broadcast_to(z[:, None], grid[0].shape)))
     whole = run("sections", mesh, "--parallel", 1, "--axis", 0, 1, 0, "-o", tmp_path)
-    assert "a corner to any strip: split it there" in whole.stderr
+    assert "a corner to any strip: split it at its corners" in whole.stderr
     made = run(
         "sections", mesh, "--parallel", 1, "--axis", 0, 1, 0, "--split-corners", 45, "-o", tmp_path, "--force"
     )
@@ -254,3 +254,41 @@ def test_a_split_at_an_end_is_none(dome, tmp_path):
         assert made.exit_code == 0, made.output
     once, twice = (ec.read_curves(tmp_path / folder / "dome-sections.json") for folder in ("once", "twice"))
     assert [c.length for c in once] == [c.length for c in twice]
+
+
+def test_every_section_without_a_strip_is_named(tmp_path):
+    u, v = np.meshgrid(np.linspace(0, np.pi, 31), np.linspace(0, 2 * np.pi, 61), indexing="ij")
+    ball = sheet_of(100 * np.sin(u) * np.cos(v), 100 * np.sin(u) * np.sin(v), 100 * np.cos(u))
+    mesh = written(tmp_path / "ball.obj", *ball)
+    heights = [word for z in (0, 150, 50) for word in ("--offset", z)]
+    told = run("sections", mesh, *heights, "--axis", 0, 0, 1, "--point", 0, 0, 0)
+    assert told.exit_code == 2
+    assert "section 1: the section is closed" in told.stderr
+    assert "; section 2 at (0, 0, 150) mm: the plane misses the mesh by 50 mm" in told.stderr
+    assert "; section 3: the section is closed" in told.stderr
+    many = [word for z in range(-90, 90, 9) for word in ("--offset", z)]
+    assert "; and 14 more like these" in run("sections", mesh, *many, "--axis", 0, 0, 1).stderr
+
+
+def test_options_without_effect_are_told(dome, tmp_path):
+    mesh = written(tmp_path / "dome.obj", *dome)
+    counted = run("sections", mesh, "--radial", 3, "--count", 5)
+    assert counted.exit_code == 2
+    assert "--count is of planes along a path, and --radial takes none" in counted.stderr
+    for options in (("--angle", 0, "--angle", 90, "--angle", 360), ("--offset", 5, "--offset", 5)):
+        twice = run("sections", mesh, *options)
+        assert twice.exit_code == 2
+        assert "holds one plane twice, as its numbers 1 and" in twice.stderr
+    split = run("sections", mesh, "--radial", 3, "--split", 0, 0, 900, 0, 0, 1, "-o", tmp_path)
+    assert split.exit_code == 0
+    assert "Note: the plane through (0, 0, 900) mm across (0, 0, 1) splits no section" in split.stderr
+
+
+def test_a_path_under_a_row_of_names(dome, tmp_path):
+    mesh, path = written(tmp_path / "dome.obj", *dome), tmp_path / "path.csv"
+    path.write_text("x,y,z\n-60,0,0\n60,0,0\n")
+    made = run("sections", mesh, "--along", path, "--count", 2, "-o", tmp_path)
+    assert made.exit_code == 0, made.output
+    assert made.output.count("mm long") == 2
+    path.write_text("x,y\n-60,0\n60,0\n")
+    assert "line 1: 'x,y' is no point" in run("sections", mesh, "--along", path).stderr
