@@ -167,6 +167,7 @@ def save_model(
     pictures: bool = True,
     parts: bool = True,
     force: bool = False,
+    done: Callable[[str, int], None] | None = None,
 ) -> SavedKit:
     """Nested sheets and parts (DXF, SVG), cut list, report, assembly (STEP) and pictures of a model.
 
@@ -187,6 +188,8 @@ def save_model(
         Write the assembly (with a CAD kernel), the pictures (with matplotlib), every part in files of its own.
     force : bool
         Overwrite files that exist.
+    done : callable, optional
+        Called with the name of each file that has been written, and how many there are in all.
 
     Returns
     -------
@@ -201,7 +204,7 @@ def save_model(
     cutting = Cutting(kerf=kerf, holding=holding)
     design = Design(name=model.name, wishes=(), nesting=Nesting(sheet_size, margin), cutting=cutting)
     kit = kit_of(design, model, effects=True)
-    write_kit(kit, folder, step=step, pictures=pictures, parts=parts, force=force)
+    write_kit(kit, folder, step=step, pictures=pictures, parts=parts, force=force, done=done)
     count, unlike, sheets = len(model.placed), len(model.parts), len(kit.nests)
     summary = (
         f"{model.name}: {count} {'strip' if count == 1 else 'strips'} ({unlike} different) "

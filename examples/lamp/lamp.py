@@ -42,7 +42,14 @@ def build(count=STRIPS):
     return ec.Model(tuple(placed), name="lamp")
 
 
-if __name__ == "__main__":
-    print(
-        ec.save_model(build(), sys.argv[1] if len(sys.argv) > 1 else "out/lamp", sheet_size=(1250.0, 1250.0))
+def main(folder="out/lamp"):
+    model = build()
+    print(f"{len(model.placed)} strips found; thousands of rounded holes take their time", flush=True)
+    written = ec.save_model(
+        model, folder, sheet_size=(1250.0, 1250.0), done=lambda name, _: print(name, flush=True)
     )
+    print(written)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,5 +1,7 @@
 """Editing with four handles (paper, section 4.3): a projective map changes a curve and keeps it realizable."""
 
+import sys
+
 import numpy as np
 
 import elastica_cad as ec
@@ -19,13 +21,17 @@ def build():
     return curve, curve.transformed(ec.four_point_map(HANDLES, MOVED))
 
 
-def main():
+def main(folder="out/projective"):
+    placed = []
     for name, curve in zip(("before", "after"), build(), strict=True):
         rod = ec.optimal_rod(curve)
         print(
             f"{name}: {curve.length:.1f} mm, inflections at {curve.inflections.round(1)}, ratio {rod.ratio:.2f}"
         )
+        strip = ec.Strip(rod, ec.Sheet.named("card-200gsm"), max_width=25, label=name)
+        placed.append(ec.Placed(strip, (0, 60 * len(placed), 0), (1, 0, 0), (0, 0, 1)))
+    print(ec.save_model(ec.Model(tuple(placed), name="projective"), folder))
 
 
 if __name__ == "__main__":
-    main()
+    main(*sys.argv[1:])

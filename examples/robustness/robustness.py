@@ -1,5 +1,6 @@
 """The robustness study (paper, Fig. 15): how far a strip strays when stiffness, weight or angles are off."""
 
+import sys
 from functools import cache
 
 import numpy as np
@@ -47,12 +48,15 @@ def build():
     return {cause: [strays(shape) for shape in shapes.values()] for cause, shapes in bent().items()}
 
 
-def main():
+def main(folder="out/robustness"):
     print("largest distance from the design, mm")
     for cause, values in build().items():
         print(f"{cause:16s}" + "".join(f"{v:8.2f}" for v in values))
     print(ec.tolerance_study(designed(), sheet=CARD, max_width=45, samples=30))
+    strip = ec.Strip(designed(), CARD, max_width=45, label="ARCH")
+    placed = ec.Placed(strip, (0, 0, 0), (1, 0, 0), (0, 0, 1))
+    print(ec.save_model(ec.Model((placed,), name="robustness"), folder))
 
 
 if __name__ == "__main__":
-    main()
+    main(*sys.argv[1:])

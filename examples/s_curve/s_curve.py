@@ -1,7 +1,6 @@
 """The S-curve (paper, Figs. 10 and 11): a curve in equilibrium that would snap away, and the stable one by it."""
 
 import sys
-from pathlib import Path
 
 import numpy as np
 
@@ -39,8 +38,8 @@ def main(folder="out/s_curve"):
             f"{name}: ratio {rod.ratio:.2f}, margin {verdict.margin:.1f}, conjugate {verdict.conjugate_point}"
         )
     print(f"moved by at most {found.deviation:.2f} mm")
-    Path(folder).mkdir(parents=True, exist_ok=True)
-    ec.save(strip(found.rod, "S").drawing(), Path(folder) / "s.dxf", force=True)
+    model = ec.Model((ec.Placed(strip(found.rod, "S")),), name="s-curve")
+    print(ec.save_model(model, folder))
 
 
 if __name__ == "__main__":
