@@ -36,7 +36,7 @@ def revolution(
     strips: int,
     *,
     length: float,
-    sheet: Sheet,
+    sheet: Sheet | str,
     ring: float | None = None,
     ends: tuple[Tab, Tab] | None = None,
     rings: Sheet | str | None = None,
@@ -50,7 +50,8 @@ def revolution(
         As in `meridian`.
     strips : int
         How many make the surface.
-    sheet : Sheet
+    sheet : Sheet or str
+        Or its name.
     ends : pair of Tab, optional
         Of each strip; 8 mm long and so wide that neighbours' tabs keep apart, unless given.
     rings : Sheet or str, optional
@@ -83,7 +84,7 @@ def revolved(
     meridian: Meridian,
     strips: int,
     *,
-    sheet: Sheet,
+    sheet: Sheet | str,
     ends: tuple[Tab, Tab] | None = None,
     rings: Sheet | str | None = None,
     name: str = "revolution",
@@ -93,6 +94,7 @@ def revolved(
         raise InputError(
             f"strips={strips}: a surface of revolution is tiled by 3 strips or more, {MOST} at most"
         )
+    sheet = Sheet.named(sheet) if isinstance(sheet, str) else sheet
     rings = Sheet.named(rings) if isinstance(rings, str) else rings
     width = 2 * float(np.tan(np.pi / strips)) * float(meridian.distance.extremes[1])
     strip = Strip(meridian.rod, sheet, max_width=width, ends=ends or _tabs(meridian, strips, sheet, rings))

@@ -3,9 +3,13 @@
 From one end to the other a meridian may grow exponentially with its constants, so that shooting gets lost between
 the points. Here the angle at Chebyshev nodes between every two points is unknown, besides the lengths, the points
 on the meridian and a, b of x kappa = a + <b, gamma>, and Newton's method mends them together.
+
+At the pole x = 0 the equation says nothing of the curvature, and all but one in a family of solutions wind without
+end: a + <b, gamma> must vanish there, and its slope gives the curvature, kappa <e1, t> = <b, t> (de l'Hospital).
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.polynomial import chebyshev
@@ -17,7 +21,8 @@ from elastica_cad.geometry import PlaneCurve
 __all__ = ["EXACT_POINTS", "FoundMeridian", "search_meridian"]
 
 EXACT_POINTS = 5
-"""a, b and the start in space and direction, but for sliding along: so many points fix a meridian."""
+"""a, b and the start in space and direction, but for sliding along: so many points fix a meridian; one less where
+the last is its pole, which takes two freedoms."""
 
 NODES = 96
 """About so many along the whole meridian, at least `FEWEST` between two points."""
@@ -36,6 +41,15 @@ LONGEST = 1.5
 
 GOOD = 1e-7
 """Equations missed by more than this share of the size were not solved."""
+
+ROUGH = 1e-2
+"""What misses the equations between the nodes by more is no meridian seen too coarsely, but none at all."""
+
+FINER = 3
+"""How often nodes are doubled where they are too far apart."""
+
+BETWEEN = 8
+"""Places in the room of a node at which a solution is looked at between the nodes."""
 
 SETTLED = 1e-10
 """Least squares end where a step changes nothing by more than this share of the size."""
@@ -80,6 +94,22 @@ class FoundMeridian:
             places[here] = self.points[k] + self.lengths[k] / 2 * np.column_stack(moved)
         return places
 
+    @cached_property
+    def missed(self) -> float:
+        """By how much the curve anywhere misses x kappa = a + <b, gamma> and unit speed, or crosses the axis."""
+        station = np.linspace(-1.0, 1.0, BETWEEN * self.series.shape[2])
+        worst = 0.0
+        for start, length, rows in zip(self.points, self.lengths, self.series, strict=False):
+            c, s = (chebyshev.chebval(station, row) for row in rows)
+            c_slope, s_slope = (chebyshev.chebval(station, chebyshev.chebder(row)) for row in rows)
+            x, y = (
+                p + length / 2 * chebyshev.chebval(station, chebyshev.chebint(row, lbnd=-1))
+                for p, row in zip(start, rows, strict=True)
+            )
+            off = x * (c * s_slope - s * c_slope) * 2 / length - (self.a + self.b[0] * x + self.b[1] * y)
+            worst = max(worst, *(float(each.max()) for each in (np.abs(off), np.abs(c**2 + s**2 - 1), -x)))
+        return worst / max(1.0, abs(self.a) + float(np.abs(self.b).sum()))
+
 
 def search_meridian(points: FloatArray) -> FoundMeridian:
     """The meridian through three to five points, or by least squares of the distances where there is none or more.
@@ -87,7 +117,7 @@ def search_meridian(points: FloatArray) -> FoundMeridian:
     Parameters
     ----------
     points : (n, 2) array
-        In order, of size about 1, x >= 0.
+        In order, of size about 1, x >= 0; where the last has x = 0 it is the pole.
 
     Raises
     ------
@@ -98,19 +128,28 @@ def search_meridian(points: FloatArray) -> FoundMeridian:
     """
     if np.linalg.norm(np.diff(points, axis=0), axis=1).min() == 0:
         raise InputError("two neighbouring points of the meridian are the same: leave one out")
-    equations = _Equations(len(points))
+    closes = bool(points[-1, 0] == 0)
+    equations = _Equations(len(points), closes, max(FEWEST, -(-NODES // (len(points) - 1))))
     guess, length = _first_guess(points, equations)
-    unknown = None
     with np.errstate(over="ignore", invalid="ignore"):
-        if len(points) <= EXACT_POINTS:
-            unknown = _through(points, equations, guess, length)
+        unknown = _through(points, equations, guess, length) if len(points) <= EXACT_POINTS - closes else None
+        exact, places = unknown is not None, points
         if unknown is None:
-            points, unknown = _nearest(points, equations, guess)
-    if not float(np.abs(equations.off(unknown, points)).max()) < GOOD:
+            places, unknown = _nearest(points, equations, points, guess)
+        found = equations.curve(unknown, places)
+        for _ in range(FINER):
+            if found.missed < GOOD or not found.missed < ROUGH:
+                break
+            finer = _Equations(len(points), closes, 2 * equations.nodes)
+            unknown, equations = equations.at(finer.stations, unknown), finer
+            mended = _newton(points, equations, unknown) if exact else None
+            if mended is None:
+                places, mended = _nearest(points, equations, places, unknown)
+            unknown = mended
+            found = equations.curve(unknown, places)
+    if not (found.missed < GOOD and float(np.abs(equations.off(unknown, places)).max()) < GOOD):
         raise NotConvergedError("no meridian was found near these points")
-    angles, lengths, constants = equations.parts(unknown)
-    tangents = np.stack([np.cos(angles), np.sin(angles)], axis=1)
-    return FoundMeridian(float(constants[0]), constants[1:], points, lengths, tangents @ equations.series.T)
+    return found
 
 
 class _Equations:
@@ -119,10 +158,9 @@ class _Equations:
     Unknown are, piece by piece, the angles at the nodes and the length, then a and b.
     """
 
-    def __init__(self, points: int) -> None:
-        self.pieces = points - 1
-        self.nodes = max(FEWEST, -(-NODES // self.pieces))
-        n = self.nodes
+    def __init__(self, points: int, closes: bool, nodes: int) -> None:
+        self.pieces, self.closes, self.nodes = points - 1, closes, nodes
+        n = nodes
         self.stations = -np.cos(np.pi * np.arange(n + 1) / n)
         self.series = np.linalg.inv(chebyshev.chebvander(self.stations, n))
         unit = np.eye(n + 1)
@@ -140,6 +178,18 @@ class _Equations:
         pieces = unknown[:-3].reshape(self.pieces, self.width)
         return pieces[:, :-1], pieces[:, -1], unknown[-3:]
 
+    def at(self, stations: FloatArray, unknown: FloatArray) -> FloatArray:
+        """The unknowns with the angles at other stations."""
+        angles, lengths, constants = self.parts(unknown)
+        moved = chebyshev.chebval(stations, self.series @ angles.T)
+        return np.concatenate([np.column_stack([moved, lengths]).ravel(), constants])
+
+    def curve(self, unknown: FloatArray, points: FloatArray) -> FoundMeridian:
+        """The meridian of the unknowns."""
+        angles, lengths, constants = self.parts(unknown)
+        tangents = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+        return FoundMeridian(float(constants[0]), constants[1:], points, lengths, tangents @ self.series.T)
+
     def off(self, unknown: FloatArray, points: FloatArray) -> FloatArray:
         """By how much the equations are missed (m,)."""
         angles, lengths, (a, b1, b2) = self.parts(unknown)
@@ -148,13 +198,18 @@ class _Equations:
         y = points[:-1, 1:] + half * (np.sin(angles) @ self.integral.T)
         balance = x * (angles @ self.slope.T) - half * (a + b1 * x + b2 * y)
         ends = np.column_stack([x[:, -1], y[:, -1]]) - points[1:]
-        return np.concatenate([balance[:, 1:].ravel(), ends.ravel(), angles[1:, 0] - angles[:-1, -1]])
+        joints = angles[1:, 0] - angles[:-1, -1]
+        rows = [balance[:, 1:].ravel(), ends.ravel(), joints]
+        if self.closes:
+            last, turning = angles[-1, -1], self.slope[-1] @ angles[-1]
+            rows.append([turning * np.cos(last) - half[-1, 0] * (b1 * np.cos(last) + b2 * np.sin(last))])
+        return np.concatenate(rows)
 
     def slopes(self, unknown: FloatArray, points: FloatArray) -> FloatArray:
         """Derivatives (m, count + 2 n) by the unknowns and by the points."""
         angles, lengths, (a, b1, b2) = self.parts(unknown)
         n, wide, total = self.nodes, self.width, self.pieces
-        rows = np.zeros((total * (n + 3) - 1, self.count + 2 * total + 2))
+        rows = np.zeros((total * (n + 3) - 1 + self.closes, self.count + 2 * total + 2))
         for i in range(total):
             half, turning = lengths[i] / 2, self.slope @ angles[i]
             along, up = self.integral @ np.cos(angles[i]), self.integral @ np.sin(angles[i])
@@ -176,6 +231,13 @@ class _Equations:
             if i:
                 joint = total * (n + 2) + i - 1
                 rows[joint, first], rows[joint, first - 2] = 1.0, -1.0
+        if self.closes:
+            # half, turning, first and last are the last piece's
+            c, s = np.cos(angles[-1, -1]), np.sin(angles[-1, -1])
+            rows[-1, first:last] = self.slope[-1] * c
+            rows[-1, last - 1] -= turning[-1] * s + half * (b2 * c - b1 * s)
+            rows[-1, last] = -(b1 * c + b2 * s) / 2
+            rows[-1, self.count - 2 : self.count] = -half * c, -half * s
         return rows
 
 
@@ -206,9 +268,12 @@ def _through(
         if trial:
             start[-3:] = size * chance.normal(size=3)
         found = _newton(points, equations, start)
-        if found is not None and (long := float(equations.parts(found)[1].sum())) < shortest:
-            best, shortest = found, long
-            if long < 1.1 * length:
+        if found is None:
+            continue
+        curve = equations.curve(found, points)
+        if curve.length < shortest and curve.missed < ROUGH:
+            best, shortest = found, curve.length
+            if shortest < 1.1 * length:
                 break
     return best
 
@@ -234,16 +299,21 @@ def _newton(points: FloatArray, equations: _Equations, unknown: FloatArray) -> F
     return None
 
 
-def _nearest(points: FloatArray, equations: _Equations, unknown: FloatArray) -> tuple[FloatArray, FloatArray]:
+def _nearest(
+    points: FloatArray, equations: _Equations, places: FloatArray, unknown: FloatArray
+) -> tuple[FloatArray, FloatArray]:
     """Places on the meridian nearest to the points, in the sum of squares, and its unknowns.
 
     Gauss and Newton with the equations as constraints: each step solves for the places that the linear model
     brings nearest to the points, and is shortened until distance and missed equations together fall.
     """
-    places, count = points.copy(), equations.count
+    count = equations.count
+    on_axis = np.zeros((int(equations.closes), count + 2 * len(points)))
+    on_axis[:, -2] = 1.0
     weight = 10.0
     for _ in range(2 * STEPS):
-        missed, slopes = equations.off(unknown, places), equations.slopes(unknown, places)
+        missed = np.append(equations.off(unknown, places), np.zeros(len(on_axis)))
+        slopes = np.concatenate([equations.slopes(unknown, places), on_axis])
         m, n = slopes.shape
         system: FloatArray = np.zeros((n + m, n + m))
         system[:n, :n].flat[:: n + 1] = np.append(np.full(count, SETTLED), np.ones(n - count))

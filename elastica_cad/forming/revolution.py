@@ -30,7 +30,16 @@ NODES = 601
 SOUGHT = 25
 """Points of a profile that the search looks at."""
 
+ON_AXIS = 1e-9
+"""A last point nearer to the axis than this share of all points' size is meant to lie on it."""
+
+MOST_TURNS = 20
+"""A meridian that turns about more often within its length is no strip; its integration would take for ever."""
+
 HOPELESS = "strips that tile a surface of revolution cannot follow them"
+CLOSE = 0.05
+TO_THE_POLE = "; so near to the axis end them on it (x = 0), or on a ring farther away"
+"""Said where the last point is nearer to the axis than a share of the farthest."""
 
 NARROW = 1e-3
 """A meridian nearer to the axis than this share of its largest distance has come to the pole."""
@@ -123,7 +132,8 @@ def meridian(
     Raises
     ------
     InputError
-        Numbers that are not finite, a start on the axis, a length that is not positive.
+        Numbers that are not finite, a start on the axis, a length that is not positive, constants that make the
+        meridian wind about.
     NotConvergedError
         The curvature grows without bounds.
 
@@ -138,6 +148,7 @@ def meridian(
         raise InputError(
             f"a meridian starts beside its axis and has a length: start x = {p[3]:g} mm, length = {p[6]:g} mm"
         )
+    _refuse_winding(p)
     end, shape = _integrated(p[:6], p[6], _floor(float(p[3]), float(p[6]), ring))
     curve = PlaneCurve.fit_function(
         lambda s: shape(s)[:2].T, 0.0, end, tolerance=CURVE_TOLERANCE * float(p[6]), degree=5
@@ -148,9 +159,9 @@ def meridian(
 def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = None) -> Meridian:
     """The meridian through up to five points where there is one, or as near to points as there is (a profile).
 
-    a, b, the start and the first direction give a meridian five freedoms, so five points fix it. Where none passes
-    them without winding about, and for more points, the squares of the distances are made least; `deviation` says
-    how far the farthest is off.
+    a, b, the start and the first direction give a meridian five freedoms, so five points fix it; four where the
+    last is its pole, on the axis. Where none passes them without winding about, and for more points, the squares
+    of the distances are made least; `deviation` says how far the farthest is off.
 
     Parameters
     ----------
@@ -184,22 +195,28 @@ def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = Non
             raise NotConvergedError("the nearest meridian begins beyond the axis")
         length, start = found.length * size, float(found.points[0, 0]) * size
         end = _end(found, size, _floor(start, length, ring))
-        curve = PlaneCurve.fit_function(
-            lambda s: size * found.position(s / size), 0.0, end, tolerance=CURVE_TOLERANCE * length, degree=5
-        )
+        curve = _curve(found, size, end)
     except NotConvergedError as problem:
-        raise NotConvergedError(f"{problem}: {HOPELESS}") from problem
+        way_out = TO_THE_POLE if data[-1, 0] < CLOSE * data[:, 0].max() else ""
+        raise NotConvergedError(f"{problem}: {HOPELESS}{way_out}") from problem
     closes = end < length
-    beside = data[:-1] if closes else data
     if len(chosen) == len(data):
-        gaps = np.hypot(*(size * found.points - data).T)[: len(beside)]
+        gaps = np.hypot(*(size * found.points - data).T)
     else:
-        gaps = distances_to(curve, beside)
+        gaps = distances_to(_curve(found, size, length), data)
     if not gaps.max() <= 0.25 * size:
         raise NotConvergedError(
             f"no meridian comes nearer than {gaps.max():.3g} mm to point {int(gaps.argmax()) + 1}: {HOPELESS}"
         )
     return Meridian(found.a, found.b / size, curve, closes, float(gaps.max()))
+
+
+def _curve(found: FoundMeridian, size: float, end: float) -> PlaneCurve:
+    """The meridian in mm up to an arc length."""
+    tolerance = CURVE_TOLERANCE * found.length * size
+    return PlaneCurve.fit_function(
+        lambda s: size * found.position(s / size), 0.0, end, tolerance=tolerance, degree=5
+    )
 
 
 def _floor(start: float, length: float, ring: float | None) -> float:
@@ -230,6 +247,8 @@ def _profile(points: ArrayLike) -> FloatArray:
     data = finite("the points of a meridian", points)
     if data.ndim != 2 or data.shape[1] != 2 or len(data) < 3:
         raise InputError("a meridian is sought through three points (x, y) or more, mm")
+    if abs(data[-1, 0]) < ON_AXIS * np.ptp(data):
+        data = np.append(data[:-1], [[0.0, data[-1, 1]]], axis=0)
     beyond = np.append(data[:-1, 0] <= 0, data[-1, 0] < 0)
     if beyond.any():
         i = int(np.argmax(beyond))
@@ -255,17 +274,41 @@ def _integrated(
     def at_axis(_: float, state: FloatArray) -> float:
         return float(state[0] - floor)
 
+    def winding(_: float, state: FloatArray) -> float:
+        return 2 * np.pi * MOST_TURNS - abs(float(state[2] - p[5]))
+
     at_axis.__dict__.update(terminal=True, direction=-1.0)
+    winding.__dict__.update(terminal=True)
     scale = max(length, 1e-300)
     found = solve_ivp(
         slope, (0.0, length), p[3:6], method="DOP853", rtol=ACCURACY, atol=ACCURACY * scale, dense_output=True,
-        events=at_axis, max_step=length / 40,
+        events=(at_axis, winding), max_step=length / 40,
     )  # fmt: skip
     if not found.success:
         raise NotConvergedError(
             f"the meridian bends without bounds after {found.t[-1]:.4g} mm, beside the axis: end it there"
         )
+    if found.t_events[1].size:
+        raise InputError(
+            f"the meridian turns {MOST_TURNS} times about within {found.t[-1]:.4g} mm of its {length:g} mm: make "
+            "a and b smaller, or end it before"
+        )
     return float(found.t[-1]), found.sol
+
+
+def _refuse_winding(p: FloatArray) -> None:
+    """Constants with which a meridian bends, or waves, far within its length."""
+    a, b, start, length = p[0], p[1:3], p[3:5], p[6]
+    with np.errstate(over="ignore"):
+        bending = abs(a + b @ start) / start[0]
+        waving = np.sqrt(np.hypot(*b) / (start[0] + length))
+        most = max(bending, waving)
+        too_much = most * length > 2 * np.pi * MOST_TURNS
+    if too_much:
+        raise InputError(
+            f"a={a:g}, b=({b[0]:g}, {b[1]:g}) bend the meridian from its start to a radius of about {1 / most:.2g} "
+            f"mm, against its length of {length:g} mm: make a and b smaller (a has no unit, b is in 1/mm)"
+        )
 
 
 def _numbers(a: float, b: ArrayLike, start: ArrayLike, angle: float, length: float) -> FloatArray:

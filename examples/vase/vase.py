@@ -5,7 +5,7 @@ import sys
 import elastica_cad as ec
 
 STRIPS = 20
-# x kappa = a + <b, gamma>; found by ec.meridian_through([(70, 0), (125, 55), (90, 115), (75, 140)])
+# x kappa = a + <b, gamma>; passes (70, 0), (125, 55), (90, 115) and (75, 140), as others do: five points fix one
 A, B = -4.488549, (0.06233611, -0.0145922)  # no unit, 1/mm
 START, ANGLE, LENGTH = (70.0, 0.0), 0.277409, 185.5945  # mm from the axis and up, rad, mm
 

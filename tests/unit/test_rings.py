@@ -112,6 +112,13 @@ def test_rings_are_among_the_files(vase, tmp_path, check_drawing_file):
     assert report["pieces"] == 22
 
 
+def test_sheets_go_by_name(vase):
+    named = ec.revolved(ec.meridian_through(POINTS), 20, sheet="card-200gsm", rings="mdf-3")
+    assert named.strips[0].sheet == vase.strips[0].sheet
+    with pytest.raises(InputError, match="unknown sheet 'gold'"):
+        ec.revolved(ec.meridian_through(POINTS), 20, sheet="gold")
+
+
 def test_rings_stay_with_their_strips(vase):
     assert [piece.name for piece in vase.pieces] == ["strip 1", "ring-start", "ring-end"]
     for changed in (

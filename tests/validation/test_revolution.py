@@ -188,6 +188,119 @@ def test_a_dome_through_points_closes_at_the_pole_or_at_a_ring():
     assert ringed.ring == pytest.approx((100, 20))
 
 
+TO_THE_POLE = [
+    [(80, 0), (100, 60), (60, 120), (0, 140)],
+    [(80, 0), (95, 40), (70, 110), (0, 150)],
+    [(60, 0), (70, 40), (40, 80), (0, 95)],
+    [(100, 0), (95, 55), (60, 85), (0, 110)],
+    [(100, 0), (70.7, 70.7), (0, 100)],
+    [(80, 0), (90, 60), (0, 120)],
+]
+
+
+def equation_missed(found):
+    """Largest |kappa - (a + <b, gamma>) / x|, 1/mm, along the whole curve."""
+    line = found.curve.sample(4001)
+    return np.abs(line.curvature - (found.a + line.position @ found.b) / line.position[:, 0]).max()
+
+
+@pytest.mark.parametrize("points", TO_THE_POLE)
+def test_meridians_to_the_pole_hold_all_along(points):
+    """The equation holds up to the ring beside the pole, and shooting from the start comes there too."""
+    found = meridian_through(points)
+    assert found.at_pole
+    assert found.deviation < 1e-8
+    assert equation_missed(found) < 1e-6
+    assert found.curve.inflections.size == 0
+    line = found.curve.sample(4001).position
+    for point in points[:-1]:
+        assert np.hypot(*(line - point).T).min() < found.curve.length / 4000
+    slope = np.diff(line[-2:], axis=0)[0]
+    assert line[-1, 1] - line[-1, 0] * slope[1] / slope[0] == pytest.approx(points[-1][1], abs=0.01)
+    first = found.curve.sample(2)
+    shot = meridian(found.a, found.b, points[0], first.angle[0], found.curve.length, ring=found.ring[1] / 2)
+    assert shot.curve.sample(4001).position == pytest.approx(line, abs=1e-4)
+
+
+def test_a_sphere_is_found_through_its_pole():
+    t = np.linspace(0.2, 1, 4) * np.pi / 2
+    # the cosine leaves 6e-15 mm
+    found = meridian_through(100 * np.column_stack([np.cos(t), np.sin(t)]))
+    assert found.at_pole
+    assert found.a == pytest.approx(0, abs=1e-9)
+    assert found.b == pytest.approx((0.01, 0), abs=1e-11)
+    assert found.curve.sample(300).curvature == pytest.approx(0.01, abs=1e-8)
+
+
+@pytest.mark.parametrize(
+    ("b", "climb", "length"),
+    [
+        ((-0.004, 0.002), -0.3, 120.0),
+        ((-0.012, -0.005), 0.2, 150.0),
+        ((0.006, 0.004), -0.9, 110.0),
+    ],
+)
+def test_a_meridian_made_from_its_pole_is_found_again(b, climb, length):
+    """Outwards from the pole (0, 90), where a = -b2 90 and kappa = b1 + b2 tan(climb), by another integrator."""
+    from scipy.integrate import solve_ivp
+
+    b, a = np.array(b), -b[1] * 90.0
+
+    def slope(s, u):
+        bent = b[0] + b[1] * np.tan(u[2]) if u[0] < 1e-9 else (a + b @ u[:2]) / u[0]
+        return [np.cos(u[2]), np.sin(u[2]), bent]
+
+    made = solve_ivp(slope, (0, length), [0.0, 90.0, climb], rtol=1e-11, atol=1e-11, dense_output=True)
+    points = made.sol(np.array([1.0, 0.7, 0.35, 0.0]) * length)[:2].T
+    points[-1, 0] = 0.0
+    found = meridian_through(points)
+    assert found.deviation < 1e-8
+    # run the other way the curvature changes its sign
+    assert (found.a, *found.b) == pytest.approx((-a, *-b), rel=1e-5, abs=1e-7)
+    line = made.sol(length - found.curve.sample(500).s)[:2].T
+    assert found.curve.sample(500).position == pytest.approx(line, abs=1e-5)
+
+
+def test_a_cone_is_found_through_its_tip():
+    found = meridian_through([(50, 0), (35, 30), (20, 60), (0, 100)])
+    assert found.deviation < 1e-8
+    assert np.abs(found.curve.sample(300).curvature).max() < 1e-9
+
+
+def test_a_quarter_ellipse_is_approached_up_to_its_pole():
+    t = np.linspace(0, np.pi / 2, 30)
+    points = np.column_stack([100 * np.cos(t), 80 * np.sin(t)]).round(9)
+    found = meridian_through(points)
+    assert found.deviation < 0.1
+    assert equation_missed(found) < 1e-6
+    ringed = meridian_through(points, ring=30)
+    assert ringed.deviation == pytest.approx(found.deviation, rel=1e-6)
+
+
+def test_points_that_end_hardly_beside_the_axis_are_told_to_end_on_it():
+    with pytest.raises(NotConvergedError, match=r"end them on it \(x = 0\), or on a ring"):
+        meridian_through([(80, 0), (100, 60), (60, 120), (0.001, 140)])
+
+
+def test_winding_between_points_is_no_meridian():
+    """Nodes alone could be satisfied here, by a curve that misses the equation between them."""
+    with pytest.raises(NotConvergedError, match="no meridian was found near these points"):
+        meridian_through([(60, 0), (600, 10), (60, 20), (600, 30), (60, 40)])
+
+
+def test_a_strongly_bent_meridian_gets_nodes_enough():
+    points = [
+        (74.65015522, 0),
+        (78.32410385, 45),
+        (52.77911317, 90),
+        (98.76617211, 135),
+        (49.09376159, 180),
+    ]
+    found = meridian_through(points)
+    assert found.deviation < 1e-8
+    assert equation_missed(found) < 2e-7
+
+
 @pytest.mark.parametrize(
     ("call", "words"),
     [
@@ -196,6 +309,13 @@ def test_a_dome_through_points_closes_at_the_pole_or_at_a_ring():
         (lambda: meridian(1, (0, np.nan), (5, 0), 1, 10), "finite"),
         (lambda: meridian(1, (0, 0, 0), (5, 0), 1, 10), "two numbers each"),
         (lambda: meridian(1, (0, 0), (5, 0), 1, 10, ring=7), "ring=7"),
+        (
+            lambda: meridian(1e9, (1e9, 1e9), (50, 0), 1, 100),
+            "to a radius of about .* against its length of 100 mm",
+        ),
+        (lambda: meridian(1e5, (0, 0), (50, 0), 1, 100), "to a radius of about 0.0005 mm"),
+        (lambda: meridian(0, (0, -1e4), (50, 0), 1, 100), "to a radius of about"),
+        (lambda: meridian(0, (0.001, 60), (50, -1), 1, 100), "turns 20 times about within 94"),
         (lambda: meridian_through([(1, 1), (2, 2)]), "three points"),
         (lambda: meridian_through("abc"), "must be numbers"),
         (lambda: meridian_through([(0, 1), (2, 2), (1, 3)]), "point 1 at"),
