@@ -10,7 +10,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.formats.chains import chained
 from elastica_cad.formats.edges import Edge
 from elastica_cad.formats.surfaces import Surface
-from elastica_cad.forming.sections import Section, SectionLine, right_half, tidied
+from elastica_cad.forming.sections import Section, SectionLine, refuse_odd_planes, right_half, tidied
 from elastica_cad.geometry import Frame
 from elastica_cad.occt import Shape, drawn_edges, plane_axes_of
 
@@ -57,6 +57,7 @@ def shape_sections(shape: Shape, planes: Sequence[Frame], *, half: bool = False)
     shape = getattr(shape, "wrapped", shape)
     if shape is None or shape.IsNull():
         raise InputError("there is no shape to cut: give a solid, a shell or a face")
+    refuse_odd_planes(planes)
 
     def cut(frame: Frame) -> Shape:
         section = BRepAlgoAPI_Section(shape, gp_Pln(plane_axes_of(frame)), False)

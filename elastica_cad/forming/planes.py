@@ -30,9 +30,7 @@ def parallel_planes(
     [[0.0, 0.0, 0.0], [0.0, 5.0, 0.0]]
     """
     p, n = _vector("point", point), _direction("normal", normal)
-    return tuple(
-        _across(p + float(offset) * n, n, up) for offset in np.atleast_1d(_numbers("offsets", offsets))
-    )
+    return tuple(_across(p + offset * n, n, up) for offset in _row("offsets", offsets))
 
 
 def radial_planes(
@@ -66,9 +64,7 @@ def radial_planes(
     p, a = _vector("point", point), _direction("axis", axis)
     x = _rejected("zero", zero, a)
     y = np.cross(a, x)
-    return tuple(
-        Frame(p, np.cos(t) * x + np.sin(t) * y, a) for t in np.atleast_1d(_numbers("angles", angles))
-    )
+    return tuple(Frame(p, np.cos(t) * x + np.sin(t) * y, a) for t in _row("angles", angles))
 
 
 def planes_along(
@@ -98,8 +94,11 @@ def planes_along(
     points = _numbers("path", path)
     if points.ndim != 2 or points.shape[1] != 3:
         raise InputError(f"a path is points (n, 3) in mm, not {points.shape}")
-    if count < 1 or (ends and count < 2):
-        raise InputError(f"count={count}: a path is cut by one plane at least, by two with ends=True")
+    whole = isinstance(count, int | np.integer) and not isinstance(count, bool)
+    if not whole or count < 1 or (ends and count < 2):
+        raise InputError(
+            f"count={count!r}: a path is cut by a whole number of planes, one plane at least, two with ends=True"
+        )
     points = points[np.append(True, np.any(np.diff(points, axis=0) != 0, axis=1))]
     steps = np.diff(points, axis=0)
     if not len(steps):
@@ -148,8 +147,19 @@ def _vector(name: str, value: ArrayLike) -> FloatArray:
     return v
 
 
+def _row(name: str, value: ArrayLike) -> list[float]:
+    """One number or several in a row."""
+    v = np.atleast_1d(_numbers(name, value))
+    if v.ndim != 1:
+        raise InputError(f"{name} must be one number or a row of numbers, not an array of shape {v.shape}")
+    return [float(x) for x in v]
+
+
 def _numbers(name: str, value: ArrayLike) -> FloatArray:
-    v = np.asarray(value, dtype=float)
+    try:
+        v = np.asarray(value, dtype=float)
+    except (TypeError, ValueError):
+        raise InputError(f"{name} must be numbers, not {str(value)[:60]!r}") from None
     if not np.all(np.isfinite(v)):
         raise InputError(f"{name} must be finite numbers, got {v.tolist()}")
     if np.abs(v).max(initial=0.0) > FARTHEST:

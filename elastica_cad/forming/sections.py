@@ -16,7 +16,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.forming.mesh import Mesh
 from elastica_cad.geometry import Frame
 
-__all__ = ["Section", "SectionLine", "mesh_sections", "right_half", "tidied"]
+__all__ = ["Section", "SectionLine", "mesh_sections", "refuse_odd_planes", "right_half", "tidied"]
 
 IN_PLANE = 1e-12
 """Vertices nearer to the plane than this share of the mesh's size lie in it: rounding."""
@@ -195,7 +195,7 @@ def mesh_sections(
     Raises
     ------
     InputError
-        A mesh that is none; see `Mesh`.
+        A mesh that is none, see `Mesh`; planes that are not a sequence of frames.
 
     Examples
     --------
@@ -207,10 +207,19 @@ def mesh_sections(
     (True, 4.0)
     """
     mesh = Mesh(vertices, faces)
+    refuse_odd_planes(planes)
     found = [_section(mesh, frame, half, f"section {i + 1}") for i, frame in enumerate(planes)]
     if mesh.reports and found:
         found[0] = replace(found[0], reports=(*mesh.reports, *found[0].reports))
     return tuple(found)
+
+
+def refuse_odd_planes(planes: object) -> None:
+    """Raise where planes are not a sequence of frames."""
+    if not (isinstance(planes, Sequence) and all(isinstance(frame, Frame) for frame in planes)):
+        raise InputError(
+            f"planes must be a sequence of Frames, not {type(planes).__name__}: put one in a list"
+        )
 
 
 def _section(mesh: Mesh, frame: Frame, half: bool, name: str) -> Section:

@@ -69,6 +69,12 @@ def _basis(name: str, points: ArrayLike) -> FloatArray:
     rows = np.column_stack([(handles - middle) / size, np.ones(4)])
     for i, j in combinations(range(4), 2):
         if np.linalg.norm(rows[i] - rows[j]) <= IN_LINE:
+            apart = float(np.linalg.norm(handles[i] - handles[j]))
+            if apart > 0:
+                raise InputError(
+                    f"{name}: handles {i + 1} and {j + 1} lie {apart:.3g} mm apart while others lie {size:.3g} mm "
+                    "apart: too far for a map; move the far ones nearer"
+                )
             raise InputError(
                 f"{name}: handles {i + 1} and {j + 1} lie in one place, {_place(handles[i])}: move one"
             )

@@ -45,6 +45,8 @@ def test_several_lines_and_misses_are_told(bodies):
     assert "misses the shape" in missed.reports[0]
     with pytest.raises(InputError, match="no shape"):
         shape_sections(None, [])
+    with pytest.raises(InputError, match="sequence of Frames"):
+        shape_sections(bodies[0], ring.frame)
 
 
 def test_cuts_through_freeform_faces_have_few_points():

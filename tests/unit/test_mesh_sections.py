@@ -326,3 +326,24 @@ def test_a_corner_that_cannot_be_followed_is_named():
 def test_bad_wishes(wishes, words):
     with pytest.raises(InputError, match=words):
         section_curves([], **wishes)
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: planes_along([(0, 0, 0), (9, 0, 0)], 2.5), r"count=2\.5: a path is cut by a whole number"),
+        (lambda: planes_along([(0, 0, 0), (9, 0, 0)], "2"), "count='2'"),
+        (lambda: parallel_planes((0, 0, 0), (0, 1, 0), "abc"), "offsets must be numbers, not 'abc'"),
+        (
+            lambda: parallel_planes((0, 0, 0), (0, 1, 0), [[1, 2]]),
+            r"offsets must be one number or a row.*\(1, 2\)",
+        ),
+        (lambda: radial_planes((0, 0, 0), (0, 0, 1), None), "angles must be"),
+        (lambda: mesh_sections(*cube(), UPRIGHT), "sequence of Frames, not Frame: put one in a list"),
+        (lambda: mesh_sections(*cube(), None), "sequence of Frames, not NoneType"),
+        (lambda: mesh_sections(*cube(), [UPRIGHT, 3]), "sequence of Frames"),
+    ],
+)
+def test_bad_planes(call, words):
+    with pytest.raises(InputError, match=words):
+        call()
