@@ -6,7 +6,7 @@ from elastica_cad._types import ArrayLike
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.base import BRIDGE
 from elastica_cad.fabrication.ends import Tab
-from elastica_cad.fabrication.held import ENDS, HeldTab
+from elastica_cad.fabrication.held import End, HeldTab
 from elastica_cad.fabrication.model import Model, Placed
 from elastica_cad.fabrication.rings import PLAY, Ring, ring_plate, slot_reach
 from elastica_cad.fabrication.strip import Strip
@@ -23,6 +23,9 @@ TAB = 8.0
 
 APART = 0.5
 """Between the tabs of neighbours where they are nearest, mm."""
+
+RINGS = 60
+"""Sizes of rings that are tried where the one asked for cannot be."""
 
 NARROW = 1.0
 """A tab narrower than this, mm, holds nothing: at a pole strips end as they are."""
@@ -89,35 +92,73 @@ def revolved(
     rings: Sheet | str | None = None,
     name: str = "revolution",
 ) -> Model:
-    """A meridian's surface about z, tiled by so many equal plain strips; see `revolution`."""
+    """A meridian's surface about z, tiled by so many equal plain strips; see `revolution`.
+
+    Raises
+    ------
+    InputError
+        Fewer than three strips, an unknown sheet, or a ring that cannot be made; at a pole the smallest that can
+        be is told.
+    """
     if not 3 <= strips <= MOST:
         raise InputError(
             f"strips={strips}: a surface of revolution is tiled by 3 strips or more, {MOST} at most"
         )
     sheet = Sheet.named(sheet) if isinstance(sheet, str) else sheet
     rings = Sheet.named(rings) if isinstance(rings, str) else rings
+    placed = _placed(meridian, strips, sheet, ends, rings)
+    if rings is None:
+        return Model(placed, name=name)
+    first = _ring(placed, rings, "start")
+    try:
+        last = _ring(placed, rings, "end")
+    except InputError as problem:
+        works = _smallest_ring(meridian, strips, sheet, ends, rings) if meridian.at_pole else None
+        if works is None:
+            raise
+        raise InputError(
+            f"{problem}; ring={works} is the smallest, in whole mm, that works here"
+        ) from problem
+    return Model(placed, name=name, plates=(first, last))
+
+
+def _placed(
+    meridian: Meridian, strips: int, sheet: Sheet, ends: tuple[Tab, Tab] | None, rings: Sheet | None
+) -> tuple[Placed, ...]:
+    """All strips about the axis."""
     width = 2 * float(np.tan(np.pi / strips)) * float(meridian.distance.extremes[1])
     strip = Strip(meridian.rod, sheet, max_width=width, ends=ends or _tabs(meridian, strips, sheet, rings))
     turn = 2 * np.pi * np.arange(strips) / strips
-    placed = tuple(Placed(strip, (0, 0, 0), (np.cos(t), np.sin(t), 0), (0, 0, 1)) for t in turn)
-    plates = () if rings is None else _rings(placed, rings)
-    return Model(placed, name=name, plates=plates)
+    return tuple(Placed(strip, (0, 0, 0), (np.cos(t), np.sin(t), 0), (0, 0, 1)) for t in turn)
 
 
-def _rings(placed: tuple[Placed, ...], sheet: Sheet) -> tuple[Ring, Ring]:
-    """At the start and at the end of all strips."""
+def _ring(placed: tuple[Placed, ...], sheet: Sheet, end: End) -> Ring:
+    """At the start or at the end of all strips."""
     heights = placed[0].strip.rod.position[:, 1]
-    middle = float(heights.min() + heights.max()) / 2
-    first, last = (
-        ring_plate(
-            [HeldTab.of(one.strip, end, one.frame, name=f"strip {i}") for i, one in enumerate(placed, 1)],
-            sheet,
-            middle=middle,
-            name=f"ring-{end}",
-        )
-        for end in ENDS
-    )
-    return first, last
+    tabs = [HeldTab.of(one.strip, end, one.frame, name=f"strip {i}") for i, one in enumerate(placed, 1)]
+    return ring_plate(tabs, sheet, middle=float(heights.min() + heights.max()) / 2, name=f"ring-{end}")
+
+
+def _smallest_ring(
+    meridian: Meridian, strips: int, sheet: Sheet, ends: tuple[Tab, Tab] | None, rings: Sheet
+) -> int | None:
+    """The smallest distance from the axis, in whole millimetres, at which a ring can end the strips, if any."""
+
+    def works(ring: int) -> bool:
+        try:
+            _ring(_placed(meridian.to_ring(ring), strips, sheet, ends, rings), rings, "end")
+        except InputError:
+            return False
+        return True
+
+    start, end = meridian.ring
+    tried = np.unique(np.ceil(np.geomspace(end, start, RINGS)[1:-1]).astype(int))
+    tried = tried[(tried > end) & (tried < start)]
+    first = next((i for i, ring in enumerate(tried.tolist()) if works(ring)), None)
+    if first is None:
+        return None
+    before = int(tried[first - 1]) if first else int(end)
+    return next(ring for ring in range(before + 1, int(tried[first]) + 1) if ring > end and works(ring))
 
 
 def _tabs(meridian: Meridian, strips: int, sheet: Sheet, rings: Sheet | None) -> tuple[Tab, Tab]:

@@ -85,6 +85,17 @@ class Meridian:
             raise InputError(f"strips={strips}: a surface of revolution is tiled by 3 strips or more")
         return self.distance.scaled(2 * float(np.tan(np.pi / strips)))
 
+    def to_ring(self, ring: float) -> "Meridian":
+        """The same, but ended where its distance from the axis first falls to this, mm."""
+        curve = self.curve
+        end = _end(
+            lambda s: curve.at(s).position[:, 0], curve.length, _floor(self.ring[0], curve.length, ring)
+        )
+        cut = PlaneCurve.fit_function(
+            lambda s: curve.at(s).position, 0.0, end, tolerance=CURVE_TOLERANCE * curve.length, degree=5
+        )
+        return Meridian(self.a, self.b, cut, self.at_pole or end < curve.length, self.deviation)
+
     @cached_property
     def rod(self) -> Rod:
         """The strip's rod: its stiffness is the distance from the axis, its moment a + <b, gamma>."""
@@ -194,7 +205,7 @@ def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = Non
         if not found.points[0, 0] > 0:
             raise NotConvergedError("the nearest meridian begins beyond the axis")
         length, start = found.length * size, float(found.points[0, 0]) * size
-        end = _end(found, size, _floor(start, length, ring))
+        end = _end(lambda s: size * found.position(s / size)[:, 0], length, _floor(start, length, ring))
         curve = _curve(found, size, end)
     except NotConvergedError as problem:
         way_out = TO_THE_POLE if data[-1, 0] < CLOSE * data[:, 0].max() else ""
@@ -228,18 +239,22 @@ def _floor(start: float, length: float, ring: float | None) -> float:
     return float(ring)
 
 
-def _end(found: FoundMeridian, size: float, floor: float) -> float:
-    """Arc length at which it comes down to a distance from the axis, or its whole length, mm."""
+def _end(distance: Callable[[FloatArray], FloatArray], length: float, floor: float) -> float:
+    """Arc length at which the distance from the axis comes down to `floor`, or the whole length, mm."""
     from scipy.optimize import brentq
 
-    def above(s: float | FloatArray) -> FloatArray:
-        return np.asarray(found.position(np.atleast_1d(s) / size)[:, 0] * size - floor)
-
-    s = np.linspace(0.0, found.length * size, 2001)
-    low = np.flatnonzero(above(s) <= 0)
+    s = np.linspace(0.0, length, 2001)
+    low = np.flatnonzero(distance(s) <= floor)
     if not low.size or low[0] == 0:
         return float(s[-1])
-    return float(brentq(lambda at: float(above(at)[0]), s[low[0] - 1], s[low[0]], xtol=1e-12 * s[-1]))
+    return float(
+        brentq(
+            lambda at: float(distance(np.array([at]))[0]) - floor,
+            s[low[0] - 1],
+            s[low[0]],
+            xtol=1e-12 * length,
+        )
+    )
 
 
 def _profile(points: ArrayLike) -> FloatArray:

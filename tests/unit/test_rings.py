@@ -112,6 +112,44 @@ def test_rings_are_among_the_files(vase, tmp_path, check_drawing_file):
     assert report["pieces"] == 22
 
 
+def test_the_smallest_ring_beside_a_pole_is_told():
+    """That one works, a millimetre less does not."""
+    for asked in (None, 3, 8, 15):
+        ball = ec.meridian(0.0, (0.01, 0), (100, 0), np.pi / 2, 300, ring=asked)
+        with pytest.raises(
+            InputError, match=r"ring=\d+ is the smallest, in whole mm, that works here"
+        ) as refused:
+            ec.revolved(ball, 12, sheet=CARD, rings="birch-plywood-3")
+        told = int(str(refused.value).split("ring=")[-1].split()[0])
+        assert told == 26
+        ec.revolved(ball.to_ring(told), 12, sheet=CARD, rings="birch-plywood-3")
+        ec.revolution(
+            0.0,
+            (0.01, 0),
+            (100, 0),
+            np.pi / 2,
+            12,
+            length=300,
+            ring=told,
+            sheet=CARD,
+            rings="birch-plywood-3",
+        )
+        if asked != 15:
+            continue
+        with pytest.raises(InputError):
+            ec.revolved(ball.to_ring(told - 1), 12, sheet=CARD, rings="birch-plywood-3")
+
+
+def test_a_meridian_is_cut_where_another_ends():
+    ball = ec.meridian(0.0, (0.01, 0), (100, 0), np.pi / 2, 300, ring=3)
+    cut, made = ball.to_ring(40), ec.meridian(0.0, (0.01, 0), (100, 0), np.pi / 2, 300, ring=40)
+    assert cut.ring == pytest.approx((100, 40))
+    assert cut.curve.length == pytest.approx(made.curve.length, abs=1e-7)
+    assert cut.curve.sample(50).position == pytest.approx(made.curve.sample(50).position, abs=1e-7)
+    with pytest.raises(InputError, match="ring=100"):
+        ball.to_ring(100)
+
+
 def test_sheets_go_by_name(vase):
     named = ec.revolved(ec.meridian_through(POINTS), 20, sheet="card-200gsm", rings="mdf-3")
     assert named.strips[0].sheet == vase.strips[0].sheet
