@@ -274,7 +274,14 @@ def _write_text(path: Path, text: str) -> None:
 def _write_report(kit: Kit, path: Path) -> None:
     kinds = {name: kind for name, (kind, _) in kit.files.items()}
     listed = cut_list(kit.pieces)
-    report = model_report(kit.model, cut_list=listed, nests=kit.nests, files=kinds, effects=kit.effects)
+    report = model_report(
+        kit.model,
+        cut_list=listed,
+        nests=kit.nests,
+        files=kinds,
+        effects=kit.effects,
+        wishes=kit.design.wishes,
+    )
     report["reports"] += kit.notes
     _write_text(path, json.dumps(report, indent=1) + "\n")
 

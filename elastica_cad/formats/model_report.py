@@ -7,6 +7,8 @@ from typing import Any
 from elastica_cad.fabrication import CutList, Model, NestedSheet, Strip
 from elastica_cad.fabrication.slot_effects import SlotEffect
 from elastica_cad.formats.report import rounded, versions
+from elastica_cad.formats.wishes import StripWish
+from elastica_cad.forming.ratio import largest_deviation
 
 __all__ = ["MODEL_SCHEMA", "model_report"]
 
@@ -20,6 +22,7 @@ def model_report(
     nests: Sequence[NestedSheet],
     files: Mapping[str, str],
     effects: Mapping[str, SlotEffect],
+    wishes: Sequence[StripWish] = (),
 ) -> dict[str, Any]:
     """The report of a model, ready for JSON.
 
@@ -33,7 +36,10 @@ def model_report(
         What each file is, by its name.
     effects : mapping
         What its slots do to a part, by its name.
+    wishes : sequence of StripWish
+        What the strips were made after; the report says how far they are from it.
     """
+    drawn = {wish.label: wish for wish in wishes}
     return {
         "schema": MODEL_SCHEMA,
         "name": model.name,
@@ -44,6 +50,7 @@ def model_report(
             {
                 **_strip(part.strip),
                 **({"slot_effect": _effect(effects[part.name])} if part.name in effects else {}),
+                **(_departure(part.strip, drawn[part.strip.label]) if part.strip.label in drawn else {}),
                 "name": part.name,
                 "count": part.count,
             }
@@ -76,6 +83,15 @@ def model_report(
 
 def _effect(effect: SlotEffect) -> dict[str, float]:
     return {name: rounded(value) for name, value in asdict(effect).items()}
+
+
+def _departure(strip: Strip, wish: StripWish) -> dict[str, Any]:
+    """How far the strip's shape is from the curve it was made after, and that from its section, mm."""
+    found = strip.rod.curve
+    told: dict[str, Any] = {"deviation": rounded(largest_deviation(wish.curve, found))}
+    if wish.section:
+        told |= {"section": wish.section, "curve_off_section": rounded(wish.off_section)}
+    return told
 
 
 def _strip(strip: Strip) -> dict[str, Any]:

@@ -1,7 +1,7 @@
 """What a design file says about one strip: its curve, its place in space, and how it is made."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, TypeAlias
 
@@ -50,6 +50,8 @@ class StripWish:
         What messages call it.
     section : str
         The section of a surface that it follows and where that begins, else empty.
+    off_section : float
+        Largest distance of that section's points from the curve, mm.
     """
 
     label: str
@@ -59,6 +61,7 @@ class StripWish:
     making: dict[str, Any] = field(default_factory=dict)
     where: str = ""
     section: str = ""
+    off_section: float = 0.0
 
     @property
     def called(self) -> str:
@@ -97,9 +100,10 @@ def strip_wish(
         "slots": tuple(_slot(slot) for slot in table.tables("slots")),
     }
     curve = drawn_curve(table, folder, read_curves) if section is None else section.curve
-    return StripWish(
-        label, curve, frame, sheet, making, table.where, "" if section is None else section.called
-    )
+    wish = StripWish(label, curve, frame, sheet, making, table.where)
+    if section is None:
+        return wish
+    return replace(wish, section=section.called, off_section=section.deviation)
 
 
 def _plane(table: Table) -> Frame:

@@ -95,6 +95,10 @@ def test_metres_are_asked_for_and_strips_come_of_them(dome, tmp_path):
     report = json.loads((tmp_path / "kit" / "dome-sections.json").read_text())
     assert any("is open along" in text for text in report["reports"])
     assert all(part["ratio"] <= 3.5 * (1 + 1e-6) for part in report["parts"])
+    for part, curve in zip(report["parts"], exact, strict=True):
+        assert part["section"].startswith("section ")
+        assert 0 <= part["deviation"] < 0.01 * curve.length
+        assert 0 <= part["curve_off_section"] <= 0.3
 
 
 def test_parallel_planes_stand_in_equal_slices(dome, tmp_path):
