@@ -47,5 +47,7 @@ def build(count=STRIPS):
 
 if __name__ == "__main__":
     print(
-        ec.save_model(build(), sys.argv[1] if len(sys.argv) > 1 else "out/carpet", sheet_size=(700.0, 500.0))
+        ec.save_model(
+            build(), sys.argv[1] if len(sys.argv) > 1 else "out/carpet", sheet_size=(700.0, 500.0), force=True
+        )
     )

@@ -73,7 +73,7 @@ def states(apart=420.0):
 def main(folder="out/facade"):
     fins = [fin(k) for k in range(FINS)]
     for name, opened in (("closed", 0.0), ("half-open", 0.5), ("open", 1.0)):
-        print(ec.save_model(build(opened, fins), f"{folder}/{name}", sheet_size=(600.0, 500.0)))
+        print(ec.save_model(build(opened, fins), f"{folder}/{name}", sheet_size=(600.0, 500.0), force=True))
     for k, one in enumerate(fins):
         rows = [
             f"{d:5.1f} mm {f:6.2f} N {m:6.1f}"

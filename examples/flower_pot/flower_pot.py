@@ -71,4 +71,4 @@ def build(mesh=None, count=COUNT, least_radius=LEAST_RADIUS):
 
 if __name__ == "__main__":
     own = ec.read_mesh(sys.argv[1], unit="cm").scaled(SCALE / 10) if len(sys.argv) > 1 else None
-    print(ec.save_model(build(own), "out/flower_pot"))
+    print(ec.save_model(build(own), "out/flower_pot", force=True))

@@ -66,4 +66,4 @@ def build(planes=PLANES):
 
 
 if __name__ == "__main__":
-    print(ec.save_model(build(), sys.argv[1] if len(sys.argv) > 1 else "out/horse"))
+    print(ec.save_model(build(), sys.argv[1] if len(sys.argv) > 1 else "out/horse", force=True))

@@ -46,7 +46,7 @@ def main(folder="out/lamp"):
     model = build()
     print(f"{len(model.placed)} strips found; thousands of rounded holes take their time", flush=True)
     written = ec.save_model(
-        model, folder, sheet_size=(1250.0, 1250.0), done=lambda name, _: print(name, flush=True)
+        model, folder, sheet_size=(1250.0, 1250.0), done=lambda name, _: print(name, flush=True), force=True
     )
     print(written)
 

@@ -36,4 +36,4 @@ def build():
 
 
 if __name__ == "__main__":
-    print(ec.save_model(build(), sys.argv[1] if len(sys.argv) > 1 else "out/lantern"))
+    print(ec.save_model(build(), sys.argv[1] if len(sys.argv) > 1 else "out/lantern", force=True))

@@ -30,7 +30,7 @@ def main(folder="out/projective"):
         )
         strip = ec.Strip(rod, ec.Sheet.named("card-200gsm"), max_width=25, label=name)
         placed.append(ec.Placed(strip, (0, 60 * len(placed), 0), (1, 0, 0), (0, 0, 1)))
-    print(ec.save_model(ec.Model(tuple(placed), name="projective"), folder))
+    print(ec.save_model(ec.Model(tuple(placed), name="projective"), folder, force=True))
 
 
 if __name__ == "__main__":

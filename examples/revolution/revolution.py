@@ -69,7 +69,7 @@ def main(folder="out/revolution"):
             f"{label}: {surface.strips} strips of {rod.length:.0f} mm, ratio {rod.ratio:.2f}, "
             f"{rod.curve.inflections.size} inflections, strain {100 * strip.max_strain:.2f} %"
         )
-        print(ec.save_model(model, f"{folder}/{label}", sheet_size=(800.0, 600.0)))
+        print(ec.save_model(model, f"{folder}/{label}", sheet_size=(800.0, 600.0), force=True))
 
 
 if __name__ == "__main__":

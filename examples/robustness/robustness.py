@@ -55,7 +55,7 @@ def main(folder="out/robustness"):
     print(ec.tolerance_study(designed(), sheet=CARD, max_width=45, samples=30))
     strip = ec.Strip(designed(), CARD, max_width=45, label="ARCH")
     placed = ec.Placed(strip, (0, 0, 0), (1, 0, 0), (0, 0, 1))
-    print(ec.save_model(ec.Model((placed,), name="robustness"), folder))
+    print(ec.save_model(ec.Model((placed,), name="robustness"), folder, force=True))
 
 
 if __name__ == "__main__":

@@ -39,7 +39,7 @@ def main(folder="out/s_curve"):
         )
     print(f"moved by at most {found.deviation:.2f} mm")
     model = ec.Model((ec.Placed(strip(found.rod, "S")),), name="s-curve")
-    print(ec.save_model(model, folder))
+    print(ec.save_model(model, folder, force=True))
 
 
 if __name__ == "__main__":

@@ -47,7 +47,7 @@ def main(folder="out/spiral", sheet="paper"):
     model = build(CARD if sheet == "card" else PAPER)
     for text in model.strips[0].warnings:
         print(text)
-    print(ec.save_model(model, folder))
+    print(ec.save_model(model, folder, force=True))
 
 
 if __name__ == "__main__":

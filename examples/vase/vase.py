@@ -16,4 +16,4 @@ def build():
 
 
 if __name__ == "__main__":
-    print(ec.save_model(build(), sys.argv[1] if len(sys.argv) > 1 else "out/vase"))
+    print(ec.save_model(build(), sys.argv[1] if len(sys.argv) > 1 else "out/vase", force=True))
