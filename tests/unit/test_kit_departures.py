@@ -4,6 +4,8 @@ import json
 
 import pytest
 
+pytest.importorskip("ezdxf")
+
 import elastica_cad as ec
 from elastica_cad.formats import read_design
 from elastica_cad.kit import kit_of, write_kit
