@@ -30,7 +30,7 @@ def z(grid):
     return z
 
 
-def derivative(function, z, j, h=1e-6):
+def derivative(function, z, j, h=1e-5):  # rounding and curvature weigh alike
     e = h * np.eye(z.size)[j]
     return (function(z + e) - function(z - e)) / (2 * h)
 
