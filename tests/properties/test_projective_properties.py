@@ -26,7 +26,8 @@ def spread(points):
     longest = [max(np.linalg.norm(t[i] - t[j]) for i, j in ((0, 1), (0, 2), (1, 2))) for t in three]
     if min(longest) == 0:
         return 0.0
-    areas = [abs(np.linalg.det(np.column_stack([t, np.ones(3)]))) for t in three]
+    sides = [(t[1] - t[0], t[2] - t[0]) for t in three]
+    areas = [abs(u[0] * v[1] - u[1] * v[0]) for u, v in sides]
     return min(a / c for a, c in zip(areas, longest, strict=True)) / size
 
 
