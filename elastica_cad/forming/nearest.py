@@ -114,8 +114,12 @@ class NearestRod:
             When the status is FAILED.
         """
         if self.found is None:
-            raise NotConvergedError(f"there is no rod for this curve: {self.message}")
+            raise self._no_rod
         return self.found
+
+    @property
+    def _no_rod(self) -> NotConvergedError:
+        return NotConvergedError(f"there is no rod for this curve: {self.message}")
 
     @property
     def met(self) -> bool:
@@ -140,7 +144,7 @@ class NearestRod:
             When the status is FAILED.
         """
         if self.again is None:
-            raise NotConvergedError(f"there is no rod for this curve: {self.message}")
+            raise self._no_rod
         return self.again(limits=limits or self.limits, keep=keep or self.keep)
 
     @cached_property

@@ -81,7 +81,8 @@ def _basis(name: str, points: ArrayLike) -> FloatArray:
     for three in combinations(range(4), 3):
         corner = rows[list(three)]
         longest = max(float(np.linalg.norm(corner[i] - corner[j])) for i, j in combinations(range(3), 2))
-        if abs(np.linalg.det(corner)) <= IN_LINE * longest:
+        (ux, uy, _), (vx, vy, _) = corner[1:] - corner[0]
+        if abs(ux * vy - uy * vx) <= IN_LINE * longest:
             numbers = ", ".join(str(i + 1) for i in three)
             raise InputError(
                 f"{name}: handles {numbers} lie in one line, through {_place(handles[three[0]])} and "

@@ -3,6 +3,7 @@
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -369,7 +370,7 @@ class TabulatedLaw(MaterialLaw):
         return inside, kappa - inside
 
     @cached_property
-    def _curve(self):  # type: ignore[no-untyped-def]
+    def _curve(self) -> Any:
         """m over kappa >= 0, exactly 0 and of slope 1 at rest."""
         from scipy.interpolate import PchipInterpolator, PPoly
 

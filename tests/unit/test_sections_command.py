@@ -112,12 +112,16 @@ def test_parallel_planes_stand_in_equal_slices(dome, tmp_path):
     assert made.output.count("mm long") == 2
 
 
+def assert_two_along(mesh, path, folder):
+    made = run("sections", mesh, "--along", path, "--count", 2, "-o", folder)
+    assert made.exit_code == 0, made.output
+    assert made.output.count("mm long") == 2
+
+
 def test_planes_along_a_path(dome, tmp_path):
     mesh, path = written(tmp_path / "dome.obj", *dome), tmp_path / "path.csv"
     path.write_text("# x, y, z\n-60, 0, 0\n60, 0, 0\n")
-    made = run("sections", mesh, "--along", path, "--count", 2, "-o", tmp_path)
-    assert made.exit_code == 0, made.output
-    assert made.output.count("mm long") == 2
+    assert_two_along(mesh, path, tmp_path)
     path.write_text("1, 2\n")
     assert "path.csv, line 1: '1, 2' is no point" in run("sections", mesh, "--along", path).stderr.replace(
         "  ", ", "
@@ -291,8 +295,6 @@ def test_options_without_effect_are_told(dome, tmp_path):
 def test_a_path_under_a_row_of_names(dome, tmp_path):
     mesh, path = written(tmp_path / "dome.obj", *dome), tmp_path / "path.csv"
     path.write_text("x,y,z\n-60,0,0\n60,0,0\n")
-    made = run("sections", mesh, "--along", path, "--count", 2, "-o", tmp_path)
-    assert made.exit_code == 0, made.output
-    assert made.output.count("mm long") == 2
+    assert_two_along(mesh, path, tmp_path)
     path.write_text("x,y\n-60,0\n60,0\n")
     assert "line 1: 'x,y' is no point" in run("sections", mesh, "--along", path).stderr

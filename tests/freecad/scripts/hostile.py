@@ -117,6 +117,15 @@ def poke(panel):
     wait(90)
 
 
+def finish(panel, document):
+    """Type into the panel once more, press OK, or Cancel where OK refuses, and close."""
+    poke(panel)
+    if not panel.accept():
+        panel.reject()
+    wait(50)
+    App.closeDocument(document.Name)
+
+
 def vanish(command):
     """Everything that the panel works on is deleted while it is open."""
     parts = scene()
@@ -126,11 +135,7 @@ def vanish(command):
         if obj.Name in [o.Name for o in document.Objects]:
             document.removeObject(obj.Name)
     wait(100)
-    poke(panel)
-    if not panel.accept():
-        panel.reject()
-    wait(50)
-    App.closeDocument(document.Name)
+    finish(panel, document)
 
 
 def undone(command):
@@ -143,11 +148,7 @@ def undone(command):
         wait(60)
     document.redo()
     wait(60)
-    poke(panel)
-    if not panel.accept():
-        panel.reject()
-    wait(50)
-    App.closeDocument(document.Name)
+    finish(panel, document)
 
 
 def closed(command):
