@@ -1,58 +1,157 @@
 """Strips in build123d: sketch and part objects, and an operation on pending edges."""
 
 from collections.abc import Iterable, Sequence
-from typing import Any, Literal, TypeAlias
+from dataclasses import replace
+from math import radians
+from typing import Any, Literal, TypeAlias, Unpack, overload
 
 try:
     import build123d as bd
 except ImportError as error:
     raise ImportError("elastica_cad.build123d needs build123d: pip install build123d") from error
 
-from elastica_cad import occt
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication import BentSolid, FlatSolid, Frame, Model, Strip, sheet_color
-from elastica_cad.fabrication import EndFixture as FixtureRecord
-from elastica_cad.fabrication.assembly import Holder, bent_parts, holder_bodies
-from elastica_cad.fabrication.colors import FIXTURE_COLOR
-from elastica_cad.fabrication.making import StripFacts, make_strip
-from elastica_cad.fabrication.prisms import PrismSolid
-from elastica_cad.geometry import PlaneCurve
-from elastica_cad.mechanics import Sheet
+from elastica_cad.fabrication.drawings.sheet_colors import FIXTURE_COLOR, sheet_color
+from elastica_cad.fabrication.holders.end_fixtures import EndFixture as FixtureRecord
+from elastica_cad.fabrication.model.assembly import (
+    AssemblyPart,
+    Holder,
+    assembly_parts,
+    layer_names,
+    shape_parts,
+)
+from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.solids.prisms import PrismSolid
+from elastica_cad.fabrication.solids.smooth_pieces import in_smooth_pieces
+from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
+from elastica_cad.fabrication.strip.strip_facts import StripFacts
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.geometry.paths.segments import Spline
+from elastica_cad.kernel import occt
+from elastica_cad.kernel.strip_on_path import MadeStrip, StripOptions, StripWarning, make_strip_on
+from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.bending.between_clamps import elastica_between
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.material.sheet import Sheet
 
 __all__ = [
     "BentStrip",
+    "Elastica",
     "EndFixture",
     "FlatStrip",
     "PlacedStrip",
     "StripOutline",
+    "StripWarning",
     "elastic_strip",
     "model_compound",
 ]
 
-Drawn: TypeAlias = bd.Edge | bd.Wire | PlaneCurve | Iterable[bd.Edge]
+Drawn: TypeAlias = bd.Edge | bd.Wire | PlaneCurve | Strip | StripFacts | Iterable[bd.Edge]
+"""A curve that is drawn, or a strip that was made before: then there is nothing to solve."""
+
+OFF_PLANE = 1e-6  # mm
+
+End: TypeAlias = Literal["start", "end"]
+
+
+class _Shared:
+    """Records that copies of a shape need not copy: the strip, its plane, and its joint "start" as made."""
+
+    def __init__(self, made: MadeStrip, home: Frame | None = None) -> None:
+        self.made, self.home = made, home
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> "_Shared":
+        return self
 
 
 class _Made(StripFacts):
-    """The strip behind a shape; copies of the shape share it."""
+    """The strip behind a shape; copies of the shape share it. Its other bodies are a word away."""
+
+    _shared: _Shared
 
     @property
     def strip(self) -> Strip:
         """The strip: widths, outline, strain, mass."""
-        return self._shared.strip
+        return self._shared.made.strip
 
-    @strip.setter
-    def strip(self, strip: Strip) -> None:
-        self._shared = _Shared(strip)
+    @property
+    def deviation(self) -> float:
+        """How far limits moved the strip off the drawn curve, mm."""
+        return self._shared.made.deviation
+
+    @property
+    def frame(self) -> Frame:
+        """The plane in which the curve of the bent strip lies: moved with a bent body, as drawn for others."""
+        home, plane = self._shared.home, self._shared.made.frame
+        joints: dict[str, bd.Joint] = getattr(self, "joints", {})
+        if home is None or "start" not in joints:
+            return plane
+        return _carried(plane, home, _frame(joints["start"].location))
+
+    @property
+    def flat(self) -> "FlatStrip":
+        """The strip as cut, on the xy plane."""
+        return FlatStrip(self, mode=bd.Mode.PRIVATE)
+
+    @property
+    def bent(self) -> "_Bent":
+        """The strip bent, on its curve; called with new ends it is bent further: `rib.bent(end=(120, 0))`."""
+        return _Bent(self)
+
+    @property
+    def outline(self) -> "StripOutline":
+        """The flat pattern as a sketch."""
+        return StripOutline(self, mode=bd.Mode.PRIVATE)
+
+    @property
+    def layers(self) -> tuple[bd.Solid, ...]:
+        """The sheets of the bent strip, the base first, with names and colours."""
+        records = BentSolid.layers(self.strip, self.frame)
+        names = layer_names(self.strip.label or "strip", self.strip)
+        found = []
+        for record, name, layer in zip(records, names, self.strip.layers, strict=True):
+            solid = bd.Solid(occt.make_solid(record))
+            solid.label, solid.color = name, bd.Color(*sheet_color(layer.sheet))
+            found.append(solid)
+        return tuple(found)
+
+    @property
+    def backing(self) -> bd.Solid:
+        """The bent backing of a laminated strip."""
+        if len(self.strip.layers) == 1:
+            raise InputError("the strip has no backing: give style=Laminated(width=..., backing=...)")
+        return self.layers[1]
+
+    def fixture(self, end: End = "start", **sizes: Any) -> "EndFixture":
+        """The block that holds an end of the bent strip, in place; `sizes` as in `EndFixture`."""
+        return EndFixture(self, end=end, mode=bd.Mode.PRIVATE, **sizes)
+
+    @property
+    def placed(self) -> Placed:
+        """The strip in its place, for `Model`."""
+        frame = self.frame
+        return Placed(self.strip, frame.origin, frame.x_axis, frame.y_axis)
 
 
-class _Shared:
-    """A record that copies of a shape need not copy."""
+class _Bent:
+    """Makes the bent body of a strip, as it is or with its ends led elsewhere."""
 
-    def __init__(self, strip: Strip) -> None:
-        self.strip = strip
+    def __init__(self, owner: _Made) -> None:
+        self._owner = owner
 
-    def __deepcopy__(self, memo: dict[int, Any]) -> "_Shared":
-        return self
+    def __call__(self, **moved: Any) -> "BentStrip":
+        """The body; `start`, `end` (mm, in the plane of the curve), `angles` (rad), ... as in `bend`."""
+        owner = self._owner
+        if not moved:
+            return BentStrip(owner, mode=bd.Mode.PRIVATE)
+        strip = replace(owner.strip, rod=bend(owner.rod, **moved))
+        frame = owner.frame
+        return BentStrip(strip, plane=frame, mode=bd.Mode.PRIVATE)
 
 
 class StripOutline(_Made, bd.BaseSketchObject):
@@ -71,7 +170,8 @@ class StripOutline(_Made, bd.BaseSketchObject):
     rotation, align, mode
         As in every sketch object of build123d.
     **options
-        `min_width`, `limits`, `keep`, `gravity`, `supports`, and the options of `Strip`.
+        All other fields of `StripSpec`: min_width, style, limits, keep, gravity, loads, supports,
+        natural_curvature, samples, ends, slots, label; and of a `PlaneCurve` its `frame` in space.
 
     Raises
     ------
@@ -91,17 +191,17 @@ class StripOutline(_Made, bd.BaseSketchObject):
     def __init__(
         self,
         path: Drawn,
-        sheet: Sheet | str,
+        sheet: Sheet | str | None = None,
         *,
         max_width: float | None = None,
         rotation: float = 0,
         align: bd.Align | tuple[bd.Align, bd.Align] | None = None,
         mode: bd.Mode = bd.Mode.ADD,
-        **options: Any,
+        **options: Unpack[StripOptions],
     ) -> None:
-        curve, _ = _curve_and_frame(path)
-        made = make_strip(curve, sheet, max_width=max_width, **options)
-        super().__init__(bd.Face(occt.make_face(made.outline, made.holes)), rotation, align, mode)
+        made = make_strip_on(path, sheet, max_width=max_width, **options)
+        loops = [in_smooth_pieces(loop) for loop in (made.strip.outline, *made.strip.holes)]
+        super().__init__(bd.Face(occt.make_face(loops[0], loops[1:])), rotation, align, mode)
         _dress(self, made)
 
 
@@ -115,17 +215,16 @@ class FlatStrip(_Made, bd.BasePartObject):
     def __init__(
         self,
         path: Drawn,
-        sheet: Sheet | str,
+        sheet: Sheet | str | None = None,
         *,
         max_width: float | None = None,
         rotation: bd.RotationLike = (0, 0, 0),
         align: bd.Align | tuple[bd.Align, bd.Align, bd.Align] | None = None,
         mode: bd.Mode = bd.Mode.ADD,
-        **options: Any,
+        **options: Unpack[StripOptions],
     ) -> None:
-        curve, _ = _curve_and_frame(path)
-        made = make_strip(curve, sheet, max_width=max_width, **options)
-        super().__init__(_jointed(FlatSolid.layers(made)), rotation, align, mode)
+        made = make_strip_on(path, sheet, max_width=max_width, **options)
+        super().__init__(_jointed(FlatSolid.layers(made.strip)), rotation, align, mode)
         _dress(self, made)
 
 
@@ -139,18 +238,18 @@ class BentStrip(_Made, bd.BasePartObject):
     def __init__(
         self,
         path: Drawn,
-        sheet: Sheet | str,
+        sheet: Sheet | str | None = None,
         *,
         max_width: float | None = None,
         rotation: bd.RotationLike = (0, 0, 0),
         align: bd.Align | tuple[bd.Align, bd.Align, bd.Align] | None = None,
         mode: bd.Mode = bd.Mode.ADD,
-        **options: Any,
+        **options: Unpack[StripOptions],
     ) -> None:
-        curve, frame = _curve_and_frame(path)
-        made = make_strip(curve, sheet, max_width=max_width, **options)
-        super().__init__(_jointed(BentSolid.layers(made, frame)), rotation, align, mode)
-        _dress(self, made)
+        made = make_strip_on(path, sheet, max_width=max_width, **options)
+        records = BentSolid.layers(made.strip, made.frame)
+        super().__init__(_jointed(records), rotation, align, mode)
+        _dress(self, made, records[0].joints["start"])
 
 
 class EndFixture(_Made, bd.BasePartObject):
@@ -179,24 +278,23 @@ class EndFixture(_Made, bd.BasePartObject):
     def __init__(
         self,
         path: Drawn,
-        sheet: Sheet | str,
+        sheet: Sheet | str | None = None,
         *,
         max_width: float | None = None,
         end: Literal["start", "end"] = "start",
         floor: bd.Plane | None = None,
-        clearance: float = 0.15,
-        wall: float = 4.0,
-        foot: float = 12.0,
-        foot_height: float = 4.0,
-        screw: float = 4.3,
+        clearance: float = FixtureRecord.clearance,
+        wall: float = FixtureRecord.wall,
+        foot: float = FixtureRecord.foot,
+        foot_height: float = FixtureRecord.foot_height,
+        screw: float = FixtureRecord.screw,
         number: str | None = None,
         rotation: bd.RotationLike = (0, 0, 0),
         align: bd.Align | tuple[bd.Align, bd.Align, bd.Align] | None = None,
         mode: bd.Mode = bd.Mode.ADD,
-        **options: Any,
+        **options: Unpack[StripOptions],
     ) -> None:
-        curve, frame = _curve_and_frame(path)
-        made = make_strip(curve, sheet, max_width=max_width, **options)
+        made = make_strip_on(path, sheet, max_width=max_width, **options)
         sizes = {
             "clearance": clearance,
             "wall": wall,
@@ -205,22 +303,129 @@ class EndFixture(_Made, bd.BasePartObject):
             "screw": screw,
         }
         ground = None if floor is None else Frame(tuple(floor.origin), tuple(floor.x_dir), tuple(floor.y_dir))
-        block = FixtureRecord.of(made, end, frame, floor=ground, number=number, **sizes)
+        block = FixtureRecord.of(made.strip, end, made.frame, floor=ground, number=number, **sizes)
         solid = bd.Solid(occt.make_solid(block.solid))
         _join(solid, block.solid)
         super().__init__(solid, rotation, align, mode)
-        self.strip = made
-        self.label, self.color = f"fixture {block.number or block.tab.name}", bd.Color(*FIXTURE_COLOR)
+        self._shared = _Shared(made)
+        self.label, self.color = block.label, bd.Color(*FIXTURE_COLOR)
+
+
+class Elastica(bd.BaseLineObject):
+    """Line object: the curve that a strip of given length takes between two clamps.
+
+    Which of its many shapes is stated by `branch`, and chosen by `side` and `buckling`.
+
+    Parameters
+    ----------
+    start, end : point
+        In the plane of the workplane.
+    length : float
+        Of the strip, mm: more than the distance of its ends.
+    angles : pair of float or None
+        Of the tangents at start and end, degrees; None leaves the strip free to turn there.
+    stiffness : float, sequence or Profile
+        Of a tapered strip: its widths at even stations, in any unit.
+    gravity : Gravity, optional
+        The strip's own weight, as `Sheet.gravity` gives it.
+    force : pair of float, optional
+        As in `bend`.
+    side : {+1, -1}
+        Bulge to the left or the right of the way from start to end.
+    buckling : int
+        Buckling mode; above 1 the shape is unstable as a rule.
+    mode : Mode
+        How it joins the builder's line.
+
+    Raises
+    ------
+    InputError
+        A length that does not reach, points off the plane.
+
+    Examples
+    --------
+    >>> line = Elastica((0, 0), (70, 0), 100, angles=(0, 0))
+    >>> round(line.length, 3), str(line.branch)
+    (100.0, 'the strip bulges to the left of its chord, with 2 inflections (mode 1)')
+    """
+
+    def __init__(
+        self,
+        start: bd.VectorLike,
+        end: bd.VectorLike,
+        length: float,
+        *,
+        angles: tuple[float | None, float | None] = (None, None),
+        stiffness: "float | Sequence[float] | Profile" = 1.0,
+        gravity: Gravity | None = None,
+        force: tuple[float, float] | None = None,
+        side: int = 1,
+        buckling: int = 1,
+        mode: bd.Mode = bd.Mode.ADD,
+    ) -> None:
+        ends = [bd.Vector(*point) if isinstance(point, tuple) else bd.Vector(point) for point in (start, end)]
+        if max(abs(point.Z) for point in ends) > OFF_PLANE:
+            raise InputError("an elastica lies in the xy plane of its workplane: give points without z")
+        turned = tuple(None if angle is None else radians(angle) for angle in angles)
+        self.branch = elastica_between(
+            (ends[0].X, ends[0].Y),
+            (ends[1].X, ends[1].Y),
+            length,
+            angles=(turned[0], turned[1]),
+            stiffness=stiffness,
+            gravity=gravity,
+            force=force,
+            side=side,
+            mode=buckling,
+        )
+        wire = occt.make_wire(Path([Spline(self.branch.curve)]))
+        super().__init__(bd.Wire(wire), mode)
+
+
+@overload
+def elastic_strip(
+    path: Drawn | None = None,
+    *,
+    sheet: Sheet | str | None = None,
+    max_width: float | None = None,
+    form: Literal["flat"] = "flat",
+    mode: bd.Mode = bd.Mode.ADD,
+    **options: Unpack[StripOptions],
+) -> FlatStrip: ...
+
+
+@overload
+def elastic_strip(
+    path: Drawn | None = None,
+    *,
+    sheet: Sheet | str | None = None,
+    max_width: float | None = None,
+    form: Literal["bent"],
+    mode: bd.Mode = bd.Mode.ADD,
+    **options: Unpack[StripOptions],
+) -> BentStrip: ...
+
+
+@overload
+def elastic_strip(
+    path: Drawn | None = None,
+    *,
+    sheet: Sheet | str | None = None,
+    max_width: float | None = None,
+    form: Literal["outline"],
+    mode: bd.Mode = bd.Mode.ADD,
+    **options: Unpack[StripOptions],
+) -> StripOutline: ...
 
 
 def elastic_strip(
     path: Drawn | None = None,
     *,
-    sheet: Sheet | str,
+    sheet: Sheet | str | None = None,
     max_width: float | None = None,
     form: Literal["flat", "bent", "outline"] = "flat",
     mode: bd.Mode = bd.Mode.ADD,
-    **options: Any,
+    **options: Unpack[StripOptions],
 ) -> FlatStrip | BentStrip | StripOutline:
     """Operation: the strip of a curve, of the builder's pending edges unless `path` is given.
 
@@ -237,6 +442,11 @@ def elastic_strip(
         How it joins the builder's part or sketch.
     **options
         All others of `StripOutline`.
+
+    Returns
+    -------
+    FlatStrip, BentStrip or StripOutline
+        Where pending edges make several chains a `ShapeList` of them, one a chain.
 
     Raises
     ------
@@ -255,10 +465,15 @@ def elastic_strip(
                 "there is no curve: give a path, or draw one with BuildLine in the builder first"
             )
         context.pending_edges = bd.ShapeList()
-    strip: FlatStrip | BentStrip | StripOutline = forms[form](
-        path, sheet, max_width=max_width, mode=mode, **options
-    )
-    return strip
+        path = list(bd.Wire.combine(path)) if len(path) > 1 else path
+        strips: list[Any] = [
+            forms[form](chain, sheet, max_width=max_width, mode=mode, **options) for chain in path
+        ]
+        made: Any = strips[0] if len(strips) == 1 else bd.ShapeList(strips)
+    else:
+        made = forms[form](path, sheet, max_width=max_width, mode=mode, **options)
+    found: FlatStrip | BentStrip | StripOutline = made
+    return found
 
 
 class PlacedStrip(_Made, bd.Part):
@@ -286,27 +501,24 @@ def model_compound(model: Model, *, others: Iterable[Holder] = ()) -> bd.Compoun
     InputError
         Something else among `others`.
     """
-    bodies: dict[int, list[bd.Solid]] = {}
-    children: list[bd.Part] = []
-    for part in bent_parts(model):
-        if id(part.solids) not in bodies:
-            bodies[id(part.solids)] = _solids(part.solids)
-        child = PlacedStrip(bd.Compound(bodies[id(part.solids)]).wrapped)
-        _join(child, part.solids[0])
-        _dress(child, part.strip)
-        child.label = part.name
-        child.location = bd.Location(occt.make_location(part.frame))
-        children.append(child)
-    for body in holder_bodies((*model.plates, *others)):
-        holder = bd.Part(occt.make_solid(body.solid))
-        _join(holder, body.solid)
-        holder.label, holder.color = body.name, bd.Color(*body.color)
-        children.append(holder)
+    parts = assembly_parts(model.placed, (*model.plates, *others))
+    children = [
+        _child(part, solids) for part, solids in shape_parts(parts, lambda part: _solids(part.solids))
+    ]
     return bd.Compound(label=model.name, children=children)
 
 
-def _curve_and_frame(path: Drawn) -> tuple[PlaneCurve, Frame]:
-    return (path, Frame()) if isinstance(path, PlaneCurve) else occt.plane_curve(path)
+def _child(part: AssemblyPart, solids: list[bd.Solid]) -> bd.Part:
+    """A part of an assembly in its place; of a strip one that knows it."""
+    child: Any = bd.Part(solids[0].wrapped)
+    if part.strip is not None:
+        child = PlacedStrip(bd.Compound(solids).wrapped)
+        base: Any = part.solids[0]
+        child._shared = _Shared(MadeStrip(part.strip, Frame()), base.joints["start"])
+    _join(child, part.solids[0])
+    child.label, child.color = part.name, bd.Color(*part.colors[0])
+    child.location = bd.Location(occt.make_location(part.frame))
+    return child
 
 
 def _jointed(records: Sequence[FlatSolid | BentSolid]) -> bd.Solid | bd.Part:
@@ -317,7 +529,7 @@ def _jointed(records: Sequence[FlatSolid | BentSolid]) -> bd.Solid | bd.Part:
     return body
 
 
-def _solids(records: Sequence[FlatSolid | BentSolid]) -> list[bd.Solid]:
+def _solids(records: Sequence[FlatSolid | BentSolid | PrismSolid]) -> list[bd.Solid]:
     return [bd.Solid(occt.make_solid(record)) for record in records]
 
 
@@ -326,7 +538,18 @@ def _join(shape: Any, record: FlatSolid | BentSolid | PrismSolid) -> None:
         bd.RigidJoint(name, shape, bd.Location(occt.make_location(frame)))
 
 
-def _dress(shape: Any, made: Strip) -> None:
-    shape.strip = made
-    shape.label = made.label or "strip"
-    shape.color = bd.Color(*sheet_color(made.sheet))
+def _dress(shape: Any, made: MadeStrip, home: Frame | None = None) -> None:
+    shape._shared = _Shared(made, home)
+    shape.label = made.strip.label or "strip"
+    shape.color = bd.Color(*sheet_color(made.strip.sheet))
+
+
+def _frame(location: bd.Location) -> Frame:
+    plane = bd.Plane(location)
+    return Frame(tuple(plane.origin), tuple(plane.x_dir), tuple(plane.y_dir))
+
+
+def _carried(frame: Frame, home: Frame, now: Frame) -> Frame:
+    """The frame, moved as what lay in `home` and lies in `now`."""
+    axes = (home.axes @ axis for axis in (frame.x_axis, frame.y_axis))
+    return Frame(home.local(frame.origin), *axes).within(now)

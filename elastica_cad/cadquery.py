@@ -2,28 +2,55 @@
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
+from math import radians
 from types import MappingProxyType
-from typing import Any, Literal, TypeAlias, TypeVar
+from typing import Any, Literal, TypeAlias, TypeVar, Unpack
+
+import numpy as np
 
 try:
     import cadquery as cq
 except ImportError as error:
     raise ImportError("elastica_cad.cadquery needs CadQuery: pip install cadquery") from error
 
-from elastica_cad import occt
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication import BentSolid, EndFixture, FlatSolid, Frame, Model, Strip, sheet_color
-from elastica_cad.fabrication.assembly import Holder, bent_parts, holder_bodies
-from elastica_cad.fabrication.making import StripFacts, make_strip
-from elastica_cad.geometry import PlaneCurve
-from elastica_cad.mechanics import Sheet
+from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
+from elastica_cad.fabrication.holders.end_fixtures import EndFixture
+from elastica_cad.fabrication.model.assembly import (
+    AssemblyPart,
+    Holder,
+    assembly_parts,
+    layer_names,
+    shape_parts,
+)
+from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.solids.prisms import PrismSolid
+from elastica_cad.fabrication.solids.smooth_pieces import in_smooth_pieces
+from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
+from elastica_cad.fabrication.strip.strip_facts import StripFacts
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.geometry.paths.segments import Spline
+from elastica_cad.kernel import occt
+from elastica_cad.kernel.strip_on_path import MadeStrip, StripOptions, StripWarning, make_strip_on
+from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.bending.between_clamps import elastica_between
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.material.sheet import Sheet
 
 __all__ = [
     "FixtureSolid",
     "StripCompound",
     "StripFace",
     "StripSolid",
+    "StripWarning",
     "bent_strip",
+    "elastica",
     "end_fixture",
     "flat_strip",
     "model_assembly",
@@ -31,16 +58,78 @@ __all__ = [
     "strip_outline",
 ]
 
-Drawn: TypeAlias = cq.Edge | cq.Wire | cq.Workplane | PlaneCurve | Iterable[cq.Edge]
+Drawn: TypeAlias = cq.Edge | cq.Wire | cq.Workplane | PlaneCurve | Strip | StripFacts | Iterable[cq.Edge]
+"""A curve that is drawn, or a strip that was made before: then there is nothing to solve."""
+
 Form: TypeAlias = Literal["flat", "bent"]
 End: TypeAlias = Literal["start", "end"]
 
 METHOD = "elasticStrip"
 ENDS: tuple[End, End] = ("start", "end")
+CHAIN = 1e-4  # mm: ends of pending edges that are meant to meet
+KEPT = ("_made", "_home", "_joints", "label", "color")
 
 
 class _Made(StripFacts, cq.Shape):
-    """The strip behind a shape; a shape moved by `moved` or `located` keeps it."""
+    """The strip behind a shape, which copies, moved and turned ones keep. Its other bodies are a word away."""
+
+    _made: MadeStrip
+    _home: Frame | None = None
+    _joints: Mapping[str, cq.Location] = MappingProxyType({})
+    color: cq.Color
+
+    @property
+    def strip(self) -> Strip:
+        """The strip: widths, outline, strain, mass."""
+        return self._made.strip
+
+    @property
+    def deviation(self) -> float:
+        """How far limits moved the strip off the drawn curve, mm."""
+        return self._made.deviation
+
+    @property
+    def frame(self) -> Frame:
+        """The plane in which the curve of the bent strip lies: moved with a bent body, as drawn for others."""
+        if self._home is None:
+            return self._made.frame
+        now = _frame(self.location() * self._joints["start"])
+        return _carried(self._made.frame, self._home, now)
+
+    @property
+    def flat(self) -> "StripSolid | StripCompound":
+        """The strip as cut, on the xy plane."""
+        return flat_strip(self)
+
+    @property
+    def outline(self) -> "StripFace":
+        """The flat pattern as a face."""
+        return strip_outline(self)
+
+    def bent(self, **moved: Any) -> "StripSolid | StripCompound":
+        """The strip bent; with `start`, `end` (mm, in the plane of the curve), `angles`, ... bent as by `bend`."""
+        if not moved:
+            return bent_strip(self)
+        return bent_strip(replace(self.strip, rod=bend(self.rod, **moved)), plane=self.frame)
+
+    @property
+    def backing(self) -> cq.Solid:
+        """The bent backing of a laminated strip."""
+        if len(self.strip.layers) == 1:
+            raise InputError("the strip has no backing: give style=Laminated(width=..., backing=...)")
+        solid: cq.Solid = cq.Solid(occt.make_solid(BentSolid.layers(self.strip, self.frame)[1]))
+        solid.label = layer_names(self.strip.label or "strip", self.strip)[1]
+        return solid
+
+    def fixture(self, end: "End" = "start", **sizes: Any) -> "FixtureSolid":
+        """The block that holds an end of the bent strip, in place; `sizes` as in `end_fixture`."""
+        return end_fixture(self, end=end, **sizes)
+
+    @property
+    def placed(self) -> Placed:
+        """The strip in its place, for `Model`."""
+        frame = self.frame
+        return Placed(self.strip, frame.origin, frame.x_axis, frame.y_axis)
 
     def moved(self, *args: Any, **options: Any) -> Any:
         """As `Shape.moved`; a single copy still knows its strip."""
@@ -50,9 +139,30 @@ class _Made(StripFacts, cq.Shape):
         """As `Shape.located`; the copy still knows its strip."""
         return self._told(super().located(loc))
 
+    def copy(self, mesh: bool = False) -> Any:
+        """As `Shape.copy`; the copy still knows its strip."""
+        return self._told(super().copy(mesh))
+
+    def clean(self) -> Any:
+        """As `Shape.clean`; what comes of it still knows its strip."""
+        return self._told(super().clean())
+
+    def mirror(self, mirrorPlane: Any = "XY", basePointVector: Any = (0, 0, 0)) -> Any:
+        """As `Shape.mirror`; the image still knows its strip."""
+        return super().mirror(mirrorPlane, basePointVector)
+
+    def _apply_transform(self, Tr: Any) -> Any:
+        made = self._told(super()._apply_transform(Tr))
+        if isinstance(made, type(self)):
+            here, back = self.location(), made.location().inverse
+            made._joints = {
+                name: back * _location(_moved(_frame(here * at), Tr)) for name, at in self._joints.items()
+            }
+        return made
+
     def _told(self, copy: Any) -> Any:
         if isinstance(copy, type(self)):
-            copy.__dict__.update({k: v for k, v in self.__dict__.items() if k in ("strip", "_joints")})
+            copy.__dict__.update({k: v for k, v in self.__dict__.items() if k in KEPT})
         return copy
 
 
@@ -61,8 +171,6 @@ class StripFace(_Made, cq.Face):
 
 
 class _Jointed(_Made):
-    _joints: Mapping[str, cq.Location]
-
     @property
     def joints(self) -> Mapping[str, cq.Location]:
         """Places to join other parts to.
@@ -95,11 +203,15 @@ class FixtureSolid(_Jointed, cq.Solid):
     """A block that holds one end of a strip; `strip`, `rod`, `check`, `warnings` tell about the strip."""
 
 
-S = TypeVar("S", bound=_Jointed)
+S = TypeVar("S", bound=_Made)
 
 
 def strip_outline(
-    path: Drawn, sheet: Sheet | str, *, max_width: float | None = None, **options: Any
+    path: Drawn,
+    sheet: Sheet | str | None = None,
+    *,
+    max_width: float | None = None,
+    **options: Unpack[StripOptions],
 ) -> StripFace:
     """The flat pattern of the strip that bends into a curve, on the xy plane.
 
@@ -114,7 +226,8 @@ def strip_outline(
     max_width : float
         The largest width of the free part, mm; or give `min_width`, the least.
     **options
-        `min_width`, `limits`, `keep`, `gravity`, `supports`, and the options of `Strip`.
+        All other fields of `StripSpec`: min_width, style, limits, keep, gravity, loads, supports,
+        natural_curvature, samples, ends, slots, label; and of a `PlaneCurve` its `frame` in space.
 
     Raises
     ------
@@ -129,45 +242,52 @@ def strip_outline(
     >>> strip_outline(arch, "card-200gsm", max_width=20).geomType()
     'PLANE'
     """
-    strip, _ = _designed(path, sheet, max_width=max_width, **options)
-    face = StripFace(occt.make_face(strip.outline, strip.holes))
-    face.strip = strip
-    return face
+    made = _designed(path, sheet, max_width=max_width, **options)
+    loops = [in_smooth_pieces(loop) for loop in (made.strip.outline, *made.strip.holes)]
+    return _dressed(StripFace(occt.make_face(loops[0], loops[1:])), {}, made)
 
 
 def flat_strip(
-    path: Drawn, sheet: Sheet | str, *, max_width: float | None = None, **options: Any
+    path: Drawn,
+    sheet: Sheet | str | None = None,
+    *,
+    max_width: float | None = None,
+    **options: Unpack[StripOptions],
 ) -> StripSolid | StripCompound:
     """The strip as cut, from z = 0 upward; parameters, errors and axes as in `strip_outline`."""
-    strip, _ = _designed(path, sheet, max_width=max_width, **options)
-    return _body(FlatSolid.layers(strip), strip)
+    made = _designed(path, sheet, max_width=max_width, **options)
+    return _body(FlatSolid.layers(made.strip), made)
 
 
 def bent_strip(
-    path: Drawn, sheet: Sheet | str, *, max_width: float | None = None, **options: Any
+    path: Drawn,
+    sheet: Sheet | str | None = None,
+    *,
+    max_width: float | None = None,
+    **options: Unpack[StripOptions],
 ) -> StripSolid | StripCompound:
     """The strip bent, standing on the drawn curve with half its thickness to either side.
 
     Parameters and errors as in `strip_outline`.
     """
-    strip, frame = _designed(path, sheet, max_width=max_width, **options)
-    return _body(BentSolid.layers(strip, frame), strip)
+    made = _designed(path, sheet, max_width=max_width, **options)
+    return _body(BentSolid.layers(made.strip, made.frame), made)
 
 
 def end_fixture(
     path: Drawn,
-    sheet: Sheet | str,
+    sheet: Sheet | str | None = None,
     *,
     max_width: float | None = None,
     end: End = "start",
     floor: cq.Plane | None = None,
-    clearance: float = 0.15,
-    wall: float = 4.0,
-    foot: float = 12.0,
-    foot_height: float = 4.0,
-    screw: float = 4.3,
+    clearance: float = EndFixture.clearance,
+    wall: float = EndFixture.wall,
+    foot: float = EndFixture.foot,
+    foot_height: float = EndFixture.foot_height,
+    screw: float = EndFixture.screw,
     number: str | None = None,
-    **options: Any,
+    **options: Unpack[StripOptions],
 ) -> FixtureSolid:
     """The block that holds one end of the bent strip, in place beside `bent_strip` of the same path.
 
@@ -186,13 +306,65 @@ def end_fixture(
     InputError
         No tab at that end, sizes that do not fit, a floor not square to the curve's plane; and as `strip_outline`.
     """
-    strip, frame = _designed(path, sheet, max_width=max_width, **options)
+    made = _designed(path, sheet, max_width=max_width, **options)
     sizes = {"clearance": clearance, "wall": wall, "foot": foot, "foot_height": foot_height, "screw": screw}
     ground = (
         None if floor is None else Frame(*(axis.toTuple() for axis in (floor.origin, floor.xDir, floor.yDir)))
     )
-    block = EndFixture.of(strip, end, frame, floor=ground, number=number, **sizes).solid
-    return _dressed(FixtureSolid(occt.make_solid(block)), block.joints, strip)
+    block = EndFixture.of(made.strip, end, made.frame, floor=ground, number=number, **sizes).solid
+    return _dressed(FixtureSolid(occt.make_solid(block)), block.joints, made)
+
+
+def elastica(
+    start: tuple[float, float],
+    end: tuple[float, float],
+    length: float,
+    *,
+    angles: tuple[float | None, float | None] = (None, None),
+    stiffness: "float | Sequence[float] | Profile" = 1.0,
+    gravity: Gravity | None = None,
+    force: tuple[float, float] | None = None,
+    side: int = 1,
+    buckling: int = 1,
+) -> cq.Edge:
+    """The curve that a strip of given length takes between two clamps, as an edge on the xy plane.
+
+    Parameters
+    ----------
+    start, end : (x, y)
+        mm.
+    length : float
+        Of the strip, mm: more than the distance of its ends.
+    angles : pair of float or None
+        Of the tangents at start and end, degrees; None leaves the strip free to turn there.
+    stiffness, gravity, force, side
+        As in `elastica_between`, which also tells which of the many shapes it is.
+    buckling : int
+        Buckling mode; above 1 the shape is unstable as a rule.
+
+    Raises
+    ------
+    InputError
+        A length that does not reach.
+
+    Examples
+    --------
+    >>> round(elastica((0, 0), (70, 0), 100, angles=(0, 0)).Length(), 3)
+    100.0
+    """
+    turned = tuple(None if angle is None else radians(angle) for angle in angles)
+    found = elastica_between(
+        start,
+        end,
+        length,
+        angles=(turned[0], turned[1]),
+        stiffness=stiffness,
+        gravity=gravity,
+        force=force,
+        side=side,
+        mode=buckling,
+    )
+    return cq.Wire(occt.make_wire(Path([Spline(found.curve)]))).Edges()[0]
 
 
 def model_assembly(model: Model, *, others: Iterable[Holder] = ()) -> cq.Assembly:
@@ -219,27 +391,31 @@ def model_assembly(model: Model, *, others: Iterable[Holder] = ()) -> cq.Assembl
         Something else among `others`.
     """
     assembly = cq.Assembly(name=model.name)
-    bodies: dict[int, StripSolid | StripCompound] = {}
-    for part in bent_parts(model):
-        if id(part.solids) not in bodies:
-            bodies[id(part.solids)] = _body(part.solids, part.strip)
-        solid, place = bodies[id(part.solids)], _location(part.frame)
+    parts = assembly_parts(model.placed, (*model.plates, *others))
+    for part, solid in shape_parts(parts, _part_shape):
+        name, color, place = _called(part.name, assembly), cq.Color(*part.colors[0]), _location(part.frame)
+        if not isinstance(solid, _Ended):
+            assembly.add(solid, name=name, color=color, loc=place)
+            assembly.constrain(name, "Fixed")
+            continue
         work = cq.Workplane(obj=solid)
         faces = {end: solid.end_face(end) for end in ENDS}
         for end, face in faces.items():
             work.newObject([face]).tag(end)
-        color = cq.Color(*sheet_color(part.strip.sheet))
-        name = _called(part.name, assembly)
         assembly.add(work, name=name, loc=place, color=color, metadata={"strip": part.strip})
         for end, face in faces.items():
             there = face.moved(place)
             assembly.constrain(f"{name}?{end}", "FixedPoint", there.Center().toTuple())
             assembly.constrain(f"{name}?{end}", "FixedAxis", there.normalAt().toTuple())
-    for body in holder_bodies((*model.plates, *others)):
-        name = _called(body.name, assembly)
-        assembly.add(cq.Solid(occt.make_solid(body.solid)), name=name, color=cq.Color(*body.color))
-        assembly.constrain(name, "Fixed")
     return assembly
+
+
+def _part_shape(part: AssemblyPart) -> cq.Shape:
+    return (
+        cq.Solid(occt.make_solid(part.solids[0]))
+        if part.strip is None
+        else _body(part.solids, MadeStrip(part.strip, Frame()))
+    )
 
 
 def register() -> None:
@@ -269,7 +445,7 @@ def _workplane_strip(
     form: Form = "flat",
     combine: bool | str = False,
     clean: bool = True,
-    **options: Any,
+    **options: Unpack[StripOptions],
 ) -> cq.Workplane:
     """The strip of the pending edges and wires, or of the edges and wires selected.
 
@@ -289,7 +465,8 @@ def _workplane_strip(
     Returns
     -------
     Workplane
-        With the strip on its stack; its end faces are tagged "start" and "end".
+        With a strip for every chain of edges on its stack, of a flat one at every point of the stack; their end
+        faces are tagged "start" and "end".
     """
     if form not in ("flat", "bent"):
         raise InputError(f"form {form!r} is not known: choose flat or bent")
@@ -297,15 +474,29 @@ def _workplane_strip(
     drawn = pending or [item for item in self.objects if isinstance(item, cq.Edge | cq.Wire)]
     if not drawn:
         raise InputError("there is no curve: draw one on the workplane, or select edges")
-    solid = (flat_strip if form == "flat" else bent_strip)(drawn, sheet, max_width=max_width, **options)
+    bodies = []
+    for chain in cq.Wire.combine(_edges(drawn), CHAIN):
+        made = _designed(chain, sheet, max_width=max_width, workplane=self.plane, **options)
+        flat = form == "flat"
+        records = FlatSolid.layers(made.strip) if flat else BentSolid.layers(made.strip, made.frame)
+        bodies.append(_body(records, made))
     here = self.plane.location if form == "flat" else cq.Location()
     for end in ENDS:
-        self.newObject([solid.end_face(end).moved(here)]).tag(end)
-    origin = self.newObject([cq.Location()])
+        self.newObject([body.end_face(end).moved(here) for body in bodies]).tag(end)
     tidy = clean and bool(combine)  # alone the strip is clean, and stays the object that knows its rod
+    places = [item for item in self.objects if isinstance(item, cq.Vector | cq.Location)]
+    if form == "flat" and len(bodies) == 1:
+        origin = self.newObject(places or [cq.Location()])
+        return origin.eachpoint(bodies[0].moved, True, combine, tidy)
+    left = iter(bodies)
+    origin = self.newObject([cq.Location()] * len(bodies))
     return origin.eachpoint(
-        lambda at: solid.moved(at) if form == "flat" else solid, form == "flat", combine, tidy
+        lambda at: next(left).moved(at) if form == "flat" else next(left), form == "flat", combine, tidy
     )
+
+
+def _edges(drawn: Iterable[cq.Edge | cq.Wire]) -> list[cq.Edge]:
+    return [edge for item in drawn for edge in (item.Edges() if isinstance(item, cq.Wire) else [item])]
 
 
 def _sketch_strip(
@@ -315,7 +506,7 @@ def _sketch_strip(
     max_width: float | None = None,
     mode: str = "a",
     tag: str | None = None,
-    **options: Any,
+    **options: Unpack[StripOptions],
 ) -> cq.Sketch:
     """Add the flat pattern of the strip that bends into the sketch's edges; these are used up.
 
@@ -328,25 +519,53 @@ def _sketch_strip(
     return self.reset().face(face, mode=mode, tag=tag)
 
 
-def _designed(path: Drawn, sheet: Sheet | str, **options: Any) -> tuple[Strip, Frame]:
+def _designed(path: Drawn, sheet: Sheet | str | None, **options: Any) -> MadeStrip:
     if isinstance(path, cq.Workplane):
+        options.setdefault("workplane", path.plane)
         path = [*path.ctx.pendingEdges, *path.ctx.pendingWires] or path.vals()
-    curve, frame = (path, Frame()) if isinstance(path, PlaneCurve) else occt.plane_curve(path)
-    return make_strip(curve, sheet, **options), frame
+    return make_strip_on(path, sheet, **options)
 
 
-def _body(records: Sequence[FlatSolid | BentSolid], strip: Strip) -> StripSolid | StripCompound:
+def _body(
+    records: Sequence[FlatSolid | BentSolid | PrismSolid], made: MadeStrip
+) -> StripSolid | StripCompound:
     solids = [occt.make_solid(record) for record in records]
+    shape: StripSolid | StripCompound
     if len(solids) == 1:
-        return _dressed(StripSolid(solids[0]), records[0].joints, strip)
-    compound = cq.Compound.makeCompound([cq.Solid(solid) for solid in solids])
-    return _dressed(StripCompound(compound.wrapped), records[0].joints, strip)
-
-
-def _dressed(shape: S, joints: Mapping[str, Frame], strip: Strip) -> S:
-    shape.strip = strip
-    shape._joints = {name: _location(frame) for name, frame in joints.items()}
+        shape = StripSolid(solids[0])
+    else:
+        shape = StripCompound(cq.Compound.makeCompound([cq.Solid(solid) for solid in solids]).wrapped)
+    _dressed(shape, records[0].joints, made)
+    if isinstance(records[0], BentSolid):
+        shape._home = records[0].joints["start"]
     return shape
+
+
+def _dressed(shape: S, joints: Mapping[str, Frame], made: MadeStrip) -> S:
+    shape._made = made
+    shape._joints = {name: _location(frame) for name, frame in joints.items()}
+    shape.label = made.strip.label or "strip"
+    shape.color = cq.Color(*sheet_color(made.strip.sheet))
+    return shape
+
+
+def _frame(location: cq.Location) -> Frame:
+    plane = cq.Plane(location)
+    return Frame(plane.origin.toTuple(), plane.xDir.toTuple(), plane.yDir.toTuple())
+
+
+def _carried(frame: Frame, home: Frame, now: Frame) -> Frame:
+    """The frame, moved as what lay in `home` and lies in `now`."""
+    axes = (home.axes @ axis for axis in (frame.x_axis, frame.y_axis))
+    return Frame(home.local(frame.origin), *axes).within(now)
+
+
+def _moved(frame: Frame, transformation: Any) -> Frame:
+    """The frame moved, turned or mirrored; of an image x and z are kept, as frames are right-handed."""
+    axes = occt.plane_axes_of(frame).Transformed(transformation)
+    x, z = (np.array([d.X(), d.Y(), d.Z()]) for d in (axes.XDirection(), axes.Direction()))
+    at = axes.Location()
+    return Frame((at.X(), at.Y(), at.Z()), x, np.cross(z, x))
 
 
 def _called(name: str, assembly: cq.Assembly) -> str:

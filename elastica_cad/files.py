@@ -1,27 +1,24 @@
 """Reading curves from files and saving drawings to them, the format taken from the file name."""
 
+from functools import partial
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from elastica_cad.errors import InputError, MissingDependencyError
-from elastica_cad.fabrication import Drawing
-from elastica_cad.formats import (
-    FIT_TOLERANCE,
-    JOIN_TOLERANCE,
-    read_csv_curves,
-    read_dxf_curves,
-    read_json_curves,
-    read_svg_curves,
-    read_text_curves,
-    write_drawing,
-)
-from elastica_cad.formats.opening import existing_file, millimetres, naming
-from elastica_cad.formats.surfaces import Surface, mesh_surface
-from elastica_cad.geometry import PlaneCurve
+from elastica_cad.fabrication.drawings.drawing import Drawing
+from elastica_cad.formats.curve_files.chains import FIT_TOLERANCE, JOIN_TOLERANCE
+from elastica_cad.formats.curve_files.drawn_file import CurveList, DrawnCurve, DrawnFile
+from elastica_cad.formats.curve_files.dxf_curves import read_dxf_drawing
+from elastica_cad.formats.curve_files.json_curves import read_json_drawing
+from elastica_cad.formats.curve_files.point_files import read_csv_drawing, read_text_curves
+from elastica_cad.formats.drawing_files.write_drawing import write_drawing
+from elastica_cad.formats.file_access.source_file import existing_file, millimetres, naming
+from elastica_cad.formats.surface_files.file_surface import mesh_surface
+from elastica_cad.formats.svg_files.svg_curves import read_svg_drawing
+from elastica_cad.forming.plane_sections.section_spec import Surface
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
-__all__ = ["CURVE_SUFFIXES", "read_curves", "read_surface", "save"]
+__all__ = ["CURVE_SUFFIXES", "read_curves", "read_drawing", "read_surface", "save"]
 
 KERNEL_SUFFIXES = (".step", ".stp", ".brep")
 CURVE_SUFFIXES = (".dxf", ".svg", ".csv", ".txt", ".json", *KERNEL_SUFFIXES)
@@ -33,11 +30,15 @@ def read_curves(
     tolerance: float = JOIN_TOLERANCE,
     fit_tolerance: float = FIT_TOLERANCE,
     unit: str | None = None,
-) -> list[PlaneCurve]:
+) -> CurveList:
     """The curves drawn in a file, in mm.
 
     Splines, arcs and ellipses are kept exactly; pieces whose ends meet are joined to one curve; polylines and
-    measured points are fitted. A closed curve is returned too, with equal ends.
+    measured points are fitted. A closed curve is returned too, with equal ends. Corners that the number of decimals
+    explains are taken out, and `PlaneCurve.provenance` tells how far that moved the curve.
+
+    Up to 256 MB, 20,000 shapes (blocks and clones counted as often as they are shown), 120,000 pieces and 5,000
+    curves are read; a curve may have 3,000 pieces and be 0.001 mm to 1 km large.
 
     Parameters
     ----------
@@ -55,7 +56,8 @@ def read_curves(
     Returns
     -------
     list of PlaneCurve
-        In the order of the file, never empty.
+        In the order of the file, never empty; its `notes` name what was left out: curves whose numbers make none,
+        texts, images. `read_drawing` tells numbers, ids and layers too.
 
     Raises
     ------
@@ -74,37 +76,54 @@ def read_curves(
     ...     round(read_curves(file)[0].length, 2)
     66.69
     """
+    drawn = read_drawing(path, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit)
+    with naming(Path(path)):
+        return drawn.read()
+
+
+def read_drawing(
+    path: str | Path,
+    *,
+    tolerance: float = JOIN_TOLERANCE,
+    fit_tolerance: float = FIT_TOLERANCE,
+    unit: str | None = None,
+) -> DrawnFile:
+    """The curves of a file one by one, with numbers, ids and layers, and what was left out.
+
+    Arguments and errors as in `read_curves`; the problem of a single curve is told by that curve.
+    """
     path = existing_file(path)
     suffix = path.suffix.lower()
     if suffix == ".dxf":
-        return read_dxf_curves(path, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit)
+        return read_dxf_drawing(path, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit)
     if suffix == ".svg":
-        return read_svg_curves(path, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit)
+        return read_svg_drawing(path, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit)
     if suffix == ".csv":
-        return read_csv_curves(path, fit_tolerance=fit_tolerance, unit=unit)
+        return read_csv_drawing(path, fit_tolerance=fit_tolerance, unit=unit)
     if suffix == ".txt":
-        return read_text_curves(path, unit=unit)
+        curves = read_text_curves(path, unit=unit)
+        return DrawnFile(tuple(DrawnCurve(i, partial(_itself, one)) for i, one in enumerate(curves, start=1)))
     if suffix == ".json":
-        return read_json_curves(path, unit=unit)
+        return read_json_drawing(path, unit=unit)
     if suffix in CURVE_SUFFIXES:
-        return _kernel_curves(path, unit)
+        return _kernel_drawing(path, unit)
     raise InputError(
         f"{path} ends in {suffix!r}, which is no curve file known here: use {', '.join(CURVE_SUFFIXES)}"
     )
 
 
-def _kernel_curves(path: Path, unit: str | None) -> list[PlaneCurve]:
+def _itself(curve: PlaneCurve) -> PlaneCurve:
+    return curve
+
+
+def _kernel_drawing(path: Path, unit: str | None) -> DrawnFile:
     """Curves of a STEP or BREP file, through the OCCT of an installed kernel."""
     try:
-        from elastica_cad.step import read_step_curves
+        from elastica_cad.kernel.step_files import read_step_drawing
     except ImportError as error:
         raise _no_kernel(path) from error
     with naming(path):
-        curves: list[PlaneCurve] = read_step_curves(path)
-        if not curves:
-            raise InputError("holds no plane curve: export the edges that the strips are to follow")
-        to_mm = np.diag([millimetres(unit or "mm")] * 2 + [1.0])
-        return curves if unit is None else [curve.transformed(to_mm) for curve in curves]
+        return read_step_drawing(path, scale=1.0 if unit is None else millimetres(unit))
 
 
 def read_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.0) -> Surface:
@@ -121,8 +140,8 @@ def read_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.
         return mesh_surface(path, unit=unit, scale=scale)
     path = existing_file(path)
     try:
-        from elastica_cad.shape_sections import shape_surface
-        from elastica_cad.step import read_step_shape
+        from elastica_cad.kernel.shape_sections import shape_surface
+        from elastica_cad.kernel.step_files import read_step_shape
     except ImportError as error:
         raise _no_kernel(path) from error
     with naming(path):
@@ -144,5 +163,15 @@ def save(drawing: Drawing, path: str | Path, **options: Any) -> Path:
     ------
     InputError
         As `formats.write_drawing`; no file is half written, none overwritten without `force=True`.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> from elastica_cad.fabrication.drawings.drawing import CUT_OUTER, LayeredPath
+    >>> from elastica_cad.geometry.paths.path import Path as Chain
+    >>> card = Drawing("card", [LayeredPath(CUT_OUTER, Chain.rectangle(85, 55))])
+    >>> with TemporaryDirectory() as folder:
+    ...     save(card, Path(folder, "card.svg"), kerf=0.15).name
+    'card.svg'
     """
     return write_drawing(drawing, path, **options)

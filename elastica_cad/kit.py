@@ -1,49 +1,47 @@
 """Everything that a model becomes, written into one folder: all files together, or none."""
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.fabrication import (
-    BasePlate,
-    EndFixture,
-    FlatSolid,
-    HoldingTabs,
-    Model,
-    NestedSheet,
-    Piece,
-    Rib,
-    cut_list,
-    nested,
-)
-from elastica_cad.fabrication.pieces import file_word
-from elastica_cad.fabrication.slot_effects import SlotEffect, slot_effect
+from elastica_cad.fabrication.drawings.bridges import HoldingTabs
+from elastica_cad.fabrication.holders.base_plate import BasePlate
+from elastica_cad.fabrication.holders.slotted_frame import Rib
+from elastica_cad.fabrication.model.assembly import Holder
+from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.sheets.cut_list import cut_list
+from elastica_cad.fabrication.sheets.nesting import NestedSheet, nest_pieces
+from elastica_cad.fabrication.sheets.pieces import Piece, file_word
+from elastica_cad.fabrication.strip.slot_effects import SlotEffect, slot_effect
 from elastica_cad.files import save
-from elastica_cad.formats import files_together
-from elastica_cad.formats.design import Cutting, Design, Nesting
-from elastica_cad.formats.model_report import model_report
-from elastica_cad.mechanics import Sheet
+from elastica_cad.formats.design_files.kit_spec import Cutting, KitSpec, Nesting
+from elastica_cad.formats.design_files.strip_table import StripEntry
+from elastica_cad.formats.file_access.file_transaction import files_together
+from elastica_cad.formats.reports.model_report import model_report
+from elastica_cad.mechanics.material.sheet import Sheet
 
 __all__ = ["Kit", "SavedKit", "kit_of", "left_out", "save_model", "write_kit"]
 
-Writer = Callable[[Path], None]
+Writer: TypeAlias = Callable[[Path], None]
+Asked: TypeAlias = tuple[Sheet, Any, Nesting] | None
 
 
 @dataclass(frozen=True, eq=False)
 class Kit:
-    """Everything that a design becomes."""
+    """Everything that a model becomes."""
 
-    design: Design
     model: Model
+    spec: KitSpec
     pieces: tuple[Piece, ...]
     nests: tuple[NestedSheet, ...]
-    plates: tuple[tuple[str, Sheet, FlatSolid], ...]
-    """Base, rails and ribs in space: name, material, body."""
-    fixtures: tuple[EndFixture, ...]
+    holders: tuple[Holder, ...]
+    """Base, rails and ribs, fixtures."""
+    entries: tuple[StripEntry, ...] = ()
+    """What the strips were made after, where a design says it."""
     files: dict[str, tuple[str, Writer]] = field(default_factory=dict)
     """What each file is and how it is written, by its name."""
     effects: dict[str, SlotEffect] = field(default_factory=dict)
@@ -89,29 +87,43 @@ def left_out(*, step: bool = True, pictures: bool = True) -> tuple[str, ...]:
     )
 
 
-def kit_of(design: Design, made: Model, *, effects: bool = False) -> Kit:
-    """Pieces, sheets, base and fixtures of a model; with `effects` also what slots do to its strips."""
-    base, frame = design.base_plate(made), design.slotted_frame(made)
-    strips = (*made.pieces, *design.extras())
-    size, margin = design.nesting.sheet_size, design.nesting.margin
-    kerf = design.cutting.kerf
-    nests = list(nested(strips, sheet_size=size, margin=margin, kerf=kerf, name=f"{made.name}-nest"))
-    pieces, plates = strips, []
-    wanted: list[tuple[str, tuple[Sheet, Any, Nesting] | None, tuple[BasePlate | Rib, ...]]] = [
-        ("base", design.base, () if base is None else (base,)),
-        ("frame", design.frame, () if frame is None else (*frame.rails, *frame.ribs)),
+def kit_of(
+    model: Model, spec: KitSpec | None = None, *, entries: Sequence[StripEntry] = (), effects: bool = False
+) -> Kit:
+    """Pieces, sheets, base and fixtures of a model.
+
+    Parameters
+    ----------
+    model : Model
+    spec : KitSpec, optional
+        What goes with the strips; the sheets alone unless given.
+    entries : sequence of StripEntry
+        What the strips were made after; the report says how far they are from it.
+    effects : bool
+        Bend every strip again with its slots, to tell what they do.
+    """
+    spec = spec or KitSpec()
+    pieces, holders = (*model.pieces, *spec.extras(model)), list[Holder]()
+    nests = _nest(pieces, spec.nesting, spec, f"{model.name}-nest")
+    base, frame = spec.base_plate(model), spec.slotted_frame(model)
+    wanted: list[tuple[str, Asked, tuple[BasePlate | Rib, ...]]] = [
+        ("base", spec.base, () if base is None else (base,)),
+        ("frame", spec.frame, () if frame is None else (*frame.rails, *frame.ribs)),
     ]
-    for what, made_of, found in wanted:
-        if made_of is None:
-            continue
-        cut = [replace(plate.piece, name=f"{made.name}-{plate.name}") for plate in found]
-        size, margin = made_of[2].sheet_size, made_of[2].margin
-        nests += nested(cut, sheet_size=size, margin=margin, kerf=kerf, name=f"{made.name}-{what}-nest")
-        pieces = (*pieces, *cut)
-        plates += [(plate.name, plate.sheet, plate.solid) for plate in found]
-    fixtures = () if design.fixtures is None else made.fixtures(**design.fixtures)
-    bent, notes = _slot_effects(made) if effects else ({}, ())
-    return Kit(design, made, pieces, tuple(nests), tuple(plates), fixtures, effects=bent, notes=notes)
+    for what, asked, plates in wanted:
+        if asked is not None:
+            cut = tuple(replace(plate.piece, name=f"{model.name}-{plate.name}") for plate in plates)
+            nests += _nest(cut, asked[2], spec, f"{model.name}-{what}-nest")
+            pieces, holders = (*pieces, *cut), [*holders, *plates]
+    holders += spec.end_fixtures(model)
+    bent, notes = _slot_effects(model) if effects else ({}, ())
+    return Kit(model, spec, pieces, nests, tuple(holders), entries=tuple(entries), effects=bent, notes=notes)
+
+
+def _nest(pieces: Sequence[Piece], nesting: Nesting, spec: KitSpec, name: str) -> tuple[NestedSheet, ...]:
+    return nest_pieces(
+        pieces, sheet_size=nesting.sheet_size, margin=nesting.margin, kerf=spec.cutting.kerf, name=name
+    )
 
 
 def _slot_effects(made: Model) -> tuple[dict[str, SlotEffect], tuple[str, ...]]:
@@ -194,16 +206,27 @@ def save_model(
     Returns
     -------
     SavedKit
-        The folder and its files; printed, a few lines for the one who waits.
+        The folder and its files.
 
     Raises
     ------
     InputError
         Parts larger than a sheet, files that exist.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> from elastica_cad.fabrication.model.strip_model import Placed
+    >>> from elastica_cad.fabrication.strip_spec import make_strip
+    >>> from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+    >>> arch = make_strip(PlaneCurve.arc((0, 0), 60, 0.3, 3.1), "birch-plywood-0.8", max_width=30, label="A")
+    >>> model = Model([Placed(arch, (0, 0, 0), (1, 0, 0), (0, 0, 1))], name="arch")
+    >>> with TemporaryDirectory() as folder:
+    ...     print(save_model(model, folder, step=False, pictures=False).summary)
+    arch: 1 strip (1 different) on 1 sheet
     """
-    cutting = Cutting(kerf=kerf, holding=holding)
-    design = Design(name=model.name, wishes=(), nesting=Nesting(sheet_size, margin), cutting=cutting)
-    kit = kit_of(design, model, effects=True)
+    spec = KitSpec(Nesting(sheet_size, margin), Cutting(kerf=kerf, holding=holding))
+    kit = kit_of(model, spec, effects=True)
     write_kit(kit, folder, step=step, pictures=pictures, parts=parts, force=force, done=done)
     count, unlike, sheets = len(model.placed), len(model.parts), len(kit.nests)
     summary = (
@@ -244,12 +267,12 @@ def _plan(kit: Kit, *, step: bool, pictures: bool, parts: bool) -> None:
 
 def _suffix(kit: Kit) -> str:
     # R12 has no header for its unit, so the name says it
-    return "mm.dxf" if kit.design.cutting.version == "R12" else "dxf"
+    return "mm.dxf" if kit.spec.cutting.version == "R12" else "dxf"
 
 
 def _add_drawing(kit: Kit, stem: str, drawing: Any, sheet: Sheet, what: str) -> None:
     """The drawing as DXF and SVG."""
-    cutting = kit.design.cutting
+    cutting = kit.spec.cutting
     if cutting.kerf is None and sheet.kerf == 0:
         raise InputError(f"no kerf is known for {sheet.name}: give a number of mm instead of the word sheet")
     options: dict[str, Any] = {
@@ -280,36 +303,30 @@ def _write_report(kit: Kit, path: Path) -> None:
         nests=kit.nests,
         files=kinds,
         effects=kit.effects,
-        wishes=kit.design.wishes,
+        entries=kit.entries,
     )
     report["reports"] += kit.notes
     _write_text(path, json.dumps(report, indent=1) + "\n")
 
 
 def _write_step(kit: Kit, path: Path) -> None:
-    from elastica_cad.fabrication import sheet_color
-    from elastica_cad.occt import make_solid
-    from elastica_cad.step import Part, model_parts, write_step
+    from elastica_cad.kernel.step_files import write_model_step
 
-    parts = model_parts(kit.model)
-    parts += [Part(name, make_solid(solid), sheet_color(sheet)) for name, sheet, solid in kit.plates]
-    parts += [
-        Part(f"fixture {fixture.number}", make_solid(fixture.solid), (0.35, 0.4, 0.5))
-        for fixture in kit.fixtures
-    ]
-    write_step(parts, path, name=kit.model.name)
+    write_model_step(kit.model, path, others=kit.holders)
 
 
 def _draw_model(kit: Kit, path: Path) -> None:
-    from elastica_cad import plot
+    from elastica_cad.plot.canvas import save_figure
+    from elastica_cad.plot.model_pictures import model
 
-    plot.save_figure(plot.model(kit.model), path)
+    save_figure(model(kit.model), path)
 
 
 def _nest_picture(nest: NestedSheet) -> Writer:
     def draw(path: Path) -> None:
-        from elastica_cad import plot
+        from elastica_cad.plot.canvas import save_figure
+        from elastica_cad.plot.strip_pictures import drawing
 
-        plot.save_figure(plot.drawing(nest), path)
+        save_figure(drawing(nest), path)
 
     return draw

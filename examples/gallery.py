@@ -13,8 +13,8 @@ from pathlib import Path
 import numpy as np
 
 import elastica_cad as ec
-from elastica_cad.fabrication import making
-from elastica_cad.formats.design import read_design
+from elastica_cad.formats.design_files.design_file import read_design
+from elastica_cad.forming import rod_spec
 
 HERE = Path(__file__).parent
 race = runpy.run_path(str(HERE / "plain_highs.py"))["race"]
@@ -44,8 +44,9 @@ VIEWS = {
 SOLVERS = [
     (place, name)
     for place, names in (
-        (ec, ("nearest_rod", "nearest_rods", "optimal_rod", "optimal_laminate", "revolution")),
-        (making, ("nearest_rod", "optimal_rod")),
+        (ec, ("nearest_rod", "nearest_rods", "optimal_rod", "revolution")),
+        (ec.mechanics, ("optimal_laminate",)),
+        (rod_spec, ("nearest_rod", "optimal_rod", "optimal_laminate")),
     )
     for name in names
 ]
@@ -120,7 +121,7 @@ def row(name, model, found, solving, seconds):
     wish = (
         shares([near.deviation for near in found], [near.rod.length for near in found]) if found else "exact"
     )
-    made = shares([part.strip.deviation_as_made for part in model.parts], [rod.length for rod in rods])
+    made = shares([part.strip.deviation_as_built for part in model.parts], [rod.length for rod in rods])
     return (
         f"| {name.replace('_', ' ')} | {sheets} | {len(model.placed)} ({len(rods)}) | {nodes} | {size} | {ratio} "
         f"| {wish} | {made} | {solving:.2f} | {times[0]} | {seconds:.2f} | {times[1]} |"

@@ -11,7 +11,7 @@ import numpy as np
 
 import elastica_cad as ec
 from elastica_cad import plot
-from elastica_cad.plot.sheets import paint_flat
+from elastica_cad.plot.strip_pictures import paint_flat
 
 HERE = Path(__file__).parent
 WIDTH = 9.0  # inches

@@ -1,3 +1,6 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
 """Opened by `make freecad`: a drawn arch, the strip that bends into it, and the flat part to cut."""
 
 from pathlib import Path
@@ -5,10 +8,10 @@ from pathlib import Path
 import FreeCAD as App
 import FreeCADGui as Gui
 from freecad.elastica_wb.features import flat, strip
-from freecad.elastica_wb.shapes import spline_geometry
+from freecad.elastica_wb.shapes.part_shapes import spline_geometry
 from PySide import QtCore
 
-from elastica_cad.geometry import PlaneCurve
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
 SPAN = 400.0
 LEFT = [(0, 0), (40, 5), (80, 40), (125, 160), (SPAN / 2, 175)]

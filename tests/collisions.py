@@ -53,10 +53,10 @@ class Band:
         return np.where(shapely.contains(self.flat, points), depth, -depth)
 
 
-def band(placed, *, as_made=True, slots=False):
+def band(placed, *, as_built=True, slots=False):
     """The band of a placed strip: bent as it is really cut and held as designed, or just as designed."""
     strip = placed.strip
-    bent = ec.bend(strip.as_made) if as_made else strip.rod
+    bent = ec.bend(strip.as_built) if as_built else strip.rod
     every = max(1, int(PITCH / (bent.s[1] - bent.s[0])))
     kept = np.unique(np.append(np.arange(0, bent.s.size, every), bent.s.size - 1))
     s, points = bent.s[kept], bent.position[kept]

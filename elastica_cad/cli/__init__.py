@@ -5,7 +5,8 @@ import sys
 
 __all__ = ["main"]
 
-RARELY = (100_000, 20, 20)
+RARE_COLLECTIONS = (100_000, 20, 20)
+"""Thresholds of the garbage collector: a command ends before its cycles matter."""
 
 
 def main(arguments: list[str] | None = None) -> None:
@@ -29,6 +30,6 @@ def main(arguments: list[str] | None = None) -> None:
         from elastica_cad.cli.commands import elastica
 
         gc.freeze()
-        gc.set_threshold(*RARELY)
+        gc.set_threshold(*RARE_COLLECTIONS)
         gc.enable()
     elastica.main(args=arguments, prog_name="elastica")

@@ -5,17 +5,20 @@ from typing import Any
 
 import click
 
-from elastica_cad.cli.bend import bend_command
-from elastica_cad.cli.check import check
-from elastica_cad.cli.coupon import coupon
-from elastica_cad.cli.model import model
-from elastica_cad.cli.reshape import reshape
-from elastica_cad.cli.sections import sections
-from elastica_cad.cli.sheets import sheets
-from elastica_cad.cli.strip import strip
-from elastica_cad.cli.wish import NotMetError
+from elastica_cad.cli.bend_command import bend_command
+from elastica_cad.cli.check_command import check
+from elastica_cad.cli.coupon_command import coupon
+from elastica_cad.cli.cures import TYPED
+from elastica_cad.cli.model_command import model
+from elastica_cad.cli.new_command import new
+from elastica_cad.cli.options import refuse_huge_numbers, refuse_odd_numbers
+from elastica_cad.cli.reshape_command import reshape
+from elastica_cad.cli.sections_command import sections
+from elastica_cad.cli.sheets_command import sheets
+from elastica_cad.cli.strip_command import strip
+from elastica_cad.cli.strip_options import NotMetError
 from elastica_cad.errors import ElasticaError
-from elastica_cad.mechanics import NotRealizable
+from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 
 __all__ = ["elastica"]
 
@@ -29,20 +32,29 @@ def _version() -> str:
         return "from a checkout"
 
 
+def _said(problem: ElasticaError) -> str:
+    """The refusal, and the cure that was found for it."""
+    return " ".join(filter(None, (str(problem), *getattr(problem, "__notes__", ()))))
+
+
 class _Sentences(click.Group):
     """Errors of ours end as one sentence and an exit code, never as a traceback."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        ctx.meta[TYPED] = tuple(args)
+        return super().parse_args(ctx, args)
 
     def invoke(self, ctx: click.Context) -> Any:
         try:
             return super().invoke(ctx)
         except NotRealizable as problem:
-            click.echo(f"Not realizable: {problem}", err=True)
+            click.echo(f"Not realizable: {_said(problem)}", err=True)
             ctx.exit(NOT_REALIZABLE)
         except NotMetError as problem:
-            click.echo(f"Not within these limits: {problem}", err=True)
+            click.echo(f"Not within these limits: {_said(problem)}", err=True)
             ctx.exit(NOT_REALIZABLE)
         except ElasticaError as problem:
-            click.echo(f"Error: {problem}", err=True)
+            click.echo(f"Error: {_said(problem)}", err=True)
             ctx.exit(BAD_INPUT)
 
 
@@ -58,6 +70,7 @@ def elastica() -> None:
       elastica check arch.dxf                       can it be bent at all, and if not, why?
       elastica sheets                               materials we know
       elastica strip arch.dxf --sheet birch-plywood-0.8 --max-width 40 -o out
+      elastica new pavilion                         a commented design file to start from
       elastica model pavilion.toml -o out           many strips: slots, base, nested sheets, cut list
       elastica sections pot.obj --radial 16         curves for strips along a mesh or a STEP body
 
@@ -66,5 +79,20 @@ def elastica() -> None:
     """
 
 
-for command in (check, strip, model, bend_command, reshape, sections, coupon, sheets):
-    elastica.add_command(command)
+def _gated(command: click.Command) -> click.Command:
+    """The command behind the gate for numbers, which no option passes by."""
+    run = command.callback
+
+    def behind(*values: Any, **chosen: Any) -> Any:
+        chosen_now = click.get_current_context().params
+        refuse_odd_numbers(chosen_now)
+        if command is not sections:  # which has sentences of its own
+            refuse_huge_numbers(chosen_now)
+        return None if run is None else run(*values, **chosen)
+
+    command.callback = behind
+    return command
+
+
+for command in (new, check, strip, model, bend_command, reshape, sections, coupon, sheets):
+    elastica.add_command(_gated(command))

@@ -1,27 +1,44 @@
 """Arguments and options that several commands share."""
 
-from collections.abc import Callable, Mapping
+import re
+import sys
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any, TypeVar
 
 import click
 import numpy as np
 
 from elastica_cad.errors import InputError
-from elastica_cad.files import read_curves
-from elastica_cad.geometry import PlaneCurve
-from elastica_cad.mechanics.equilibrium import require_bendable
+from elastica_cad.files import read_drawing
+from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, DrawnFile
+from elastica_cad.formats.file_access.source_file import LARGEST_FILE
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.theorem1.equilibrium_check import require_bendable
 
 __all__ = [
+    "bendable_curve",
     "bendable_curves",
+    "curve_argument",
     "curve_options",
+    "drawn_curves",
+    "file_stem",
     "holding_option",
     "pick_curve",
+    "refuse_huge_numbers",
     "refuse_odd_numbers",
+    "smooth_option",
     "support_options",
+    "which_options",
 ]
 
 F = TypeVar("F", bound=Callable[..., Any])
+
+CHOICE = "--curve 1 .. --curve {count}, --curve ID or --layer NAME"
+
+LARGEST_NUMBER = 1e9
+"""Of any option, whatever its unit; what it stands for has its own range."""
 
 END_NAMES = ["clamped", "pinned", "slide-x", "slide-y", "guided", "free"]
 
@@ -33,7 +50,53 @@ def curve_options(function: F) -> F:
         type=click.Choice(["mm", "cm", "m", "in", "px"]),
         help="Unit of the file's numbers, where the file does not say or says it wrongly.",
     )(function)
-    return click.argument("curve", type=click.Path(path_type=Path))(function)
+    return curve_argument()(function)
+
+
+def curve_argument(*, required: bool = True) -> Callable[[F], F]:
+    """The CURVE argument: a file, or - for standard input."""
+    return click.argument(
+        "curve",
+        type=click.Path(path_type=Path, allow_dash=True),
+        required=required,
+        callback=lambda ctx, _, path: standard_input(ctx) if str(path) == "-" else path,
+    )
+
+
+def standard_input(ctx: click.Context) -> Path:
+    """What comes through standard input, in a file while the command runs; what it is, its contents tell.
+
+    Raises
+    ------
+    InputError
+        Nothing, or more than is read.
+    """
+    data = sys.stdin.buffer.read(LARGEST_FILE + 1)
+    if not data.strip():
+        raise InputError("standard input is empty: pipe a drawing into it (cat arch.svg | elastica check -)")
+    if len(data) > LARGEST_FILE:
+        raise InputError(
+            f"standard input has more than {LARGEST_FILE // 2**20} MB: leave out what is no curve"
+        )
+    folder = TemporaryDirectory(prefix="elastica-")
+    ctx.call_on_close(folder.cleanup)
+    path = Path(folder.name, f"stdin{_kind(data)}")
+    path.write_bytes(data)
+    return path
+
+
+def _kind(data: bytes) -> str:
+    """The suffix of files that begin like this."""
+    head = data[:4096].lstrip(b"\xef\xbb\xbf \t\r\n")
+    if head.startswith(b"<"):
+        return ".svg"
+    if head.startswith((b"{", b"[")):
+        return ".json"
+    if head.startswith(b"ISO-10303-21"):
+        return ".step"
+    if head.startswith(b"AutoCAD Binary DXF") or re.match(rb"(999\s.*\s+)?0\s+SECTION", head):
+        return ".dxf"
+    return ".txt" if re.match(rb"\d+[ \t]+\d+[ \t]*\r?\n", head) else ".csv"
 
 
 def holding_option(function: F) -> F:
@@ -66,39 +129,99 @@ def support_options(function: F) -> F:
     return function
 
 
-def bendable_curves(path: Path, unit: str | None, number: int | None = None) -> list[PlaneCurve]:
-    """The curves of a file, or only the one of that number, each open and without corners.
-
-    A complaint names the file.
-    """
-    curves = read_curves(path, unit=unit)
-    for count, curve in enumerate(curves, start=1):
-        if number is None or number == count:
-            try:
-                require_bendable(curve)
-            except InputError as problem:
-                which = f", curve {count} of {len(curves)}" if len(curves) > 1 else ""
-                raise InputError(f"{path}{which}: {problem}") from problem
-    return curves
+def smooth_option(function: F) -> F:
+    """How far a curve may be moved to become fair."""
+    return click.option(
+        "--smooth",
+        type=float,
+        metavar="MM",
+        help="Make the curve fair (curvature without jumps) within this distance; 0: exactly as drawn  [default: "
+        "0.1 or 5e-4 of the length for pen curves whose curvature jumps, 0 for all others]",
+    )(function)
 
 
-def pick_curve(path: Path, number: int | None, unit: str | None) -> PlaneCurve:
-    """The one curve of a file, or the one asked for by its number from 1."""
-    curves = bendable_curves(path, unit, number)
+def which_options(function: F) -> F:
+    """Which curve of the file."""
+    function = click.option("--layer", metavar="NAME", help="Only curves on this layer of the drawing.")(
+        function
+    )
+    return click.option(
+        "--curve", "number", metavar="N|ID", help="Which curve of the file: its number from 1, or its id."
+    )(function)
+
+
+def file_stem(path: Path, number: str | None = None) -> str:
+    """What files made from a curve are called: the drawing's name, and the curve's number or id."""
     if number is None:
-        if len(curves) > 1:
-            raise InputError(
-                f"{path} holds {len(curves)} curves: choose one with --curve 1 .. --curve {len(curves)}"
-            )
-        return curves[0]
-    if not 1 <= number <= len(curves):
-        raise InputError(f"{path} holds {len(curves)} curve(s): --curve {number} is not among them")
-    return curves[number - 1]
+        return path.stem
+    return f"{path.stem}-{re.sub(r'[^-.A-Za-z0-9_]+', '_', number.strip()) or '1'}"
+
+
+def drawn_curves(
+    path: Path, unit: str | None, number: str | None = None, layer: str | None = None
+) -> DrawnFile:
+    """What a file draws, told where it leaves something out; at least one curve is as chosen.
+
+    Raises
+    ------
+    InputError
+        No such curve; the file is named.
+    """
+    drawing = read_drawing(path, unit=unit)
+    if drawing.left_out:
+        click.echo(f"{path.name}: {drawing.left_out}", err=True)
+    if not drawing.chosen(number, layer):
+        drawing.one(number, layer, str(path), CHOICE)
+    return drawing
+
+
+def bendable_curve(path: Path, drawn: DrawnCurve, count: int) -> PlaneCurve:
+    """A curve of a file that is open and without corners; a complaint names the file and the curve."""
+    try:
+        curve = drawn.curve
+        require_bendable(curve)
+    except InputError as problem:
+        which = f", {drawn.called} of {count}" if count > 1 else ""
+        message = str(problem)
+        raise InputError(message if str(path) in message else f"{path}{which}: {message}") from problem
+    return curve
+
+
+def bendable_curves(
+    path: Path, unit: str | None, number: str | None = None, layer: str | None = None
+) -> list[PlaneCurve]:
+    """The chosen curves of a file, all without a choice, each open and without corners."""
+    drawing = drawn_curves(path, unit, number, layer)
+    return [bendable_curve(path, one, len(drawing)) for one in drawing.chosen(number, layer)]
+
+
+def pick_curve(path: Path, number: str | None, unit: str | None, layer: str | None = None) -> PlaneCurve:
+    """The one curve of a file, or the one asked for by its number from 1, its id or its layer."""
+    drawing = drawn_curves(path, unit, number, layer)
+    return bendable_curve(path, drawing.one(number, layer, str(path), CHOICE), len(drawing))
 
 
 def refuse_odd_numbers(chosen: Mapping[str, Any]) -> None:
     """Refuse nan and inf among the options of the running command: Python reads them as numbers."""
     for option in click.get_current_context().command.params:
-        value = chosen.get(str(option.name))
-        if isinstance(value, float | tuple) and not np.all(np.isfinite(np.array(value, dtype=float))):
+        if not all(np.isfinite(number) for number in _numbers(chosen.get(str(option.name)))):
             raise InputError(f"{option.opts[0]} is given as nan or infinite: give finite numbers")
+
+
+def refuse_huge_numbers(chosen: Mapping[str, Any]) -> None:
+    """Refuse what no drawing holds, such as 1e200, before anything is computed with it."""
+    for option in click.get_current_context().command.params:
+        for number in _numbers(chosen.get(str(option.name))):
+            if abs(number) > LARGEST_NUMBER:
+                raise InputError(
+                    f"{option.opts[0]} is {number:.3g}: give a number of at most {LARGEST_NUMBER:g}"
+                )
+
+
+def _numbers(value: Any) -> Iterator[float]:
+    """The numbers in nested tuples; whole ones too large for a float as infinite."""
+    if isinstance(value, tuple | list):
+        for one in value:
+            yield from _numbers(one)
+    elif isinstance(value, float | int) and not isinstance(value, bool):
+        yield float(value) if isinstance(value, float) or abs(value) < 10**300 else 1e300

@@ -12,48 +12,29 @@ import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError
-from elastica_cad.geometry import CollinearInflections, EndPositions, EndTangents, FixedLength, PlaneCurve
-from elastica_cad.geometry.constraints import Constraint
-from elastica_cad.mechanics.discrete import Margin, constrained_margin
-from elastica_cad.mechanics.equilibrium import EquilibriumCheck, NotRealizable, check_equilibrium
-from elastica_cad.mechanics.rod import DEFAULT_SAMPLES
-from elastica_cad.mechanics.stiffness_family import dense_places, extreme_places
-from elastica_cad.mechanics.supports import Supports
-from elastica_cad.mechanics.weighing import BalancedStiffness, balance_without_weight
+from elastica_cad.geometry.curve_editing.control_point_constraints import (
+    CollinearInflections,
+    Constraint,
+    EndPositions,
+    EndTangents,
+    FixedLength,
+)
+from elastica_cad.geometry.curves.curve_records import CurveSamples
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod
+from elastica_cad.mechanics.rod.node_counts import DEFAULT_SAMPLES
+from elastica_cad.mechanics.stiffness.moment_conditions import BalancedStiffness
+from elastica_cad.mechanics.stiffness.optimal_balance import balance_without_weight
+from elastica_cad.mechanics.stiffness.stiffness_family import dense_places, extreme_places
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
 
-__all__ = ["BothEnds", "EquilibriumCurve", "NodalRod", "collinear", "kept"]
+__all__ = ["BothEnds", "EquilibriumCurve", "collinear", "kept"]
 
-_PARTS = 96  # of a panel: a step moves the extremes of K, and bounds hold at samples only
+_PARTS = 96  # of a panel, where K is bounded: a step moves its extremes
 
 BothEnds: TypeAlias = "bool | tuple[bool, bool]"
-
-
-@dataclass(frozen=True, eq=False)
-class NodalRod:
-    """The discrete rod of a curve (paper, section 7.1): what its stability depends on.
-
-    Attributes
-    ----------
-    t : (n,) array
-        Parameters of the nodes, uniform in arc length.
-    position : (n, 2) array
-        mm.
-    stiffness : (n,) array
-        K, least value of the curve 1.
-    angles : (n - 1,) array
-        Of the edges, rad.
-    force : (n - 1, 2) array
-        lambda of the edges, 1/mm2.
-    edge_length : float
-        mm.
-    """
-
-    t: FloatArray
-    position: FloatArray
-    stiffness: FloatArray
-    angles: FloatArray
-    force: FloatArray
-    edge_length: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -137,27 +118,25 @@ class EquilibriumCurve:
         return float(self.stiffness.max())
 
     @cached_property
-    def rod(self) -> NodalRod:
-        """The discrete rod."""
-        nodes = self.curve.sample(DEFAULT_SAMPLES)
-        steps = np.diff(nodes.position, axis=0)
-        angles = np.unwrap(np.arctan2(steps[:, 1], steps[:, 0]))
-        panels = self.balance.panels
-        K = self.balance.stiffness.at(*panels.locate(nodes.t)) / self.scale
-        _, b = self.line
-        force = np.tile([-b[1], b[0]], (angles.size, 1))  # lambda = R b
-        return NodalRod(nodes.t, nodes.position, K, angles, force, self.curve.length / angles.size)
+    def nodes(self) -> CurveSamples:
+        """The nodes of the discrete rod: samples of the curve, uniform in arc length."""
+        return self.curve.sample(DEFAULT_SAMPLES)
 
     @cached_property
-    def stability(self) -> Margin:
-        """The lowest eigenvalue of the second variation, and its mode."""
-        rod = self.rod
-        return constrained_margin(rod.stiffness, rod.angles, rod.force, rod.edge_length)
+    def rod(self) -> DiscreteRod:
+        """The discrete rod of section 7.1; the least stiffness of the curve is 1."""
+        nodes = self.nodes
+        steps = np.diff(nodes.position, axis=0)
+        angles = np.unwrap(np.arctan2(steps[:, 1], steps[:, 0]))
+        K = self.balance.stiffness.at(*self.balance.panels.locate(nodes.t)) / self.scale
+        _, b = self.line
+        force = np.tile([-b[1], b[0]], (angles.size, 1))  # lambda = R b
+        return DiscreteRod(K, angles, force, self.curve.length / angles.size, start=nodes.position[0])
 
     @property
     def margin(self) -> float:
         """Stability margin, as `mechanics.stability` has it of `optimal_rod`: least nodal K is 1."""
-        return self.stability.value / float(self.rod.stiffness.min())
+        return self.rod.margin.value / float(self.rod.stiffness.min())
 
 
 def kept(curve: PlaneCurve, *, ends: BothEnds, tangents: BothEnds, length: bool) -> tuple[Constraint, ...]:

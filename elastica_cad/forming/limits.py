@@ -1,4 +1,4 @@
-"""What a strip may be (limits, all hard) and what of the wish must stay (keep)."""
+"""What a strip may be (limits, all hard) and what of the drawn curve must stay (keep)."""
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
@@ -9,7 +9,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.mechanics import Sheet
+from elastica_cad.mechanics.material.sheet import Sheet
 
 __all__ = ["Box", "HalfPlane", "Keep", "Limits", "Symmetry"]
 

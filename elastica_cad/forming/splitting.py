@@ -10,20 +10,16 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.forming.equilibrium_curve import EquilibriumCurve
-from elastica_cad.geometry import PlaneCurve
-from elastica_cad.geometry.trim import trimmed_curve
-from elastica_cad.mechanics.arguments import require_curve, required_supports
-from elastica_cad.mechanics.equilibrium import (
-    EquilibriumCheck,
-    NotRealizable,
-    check_equilibrium,
-    examine_curvature,
-)
-from elastica_cad.mechanics.supports import End, Supports
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.trim import trim_curve
+from elastica_cad.mechanics.loads.arguments import require_curve, require_supports
+from elastica_cad.mechanics.loads.supports import End, Supports
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium, examine_curvature
+from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
 
 __all__ = ["Splitting", "split"]
 
-_SHORT = 1e-4  # pieces shorter than this, relative to the domain, are none
+_SHORTEST_SHARE = 1e-4  # pieces shorter than this, relative to the domain, are none
 _CHOICES = 5  # places tried for each support between its first and last possible one
 _ROUNDS = 2  # and again about the best of them
 
@@ -110,7 +106,7 @@ def split(
     if ratio is not None and not (np.isfinite(ratio) and ratio >= 1):
         raise InputError(f"ratio is {ratio}: max K / min K cannot be below 1; plain strips allow 2 to 4")
     require_curve(curve)
-    cut = _Cut(curve, ratio, required_supports(supports), _parameters(curve, places), tolerance)
+    cut = _Cut(curve, ratio, require_supports(supports), _parameters(curve, places), tolerance)
     latest = _forwards(cut)
     if not latest:
         return _splitting(cut, [], [])
@@ -132,7 +128,7 @@ class _Cut:
         """The part between two places."""
         if (start, end) == self.curve.domain:
             return self.curve
-        return trimmed_curve(self.curve, start, end)
+        return trim_curve(self.curve, start, end)
 
     def ratio_of(self, start: float, end: float) -> float:
         """Least stiffness ratio of a piece; infinite where no strip can take it."""
@@ -164,7 +160,7 @@ class _Cut:
     def short(self) -> float:
         """A length of parameter that is no piece."""
         low, high = self.curve.domain
-        return _SHORT * (high - low)
+        return _SHORTEST_SHARE * (high - low)
 
     @property
     def least(self) -> float:

@@ -1,7 +1,5 @@
 """Pictures of rods, strips, drawings, models and bodies (needs matplotlib)."""
 
-from elastica_cad.plot.canvas import save_figure
-from elastica_cad.plot.sheets import drawing, rod, strip, strip_sheet
-from elastica_cad.plot.space import bodies, model
+from elastica_cad._exports import exports
 
-__all__ = ["bodies", "drawing", "model", "rod", "save_figure", "strip", "strip_sheet"]
+__getattr__, __dir__, __all__ = exports(__file__, __name__)

@@ -7,13 +7,18 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from elastica_cad.errors import InputError, MissingDependencyError
-from elastica_cad.formats.output import write_atomically
+from elastica_cad.formats.file_access.atomic_write import write_atomically
 
-__all__ = ["INK", "WIDTH", "Figure", "new_figure", "save_figure"]
+__all__ = ["INK", "WIDTH_INCHES", "Figure", "new_figure", "save_figure"]
 
 Figure: TypeAlias = Any
 
-WIDTH = 9.0  # inches
+WIDTH_INCHES = 9.0
+"""Of all figures: a page in landscape."""
+
+NOTEBOOK_DPI = 90.0
+"""A page as wide as a notebook's column."""
+
 INK = "#1f2430"
 
 
@@ -35,9 +40,18 @@ def save_figure(
 
 
 def new_figure(height: float) -> Figure:
-    """An empty figure `WIDTH` wide and `height` tall, inches."""
+    """An empty figure `WIDTH_INCHES` wide and `height` tall, inches."""
     try:
         from matplotlib.figure import Figure as MatplotlibFigure
     except ImportError as error:
         raise MissingDependencyError("pictures need matplotlib: pip install matplotlib") from error
-    return MatplotlibFigure(figsize=(WIDTH, height), layout="constrained")
+
+    class Page(MatplotlibFigure):
+        """A figure that a notebook shows where it is the last thing of a cell, once."""
+
+        def _repr_png_(self) -> bytes:
+            stream = BytesIO()
+            self.savefig(stream, format="png", dpi=NOTEBOOK_DPI)
+            return stream.getvalue()
+
+    return Page(figsize=(WIDTH_INCHES, height), layout="constrained")

@@ -5,11 +5,12 @@ from collections.abc import Sequence
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.geometry import Path
+from elastica_cad.geometry.paths.path import Path
 
 __all__ = ["trapezoids"]
 
-APART = 1e-7  # mm between stations that differ
+APART_MM = 1e-7
+"""Stations nearer than this are one: slabs between them could not be seen."""
 
 
 def trapezoids(loops: Sequence[Path], stations: FloatArray, tolerance: float) -> FloatArray:
@@ -39,7 +40,7 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, tolerance: float) ->
     """
     polygons = [loop.points(tolerance) for loop in loops]
     ends = np.concatenate([np.stack([p, np.roll(p, -1, axis=0)], axis=1) for p in polygons])
-    ends = ends[np.abs(ends[:, 1, 0] - ends[:, 0, 0]) > APART]
+    ends = ends[np.abs(ends[:, 1, 0] - ends[:, 0, 0]) > APART_MM]
     order = np.argsort(ends[..., 0], axis=1)
     left, right = np.moveaxis(np.take_along_axis(ends, order[..., None], axis=1), 1, 0)
     slope = (right[:, 1] - left[:, 1]) / (right[:, 0] - left[:, 0])
@@ -47,7 +48,7 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, tolerance: float) ->
     cuts = np.unique(
         np.concatenate([left[:, 0], right[:, 0], stations[(stations > low) & (stations < high)]])
     )
-    cuts = cuts[np.concatenate([[True], np.diff(cuts) > APART])]
+    cuts = cuts[np.concatenate([[True], np.diff(cuts) > APART_MM])]
     found = []
     for sides in np.stack([cuts[:-1], cuts[1:]], axis=1):
         middle = sides.mean()

@@ -7,7 +7,7 @@ import cadquery as cq
 
 import elastica_cad as ec
 from elastica_cad.cadquery import bent_strip
-from elastica_cad.fabrication import Hole
+from elastica_cad.fabrication.strip.tabs import Hole
 
 SHEET = ec.Sheet.named("birch-plywood-0.8")
 SPAN, RISE = 260, 110  # mm
@@ -31,6 +31,8 @@ foot = (
 
 assembly = cq.Assembly(name="arch").add(arch, name="strip", color=cq.Color(0.85, 0.70, 0.48))
 for name, place in arch.joints.items():
+    if ":" in name:  # hole1:top and the like lie on the faces; the bolt's middle is the hole's
+        continue
     part, color = (bolt, (0.60, 0.62, 0.65)) if name.startswith("hole") else (foot, (0.30, 0.36, 0.42))
     assembly.add(part, name=f"at_{name}", loc=place, color=cq.Color(*color))
 

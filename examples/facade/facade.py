@@ -39,7 +39,7 @@ def fin(k):
     near = ec.nearest_rod(closed(k), ec.Limits(ratio=3.0, margin=5.0), ec.Keep(tangents=True))
     strip = ec.Strip(near.rod, SHEET, max_width=55, ends=(ec.Tab(20), ec.Tab(20)), label=f"FIN{k + 1}")
     travel = np.linspace(0, TRAVEL, STEPS)
-    shapes = ec.bend_path(near.rod, [near.rod.position[-1] - (0, d) for d in travel])
+    shapes = ec.mechanics.bend_path(near.rod, [near.rod.position[-1] - (0, d) for d in travel])
     force = np.array([strip.bending_stiffness * rod.force[-1, 1] for rod in shapes])
     margin = np.array([ec.stability(rod).margin for rod in shapes])
     return Fin(shapes, strip, travel, force, margin)

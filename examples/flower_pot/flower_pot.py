@@ -37,7 +37,7 @@ def surface(turns=96, rows=80):
         [np.column_stack([corner, corner + rows, corner + rows + 1]),
          np.column_stack([corner, corner + rows + 1, corner + 1])]
     )  # fmt: skip
-    return ec.Mesh(points.reshape(-1, 3), faces)
+    return ec.forming.Mesh(points.reshape(-1, 3), faces)
 
 
 def build(mesh=None, count=COUNT, least_radius=LEAST_RADIUS):
@@ -46,21 +46,21 @@ def build(mesh=None, count=COUNT, least_radius=LEAST_RADIUS):
     Without `least_radius` the card may bend beyond what it bears, as in the paper; the strips' warnings say where.
     """
     mesh = mesh or surface()
-    planes = ec.radial_planes((0, 0, 0), (0, 0, 1), 2 * np.pi * np.arange(count) / count)
-    sections = ec.mesh_sections(mesh.vertices, mesh.faces, planes, half=True)
-    curves, reports = ec.section_curves(sections, tolerance=0.3)
-    layers = ec.LaminatedSection(BASE, CARD)
+    planes = ec.forming.radial_planes((0, 0, 0), (0, 0, 1), 2 * np.pi * np.arange(count) / count)
+    sections = ec.forming.mesh_sections(mesh.vertices, mesh.faces, planes, half=True)
+    curves, reports = ec.forming.section_curves(sections, tolerance=0.3)
+    layers = ec.mechanics.LaminatedSection(BASE, CARD)
     hanging = layers.bending_stiffness(40.0, 20.0) / layers.weight_per_length(40.0, 20.0)
     limits = ec.Limits(ratio=RATIO, margin=5.0, curvature=1 / least_radius if least_radius else None)
     found = ec.nearest_rods([c.curve for c in curves], limits, gravity=ec.Gravity(float(hanging) ** (1 / 3)))
-    widths = ec.touching(
+    widths = ec.touching_widths(
         [(near.curve, c.frame) for near, c in zip(found, curves, strict=True)], GAP, closed=True
     )
     placed = []
     for near, c, width in zip(found, curves, widths, strict=True):
         label = f"F{len(placed) + 1}"
         reports += () if near.met else (f"{label}: {near.status.value}",)
-        laminate = ec.optimal_laminate(
+        laminate = ec.mechanics.optimal_laminate(
             near.curve, layers, width, direction=(0, -1), least_backing=0.5, samples=201
         )
         style = ec.Laminated(width, backing=CARD, least_backing=0.5)
@@ -70,5 +70,5 @@ def build(mesh=None, count=COUNT, least_radius=LEAST_RADIUS):
 
 
 if __name__ == "__main__":
-    own = ec.read_mesh(sys.argv[1], unit="cm").scaled(SCALE / 10) if len(sys.argv) > 1 else None
+    own = ec.formats.read_mesh(sys.argv[1], unit="cm").scaled(SCALE / 10) if len(sys.argv) > 1 else None
     print(ec.save_model(build(own), "out/flower_pot", force=True))

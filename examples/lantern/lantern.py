@@ -29,7 +29,11 @@ def build():
     frames = [((np.cos(a), np.sin(a), 0.0), (0.0, 0.0, 1.0)) for a in angles]
     placed = tuple(ec.Placed(strips[i % 2], (0, 0, 0), *frame) for i, frame in enumerate(frames))
     rings = tuple(
-        ec.ring_plate([ec.HeldTab.of(one.strip, end, one.frame) for one in placed], board, name=f"ring-{end}")
+        ec.fabrication.ring_plate(
+            [ec.fabrication.PlacedTab.of(one.strip, end, one.frame) for one in placed],
+            board,
+            name=f"ring-{end}",
+        )
         for end in ("start", "end")
     )
     return ec.Model(placed, name="lantern", plates=rings)

@@ -33,7 +33,7 @@ class Surface:
 
     def model(self, label):
         """Around the z axis."""
-        found = ec.revolved(self.meridian, self.strips, sheet=CARD)
+        found = ec.revolve(self.meridian, self.strips, sheet=CARD)
         strip = replace(found.strips[0], label=label)
         return found.with_strips([strip] * len(found.placed))
 

@@ -52,7 +52,7 @@ def main(folder="out/robustness"):
     print("largest distance from the design, mm")
     for cause, values in build().items():
         print(f"{cause:16s}" + "".join(f"{v:8.2f}" for v in values))
-    print(ec.tolerance_study(designed(), sheet=CARD, max_width=45, samples=30))
+    print(ec.mechanics.tolerance_study(designed(), sheet=CARD, max_width=45, samples=30))
     strip = ec.Strip(designed(), CARD, max_width=45, label="ARCH")
     placed = ec.Placed(strip, (0, 0, 0), (1, 0, 0), (0, 0, 1))
     print(ec.save_model(ec.Model((placed,), name="robustness"), folder, force=True))

@@ -5,12 +5,21 @@ from time import perf_counter
 import numpy as np
 import pytest
 
-from elastica_cad import occt, step
-from elastica_cad.fabrication import BentSolid, FlatSolid, Hole, Model, Placed, Slot, Strip, Tab
-from elastica_cad.fabrication.making import make_strip
-from elastica_cad.geometry import PlaneCurve, Profile
-from elastica_cad.mechanics import Rod, Sheet, bend
-from elastica_cad.mechanics.rest_shape import marched_curve
+from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip.tabs import Hole, Tab
+from elastica_cad.fabrication.strip_spec import make_strip
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.kernel import occt
+from elastica_cad.kernel import step_files as step
+from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.rod.rest_shape import integrate_edges
+from elastica_cad.mechanics.rod.rod_record import Rod
 
 ENDS = (Tab(12, holes=(Hole(6, 3.2),)), Tab(12, holes=(Hole(6, 3.2),)))
 
@@ -50,9 +59,9 @@ def test_assembly_of_31_slotted_strips(benchmark):
     """31 different strips with six slots each, as bodies in their places; the STEP file is told apart."""
     slots = tuple(Slot(at=25.0 + 25 * k, width=1, side="upper" if k % 2 else "lower") for k in range(6))
     model = Model(tuple(Placed(arch(float(k), slots), (0, 0, 40 * k)) for k in range(31)), name="many")
-    parts = benchmark.pedantic(lambda: step.model_parts(model), rounds=2)
+    parts = benchmark.pedantic(lambda: step.model_shapes(model), rounds=2)
     assert len({id(part.shape) for part in parts}) == 31
-    whole = seconds(lambda: step.model_parts(model), 3)
+    whole = seconds(lambda: step.model_shapes(model), 3)
     records = seconds(lambda: [BentSolid.of(placed.strip) for placed in model.placed], 3)
     core = 31 * seconds(lambda: arch(0.5, slots), 3)
     benchmark.extra_info["OpenCASCADE's share"] = round(1 - records / whole, 2)
@@ -64,11 +73,11 @@ def test_assembly_of_31_slotted_strips(benchmark):
 
 
 def test_a_strip_bent_forward(benchmark):
-    """A marched rod: its smooth curve, and its body in the time of any other's."""
+    """A discrete rod: its smooth curve, and its body in the time of any other's."""
     straight = Rod.straight(150.0, Profile.interpolate([0, 75, 150], [1, 1.6, 1]))
     rod = bend(straight, start=(0, 0), end=(120, 0), angles=(0.9, -0.9))
     strip = Strip(rod, Sheet.named("birch-plywood-0.8"), max_width=20)
-    curve = seconds(lambda: marched_curve(rod.s, rod.position, rod.angle), 5)
+    curve = seconds(lambda: integrate_edges(rod.s, rod.position, rod.angle), 5)
     benchmark.extra_info["seconds of its curve"] = round(curve, 4)
     assert strip.outline.closed
     assert rod.curve.length > 0

@@ -8,8 +8,9 @@ from time import process_time
 import numpy as np
 import pytest
 
-from elastica_cad.geometry import PlaneCurve
-from elastica_cad.mechanics import check_equilibrium, optimal_rod
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
 pytestmark = pytest.mark.benchmark(timer=process_time)
 

@@ -6,10 +6,10 @@ from time import perf_counter
 import numpy as np
 import pytest
 
-from elastica_cad.geometry import PlaneCurve
-from elastica_cad.mechanics import Gravity, sampled_stiffness
-from elastica_cad.mechanics.gravity_lp import sampled_rows
-from elastica_cad.mechanics.minimax_lp import minimax_ratio
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.stiffness.minimax_lp import minimax_ratio
+from elastica_cad.published.sampled_lp import sampled_rows, sampled_stiffness
 
 
 @pytest.fixture(scope="module")

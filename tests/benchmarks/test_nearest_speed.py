@@ -6,9 +6,10 @@ import time
 import numpy as np
 import pytest
 
-from elastica_cad.forming import Keep, Limits, nearest_rod
-from elastica_cad.geometry import PlaneCurve
-from elastica_cad.mechanics import Gravity
+from elastica_cad.forming.limits import Keep, Limits
+from elastica_cad.forming.nearest.nearest_rod import nearest_rod
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads.gravity import Gravity
 
 pytestmark = pytest.mark.benchmark(timer=time.process_time)
 
@@ -18,8 +19,8 @@ def unclamped(control_points):
 
 
 @pytest.fixture(scope="module")
-def flower_pot(shared_data):
-    data = json.loads((shared_data / "reference" / "flower_pot.json").read_text())
+def flower_pot(reference_data):
+    data = json.loads((reference_data / "reference" / "flower_pot.json").read_text())
     e = np.array(data["e_gravity"]) * 1e-9
     points = [np.array(c["cp_initial"]) * 1000 * data["scale_m_per_unit"] for c in data["curves"]]
     return points, Gravity(np.hypot(*e) ** (-1 / 3), tuple(-e))
@@ -47,8 +48,8 @@ def test_sixteen_heavy_stable_curves(benchmark, flower_pot):
     assert benchmark.stats.stats.min / 16 <= 0.060
 
 
-def test_unstable_s(benchmark, shared_data):
-    points = np.loadtxt(shared_data / "hafner" / "spline_infl_simple.txt", skiprows=1) * 30
+def test_unstable_s(benchmark, reference_data):
+    points = np.loadtxt(reference_data / "hafner" / "spline_infl_simple.txt", skiprows=1) * 30
     near = benchmark.pedantic(
         lambda: nearest_rod(unclamped(points), Limits(ratio=2.954, margin=5.0), Keep(tangents=True)),
         rounds=5,
@@ -59,8 +60,8 @@ def test_unstable_s(benchmark, shared_data):
 
 
 def test_march_with_sensitivities(benchmark):
-    from elastica_cad.forming.march import StripGrid
-    from elastica_cad.forming.setting import spline_basis
+    from elastica_cad.forming.nearest.nearest_task import spline_basis
+    from elastica_cad.forming.nearest.rod_map import StripGrid
 
     grid = StripGrid(spline_basis(np.linspace(0, 1, 201), 38), np.array([1.0, 2.0]))
     z = np.concatenate([np.full(38, 1.5), [4.0, 9.0, -7.0, 0.0, 0.0, 0.3, 1.0]])

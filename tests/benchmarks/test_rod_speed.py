@@ -7,9 +7,9 @@ import pytest
 import scipy.linalg
 from scipy.integrate import solve_bvp
 
-from elastica_cad.mechanics import Rod, bend, stability
-from elastica_cad.mechanics.balance import edge_state
-from elastica_cad.mechanics.discrete import constraint_rows, second_variation
+from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stability.stability_verdict import stability
 
 
 def seconds(function, repeats=5):
@@ -27,9 +27,7 @@ def arch(samples):
 
 def test_stability_against_the_dense_constrained_eigenproblem(benchmark):
     rod = arch(1001)
-    angles, force = edge_state(rod)
-    diagonal, off = second_variation(rod.stiffness, angles, force, 1e-3)
-    rows = constraint_rows(angles, 1e-3)
+    (diagonal, off), rows = rod.discrete.hessian, rod.discrete.constraint_rows
 
     def dense():
         free = scipy.linalg.null_space(rows)

@@ -2,7 +2,7 @@
 
 from time import process_time
 
-from elastica_cad.mechanics import optimal_rod
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
 
 def seconds(function, repeats=3):

@@ -3,12 +3,20 @@
 import numpy as np
 import pytest
 
-from elastica_cad import occt
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication import BentSolid, FlatSolid, Strip, Tab
-from elastica_cad.forming import Limits, nearest_rod
-from elastica_cad.geometry import Arc, Line, Path, PlaneCurve, Profile, Spline
-from elastica_cad.mechanics import Rod, bend, optimal_rod
+from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip.tabs import Tab
+from elastica_cad.forming.limits import Limits
+from elastica_cad.forming.nearest.nearest_rod import nearest_rod
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.geometry.paths.segments import Arc, Line, Spline
+from elastica_cad.kernel import occt
+from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
 
 def flat_area(outline, holes):
@@ -184,7 +192,13 @@ def test_joints_stand_on_the_strip(arch_strip, tilted):
         tangent = tilted.direction([np.cos(at.angle[0]), np.sin(at.angle[0])])
         assert joint.x_axis == pytest.approx(sign * tangent, abs=1e-9)
     flat = FlatSolid.of(arch_strip, tilted)
-    assert set(flat.joints) == set(record.joints) == {"start", "end", "hole1", "hole2", "hole3"}
+    holes = {f"hole{number}{face}" for number in (1, 2, 3) for face in ("", ":top", ":bottom")}
+    assert set(flat.joints) == set(record.joints) == {"start", "end", *holes}
+    for body in (flat, record):
+        for face, side in (("top", 1), ("bottom", -1)):
+            middle, there = body.joints["hole2"], body.joints[f"hole2:{face}"]
+            assert middle.local(there.origin) == pytest.approx([0, 0, side * 0.4], abs=1e-12)
+            assert there.z_axis == pytest.approx(side * middle.z_axis)
     assert flat.joints["hole1"].origin == pytest.approx(tilted.point([-6, 0, 0.4]))
 
 

@@ -8,8 +8,8 @@ import pytest
 
 from elastica_cad.build123d import BentStrip, FlatStrip, StripOutline, elastic_strip
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication import Hole, Tab
-from elastica_cad.mechanics import NotRealizable
+from elastica_cad.fabrication.strip.tabs import Hole, Tab
+from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 
 POINTS = [(0, 0), (40, 40), (90, 50), (140, 0)]
 SHEET = "birch-plywood-0.8"
@@ -90,7 +90,7 @@ def normal(edge, u):
 
 class TestJoints:
     def test_places(self, edge, bent):
-        assert set(bent.joints) == {"start", "end", "hole1"}
+        assert set(bent.joints) == {"start", "end", "hole1", "hole1:top", "hole1:bottom"}
         assert place(bent.joints["start"].location) == pytest.approx([0, 0, 0], abs=1e-9)
         assert place(bent.joints["end"].location) == pytest.approx([140, 0, 0], abs=1e-9)
         outward = bd.Plane(bent.joints["end"].location).x_dir

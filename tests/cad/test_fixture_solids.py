@@ -3,21 +3,19 @@
 import numpy as np
 import pytest
 
-from elastica_cad import occt
-from elastica_cad.fabrication import (
-    BentSolid,
-    EndFixture,
-    FlatSolid,
-    Frame,
-    Hole,
-    Model,
-    Placed,
-    PrismSolid,
-    Strip,
-    Tab,
-)
-from elastica_cad.geometry import Path, PlaneCurve
-from elastica_cad.mechanics import Sheet, optimal_rod
+from elastica_cad.fabrication.holders.end_fixtures import EndFixture
+from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.solids.prisms import PrismSolid
+from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip.tabs import Hole, Tab
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.kernel import occt
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
 UPRIGHT = Frame((0, 0, 0), (1, 0, 0), (0, 0, 1))
 

@@ -6,10 +6,11 @@ import sys
 
 import pytest
 
-from elastica_cad import occt, step
 from elastica_cad.errors import MissingDependencyError
-from elastica_cad.fabrication import FlatSolid
-from elastica_cad.geometry import Path
+from elastica_cad.fabrication.solids.strip_solids import FlatSolid
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.kernel import occt
+from elastica_cad.kernel import step_files as step
 
 PLATE = FlatSolid(Path.rectangle(10, 5), (), 1.0)
 
@@ -51,7 +52,7 @@ def test_no_kernel_at_all(monkeypatch, tmp_path):
     with pytest.raises(MissingDependencyError, match="pip install build123d"):
         occt.make_solid(PLATE)
     with pytest.raises(MissingDependencyError):
-        step.write_step([step.Part("plate", None)], tmp_path / "plate.step")
+        step.write_step([step.NamedShape("plate", None)], tmp_path / "plate.step")
     assert not list(tmp_path.iterdir())
 
 

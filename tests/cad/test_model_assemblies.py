@@ -5,13 +5,18 @@ import re
 import numpy as np
 import pytest
 
-from elastica_cad import occt, step
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication import Frame, Model, Placed, Slot, slotted_frame
-from elastica_cad.fabrication.assembly import holder_bodies
-from elastica_cad.fabrication.making import make_strip
-from elastica_cad.geometry import PlaneCurve
-from elastica_cad.mechanics import Sheet
+from elastica_cad.fabrication.holders.slotted_frame import slotted_frame
+from elastica_cad.fabrication.model.assembly import assembly_parts
+from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.strip_spec import make_strip
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.kernel import occt
+from elastica_cad.kernel import step_files as step
+from elastica_cad.mechanics.material.sheet import Sheet
 
 ARCH = PlaneCurve.spline([(20, 0), (40, 60), (70, 80), (120, 60), (150, 0)])
 S = PlaneCurve.spline([(20, 0), (50, 60), (100, 10), (150, -40), (200, 20)])
@@ -129,19 +134,19 @@ class TestWhatHoldsTheStrips:
     NAMES = ("base", "fixture arch:1", "fixture arch:2")
 
     def test_records(self, crown, holders):
-        assert tuple(body.name for body in holder_bodies(holders)) == self.NAMES
-        twice = holder_bodies((holders[1], holders[1]))
+        assert tuple(body.name for body in assembly_parts((), holders)) == self.NAMES
+        twice = assembly_parts((), (holders[1], holders[1]))
         assert [body.name for body in twice] == ["fixture arch:1_1", "fixture arch:1_2"]
 
     def test_a_slotted_frame_is_its_rails_and_ribs(self):
         arch = make_strip(ARCH, "birch-plywood-0.8", max_width=15)
         row = Model(tuple(Placed(arch, (0, 30 * k, 0), (1, 0, 0), (0, 0, 1)) for k in range(3)))
-        frame = slotted_frame(row, Sheet.named("birch-plywood-0.8"))
-        assert [body.name for body in holder_bodies([frame])] == [name for name, _ in frame.solids]
+        frame = slotted_frame(row.placed, Sheet.named("birch-plywood-0.8"))
+        assert [body.name for body in assembly_parts((), [frame])] == [name for name, _ in frame.solids]
 
     def test_something_else(self, crown):
         with pytest.raises(InputError, match="base plates, slotted frames and end fixtures, not by str"):
-            step.model_parts(crown, ["plate"])
+            step.model_shapes(crown, ["plate"])
 
     def test_step(self, crown, holders, tmp_path, measure):
         from OCP.STEPControl import STEPControl_Reader

@@ -3,11 +3,9 @@
 import numpy as np
 import pytest
 
-pytest.importorskip("OCP")
-
 import elastica_cad as ec
-from elastica_cad.occt import make_location
-from elastica_cad.step import model_parts, write_model_step
+from elastica_cad.kernel.occt import make_location
+from elastica_cad.kernel.step_files import model_shapes, write_model_step
 
 CARD, MDF = ec.Sheet.named("card-200gsm"), ec.Sheet.named("mdf-3")
 
@@ -24,8 +22,8 @@ def test_rings_stand_with_the_strips_and_tabs_go_through_them(tmp_path):
         return found.Mass()
 
     meridian = ec.meridian(0.0, (1 / 80, 0), (80, 0), np.pi / 2, 400, ring=35)
-    model = ec.revolved(meridian, 8, sheet=CARD, rings=MDF, name="globe")
-    parts = model_parts(model)
+    model = ec.revolve(meridian, 8, sheet=CARD, rings=MDF, name="globe")
+    parts = model_shapes(model)
     assert [part.name for part in parts[8:]] == ["ring-start", "ring-end"]
     strip = parts[0].shape.Moved(make_location(parts[0].frame))
     for part, ring in zip(parts[8:], model.plates, strict=True):

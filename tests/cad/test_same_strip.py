@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from elastica_cad import build123d, cadquery
-from elastica_cad.fabrication import Tab
-from elastica_cad.fabrication.making import make_strip
-from elastica_cad.geometry import PlaneCurve
+from elastica_cad.fabrication.strip.tabs import Tab
+from elastica_cad.fabrication.strip_spec import make_strip
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
 POLES = [(0, 0), (30, 60), (80, 70), (140, 0)]
 SHEET = "birch-plywood-0.8"

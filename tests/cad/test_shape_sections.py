@@ -3,11 +3,10 @@
 import numpy as np
 import pytest
 
-pytest.importorskip("OCP")
-
 from elastica_cad.errors import InputError
-from elastica_cad.forming import parallel_planes, radial_planes, section_curves
-from elastica_cad.shape_sections import shape_sections
+from elastica_cad.forming.plane_sections.cutting_planes import parallel_planes, radial_planes
+from elastica_cad.forming.plane_sections.section_curves import section_curves
+from elastica_cad.kernel.shape_sections import shape_sections
 
 
 @pytest.fixture(scope="module")

@@ -3,10 +3,16 @@
 import numpy as np
 import pytest
 
-from elastica_cad import occt
-from elastica_cad.fabrication import BentSolid, Model, Placed, Slot, Strip
-from elastica_cad.geometry import PlaneCurve
-from elastica_cad.mechanics import Rod, Sheet, optimal_rod
+from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.solids.strip_solids import BentSolid
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.kernel import occt
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
 CARD = Sheet.named("card-200gsm")
 

@@ -1,25 +1,18 @@
 """STEP files: names, colours, units and edges, read back by OpenCASCADE and by FreeCAD."""
 
 import re
-import shutil
-import subprocess
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from elastica_cad import occt, step
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication import BentSolid, FlatSolid, Frame, Strip, Tab, sheet_color
-from elastica_cad.geometry import Path as Chain
-from elastica_cad.geometry import Spline
-
-FREECAD = shutil.which("freecadcmd")
-
-
-@pytest.fixture(scope="module")
-def plain(arch_strip):
-    return Strip(arch_strip.rod, arch_strip.sheet, max_width=30, ends=(Tab(10), Tab(10)), label="plain")
+from elastica_cad.fabrication.solids.strip_solids import FlatSolid
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.paths.path import Path as Chain
+from elastica_cad.geometry.paths.segments import Spline
+from elastica_cad.kernel import occt
+from elastica_cad.kernel import step_files as step
 
 
 def entities(path, name):
@@ -44,7 +37,9 @@ def test_same_bytes_every_time(plain, tmp_path):
     seen = set()
     for number in range(8):
         solids = [occt.make_solid(FlatSolid.of(plain)) for _ in colors]
-        parts = [step.Part(f"part {k}", *pair) for k, pair in enumerate(zip(solids, colors, strict=True))]
+        parts = [
+            step.NamedShape(f"part {k}", *pair) for k, pair in enumerate(zip(solids, colors, strict=True))
+        ]
         path = tmp_path / f"{number}.step"
         step.write_step(parts, path, name="all")
         seen.add(path.read_bytes())
@@ -63,7 +58,7 @@ def entity(text, number):
 def test_outline_is_a_few_spline_edges(plain, tmp_path):
     """The flat face has 8 edges in the file itself, its two long sides one spline each."""
     path = tmp_path / "flat.step"
-    step.write_step([step.Part("flat", occt.make_face(plain.outline))], path)
+    step.write_step([step.NamedShape("flat", occt.make_face(plain.outline))], path)
     text = path.read_text()
     kinds = []
     for number in re.findall(r"= EDGE_CURVE\('',#\d+,#\d+,#(\d+),", text):
@@ -76,7 +71,7 @@ def test_outline_is_a_few_spline_edges(plain, tmp_path):
 
 def test_curves_come_back_from_a_file(curve, tilted, tmp_path):
     path = tmp_path / "curve.step"
-    step.write_step([step.Part("curve", occt.make_wire(Chain([Spline(curve)]), tilted))], path)
+    step.write_step([step.NamedShape("curve", occt.make_wire(Chain([Spline(curve)]), tilted))], path)
     (back,) = step.read_step_curves(path)
     assert back.length == pytest.approx(curve.length, rel=1e-9)
     assert back.degree == curve.degree
@@ -86,14 +81,14 @@ def test_curves_come_back_from_a_file(curve, tilted, tmp_path):
 
 
 def test_several_curves_and_a_solid_in_one_file(plain, tmp_path):
-    from elastica_cad.geometry import Arc, Line
+    from elastica_cad.geometry.paths.segments import Arc, Line
 
     path = tmp_path / "mixed.step"
     step.write_step(
         [
-            step.Part("one", occt.make_wire(Chain([Arc((0, 0), 10, 0, 2)]))),
-            step.Part("two", occt.make_wire(Chain([Line((0, 0), (30, 0))]), Frame((0, 0, 50)))),
-            step.Part("body", occt.make_solid(FlatSolid.of(plain))),
+            step.NamedShape("one", occt.make_wire(Chain([Arc((0, 0), 10, 0, 2)]))),
+            step.NamedShape("two", occt.make_wire(Chain([Line((0, 0), (30, 0))]), Frame((0, 0, 50)))),
+            step.NamedShape("body", occt.make_solid(FlatSolid.of(plain))),
         ],
         path,
     )
@@ -119,7 +114,7 @@ def test_names_in_any_script(plain, tmp_path):
     path = tmp_path / "any.step"
     name = "Bügel 'A' 竹 NEXT_ASSEMBLY_USAGE_OCCURRENCE('7'"
     shape = occt.make_solid(FlatSolid.of(plain))
-    step.write_step([step.Part(name, shape)], path)
+    step.write_step([step.NamedShape(name, shape)], path)
     document = TDocStd_Document(TCollection_ExtendedString("XmlOcaf"))
     reader = STEPCAFControl_Reader()
     reader.SetNameMode(True)
@@ -159,83 +154,10 @@ class TestBadInput:
 
     def test_only_solids(self, plain, tmp_path):
         path = tmp_path / "solid.step"
-        step.write_step([step.Part("body", occt.make_solid(FlatSolid.of(plain)))], path)
+        step.write_step([step.NamedShape("body", occt.make_solid(FlatSolid.of(plain)))], path)
         with pytest.raises(InputError, match=r"solid\.step.*no free edges"):
             step.read_step_curves(path)
 
     def test_missing_file(self, tmp_path):
         with pytest.raises(InputError, match=r"none\.step"):
             step.read_step_curves(tmp_path / "none.step")
-
-
-READER = """
-import json, sys, traceback
-try:
-    import FreeCAD, Import, Part
-    seen = {}
-    for path in PATHS:
-        shape = Part.Shape()
-        shape.read(path)
-        box = shape.BoundBox
-        names = None
-        if shape.ShapeType == "Solid":  # 0.20 without its window dies of any assembly, whoever wrote it
-            document = FreeCAD.newDocument()
-            Import.insert(path, document.Name)
-            names = [o.Label for o in document.Objects if hasattr(o, "Shape")]
-        seen[path] = {
-            "valid": shape.isValid(), "kind": shape.ShapeType, "volume": shape.Volume, "names": names,
-            "box": [box.XMin, box.YMin, box.ZMin, box.XMax, box.YMax, box.ZMax],
-            "solids": len(shape.Solids),
-        }
-    open(OUT, "w").write(json.dumps(seen))
-except BaseException:
-    traceback.print_exc()
-    sys.exit(1)
-"""
-
-
-@pytest.mark.skipif(FREECAD is None, reason="FreeCAD is not installed")
-def test_freecad_sees_the_same(arch_strip, plain, tmp_path, measure):
-    """Names, volumes and boxes by another program (with an OpenCASCADE of its own, three years older)."""
-    import json
-
-    bodies = {
-        "arch flat": FlatSolid.of(arch_strip),
-        "arch bent": BentSolid.of(arch_strip, Frame((0, 0, 0), (1, 0, 0), (0, 0, 1))),
-        "plain bent": BentSolid.of(plain),
-    }
-    paths = {}
-    for name, record in bodies.items():
-        shape = occt.make_solid(record)
-        paths[str(tmp_path / f"{name}.step")] = name, shape
-        step.write_step([step.Part(name, shape, sheet_color(plain.sheet))], tmp_path / f"{name}.step")
-    whole = tmp_path / "whole.step"
-    step.write_strip_step(arch_strip, whole)
-    script, out = tmp_path / "reader.py", tmp_path / "seen.json"
-    script.write_text(READER.replace("PATHS", repr([*paths, str(whole)])).replace("OUT", repr(str(out))))
-    subprocess.run(
-        [FREECAD, str(script)], stdin=subprocess.DEVNULL, capture_output=True, timeout=120, check=True
-    )
-    seen = json.loads(out.read_text())
-    volumes = {name: measure.volume(shape, bent=False) for name, shape in paths.values()}
-    assert seen[str(whole)]["solids"] == 2
-    assert seen[str(whole)]["volume"] == pytest.approx(volumes["arch flat"] + volumes["arch bent"], rel=1e-4)
-    for path, (name, shape) in paths.items():
-        found = seen[path]
-        assert found["valid"]
-        assert found["kind"] == "Solid"
-        assert found["names"] == [name]
-        assert found["volume"] == pytest.approx(volumes[name], rel=1e-7)
-        assert found["box"] == pytest.approx(box_of(shape), abs=0.02)
-
-
-def box_of(shape):
-    from OCP.Bnd import Bnd_Box
-    from OCP.BRepBndLib import BRepBndLib
-
-    box = Bnd_Box()
-    BRepBndLib.Add_s(shape, box)
-    return [
-        *(getattr(box.CornerMin(), axis)() for axis in "XYZ"),
-        *(getattr(box.CornerMax(), axis)() for axis in "XYZ"),
-    ]

@@ -2,16 +2,11 @@
 
 import numpy as np
 import pytest
-
-pytest.importorskip("OCP")
-pytest.importorskip("click")
-pytest.importorskip("ezdxf")
-
 from click.testing import CliRunner
 
 import elastica_cad as ec
 from elastica_cad.cli.commands import elastica
-from elastica_cad.step import Part, write_step
+from elastica_cad.kernel.step_files import NamedShape, write_step
 
 
 def run(*arguments):
@@ -22,7 +17,7 @@ def run(*arguments):
 def torus(tmp_path):
     from OCP.BRepPrimAPI import BRepPrimAPI_MakeTorus
 
-    write_step([Part("ring", BRepPrimAPI_MakeTorus(120.0, 40.0).Shape())], tmp_path / "ring.step")
+    write_step([NamedShape("ring", BRepPrimAPI_MakeTorus(120.0, 40.0).Shape())], tmp_path / "ring.step")
     return tmp_path / "ring.step"
 
 
@@ -70,7 +65,7 @@ def test_files_without_a_surface(tmp_path):
     from OCP.gp import gp_Pnt
 
     write_step(
-        [Part("edge", BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 0), gp_Pnt(90, 0, 0)).Shape())],
+        [NamedShape("edge", BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 0), gp_Pnt(90, 0, 0)).Shape())],
         tmp_path / "e.step",
     )
     (tmp_path / "bad.step").write_text("nonsense")

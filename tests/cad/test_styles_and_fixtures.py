@@ -3,12 +3,18 @@
 import numpy as np
 import pytest
 
-from elastica_cad import occt, step
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication import BentSolid, FlatSolid, Hole, Laminated, Model, Perforated, Placed, Tab
-from elastica_cad.fabrication.making import make_strip
-from elastica_cad.geometry import PlaneCurve
-from elastica_cad.mechanics import Sheet
+from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
+from elastica_cad.fabrication.strip.lamination import Laminated
+from elastica_cad.fabrication.strip.perforation import Perforated
+from elastica_cad.fabrication.strip.tabs import Hole, Tab
+from elastica_cad.fabrication.strip_spec import make_strip
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.kernel import occt
+from elastica_cad.kernel import step_files as step
+from elastica_cad.mechanics.material.sheet import Sheet
 
 ARCH = PlaneCurve.spline([(20, 0), (40, 60), (70, 80), (120, 60), (150, 0)])
 ENDS = (Tab(14, holes=(Hole(7, 3),)), Tab(14, holes=(Hole(7, 3),)))

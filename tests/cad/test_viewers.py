@@ -3,10 +3,13 @@
 import numpy as np
 import pytest
 
-from elastica_cad.fabrication import Hole, Laminated, Model, Placed, Tab
-from elastica_cad.fabrication.making import make_strip
-from elastica_cad.geometry import PlaneCurve
-from elastica_cad.mechanics import Sheet
+from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.strip.lamination import Laminated
+from elastica_cad.fabrication.strip.tabs import Hole, Tab
+from elastica_cad.fabrication.strip_spec import make_strip
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.material.sheet import Sheet
 
 ARCH = PlaneCurve.spline([(20, 0), (40, 60), (70, 80), (120, 60), (150, 0)])
 PLY = Sheet.named("birch-plywood-0.8")
@@ -118,5 +121,5 @@ class TestCadQuery:
     def test_joints_are_no_dict(self):
         """ocp_vscode takes a dict called joints for build123d's, whose values have symbols to draw."""
         shape = self.shown()[0]
-        assert set(shape.joints) == {"start", "end", "hole1"}
+        assert set(shape.joints) == {"start", "end", "hole1", "hole1:top", "hole1:bottom"}
         assert not isinstance(shape.joints, dict)

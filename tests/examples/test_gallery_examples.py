@@ -10,8 +10,8 @@ import pytest
 from scipy.integrate import trapezoid
 
 import elastica_cad as ec
-from elastica_cad.fabrication import CUT_OUTER
-from elastica_cad.formats.design import read_design
+from elastica_cad.fabrication.drawings.drawing import CUT_OUTER
+from elastica_cad.formats.design_files.design_file import read_design
 
 CARD = ec.Sheet.named("card-200gsm")
 REALIZED = 0.1  # mm between the bent strip as made and its design
@@ -92,9 +92,9 @@ def test_strips_keep_their_shape(name, built):
         verdict = ec.stability(strip.rod)
         assert verdict.stable
         assert verdict.margin > (0.0 if name in ("spiral", "vase", "pavilion") else 5.0 - 1e-2)
-        assert strip.deviation_as_made < (0.3 if strip.slots else REALIZED)
+        assert strip.deviation_as_built < (0.3 if strip.slots else REALIZED)
         if strip.slots:
-            assert replace(strip, slots=()).deviation_as_made < REALIZED
+            assert replace(strip, slots=()).deviation_as_built < REALIZED
         assert strip.max_strain <= strip.strain_limit * (1 + 1e-6)
 
 
@@ -149,8 +149,8 @@ def test_windings_of_the_spiral_keep_apart(built, collisions):
 def test_the_pavilion_collides_in_its_slots_only(built, collisions):
     """In the shape that mates hold each other in: sheets cross where one of them is slotted, and nowhere else."""
     model = built("pavilion")
-    plain = [collisions.band(one, as_made=False) for one in model.placed]
-    slotted = [collisions.band(one, as_made=False, slots=True) for one in model.placed]
+    plain = [collisions.band(one, as_built=False) for one in model.placed]
+    slotted = [collisions.band(one, as_built=False, slots=True) for one in model.placed]
     near = [(i, j) for i, j in combinations(range(31), 2) if j - i <= 3]
     crossing = {pair for pair in near if collisions.overlap(*(plain[i] for i in pair)) > 0}
     assert crossing == {joint.members for joint in model.joints}
@@ -162,12 +162,12 @@ def test_the_pavilion_collides_in_its_slots_only(built, collisions):
 def test_collisions_are_found(shift, collisions):
     """Two flat strips that cross at a right angle, and side by side with 3 mm between."""
     strip = ec.Strip(ec.Rod.straight(60.0), CARD, max_width=10, ends=(ec.Tab(5), ec.Tab(5)))
-    one = collisions.band(ec.Placed(strip), as_made=False)
+    one = collisions.band(ec.Placed(strip), as_built=False)
     through = ec.Placed(strip, (30.0 + shift, -30.0, 0.0), (0, 1, 0), (-1, 0, 0))
-    assert collisions.overlap(one, collisions.band(through, as_made=False)) == pytest.approx(4.95, abs=0.1)
-    beside = collisions.band(ec.Placed(strip, (shift, 0.0, 13.0)), as_made=False)
+    assert collisions.overlap(one, collisions.band(through, as_built=False)) == pytest.approx(4.95, abs=0.1)
+    beside = collisions.band(ec.Placed(strip, (shift, 0.0, 13.0)), as_built=False)
     assert collisions.clearance(one, beside) == pytest.approx(2.8, abs=1e-6)
-    above = collisions.band(ec.Placed(strip, (shift, 1.0, 0.0)), as_made=False)
+    above = collisions.band(ec.Placed(strip, (shift, 1.0, 0.0)), as_built=False)
     assert collisions.clearance(one, above) == pytest.approx(0.8, abs=1e-6)
     assert collisions.overlap(one, above) == 0
 
@@ -216,7 +216,7 @@ def test_every_tab_finds_its_slot_in_a_ring(name, deep, built):
     for end, ring in zip(("start", "end"), model.plates, strict=True):
         assert len(ring.slots) == len(model.placed)
         for one, slot in zip(model.placed, ring.slots, strict=True):
-            tab = ec.HeldTab.of(one.strip, end, one.frame)
+            tab = ec.fabrication.PlacedTab.of(one.strip, end, one.frame)
             corners, middle = ring.frame.local(tab.edges), ring.frame.local(tab.tip)
             assert middle[2] < -deep
             step = (middle - ring.frame.local(tab.frame.origin)) / tab.length
@@ -235,7 +235,7 @@ def test_the_carpet_hovers(built):
         assert rod.gravity is not None
         assert rod.position[:, 1].min() >= 2.0 - 1e-6
         assert rod.curve.inflections.size == 2
-        bent = ec.bend(placed.strip.as_made)
+        bent = ec.bend(placed.strip.as_built)
         lowest = int(np.argmin(bent.position[:, 1]))
         assert 1.9 < bent.position[lowest, 1] < 6.0
         first, second = rod.curve.inflections
@@ -249,15 +249,16 @@ def test_the_lamp_stays_under_its_strain_limit(built):
         assert strip.max_strain <= 0.9 * birch.max_strain
 
 
-def test_the_flower_pot_on_the_published_surface(example, shared_data):
-    pytest.importorskip("trimesh")
-    file = shared_data / "hafner" / "flower-pot" / "flower-pot.obj"
-    model = example("flower_pot")["build"](ec.read_mesh(file, unit="cm").scaled(6.0), least_radius=None)
+def test_the_flower_pot_on_the_published_surface(example, reference_data):
+    file = reference_data / "hafner" / "flower-pot" / "flower-pot.obj"
+    model = example("flower_pot")["build"](
+        ec.formats.read_mesh(file, unit="cm").scaled(6.0), least_radius=None
+    )
     assert len(model.placed) == 16
     for strip in model.strips:
         assert strip.rod.ratio <= 3.5 * (1 + 1e-6)
         assert ec.stability(strip.rod).stable
-        assert strip.deviation_as_made < REALIZED
+        assert strip.deviation_as_built < REALIZED
         # its radii of 13 mm and more are too tight for card, as the paper built it
         assert 1 < strip.max_strain / strip.strain_limit < 2.5
         assert any("beyond the 0.50 %" in text for text in strip.warnings)
@@ -275,7 +276,7 @@ def test_fins_on_their_way_do_not_collide_or_break(opened, example, fins, collis
     model = example("facade")["build"](opened, fins)
     for placed, fin in zip(model.placed, fins, strict=True):
         assert placed.strip.width.extremes == pytest.approx(fin.strip.width.extremes, rel=1e-9)
-        assert placed.strip.deviation_as_made < REALIZED
+        assert placed.strip.deviation_as_built < REALIZED
         assert ec.stability(placed.strip.rod).stable
         assert placed.strip.max_strain <= placed.strip.strain_limit
     bands = [collisions.band(one) for one in model.placed]
@@ -336,10 +337,10 @@ def test_projective_maps_keep_curves_realizable(example):
     assert all(ec.bend(ec.optimal_rod(curve)).residual < 1e-3 for curve in (before, after))
 
 
-def test_the_six_published_surfaces_of_revolution(example, shared_data):
+def test_the_six_published_surfaces_of_revolution(example, reference_data):
     """The numbers are those of Fig. 22, in other sizes; each is closed by its strips, which hold their shape."""
     names = example("revolution")
-    published = json.loads((shared_data / "reference" / "revolution.json").read_text())["examples"]
+    published = json.loads((reference_data / "reference" / "revolution.json").read_text())["examples"]
     for (label, surface), record in zip(names["SURFACES"].items(), published, strict=True):
         assert surface.a == record["a"]
         assert surface.b == pytest.approx(record["b"])
@@ -358,7 +359,7 @@ def test_surfaces_of_revolution_can_be_made(example, collisions):
         model = surface.model(label)
         strip = model.strips[0]
         assert ec.stability(strip.rod).stable
-        assert strip.deviation_as_made < REALIZED
+        assert strip.deviation_as_built < REALIZED
         assert strip.max_strain <= strip.strain_limit
         first, second = (collisions.band(one) for one in model.placed[:2])
         assert collisions.overlap(first, second) < 1e-3
@@ -389,7 +390,7 @@ def test_the_table_comes_from_a_run(project_root):
     assert len(cells) == 12
     asked, made = (float(cell.split()[0]) for cell in cells[6:8])
     assert asked == pytest.approx(max(near.deviation for near in found), abs=6e-4)
-    assert made == pytest.approx(max(strip.deviation_as_made for strip in model.strips), abs=6e-4)
+    assert made == pytest.approx(max(strip.deviation_as_built for strip in model.strips), abs=6e-4)
     table = (project_root / "examples" / "gallery.md").read_text()
     assert all(f"| {name.replace('_', ' ')} |" in table for name in names["PAPER"])
 

@@ -7,15 +7,12 @@ import json
 import numpy as np
 import pytest
 import shapely
-
-pytest.importorskip("ezdxf")
-
 from click.testing import CliRunner
 
 from elastica_cad.cli.commands import elastica
-from elastica_cad.fabrication import CUT_OUTER
+from elastica_cad.fabrication.drawings.drawing import CUT_OUTER
 from elastica_cad.files import read_curves
-from elastica_cad.formats.design import read_design
+from elastica_cad.formats.design_files.design_file import read_design
 
 MARGIN = 2.0
 
@@ -46,14 +43,14 @@ def test_it_is_the_published_one(design, model):
     assert sum(len(strip.slots) for strip in model.strips) == 102
     ratios = [model.strips[i].rod.ratio for i in (0, 15)]
     assert ratios == pytest.approx([2.11702, 1.20212], abs=2e-5)
-    for wish in design.wishes:
+    for wish in design.entries:
         ends = wish.frame.point(wish.curve.evaluate(np.array(wish.curve.domain)))
         assert ends[:, 2] == pytest.approx([0, 0], abs=1e-9)
         assert np.hypot(*wish.frame.origin[:2]) == pytest.approx(800)
 
 
 def test_no_loops_come_closer_than_the_margin(model, design):
-    nests = model.nest(sheet_size=design.nesting.sheet_size, margin=MARGIN)
+    nests = model.nest(sheet_size=design.kit.nesting.sheet_size, margin=MARGIN)
     for nest in nests:
         shapes = [shapely.Polygon(path.points(1e-3)) for path in nest.on(CUT_OUTER)]
         assert all(shape.is_valid for shape in shapes)
@@ -67,7 +64,7 @@ def test_no_loops_come_closer_than_the_margin(model, design):
 
 def test_rows_are_filled_to_80_percent(model, design):
     """Of the rows' area, and no more sheets than rows of whole strips need."""
-    nests = model.nest(sheet_size=design.nesting.sheet_size, margin=MARGIN)
+    nests = model.nest(sheet_size=design.kit.nesting.sheet_size, margin=MARGIN)
     assert sum(n.filled for n in nests) / sum(n.used for n in nests) > 0.8
     assert len(nests) == -(-31 // int((400 - MARGIN) // (45 + MARGIN)))
 
@@ -91,7 +88,7 @@ def test_the_cut_list_names_every_file(folder):
 
 
 def test_the_base_has_a_slot_for_every_tab(model, design):
-    base = design.base_plate(model)
+    base = design.kit.base_plate(model)
     assert len(base.slots) == 62
     assert min(slot.size[1] for slot in base.slots) == pytest.approx(0.7)
     assert [slot.size[0] for slot in base.slots] == pytest.approx([19.0] * 62)

@@ -9,13 +9,20 @@ from typing import Any
 
 ROOT = Path(__file__).resolve().parents[2]
 SCRIPTS = Path(__file__).resolve().parent / "scripts"
+STYLE_SHEETS = (Path("/usr/share/freecad/Gui/Stylesheets"), Path("/usr/share/freecad/Gui"))
 SCREEN = "-screen 0 1400x900x24 -dpi 96 +extension GLX"
 
 CONFIG = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 <FCParameters><FCParamGroup Name="Root"><FCParamGroup Name="BaseApp"><FCParamGroup Name="Preferences">
 <FCParamGroup Name="General"><FCText Name="AutoloadModule">PartWorkbench</FCText>{language}</FCParamGroup>
-</FCParamGroup></FCParamGroup></FCParamGroup></FCParameters>
+{theme}</FCParamGroup></FCParamGroup></FCParamGroup></FCParameters>
 """
+
+DARK = """<FCParamGroup Name="MainWindow"><FCText Name="StyleSheet">{sheet}</FCText>
+<FCText Name="Theme">FreeCAD Dark</FCText></FCParamGroup>
+<FCParamGroup Name="View"><FCUInt Name="BackgroundColor2" Value="555819519"/>
+<FCUInt Name="BackgroundColor3" Value="555819519"/>
+<FCUInt Name="BackgroundColor4" Value="555819519"/></FCParamGroup>"""
 
 
 def make_home(folder: Path, *, addon: bool = True) -> dict[str, str]:
@@ -48,13 +55,20 @@ def run_console(script: str, folder: Path, *, addon: bool = True, **variables: s
     )
 
 
-def run_window(script: str, folder: Path, timeout: float = 240, language: str = "") -> dict[str, Any]:
+def run_window(
+    script: str, folder: Path, timeout: float = 240, language: str = "", theme: str = "", **variables: str
+) -> dict[str, Any]:
     """Run a script in FreeCAD on a screen of its own; its answers."""
     config = folder / "user.cfg"
     words = f'<FCText Name="Language">{language}</FCText>' if language else ""
-    config.write_text(CONFIG.format(language=words))
-    start = ["xvfb-run", "-a", "-s", SCREEN, program("freecad"), "-u", str(config), str(SCRIPTS / script)]
-    return _run(start, folder, timeout, make_home(folder))
+    dark = DARK.format(sheet=_dark_sheet()) if theme == "dark" else ""
+    config.write_text(CONFIG.format(language=words, theme=dark))
+    managed = (
+        'openbox --sm-disable & exec "$0" "$@"'  # windows get the keys, and stand where a person has them
+    )
+    freecad = [program("freecad"), "-u", str(config), str(SCRIPTS / script)]
+    start = ["xvfb-run", "-a", "-s", SCREEN, "sh", "-c", managed, *freecad]
+    return _run(start, folder, timeout, make_home(folder) | variables)
 
 
 def _run(command: list[str], folder: Path, timeout: float, environment: dict[str, str]) -> dict[str, Any]:
@@ -74,3 +88,10 @@ def _run(command: list[str], folder: Path, timeout: float, environment: dict[str
     found = json.loads(answers.read_text())
     assert "error" not in found, f"{found['error']}\n{said}"
     return dict(found)
+
+
+def _dark_sheet() -> str:
+    """The dark style sheet that this FreeCAD brings."""
+    folder = next(f for f in STYLE_SHEETS if f.is_dir())
+    names = [path.name for path in folder.rglob("*.qss")]
+    return next(name for name in ("FreeCAD.qss", "Dark-blue.qss", "FreeCAD Dark.qss") if name in names)

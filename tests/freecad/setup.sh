@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Installs Debian's FreeCAD and a screen without a monitor, where that is missing and allowed; says how where it is not.
 set -euo pipefail
-PACKAGES=(freecad xvfb xauth xdotool imagemagick)
+PACKAGES=(freecad xvfb xauth xdotool openbox imagemagick)
 
 missing=0
-for program in freecadcmd xvfb-run xdotool import; do
+for program in freecadcmd xvfb-run xdotool openbox import; do
 	command -v "$program" >/dev/null || missing=1
 done
 [ "$missing" = 0 ] && exit 0

@@ -9,7 +9,8 @@ import Part
 import pytest
 
 import elastica_cad as ec
-from elastica_cad.fabrication import CUT_INNER, CUT_OUTER, Hole
+from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER
+from elastica_cad.fabrication.strip.tabs import Hole
 
 
 @pytest.fixture

@@ -2,10 +2,10 @@
 
 import FreeCAD as App
 import pytest
-from freecad.elastica_wb.cutting import pieces_of, write_cutting_files
+from freecad.elastica_wb.export.cutting_files import pieces_of, write_cutting_files
 from freecad.elastica_wb.features import baseplate, fixtures, flat, model, nest, strip
-from freecad.elastica_wb.prisms import make_block
-from freecad.elastica_wb.shapes import make_solid
+from freecad.elastica_wb.shapes.part_shapes import make_solid
+from freecad.elastica_wb.shapes.prism_blocks import make_block
 
 ARCH = [(-75, 0), (-50, 60), (0, 95), (50, 60), (75, 0)]
 

@@ -2,20 +2,27 @@
 
 import numpy as np
 import pytest
-from freecad.elastica_wb.design import Wish, solved
-from freecad.elastica_wb.picture import comb_scale, curve_picture, sentence_of, width_lines
+from freecad.elastica_wb.live.curve_picture import comb_scale, curve_picture, width_lines
+from freecad.elastica_wb.live.verdict import sentence_of
+from freecad.elastica_wb.solving.strip_cache import solve_strip
 
-from elastica_cad.geometry import PlaneCurve
-from elastica_cad.mechanics import NotRealizable, Sheet, check_equilibrium
+from elastica_cad.fabrication.strip_spec import StripSpec
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 
-WISH = Wish(Sheet.named("birch-plywood-0.8"), max_width=30.0)
 ARCH = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
 WAVE = PlaneCurve.spline([(0, 0), (25, 55), (60, 45), (95, -50), (130, -40), (150, 0)])
 SNAKE = PlaneCurve.spline([(0, 0), (40, 60), (80, -60), (120, 60), (160, -10), (200, 90)])
 
 
+def asked(curve):
+    return StripSpec(curve, Sheet.named("birch-plywood-0.8"), max_width=30.0)
+
+
 def test_an_arch_has_a_comb_and_no_line():
-    picture = curve_picture(ARCH, WISH)
+    picture = curve_picture(ARCH, asked(ARCH))
     assert picture.realizable
     assert picture.line is None
     assert picture.on_line.shape == (0, 2)
@@ -29,28 +36,28 @@ def test_an_arch_has_a_comb_and_no_line():
 
 
 def test_a_wave_has_its_inflection_on_the_line():
-    picture = curve_picture(WAVE, WISH)
+    picture = curve_picture(WAVE, asked(WAVE))
     assert picture.realizable
     assert picture.on_line == pytest.approx(WAVE.at(WAVE.inflections).position)
     a, b = picture.line
     along, off = (b - a) / np.hypot(*(b - a)), picture.on_line[0] - a
     assert abs(along[0] * off[1] - along[1] * off[0]) < 1e-9
-    assert picture.sentence.endswith(".")
+    assert picture.answer.sentence.endswith(".")
 
 
 def test_inflections_off_the_line_say_how_far():
-    picture = curve_picture(SNAKE, WISH)
+    picture = curve_picture(SNAKE, asked(SNAKE))
     check = check_equilibrium(SNAKE)
     assert len(check.inflections) >= 2
     assert picture.realizable is check.realizable is False
     off = {s: d for s, d in check.off_line if abs(d) > 1e-4 * check.length}
     assert len(picture.off_line) == len(off) >= 2
     assert [words for _, words in picture.distances] == [f"{abs(d):.3g} mm" for d in off.values()]
-    assert picture.sentence == check.reasons[0]
+    assert picture.answer.sentence == check.reasons[0]
 
 
 def test_the_width_lies_along_the_curve():
-    strip = solved(ARCH, WISH)
+    strip = solve_strip(asked(ARCH))
     left, right = width_lines(strip, 41)
     s = np.linspace(0, ARCH.length, 41)
     assert np.hypot(*(left - right).T) == pytest.approx(strip.width(s), abs=1e-6)
@@ -60,9 +67,9 @@ def test_the_width_lies_along_the_curve():
 
 def test_bad_curves_are_one_sentence():
     closed = PlaneCurve.ellipse((0, 0), (50, 30))
-    picture = curve_picture(closed, WISH)
+    picture = curve_picture(closed, asked(closed))
     assert picture.realizable is False
-    assert "closed" in picture.sentence
+    assert "closed" in picture.answer.sentence
     with pytest.raises(NotRealizable) as caught:
-        solved(SNAKE, WISH)
+        solve_strip(asked(SNAKE))
     assert sentence_of(caught.value) == check_equilibrium(SNAKE).reasons[0]

@@ -41,6 +41,27 @@ def test_without_the_workbench(tmp_path):
     assert found["volumes"]["Flat"] == pytest.approx(3659.1, rel=1e-3)
 
 
+def test_files_of_earlier_versions_in_a_window(tmp_path):
+    data = Path(__file__).parent / "data"
+    found = launching.run_window("reopen.py", tmp_path, ELASTICA_TEST_FILES=str(data))
+    assert {name: len(objects) for name, objects in found.items()} == {
+        "every-feature-0.1": 15,
+        "strip-0.1": 2,
+    }
+    kinds = set()
+    for objects in found.values():
+        for name, one in objects.items():
+            module, kind = one["proxy"].rsplit(".", 1)
+            kinds.add(kind)
+            assert module.startswith("freecad.elastica_wb.features.")
+            assert one["view"] == f"freecad.elastica_wb.features.views.{kind.replace('Feature', 'View')}"
+            assert one["icon"]
+            assert one["state"] == ["Up-to-date"], (name, one["said"])
+            before, after = one["volumes"]
+            assert after == pytest.approx(before, rel=1e-5), name
+    assert len(kinds) == 6
+
+
 def test_dragging_in_the_sketcher(tmp_path):
     found = launching.run_window("drag.py", tmp_path)
     assert found["usable"]
@@ -70,7 +91,7 @@ def test_dragging_in_the_sketcher(tmp_path):
 def test_every_command(tmp_path):
     found = launching.run_window("commands.py", tmp_path)
     assert found["workbench"] == "ElasticaWorkbench"
-    assert len(found["known"]) == 16
+    assert len(found["known"]) == 17
     assert "mm" in found["strip panel"]
     assert "can take this curve" in found["check"]
     assert found["check overlay"]["comb"] > 100
@@ -79,7 +100,8 @@ def test_every_command(tmp_path):
     assert found["perforated"][0] == ["Up-to-date"]
     assert found["perforated"][1] > 30
     assert found["laminated"] == [["Up-to-date"], 2, 1]
-    assert "Joints: 1" in found["joints"]
+    assert "Joints" in found["joints"]
+    assert "<b>1</b>" in found["joints"]
     assert "no tab" in found["no plate"]
     assert found["fixtures"] == 4
     assert found["nest"] == [["Up-to-date"], 1]
@@ -121,7 +143,7 @@ def test_every_command(tmp_path):
     assert found["strips of sections"] == [[["Up-to-date"], True]] * 3
     assert found["bar"] == ["Bending the strip"]
     assert "stopped" in found["cancelled"]
-    assert found["told"].startswith("Select a sketch")
+    assert found["usable with nothing"] is False
 
 
 def test_in_german(tmp_path):
@@ -134,23 +156,24 @@ def test_in_german(tmp_path):
 
 def test_in_inches(tmp_path):
     found = launching.run_window("inches.py", tmp_path)
-    assert found["preferences"] == ["inch", "R2000", pytest.approx(0.2)]
-    assert found["shown"] == "1.1811 in"
-    assert found["in its row"]
-    assert found["typed"] == pytest.approx([19.05, 20, 12.7, 12.7], abs=1e-4)
-    assert found["looked at"] == ["0.03150 in", 0.8]
-    assert found["stepped"][1] > 12.7
+    assert found["preferences"] == ["R2000", pytest.approx(0.2)]
+    assert "1.18" in found["shown"]
+    assert found["typed"] == pytest.approx([19.05, 20, 12.7], abs=0.13), "1.1 keeps two digits of an inch"
+    assert found["looked at"] == 0.8
+    assert found["stepped"] > 12.7
     assert " in" in found["numbers"]
     assert " mm" not in found["numbers"]
-    assert found["typed beside mm"] == ["19.05 mm", pytest.approx(19.05)]
+    assert found["wheel"] == found["before the wheel"], "a wheel over a box without focus changes nothing"
+    assert found["expression"] == [pytest.approx(25.4), True]
+    assert found["elsewhere"] == pytest.approx(33.0, abs=0.13), "FreeCAD's box shows two digits of an inch"
     assert " in, birch" in found["cut list"]
-    assert found["kerf"] == ["0.00787 in", pytest.approx(0.2)]
+    assert found["kerf"] == pytest.approx(0.2)
     assert found["version"] == "R2000"
     assert "in wide" in found["advice"]
 
 
 def test_a_hostile_user(tmp_path):
-    found = launching.run_window("hostile.py", tmp_path)
+    found = launching.run_window("hostile.py", tmp_path, timeout=600)
     assert found["trouble"] == []
     assert len(found["times"]) == 14 * 5 + 5
     assert "is empty" in found["empty in edit"]
@@ -164,3 +187,50 @@ def test_a_hostile_user(tmp_path):
         assert words in said
     assert found["kerf of a new panel"] == pytest.approx(0.3)
     assert found["sheet of a new panel"] == "birch-plywood-0.8"
+
+
+def check_first_use(found):
+    assert found["grey at first"] == ["Elastica_Strip", "Elastica_Live"]
+    assert found["session in the new sketch"]
+    assert found["remembers"]
+    assert found["overlay"]["comb"] > 300
+    assert found["overlay"]["width"] > 100
+    assert found["frames while dragging"] >= 5, "the overlay does not follow the mouse"
+    assert found["pole moved"]
+    assert found["closed"] == [True, True]
+    assert found["back in"] == "ElasticaWorkbench"
+    assert found["strip"][0] == ["Up-to-date"]
+    assert {Path(name).suffix for name in found["files"]} == {".dxf", ".svg", ".step", ".csv"}
+    assert all(name in found["told"] for name in found["files"])
+    assert found["comb of FreeCAD"], "FreeCAD's own comb is as it was"
+
+
+def test_first_use_by_mouse_and_keyboard(tmp_path):
+    found = launching.run_window("first_use.py", tmp_path)
+    check_first_use(found)
+    assert found["verdict"] == "can"
+
+
+def test_first_use_in_german_and_in_the_dark(tmp_path):
+    found = launching.run_window("first_use.py", tmp_path, language="German", theme="dark")
+    check_first_use(found)
+    assert found["verdict"] == "geht"
+
+
+def test_every_button_in_every_state(tmp_path):
+    found = launching.run_window("states.py", tmp_path, timeout=600)
+    assert found["trouble"] == []
+    assert found["pressed"] > 30
+    grey = found["grey"]
+    assert "Elastica_Strip" in grey["nothing"]
+    assert "Elastica_Strip" not in grey["a_sketch"]
+    assert not {"Elastica_Live", "Elastica_Check", "Elastica_Strip", "Elastica_Nearest"} & set(
+        grey["an_open_sketch"]
+    )
+    assert "Elastica_Export" not in grey["a_strip"]
+    assert {"Elastica_Strip", "Elastica_Export"} <= set(grey["foreign"])
+    assert found["undo of a box"][0] == [], "nothing that was not changed is made anew"
+    assert found["undo of a curve"][1]
+    assert set(found["edited"]) == {
+        f"{kind}Feature" for kind in ("Strip", "Model", "Flat", "Fixtures", "BasePlate", "Nest")
+    }

@@ -2,15 +2,11 @@
 
 import ast
 import re
-import sys
 from pathlib import Path
 from xml.etree import ElementTree
 
 import FreeCAD as App
 import pytest
-from freecad.elastica_wb import libraries
-
-from elastica_cad.errors import MissingDependencyError
 
 ROOT = Path(__file__).resolve().parents[2]
 CODE = ROOT / "freecad_workbench" / "freecad" / "elastica_wb"
@@ -19,22 +15,28 @@ LANGUAGES = ("de", "zh-CN")
 
 
 def words_of_code():
-    """Context and text of all words that are translated."""
+    """Context and text of all words that are translated, as lupdate reads them; property texts too."""
     for path in CODE.rglob("*.py"):
-        for node in ast.walk(ast.parse(path.read_text())):
-            if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "tr":
-                if isinstance(node.args[0], ast.Constant):
-                    yield "Elastica", node.args[0].value
-            elif isinstance(node, ast.ClassDef) and any(
-                getattr(b, "id", "") == "Command" for b in node.bases
-            ):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Call):
+                called = getattr(node.func, "id", getattr(node.func, "attr", ""))
+                words = [a.value for a in node.args if isinstance(a, ast.Constant)]
+                if called == "tr" and words and isinstance(node.args[0], ast.Constant):
+                    yield "Elastica", words[0]
+                elif called in ("QT_TRANSLATE_NOOP", "translate") and len(words) == len(node.args) == 2:
+                    yield tuple(words)
+                elif called == "Property":
+                    yield "App::Property", words[3]
+            elif isinstance(node, ast.ClassDef):
                 said = {
-                    line.targets[0].id: line.value.value
+                    line.targets[0].id: line.value
                     for line in node.body
-                    if isinstance(line, ast.Assign) and isinstance(line.value, ast.Constant)
+                    if isinstance(line, ast.Assign) and isinstance(line.targets[0], ast.Name)
                 }
-                yield said["name"], said["text"]
-                yield said["name"], said["tip"]
+                if {"name", "text", "tip"} <= set(said) and getattr(said["text"], "value", ""):
+                    name = getattr(said["name"], "value", "Elastica_Live")
+                    yield name, said["text"].value
+                    yield name, said["tip"].value
 
 
 def words_of_panels():
@@ -111,31 +113,28 @@ def test_package_for_the_addon_manager():
     assert "<pythonmin>3.11</pythonmin>" in text
     required = re.findall(r'<depend type="python">(\w+)<', text)
     optional = re.findall(r'<depend type="python" optional="true">(\w+)<', text)
-    assert (required, optional) == (["numpy", "scipy"], ["ezdxf", "highspy"])
+    assert (required, optional) == (["numpy", "scipy"], ["ezdxf"]), "what the Addon Manager may install"
+    kinds = set(re.findall(r'<url type="(\w+)"', text))
+    assert kinds == {"repository", "readme", "bugtracker", "documentation"}
+    readme = re.search(r'<url type="readme">https://[^<]*/blob/main/([^<]+)<', text)[1]
+    assert "Elastica in FreeCAD" in (ROOT / readme).read_text(encoding="utf-8")
 
 
-@pytest.mark.parametrize("code", [0, 1])
-def test_libraries_are_installed_beside_freecads_numpy(tmp_path, monkeypatch, code):
-    pip = tmp_path / "python"
-    pip.write_text(f'#!/bin/sh\necho "$@" > {tmp_path}/asked\necho "no network here" >&2\nexit {code}\n')
-    pip.chmod(0o755)
-    monkeypatch.setattr(libraries, "_python", lambda: str(pip))
-    monkeypatch.setattr(libraries, "folder", lambda: tmp_path / "packages")
-    monkeypatch.setattr(sys, "path", list(sys.path))
-    if code == 0:
-        libraries.install(["highspy"])
-        assert str(tmp_path / "packages") in sys.path
-    else:
-        with pytest.raises(MissingDependencyError, match="could not install highspy: no network here"):
-            libraries.install(["highspy"])
-    asked = (tmp_path / "asked").read_text().split()
-    assert asked[-1] == "highspy"
-    assert "--no-deps" in asked
-    assert "numpy" not in asked
+def test_sources_say_their_licence():
+    for path in CODE.rglob("*.py"):
+        head = path.read_text(encoding="utf-8").splitlines()[:2]
+        assert head == [
+            "# SPDX-License-Identifier: MIT",
+            "# SPDX-FileNotice: Part of the Elastica addon.",
+        ], path
 
 
-def test_no_pip_is_a_sentence(tmp_path, monkeypatch):
-    monkeypatch.setattr(libraries, "_python", lambda: str(tmp_path / "nothing"))
-    monkeypatch.setattr(libraries, "folder", lambda: tmp_path / "packages")
-    with pytest.raises(MissingDependencyError, match="no Python with pip"):
-        libraries.install(["ezdxf"])
+def test_names_and_texts_that_every_system_takes():
+    for path in [*CODE.rglob("*"), *RESOURCES.rglob("*")]:
+        assert re.fullmatch(r"[A-Za-z0-9_.-]+", path.name), path
+    for path in CODE.rglob("*.py"):
+        text = path.read_text(encoding="utf-8")
+        for node in ast.walk(ast.parse(text)):
+            if isinstance(node, ast.Call) and getattr(node.func, "attr", "") in ("read_text", "write_text"):
+                assert "encoding" in [word.arg for word in node.keywords], path
+        assert not re.search(r"import (pip|subprocess)|-m pip", text), path

@@ -5,8 +5,7 @@ import Mesh
 import numpy as np
 import Part
 import pytest
-from freecad.elastica_wb.features import strip
-from freecad.elastica_wb.sections import (
+from freecad.elastica_wb.curves.plane_sections import (
     CLOSED,
     Family,
     chosen_bodies,
@@ -15,6 +14,7 @@ from freecad.elastica_wb.sections import (
     path_points,
     section_sketches,
 )
+from freecad.elastica_wb.features import strip
 
 from elastica_cad.errors import InputError, NotConvergedError
 

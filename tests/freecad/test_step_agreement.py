@@ -2,10 +2,10 @@
 
 import Part
 import pytest
-from freecad.elastica_wb.cutting import write_cutting_files
+from freecad.elastica_wb.export.cutting_files import write_cutting_files
 from freecad.elastica_wb.features import strip
 
-from elastica_cad.step import write_strip_step
+from elastica_cad.kernel.step_files import write_strip_step
 
 WAVE = [(0, 0), (40, 60), (80, -60), (120, 0)]
 

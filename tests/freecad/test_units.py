@@ -5,19 +5,20 @@ from xml.etree import ElementTree
 
 import FreeCAD as App
 import pytest
-from freecad.elastica_wb import preferences
 from freecad.elastica_wb.features import strip
-from freecad.elastica_wb.units import Unit, shown_unit, worded
+from freecad.elastica_wb.host import preferences
+from freecad.elastica_wb.host.user_units import Unit, shown_unit, worded
 
 INCH = Unit("in", 25.4)
 UI = Path(__file__).resolve().parents[2] / "freecad_workbench" / "resources" / "ui" / "preferences.ui"
 
 
 @pytest.fixture
-def prefer():
-    """`prefer(unit)`: as the preferences page does."""
-    yield lambda unit: preferences.put("Units", unit)
-    App.ParamGet(preferences.PATH).RemInt("Units")
+def schema():
+    """`schema(number)`: FreeCAD's own preference of units."""
+    before = App.ParamGet("User parameter:BaseApp/Preferences/Units").GetInt("UserSchema", 0)
+    yield App.Units.setSchema
+    App.Units.setSchema(before)
 
 
 @pytest.mark.parametrize(
@@ -39,24 +40,16 @@ def test_sentences(sentence, expected):
     assert worded(sentence, Unit("mm", 1.0)) == sentence
 
 
-def test_the_preference_rules(prefer):
+def test_freecads_units_rule(schema):
     assert shown_unit() == Unit("mm", 1.0)
-    for name, size in (("mm", 1.0), ("cm", 10.0), ("inch", 25.4)):
-        prefer(name)
-        assert shown_unit().size == size
-    prefer("FreeCAD")
-    schema = App.ParamGet("User parameter:BaseApp/Preferences/Units").GetInt("UserSchema", 0)
-    try:
-        for number, unit in ((2, INCH), (3, INCH), (4, Unit("cm", 10.0)), (7, Unit("ft", 304.8))):
-            App.Units.setSchema(number)
-            assert shown_unit().name == unit.name
-            assert shown_unit().size == pytest.approx(unit.size)
-    finally:
-        App.Units.setSchema(schema)
+    for number, unit in ((2, INCH), (3, INCH), (4, Unit("cm", 10.0)), (7, Unit("ft", 304.8))):
+        schema(number)
+        assert shown_unit().name == unit.name
+        assert shown_unit().size == pytest.approx(unit.size)
 
 
-def test_features_speak_it(document, sketch, prefer):
-    prefer("inch")
+def test_features_speak_it(document, sketch, schema):
+    schema(3)
     feature = strip.create(document, sketch)
     feature.TabHole = 12.7
     document.recompute()

@@ -1,12 +1,15 @@
 """A curve cut to pieces, shuffled, turned round and nudged comes back as one curve."""
 
 import numpy as np
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from elastica_cad.formats.chains import chained, curve_from_run
-from elastica_cad.formats.edges import Edge
-from elastica_cad.geometry import PlaneCurve
+from elastica_cad.formats.curve_files.chains import chained, curve_from_run
+from elastica_cad.formats.curve_files.edges import Edge
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+
+pytestmark = pytest.mark.core
 
 coordinate = st.floats(-100, 100)
 

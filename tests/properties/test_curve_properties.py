@@ -6,7 +6,8 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from elastica_cad.errors import InputError
-from elastica_cad.geometry import PlaneCurve, line_crossings
+from elastica_cad.geometry.curves.line_intersections import line_crossings
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
 pytestmark = pytest.mark.core
 

@@ -5,9 +5,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from elastica_cad.forming import Limits, nearest_rod
-from elastica_cad.geometry import PlaneCurve
-from elastica_cad.mechanics import Gravity
+from elastica_cad.forming.limits import Limits
+from elastica_cad.forming.nearest.nearest_rod import nearest_rod
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads.gravity import Gravity
+
+pytestmark = pytest.mark.core
 
 POINTS = np.array([(0, 0), (30, 55), (60, 60), (80, -10), (130, 5)], dtype=float)
 LIMITS = Limits(ratio=2.0, margin=3.0)

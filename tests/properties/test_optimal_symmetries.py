@@ -6,8 +6,14 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from elastica_cad.errors import InputError
-from elastica_cad.geometry import PlaneCurve
-from elastica_cad.mechanics import Gravity, NotRealizable, Supports, check_equilibrium, optimal_rod
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.theorem1.verdict import NotRealizable
+
+pytestmark = pytest.mark.core
 
 SOME = settings(max_examples=25, deadline=None, derandomize=True)
 

@@ -6,7 +6,11 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from elastica_cad.errors import InputError
-from elastica_cad.geometry import Path, PlaneCurve, Spline, as_arcs, as_polyline, offset_path
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.biarcs import as_arcs, as_polyline
+from elastica_cad.geometry.paths.offset import offset_path
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.segments import Spline
 
 few = settings(max_examples=40, deadline=None)
 unit = st.floats(0, 1)

@@ -6,8 +6,9 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from elastica_cad.errors import InputError
-from elastica_cad.geometry import PlaneCurve, four_point_map
-from elastica_cad.mechanics import check_equilibrium
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.curves.projective_maps import four_point_map
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
 pytestmark = pytest.mark.core
 

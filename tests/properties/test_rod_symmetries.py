@@ -7,10 +7,16 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from elastica_cad.mechanics import Gravity, Rod, Supports, bend, stability
-from elastica_cad.mechanics.balance import Balance, State
-from elastica_cad.mechanics.discrete import edge_forces, node_weights
-from elastica_cad.mechanics.march import march
+from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.rod.discrete_rod import edge_forces, node_weights
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.rod.rod_system import RodSystem
+from elastica_cad.mechanics.rod.shooting import shoot
+from elastica_cad.mechanics.stability.stability_verdict import stability
+
+pytestmark = pytest.mark.core
 
 
 @dataclass(frozen=True)
@@ -112,13 +118,13 @@ def random_rod(rng, *, heavy: bool) -> Rod:
     force = edge_forces(size * np.array([np.cos(heading), np.sin(heading)]), load)
     moment = rng.uniform(-1, 1) * np.sqrt(size)
     w = node_weights(1 / n, n)
-    angles, _ = march(like.stiffness, w, force, 1 / n, moment=moment, angle=0.0)
+    angles, _ = shoot(like.stiffness, w, force, 1 / n, moment=moment, angle=0.0)
     reach = (1 / n) * np.array([np.cos(angles[1:-1]).sum(), np.sin(angles[1:-1]).sum()])
-    balance = Balance(
+    system = RodSystem(
         stiffness=like.stiffness, edge_length=1 / n, load=load, natural_curvature=0.0, supports=Supports(),
         start=np.zeros(2), end=reach, end_angles=angles[[0, -1]], force=np.zeros(2), moments=np.zeros(2),
     )  # fmt: skip
-    return balance.rod(State(angles[1:-1], force[0]), like)
+    return system.state(angles[1:-1], force[0]).rod(like)
 
 
 @pytest.mark.parametrize("heavy", [False, True])

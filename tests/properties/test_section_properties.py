@@ -5,10 +5,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from elastica_cad.mechanics.anticlastic import anticlastic_factor, anticlastic_widths
-from elastica_cad.mechanics.material_laws import ElasticPlasticLaw, PolynomialLaw, TabulatedLaw
-from elastica_cad.mechanics.sections import LaminatedSection
-from elastica_cad.mechanics.sheet import Sheet
+from elastica_cad.mechanics.material.anticlastic import anticlastic_factor, anticlastic_widths
+from elastica_cad.mechanics.material.cross_sections import LaminatedSection
+from elastica_cad.mechanics.material.moment_curvature import ElasticPlasticLaw, PolynomialLaw, TabulatedLaw
+from elastica_cad.mechanics.material.sheet import Sheet
 
 pytestmark = pytest.mark.core
 

@@ -5,9 +5,11 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from shapely.geometry import LineString, Polygon
 
-from elastica_cad.fabrication import Slot, Strip, Tab
-from elastica_cad.fabrication.slots import slot_cut
-from elastica_cad.mechanics import Rod, Sheet
+from elastica_cad.fabrication.slots.slot import Slot, slot_cut
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip.tabs import Tab
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.rod.rod_record import Rod
 
 CARD = Sheet.named("card-200gsm")
 EXACT = 1e-4  # mm, of the polygons

@@ -3,13 +3,18 @@
 import re
 
 import numpy as np
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import elastica_cad as ec
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication import Laminated, Perforated, Slot
-from elastica_cad.mechanics import LaminatedSection
+from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.strip.lamination import Laminated
+from elastica_cad.fabrication.strip.perforation import Perforated
+from elastica_cad.mechanics.material.cross_sections import LaminatedSection
+
+pytestmark = pytest.mark.core
 
 CARD = ec.Sheet.named("card-200gsm")
 PLY = ec.Sheet.named("birch-plywood-0.8")

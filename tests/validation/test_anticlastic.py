@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.mechanics.anticlastic import anticlastic_factor, anticlastic_widths
+from elastica_cad.mechanics.material.anticlastic import anticlastic_factor, anticlastic_widths
 
 pytestmark = pytest.mark.core
 

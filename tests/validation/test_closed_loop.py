@@ -108,8 +108,8 @@ def test_cut_strip_bends_into_the_drawn_curve(name, tmp_path):
     assert rod.moved < 1e-4 * drawn.length
 
 
-def test_published_s_curve_bends_into_itself_although_unstable(shared_data, tmp_path):
-    (drawn,) = ec.read_curves(shared_data / "hafner" / "spline_infl_simple.txt")
+def test_published_s_curve_bends_into_itself_although_unstable(reference_data, tmp_path):
+    (drawn,) = ec.read_curves(reference_data / "hafner" / "spline_infl_simple.txt")
     rod = ec.optimal_rod(drawn)
     assert rod.ratio == pytest.approx(3.4687, abs=1e-3)
     strip = ec.Strip(rod, ec.Sheet.named("card-200gsm"), max_width=1.0)

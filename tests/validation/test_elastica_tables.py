@@ -5,7 +5,13 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from elastica_cad.mechanics import Rod, Supports, bend, bend_path, stability, stability_limit
+from elastica_cad.mechanics.bending.bend_forward import bend, bend_path
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stability.stability_verdict import stability
+from elastica_cad.mechanics.studies.stability_limit import stability_limit
+
+pytestmark = pytest.mark.core
 
 
 @dataclass(frozen=True)

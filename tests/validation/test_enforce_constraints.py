@@ -5,14 +5,16 @@ import json
 import numpy as np
 import pytest
 
-from elastica_cad.geometry import (
+from elastica_cad.geometry.curve_editing.control_point_constraints import (
     EndPositions,
     EndTangents,
     FixedLength,
     InflectionsOnLine,
-    PlaneCurve,
     least_norm_newton,
 )
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+
+pytestmark = pytest.mark.core
 
 
 class ChordLength:
@@ -36,8 +38,8 @@ class ChordLength:
 
 
 @pytest.fixture(scope="module")
-def reference(shared_data):
-    return json.loads((shared_data / "reference" / "enforce_constraints.json").read_text())
+def reference(reference_data):
+    return json.loads((reference_data / "reference" / "enforce_constraints.json").read_text())
 
 
 def run(reference, length):

@@ -4,13 +4,16 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.geometry import PlaneCurve, Profile
-from elastica_cad.mechanics.bend import bend
-from elastica_cad.mechanics.laminate import optimal_laminate
-from elastica_cad.mechanics.loads import PointMass
-from elastica_cad.mechanics.optimal import optimal_rod
-from elastica_cad.mechanics.sections import LaminatedSection
-from elastica_cad.mechanics.sheet import Sheet
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.loads.weight import PointMass
+from elastica_cad.mechanics.material.cross_sections import LaminatedSection
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.stiffness.optimal_laminate import optimal_laminate
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+
+pytestmark = pytest.mark.core
 
 BASE = Sheet("card", 0.2, 2300.0, density=900.0, max_strain=0.005)
 SECTION = LaminatedSection(BASE, Sheet("other card", 0.22, 2000.0, density=800.0, max_strain=0.005))

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from elastica_cad.mechanics.sections import LaminatedSection
-from elastica_cad.mechanics.sheet import Sheet
+from elastica_cad.mechanics.material.cross_sections import LaminatedSection
+from elastica_cad.mechanics.material.sheet import Sheet
 
 pytestmark = pytest.mark.core
 

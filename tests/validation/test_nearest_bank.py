@@ -3,10 +3,18 @@
 from functools import cache
 
 import numpy as np
+import pytest
 
-from elastica_cad.forming import Limits, nearest_rods
-from elastica_cad.geometry import PlaneCurve
-from elastica_cad.mechanics import Gravity, Rod, bend, bend_path, optimal_rod, stability
+from elastica_cad.forming.limits import Limits
+from elastica_cad.forming.nearest.many_rods import nearest_rods
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.bending.bend_forward import bend, bend_path
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stability.stability_verdict import stability
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+
+pytestmark = pytest.mark.core
 
 NODES = 201
 WISHES = 200

@@ -7,9 +7,19 @@ import pytest
 from scipy.interpolate import BSpline
 from scipy.spatial import cKDTree
 
-from elastica_cad.forming import Keep, Limits, mesh_sections, nearest_rod
-from elastica_cad.geometry import Frame, PlaneCurve
-from elastica_cad.mechanics import Gravity, Rod, bend, bend_path, check_equilibrium, optimal_rod, stability
+from elastica_cad.forming.limits import Keep, Limits
+from elastica_cad.forming.nearest.nearest_rod import nearest_rod
+from elastica_cad.forming.plane_sections.mesh_sections import mesh_sections
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.mechanics.bending.bend_forward import bend, bend_path
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stability.stability_verdict import stability
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+
+pytestmark = pytest.mark.core
 
 
 def unclamped(control_points):
@@ -18,8 +28,8 @@ def unclamped(control_points):
 
 
 @pytest.fixture(scope="module")
-def flower_pot(shared_data):
-    data = json.loads((shared_data / "reference" / "flower_pot.json").read_text())
+def flower_pot(reference_data):
+    data = json.loads((reference_data / "reference" / "flower_pot.json").read_text())
     millimetres = 1000 * data["scale_m_per_unit"]
     curves = [unclamped(np.array(c["cp_initial"]) * millimetres) for c in data["curves"]]
     published = np.array([c["distance"]["hausdorff_fit_to_final_rel"] for c in data["curves"]])
@@ -29,8 +39,8 @@ def flower_pot(shared_data):
 
 
 @pytest.fixture(scope="module")
-def s_curve(shared_data):
-    points = np.loadtxt(shared_data / "hafner" / "spline_infl_simple.txt", skiprows=1)
+def s_curve(reference_data):
+    points = np.loadtxt(reference_data / "hafner" / "spline_infl_simple.txt", skiprows=1)
     return unclamped(30 * points)
 
 
@@ -152,9 +162,9 @@ def test_rods_without_inflection_rise_from_the_flat_strip():
     assert np.abs(stands.position - rod.position).max() < 1e-6 * rod.length
 
 
-def test_shell_sections_at_a_ratio_of_1_5(shared_data):
+def test_shell_sections_at_a_ratio_of_1_5(reference_data):
     """Ten planes from the Shell's foot, six control points each (paper, Fig. 20; 1.39 s there)."""
-    lines = (shared_data / "hafner" / "teaser" / "teaser_sixth.obj").read_text().splitlines()
+    lines = (reference_data / "hafner" / "teaser" / "teaser_sixth.obj").read_text().splitlines()
     vertices = 30 * np.array([line.split()[1:4] for line in lines if line.startswith("v ")], dtype=float)
     quads = np.array(
         [[int(c.split("/")[0]) - 1 for c in line.split()[1:]] for line in lines if line.startswith("f ")]

@@ -6,12 +6,17 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.geometry import PlaneCurve
-from elastica_cad.mechanics.bend import bend
-from elastica_cad.mechanics.gravity import Gravity
-from elastica_cad.mechanics.material_laws import ElasticPlasticLaw, PlasticLaw, PolynomialLaw, TabulatedLaw
-from elastica_cad.mechanics.optimal import optimal_rod
-from elastica_cad.mechanics.supports import Supports
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.material.moment_curvature import (
+    ElasticPlasticLaw,
+    PlasticLaw,
+    PolynomialLaw,
+    TabulatedLaw,
+)
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
 pytestmark = pytest.mark.core
 

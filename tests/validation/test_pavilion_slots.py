@@ -18,9 +18,9 @@ def test_as_many_slots_as_published(slotted):
     assert all(j - i == 1 for i, j in (joint.members for joint in slotted.joints))
 
 
-def test_where_the_coded_version_has_them(slotted, shared_data):
+def test_where_the_coded_version_has_them(slotted, reference_data):
     """One for one; ends differ as their strips are drawn by triangles over a curvature that is up to 27 % off."""
-    coded = json.loads((shared_data / "reference" / "pavilion.json").read_text())["slots_as_coded"]
+    coded = json.loads((reference_data / "reference" / "pavilion.json").read_text())["slots_as_coded"]
     angles = {id(slot): joint.angle for joint in slotted.joints for slot in joint.slots}
     for row, strip in zip(coded, slotted.strips, strict=True):
         left = list(strip.slots)

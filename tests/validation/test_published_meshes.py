@@ -5,24 +5,24 @@ import json
 import numpy as np
 import pytest
 
-pytest.importorskip("trimesh")
-
-from elastica_cad.formats.meshes import read_mesh
-from elastica_cad.forming import mesh_sections, radial_planes, section_curves
-from elastica_cad.geometry import Frame
+from elastica_cad.formats.surface_files.mesh_files import read_mesh
+from elastica_cad.forming.plane_sections.cutting_planes import radial_planes
+from elastica_cad.forming.plane_sections.mesh_sections import mesh_sections
+from elastica_cad.forming.plane_sections.section_curves import section_curves
+from elastica_cad.geometry.frame import Frame
 
 UNIT = 60.0  # mm per mesh unit
 
 
 @pytest.fixture(scope="module")
-def pot(shared_data):
-    file = shared_data / "hafner" / "flower-pot" / "flower-pot.obj"
+def pot(reference_data):
+    file = reference_data / "hafner" / "flower-pot" / "flower-pot.obj"
     return read_mesh(file, unit="m").scaled(1e-3)
 
 
 @pytest.fixture(scope="module")
-def published(shared_data):
-    return json.loads((shared_data / "reference" / "flower_pot.json").read_text())["curves"]
+def published(reference_data):
+    return json.loads((reference_data / "reference" / "flower_pot.json").read_text())["curves"]
 
 
 def test_the_flower_pot_meets_the_published_polylines(pot, published):
@@ -55,9 +55,9 @@ def test_the_flower_pot_as_it_is(pot, published):
         assert found.frame.point(found.curve.evaluate(found.curve.domain)[0])[2] == pytest.approx(0, abs=1e-9)
 
 
-def test_the_shell_runs_to_its_ends(shared_data):
+def test_the_shell_runs_to_its_ends(reference_data):
     """Ten upright planes of the published angles across a sixth of it, one open line each."""
-    mesh = read_mesh(shared_data / "hafner" / "teaser" / "teaser_sixth.obj", unit="mm").scaled(30)
+    mesh = read_mesh(reference_data / "hafner" / "teaser" / "teaser_sixth.obj", unit="mm").scaled(30)
     low, high = mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)
     t = (np.arange(10) + 0.5) / 10
     angles = (1 - t) * np.pi / 2 + t * np.pi / 6 - t * (1 - t) / 2

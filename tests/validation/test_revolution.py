@@ -7,15 +7,19 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.forming import meridian, meridian_through
+from elastica_cad.forming.revolution.meridian import meridian, meridian_through
+
+pytestmark = pytest.mark.core
 
 CARD = ec.Sheet.named("card-200gsm")
 SIZE = 60.0  # mm per unit of the published examples
 
 
 @pytest.fixture(scope="module", params=range(6))
-def published(request, shared_data):
-    return json.loads((shared_data / "reference" / "revolution.json").read_text())["examples"][request.param]
+def published(request, reference_data):
+    return json.loads((reference_data / "reference" / "revolution.json").read_text())["examples"][
+        request.param
+    ]
 
 
 def euler(record, finer):
@@ -100,7 +104,7 @@ def test_a_sphere_closes_at_the_pole():
     assert globe.ring[1] == pytest.approx(1e-3 * 480)
     ringed = meridian(0.0, (1 / 80, 0), (80, 0), np.pi / 2, 400, ring=25)
     assert ringed.ring == pytest.approx((80, 25))
-    model = ec.revolved(ringed, 12, sheet=CARD)
+    model = ec.revolve(ringed, 12, sheet=CARD)
     assert float(model.strips[0].width(0.0)) == pytest.approx(160 * np.tan(np.pi / 12), rel=1e-6)
 
 

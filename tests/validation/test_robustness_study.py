@@ -5,10 +5,12 @@ import json
 import numpy as np
 import pytest
 
-from elastica_cad.mechanics.bend import bend
-from elastica_cad.mechanics.gravity import Gravity
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.variation import Variation, varied_rod
+from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.studies.imperfection import Imperfection, perturb_rod
+
+pytestmark = pytest.mark.core
 
 CARD = Gravity(1e3 * 8.86e-4 ** (1 / 3))  # elasto-gravity length of the study's card, mm
 
@@ -19,10 +21,10 @@ LIMITS = np.linspace(0.5, 1.0, 5)
 
 
 @pytest.fixture(scope="module")
-def study(shared_data):
+def study(reference_data):
     return {
         c["name"].split()[0]: c
-        for c in json.loads((shared_data / "reference" / "robustness.json").read_text())["curves"]
+        for c in json.loads((reference_data / "reference" / "robustness.json").read_text())["curves"]
     }
 
 
@@ -68,12 +70,12 @@ def test_deviations_of_the_study(study, name, gravity, kinds):
     side = 1.0 if position[-1, 0] > position[0, 0] else -1.0
     largest = float(np.abs(rest.curvature).max())
     variations = {
-        "stiffness": [Variation(stiffness_range=m) for m in FACTORS],
-        "angle": [Variation(start_angle=side * d, end_angle=-side * d) for d in TURNS],
-        "plasticity": [Variation(yield_curvature=f * largest) for f in LIMITS],
+        "stiffness": [Imperfection(stiffness_range=m) for m in FACTORS],
+        "angle": [Imperfection(start_angle=side * d, end_angle=-side * d) for d in TURNS],
+        "plasticity": [Imperfection(yield_curvature=f * largest) for f in LIMITS],
     }
     for kind in kinds:
-        found = [deviation(varied_rod(rest, v), position) for v in variations[kind]]
+        found = [deviation(perturb_rod(rest, v), position) for v in variations[kind]]
         assert found == pytest.approx(case[f"{kind}_dev_mm"], abs=0.006), kind
 
 
@@ -81,5 +83,5 @@ def test_stable_s_curve_where_the_study_did_not_jump(study):
     position, rest = designed(study["stable_S_x0.03"], None)
     reference = study["stable_S_x0.03"]
     for k in (3, 4):
-        found = deviation(varied_rod(rest, Variation(stiffness_range=float(FACTORS[k]))), position)
+        found = deviation(perturb_rod(rest, Imperfection(stiffness_range=float(FACTORS[k]))), position)
         assert found == pytest.approx(reference["stiffness_dev_mm"][k], abs=0.02)

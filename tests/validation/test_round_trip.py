@@ -7,6 +7,8 @@ import pytest
 
 import elastica_cad as ec
 
+pytestmark = pytest.mark.core
+
 CARD = ec.Sheet.named("card-200gsm")
 
 
@@ -58,8 +60,8 @@ def test_spiral():
     assert returns(curve, CARD.gravity()) < 1e-5
 
 
-def test_flower_pot(shared_data):
-    data = json.loads((shared_data / "reference" / "flower_pot.json").read_text())
+def test_flower_pot(reference_data):
+    data = json.loads((reference_data / "reference" / "flower_pot.json").read_text())
     e = data["e_gravity"][1] * 1e-9
     gravity = ec.Gravity(e ** (-1 / 3), (0, -1))
     for record in data["curves"][::4]:

@@ -5,18 +5,26 @@ import json
 import numpy as np
 import pytest
 
-from elastica_cad.geometry import PlaneCurve
-from elastica_cad.mechanics import bend, optimal_rod, stability
-from elastica_cad.mechanics.discrete import bending_moments, moment_imbalance, node_weights
-from elastica_cad.mechanics.jacobi import conjugate_point, determinant_gradient, stability_determinant
-from elastica_cad.mechanics.march import march
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod, bending_moments, node_weights
+from elastica_cad.mechanics.rod.shooting import shoot
+from elastica_cad.mechanics.stability.conjugate_points import (
+    conjugate_point,
+    determinant_gradient,
+    stability_determinant,
+)
+from elastica_cad.mechanics.stability.stability_verdict import stability
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+
+pytestmark = pytest.mark.core
 
 
 @pytest.fixture(scope="module")
-def state(shared_data):
+def state(reference_data):
     """One equilibrium with determinant and gradient, from AbsoluteAngleElastica.m of the authors' code
     (010fb77e); finite differences added."""
-    data = json.loads((shared_data / "reference" / "adjoint_check.json").read_text())
+    data = json.loads((reference_data / "reference" / "adjoint_check.json").read_text())
     return {name: np.array(value) if isinstance(value, list) else value for name, value in data.items()}
 
 
@@ -31,16 +39,16 @@ def test_state_is_balanced_with_our_sign_of_the_force(state):
     ends = (state["alpha_start"], state["alpha_end"])
     moments = bending_moments(state["K"], angles, node_weights(lengths, lengths.size), ends=ends)
     force = np.tile(state["lambda"], (lengths.size, 1))
-    assert np.abs(moment_imbalance(moments, angles, force, lengths)).max() < 1e-10
-    assert np.abs(moment_imbalance(moments, angles, -force, lengths)).max() > 1e-2
+    assert np.abs(DiscreteRod(state["K"], angles, force, lengths).moment_imbalance(moments)).max() < 1e-10
+    assert np.abs(DiscreteRod(state["K"], angles, -force, lengths).moment_imbalance(moments)).max() > 1e-2
 
 
 def test_determinant_and_conjugate_point(state):
-    arrays = (state["K"], state["segment_angles"], state["lambda"], state["segment_lengths"])
-    z = stability_determinant(*arrays)
+    rod = DiscreteRod(state["K"], state["segment_angles"], state["lambda"], state["segment_lengths"])
+    z = stability_determinant(rod)
     assert z.value[:-1] == pytest.approx(state["determinant"], rel=1e-9, abs=1e-9)
     assert z.sign_changes == pytest.approx([state["sigma"]], abs=1e-9)
-    assert conjugate_point(*arrays) == pytest.approx(state["sigma"], abs=1e-3)
+    assert conjugate_point(rod) == pytest.approx(state["sigma"], abs=1e-3)
 
 
 def gradient_of(data):
@@ -49,7 +57,9 @@ def gradient_of(data):
         K, angles, node_weights(lengths, lengths.size), ends=(data["alpha_start"], data["alpha_end"])
     )
     weights = np.append(lengths * bump(data, np.cumsum(lengths) - lengths / 2), 0.0)
-    return determinant_gradient(K, angles, data["lambda"], lengths, weights=weights, moments=moments)
+    return determinant_gradient(
+        DiscreteRod(K, angles, data["lambda"], lengths), weights=weights, moments=moments
+    )
 
 
 def test_adjoint_gradient(state):
@@ -65,9 +75,9 @@ def test_adjoint_against_finite_differences(state):
         assert gradient @ direction == pytest.approx(finite_difference, rel=1e-6)
 
 
-def test_s_curve(shared_data):
+def test_s_curve(reference_data):
     """Three inflections: R = 3.4687, conjugate point at 0.773 L, one negative eigenvalue (authors' code)."""
-    points = np.loadtxt(shared_data / "hafner" / "spline_infl_simple.txt", skiprows=1)
+    points = np.loadtxt(reference_data / "hafner" / "spline_infl_simple.txt", skiprows=1)
     curve = PlaneCurve(np.arange(-4.0, len(points) + 1), points, 4)
     rod = optimal_rod(curve)
     found = stability(rod)
@@ -90,9 +100,9 @@ def test_inflectional_elastica_first_conjugate_point_between_first_and_third_inf
     n, length = 3000, 9.0
     h = length / n
     w, K, force = node_weights(h, n), np.ones(n + 1), np.tile([4.0, 0.0], (n, 1))
-    angles, moments = march(K, w, force, h, moment=moment, angle=0.1)
+    angles, moments = shoot(K, w, force, h, moment=moment, angle=0.1)
     inflections = np.flatnonzero(moments[:-1] * moments[1:] < 0) * h
-    place = conjugate_point(K, angles[1:-1], force, h)
+    place = conjugate_point(DiscreteRod(K, angles[1:-1], force, h))
     assert inflections.size >= 3
     assert inflections[0] < place < inflections[2]
 
@@ -103,7 +113,8 @@ def test_no_conjugate_point_without_inflection(moment):
     n, length = 2000, 3.0
     h = length / n
     w, K, force = node_weights(h, n), np.ones(n + 1), np.tile([4.0, 0.0], (n, 1))
-    angles, moments = march(K, w, force, h, moment=moment, angle=0.3)
+    angles, moments = shoot(K, w, force, h, moment=moment, angle=0.3)
     assert np.all(moments > 0)
-    assert conjugate_point(K, angles[1:-1], force, h) is None
-    assert stability_determinant(K, angles[1:-1], force, h).sign_changes.size == 0
+    rod = DiscreteRod(K, angles[1:-1], force, h)
+    assert conjugate_point(rod) is None
+    assert stability_determinant(rod).sign_changes.size == 0

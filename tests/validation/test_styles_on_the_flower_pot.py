@@ -8,8 +8,14 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication import Frame, Laminated, Perforated, touching
-from elastica_cad.mechanics import LaminatedSection, optimal_laminate
+from elastica_cad.fabrication.model.touching_widths import touching_widths
+from elastica_cad.fabrication.strip.lamination import Laminated
+from elastica_cad.fabrication.strip.perforation import Perforated
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.mechanics.material.cross_sections import LaminatedSection
+from elastica_cad.mechanics.stiffness.optimal_laminate import optimal_laminate
+
+pytestmark = pytest.mark.core
 
 CARD = ec.Sheet.named("card-200gsm")
 SCALE = 60.0  # mm per mesh unit
@@ -27,8 +33,8 @@ def card(thickness):
 
 
 @pytest.fixture(scope="module")
-def published(shared_data):
-    return json.loads((shared_data / "reference" / "flower_pot.json").read_text())["curves"]
+def published(reference_data):
+    return json.loads((reference_data / "reference" / "flower_pot.json").read_text())["curves"]
 
 
 @pytest.fixture(scope="module")
@@ -45,7 +51,7 @@ def pot(published):
 
 @pytest.fixture(scope="module")
 def widths(pot):
-    return touching(pot, GAP, closed=True)
+    return touching_widths(pot, GAP, closed=True)
 
 
 def test_outer_widths_are_the_published_ones(pot, published, widths):
@@ -68,7 +74,7 @@ def test_laminated_as_published_with_the_exact_section(pot, widths, number):
         strip.width(s), np.minimum(strip.layout.backing.width(s), strip.width(s))
     )
     assert np.abs(made / (strip.bending_stiffness * rod.profile(s)) - 1).max() < 1e-9
-    assert strip.deviation_as_made < 0.01
+    assert strip.deviation_as_built < 0.01
 
 
 @pytest.mark.parametrize("number", range(0, 16, 5))
@@ -80,9 +86,9 @@ def test_laminated_under_the_weight_of_both_layers(pot, widths, number):
     style = Laminated(width=widths[number], backing=card(0.2), least_backing=0.5)
     strip = ec.Strip(laminate.rod, card(0.1), style=style)
     assert ec.stability(laminate.rod).stable
-    assert strip.deviation_as_made < 0.1
+    assert strip.deviation_as_built < 0.1
     weightless = ec.Strip(ec.optimal_rod(pot[number][0]), card(0.1), style=style)
-    hanging = replace(weightless.as_made, gravity=laminate.rod.gravity, weight=strip.as_made.weight)
+    hanging = replace(weightless.as_built, gravity=laminate.rod.gravity, weight=strip.as_built.weight)
     assert np.abs(ec.bend(hanging).position - hanging.position).max() > 0.1
 
 
@@ -103,4 +109,4 @@ def test_perforated_two_by_three_in_touching_outlines(pot, widths, number):
     s = (np.arange(1000) + 0.5) * rod.length / 1000
     left = strip.layers[0].material(s) / rod.profile(s)
     assert np.abs(left / np.median(left) - 1).max() < 0.005
-    assert strip.deviation_as_made < 0.01
+    assert strip.deviation_as_built < 0.01

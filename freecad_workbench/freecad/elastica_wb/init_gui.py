@@ -1,50 +1,54 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
 """Registers the workbench, its preferences page and its translations; FreeCAD imports this at its start."""
 
-import time
 from typing import Any
 
+import FreeCAD as App
 import FreeCADGui as Gui
-from freecad.elastica_wb.text import RESOURCES, icon
+from freecad.elastica_wb.host import view_providers
+from freecad.elastica_wb.host.resources import RESOURCES, icon
+from freecad.elastica_wb.live import live_command, observers
 
-JUST_NOW = 2.0  # s: opening a sketch switches to the Sketcher before anybody is told
+translate = App.Qt.translate
 
 
 class ElasticaWorkbench(Gui.Workbench):
     """Strips that bend into drawn curves."""
 
-    MenuText = "Elastica"
-    ToolTip = "Flat strips that bend into drawn curves"
+    MenuText = translate("Workbench", "Elastica")
+    ToolTip = translate("Workbench", "Flat strips that bend into drawn curves")
     Icon = icon("Elastica")
-
-    def __init__(self) -> None:
-        self.left = 0.0
-        self.active = False
 
     def GetClassName(self) -> str:
         """A workbench written in Python."""
         return "Gui::PythonWorkbench"
 
     def Initialize(self) -> None:
-        """First activation: commands, menus, live feedback."""
-        from freecad.elastica_wb import commands, live
+        """First activation: commands, toolbars, menus."""
+        import SketcherGui  # noqa: F401 - for the command that makes a sketch
+        from freecad.elastica_wb import commands
 
         commands.register()
         for name, members in commands.TOOLBARS.items():
-            self.appendToolbar(name, list(members))
-        self.appendMenu("Elastica", list(commands.MENU))
-        live.install(self.was_active)
+            self.appendToolbar(name, members)
+        self.appendMenu("Elastica", commands.MENU)
 
-    def Activated(self) -> None:
-        """The user comes here."""
-        self.active = True
+    def ContextMenu(self, _recipient: str) -> None:
+        """What can be done with the selection, in the tree and in the view."""
+        from freecad.elastica_wb import commands
 
-    def Deactivated(self) -> None:
-        """The user, or a sketch that he opens here, leaves for another workbench."""
-        self.active, self.left = False, time.monotonic()
+        names = commands.context_menu()
+        if names:
+            self.appendContextMenu("", names)
 
-    def was_active(self) -> bool:
-        """Is it this workbench from which a sketch is being opened?"""
-        return self.active or time.monotonic() - self.left < JUST_NOW
+
+def _dress(provider: Any, kind: str) -> None:
+    """Features that are made with a window get their icons and panels."""
+    from freecad.elastica_wb.features import views
+
+    views.KINDS[kind](provider)
 
 
 def _begin() -> Any:
@@ -52,6 +56,9 @@ def _begin() -> Any:
     Gui.updateLocale()
     Gui.addIconPath(str(RESOURCES / "icons"))
     Gui.addPreferencePage(str(RESOURCES / "ui" / "preferences.ui"), "Elastica")
+    view_providers.register(_dress)
+    observers.install()
+    live_command.register()
     workbench = ElasticaWorkbench()
     Gui.addWorkbench(workbench)
     return workbench

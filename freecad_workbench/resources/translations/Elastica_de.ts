@@ -2,352 +2,1609 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
- <name>Elastica</name>
- <message><source>Select a sketch with a spline, or an edge of an object, first.</source><translation>Bitte zuerst eine Skizze mit einem Spline oder eine Kante auswählen.</translation></message>
- <message><source>Select a strip first.</source><translation>Bitte zuerst einen Streifen auswählen.</translation></message>
- <message><source>Select two strips or more first.</source><translation>Bitte zuerst zwei oder mehr Streifen auswählen.</translation></message>
- <message><source>Download and install into FreeCAD's own folder?</source><translation>Herunterladen und in FreeCADs eigenen Ordner installieren?</translation></message>
- <message><source>All optional libraries are installed.</source><translation>Alle optionalen Bibliotheken sind installiert.</translation></message>
- <message><source>Select a sketch with a spline first.</source><translation>Bitte zuerst eine Skizze mit einem Spline auswählen.</translation></message>
- <message><source>The nearest curve is</source><translation>Die nächste Kurve ist</translation></message>
- <message><source>away</source><translation>entfernt</translation></message>
- <message><source>stays</source><translation>bleibt</translation></message>
- <message><source>does not stay</source><translation>bleibt nicht</translation></message>
- <message><source>bent further</source><translation>weiter gebogen</translation></message>
- <message><source>largest move</source><translation>größte Verschiebung</translation></message>
- <message><source>margin</source><translation>Reserve</translation></message>
- <message><source>Save the coupon</source><translation>Probestreifen speichern</translation></message>
- <message><source>type the readings first: overhang = droop, in mm, such as 120 = 14.5, 150 = 31</source><translation>zuerst Messwerte eingeben: Überhang = Durchhang in mm, etwa 120 = 14.5, 150 = 31</translation></message>
- <message><source>Longest overhang of the coupon</source><translation>Größter Überhang des Probestreifens</translation></message>
- <message><source>wrote</source><translation>geschrieben:</translation></message>
- <message><source>kept as</source><translation>behalten als</translation></message>
- <message><source>Folder for the files</source><translation>Ordner für die Dateien</translation></message>
- <message><source>choose a folder for the files</source><translation>bitte einen Ordner für die Dateien wählen</translation></message>
- <message><source>tick what is to be made</source><translation>bitte ankreuzen, was erzeugt werden soll</translation></message>
- <message><source>Joints</source><translation>Verbindungen</translation></message>
- <message><source>no curve was found: change the limits</source><translation>keine Kurve gefunden: Grenzen ändern</translation></message>
- <message><source>Largest distance</source><translation>Größter Abstand</translation></message>
- <message><source>nearest</source><translation>nächste</translation></message>
- <message><source>Held away by</source><translation>Abgehalten durch</translation></message>
- <message><source>Built-in sheets stay: keep yours under another name.</source><translation>Eingebaute Platten bleiben: Ihre bitte unter anderem Namen behalten.</translation></message>
- <message><source>least radius</source><translation>kleinster Radius</translation></message>
- <message><source>elasto-gravity length</source><translation>elasto-gravitative Länge</translation></message>
- <message><source>Length</source><translation>Länge</translation></message>
- <message><source>Narrowest place</source><translation>Schmalste Stelle</translation></message>
- <message><source>Stiffness ratio</source><translation>Steifigkeitsverhältnis</translation></message>
- <message><source>Largest strain</source><translation>Größte Dehnung</translation></message>
- <message><source>Stability margin</source><translation>Stabilitätsreserve</translation></message>
- <message><source>Mass</source><translation>Masse</translation></message>
- <message><source>Ranges are those of the sheet.</source><translation>Die Bereiche sind die der Platte.</translation></message>
- <message><source>deviation</source><translation>Abweichung</translation></message>
- <message><source>worst</source><translation>größte</translation></message>
- <message><source>Stopped.</source><translation>Angehalten.</translation></message>
- <message><source>Bending varied strips</source><translation>Abgewandelte Streifen werden gebogen</translation></message>
- <message><source>stiffness range</source><translation>Steifigkeit</translation></message>
- <message><source>weight</source><translation>Gewicht</translation></message>
- <message><source>end angles</source><translation>Endwinkel</translation></message>
- <message><source>plasticity</source><translation>Plastizität</translation></message>
- <message><source>thickness</source><translation>Dicke</translation></message>
- <message><source>kerf</source><translation>Schnittfuge</translation></message>
- <message><source>combined</source><translation>zusammen</translation></message>
- <message><source>writes DXF files</source><translation>schreibt DXF-Dateien</translation></message>
- <message><source>finds the best widths faster</source><translation>findet die besten Breiten schneller</translation></message>
- <message><source>Cutting</source><translation>Schneide</translation></message>
- <message><source>Making curves</source><translation>Erzeuge Kurven</translation></message>
- <message><source>Open lines</source><translation>Offene Linien</translation></message>
- <message><source>Closed ones</source><translation>Geschlossene</translation></message>
- <message><source>the planes miss the object</source><translation>die Ebenen treffen das Objekt nicht</translation></message>
- <message><source>Cancel</source><translation>Abbrechen</translation></message>
- <message><source>Constraints on the drawn curve that OK takes away</source><translation>Bedingungen an der gezeichneten Kurve, die mit OK entfallen</translation></message>
- <message><source>Move or turn an end: type numbers, or drag one of the handles in the view.</source><translation>Ein Ende verschieben oder drehen: Zahlen eingeben oder an einem der Griffe in der Ansicht ziehen.</translation></message>
- <message><source>Making the blocks</source><translation>Erzeuge die Blöcke</translation></message>
- <message><source>Putting the model together</source><translation>Setze das Modell zusammen</translation></message>
- <message><source>Cutting the mesh</source><translation>Schneide das Netz</translation></message>
- <message><source>Bending the strip</source><translation>Biege den Streifen</translation></message>
- <message><source>Searching the nearest curve</source><translation>Suche die nächste Kurve</translation></message>
- <message><source>what this panel works on was deleted: press Cancel</source><translation>was dieses Bedienfeld bearbeitet, wurde gelöscht: Abbrechen drücken</translation></message>
- <message><source>the path was deleted: choose another one</source><translation>der Pfad wurde gelöscht: einen anderen wählen</translation></message>
- <message><source>Writing files</source><translation>Schreibe Dateien</translation></message>
- <message><source>tick the box for it</source><translation>das Kästchen dafür ankreuzen</translation></message>
+    <name>App::Property</name>
+    <message>
+        <source>The strips, in the order of assembly</source>
+        <translation>Die Streifen in der Reihenfolge des Zusammenbaus</translation>
+    </message>
+    <message>
+        <source>Cut slots where strips cross</source>
+        <translation>Schlitze, wo Streifen sich kreuzen</translation>
+    </message>
+    <message>
+        <source>Added to the width of every slot</source>
+        <translation>Zuschlag zur Breite jedes Schlitzes</translation>
+    </message>
+    <message>
+        <source>Slots as the angle asks for, or as in the paper</source>
+        <translation>Schlitze, wie der Winkel sie verlangt, oder wie im Artikel</translation>
+    </message>
+    <message>
+        <source>Inner ends of the slots</source>
+        <translation>Innere Enden der Schlitze</translation>
+    </message>
+    <message>
+        <source>Later strips are pushed on from here; zero leaves it open</source>
+        <translation>Spätere Streifen werden von hier aufgeschoben; null lässt es offen</translation>
+    </message>
+    <message>
+        <source>How many slots fit into each other</source>
+        <translation>Wie viele Schlitze ineinander passen</translation>
+    </message>
+    <message>
+        <source>What was found on the way</source>
+        <translation>Was unterwegs gefunden wurde</translation>
+    </message>
+    <message>
+        <source>The strip whose flat part this is</source>
+        <translation>Der Streifen, dessen flaches Teil dies ist</translation>
+    </message>
+    <message>
+        <source>Of a laminated strip the base, or the backing</source>
+        <translation>Vom laminierten Streifen die Grundlage oder die Auflage</translation>
+    </message>
+    <message>
+        <source>The model whose slots it gets; none for a strip by itself</source>
+        <translation>Das Modell, dessen Schlitze es bekommt; keines für einen einzelnen Streifen</translation>
+    </message>
+    <message>
+        <source>Sketch, or edges of an object, that the strip follows</source>
+        <translation>Skizze oder Kanten eines Objekts, denen der Streifen folgt</translation>
+    </message>
+    <message>
+        <source>What the shape is: the strip as bent, or as cut</source>
+        <translation>Was die Form ist: der Streifen gebogen oder wie geschnitten</translation>
+    </message>
+    <message>
+        <source>Material the strip is cut from</source>
+        <translation>Material, aus dem der Streifen geschnitten wird</translation>
+    </message>
+    <message>
+        <source>Thickness of the sheet; measure yours</source>
+        <translation>Dicke der Platte; messen Sie Ihre</translation>
+    </message>
+    <message>
+        <source>The sheet's numbers, so that the file opens anywhere</source>
+        <translation>Die Zahlen der Platte, damit sich die Datei überall öffnet</translation>
+    </message>
+    <message>
+        <source>Width of the widest place; 0 leaves it to MinWidth</source>
+        <translation>Breite der breitesten Stelle; 0 überlässt es MinWidth</translation>
+    </message>
+    <message>
+        <source>Width of the narrowest place, or a limit for it; 0 for none</source>
+        <translation>Breite der schmalsten Stelle oder eine Grenze dafür; 0 für keine</translation>
+    </message>
+    <message>
+        <source>Narrowest strip, tab or tongue that the workshop can make; 0 for what the sheet takes</source>
+        <translation>Schmalster Streifen, schmalste Lasche oder Zunge, die die Werkstatt machen kann; 0 für was die Platte verträgt</translation>
+    </message>
+    <message>
+        <source>Make a strip that cannot be cut or handled, and say so</source>
+        <translation>Einen Streifen machen, der sich nicht schneiden oder anfassen lässt, und es sagen</translation>
+    </message>
+    <message>
+        <source>Most of ligaments or backing, summed across; 0 for what fits</source>
+        <translation>Höchstens so viel Steg oder Auflage, quer summiert; 0 für was passt</translation>
+    </message>
+    <message>
+        <source>How stiffness becomes material</source>
+        <translation>Wie aus Steifigkeit Material wird</translation>
+    </message>
+    <message>
+        <source>Width of the outline, perforated or laminated</source>
+        <translation>Breite des Umrisses, gelocht oder laminiert</translation>
+    </message>
+    <message>
+        <source>Holes side by side in a perforated strip</source>
+        <translation>Löcher nebeneinander in einem gelochten Streifen</translation>
+    </message>
+    <message>
+        <source>Holes one after the other; 0 chooses</source>
+        <translation>Löcher hintereinander; 0 wählt</translation>
+    </message>
+    <message>
+        <source>Largest share of the width that holes take</source>
+        <translation>Größter Anteil der Breite, den Löcher nehmen</translation>
+    </message>
+    <message>
+        <source>Narrowest ligament between holes</source>
+        <translation>Schmalster Steg zwischen Löchern</translation>
+    </message>
+    <message>
+        <source>Widest place of the narrowest hole</source>
+        <translation>Breiteste Stelle des schmalsten Lochs</translation>
+    </message>
+    <message>
+        <source>Rounding of the holes' corners</source>
+        <translation>Rundung der Lochecken</translation>
+    </message>
+    <message>
+        <source>What the sides of holes are made of</source>
+        <translation>Woraus die Seiten der Löcher bestehen</translation>
+    </message>
+    <message>
+        <source>Sheet that is glued on in a laminated strip</source>
+        <translation>Platte, die beim laminierten Streifen aufgeklebt wird</translation>
+    </message>
+    <message>
+        <source>The backing's numbers</source>
+        <translation>Die Zahlen der Auflage</translation>
+    </message>
+    <message>
+        <source>Narrowest backing of a laminated strip</source>
+        <translation>Schmalste Auflage eines laminierten Streifens</translation>
+    </message>
+    <message>
+        <source>Holes in the tabs that align the layers; 0 for none</source>
+        <translation>Löcher in den Laschen, die die Lagen ausrichten; 0 für keine</translation>
+    </message>
+    <message>
+        <source>What holds the start of the curve</source>
+        <translation>Was den Anfang der Kurve hält</translation>
+    </message>
+    <message>
+        <source>What holds the end of the curve</source>
+        <translation>Was das Ende der Kurve hält</translation>
+    </message>
+    <message>
+        <source>Does the strip carry its own weight?</source>
+        <translation>Trägt der Streifen sein eigenes Gewicht?</translation>
+    </message>
+    <message>
+        <source>Direction in space in which things fall</source>
+        <translation>Richtung im Raum, in die Dinge fallen</translation>
+    </message>
+    <message>
+        <source>Elasto-gravity length; 0 takes the sheet's</source>
+        <translation>Elasto-Gravitationslänge; 0 nimmt die der Platte</translation>
+    </message>
+    <message>
+        <source>Masses hung on the strip: at = 90, mass = 3 (mm, g)</source>
+        <translation>Angehängte Massen: at = 90, mass = 3 (mm, g)</translation>
+    </message>
+    <message>
+        <source>All weight in newtons: alpha = 0.001, own = true</source>
+        <translation>Alles Gewicht in Newton: alpha = 0.001, own = true</translation>
+    </message>
+    <message>
+        <source>Curvature of the strip before bending, 1/mm</source>
+        <translation>Krümmung des Streifens vor dem Biegen, 1/mm</translation>
+    </message>
+    <message>
+        <source>Nodes of the rod; 0 chooses</source>
+        <translation>Knoten des Stabs; 0 wählt</translation>
+    </message>
+    <message>
+        <source>Follow the curve exactly, or the nearest one within limits</source>
+        <translation>Der Kurve genau folgen oder der nächsten innerhalb von Grenzen</translation>
+    </message>
+    <message>
+        <source>Largest stiffness ratio; 0 for none</source>
+        <translation>Größtes Steifigkeitsverhältnis; 0 für keines</translation>
+    </message>
+    <message>
+        <source>Least stability margin; 5 is safely stable</source>
+        <translation>Kleinste Stabilitätsreserve; 5 ist sicher stabil</translation>
+    </message>
+    <message>
+        <source>Largest strain in percent; 0 takes the sheet's</source>
+        <translation>Größte Dehnung in Prozent; 0 nimmt die der Platte</translation>
+    </message>
+    <message>
+        <source>Does MarginLimit count?</source>
+        <translation>Zählt MarginLimit?</translation>
+    </message>
+    <message>
+        <source>Does the strain limit count?</source>
+        <translation>Zählt die Dehnungsgrenze?</translation>
+    </message>
+    <message>
+        <source>Largest curvature, 1/mm; 0 for none</source>
+        <translation>Größte Krümmung, 1/mm; 0 für keine</translation>
+    </message>
+    <message>
+        <source>Least length; counts with MostLength</source>
+        <translation>Kleinste Länge; zählt mit MostLength</translation>
+    </message>
+    <message>
+        <source>Largest length; 0 for no limits</source>
+        <translation>Größte Länge; 0 für keine Grenzen</translation>
+    </message>
+    <message>
+        <source>Least width; counts with MostWidth</source>
+        <translation>Kleinste Breite; zählt mit MostWidth</translation>
+    </message>
+    <message>
+        <source>Largest width, which bounds the ratio; 0 for none</source>
+        <translation>Größte Breite, die das Verhältnis begrenzt; 0 für keine</translation>
+    </message>
+    <message>
+        <source>Ground and boxes: point = [0, 0], normal = [0, 1]</source>
+        <translation>Boden und Kästen: point = [0, 0], normal = [0, 1]</translation>
+    </message>
+    <message>
+        <source>Along the strip: lower = 1.5, upper = [2, 3, 2]</source>
+        <translation>Entlang des Streifens: lower = 1.5, upper = [2, 3, 2]</translation>
+    </message>
+    <message>
+        <source>Which ends stay where they are</source>
+        <translation>Welche Enden bleiben, wo sie sind</translation>
+    </message>
+    <message>
+        <source>Keep the tangents of both ends</source>
+        <translation>Die Tangenten beider Enden behalten</translation>
+    </message>
+    <message>
+        <source>Whose tangents KeepTangents keeps</source>
+        <translation>Wessen Tangenten KeepTangents behält</translation>
+    </message>
+    <message>
+        <source>Keep the length</source>
+        <translation>Länge beibehalten</translation>
+    </message>
+    <message>
+        <source>Mirror image or half turn that stays</source>
+        <translation>Spiegelbild oder halbe Drehung, die bleibt</translation>
+    </message>
+    <message>
+        <source>Places along the curve that it still passes, mm</source>
+        <translation>Stellen entlang der Kurve, durch die sie weiter geht, mm</translation>
+    </message>
+    <message>
+        <source>Keep inflections on the curve's inflection line</source>
+        <translation>Wendepunkte auf der Wendelinie der Kurve halten</translation>
+    </message>
+    <message>
+        <source>Two points of another line: x, y, x, y</source>
+        <translation>Zwei Punkte einer anderen Linie: x, y, x, y</translation>
+    </message>
+    <message>
+        <source>Length of the tab at the start</source>
+        <translation>Länge der Lasche am Anfang</translation>
+    </message>
+    <message>
+        <source>Length of the tab at the end</source>
+        <translation>Länge der Lasche am Ende</translation>
+    </message>
+    <message>
+        <source>Rounding of the tabs' corners</source>
+        <translation>Rundung der Laschenecken</translation>
+    </message>
+    <message>
+        <source>Diameter of a hole in the middle of each tab; 0 for none</source>
+        <translation>Durchmesser eines Lochs mitten in jeder Lasche; 0 für keines</translation>
+    </message>
+    <message>
+        <source>The first tab in full: length = 12, chamfer = 2</source>
+        <translation>Die erste Lasche ganz: length = 12, chamfer = 2</translation>
+    </message>
+    <message>
+        <source>The last tab in full</source>
+        <translation>Die letzte Lasche ganz</translation>
+    </message>
+    <message>
+        <source>Slots: at = 40, width = 1.2, side = 'lower'</source>
+        <translation>Schlitze: at = 40, width = 1.2, side = 'lower'</translation>
+    </message>
+    <message>
+        <source>Text engraved on the strip</source>
+        <translation>Text, der auf den Streifen graviert wird</translation>
+    </message>
+    <message>
+        <source>How many of it are cut</source>
+        <translation>Wie viele davon geschnitten werden</translation>
+    </message>
+    <message>
+        <source>Can a flat strip take the curve?</source>
+        <translation>Kann ein flacher Streifen die Kurve annehmen?</translation>
+    </message>
+    <message>
+        <source>Why not, and what else to know</source>
+        <translation>Warum nicht, und was sonst zu wissen ist</translation>
+    </message>
+    <message>
+        <source>Largest stiffness over least stiffness</source>
+        <translation>Größte durch kleinste Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Stability margin; positive means that it stays</source>
+        <translation>Stabilitätsreserve; positiv heißt, dass er bleibt</translation>
+    </message>
+    <message>
+        <source>Where along the strip stability is lost; 0 where it is not</source>
+        <translation>Wo am Streifen die Stabilität verloren geht; 0, wo nicht</translation>
+    </message>
+    <message>
+        <source>Largest strain, in percent of what the sheet bears</source>
+        <translation>Größte Dehnung in Prozent dessen, was die Platte erträgt</translation>
+    </message>
+    <message>
+        <source>Largest strain of the skin, in percent</source>
+        <translation>Größte Dehnung der Außenhaut in Prozent</translation>
+    </message>
+    <message>
+        <source>Largest distance from the drawn curve</source>
+        <translation>Größter Abstand von der gezeichneten Kurve</translation>
+    </message>
+    <message>
+        <source>Length of the free part along the curve</source>
+        <translation>Länge des freien Teils entlang der Kurve</translation>
+    </message>
+    <message>
+        <source>Width of the narrowest place</source>
+        <translation>Breite der schmalsten Stelle</translation>
+    </message>
+    <message>
+        <source>Mass in grams</source>
+        <translation>Masse in Gramm</translation>
+    </message>
+    <message>
+        <source>Hidden until the curve can be bent again</source>
+        <translation>Verborgen, bis die Kurve wieder biegbar ist</translation>
+    </message>
+    <message>
+        <source>Tells the request that the shape was made from</source>
+        <translation>Sagt, aus welcher Anfrage die Form entstand</translation>
+    </message>
+    <message>
+        <source>What the curve moves with</source>
+        <translation>Womit sich die Kurve bewegt</translation>
+    </message>
+    <message>
+        <source>A model, or strips, whose tabs go through it</source>
+        <translation>Ein Modell oder Streifen, deren Laschen hindurchgehen</translation>
+    </message>
+    <message>
+        <source>What the plate is cut from</source>
+        <translation>Woraus die Platte geschnitten wird</translation>
+    </message>
+    <message>
+        <source>The sheet's numbers</source>
+        <translation>Die Zahlen der Platte</translation>
+    </message>
+    <message>
+        <source>Room beside a tab on either side</source>
+        <translation>Luft neben einer Lasche auf jeder Seite</translation>
+    </message>
+    <message>
+        <source>Added to the width of the slots</source>
+        <translation>Zuschlag zur Breite der Schlitze</translation>
+    </message>
+    <message>
+        <source>Least distance of slots from the edge</source>
+        <translation>Kleinster Abstand der Schlitze vom Rand</translation>
+    </message>
+    <message>
+        <source>The outline around all slots</source>
+        <translation>Der Umriss um alle Schlitze</translation>
+    </message>
+    <message>
+        <source>A model, or strips, whose ends are held</source>
+        <translation>Ein Modell oder Streifen, deren Enden gehalten werden</translation>
+    </message>
+    <message>
+        <source>Room around the tab</source>
+        <translation>Spiel um die Lasche</translation>
+    </message>
+    <message>
+        <source>Least thickness around the pocket</source>
+        <translation>Kleinste Wandstärke um die Tasche</translation>
+    </message>
+    <message>
+        <source>How far the foot sticks out on either side; 0 for none</source>
+        <translation>Wie weit der Fuß auf jeder Seite vorsteht; 0 für keinen</translation>
+    </message>
+    <message>
+        <source>Height of the foot</source>
+        <translation>Höhe des Fußes</translation>
+    </message>
+    <message>
+        <source>Diameter of the screw holes in the foot; 0 for none</source>
+        <translation>Durchmesser der Schraubenlöcher im Fuß; 0 für keine</translation>
+    </message>
+    <message>
+        <source>Strips, models and base plates to be cut</source>
+        <translation>Streifen, Modelle und Grundplatten zum Schneiden</translation>
+    </message>
+    <message>
+        <source>Width of a sheet, along its grain</source>
+        <translation>Breite einer Platte, entlang der Faser</translation>
+    </message>
+    <message>
+        <source>Height of a sheet</source>
+        <translation>Höhe einer Platte</translation>
+    </message>
+    <message>
+        <source>Least distance between parts and from the edge</source>
+        <translation>Kleinster Abstand zwischen Teilen und vom Rand</translation>
+    </message>
+    <message>
+        <source>How many sheets are needed</source>
+        <translation>Wie viele Platten gebraucht werden</translation>
+    </message>
+    <message>
+        <source>Show live feedback while this sketch is open</source>
+        <translation>Sofortige Rückmeldung zeigen, während diese Skizze offen ist</translation>
+    </message>
 </context>
 <context>
- <name>ElasticaBend</name>
- <message><source>Bend forward</source><translation>Weiter biegen</translation></message>
- <message><source>Start of the strip</source><translation>Anfang des Streifens</translation></message>
- <message><source>Move x</source><translation>Verschiebung x</translation></message>
- <message><source>Move y</source><translation>Verschiebung y</translation></message>
- <message><source>Turn</source><translation>Drehung</translation></message>
- <message><source>End of the strip</source><translation>Ende des Streifens</translation></message>
- <message><source>Play</source><translation>Abspielen</translation></message>
+    <name>Elastica</name>
+    <message>
+        <source>Save the coupon</source>
+        <translation>Probestreifen speichern</translation>
+    </message>
+    <message>
+        <source>type the readings first: overhang = droop, in mm, such as 120 = 14.5, 150 = 31</source>
+        <translation>zuerst Messwerte eingeben: Überhang = Durchhang in mm, etwa 120 = 14.5, 150 = 31</translation>
+    </message>
+    <message>
+        <source>Longest overhang of the coupon</source>
+        <translation>Größter Überhang des Probestreifens</translation>
+    </message>
+    <message>
+        <source>wrote</source>
+        <translation>geschrieben:</translation>
+    </message>
+    <message>
+        <source>kept as</source>
+        <translation>behalten als</translation>
+    </message>
+    <message>
+        <source>Folder for the files</source>
+        <translation>Ordner für die Dateien</translation>
+    </message>
+    <message>
+        <source>DXF files are of version R12 here, curves as arcs: the library ezdxf is missing.</source>
+        <translation>DXF-Dateien sind hier von der Version R12, Kurven als Bögen: die Bibliothek ezdxf fehlt.</translation>
+    </message>
+    <message>
+        <source>choose a folder for the files</source>
+        <translation>bitte einen Ordner für die Dateien wählen</translation>
+    </message>
+    <message>
+        <source>Writing files</source>
+        <translation>Schreibe Dateien</translation>
+    </message>
+    <message>
+        <source>tick the box for it</source>
+        <translation>das Kästchen dafür ankreuzen</translation>
+    </message>
+    <message>
+        <source>Ranges are those of the sheet.</source>
+        <translation>Die Bereiche sind die der Platte.</translation>
+    </message>
+    <message>
+        <source>deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>worst</source>
+        <translation>größte</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Angehalten.</translation>
+    </message>
+    <message>
+        <source>Bending varied strips</source>
+        <translation>Abgewandelte Streifen werden gebogen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>what this panel works on was deleted: press Cancel</source>
+        <translation>was dieses Bedienfeld bearbeitet, wurde gelöscht: Abbrechen drücken</translation>
+    </message>
+    <message>
+        <source>tick what is to be made</source>
+        <translation>bitte ankreuzen, was erzeugt werden soll</translation>
+    </message>
+    <message>
+        <source>Use the nearest curve</source>
+        <translation>Die nächste Kurve nehmen</translation>
+    </message>
+    <message>
+        <source>Pick another curve</source>
+        <translation>Andere Kurve wählen</translation>
+    </message>
+    <message>
+        <source>Then click a sketch or an edge, in the view or in the tree</source>
+        <translation>Dann eine Skizze oder Kante anklicken, in der Ansicht oder im Baum</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Move or turn an end: type numbers, or drag one of the handles in the view.</source>
+        <translation>Ein Ende verschieben oder drehen: Zahlen eingeben oder an einem der Griffe in der Ansicht ziehen.</translation>
+    </message>
+    <message>
+        <source>stays</source>
+        <translation>bleibt</translation>
+    </message>
+    <message>
+        <source>does not stay</source>
+        <translation>bleibt nicht</translation>
+    </message>
+    <message>
+        <source>bent further</source>
+        <translation>weiter gebogen</translation>
+    </message>
+    <message>
+        <source>largest move</source>
+        <translation>größte Verschiebung</translation>
+    </message>
+    <message>
+        <source>margin</source>
+        <translation>Reserve</translation>
+    </message>
+    <message>
+        <source>Strip</source>
+        <translation>Streifen</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Flat part</source>
+        <translation>Flaches Teil</translation>
+    </message>
+    <message>
+        <source>End fixtures</source>
+        <translation>Endhalter</translation>
+    </message>
+    <message>
+        <source>Base plate</source>
+        <translation>Grundplatte</translation>
+    </message>
+    <message>
+        <source>Nest on sheets</source>
+        <translation>Auf Platten schachteln</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Narrowest place</source>
+        <translation>Schmalste Stelle</translation>
+    </message>
+    <message>
+        <source>Stiffness ratio</source>
+        <translation>Steifigkeitsverhältnis</translation>
+    </message>
+    <message>
+        <source>Largest strain</source>
+        <translation>Größte Dehnung</translation>
+    </message>
+    <message>
+        <source>Stability margin</source>
+        <translation>Stabilitätsreserve</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Sheet and width</source>
+        <translation>Platte und Breite</translation>
+    </message>
+    <message>
+        <source>Style</source>
+        <translation>Bauart</translation>
+    </message>
+    <message>
+        <source>Nearest curve</source>
+        <translation>Nächste Kurve</translation>
+    </message>
+    <message>
+        <source>Ends and weight</source>
+        <translation>Enden und Gewicht</translation>
+    </message>
+    <message>
+        <source>Slots</source>
+        <translation>Schlitze</translation>
+    </message>
+    <message>
+        <source>Printed blocks</source>
+        <translation>Gedruckte Halter</translation>
+    </message>
+    <message>
+        <source>Sheets</source>
+        <translation>Platten</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Platte</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>Largest width</source>
+        <translation>Größte Breite</translation>
+    </message>
+    <message>
+        <source>Least width</source>
+        <translation>Kleinste Breite</translation>
+    </message>
+    <message>
+        <source>Outer width</source>
+        <translation>Außenbreite</translation>
+    </message>
+    <message>
+        <source>Columns of holes</source>
+        <translation>Spalten von Löchern</translation>
+    </message>
+    <message>
+        <source>Rows of holes (0 = chosen)</source>
+        <translation>Reihen von Löchern (0 = gewählt)</translation>
+    </message>
+    <message>
+        <source>Backing</source>
+        <translation>Rückseite</translation>
+    </message>
+    <message>
+        <source>Shape shown</source>
+        <translation>Gezeigte Form</translation>
+    </message>
+    <message>
+        <source>Follow the curve</source>
+        <translation>Der Kurve folgen</translation>
+    </message>
+    <message>
+        <source>Largest stiffness ratio</source>
+        <translation>Größtes Steifigkeitsverhältnis</translation>
+    </message>
+    <message>
+        <source>Least stability margin</source>
+        <translation>Kleinste Stabilitätsreserve</translation>
+    </message>
+    <message>
+        <source>Largest strain, % (0 = sheet)</source>
+        <translation>Größte Dehnung, % (0 = Platte)</translation>
+    </message>
+    <message>
+        <source>Keep end tangents</source>
+        <translation>Endtangenten behalten</translation>
+    </message>
+    <message>
+        <source>Keep the length</source>
+        <translation>Länge beibehalten</translation>
+    </message>
+    <message>
+        <source>Start is held</source>
+        <translation>Anfang ist gehalten</translation>
+    </message>
+    <message>
+        <source>End is held</source>
+        <translation>Ende ist gehalten</translation>
+    </message>
+    <message>
+        <source>Carries its weight</source>
+        <translation>Trägt sein Gewicht</translation>
+    </message>
+    <message>
+        <source>Tab at the start</source>
+        <translation>Lasche am Anfang</translation>
+    </message>
+    <message>
+        <source>Tab at the end</source>
+        <translation>Lasche am Ende</translation>
+    </message>
+    <message>
+        <source>Rounding of tabs</source>
+        <translation>Rundung der Laschen</translation>
+    </message>
+    <message>
+        <source>Hole in tabs</source>
+        <translation>Loch in Laschen</translation>
+    </message>
+    <message>
+        <source>Engraved text</source>
+        <translation>Gravierter Text</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>Cut slots where strips cross</source>
+        <translation>Schlitze, wo Streifen sich kreuzen</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Spiel</translation>
+    </message>
+    <message>
+        <source>Width of slots</source>
+        <translation>Breite der Schlitze</translation>
+    </message>
+    <message>
+        <source>Inner ends of slots</source>
+        <translation>Innere Enden der Schlitze</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Wand</translation>
+    </message>
+    <message>
+        <source>Foot (0 = none)</source>
+        <translation>Fuß (0 = keiner)</translation>
+    </message>
+    <message>
+        <source>Height of the foot</source>
+        <translation>Höhe des Fußes</translation>
+    </message>
+    <message>
+        <source>Screw holes (0 = none)</source>
+        <translation>Schraubenlöcher (0 = keine)</translation>
+    </message>
+    <message>
+        <source>Play beside tabs</source>
+        <translation>Luft neben Laschen</translation>
+    </message>
+    <message>
+        <source>Border</source>
+        <translation>Rand</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>Sheet width</source>
+        <translation>Plattenbreite</translation>
+    </message>
+    <message>
+        <source>Sheet height</source>
+        <translation>Plattenhöhe</translation>
+    </message>
+    <message>
+        <source>Distance between parts</source>
+        <translation>Abstand zwischen Teilen</translation>
+    </message>
+    <message>
+        <source>Built-in sheets stay: keep yours under another name.</source>
+        <translation>Eingebaute Platten bleiben: Ihre bitte unter anderem Namen behalten.</translation>
+    </message>
+    <message>
+        <source>least radius</source>
+        <translation>kleinster Radius</translation>
+    </message>
+    <message>
+        <source>elasto-gravity length</source>
+        <translation>elasto-gravitative Länge</translation>
+    </message>
+    <message>
+        <source>Cutting</source>
+        <translation>Schneide</translation>
+    </message>
+    <message>
+        <source>the path was deleted: choose another one</source>
+        <translation>der Pfad wurde gelöscht: einen anderen wählen</translation>
+    </message>
+    <message>
+        <source>Open lines</source>
+        <translation>Offene Linien</translation>
+    </message>
+    <message>
+        <source>Closed ones</source>
+        <translation>Geschlossene</translation>
+    </message>
+    <message>
+        <source>Making curves</source>
+        <translation>Erzeuge Kurven</translation>
+    </message>
+    <message>
+        <source>the planes miss the object</source>
+        <translation>die Ebenen treffen das Objekt nicht</translation>
+    </message>
+    <message>
+        <source>Constraints on the drawn curve that OK takes away</source>
+        <translation>Bedingungen an der gezeichneten Kurve, die mit OK entfallen</translation>
+    </message>
+    <message>
+        <source>no curve was found: change the limits</source>
+        <translation>keine Kurve gefunden: Grenzen ändern</translation>
+    </message>
+    <message>
+        <source>Largest distance</source>
+        <translation>Größter Abstand</translation>
+    </message>
+    <message>
+        <source>nearest</source>
+        <translation>nächste</translation>
+    </message>
+    <message>
+        <source>Held away by</source>
+        <translation>Abgehalten durch</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>Written to</source>
+        <translation>Geschrieben nach</translation>
+    </message>
+    <message>
+        <source>curvature</source>
+        <translation>Krümmung</translation>
+    </message>
+    <message>
+        <source>the strip laid flat</source>
+        <translation>der Streifen flach gelegt</translation>
+    </message>
+    <message>
+        <source>inflections on their line</source>
+        <translation>Wendepunkte auf ihrer Linie</translation>
+    </message>
+    <message>
+        <source>can</source>
+        <translation>geht</translation>
+    </message>
+    <message>
+        <source>cannot be made</source>
+        <translation>kann nicht gemacht werden</translation>
+    </message>
+    <message>
+        <source>too short for its width</source>
+        <translation>zu kurz für seine Breite</translation>
+    </message>
+    <message>
+        <source>cannot</source>
+        <translation>geht nicht</translation>
+    </message>
+    <message>
+        <source>would break</source>
+        <translation>würde brechen</translation>
+    </message>
+    <message>
+        <source>no curve yet</source>
+        <translation>noch keine Kurve</translation>
+    </message>
+    <message>
+        <source>The nearest curve is</source>
+        <translation>Die nächste Kurve ist</translation>
+    </message>
+    <message>
+        <source>away</source>
+        <translation>entfernt</translation>
+    </message>
+    <message>
+        <source>Select a sketch with a spline, or an edge of an object, first.</source>
+        <translation>Bitte zuerst eine Skizze mit einem Spline oder eine Kante auswählen.</translation>
+    </message>
+    <message>
+        <source>Select a sketch with a spline first.</source>
+        <translation>Bitte zuerst eine Skizze mit einem Spline auswählen.</translation>
+    </message>
+    <message>
+        <source>Select a strip first.</source>
+        <translation>Bitte zuerst einen Streifen auswählen.</translation>
+    </message>
+    <message>
+        <source>Select two strips or more first.</source>
+        <translation>Bitte zuerst zwei oder mehr Streifen auswählen.</translation>
+    </message>
 </context>
 <context>
- <name>ElasticaCheck</name>
- <message><source>Check curve</source><translation>Kurve prüfen</translation></message>
+    <name>ElasticaBend</name>
+    <message>
+        <source>Bend forward</source>
+        <translation>Weiter biegen</translation>
+    </message>
+    <message>
+        <source>Start of the strip</source>
+        <translation>Anfang des Streifens</translation>
+    </message>
+    <message>
+        <source>Move x</source>
+        <translation>Verschiebung x</translation>
+    </message>
+    <message>
+        <source>Move y</source>
+        <translation>Verschiebung y</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>End of the strip</source>
+        <translation>Ende des Streifens</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
 </context>
 <context>
- <name>ElasticaCoupon</name>
- <message><source>Coupon and calibrate</source><translation>Probestreifen und Eichung</translation></message>
- <message><source>Coupon</source><translation>Probestreifen</translation></message>
- <message><source>Sheet</source><translation>Platte</translation></message>
- <message><source>Make the coupon</source><translation>Probestreifen erzeugen</translation></message>
- <message><source>Write its cutting file</source><translation>Schneiddatei schreiben</translation></message>
- <message><source>Readings</source><translation>Messwerte</translation></message>
- <message><source>Overhang = droop, mm</source><translation>Überhang = Durchhang, mm</translation></message>
- <message><source>120 = 14.5, 150 = 31</source><translation>120 = 14.5, 150 = 31</translation></message>
- <message><source>Reading error</source><translation>Ablesefehler</translation></message>
- <message><source>Name of the sheet</source><translation>Name der Platte</translation></message>
- <message><source>Keep the sheet</source><translation>Platte behalten</translation></message>
+    <name>ElasticaCheck</name>
+    <message>
+        <source>Check curve</source>
+        <translation>Kurve prüfen</translation>
+    </message>
 </context>
 <context>
- <name>ElasticaExport</name>
- <message><source>Export cutting files</source><translation>Schneiddateien exportieren</translation></message>
- <message><source>Files</source><translation>Dateien</translation></message>
- <message><source>DXF</source><translation>DXF</translation></message>
- <message><source>SVG</source><translation>SVG</translation></message>
- <message><source>STEP, flat and bent</source><translation>STEP, flach und gebogen</translation></message>
- <message><source>Cut list (CSV)</source><translation>Stückliste (CSV)</translation></message>
- <message><source>Nest on sheets</source><translation>Auf Platten schachteln</translation></message>
- <message><source>Sheet width</source><translation>Plattenbreite</translation></message>
- <message><source>Sheet height</source><translation>Plattenhöhe</translation></message>
- <message><source>How</source><translation>Wie</translation></message>
- <message><source>Curves</source><translation>Kurven</translation></message>
- <message><source>DXF version</source><translation>DXF-Version</translation></message>
- <message><source>Kerf</source><translation>Schnittfuge</translation></message>
- <message><source>Tolerance of arcs and polylines</source><translation>Toleranz von Bögen und Polylinien</translation></message>
- <message><source>Where</source><translation>Wohin</translation></message>
- <message><source>Folder</source><translation>Ordner</translation></message>
- <message><source>Browse...</source><translation>Durchsuchen ...</translation></message>
- <message><source>Overwrite files that exist</source><translation>Vorhandene Dateien überschreiben</translation></message>
+    <name>ElasticaCoupon</name>
+    <message>
+        <source>Coupon and calibrate</source>
+        <translation>Probestreifen und Eichung</translation>
+    </message>
+    <message>
+        <source>Coupon</source>
+        <translation>Probestreifen</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Platte</translation>
+    </message>
+    <message>
+        <source>Make the coupon</source>
+        <translation>Probestreifen erzeugen</translation>
+    </message>
+    <message>
+        <source>Write its cutting file</source>
+        <translation>Schneiddatei schreiben</translation>
+    </message>
+    <message>
+        <source>Readings</source>
+        <translation>Messwerte</translation>
+    </message>
+    <message>
+        <source>Overhang = droop, mm</source>
+        <translation>Überhang = Durchhang, mm</translation>
+    </message>
+    <message>
+        <source>120 = 14.5, 150 = 31</source>
+        <translation>120 = 14.5, 150 = 31</translation>
+    </message>
+    <message>
+        <source>Reading error</source>
+        <translation>Ablesefehler</translation>
+    </message>
+    <message>
+        <source>Name of the sheet</source>
+        <translation>Name der Platte</translation>
+    </message>
+    <message>
+        <source>Keep the sheet</source>
+        <translation>Platte behalten</translation>
+    </message>
 </context>
 <context>
- <name>ElasticaFixtures</name>
- <message><source>End fixtures and base plate</source><translation>Endhalter und Grundplatte</translation></message>
- <message><source>Printed blocks</source><translation>Gedruckte Halter</translation></message>
- <message><source>Make blocks for the ends</source><translation>Halter für die Enden erzeugen</translation></message>
- <message><source>Room around the tab</source><translation>Spiel um die Lasche</translation></message>
- <message><source>Wall</source><translation>Wand</translation></message>
- <message><source>Foot</source><translation>Fuß</translation></message>
- <message><source>Screw holes</source><translation>Schraubenlöcher</translation></message>
- <message><source>Base plate</source><translation>Grundplatte</translation></message>
- <message><source>Make a slotted plate</source><translation>Geschlitzte Platte erzeugen</translation></message>
- <message><source>Sheet</source><translation>Platte</translation></message>
- <message><source>Height of its upper face</source><translation>Höhe der Oberseite</translation></message>
- <message><source>Room beside the tab</source><translation>Spiel neben der Lasche</translation></message>
- <message><source>Clearance of slots</source><translation>Spiel der Schlitze</translation></message>
- <message><source>Border</source><translation>Rand</translation></message>
+    <name>ElasticaExport</name>
+    <message>
+        <source>Export cutting files</source>
+        <translation>Schneiddateien exportieren</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>DXF</source>
+        <translation>DXF</translation>
+    </message>
+    <message>
+        <source>SVG</source>
+        <translation>SVG</translation>
+    </message>
+    <message>
+        <source>STEP, flat and bent</source>
+        <translation>STEP, flach und gebogen</translation>
+    </message>
+    <message>
+        <source>Cut list (CSV)</source>
+        <translation>Stückliste (CSV)</translation>
+    </message>
+    <message>
+        <source>Nest on sheets</source>
+        <translation>Auf Platten schachteln</translation>
+    </message>
+    <message>
+        <source>Sheet width</source>
+        <translation>Plattenbreite</translation>
+    </message>
+    <message>
+        <source>Sheet height</source>
+        <translation>Plattenhöhe</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>Wie</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>DXF version</source>
+        <translation>DXF-Version</translation>
+    </message>
+    <message>
+        <source>Kerf</source>
+        <translation>Schnittfuge</translation>
+    </message>
+    <message>
+        <source>Tolerance of arcs and polylines</source>
+        <translation>Toleranz von Bögen und Polylinien</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wohin</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Browse...</source>
+        <translation>Durchsuchen ...</translation>
+    </message>
+    <message>
+        <source>Overwrite files that exist</source>
+        <translation>Vorhandene Dateien überschreiben</translation>
+    </message>
 </context>
 <context>
- <name>ElasticaModel</name>
- <message><source>Interlock strips</source><translation>Streifen verzahnen</translation></message>
- <message><source>Slots</source><translation>Schlitze</translation></message>
- <message><source>Cut slots where strips cross</source><translation>Schlitze, wo Streifen sich kreuzen</translation></message>
- <message><source>Clearance</source><translation>Spiel</translation></message>
- <message><source>Width</source><translation>Breite</translation></message>
- <message><source>Inner ends</source><translation>Innere Enden</translation></message>
+    <name>ElasticaFixtures</name>
+    <message>
+        <source>End fixtures and base plate</source>
+        <translation>Endhalter und Grundplatte</translation>
+    </message>
+    <message>
+        <source>Printed blocks</source>
+        <translation>Gedruckte Halter</translation>
+    </message>
+    <message>
+        <source>Make blocks for the ends</source>
+        <translation>Halter für die Enden erzeugen</translation>
+    </message>
+    <message>
+        <source>Room around the tab</source>
+        <translation>Spiel um die Lasche</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Wand</translation>
+    </message>
+    <message>
+        <source>Foot</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>Screw holes</source>
+        <translation>Schraubenlöcher</translation>
+    </message>
+    <message>
+        <source>Base plate</source>
+        <translation>Grundplatte</translation>
+    </message>
+    <message>
+        <source>Make a slotted plate</source>
+        <translation>Geschlitzte Platte erzeugen</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Platte</translation>
+    </message>
+    <message>
+        <source>Height of its upper face</source>
+        <translation>Höhe der Oberseite</translation>
+    </message>
+    <message>
+        <source>Room beside the tab</source>
+        <translation>Spiel neben der Lasche</translation>
+    </message>
+    <message>
+        <source>Clearance of slots</source>
+        <translation>Spiel der Schlitze</translation>
+    </message>
+    <message>
+        <source>Border</source>
+        <translation>Rand</translation>
+    </message>
 </context>
 <context>
- <name>ElasticaNearest</name>
- <message><source>Nearest curve</source><translation>Nächste Kurve</translation></message>
- <message><source>Limits</source><translation>Grenzen</translation></message>
- <message><source>Sheet</source><translation>Platte</translation></message>
- <message><source>Largest stiffness ratio</source><translation>Größtes Steifigkeitsverhältnis</translation></message>
- <message><source>Must stay by itself</source><translation>Muss von selbst stehen bleiben</translation></message>
- <message><source>Least stability margin</source><translation>Kleinste Stabilitätsreserve</translation></message>
- <message><source>Keep within the sheet's strain</source><translation>Dehnung der Platte einhalten</translation></message>
- <message><source>Keep</source><translation>Beibehalten</translation></message>
- <message><source>End points</source><translation>Endpunkte</translation></message>
- <message><source>End tangents</source><translation>Endtangenten</translation></message>
- <message><source>Length</source><translation>Länge</translation></message>
- <message><source>Replace the spline in the sketch</source><translation>Spline in der Skizze ersetzen</translation></message>
+    <name>ElasticaNearest</name>
+    <message>
+        <source>Nearest curve</source>
+        <translation>Nächste Kurve</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Platte</translation>
+    </message>
+    <message>
+        <source>Largest stiffness ratio</source>
+        <translation>Größtes Steifigkeitsverhältnis</translation>
+    </message>
+    <message>
+        <source>Must stay by itself</source>
+        <translation>Muss von selbst stehen bleiben</translation>
+    </message>
+    <message>
+        <source>Least stability margin</source>
+        <translation>Kleinste Stabilitätsreserve</translation>
+    </message>
+    <message>
+        <source>Keep within the sheet's strain</source>
+        <translation>Dehnung der Platte einhalten</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Beibehalten</translation>
+    </message>
+    <message>
+        <source>End points</source>
+        <translation>Endpunkte</translation>
+    </message>
+    <message>
+        <source>End tangents</source>
+        <translation>Endtangenten</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Replace the spline in the sketch</source>
+        <translation>Spline in der Skizze ersetzen</translation>
+    </message>
 </context>
 <context>
- <name>ElasticaPreferences</name>
- <message><source>General</source><translation>Allgemein</translation></message>
- <message><source>New strips</source><translation>Neue Streifen</translation></message>
- <message><source>Sheet</source><translation>Platte</translation></message>
- <message><source>Largest width</source><translation>Größte Breite</translation></message>
- <message><source>Tab length</source><translation>Laschenlänge</translation></message>
- <message><source>Cutting files</source><translation>Schneiddateien</translation></message>
- <message><source>Kerf</source><translation>Schnittfuge</translation></message>
- <message><source>Clearance of slots</source><translation>Spiel der Schlitze</translation></message>
- <message><source>DXF version</source><translation>DXF-Version</translation></message>
- <message><source>Curves</source><translation>Kurven</translation></message>
- <message><source>Tolerance of arcs and polylines</source><translation>Toleranz von Bögen und Polylinien</translation></message>
- <message><source>While a sketch is edited</source><translation>Beim Bearbeiten einer Skizze</translation></message>
- <message><source>Show curvature, inflections and their line</source><translation>Krümmung, Wendepunkte und ihre Gerade zeigen</translation></message>
- <message><source>Show the nearest curve that can be bent</source><translation>Die nächste biegbare Kurve zeigen</translation></message>
- <message><source>Lengths</source><translation>Längen</translation></message>
- <message><source>Shown in</source><translation>Angezeigt in</translation></message>
- <message><source>Unit of all lengths in panels, sentences and the sketch's overlay; files are always in mm</source><translation>Einheit aller Längen in Bedienfeldern, Sätzen und der Anzeige über der Skizze; Dateien sind immer in mm</translation></message>
- <message><source>as FreeCAD</source><translation>wie FreeCAD</translation></message>
- <message><source>inch</source><translation>Zoll</translation></message>
+    <name>ElasticaPreferences</name>
+    <message>
+        <source>General</source>
+        <translation>Allgemein</translation>
+    </message>
+    <message>
+        <source>New strips</source>
+        <translation>Neue Streifen</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Platte</translation>
+    </message>
+    <message>
+        <source>Largest width</source>
+        <translation>Größte Breite</translation>
+    </message>
+    <message>
+        <source>Tab length</source>
+        <translation>Laschenlänge</translation>
+    </message>
+    <message>
+        <source>Cutting files</source>
+        <translation>Schneiddateien</translation>
+    </message>
+    <message>
+        <source>Kerf</source>
+        <translation>Schnittfuge</translation>
+    </message>
+    <message>
+        <source>Clearance of slots</source>
+        <translation>Spiel der Schlitze</translation>
+    </message>
+    <message>
+        <source>DXF version</source>
+        <translation>DXF-Version</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Tolerance of arcs and polylines</source>
+        <translation>Toleranz von Bögen und Polylinien</translation>
+    </message>
+    <message>
+        <source>While a sketch is edited</source>
+        <translation>Beim Bearbeiten einer Skizze</translation>
+    </message>
+    <message>
+        <source>Show curvature, inflections and their line</source>
+        <translation>Krümmung, Wendepunkte und ihre Gerade zeigen</translation>
+    </message>
+    <message>
+        <source>Show the nearest curve that can be bent</source>
+        <translation>Die nächste biegbare Kurve zeigen</translation>
+    </message>
 </context>
 <context>
- <name>ElasticaSection</name>
- <message><source>Section into curves</source><translation>In Kurven schneiden</translation></message>
- <message><source>Planes</source><translation>Ebenen</translation></message>
- <message><source>Tolerance of the curves</source><translation>Toleranz der Kurven</translation></message>
- <message><source>Family</source><translation>Art</translation></message>
- <message><source>parallel</source><translation>parallel</translation></message>
- <message><source>about an axis</source><translation>um eine Achse</translation></message>
- <message><source>along a path</source><translation>entlang eines Pfads</translation></message>
- <message><source>Across</source><translation>Quer zu</translation></message>
- <message><source>Path</source><translation>Pfad</translation></message>
- <message><source>Number of planes</source><translation>Anzahl der Ebenen</translation></message>
- <message><source>Axis through x</source><translation>Achse durch x</translation></message>
- <message><source>y</source><translation>y</translation></message>
- <message><source>z</source><translation>z</translation></message>
- <message><source>Sweep</source><translation>Winkelbereich</translation></message>
- <message><source>Curves</source><translation>Kurven</translation></message>
- <message><source>Closed sections</source><translation>Geschlossene Schnitte</translation></message>
- <message><source>are left out</source><translation>weglassen</translation></message>
- <message><source>are split left and right</source><translation>links und rechts teilen</translation></message>
- <message><source>are split above and below</source><translation>oben und unten teilen</translation></message>
- <message><source>Take out waves shorter than</source><translation>Wellen glätten, die kürzer sind als</translation></message>
+    <name>ElasticaProjective</name>
+    <message>
+        <source>Projective edit</source>
+        <translation>Projektiv bearbeiten</translation>
+    </message>
+    <message>
+        <source>Handles (x, y)</source>
+        <translation>Griffe (x, y)</translation>
+    </message>
+    <message>
+        <source>1, lower left</source>
+        <translation>1, unten links</translation>
+    </message>
+    <message>
+        <source>2, lower right</source>
+        <translation>2, unten rechts</translation>
+    </message>
+    <message>
+        <source>3, upper right</source>
+        <translation>3, oben rechts</translation>
+    </message>
+    <message>
+        <source>4, upper left</source>
+        <translation>4, oben links</translation>
+    </message>
+    <message>
+        <source>Put the handles back</source>
+        <translation>Griffe zurücksetzen</translation>
+    </message>
 </context>
 <context>
- <name>ElasticaSheets</name>
- <message><source>Sheet library</source><translation>Plattenbibliothek</translation></message>
- <message><source>Sheet</source><translation>Platte</translation></message>
- <message><source>Name</source><translation>Name</translation></message>
- <message><source>Thickness</source><translation>Dicke</translation></message>
- <message><source>Young's modulus</source><translation>Elastizitätsmodul</translation></message>
- <message><source>Density</source><translation>Dichte</translation></message>
- <message><source>Largest strain</source><translation>Größte Dehnung</translation></message>
- <message><source>Kerf</source><translation>Schnittfuge</translation></message>
- <message><source>Poisson's ratio</source><translation>Querdehnzahl</translation></message>
- <message><source>Source</source><translation>Quelle</translation></message>
- <message><source>Keep as my sheet</source><translation>Als meine Platte behalten</translation></message>
- <message><source>Remove my sheet</source><translation>Meine Platte entfernen</translation></message>
+    <name>ElasticaSection</name>
+    <message>
+        <source>Section into curves</source>
+        <translation>In Kurven schneiden</translation>
+    </message>
+    <message>
+        <source>Planes</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>Family</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>parallel</source>
+        <translation>parallel</translation>
+    </message>
+    <message>
+        <source>about an axis</source>
+        <translation>um eine Achse</translation>
+    </message>
+    <message>
+        <source>along a path</source>
+        <translation>entlang eines Pfads</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>Quer zu</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Pfad</translation>
+    </message>
+    <message>
+        <source>Number of planes</source>
+        <translation>Anzahl der Ebenen</translation>
+    </message>
+    <message>
+        <source>Axis through x</source>
+        <translation>Achse durch x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>Sweep</source>
+        <translation>Winkelbereich</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Closed sections</source>
+        <translation>Geschlossene Schnitte</translation>
+    </message>
+    <message>
+        <source>are left out</source>
+        <translation>weglassen</translation>
+    </message>
+    <message>
+        <source>are split left and right</source>
+        <translation>links und rechts teilen</translation>
+    </message>
+    <message>
+        <source>are split above and below</source>
+        <translation>oben und unten teilen</translation>
+    </message>
+    <message>
+        <source>Take out waves shorter than</source>
+        <translation>Wellen glätten, die kürzer sind als</translation>
+    </message>
+    <message>
+        <source>Tolerance of the curves</source>
+        <translation>Toleranz der Kurven</translation>
+    </message>
 </context>
 <context>
- <name>ElasticaStrip</name>
- <message><source>Strip</source><translation>Streifen</translation></message>
- <message><source>Sheet and width</source><translation>Platte und Breite</translation></message>
- <message><source>Sheet</source><translation>Platte</translation></message>
- <message><source>Thickness</source><translation>Dicke</translation></message>
- <message><source>Largest width</source><translation>Größte Breite</translation></message>
- <message><source>Least width</source><translation>Kleinste Breite</translation></message>
- <message><source>Mechanics</source><translation>Mechanik</translation></message>
- <message><source>Start</source><translation>Anfang</translation></message>
- <message><source>End</source><translation>Ende</translation></message>
- <message><source>Carries its own weight</source><translation>Trägt sein Eigengewicht</translation></message>
- <message><source>Style</source><translation>Bauart</translation></message>
- <message><source>Outer width</source><translation>Außenbreite</translation></message>
- <message><source>Holes side by side</source><translation>Löcher nebeneinander</translation></message>
- <message><source>Rows of holes (0: chosen)</source><translation>Lochreihen (0: gewählt)</translation></message>
- <message><source>Backing</source><translation>Rückseite</translation></message>
- <message><source>Nearest curve</source><translation>Nächste Kurve</translation></message>
- <message><source>Follow</source><translation>Folgt</translation></message>
- <message><source>Largest stiffness ratio</source><translation>Größtes Steifigkeitsverhältnis</translation></message>
- <message><source>Least stability margin</source><translation>Kleinste Stabilitätsreserve</translation></message>
- <message><source>Largest strain, % (0: the sheet's)</source><translation>Größte Dehnung, % (0: die der Platte)</translation></message>
- <message><source>Keep the end tangents</source><translation>Endtangenten beibehalten</translation></message>
- <message><source>Keep the length</source><translation>Länge beibehalten</translation></message>
- <message><source>Ends and text</source><translation>Enden und Text</translation></message>
- <message><source>Tab at the start</source><translation>Lasche am Anfang</translation></message>
- <message><source>Tab at the end</source><translation>Lasche am Ende</translation></message>
- <message><source>Corner radius</source><translation>Eckenradius</translation></message>
- <message><source>Hole in the tabs</source><translation>Loch in den Laschen</translation></message>
- <message><source>Engraved text</source><translation>Gravierter Text</translation></message>
- <message><source>Quantity</source><translation>Anzahl</translation></message>
- <message><source>Shape</source><translation>Gestalt</translation></message>
+    <name>ElasticaSheets</name>
+    <message>
+        <source>Sheet library</source>
+        <translation>Plattenbibliothek</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Platte</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>Young's modulus</source>
+        <translation>Elastizitätsmodul</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>Largest strain</source>
+        <translation>Größte Dehnung</translation>
+    </message>
+    <message>
+        <source>Kerf</source>
+        <translation>Schnittfuge</translation>
+    </message>
+    <message>
+        <source>Poisson's ratio</source>
+        <translation>Querdehnzahl</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>Keep as my sheet</source>
+        <translation>Als meine Platte behalten</translation>
+    </message>
+    <message>
+        <source>Remove my sheet</source>
+        <translation>Meine Platte entfernen</translation>
+    </message>
 </context>
 <context>
- <name>ElasticaTolerance</name>
- <message><source>Tolerance study</source><translation>Toleranzstudie</translation></message>
- <message><source>Study</source><translation>Studie</translation></message>
- <message><source>Bends for each cause</source><translation>Biegungen je Ursache</translation></message>
- <message><source>Run</source><translation>Starten</translation></message>
+    <name>ElasticaTolerance</name>
+    <message>
+        <source>Tolerance study</source>
+        <translation>Toleranzstudie</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>Bends for each cause</source>
+        <translation>Biegungen je Ursache</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Starten</translation>
+    </message>
 </context>
 <context>
- <name>Elastica_Bend</name>
- <message><source>Bend forward</source><translation>Weiter biegen</translation></message>
- <message><source>Move or turn the ends of the selected strip and watch it take its new rest shape</source><translation>Enden des gewählten Streifens bewegen oder drehen und zusehen, wie er seine neue Ruhelage einnimmt</translation></message>
+    <name>Elastica_Bend</name>
+    <message>
+        <source>Bend forward</source>
+        <translation>Weiter biegen</translation>
+    </message>
+    <message>
+        <source>Move or turn the ends of the selected strip and watch it take its new rest shape</source>
+        <translation>Enden des gewählten Streifens bewegen oder drehen und zusehen, wie er seine neue Ruhelage einnimmt</translation>
+    </message>
 </context>
 <context>
- <name>Elastica_Check</name>
- <message><source>Check curve</source><translation>Kurve prüfen</translation></message>
- <message><source>Say whether a flat strip can take the selected curve, and if not why and where</source><translation>Sagt, ob ein flacher Streifen die gewählte Kurve annehmen kann, und wenn nicht, warum und wo</translation></message>
+    <name>Elastica_Check</name>
+    <message>
+        <source>Check curve</source>
+        <translation>Kurve prüfen</translation>
+    </message>
+    <message>
+        <source>Say whether a flat strip can take the selected curve, and if not why and where</source>
+        <translation>Sagt, ob ein flacher Streifen die gewählte Kurve annehmen kann, und wenn nicht, warum und wo</translation>
+    </message>
 </context>
 <context>
- <name>Elastica_Coupon</name>
- <message><source>Coupon and calibrate</source><translation>Probestreifen und Eichung</translation></message>
- <message><source>Make a test strip to hang over an edge, and turn its measured droop into a sheet of your own</source><translation>Einen Probestreifen erzeugen, über eine Kante hängen und aus dem gemessenen Durchhang eine eigene Platte machen</translation></message>
+    <name>Elastica_Coupon</name>
+    <message>
+        <source>Coupon and calibrate</source>
+        <translation>Probestreifen und Eichung</translation>
+    </message>
+    <message>
+        <source>Make a test strip to hang over an edge, and turn its measured droop into a sheet of your own</source>
+        <translation>Einen Probestreifen erzeugen, über eine Kante hängen und aus dem gemessenen Durchhang eine eigene Platte machen</translation>
+    </message>
 </context>
 <context>
- <name>Elastica_Export</name>
- <message><source>Export cutting files</source><translation>Schneiddateien exportieren</translation></message>
- <message><source>Write DXF, SVG and STEP files, nest and cut list of the selected strips, models and base plates</source><translation>DXF-, SVG- und STEP-Dateien, Schachtelung und Stückliste der gewählten Streifen, Modelle und Grundplatten schreiben</translation></message>
+    <name>Elastica_Export</name>
+    <message>
+        <source>Export cutting files</source>
+        <translation>Schneiddateien exportieren</translation>
+    </message>
+    <message>
+        <source>Write DXF, SVG and STEP files, nest and cut list of the selected strips, models and base plates</source>
+        <translation>DXF-, SVG- und STEP-Dateien, Schachtelung und Stückliste der gewählten Streifen, Modelle und Grundplatten schreiben</translation>
+    </message>
 </context>
 <context>
- <name>Elastica_Fixtures</name>
- <message><source>End fixtures and base plate</source><translation>Endhalter und Grundplatte</translation></message>
- <message><source>Make printed blocks that hold the ends of the selected strips or model, or one slotted base plate</source><translation>Gedruckte Halter für die Enden der gewählten Streifen oder des Modells erzeugen, oder eine geschlitzte Grundplatte</translation></message>
+    <name>Elastica_Fixtures</name>
+    <message>
+        <source>End fixtures and base plate</source>
+        <translation>Endhalter und Grundplatte</translation>
+    </message>
+    <message>
+        <source>Make printed blocks that hold the ends of the selected strips or model, or one slotted base plate</source>
+        <translation>Gedruckte Halter für die Enden der gewählten Streifen oder des Modells erzeugen, oder eine geschlitzte Grundplatte</translation>
+    </message>
 </context>
 <context>
- <name>Elastica_Interlock</name>
- <message><source>Interlock selected strips</source><translation>Gewählte Streifen verzahnen</translation></message>
- <message><source>Put the selected strips together to a model and cut slots where they cross</source><translation>Die gewählten Streifen zu einem Modell verbinden und Schlitze schneiden, wo sie sich kreuzen</translation></message>
+    <name>Elastica_Interlock</name>
+    <message>
+        <source>Interlock selected strips</source>
+        <translation>Gewählte Streifen verzahnen</translation>
+    </message>
+    <message>
+        <source>Put the selected strips together to a model and cut slots where they cross</source>
+        <translation>Die gewählten Streifen zu einem Modell verbinden und Schlitze schneiden, wo sie sich kreuzen</translation>
+    </message>
 </context>
 <context>
- <name>Elastica_Laminate</name>
- <message><source>Laminate</source><translation>Laminieren</translation></message>
- <message><source>Give the selected strips an even width and glue narrower strips on that make them stiff enough</source><translation>Den gewählten Streifen eine gleichmäßige Breite geben und schmalere aufkleben, die sie steif genug machen</translation></message>
+    <name>Elastica_Laminate</name>
+    <message>
+        <source>Laminate</source>
+        <translation>Laminieren</translation>
+    </message>
+    <message>
+        <source>Give the selected strips an even width and glue narrower strips on that make them stiff enough</source>
+        <translation>Den gewählten Streifen eine gleichmäßige Breite geben und schmalere aufkleben, die sie steif genug machen</translation>
+    </message>
 </context>
 <context>
- <name>Elastica_Libraries</name>
- <message><source>Install missing libraries</source><translation>Fehlende Bibliotheken installieren</translation></message>
- <message><source>Install the optional libraries that FreeCAD does not bring: ezdxf (DXF files), highspy (faster)</source><translation>Die Bibliotheken installieren, die FreeCAD nicht mitbringt: ezdxf (DXF-Dateien), highspy (schneller)</translation></message>
+    <name>Elastica_Live</name>
+    <message>
+        <source>Live feedback</source>
+        <translation>Sofortige Rückmeldung</translation>
+    </message>
+    <message>
+        <source>Show over the open sketch whether a flat strip can take its curve, while it is drawn and dragged</source>
+        <translation>Über der offenen Skizze zeigen, ob ein flacher Streifen ihre Kurve annehmen kann, während sie gezeichnet und gezogen wird</translation>
+    </message>
 </context>
 <context>
- <name>Elastica_Nearest</name>
- <message><source>Nearest curve to sketch</source><translation>Nächste Kurve zur Skizze</translation></message>
- <message><source>Find the curve nearest to the selected sketch that can be bent within limits</source><translation>Die der Skizze nächste Kurve finden, die sich innerhalb der Grenzen biegen lässt</translation></message>
+    <name>Elastica_Nearest</name>
+    <message>
+        <source>Nearest curve to sketch</source>
+        <translation>Nächste Kurve zur Skizze</translation>
+    </message>
+    <message>
+        <source>Find the curve nearest to the selected sketch that can be bent within limits</source>
+        <translation>Die der Skizze nächste Kurve finden, die sich innerhalb der Grenzen biegen lässt</translation>
+    </message>
 </context>
 <context>
- <name>Elastica_Nest</name>
- <message><source>Nest on sheets</source><translation>Auf Platten schachteln</translation></message>
- <message><source>Lay everything that must be cut for the selected strips, models and base plates on sheets</source><translation>Alles, was für die gewählten Streifen, Modelle und Grundplatten zu schneiden ist, auf Platten legen</translation></message>
+    <name>Elastica_Nest</name>
+    <message>
+        <source>Nest on sheets</source>
+        <translation>Auf Platten schachteln</translation>
+    </message>
+    <message>
+        <source>Lay everything that must be cut for the selected strips, models and base plates on sheets</source>
+        <translation>Alles, was für die gewählten Streifen, Modelle und Grundplatten zu schneiden ist, auf Platten legen</translation>
+    </message>
 </context>
 <context>
- <name>Elastica_Perforate</name>
- <message><source>Perforate</source><translation>Lochen</translation></message>
- <message><source>Give the selected strips an even width and let holes make them as soft as they must be</source><translation>Den gewählten Streifen eine gleichmäßige Breite geben und sie durch Löcher so weich machen wie nötig</translation></message>
+    <name>Elastica_Perforate</name>
+    <message>
+        <source>Perforate</source>
+        <translation>Lochen</translation>
+    </message>
+    <message>
+        <source>Give the selected strips an even width and let holes make them as soft as they must be</source>
+        <translation>Den gewählten Streifen eine gleichmäßige Breite geben und sie durch Löcher so weich machen wie nötig</translation>
+    </message>
 </context>
 <context>
- <name>Elastica_Section</name>
- <message><source>Section into curves</source><translation>In Kurven schneiden</translation></message>
- <message><source>Cut the selected body, surface or mesh by planes into smooth curves that strips can follow</source><translation>Schneidet den gewählten Körper, die Fläche oder das Netz mit Ebenen in glatte Kurven, denen Streifen folgen können</translation></message>
+    <name>Elastica_Projective</name>
+    <message>
+        <source>Projective edit</source>
+        <translation>Projektiv bearbeiten</translation>
+    </message>
+    <message>
+        <source>Pull the selected sketch's curve by four handles: lines stay lines, a curve that can be bent stays one</source>
+        <translation>Zieht die Kurve der gewählten Skizze an vier Griffen: Geraden bleiben gerade, eine biegbare Kurve bleibt biegbar</translation>
+    </message>
 </context>
 <context>
- <name>Elastica_Sheets</name>
- <message><source>Sheet library</source><translation>Plattenbibliothek</translation></message>
- <message><source>Look at the sheets that are known, with their sources, and keep your own</source><translation>Bekannte Platten mit ihren Quellen ansehen und eigene behalten</translation></message>
+    <name>Elastica_Section</name>
+    <message>
+        <source>Section into curves</source>
+        <translation>In Kurven schneiden</translation>
+    </message>
+    <message>
+        <source>Cut the selected body, surface or mesh by planes into smooth curves that strips can follow</source>
+        <translation>Schneidet den gewählten Körper, die Fläche oder das Netz mit Ebenen in glatte Kurven, denen Streifen folgen können</translation>
+    </message>
 </context>
 <context>
- <name>Elastica_Strip</name>
- <message><source>Strip from sketch</source><translation>Streifen aus Skizze</translation></message>
- <message><source>Make the flat strip that bends into the selected spline: the bent part and, linked to it, the flat one</source><translation>Den flachen Streifen erzeugen, der sich in den gewählten Spline biegt: das gebogene Teil und, damit verknüpft, das flache</translation></message>
+    <name>Elastica_Sheets</name>
+    <message>
+        <source>Sheet library</source>
+        <translation>Plattenbibliothek</translation>
+    </message>
+    <message>
+        <source>Look at the sheets that are known, with their sources, and keep your own</source>
+        <translation>Bekannte Platten mit ihren Quellen ansehen und eigene behalten</translation>
+    </message>
 </context>
 <context>
- <name>Elastica_Tolerance</name>
- <message><source>Tolerance study</source><translation>Toleranzstudie</translation></message>
- <message><source>Find how far the bent strip strays when sheet, cut and clamps vary within their ranges</source><translation>Ermitteln, wie weit der gebogene Streifen abweicht, wenn Platte, Schnitt und Klemmen in ihren Bereichen schwanken</translation></message>
+    <name>Elastica_Strip</name>
+    <message>
+        <source>Strip from sketch</source>
+        <translation>Streifen aus Skizze</translation>
+    </message>
+    <message>
+        <source>Make the flat strip that bends into the selected spline: the bent part and, linked to it, the flat one</source>
+        <translation>Den flachen Streifen erzeugen, der sich in den gewählten Spline biegt: das gebogene Teil und, damit verknüpft, das flache</translation>
+    </message>
 </context>
 <context>
- <name>Elastica_Projective</name>
- <message><source>Projective edit</source><translation>Projektiv bearbeiten</translation></message>
- <message><source>Pull the selected sketch's curve by four handles: lines stay lines, a curve that can be bent stays one</source><translation>Zieht die Kurve der gewählten Skizze an vier Griffen: Geraden bleiben gerade, eine biegbare Kurve bleibt biegbar</translation></message>
+    <name>Elastica_Tolerance</name>
+    <message>
+        <source>Tolerance study</source>
+        <translation>Toleranzstudie</translation>
+    </message>
+    <message>
+        <source>Find how far the bent strip strays when sheet, cut and clamps vary within their ranges</source>
+        <translation>Ermitteln, wie weit der gebogene Streifen abweicht, wenn Platte, Schnitt und Klemmen in ihren Bereichen schwanken</translation>
+    </message>
 </context>
 <context>
- <name>ElasticaProjective</name>
- <message><source>Projective edit</source><translation>Projektiv bearbeiten</translation></message>
- <message><source>Put the handles back</source><translation>Griffe zurücksetzen</translation></message>
- <message><source>Handles (x, y)</source><translation>Griffe (x, y)</translation></message>
- <message><source>1, lower left</source><translation>1, unten links</translation></message>
- <message><source>2, lower right</source><translation>2, unten rechts</translation></message>
- <message><source>3, upper right</source><translation>3, oben rechts</translation></message>
- <message><source>4, upper left</source><translation>4, oben links</translation></message>
+    <name>Workbench</name>
+    <message>
+        <source>Elastica</source>
+        <translation>Elastica</translation>
+    </message>
+    <message>
+        <source>Flat strips that bend into drawn curves</source>
+        <translation>Flache Streifen, die sich in gezeichnete Kurven biegen</translation>
+    </message>
 </context>
 </TS>

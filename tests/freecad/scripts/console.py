@@ -62,7 +62,7 @@ def report(document, feature):
 def work():
     import numpy
     import scipy
-    from freecad.elastica_wb.cutting import write_cutting_files
+    from freecad.elastica_wb.export.cutting_files import write_cutting_files
     from freecad.elastica_wb.features import flat, strip
 
     import elastica_cad

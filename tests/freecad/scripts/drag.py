@@ -14,8 +14,8 @@ from inside import WAVE, answers, mouse, on_screen, picture, run, scene, sketch,
 
 def work():
     Gui.activateWorkbench("ElasticaWorkbench")
-    from freecad.elastica_wb import live
     from freecad.elastica_wb.features import strip
+    from freecad.elastica_wb.live import session as live
 
     document = App.newDocument("Drag")
     document.UndoMode = 1

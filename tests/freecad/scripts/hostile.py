@@ -10,7 +10,7 @@ import time
 import FreeCAD as App
 import FreeCADGui as Gui
 import Part
-from inside import ARCH, WAVE, QtCore, QtWidgets, answers, choose, run, sketch, wait
+from inside import ARCH, OUT, WAVE, QtCore, QtWidgets, answers, choose, run, sketch, trigger, wait
 
 PANELS = {
     "Elastica_Strip": "sketch",
@@ -37,7 +37,7 @@ def report():
 
 
 def told():
-    from freecad.elastica_wb.commands import base
+    from freecad.elastica_wb.host import telling as base
 
     words = [box.text() for box in base._told]
     for box in base._told:
@@ -97,11 +97,11 @@ def scene(name="Doc"):
 
 
 def opened(command, parts):
-    from freecad.elastica_wb.panels.base import Panel
+    from freecad.elastica_wb.panels.panel import Panel
 
     choose(*parts[PANELS[command]])
     Panel.opened = None
-    Gui.runCommand(command)
+    trigger(command)
     wait(40)
     assert Panel.opened is not None, f"{command} opened no panel: {told()}"
     return Panel.opened
@@ -181,7 +181,7 @@ def elsewhere(command):
 
 def nonsense(command):
     """Selections that mean nothing to a command."""
-    from freecad.elastica_wb.panels.base import Panel
+    from freecad.elastica_wb.panels.panel import Panel
 
     document = App.newDocument("Nonsense")
     box = document.addObject("Part::Box", "Box")
@@ -196,7 +196,7 @@ def nonsense(command):
     for choice in ([], [box], [link], [loose], things, things[4:5], things[5:6], [box, *things, link]):
         choose(*choice)
         Panel.opened = None
-        Gui.runCommand(command)
+        trigger(command)
         wait(20)
         if Panel.opened is not None and Gui.Control.activeDialog() and not Panel.opened.accept():
             Panel.opened.reject()
@@ -205,7 +205,7 @@ def nonsense(command):
     Gui.Selection.addSelection(box, "Face1")
     Gui.Selection.addSelection(box, "Vertex1")
     Panel.opened = None
-    Gui.runCommand(command)
+    trigger(command)
     wait(60)
     if Panel.opened is not None and Gui.Control.activeDialog():
         Panel.opened.reject()
@@ -214,7 +214,7 @@ def nonsense(command):
 
 def edits():
     """The sketch is deleted, undone, its document closed, while it is being edited."""
-    from freecad.elastica_wb import live
+    from freecad.elastica_wb.live import session as live
 
     parts = scene()
     document, (drawn,) = parts["document"], parts["sketch"]
@@ -324,28 +324,31 @@ def draft():
 
 def preferences():
     """Preferences change beside an open panel."""
-    from freecad.elastica_wb import preferences as kept
+    from freecad.elastica_wb.host import preferences as kept
 
     parts = scene()
     panel = opened("Elastica_Export", parts)
     kept.put("Kerf", 0.3)
-    kept.put("Units", "inch")
+    App.Units.setSchema(3)
     kept.put("DefaultSheet", "no such sheet")
     poke(panel)
     panel.reject()
     panel = opened("Elastica_Export", parts)
-    answers["kerf of a new panel"] = panel.form.kerf.value()
+    answers["kerf of a new panel"] = panel.value("kerf")
     panel.reject()
     panel = opened("Elastica_Nearest", parts)
     answers["sheet of a new panel"] = panel.form.sheet.currentText()
     panel.reject()
-    kept.put("Units", "FreeCAD")
+    App.Units.setSchema(0)
     kept.put("DefaultSheet", "birch-plywood-0.8")
     App.closeDocument(parts["document"].Name)
 
 
 def work():
     Gui.activateWorkbench("ElasticaWorkbench")
+    from freecad.elastica_wb.host import preferences as kept
+
+    kept.put("ExportFolder", str(OUT))  # else the export asks for a folder, in a window that waits
     hook = sys.excepthook
 
     def note(kind, error, trace):

@@ -1,4 +1,4 @@
-"""The user reads inches: the preferences page, boxes of panels, sentences, the overlay's words."""
+"""The user reads inches: FreeCAD's own preference, boxes of panels typed into, sentences, the overlay's words."""
 
 import sys
 from pathlib import Path
@@ -7,21 +7,31 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 import FreeCAD as App
 import FreeCADGui as Gui
-from inside import ARCH, QtCore, QtWidgets, answers, choose, picture, run, sketch, wait
-
-
-def type_into(box, words):
-    box.lineEdit().setText(words)
-    box.lineEdit().textEdited.emit(words)
-    box.interpretText()
-    wait(400)
+from inside import (
+    ARCH,
+    QtCore,
+    QtWidgets,
+    answers,
+    choose,
+    click,
+    dialog_button,
+    keys,
+    mouse,
+    panel,
+    picture,
+    press,
+    run,
+    sketch,
+    type_into,
+    wait,
+    window,
+)
 
 
 def preferences_page():
     def look():
         for box in QtWidgets.QApplication.topLevelWidgets():
             if isinstance(box, QtWidgets.QDialog) and box.isVisible():
-                box.findChild(QtWidgets.QComboBox, "units").setCurrentIndex(3)
                 box.findChild(QtWidgets.QComboBox, "dxfVersion").setCurrentText("R2000")
                 box.findChild(QtWidgets.QDoubleSpinBox, "kerf").setValue(0.2)
                 picture("preferences.png")
@@ -31,58 +41,77 @@ def preferences_page():
     Gui.showPreferences("Elastica", 0)
 
 
+def scroll_to(widget):
+    """Bring a field of the panel into sight, as a person does."""
+    for area in Gui.getMainWindow().findChildren(QtWidgets.QScrollArea):
+        if area.isAncestorOf(widget):
+            area.ensureWidgetVisible(widget)
+    wait(150)
+
+
 def work():
+    window()
+    App.ParamGet("User parameter:BaseApp/Preferences/Units").SetInt("UserSchema", 3)
+    App.Units.setSchema(3)
     Gui.activateWorkbench("ElasticaWorkbench")
-    from freecad.elastica_wb import live, preferences
-    from freecad.elastica_wb.panels.base import Panel
+    from freecad.elastica_wb.host import preferences
+    from freecad.elastica_wb.live import session as live
 
     preferences_page()
-    answers["preferences"] = [preferences.get(name) for name in ("Units", "DxfVersion", "Kerf")]
+    answers["preferences"] = [preferences.get(name) for name in ("DxfVersion", "Kerf")]
     document = App.newDocument("Inches")
     document.UndoMode = 1
     drawn = sketch(document, ARCH)
     choose(drawn)
-    Gui.runCommand("Elastica_Strip")
-    wait(200)
-    box = Panel.opened.form.MaxWidth
+    press("Elastica_Strip")
+    box = panel().form.MaxWidth
+    scroll_to(box)
     answers["shown"] = box.text()
-    for _ in range(50):  # until the panel is laid out
-        wait(100)
-        answers["in its row"] = box.y() > Panel.opened.form.Thickness.y() > 0
-        if answers["in its row"]:
-            break
     strip = document.getObject("Strip")
     typed = []
-    for words in ("0.75", "2 cm", "1/2 in", "nonsense"):
+    for words in ("0.75 in", "2 cm", "1/2 in"):
+        scroll_to(box)
         type_into(box, words)
+        wait(400)
         typed.append(strip.MaxWidth.Value)
     answers["typed"] = typed
-    thickness = Panel.opened.form.Thickness
-    type_into(thickness, thickness.text())
-    answers["looked at"] = [thickness.text(), strip.Thickness.Value]
-    box.stepUp()
+    thickness = panel().form.Thickness
+    scroll_to(thickness)
+    click(thickness)
+    keys("Tab")
+    wait(300)
+    answers["looked at"] = strip.Thickness.Value
+    scroll_to(box)
+    click(box)
+    keys("Up")
+    wait(500)
+    answers["stepped"] = strip.MaxWidth.Value
+    keys("Tab")
+    answers["before the wheel"] = strip.MaxWidth.Value
+    place = box.mapToGlobal(box.rect().center())
+    mouse("mousemove", place.x(), place.y(), "click", "--repeat", 3, 4)
     wait(400)
-    answers["stepped"] = [box.text(), strip.MaxWidth.Value]
-    answers["numbers"] = Panel.opened.form.numbers.text()
+    answers["wheel"] = strip.MaxWidth.Value
+    answers["numbers"] = panel().form.numbers.text()
+    strip.setExpression("MinWidth", None)
+    strip.setExpression("MaxWidth", "1 in")
+    document.recompute()
+    wait(300)
+    answers["expression"] = [strip.MaxWidth.Value, box.isReadOnly()]
+    strip.setExpression("MaxWidth", None)
+    strip.MaxWidth = 33.0
+    wait(300)
+    answers["elsewhere"] = panel().value("MaxWidth")
     picture("inches.png")
-    Panel.opened.accept()
-    wait(100)
+    click(dialog_button("Ok"))
+    wait(300)
     choose(strip)
-    Gui.runCommand("Elastica_Export")
+    press("Elastica_Export")
+    answers["cut list"] = panel().form.message.text()
+    answers["kerf"] = panel().value("kerf")
+    answers["version"] = panel().form.version.currentText()
+    click(dialog_button("Cancel"))
     wait(200)
-    answers["cut list"] = Panel.opened.form.message.text()
-    answers["kerf"] = [Panel.opened.form.kerf.text(), Panel.opened.form.kerf.value()]
-    answers["version"] = Panel.opened.form.version.currentText()
-    Panel.opened.reject()
-    preferences.put("Units", "mm")
-    choose(strip)
-    Gui.ActiveDocument.setEdit(strip.Name)
-    wait(200)
-    type_into(Panel.opened.form.MaxWidth, "3/4 in")
-    answers["typed beside mm"] = [Panel.opened.form.MaxWidth.text(), strip.MaxWidth.Value]
-    Panel.opened.reject()
-    wait(100)
-    preferences.put("Units", "inch")
     Gui.ActiveDocument.setEdit(drawn.Name)
     wait(600)
     answers["advice"] = live.session().sentence

@@ -90,6 +90,109 @@ def mouse(*words):
     wait(100)
 
 
+def click(widget, button=1, times=1, at=None):
+    """A real mouse clicks in the middle of a widget, or at a place of it."""
+    place = widget.mapToGlobal(at if at is not None else widget.rect().center())
+    mouse("mousemove", place.x() - 2, place.y() - 1, "sleep", 0.05, "mousemove", place.x(), place.y())
+    mouse("click", "--repeat", times, "--delay", 80, button)
+
+
+def keys(*names):
+    """A real keyboard."""
+    mouse("key", "--delay", 40, *names)
+
+
+def type_into(widget, words):
+    """Click into a field, replace what is there, leave it by Tab."""
+    click(widget)
+    keys("ctrl+a")
+    mouse("type", "--delay", 15, words)
+    keys("Tab")
+    wait(250)
+
+
+def toolbar_button(command):
+    """The visible button of a command, or None."""
+    for bar in Gui.getMainWindow().findChildren(QtWidgets.QToolBar):
+        for action in bar.actions() if bar.isVisible() else []:
+            button = bar.widgetForAction(action)
+            if action.objectName() == command and button is not None and button.isVisible():
+                return button
+    return None
+
+
+def is_grey(command):
+    """Can the command not be used now? FreeCAD looks several times a second."""
+    wait(400)
+    button = toolbar_button(command)
+    assert button is not None, f"no button for {command}"
+    return not button.isEnabled()
+
+
+def press(command):
+    """The toolbar button of a command, by a real mouse."""
+    assert not is_grey(command), f"{command} is grey"
+    click(toolbar_button(command))
+    wait(200)
+
+
+def action_of(command):
+    """The QAction behind the buttons and menu entries of a command."""
+    return Gui.Command.get(command).getAction()[0]
+
+
+def trigger(command, choice=True):
+    """A command by its QAction, as its button and its menu entry do; False where it is grey."""
+    Gui.updateCommands() if hasattr(Gui, "updateCommands") else wait(360)  # else FreeCAD looks by itself
+    action = action_of(command)
+    if action.isEnabled():
+        action.trigger()
+    return action.isEnabled() or choice
+
+
+def fill(panel, **values):
+    """What a user types into fields of a panel, with everything that follows from it."""
+    from freecad.elastica_wb.panels.widgets.fields import set_value, signal_of
+
+    for name, value in values.items():
+        widget = getattr(panel.form, name)
+        set_value(widget, value)
+        argument = {QtWidgets.QComboBox: 0, QtWidgets.QLineEdit: "", QtWidgets.QCheckBox: True}
+        send = next((v for k, v in argument.items() if isinstance(widget, k)), value)
+        signal_of(widget).emit(send)
+
+
+def dialog_button(kind="Ok"):
+    """A button of the open task panel."""
+    for box in Gui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox):
+        button = box.button(getattr(QtWidgets.QDialogButtonBox, kind))
+        if box.isVisible() and button is not None and button.isVisible():
+            return button
+    return None
+
+
+def panel():
+    """The open panel of the workbench."""
+    from freecad.elastica_wb.panels.panel import Panel
+
+    return Panel.opened
+
+
+def told():
+    """What a window of the workbench says."""
+    from freecad.elastica_wb.host import telling
+
+    return telling._told[0].text() if telling._told and telling._told[0].isVisible() else ""
+
+
+def window():
+    """FreeCAD as large as the screen, and in front."""
+    main = Gui.getMainWindow()
+    main.showMaximized()
+    main.activateWindow()
+    wait(400)
+
+
 def drag(start, steps, shift, name="", grab=lambda: None):
     """A real mouse takes what is at a point in space and moves it by `steps` times `shift` pixels."""
     x, y = on_screen(*start)

@@ -7,14 +7,15 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 import FreeCAD as App
 import FreeCADGui as Gui
-from inside import ARCH, QtWidgets, answers, choose, picture, run, sketch, wait
+from inside import ARCH, QtWidgets, answers, choose, picture, run, sketch, trigger, wait
 from PySide import QtCore
 
 
 def work():
     Gui.activateWorkbench("ElasticaWorkbench")
-    from freecad.elastica_wb import commands, preferences
-    from freecad.elastica_wb.panels.base import Panel
+    from freecad.elastica_wb import commands
+    from freecad.elastica_wb.host import preferences
+    from freecad.elastica_wb.panels.panel import Panel
 
     words = {}
     for action in Gui.getMainWindow().findChildren(QtWidgets.QWidget):
@@ -23,10 +24,10 @@ def work():
                 words[one.objectName()] = one.text().replace("&", "")
     answers["menu"] = words
     english = {command.name: command.text for command in commands.COMMANDS}
-    answers["untranslated"] = [name for name, text in words.items() if text == english[name]]
+    answers["untranslated"] = [name for name, text in words.items() if text == english.get(name)]
     document = App.newDocument("Sprache")
     choose(sketch(document, ARCH))
-    Gui.runCommand("Elastica_Strip")
+    trigger("Elastica_Strip")
     wait(200)
     answers["panel"] = Panel.opened.form.windowTitle()
     picture("german.png")

@@ -1,42 +1,48 @@
-"""The commands of the workbench, in the order of its menu."""
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
 
-from freecad.elastica_wb.commands.base import Command
-from freecad.elastica_wb.commands.bend import BendCommand
-from freecad.elastica_wb.commands.check import CheckCommand
-from freecad.elastica_wb.commands.coupon import CouponCommand
-from freecad.elastica_wb.commands.export import ExportCommand
-from freecad.elastica_wb.commands.libraries import LibrariesCommand
-from freecad.elastica_wb.commands.models import FixturesCommand, InterlockCommand, NestCommand
-from freecad.elastica_wb.commands.nearest import NearestCommand
-from freecad.elastica_wb.commands.projective import ProjectiveCommand
-from freecad.elastica_wb.commands.section import SectionCommand
-from freecad.elastica_wb.commands.sheets import SheetsCommand
-from freecad.elastica_wb.commands.strip import StripCommand
-from freecad.elastica_wb.commands.styles import LaminateCommand, PerforateCommand
-from freecad.elastica_wb.commands.tolerance import ToleranceCommand
+"""The commands of the workbench, in the groups of its menu and its toolbars."""
 
-__all__ = ["COMMANDS", "MENU", "TOOLBARS", "register"]
+from collections.abc import Iterable
 
-COMMANDS: tuple[Command, ...] = (
-    CheckCommand(),
-    StripCommand(),
-    NearestCommand(),
-    ProjectiveCommand(),
-    PerforateCommand(),
-    LaminateCommand(),
-    InterlockCommand(),
-    FixturesCommand(),
-    SectionCommand(),
-    BendCommand(),
-    ToleranceCommand(),
-    CouponCommand(),
-    NestCommand(),
-    ExportCommand(),
-    SheetsCommand(),
-    LibrariesCommand(),
+from freecad.elastica_wb.commands.command import Command
+from freecad.elastica_wb.commands.curve_commands import (
+    CheckCommand,
+    NearestCommand,
+    ProjectiveCommand,
+    SectionCommand,
 )
-MENU = tuple(command.name for command in COMMANDS)
-TOOLBARS = {"Elastica": MENU[:-1]}
+from freecad.elastica_wb.commands.model_commands import FixturesCommand, InterlockCommand, NestCommand
+from freecad.elastica_wb.commands.strip_commands import (
+    BendCommand,
+    LaminateCommand,
+    PerforateCommand,
+    StripCommand,
+    ToleranceCommand,
+)
+from freecad.elastica_wb.commands.workshop_commands import CouponCommand, ExportCommand, SheetsCommand
+from freecad.elastica_wb.live.live_command import NAME as LIVE
+
+__all__ = ["COMMANDS", "MENU", "TOOLBARS", "context_menu", "register"]
+
+SKETCH = "Sketcher_NewSketch"
+DRAW = (CheckCommand(), NearestCommand(), ProjectiveCommand(), SectionCommand())
+STRIPS = (StripCommand(), PerforateCommand(), LaminateCommand(), BendCommand(), ToleranceCommand())
+MODELS = (InterlockCommand(), FixturesCommand(), NestCommand(), ExportCommand())
+WORKSHOP = (SheetsCommand(), CouponCommand())
+
+COMMANDS: tuple[Command, ...] = (*DRAW, *STRIPS, *MODELS, *WORKSHOP)
+
+
+def _names(commands: Iterable[Command]) -> list[str]:
+    return [command.name for command in commands]
+
+
+TOOLBARS = {
+    "Elastica": [SKETCH, LIVE, "Separator", *_names(DRAW), "Separator", *_names(STRIPS)],
+    "Elastica models": [*_names(MODELS), "Separator", *_names(WORKSHOP)],
+}
+MENU = [*TOOLBARS["Elastica"], "Separator", *TOOLBARS["Elastica models"]]
 
 
 def register() -> None:
@@ -47,3 +53,16 @@ def register() -> None:
     for command in COMMANDS:
         if command.name not in known:
             Gui.addCommand(command.name, command)
+
+
+def context_menu() -> list[str]:
+    """What can be done with what is selected: the commands that need it and can be used."""
+    import FreeCADGui as Gui
+
+    if not Gui.Selection.getSelection():
+        return []
+    groups = [[c.name for c in group if c.has_subject() and c.IsActive()] for group in (DRAW, STRIPS, MODELS)]
+    found: list[str] = []
+    for group in filter(None, groups):
+        found += ["Separator", *group] if found else group
+    return found

@@ -1,17 +1,21 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
 """One slotted plate for all tabs that stand on it, as a parametric object."""
 
 from typing import Any
 
-from freecad.elastica_wb import preferences
-from freecad.elastica_wb.drawn import frame_of
+from freecad.elastica_wb.curves.sketch_curves import frame_of
 from freecad.elastica_wb.features.fixtures import source_model
-from freecad.elastica_wb.features.properties import Property
+from freecad.elastica_wb.features.property_table import Property
 from freecad.elastica_wb.features.proxy import Feature, added
-from freecad.elastica_wb.library import sheet_called, sheet_list
-from freecad.elastica_wb.shapes import make_solid
+from freecad.elastica_wb.host import preferences
+from freecad.elastica_wb.host.sheet_store import sheet_called, sheet_list
+from freecad.elastica_wb.shapes.part_shapes import make_solid
 
-from elastica_cad.fabrication import FlatSolid, Frame
-from elastica_cad.fabrication.base import BasePlate
+from elastica_cad.fabrication.holders.base_plate import BasePlate
+from elastica_cad.fabrication.solids.strip_solids import FlatSolid
+from elastica_cad.geometry.frame import Frame
 
 __all__ = ["BasePlateFeature", "create", "is_base_plate", "plate_of"]
 

@@ -1,16 +1,19 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
 """Printed blocks that hold the ends of strips, as a parametric object."""
 
 from typing import Any
 
 import Part
 from freecad.elastica_wb.features.model import is_model, model_of, strips_model
-from freecad.elastica_wb.features.properties import Property
+from freecad.elastica_wb.features.property_table import Property
 from freecad.elastica_wb.features.proxy import Feature, added
-from freecad.elastica_wb.patience import in_steps
-from freecad.elastica_wb.prisms import make_block
+from freecad.elastica_wb.host.progress import in_steps
+from freecad.elastica_wb.shapes.prism_blocks import make_block
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication import Model
+from elastica_cad.fabrication.model.strip_model import Model
 
 __all__ = ["FixturesFeature", "create", "source_model"]
 

@@ -1,21 +1,25 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
 """The flat twin of a strip: a body of its own for assemblies, drawings and cutting."""
 
 from collections.abc import Iterable
 from typing import Any
 
 import FreeCAD as App
-from freecad.elastica_wb.design import flat_shape
 from freecad.elastica_wb.features.model import is_model, model_of
-from freecad.elastica_wb.features.properties import Property
+from freecad.elastica_wb.features.property_table import Property
 from freecad.elastica_wb.features.proxy import Feature
 from freecad.elastica_wb.features.strip import is_strip, strip_of
+from freecad.elastica_wb.host.view_providers import dress
+from freecad.elastica_wb.solving.strip_cache import flat_shape
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication import Strip
+from elastica_cad.fabrication.strip.strip_record import Strip
 
 __all__ = ["FlatFeature", "create", "flats_of", "is_flat"]
 
-GAP = 10.0  # mm between the curve and the flat part
+GAP_MM = 10.0  # mm between the curve and the flat part
 
 LAYERS = ["Base", "Backing"]
 
@@ -51,10 +55,8 @@ def create(document: Any, strip: Any, layer: str = "Base") -> Any:
     group = strip.getParentGeoFeatureGroup()
     if group is not None and group.TypeId == "App::Part":
         group.addObject(obj)
+    dress(obj, "Flat")
     if App.GuiUp:
-        from freecad.elastica_wb.features.views import FlatView
-
-        FlatView(obj.ViewObject)
         obj.ViewObject.ShapeColor = strip.ViewObject.ShapeColor
     return obj
 
@@ -72,8 +74,8 @@ def _beside(strip: Any) -> App.Placement:
     """On the ground in front of the drawn curve."""
     box = strip.Curve[0].Shape.BoundBox
     if not box.isValid():  # a sketch that was not recomputed yet
-        return App.Placement(App.Vector(0, -GAP - strip.MaxWidth.Value, 0), App.Rotation())
-    return App.Placement(App.Vector(box.XMin, box.YMin - GAP - strip.MaxWidth.Value, 0), App.Rotation())
+        return App.Placement(App.Vector(0, -GAP_MM - strip.MaxWidth.Value, 0), App.Rotation())
+    return App.Placement(App.Vector(box.XMin, box.YMin - GAP_MM - strip.MaxWidth.Value, 0), App.Rotation())
 
 
 def flats_of(strips: Iterable[Any]) -> list[Any]:

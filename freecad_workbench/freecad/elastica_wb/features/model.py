@@ -1,22 +1,27 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
 """The parametric model: several strips in their places, slotted into each other where they cross."""
 
-from functools import lru_cache
 from typing import Any
 
 import FreeCAD as App
 import numpy as np
 import Part
-from freecad.elastica_wb import preferences
-from freecad.elastica_wb.design import bent_shape
-from freecad.elastica_wb.drawn import container, drawn_curve, frame_of, placement_of
-from freecad.elastica_wb.features.properties import Property, put
+from freecad.elastica_wb.curves.sketch_curves import container, drawn_curve, frame_of, placement_of
+from freecad.elastica_wb.features.property_table import Property, put
 from freecad.elastica_wb.features.proxy import Feature, added
 from freecad.elastica_wb.features.strip import is_strip, strip_of
-from freecad.elastica_wb.patience import patiently
-from freecad.elastica_wb.units import worded
+from freecad.elastica_wb.host import preferences
+from freecad.elastica_wb.host.progress import patiently
+from freecad.elastica_wb.host.user_units import worded
+from freecad.elastica_wb.solving.growing_cache import growing_cache
+from freecad.elastica_wb.solving.strip_cache import bent_shape
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication import Model, Placed, Strip
+from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.strip.strip_record import Strip
 
 __all__ = ["ModelFeature", "create", "is_model", "model_of", "strips_model"]
 
@@ -109,7 +114,7 @@ def strips_model(strips: list[Any], *, name: str, options: tuple[tuple[str, Any]
     return patiently("Putting the model together", _model, tuple(places), name, options)
 
 
-@lru_cache(maxsize=8)
+@growing_cache
 def _model(
     places: tuple[tuple[Strip, tuple[float, ...]], ...], name: str, options: tuple[tuple[str, Any], ...]
 ) -> Model:
@@ -118,7 +123,7 @@ def _model(
     return model.interlock(**dict(options)) if options else model
 
 
-@lru_cache(maxsize=64)
+@growing_cache
 def _labelled(strip: Strip, label: str) -> Strip:
     """Models tell their parts apart by label."""
     from dataclasses import replace

@@ -1,18 +1,21 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
 """Everything that must be cut, laid on sheets, as a parametric object."""
 
 from typing import Any
 
 import FreeCAD as App
 import Part
-from freecad.elastica_wb.features.properties import Property, put
+from freecad.elastica_wb.features.property_table import Property, put
 from freecad.elastica_wb.features.proxy import Feature, added
-from freecad.elastica_wb.shapes import make_wire
+from freecad.elastica_wb.shapes.part_shapes import make_wire
 
-from elastica_cad.fabrication.nesting import nested
+from elastica_cad.fabrication.sheets.nesting import nest_pieces
 
 __all__ = ["NestFeature", "create"]
 
-GAP = 30.0  # mm between sheets
+SHEET_GAP_MM = 30.0  # mm between sheets
 
 
 class NestFeature(Feature):
@@ -28,22 +31,22 @@ class NestFeature(Feature):
 
     def make(self, obj: Any) -> None:
         """Lay the pieces."""
-        from freecad.elastica_wb.cutting import pieces_of
+        from freecad.elastica_wb.export.cutting_files import pieces_of
 
         size = (obj.SheetWidth.Value, obj.SheetHeight.Value)
-        sheets = nested(pieces_of(obj.Sources), sheet_size=size, margin=obj.Margin.Value)
+        sheets = nest_pieces(pieces_of(obj.Sources), sheet_size=size, margin=obj.Margin.Value)
         wires = []
         for i, sheet in enumerate(sheets):
             border = Part.makePolygon([App.Vector(x * size[0], y * size[1], 0) for x, y in CORNERS])
             drawn = [border, *(make_wire(item.path) for item in sheet.paths)]
             for wire in drawn:
-                wire.translate(App.Vector(i * (size[0] + GAP), 0, 0))
+                wire.translate(App.Vector(i * (size[0] + SHEET_GAP_MM), 0, 0))
             wires += drawn
         obj.Shape = Part.Compound(wires)
         put(obj, Sheets=len(sheets))
 
 
-CORNERS = ((0, 0), (1, 0), (1, 1), (0, 1), (0, 0))
+CORNERS = ((0, 0), (1, 0), (1, 1), (0, 1), (0, 0))  # of a sheet, in its sizes
 
 
 def create(document: Any, sources: list[Any]) -> Any:

@@ -1,11 +1,14 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
 """What the proxies of all later features share."""
 
 from collections.abc import Iterable
 from typing import Any
 
-import FreeCAD as App
-from freecad.elastica_wb.features.properties import Property, ensure
-from freecad.elastica_wb.features.refusal import FAILURES, explained, refused
+from freecad.elastica_wb.features.property_table import Property, ensure
+from freecad.elastica_wb.host.refusal import FAILURES, explained, refused
+from freecad.elastica_wb.host.view_providers import dress
 
 __all__ = ["Feature", "added"]
 
@@ -22,6 +25,7 @@ class Feature:
     def onDocumentRestored(self, obj: Any) -> None:
         """Bring a file of an earlier version up to date."""
         self.ensure(obj)
+        dress(obj, type(self).__name__.removesuffix("Feature"))
 
     def ensure(self, obj: Any) -> None:
         """Add what is missing."""
@@ -56,8 +60,5 @@ def added(document: Any, name: str, proxy: type[Feature], sources: Iterable[Any]
     group = groups.pop() if len(groups) == 1 else None
     if group is not None and group.TypeId == "App::Part":
         group.addObject(obj)
-    if App.GuiUp:
-        from freecad.elastica_wb.features import views
-
-        getattr(views, f"{name}View")(obj.ViewObject)
+    dress(obj, name)
     return obj

@@ -1,23 +1,29 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
 """The parametric strip: follows a sketch, stands on its curve, says in its properties what it found."""
 
 from collections.abc import Iterable
 from typing import Any
 
 import FreeCAD as App
-from freecad.elastica_wb import preferences
-from freecad.elastica_wb.design import bent_shape, flat_shape, judged, nearest, solved
-from freecad.elastica_wb.drawn import drawn_curve, is_sketch
-from freecad.elastica_wb.features.asked import FORMS, PROPERTIES, wish_of
-from freecad.elastica_wb.features.properties import ensure, put
-from freecad.elastica_wb.features.refusal import FAILURES, explained, refused
-from freecad.elastica_wb.library import sheet_called, sheet_list
-from freecad.elastica_wb.units import worded
+from freecad.elastica_wb.curves.sketch_curves import drawn_curve, is_sketch
+from freecad.elastica_wb.features.property_table import ensure, put
+from freecad.elastica_wb.features.strip_properties import FORMS, PROPERTIES
+from freecad.elastica_wb.features.strip_request import spec_of
+from freecad.elastica_wb.host import preferences
+from freecad.elastica_wb.host.refusal import FAILURES, explained, refused
+from freecad.elastica_wb.host.sheet_store import sheet_called, sheet_list
+from freecad.elastica_wb.host.user_units import worded
+from freecad.elastica_wb.host.view_providers import dress
+from freecad.elastica_wb.solving.strip_cache import bent_shape, find_nearest, flat_shape, judged, solve_strip
 
 from elastica_cad.errors import ElasticaError, InputError
-from elastica_cad.fabrication import Strip, sheet_color
-from elastica_cad.mechanics import NotRealizable
+from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 
-__all__ = ["FORMS", "StripFeature", "create", "hide_failed", "is_strip", "strip_of", "wish_of"]
+__all__ = ["FORMS", "StripFeature", "create", "hide_failed", "is_stale", "is_strip", "spec_of", "strip_of"]
 
 BODY = "PartDesign::Body"
 
@@ -32,9 +38,12 @@ class StripFeature:
     def onDocumentRestored(self, obj: Any) -> None:
         """Bring a file of an earlier version up to date."""
         self._ensure(obj)
+        dress(obj, "Strip")
 
     def onChanged(self, obj: Any, name: str) -> None:
         """A newly chosen sheet brings its thickness, and its numbers into the document."""
+        if name == "Curve" and "Restore" not in obj.State and "Containers" in obj.PropertiesList:
+            put(obj, Containers=_containers(obj))
         kept = {"Sheet": "SheetData", "Backing": "BackingData"}.get(name)
         if kept is None or "Restore" in obj.State or kept not in obj.PropertiesList:
             return
@@ -50,17 +59,21 @@ class StripFeature:
         """Make the shape and tell the results, or fail with a sentence and keep the last good shape."""
         try:
             drawn = drawn_curve(obj.Curve, obj)
-            wish = wish_of(obj, drawn)
-            strip = solved(drawn.curve, wish)
+            spec = spec_of(obj, drawn)
+            strip = solve_strip(spec)
             shape = bent_shape(strip) if obj.Form == "Bent" else flat_shape(strip)
+            made_from = _mark(obj, drawn, spec)
         except FAILURES as error:
             told = explained(error)
             _tell_error(obj, told)
             raise refused(obj, told) from None
+        if "AddSubShape" in obj.PropertiesList:  # what PartDesign's patterns repeat
+            obj.AddSubShape = shape
         obj.Shape = shape
         if obj.Form == "Bent":
             obj.Placement = drawn.placement
-        _tell_results(obj, strip, nearest(drawn.curve, wish).deviation if wish.nearest else None)
+        put(obj, MadeFrom=made_from)
+        _tell_results(obj, strip, find_nearest(spec.rod_spec).deviation if spec.may_change else None)
 
     def dumps(self) -> None:
         """Nothing to save."""
@@ -85,17 +98,15 @@ def create(document: Any, sketch: Any, edges: tuple[str, ...] = ()) -> Any:
     """The parametric strip that follows a sketch, or edges of an object; recompute the document to see it."""
     group = sketch.getParentGeoFeatureGroup()
     body = group is not None and group.TypeId == BODY and not _solids(group)
-    obj = document.addObject("PartDesign::FeaturePython" if body else "Part::FeaturePython", "Strip")
+    obj = document.addObject("PartDesign::FeatureAdditivePython" if body else "Part::FeaturePython", "Strip")
     StripFeature(obj)
     if group is not None and (body or group.TypeId != BODY):
         group.addObject(obj)
     obj.Curve = (sketch, list(edges))
     obj.MaxWidth = obj.OuterWidth = preferences.get("MaxWidth")
     obj.StartTab = obj.EndTab = preferences.get("TabLength")
+    dress(obj, "Strip")
     if App.GuiUp:
-        from freecad.elastica_wb.features.views import StripView
-
-        StripView(obj.ViewObject)
         obj.ViewObject.ShapeColor = sheet_color(sheet_called(obj.Sheet))
     return obj
 
@@ -113,8 +124,41 @@ def strip_of(obj: Any) -> Strip:
     ElasticaError
         The curve cannot be bent as asked.
     """
-    drawn = drawn_curve(obj.Curve, obj)
-    return solved(drawn.curve, wish_of(obj, drawn))
+    return solve_strip(spec_of(obj, drawn_curve(obj.Curve, obj)))
+
+
+def is_stale(obj: Any, changed: set[str]) -> bool:
+    """Was the shape made from another request? `changed` names the objects that are not as they were."""
+    source = obj.Curve[0] if obj.Curve else None
+    touched = {obj.Name, *(one.Name for one in (source, *_parents(source)) if one is not None)}
+    if not touched & changed:
+        return False
+    try:
+        drawn = drawn_curve(obj.Curve, obj)
+        return bool(obj.MadeFrom != _mark(obj, drawn, spec_of(obj, drawn)))
+    except FAILURES:
+        return True
+
+
+def _mark(obj: Any, drawn: Any, spec: Any) -> str:
+    """What tells a request from others, within one run of FreeCAD."""
+    return f"{hash((spec, obj.Form, tuple(drawn.placement.toMatrix().A))):x}"
+
+
+def _parents(source: Any) -> list[Any]:
+    """The containers that an object moves with, inside out."""
+    found: list[Any] = []
+    while source is not None:
+        source = source.getParentGeoFeatureGroup()
+        found.append(source)
+    return found[:-1]
+
+
+def _containers(obj: Any) -> list[Any]:
+    """Containers that move the curve and not the strip: it is made anew where they move."""
+    source = obj.Curve[0] if obj.Curve else None
+    own = [obj, *_parents(obj)]
+    return [one for one in _parents(source) if one not in own]
 
 
 def _solids(body: Any) -> bool:
@@ -140,7 +184,7 @@ def _tell_results(obj: Any, strip: Strip, changed: float | None) -> None:
         Margin=0.0 if found is None else found.margin,
         ConjugatePoint=0.0 if found is None or found.conjugate_point is None else found.conjugate_point,
         LargestStrain=100 * strip.max_strain,
-        StrainUse=min(100, round(100 * strip.max_strain / strip.sheet.max_strain)),
+        StrainUse=round(100 * strip.max_strain / strip.strain_limit),
         Deviation=rod.moved if changed is None else changed,
         Length=rod.length,
         NarrowestWidth=strip.width.extremes[0],
@@ -156,7 +200,7 @@ def _tell_error(obj: Any, error: ElasticaError) -> None:
     verdict = (
         "A flat strip cannot take this curve." if isinstance(error, NotRealizable) else "There is no strip."
     )
-    put(obj, Verdict=verdict, Reasons=[worded(reason) for reason in reasons])
+    put(obj, Verdict=verdict, Reasons=[worded(reason) for reason in reasons], MadeFrom="")
     if obj.Visibility and not is_edited(obj):
         obj.HiddenByError = True
         obj.Visibility = False

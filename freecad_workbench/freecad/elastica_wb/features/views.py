@@ -1,9 +1,12 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
 """How the features look in the tree and the view."""
 
 from typing import Any
 
 import FreeCADGui as Gui
-from freecad.elastica_wb.text import icon
+from freecad.elastica_wb.host.resources import icon
 
 __all__ = ["BasePlateView", "FixturesView", "FlatView", "ModelView", "NestView", "StripView"]
 
@@ -19,9 +22,24 @@ class _View:
     def attach(self, provider: Any) -> None:
         """FreeCAD hands over the view provider, at creation and after loading."""
         self.Object = provider.Object
-        from freecad.elastica_wb import live
 
-        live.install()
+    def setEdit(self, provider: Any, mode: int = 0) -> bool | None:
+        """Open the panel; FreeCAD's other modes, such as Transform, stay FreeCAD's."""
+        if mode != 0:
+            return None
+        from freecad.elastica_wb.panels.feature_panels import panel_of
+
+        Gui.Control.showDialog(panel_of(provider.Object))
+        return True
+
+    def unsetEdit(self, _provider: Any, mode: int = 0) -> None:
+        """Close the panel."""
+        if mode == 0:
+            Gui.Control.closeDialog()
+
+    def doubleClicked(self, provider: Any) -> bool:
+        """A double click edits."""
+        return bool(Gui.getDocument(provider.Object.Document.Name).setEdit(provider.Object.Name, 0))
 
     def getIcon(self) -> str:
         """Path of the icon."""
@@ -38,7 +56,7 @@ class _View:
 
 
 class StripView(_View):
-    """The strip; its sketch hangs under it in the tree, a double click opens its panel."""
+    """The strip; its sketch hangs under it in the tree, ."""
 
     icon_name = "Elastica_Strip"
 
@@ -49,21 +67,6 @@ class StripView(_View):
         return (
             [] if source is None or (group is not None and group.TypeId == "PartDesign::Body") else [source]
         )
-
-    def setEdit(self, provider: Any, _mode: int = 0) -> bool:
-        """Open the panel."""
-        from freecad.elastica_wb.panels.strip import StripPanel
-
-        Gui.Control.showDialog(StripPanel(provider.Object))
-        return True
-
-    def unsetEdit(self, _provider: Any, _mode: int = 0) -> None:
-        """Close the panel."""
-        Gui.Control.closeDialog()
-
-    def doubleClicked(self, provider: Any) -> bool:
-        """A double click edits."""
-        return bool(Gui.getDocument(provider.Object.Document.Name).setEdit(provider.Object.Name))
 
 
 class FlatView(_View):
@@ -98,3 +101,10 @@ class NestView(_View):
     """The sheets."""
 
     icon_name = "Elastica_Nest"
+
+
+KINDS = {
+    "Strip": StripView, "Flat": FlatView, "Model": ModelView, "Fixtures": FixturesView,
+    "BasePlate": BasePlateView, "Nest": NestView,
+}  # fmt: skip
+"""The view provider of every kind of feature."""

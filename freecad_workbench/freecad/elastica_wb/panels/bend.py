@@ -1,3 +1,6 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
 """The panel that bends: ends are moved and turned, the strip follows; nothing else is changed until OK."""
 
 import math
@@ -5,13 +8,16 @@ from typing import Any
 
 import numpy as np
 from freecad.elastica_wb.features.strip import strip_of
-from freecad.elastica_wb.panels.base import Panel, active_view, placement_of_strip
-from freecad.elastica_wb.preview import Preview
-from freecad.elastica_wb.shapes import spline_geometry
-from freecad.elastica_wb.text import tr
+from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.panels.panel import Panel, active_view, placement_of_strip
+from freecad.elastica_wb.panels.widgets.fields import set_value
+from freecad.elastica_wb.preview.preview_lines import Preview
+from freecad.elastica_wb.shapes.part_shapes import spline_geometry
 
 from elastica_cad.errors import ElasticaError
-from elastica_cad.mechanics import Rod, bend, stability
+from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stability.stability_verdict import stability
 
 __all__ = ["BendPanel", "moved"]
 
@@ -51,14 +57,12 @@ class BendPanel(Panel):
         shift, name = np.asarray(place) - self.rest.position[-end], ("start", "end")[end]
         widgets = (getattr(self.form, f"{name}{axis}") for axis in "XY")
         for widget, value in zip(widgets, shift, strict=True):
-            widget.blockSignals(True)
-            widget.setValue(float(value))
-            widget.blockSignals(False)
+            set_value(widget, float(value))
         self._safely_changed()
 
     def play(self, *_: Any) -> None:
         """Go the whole way in small steps, seen on the screen: kinetic."""
-        from freecad.elastica_wb.qt import QtWidgets
+        from freecad.elastica_wb.host.qt import QtWidgets
 
         rod = self.rest
         for share in np.linspace(0.0, 1.0, 21)[1:]:
@@ -74,7 +78,7 @@ class BendPanel(Panel):
     def finished(self) -> None:
         """Keep the bent curve as an object of its own."""
         self._timer.stop()
-        if not any(getattr(self.form, name).value() for name in FIELDS):
+        if not any(self.value(name) for name in FIELDS):
             return
         self.changed()
         curve = self.document.addObject("Part::Feature", "Bent")
@@ -89,7 +93,7 @@ class BendPanel(Panel):
             self.preview = None
 
     def _bent(self, share: float, guess: Rod) -> Rod:
-        return moved(self.rest, {name: share * getattr(self.form, name).value() for name in FIELDS}, guess)
+        return moved(self.rest, {name: share * self.value(name) for name in FIELDS}, guess)
 
     def _show(self, rod: Rod) -> None:
         self._draw(rod)

@@ -1,18 +1,22 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
 """The panel of the coupon: a strip to cut, and what its droop says about the sheet."""
 
 from typing import Any
 
-from freecad.elastica_wb import preferences
-from freecad.elastica_wb.library import own_sheets, save_own_sheets, sheet_called, sheet_list
-from freecad.elastica_wb.panels.base import Panel
-from freecad.elastica_wb.panels.files import ask_file, save_drawing
-from freecad.elastica_wb.shapes import make_solid
-from freecad.elastica_wb.text import tr
+from freecad.elastica_wb.host import preferences
+from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.host.sheet_store import own_sheets, save_own_sheets, sheet_called, sheet_list
+from freecad.elastica_wb.panels.panel import Panel
+from freecad.elastica_wb.panels.widgets.file_dialogs import ask_file, save_drawing
+from freecad.elastica_wb.shapes.part_shapes import make_solid
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication import FlatSolid, coupon_drawing, coupon_overhang
-from elastica_cad.fabrication.drawing import CUT_OUTER
-from elastica_cad.mechanics import Calibration, calibrate_cantilever
+from elastica_cad.fabrication.drawings.drawing import CUT_OUTER
+from elastica_cad.fabrication.sheets.coupon import coupon_drawing, coupon_overhang
+from elastica_cad.fabrication.solids.strip_solids import FlatSolid
+from elastica_cad.mechanics.studies.calibration import Calibration, calibrate_cantilever
 
 __all__ = ["CouponPanel", "readings_of"]
 
@@ -47,7 +51,7 @@ class CouponPanel(Panel):
                 droops,
                 thickness=sheet.thickness,
                 density=sheet.density,
-                reading_error=self.form.error.value(),
+                reading_error=self.value("error"),
             )
             words.append(str(self.calibration))
         self.tell("\n".join(words))

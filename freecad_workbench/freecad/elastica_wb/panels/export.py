@@ -1,18 +1,24 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
 """The panel of the export: which files, how written, where to."""
 
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-from freecad.elastica_wb import preferences
-from freecad.elastica_wb.cutting import KINDS, pieces_of, write_cutting_files
-from freecad.elastica_wb.panels.base import Panel, progress
-from freecad.elastica_wb.panels.files import ask_folder
-from freecad.elastica_wb.text import tr
+from freecad.elastica_wb.export.cutting_files import KINDS, pieces_of, write_cutting_files
+from freecad.elastica_wb.host import preferences
+from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.host.telling import tell_files
+from freecad.elastica_wb.panels.panel import Panel, progress
+from freecad.elastica_wb.panels.widgets.fields import set_value
+from freecad.elastica_wb.panels.widgets.file_dialogs import ask_folder
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.pieces import Piece
-from elastica_cad.formats import CURVES, DXF_VERSIONS
+from elastica_cad.fabrication.sheets.pieces import Piece
+from elastica_cad.formats.drawing_files.curve_style import CURVES
+from elastica_cad.formats.drawing_files.dxf_drawing import DXF_VERSIONS
 
 __all__ = ["ExportPanel"]
 
@@ -35,14 +41,22 @@ class ExportPanel(Panel):
         form.version.setCurrentText(preferences.get("DxfVersion"))
         form.curves.addItems(list(CURVES))
         form.curves.setCurrentText(preferences.get("Curves"))
-        form.kerf.setValue(preferences.get("Kerf"))
-        form.tolerance.setValue(preferences.get("Tolerance"))
-        form.dxf.setChecked(find_spec("ezdxf") is not None)
-        saved = Path(strips[0].Document.FileName).parent if strips[0].Document.FileName else Path.home()
-        form.folder.setText(str(saved))
+        set_value(form.kerf, preferences.get("Kerf"))
+        set_value(form.tolerance, preferences.get("Tolerance"))
+        form.layout().removeWidget(form.whereGroup)
+        form.layout().insertWidget(1, form.whereGroup)
+        form.nest.toggled.connect(self._show_sheet)
+        self._show_sheet(form.nest.isChecked())
+        form.folder.setText(_usual_folder(strips[0].Document))
         form.browse.clicked.connect(self.browse)
-        form.dxf.clicked.connect(self.need_ezdxf)
-        self.tell("\n".join(map(_listed, self.pieces)))
+        words = list(map(_listed, self.pieces))
+        if find_spec("ezdxf") is None:
+            words.append(
+                tr("DXF files are of version R12 here, curves as arcs: the library ezdxf is missing.")
+            )
+            for name in ("version", "label_1_DXFversion"):
+                getattr(form, name).hide()
+        self.tell("\n".join(words))
 
     def browse(self, *_: Any) -> None:
         """Choose the folder."""
@@ -50,12 +64,10 @@ class ExportPanel(Panel):
         if folder:
             self.form.folder.setText(folder)
 
-    def need_ezdxf(self, wanted: bool) -> None:
-        """DXF needs a library that FreeCAD does not bring."""
-        if wanted and find_spec("ezdxf") is None:
-            from freecad.elastica_wb.commands.libraries import offer
-
-            self.form.dxf.setChecked(offer(["ezdxf"]))
+    def _show_sheet(self, wanted: bool) -> None:
+        """A nest is laid on sheets of a size."""
+        for name in ("sheetWidth", "label_5_Sheetwidth", "sheetHeight", "label_6_Sheetheight"):
+            getattr(self.form, name).setVisible(wanted)
 
     def finished(self) -> None:
         """Write the files."""
@@ -67,20 +79,33 @@ class ExportPanel(Panel):
     def _write(self) -> None:
         kinds = [kind for kind in KINDS if getattr(self.form, kind).isChecked()]
         if not self.form.folder.text().strip():
+            self.browse()
+        if not self.form.folder.text().strip():
             raise InputError(tr("choose a folder for the files"))
         with progress(tr("Writing files"), len(self.pieces) + len(self.strips)) as go_on:
             self.written = write_cutting_files(
                 self.strips,
                 self.form.folder.text(),
                 kinds=kinds,
-                sheet_size=(self.form.sheetWidth.value(), self.form.sheetHeight.value()),
-                kerf=self.form.kerf.value(),
+                sheet_size=(self.value("sheetWidth"), self.value("sheetHeight")),
+                kerf=self.value("kerf"),
                 curves=self.form.curves.currentText(),
-                tolerance=self.form.tolerance.value(),
+                tolerance=self.value("tolerance"),
                 version=self.form.version.currentText(),
                 force=self.form.force.isChecked(),
                 step=go_on,
             )
+        preferences.put("ExportFolder", self.form.folder.text())
+        if self.written:
+            tell_files(self.written)
+
+
+def _usual_folder(document: Any) -> str:
+    """Where files went the last time; else beside the document; else the user is asked."""
+    last = preferences.get("ExportFolder")
+    if last and Path(last).is_dir():
+        return str(last)
+    return str(Path(document.FileName).parent) if document.FileName else ""
 
 
 def _listed(piece: Piece) -> str:

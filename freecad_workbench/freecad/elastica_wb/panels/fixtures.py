@@ -1,12 +1,16 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
 """The panel of fixtures: printed blocks for the ends, or one slotted plate."""
 
 from typing import Any
 
-from freecad.elastica_wb import preferences
 from freecad.elastica_wb.features import baseplate, fixtures
-from freecad.elastica_wb.library import sheet_list
-from freecad.elastica_wb.panels.base import Panel
-from freecad.elastica_wb.text import tr
+from freecad.elastica_wb.host import preferences
+from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.host.sheet_store import sheet_list
+from freecad.elastica_wb.panels.panel import Panel
+from freecad.elastica_wb.panels.widgets.fields import set_value
 
 from elastica_cad.errors import InputError
 
@@ -25,26 +29,26 @@ class FixturesPanel(Panel):
         self.sources = [obj for obj in sources if not baseplate.is_base_plate(obj)]
         self.form.sheet.addItems(sheet_list())
         self.form.sheet.setCurrentText(preferences.default_sheet())
-        self.form.slot.setValue(preferences.get("Clearance"))
+        set_value(self.form.slot, preferences.get("Clearance"))
 
     def finished(self) -> None:
         """Make them; what cannot be made says why and keeps the panel open."""
         form, made = self.form, []
         if form.blocks.isChecked():
             blocks = fixtures.create(self.document, self.sources)
-            blocks.Clearance, blocks.Wall = form.clearance.value(), form.wall.value()
-            blocks.Foot, blocks.Screw = form.foot.value(), form.screw.value()
+            blocks.Clearance, blocks.Wall = self.value("clearance"), self.value("wall")
+            blocks.Foot, blocks.Screw = self.value("foot"), self.value("screw")
             made.append(blocks)
         if form.plate.isChecked():
             plate = baseplate.create(self.document, self.sources)
             plate.Sheet = form.sheet.currentText()
             place = plate.Placement
-            place.Base.z = form.plateHeight.value()
+            place.Base.z = self.value("plateHeight")
             plate.Placement = place
             plate.Play, plate.Clearance, plate.Border = (
-                form.play.value(),
-                form.slot.value(),
-                form.border.value(),
+                self.value("play"),
+                self.value("slot"),
+                self.value("border"),
             )
             made.append(plate)
         if not made:

@@ -1,13 +1,17 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
 """The panel of the sheet library: the built-in sheets with their sources, and the user's own."""
 
 from typing import Any
 
-from freecad.elastica_wb.library import own_sheets, save_own_sheets, sheet_called, sheet_list
-from freecad.elastica_wb.panels.base import Panel
-from freecad.elastica_wb.text import tr
+from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.host.sheet_store import own_sheets, save_own_sheets, sheet_called, sheet_list
+from freecad.elastica_wb.panels.panel import Panel
+from freecad.elastica_wb.panels.widgets.fields import set_value
 
 from elastica_cad.errors import InputError
-from elastica_cad.mechanics import Sheet
+from elastica_cad.mechanics.material.sheet import Sheet
 
 __all__ = ["SheetsPanel"]
 
@@ -39,7 +43,7 @@ class SheetsPanel(Panel):
         self.form.name.setText(name)
         self.form.source.setText(sheet.source)
         for field in NUMBERS:
-            getattr(self.form, field).setValue(getattr(sheet, field))
+            set_value(getattr(self.form, field), getattr(sheet, field))
         self.tell(
             f"{tr('least radius')} {sheet.least_radius:.4g} mm, "
             f"{tr('elasto-gravity length')} {sheet.elasto_gravity_length:.4g} mm"
@@ -64,7 +68,7 @@ class SheetsPanel(Panel):
 
     def sheet(self) -> Sheet:
         """The sheet that the widgets describe."""
-        numbers = {field: getattr(self.form, field).value() for field in NUMBERS}
+        numbers = {field: self.value(field) for field in NUMBERS}
         return Sheet(self.form.name.text().strip(), source=self.form.source.text(), **numbers)
 
     def finished(self) -> None:

@@ -1,16 +1,19 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
 """The panel of the tolerance study: bends many varied strips, a plot and a table at the end."""
 
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from freecad.elastica_wb.features.strip import strip_of
-from freecad.elastica_wb.panels.base import Panel, progress
-from freecad.elastica_wb.plotting import bar_chart
-from freecad.elastica_wb.text import tr
-from freecad.elastica_wb.units import shown_unit
+from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.host.user_units import shown_unit
+from freecad.elastica_wb.panels.panel import Panel, progress
+from freecad.elastica_wb.panels.widgets.bar_chart import bar_chart
 
 from elastica_cad.errors import ElasticaError
-from elastica_cad.mechanics import ToleranceStudy, tolerance_study
+from elastica_cad.mechanics.studies.tolerance_study import ToleranceStudy, tolerance_study
 
 __all__ = ["TolerancePanel"]
 
@@ -36,7 +39,7 @@ class TolerancePanel(Panel):
                 self.strip.rod,
                 sheet=self.strip.sheet,
                 max_width=self.strip.width.extremes[1],
-                samples=self.form.samples.value(),
+                samples=self.value("samples"),
                 executor=Watched(tr("Bending varied strips")),
             )
         except Stopped:

@@ -1,0 +1,30 @@
+"""Front doors: what a package exports stands in its `__init__.pyi` and is imported when it is first used."""
+
+import ast
+from collections.abc import Callable
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+__all__ = ["exports"]
+
+
+def exports(file: str, package: str) -> tuple[Callable[[str], Any], Callable[[], list[str]], list[str]]:
+    """`__getattr__`, `__dir__` and `__all__` of a package, from the stub beside its `__init__.py`.
+
+    The stub is one list for type checkers and for Python: `import elastica_cad` loads no numbers, and a name costs
+    its own module only.
+    """
+    homes: dict[str, str] = {}
+    for node in ast.parse(Path(file).with_suffix(".pyi").read_text(encoding="utf-8")).body:
+        if isinstance(node, ast.ImportFrom) and node.module is not None:
+            homes.update({alias.name: node.module for alias in node.names})
+    names = sorted(homes)
+
+    def get(name: str) -> Any:
+        if name not in homes:
+            raise AttributeError(f"module {package!r} has no attribute {name!r}")
+        home = homes[name]
+        return import_module(f"{home}.{name}") if home == package else getattr(import_module(home), name)
+
+    return get, lambda: names, names

@@ -1,0 +1,57 @@
+"""How records show themselves in notebooks: lines as a small SVG, tables as HTML, without any library."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from html import escape
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+
+__all__ = ["BLUE", "GREY", "INK", "RED", "html_table", "svg_of_lines"]
+
+BLUE, RED, GREY, INK = "#2f6db3", "#c2452d", "#8a8f98", "#3c4658"  # read on light and dark
+
+WIDTH_PX, TALLEST_PX = 640.0, 420.0  # a notebook's column, and less than a screen
+EDGE_PX = 8.0
+LINE_PX = 1.6
+FIGURES = 5  # of coordinates in pixels: a hundredth
+
+
+def svg_of_lines(lines: Iterable[tuple[FloatArray, str, bool]], title: str) -> str:
+    """Polylines (points (n, 2) with y up, colour, closed) scaled into one picture.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> svg_of_lines([(np.array([[0, 0], [10, 5]]), BLUE, False)], "two points")[:4]
+    '<svg'
+    """
+    drawn = [(np.asarray(points, dtype=float), color, closed) for points, color, closed in lines]
+    everything = np.concatenate([points for points, _, _ in drawn])
+    low, high = everything.min(axis=0), everything.max(axis=0)
+    span = np.maximum(high - low, 1e-9 * max(1.0, float(np.abs(everything).max())))
+    scale = min((WIDTH_PX - 2 * EDGE_PX) / span[0], (TALLEST_PX - 2 * EDGE_PX) / span[1])
+    size = span * scale + 2 * EDGE_PX
+    paths = []
+    for points, color, closed in drawn:
+        x = (points[:, 0] - low[0]) * scale + EDGE_PX
+        y = (high[1] - points[:, 1]) * scale + EDGE_PX
+        run = " ".join(f"{a:.{FIGURES}g},{b:.{FIGURES}g}" for a, b in zip(x, y, strict=True))
+        paths.append(
+            f'<path d="M{run}{" Z" if closed else ""}" fill="none" stroke="{color}" stroke-width="{LINE_PX}"/>'
+        )
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{size[0]:.0f}" height="{size[1]:.0f}" role="img" '
+        f'viewBox="0 0 {size[0]:.2f} {size[1]:.2f}"><title>{escape(title)}</title>{"".join(paths)}</svg>'
+    )
+
+
+def html_table(title: str, rows: Sequence[Mapping[str, object]]) -> str:
+    """Rows of equal keys as a table with a caption; every text is escaped."""
+    if not rows:
+        return f"<p>{escape(title)}</p>"
+    head = "".join(f"<th>{escape(str(key))}</th>" for key in rows[0])
+    body = "".join(
+        "<tr>" + "".join(f"<td>{escape(str(value))}</td>" for value in row.values()) + "</tr>" for row in rows
+    )
+    return f"<table><caption>{escape(title)}</caption><tr>{head}</tr>{body}</table>"

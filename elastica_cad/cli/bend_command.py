@@ -1,0 +1,201 @@
+"""`elastica bend`: where a strip goes when its ends are moved."""
+
+from collections.abc import Sequence
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+import click
+import numpy as np
+
+from elastica_cad.cli.options import END_NAMES, curve_argument, pick_curve, smooth_option, which_options
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip.travel import Travel, bend_strip
+from elastica_cad.formats.curve_files.json_curves import curves_json
+from elastica_cad.formats.file_access.file_transaction import files_together
+from elastica_cad.forming.rod_spec import RodSpec, accepted_rod
+from elastica_cad.mechanics.bending.bend_forward import bend_path
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
+
+__all__ = ["bend_command"]
+
+
+@click.command("bend")
+@curve_argument(required=False)
+@click.option("--straight", type=float, metavar="MM", help="A straight strip of even width instead of CURVE.")
+@which_options
+@smooth_option
+@click.option("--unit", type=click.Choice(["mm", "cm", "m", "in", "px"]), help="Unit of the file's numbers.")
+@click.option("--sheet", metavar="NAME", help="Material, for its weight; `elastica sheets` lists them.")
+@click.option(
+    "--max-width",
+    type=float,
+    metavar="MM",
+    help="Width of the widest place: with --sheet it tells newtons, strain and safety.",
+)
+@click.option("--gravity", is_flag=True, help="The strip feels its weight (needs --sheet).")
+@click.option("--down", type=(float, float), default=(0.0, -1.0), show_default=True, metavar="X Y",
+              help="The direction in which things fall.")  # fmt: skip
+@click.option("--from", "start", type=(float, float), metavar="X Y", help="Move the start there, mm.")
+@click.option("--to", "end", type=(float, float), metavar="X Y", help="Move the end there, mm.")
+@click.option("--start-angle", type=float, metavar="DEG", help="Turn the start to this direction.")
+@click.option(
+    "--end-angle", type=float, metavar="DEG", help="Turn the end to this direction, counted along the strip."
+)
+@click.option("--hold-start", type=click.Choice(END_NAMES), default="clamped", show_default=True,
+              help="What holds the start.")  # fmt: skip
+@click.option("--hold-end", type=click.Choice(END_NAMES), default="clamped", show_default=True,
+              help="What holds the end.")  # fmt: skip
+@click.option("--steps", type=click.IntRange(1, 200), default=1, show_default=True,
+              help="Shapes on the way, the ends moving evenly.")  # fmt: skip
+@click.option("--side", type=click.Choice(["left", "right"]), help="To which side a straight strip bulges.")
+@click.option("--force", is_flag=True, help="Overwrite files that exist.")
+@click.option("-o", "--output", type=click.Path(path_type=Path), default=Path(), help="Folder for files.")
+def bend_command(curve: Path | None, **chosen: Any) -> None:
+    """Bend the strip that was made for CURVE, or a straight one, to other ends, and tell where it comes to rest.
+
+    \b
+      elastica bend arch.dxf --to 350 0                        the arch with its feet 50 mm closer
+      elastica bend --straight 300 --to 200 0 --hold-end pinned --hold-start pinned
+
+      elastica bend --straight 120 --sheet spring-steel-0.5 --max-width 10 --to 60 0 --steps 20   a spring's force
+
+    Writes NAME-bent.csv (points, angle, curvature and stiffness along the strip), NAME-bent.json (the curves, which
+    `elastica` reads again) and NAME-bent.png; with --sheet and --max-width NAME-travel.csv and NAME-travel.png too:
+    forces and moments at the ends, energy, strain, stress and safety at every step, and all shapes.
+    """
+    if (curve is None) == (chosen["straight"] is None):
+        raise InputError("name a CURVE, or give the length of a straight strip with --straight MM")
+    if chosen["gravity"] and chosen["sheet"] is None:
+        raise InputError("--gravity needs to know the material: add --sheet NAME")
+    if chosen["max_width"] is not None and chosen["sheet"] is None:
+        raise InputError("--max-width tells newtons of a material: add --sheet NAME")
+    rod = _rod(curve, chosen)
+    side = {"left": 1, "right": -1, None: None}[chosen["side"]]
+    name = f"{curve.stem if curve is not None else 'straight'}-bent"
+    moved = None
+    verdicts: Sequence[Stability]
+    if chosen["max_width"] is None:
+        shapes = bend_path(rod, _steps(rod, chosen), side=side)
+        verdicts = [stability(shape) for shape in shapes]
+    else:
+        strip = Strip(rod, Sheet.named(chosen["sheet"]), max_width=chosen["max_width"])
+        moved = bend_strip(strip, _steps(rod, chosen), side=side)
+        shapes, verdicts = moved.rods, moved.verdicts
+    _tell(rod, shapes, verdicts)
+    if moved is not None:
+        _tell_forces(moved)
+    for path in _write_files(name, rod, shapes, moved, chosen["output"], chosen["force"]):
+        click.echo(f"wrote {path}")
+
+
+def _rod(curve: Path | None, chosen: dict[str, Any]) -> Rod:
+    """The strip before it is moved."""
+    sheet = None if chosen["sheet"] is None else Sheet.named(chosen["sheet"])
+    gravity = sheet.gravity(chosen["down"]) if sheet is not None and chosen["gravity"] else None
+    if curve is None:
+        return Rod.straight(chosen["straight"], gravity=gravity)
+    drawn = pick_curve(curve, chosen["number"], chosen["unit"], chosen["layer"])
+    spec = RodSpec(drawn, gravity, smooth=chosen["smooth"])
+    for note in spec.smoothing.notes:
+        click.echo(note)
+    return accepted_rod(spec.solve())
+
+
+def _steps(rod: Rod, chosen: dict[str, Any]) -> list[dict[str, Any]]:
+    """Keywords of `bend` for every shape on the way."""
+    here = rod.position[[0, -1]]
+    there = np.array(
+        [
+            h if given is None else given
+            for h, given in zip(here, (chosen["start"], chosen["end"]), strict=True)
+        ]
+    )
+    now = rod.angle[[0, -1]].tolist()
+    turned = [
+        None if given is None else np.radians(given) for given in (chosen["start_angle"], chosen["end_angle"])
+    ]
+    supports = Supports(chosen["hold_start"], chosen["hold_end"])
+    parts = np.arange(1, chosen["steps"] + 1) / chosen["steps"]
+    return [
+        {
+            "start": here[0] + part * (there[0] - here[0]),
+            "end": here[1] + part * (there[1] - here[1]),
+            "angles": tuple(
+                None if then is None else a + part * (then - a) for a, then in zip(now, turned, strict=True)
+            ),
+            "supports": supports,
+        }
+        for part in parts
+    ]
+
+
+def _tell(rod: Rod, shapes: Sequence[Rod], verdicts: Sequence[Stability]) -> None:
+    """Every shape in a line."""
+    click.echo(f"{rod.length:.2f} mm long, stiffness ratio {rod.ratio:.4g}")
+    for shape, verdict in zip(shapes, verdicts, strict=True):
+        (x0, y0), (x1, y1) = np.round(shape.position[[0, -1]], 2) + 0.0
+        low, high = shape.position.min(axis=0), shape.position.max(axis=0)
+        kappa = float(np.abs(shape.curvature).max())
+        bent = f"least radius {1 / kappa:.4g} mm" if kappa * shape.length > 1e-6 else "straight"
+        stays = f"stable, margin {verdict.margin:.3g}" if verdict.stable else "unstable: it snaps away"
+        click.echo(
+            f"({x0:.2f}, {y0:.2f}) to ({x1:.2f}, {y1:.2f}): {high[0] - low[0]:.2f} by {high[1] - low[1]:.2f} mm, "
+            f"{bent}, {stays}"
+        )
+        for warning in shape.warnings:
+            click.echo(f"Warning: {warning}", err=True)
+
+
+def _tell_forces(moved: Travel) -> None:
+    """Forces, energy and strain of every shape in a line."""
+    for k in range(len(moved.rods)):
+        size = float(np.hypot(*moved.end_force[k]))
+        x, y = np.where(np.abs(moved.end_force[k]) < 1e-9 * size, 0.0, moved.end_force[k])
+        click.echo(
+            f"travel {moved.travel[k]:.4g} mm: end pushed by ({x:.4g}, {y:.4g}) N and {moved.end_moment[k]:.4g} "
+            f"N mm, energy {moved.energy[k]:.4g} N mm, strain {100 * moved.strain[k]:.3g} %, "
+            f"stress {moved.stress[k]:.4g} MPa, safety {moved.safety[k]:.3g}"
+        )
+    if moved.safety.min() < 1:
+        k = int(np.argmin(moved.safety))
+        click.echo(
+            f"Warning: at {moved.travel[k]:.4g} mm of travel it is strained beyond what the sheet bears (safety "
+            f"{moved.safety[k]:.2g}): take a thinner sheet, a longer strip or less travel",
+            err=True,
+        )
+
+
+def _write_files(
+    name: str, rod: Rod, shapes: Sequence[Rod], moved: Travel | None, output: Path, force: bool
+) -> list[Path]:
+    pictures = bool(find_spec("matplotlib"))
+    names = [f"{name}.csv", f"{name}.json"] + ([f"{name}.png"] if pictures else [])
+    travelled = f"{name.removesuffix('-bent')}-travel"
+    if moved is not None:
+        names += [f"{travelled}.csv"] + ([f"{travelled}.png"] if pictures else [])
+    with files_together(output, names, force=force) as workshop:
+        header = "shape,s_mm,x_mm,y_mm,angle_rad,curvature_1_per_mm,stiffness"
+        rows = [
+            np.column_stack([np.full(r.s.size, k), r.s, r.position, r.angle, r.curvature, r.stiffness])
+            for k, r in enumerate(shapes, start=1)
+        ]
+        formats = ["%d", *["%.6f"] * 4, "%.9g", "%.6f"]
+        np.savetxt(workshop / names[0], np.concatenate(rows), formats, ",", header=header, comments="")
+        (workshop / names[1]).write_text(curves_json([shape.curve for shape in shapes]), encoding="utf-8")
+        if moved is not None:
+            (workshop / f"{travelled}.csv").write_text(moved.csv(), encoding="utf-8")
+        if pictures:
+            from elastica_cad.plot.canvas import save_figure
+            from elastica_cad.plot.strip_pictures import rod as draw_rod
+            from elastica_cad.plot.travel_sheet import travel as draw_travel
+
+            wish = None if rod.shape is None else rod.curve
+            save_figure(draw_rod(shapes[-1], wish=wish), workshop / f"{name}.png")
+            if moved is not None:
+                save_figure(draw_travel(moved), workshop / f"{travelled}.png")
+    return [output / file for file in names]

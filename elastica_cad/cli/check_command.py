@@ -1,0 +1,94 @@
+"""`elastica check`: can this curve be bent from a flat strip?"""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import click
+
+from elastica_cad.cli.options import (
+    bendable_curve,
+    curve_options,
+    drawn_curves,
+    smooth_option,
+    support_options,
+    which_options,
+)
+from elastica_cad.errors import ElasticaError
+from elastica_cad.formats.curve_files.drawn_file import DrawnCurve
+from elastica_cad.formats.reports.strip_report import check_report
+from elastica_cad.forming.rounding_verdict import undecided_by_rounding
+from elastica_cad.forming.smoothing import smoothed
+from elastica_cad.mechanics.loads.supports import EndName, Supports
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+
+__all__ = ["check"]
+
+NOT_REALIZABLE, BAD_INPUT = 1, 2
+
+
+@click.command()
+@curve_options
+@which_options
+@support_options
+@smooth_option
+@click.option("--json", "as_json", is_flag=True, help="Print the answer as JSON.")
+@click.pass_context
+def check(
+    ctx: click.Context,
+    curve: Path,
+    unit: str | None,
+    number: str | None,
+    layer: str | None,
+    start: EndName,
+    end: EndName,
+    natural_curvature: float,
+    smooth: float | None,
+    as_json: bool,
+) -> None:
+    """Tell whether the curves in CURVE can be bent from a flat strip, and if not, where and why.
+
+    A curve can be bent when one straight line meets it exactly in its inflections and is tangent to it in none
+    of them. Every curve is judged for itself. Exit code 1 when any cannot be bent, 2 when any is no open,
+    smooth curve.
+    """
+    drawing = drawn_curves(curve, unit, number, layer)
+    supports, answers, worst = Supports(start, end), [], 0
+    for one in drawing.chosen(number, layer):
+        try:
+            answer, good = _judged(curve, one, len(drawing), supports, natural_curvature, smooth)
+        except ElasticaError as problem:
+            if len(drawing) == 1:
+                raise
+            answer, good = {"realizable": False, "problem": str(problem), "advice": str(problem)}, False
+            worst = BAD_INPUT
+        worst = max(worst, 0 if good else NOT_REALIZABLE)
+        answers.append((one, answer))
+    if as_json:
+        click.echo(json.dumps([answer for _, answer in answers], indent=1))
+    else:
+        for one, answer in answers:
+            head = f"{curve.name}, {one.called} of {len(drawing)}:\n" if len(drawing) > 1 else ""
+            said = " ".join([answer["advice"], *answer.get("notes", ())])
+            click.echo(said if "problem" in answer else f"{head}{said}", err="problem" in answer)
+    if worst:
+        ctx.exit(worst)
+
+
+def _judged(
+    path: Path,
+    one: DrawnCurve,
+    count: int,
+    supports: Supports,
+    natural_curvature: float,
+    smooth: float | None,
+) -> tuple[dict[str, Any], bool]:
+    """The report on one curve, and whether it can be bent."""
+    drawn = bendable_curve(path, one, count)
+    smoothing = smoothed(drawn, smooth, supports=supports)
+    found = check_equilibrium(smoothing.curve, supports=supports, natural_curvature=natural_curvature)
+    doubt = "" if natural_curvature else undecided_by_rounding(drawn, found.realizable, smooth, supports)
+    report = check_report(found)
+    if doubt:
+        report["advice"] = f"{doubt} As it stands: {report['advice']}"
+    return report | {"undecided": bool(doubt), "notes": list(smoothing.notes)}, found.realizable

@@ -1,0 +1,94 @@
+"""`elastica model`: from a design file to a folder with everything that is needed to build it."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import click
+
+from elastica_cad.cli.options import holding_option
+from elastica_cad.fabrication.drawings.bridges import HoldingTabs
+from elastica_cad.fabrication.sheets.cut_list import cut_list
+from elastica_cad.files import read_curves, read_surface
+from elastica_cad.formats.design_files.design_file import read_design
+from elastica_cad.kit import Kit, kit_of, left_out, write_kit
+
+__all__ = ["model"]
+
+MOST_SAID = 6
+"""Notes that are printed; the report holds all."""
+
+
+@click.command()
+@click.argument("design", type=click.Path(path_type=Path))
+@click.option("-o", "--output", type=click.Path(path_type=Path), default=Path(), help="Folder for all files.")
+@click.option("--step/--no-step", default=True, help="Write the bent strips as STEP (needs a CAD kernel).")
+@click.option(
+    "--pictures/--no-pictures", default=True, help="Draw the model and the sheets (needs matplotlib)."
+)
+@click.option("--parts/--no-parts", default=True, help="Draw every part in files of its own, too.")
+@click.option(
+    "--effects/--no-effects",
+    default=True,
+    help="Bend every strip again with its slots, and tell what they do.",
+)
+@holding_option
+@click.option("--force", is_flag=True, help="Overwrite files that exist.")
+def model(
+    design: Path,
+    output: Path,
+    step: bool,
+    pictures: bool,
+    parts: bool,
+    effects: bool,
+    holding: float | None,
+    force: bool,
+) -> None:
+    """Make a whole model from the design file DESIGN (TOML).
+
+    Writes into one folder: nested sheets, one DXF and SVG per part, the base plate and fixtures where asked for,
+    the cut list (CSV and text), a report (JSON), the assembly (STEP) and pictures. All files appear together when
+    everything has succeeded, or none. The fastest way to the nested sheets alone:
+    --no-parts --no-effects --no-pictures --no-step.
+    """
+    read = read_design(design, read_curves, read_surface)
+    if holding is not None:
+        cutting = replace(read.kit.cutting, holding=HoldingTabs(holding))
+        read = replace(read, kit=replace(read.kit, cutting=cutting))
+    with click.progressbar(length=len(read.entries) + 1, label="strips", item_show_func=str) as bar:
+        made = read.model(lambda label: bar.update(1, label))
+        bar.update(1, "nesting")
+        kit = kit_of(made, read.kit, entries=read.entries, effects=effects)
+    with click.progressbar(length=1, label="files ", item_show_func=str) as bar:
+
+        def written(name: str, total: int) -> None:
+            bar.length = total
+            bar.update(1, name)
+
+        write_kit(kit, output, step=step, pictures=pictures, parts=parts, force=force, done=written)
+    _tell(kit, output, step=step, pictures=pictures)
+
+
+def _tell(kit: Kit, output: Path, *, step: bool, pictures: bool) -> None:
+    """What was made, in a few lines."""
+    listed = cut_list(kit.pieces)
+    strips = f"{len(kit.model.placed)} strips ({len(kit.model.parts)} different)"
+    click.echo(f"{kit.model.name}: {strips}, {len(kit.model.joints)} joints; {listed.count} pieces, "
+               f"{listed.cut_length / 1000:.1f} m of cuts, {listed.mass:.0f} g")  # fmt: skip
+    for nest in kit.nests:
+        click.echo(
+            f"{nest.name}: {len(nest.pieces)} pieces, {100 * nest.filled / nest.used:.0f} % of the rows used"
+        )
+    if kit.effects:
+        weakest = min(kit.effects, key=lambda name: kit.effects[name].least_stiffness)
+        click.echo(f"weakest at its slots, {weakest}: {kit.effects[weakest]}")
+        moved = max(kit.effects, key=lambda name: kit.effects[name].deviation)
+        click.echo(f"moved most by its slots, {moved}: {kit.effects[moved].deviation:.2g} mm")
+    warnings = [f"{part.name}: {text}" for part in kit.model.parts for text in part.strip.warnings]
+    said = list(dict.fromkeys((*kit.notes, *kit.model.reports, *warnings)))
+    for text in said[:MOST_SAID]:
+        click.echo(f"Note: {text}", err=True)
+    if len(said) > MOST_SAID:
+        click.echo(f"Note: {len(said) - MOST_SAID} more in {kit.model.name}.json", err=True)
+    for text in left_out(step=step, pictures=pictures):
+        click.echo(text)
+    click.echo(f"wrote {len(kit.files)} files to {output}")

@@ -1,0 +1,112 @@
+"""`elastica reshape`: a curve pulled by four handles; what can be bent before can be bent after."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import click
+
+from elastica_cad._types import FloatArray
+from elastica_cad.cli.options import bendable_curves, curve_argument, refuse_odd_numbers, which_options
+from elastica_cad.errors import InputError
+from elastica_cad.formats.curve_files.write_curves import write_curves
+from elastica_cad.formats.design_files.reshaping import CORNERS, map_corners
+from elastica_cad.formats.file_access.file_transaction import files_together
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.curves.projective_maps import four_point_map
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+
+__all__ = ["reshape"]
+
+KINDS = ("dxf", "svg", "json")
+
+
+@click.command()
+@curve_argument()
+@which_options
+@click.option("--unit", type=click.Choice(["mm", "cm", "m", "in", "px"]), help="Unit of the file's numbers.")
+@click.option(
+    "--bottom-left", type=(float, float), metavar="X Y", help="Where this corner of the box goes, mm."
+)
+@click.option("--bottom-right", type=(float, float), metavar="X Y", help="The same of that corner.")
+@click.option("--top-right", type=(float, float), metavar="X Y", help="The same of that corner.")
+@click.option("--top-left", type=(float, float), metavar="X Y", help="The same of that corner.")
+@click.option("--handle", "handles", type=(float, float, float, float), multiple=True, metavar="X Y TO_X TO_Y",
+              help="Instead of corners, four times: a handle and where it goes, mm.")  # fmt: skip
+@click.option("--force", is_flag=True, help="Overwrite files that exist.")
+@click.option("-o", "--output", type=click.Path(path_type=Path), default=Path(), help="Folder for files.")
+@click.pass_context
+def reshape(
+    ctx: click.Context,
+    /,
+    curve: Path,
+    number: str | None,
+    layer: str | None,
+    unit: str | None,
+    handles: tuple[tuple[float, float, float, float], ...],
+    force: bool,
+    output: Path,
+    **corners: tuple[float, float] | None,
+) -> None:
+    """Pull the curves in CURVE by four handles, the corners of the box around them unless told.
+
+    \b
+      elastica reshape wave.dxf --top-right 265 190 --top-left 20 130
+      elastica reshape wave.dxf --handle 0 0 0 0 --handle 300 0 300 0 --handle 300 90 280 120 --handle 0 90 0 90
+
+    The map is projective: lines stay lines, so inflections on one line stay on one line, and a curve that can be
+    bent from a strip still can. Corners that are not named stay. Writes NAME-reshaped.dxf (exact splines with
+    weights), .svg (cubics, within 0.001 mm) and .json (exact). Exit code 1 when a curve cannot be bent; no such
+    map mends that.
+    """
+    refuse_odd_numbers({"handles": handles, **corners})
+    drawn = bendable_curves(curve, unit, number, layer)
+    matrix = _map(drawn, handles, {name: place for name, place in corners.items() if place is not None})
+    changed = [one.transformed(matrix) for one in drawn]
+    names = [f"{curve.stem}-reshaped.{kind}" for kind in KINDS]
+    with files_together(output, names, force=force) as workshop:
+        for name in names:
+            write_curves(changed, workshop / name)
+    for count, pair in enumerate(zip(drawn, changed, strict=True), start=1):
+        if len(drawn) > 1:
+            click.echo(f"curve {count} of {len(drawn)}:")
+        for word, one in zip(("before", "after"), pair, strict=True):
+            click.echo(f"{word}: {_verdict(one)}")
+    for name in names:
+        click.echo(f"wrote {output / name}")
+    if not all(check_equilibrium(one).realizable for one in changed):
+        ctx.exit(1)
+
+
+def _map(
+    curves: Sequence[PlaneCurve],
+    handles: tuple[tuple[float, float, float, float], ...],
+    corners: dict[str, tuple[float, float]],
+) -> FloatArray:
+    """The map that the options ask for."""
+    if handles and corners:
+        raise InputError("give corners of the box, or four handles of your own with --handle, not both")
+    if corners:
+        return map_corners(curves, corners)
+    if not handles:
+        options = ", ".join("--" + name.replace("_", "-") for name in CORNERS)
+        raise InputError(
+            f"say where a corner of the box around the curve goes ({options}), or give four --handle"
+        )
+    if len(handles) != 4:
+        raise InputError(f"--handle is given {len(handles)} times: a map of this kind has four handles")
+    return four_point_map([one[:2] for one in handles], [one[2:] for one in handles])
+
+
+def _verdict(curve: PlaneCurve) -> str:
+    """Can it be bent, and what it asks of the strip."""
+    check = check_equilibrium(curve)
+    at = ", ".join(f"{s:.1f}" for s in check.inflections)
+    shape = (
+        f"{curve.length:.2f} mm long, inflections at {at} mm"
+        if at
+        else f"{curve.length:.2f} mm long, no inflection"
+    )
+    if not check.realizable:
+        return f"{shape}, cannot be bent: {check.reasons[0]}"
+    return f"{shape}, can be bent, stiffness ratio {optimal_rod(curve).ratio:.4g}"

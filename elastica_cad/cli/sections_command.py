@@ -1,0 +1,290 @@
+"""`elastica sections`: from a mesh or a CAD body to curves that strips can follow, and a design file for them."""
+
+import os
+import re
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import click
+import numpy as np
+
+from elastica_cad.cli.options import refuse_odd_numbers
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.files import read_surface
+from elastica_cad.formats.curve_files.json_curves import curves_json
+from elastica_cad.formats.curve_files.write_curves import write_curves
+from elastica_cad.formats.design_files.write_sections_design import compose_section_design
+from elastica_cad.formats.file_access.file_transaction import files_together
+from elastica_cad.formats.file_access.source_file import existing_file
+from elastica_cad.formats.surface_files.file_surface import read_sized_surface
+from elastica_cad.forming.plane_sections.section_curves import AT_CORNERS, SectionCurve
+from elastica_cad.forming.plane_sections.section_spec import (
+    AlongPath,
+    CornerSplit,
+    ParallelCuts,
+    PlaneSplit,
+    PointSplit,
+    RadialCuts,
+    SectionSpec,
+    Split,
+    Surface,
+)
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+
+__all__ = ["sections"]
+
+USUAL_RATIO = 3.5
+"""Stiffness ratio that plain strips can be cut with: widest to narrowest."""
+
+ALONG = 10
+"""Planes along a path, unless told."""
+
+GAP_MM = 20.0
+"""Between the curves of a drawing: enough to tell them apart."""
+
+UPRIGHT = 1e-9
+"""Share of its length by which a direction may lean and still be upright: rounding."""
+
+Triple = tuple[float, float, float]
+TRIPLE = (float, float, float)
+POSITIVE = click.FloatRange(0, min_open=True)
+
+
+@click.command()
+@click.argument("mesh", type=click.Path(path_type=Path))
+@click.option("--unit", type=click.Choice(["mm", "cm", "m", "um", "in", "ft"]),
+              help="What one unit of the file is; meshes do not say.")  # fmt: skip
+@click.option("--scale", type=POSITIVE, help="Factor from the file to the model, besides the unit.")
+@click.option("--radial", type=click.IntRange(1, 1000), metavar="N", help="N half planes about the axis.")
+@click.option("--angle", "angles", type=float, multiple=True, metavar="DEG",
+              help="Half planes about the axis at these angles; repeatable.")  # fmt: skip
+@click.option("--parallel", type=click.IntRange(1, 1000), metavar="N",
+              help="N planes across the axis, through equal slices.")  # fmt: skip
+@click.option("--offset", "offsets", type=float, multiple=True, metavar="MM",
+              help="Planes across the axis, so far from the point; repeatable.")  # fmt: skip
+@click.option("--along", type=click.Path(path_type=Path), metavar="FILE",
+              help="Planes across a path: rows x, y, z in mm, text or CSV.")  # fmt: skip
+@click.option("--count", type=click.IntRange(1, 1000), metavar="N",
+              help=f"Planes along the path  [default: {ALONG}]")  # fmt: skip
+@click.option(
+    "--point", type=TRIPLE, metavar="X Y Z", help="On the axis [default: the middle of the mesh's box]."
+)
+@click.option("--axis", type=TRIPLE, metavar="X Y Z",
+              help="Direction [default: up; for parallel planes the longest side of the box].")  # fmt: skip
+@click.option(
+    "--zero", type=TRIPLE, metavar="X Y Z", help="Where the angle 0 of half planes points [default: x]."
+)
+@click.option("--up", type=TRIPLE, metavar="X Y Z", help="Upward in the planes [default: z].")
+@click.option("--split", "splits", type=(*TRIPLE, *TRIPLE), multiple=True, metavar="X Y Z NX NY NZ",
+              help="Split sections at a spine: the plane through a point across a normal; repeatable.")  # fmt: skip
+@click.option("--split-at", "split_at", type=TRIPLE, multiple=True, metavar="X Y Z",
+              help="Split sections at their places nearest to these points; repeatable.")  # fmt: skip
+@click.option("--split-corners", type=click.FloatRange(0, 180, min_open=True, max_open=True), metavar="DEG",
+              help="Split sections where they turn by more than this at a corner.")  # fmt: skip
+@click.option("--longest", is_flag=True, help="Only the longest line of every section.")
+@click.option("--tolerance", type=POSITIVE, default=0.3, show_default=True, metavar="MM",
+              help="Largest distance of the curves from the sections.")  # fmt: skip
+@click.option("--wavelength", type=POSITIVE, metavar="MM", help="Smooth away waves shorter than this first.")
+@click.option(
+    "--sheet", metavar="NAME", help="Material of the strips: writes a design file for `elastica model`."
+)
+@click.option("--max-width", type=POSITIVE, default=20.0, show_default=True, metavar="MM",
+              help="Width of the strips' widest place, in the design file.")  # fmt: skip
+@click.option("--ratio", type=click.FloatRange(1), default=USUAL_RATIO, show_default=True, metavar="R",
+              help="Largest stiffness ratio, in the design file: curves change as little as it takes.")  # fmt: skip
+@click.option("--margin", type=float, metavar="MU", help="Least stability margin, in the design file.")
+@click.option(
+    "--gravity", is_flag=True, help="Strips carry their weight, falling along -z, in the design file."
+)
+@click.option("--force", is_flag=True, help="Overwrite files that exist.")
+@click.option("-o", "--output", type=click.Path(path_type=Path), default=Path(), help="Folder for files.")
+def sections(mesh: Path, output: Path, force: bool, sheet: str | None, **chosen: Any) -> None:
+    """Cut a MESH (OBJ, STL, PLY) or a CAD body (STEP) by planes, and fit a curve for a strip to each section.
+
+    \b
+      elastica sections pot.obj --unit cm --radial 16 --sheet card-200gsm -o out
+      elastica sections horse.stl --parallel 20 --axis 1 0 0 --split 0 0 0 0 1 0 --sheet card-200gsm -o out
+      elastica model out/horse-sections.toml -o kit          makes the nearest strips, sheets, cut list
+
+    Writes NAME-sections.json (the curves, exactly), NAME-sections.dxf (the same side by side) and, with --sheet,
+    NAME-sections.toml, a design file to go on with. A section that gives no curve is named; the others go on.
+    """
+    refuse_odd_numbers(chosen)
+    if sheet is not None:
+        Sheet.named(sheet)
+    existing_file(mesh)
+    named = {key: chosen[key] for key in ("unit", "scale") if chosen[key] is not None}
+    family = _family_named(chosen)
+    try:
+        surface = read_sized_surface(read_surface, mesh, **named)
+        spec = _spec(family, chosen, surface)
+        curves, reports = spec.curves(surface)
+    except InputError as problem:
+        told = str(problem) if str(mesh) in str(problem) else f"{mesh}: {problem}"
+        raise InputError(f"{told}{_option_for(told, chosen)}") from None
+    for curve in curves:
+        click.echo(f"{curve.name}: {_told(curve)}")
+    for text in reports:
+        click.echo(f"Note: {text}{_option_for(text, chosen)}", err=True)
+    name, strips = f"{mesh.stem}-sections", None if sheet is None else _strip_keys(sheet, chosen)
+    for file in _write_files(name, curves, {"mesh": str(mesh)} | named, spec, strips, output, force):
+        click.echo(f"wrote {output / file}")
+    if sheet is None:
+        click.echo("for strips along them add --sheet NAME, or give the curves to elastica strip")
+
+
+def _option_for(text: str, chosen: dict[str, Any]) -> str:
+    """The option that splits at corners, where a sentence asks for that."""
+    return " (--split-corners 20)" if AT_CORNERS in text and chosen["split_corners"] is None else ""
+
+
+def _family_named(chosen: dict[str, Any]) -> str:
+    """The option that says by which planes to cut."""
+    families = {
+        "--radial": chosen["radial"], "--angle": chosen["angles"], "--parallel": chosen["parallel"],
+        "--offset": chosen["offsets"], "--along": chosen["along"],
+    }  # fmt: skip
+    given = [option for option, value in families.items() if value]
+    if len(given) != 1:
+        raise InputError(
+            f"say by which planes to cut, with one of {', '.join(families)}"
+            + (f", not {' and '.join(given)}" if given else "")
+        )
+    if chosen["count"] is not None and chosen["along"] is None:
+        raise InputError(f"--count is of planes along a path, and {given[0]} takes none: leave it out")
+    return given[0]
+
+
+def _spec(family: str, chosen: dict[str, Any], surface: Surface) -> SectionSpec:
+    """What the options ask for."""
+    splits: list[Split] = [PlaneSplit(one[3:], one[:3]) for one in chosen["splits"]]
+    splits += [PointSplit(np.array(chosen["split_at"]))] if chosen["split_at"] else []
+    if chosen["split_corners"] is not None:
+        splits.append(CornerSplit(float(np.radians(chosen["split_corners"]))))
+    return SectionSpec(
+        _cuts(family, chosen, surface),
+        longest=chosen["longest"],
+        splits=tuple(splits),
+        tolerance=chosen["tolerance"],
+        wavelength=chosen["wavelength"] or 0.0,
+    )
+
+
+def _cuts(family: str, chosen: dict[str, Any], surface: Surface) -> RadialCuts | ParallelCuts | AlongPath:
+    """The planes; where they are not told after the box of the surface."""
+    if family == "--along":
+        path = np.array(_path_points(chosen["along"]))
+        return AlongPath(path, chosen["count"] or ALONG, up=_up(chosen, np.ptp(path, axis=0)))
+    x, y, z = surface.middle.round(6).tolist()
+    point = chosen["point"] or (x, y, z)
+    if family in ("--radial", "--angle"):
+        axis = chosen["axis"] or (0.0, 0.0, 1.0)
+        along_x = not np.any(np.cross(axis, (1.0, 0.0, 0.0)))
+        zero = chosen["zero"] or ((0.0, 1.0, 0.0) if along_x else (1.0, 0.0, 0.0))
+        if family == "--angle":
+            angles = tuple(float(angle) for angle in np.radians(chosen["angles"]))
+            return RadialCuts(angles=angles, point=point, axis=axis, zero=zero)
+        return RadialCuts(chosen["radial"], point=point, axis=axis, zero=zero)
+    x, y, z = np.eye(3)[int(np.argmax(np.ptp(surface.points, axis=0)))].tolist()
+    normal = chosen["axis"] or (x, y, z)
+    up = _up(chosen, np.array(normal))
+    if family == "--offset":
+        return ParallelCuts(normal, offsets=chosen["offsets"], point=point, up=up)
+    return ParallelCuts(normal, chosen["parallel"], point=point, up=up)
+
+
+def _up(chosen: dict[str, Any], along: Any) -> Triple:
+    """Which way is up in planes that stand across `along`: z, where that lies in them."""
+    upright = np.abs(along[:2]).max() <= UPRIGHT * np.abs(along).max()
+    up: Triple = chosen["up"] or ((0.0, 1.0, 0.0) if upright else (0.0, 0.0, 1.0))
+    return up
+
+
+def _strip_keys(sheet: str, chosen: dict[str, Any]) -> dict[str, Any]:
+    """What a design file says of all strips."""
+    limits = {"ratio": chosen["ratio"]}
+    limits |= {} if chosen["margin"] is None else {"margin": chosen["margin"]}
+    strips: dict[str, Any] = {"sheet": sheet, "max_width": chosen["max_width"], "limits": limits}
+    return strips | ({"gravity": True} if chosen["gravity"] else {})
+
+
+def _path_points(path: Path) -> list[list[float]]:
+    """Rows of three numbers, under a row of three names or none."""
+    text = existing_file(path).read_text(encoding="utf-8", errors="replace")
+    rows: list[list[float]] = []
+    headed = False
+    for number, line in enumerate(text.splitlines(), start=1):
+        if not line.strip() or line.lstrip().startswith("#"):
+            continue
+        words = re.split(r"[\s,;]+", line.strip(" \t,;"))
+        try:
+            row = [float(word) for word in words]
+        except ValueError:
+            if (
+                not rows
+                and [word.strip("\"'").lower()[:1] for word in words] == ["x", "y", "z"]
+                and not headed
+            ):
+                headed = True
+                continue
+            row = []
+        if len(row) != 3 or not np.all(np.isfinite(row)):
+            raise InputError(f"{path}, line {number}: {line.strip()[:40]!r} is no point x, y, z in mm")
+        rows.append(row)
+    if len(rows) < 2:
+        raise InputError(f"{path} holds {len(rows)} points: a path needs two or more, a row x, y, z each")
+    return rows
+
+
+def _told(curve: SectionCurve) -> str:
+    """The curve in a line."""
+    found = f"{curve.curve.length:.2f} mm long, {curve.deviation:.2g} mm off the section"
+    try:
+        check = check_equilibrium(curve.curve)
+        if check.realizable:
+            return f"{found}, can be bent, stiffness ratio {optimal_rod(curve.curve).ratio:.4g}"
+    except (InputError, NotConvergedError) as problem:
+        return f"{found}, no strip: {problem}"
+    return f"{found}, cannot be bent as it is: {check.reasons[0]}"
+
+
+def _write_files(
+    name: str,
+    curves: Sequence[SectionCurve],
+    mesh: dict[str, Any],
+    spec: SectionSpec,
+    strips: dict[str, Any] | None,
+    output: Path,
+    force: bool,
+) -> list[str]:
+    names = [f"{name}.json", f"{name}.dxf"] + ([] if strips is None else [f"{name}.toml"])
+    with files_together(output, names, force=force) as workshop:
+        (workshop / names[0]).write_text(curves_json([one.curve for one in curves]), encoding="utf-8")
+        write_curves(_side_by_side([one.curve for one in curves]), workshop / names[1])
+        if strips is not None:
+            seen = mesh | {"mesh": _relative(mesh["mesh"], output)}
+            text = compose_section_design(name, seen, spec, strips)
+            (workshop / names[2]).write_text(text, encoding="utf-8", newline="\n")
+    return names
+
+
+def _side_by_side(curves: Sequence[PlaneCurve]) -> list[PlaneCurve]:
+    """The curves in a row, apart from each other, so that a drawing shows them all and ends do not meet."""
+    placed, x = [], 0.0
+    for curve in curves:
+        (left, low), (right, _) = curve.bounds
+        placed.append(curve.transformed([[1, 0, x - left], [0, 1, -low], [0, 0, 1]]))
+        x += right - left + GAP_MM
+    return placed
+
+
+def _relative(mesh: str, folder: Path) -> str:
+    """The file as seen from a folder, where that can be said."""
+    try:
+        return Path(os.path.relpath(mesh, folder)).as_posix()
+    except ValueError:  # another drive
+        return Path(mesh).resolve().as_posix()

@@ -1,0 +1,248 @@
+"""`elastica strip`: from a drawn curve to the files that a laser cutter needs."""
+
+import json
+from collections.abc import Callable
+from dataclasses import dataclass, fields, replace
+from importlib.util import find_spec
+from itertools import islice
+from pathlib import Path
+from typing import Any, TypeVar
+
+import click
+
+from elastica_cad.cli.cures import cure_for
+from elastica_cad.cli.options import (
+    bendable_curve,
+    curve_options,
+    drawn_curves,
+    file_stem,
+    holding_option,
+    pick_curve,
+    which_options,
+)
+from elastica_cad.cli.strip_options import NotMetError, spec_from_options, strip_options
+from elastica_cad.errors import ElasticaError, InputError, NotConvergedError
+from elastica_cad.fabrication.drawings.bridges import HoldingTabs
+from elastica_cad.fabrication.drawings.lettering import engravable
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip_spec import StripSpec
+from elastica_cad.files import save
+from elastica_cad.formats.file_access.file_transaction import files_together
+from elastica_cad.formats.reports.strip_report import strip_report
+from elastica_cad.forming.nearest.advice import advise
+from elastica_cad.forming.nearest.nearest_record import NearestRod
+from elastica_cad.forming.rounding_verdict import undecided_by_rounding
+from elastica_cad.forming.smoothing import Smoothing
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
+from elastica_cad.mechanics.theorem1.verdict import NotRealizable
+
+__all__ = ["strip"]
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+MOST_ADVICE = 1
+"""Sentences after a success; each costs a solve or two."""
+
+
+@dataclass(frozen=True)
+class _Cut:
+    """How the cutting files are written."""
+
+    kerf: str
+    curves: str
+    tolerance: float
+    dxf_version: str
+    force: bool
+    output: Path
+    holding: float | None
+    paper: str | None
+
+    def width_burnt(self, sheet: Sheet) -> float:
+        """The kerf in mm: a number, or the sheet's own."""
+        if self.kerf == "sheet":
+            if sheet.kerf == 0:
+                raise InputError(f"no kerf is known for {sheet.name}: give your own, e.g. --kerf 0.15")
+            return sheet.kerf
+        try:
+            return float(self.kerf)
+        except ValueError:
+            raise InputError(f"--kerf {self.kerf!r} is neither a number of mm nor the word sheet") from None
+
+
+def _cut_options(function: F) -> F:
+    added = [
+        click.option("--kerf", default="0", metavar="MM|sheet", show_default=True,
+                     help="Width that the laser burns away; `sheet`: the sheet's. Most shops add it themselves."),
+        click.option("--curves", type=click.Choice(["spline", "arc", "polyline"]), default="spline",
+                     show_default=True, help="How curved edges are written."),
+        click.option("--tolerance", type=float, default=0.02, show_default=True, metavar="MM",
+                     help="Largest error of arcs and polylines."),
+        click.option("--dxf-version", default="R2010", show_default=True,
+                     help="R12, R2000, R2004, R2007, R2010, R2013 or R2018."),
+        holding_option,
+        click.option("--paper", type=click.Choice(["A4", "A3", "A2", "A1", "A0", "letter", "tabloid"]),
+                     help="Write NAME.pdf too: full size on this paper, tiles with marks to join them by."),
+        click.option("--force", is_flag=True, help="Overwrite files that exist."),
+        click.option("-o", "--output", type=click.Path(path_type=Path), default=Path(), help="Folder for files."),
+    ]  # fmt: skip
+    for option in reversed(added):
+        function = option(function)
+    return function
+
+
+@click.command()
+@curve_options
+@which_options
+@click.option("--all", "every", is_flag=True, help="A strip for every curve of the file, each for itself.")
+@strip_options
+@click.option("--strict", is_flag=True, help="Exit with 1 when the strain is beyond what the sheet bears.")
+@_cut_options
+@click.pass_context
+def strip(ctx: click.Context, /, **chosen: Any) -> None:
+    """Make the strip that bends into the curve in CURVE, and write its cutting files.
+
+    Writes NAME.dxf and NAME.svg (the cut pattern), NAME.json (the report), NAME.png (the picture; needs
+    matplotlib) and NAME.step (flat and bent strip; needs build123d or CadQuery); NAME is that of the file read.
+    NAME-backing.dxf and .svg are what is glued on a laminate.
+
+    The curve is taken exactly as drawn, or refused; only a pen curve whose curvature jumps from piece to piece is
+    made fair within 0.1 mm or so, which is told (--smooth 0 leaves it alone). With --nearest, --ratio, --stable,
+    --margin, --keep-strain or another limit the strip may leave it, as little as it must.
+
+    KEYS are written as in a design file: 'at = 40, width = 1.2'.
+    """
+    path, number, layer = chosen["curve"], chosen["number"], chosen["layer"]
+    if not chosen["every"]:
+        _one_strip(ctx, pick_curve(path, number, chosen["unit"], layer), file_stem(path, number), chosen)
+        return
+    drawing = drawn_curves(path, chosen["unit"], number, layer)
+    wrong = 0
+    for one in drawing.chosen(number, layer):
+        try:
+            drawn = bendable_curve(path, one, len(drawing))
+            _one_strip(ctx, drawn, file_stem(path, str(one.number)), chosen)
+        except (ElasticaError, click.exceptions.Exit) as problem:
+            wrong += 1
+            if isinstance(problem, ElasticaError):
+                click.echo(f"{one.called}: {problem}", err=True)
+    if wrong:
+        click.echo(f"{wrong} of {len(drawing.chosen(number, layer))} curves made no strip", err=True)
+        ctx.exit(1)
+
+
+def _one_strip(ctx: click.Context, drawn: PlaneCurve, name: str, chosen: dict[str, Any]) -> None:
+    """The strip of one curve, and its files."""
+    cut, path = _Cut(**{field.name: chosen[field.name] for field in fields(_Cut)}), chosen["curve"]
+    label = engravable(name) if chosen["label"] is None else chosen["label"]
+    spec = spec_from_options(drawn, label, chosen)
+    made, near = _made(spec, drawn)
+    verdict = stability(made.rod)
+    smoothing = spec.rod_spec.smoothing
+    written = _write_files(made, spec.frame, name, path, cut, near, verdict, smoothing)
+    _tell(made, near, verdict, written)
+    if chosen["strict"] and made.max_strain > made.sheet.max_strain:
+        ctx.exit(1)
+
+
+def _made(spec: StripSpec, drawn: PlaneCurve) -> tuple[Strip, NearestRod | None]:
+    """The strip; a refusal says whether the file's digits decide it, and ends with the command that would work."""
+    near = None
+    try:
+        found = spec.rod_spec.solve()
+        near = found if isinstance(found, NearestRod) else None
+        return spec.make(found), near
+    except (NotRealizable, NotConvergedError, InputError) as problem:
+        told: ElasticaError = problem
+        if isinstance(problem, NotRealizable):
+            doubt = undecided_by_rounding(drawn, False, spec.smooth, spec.supports)
+            if doubt:
+                told = InputError(f"{doubt} As it stands: {problem}")
+        if near is not None and isinstance(problem, NotConvergedError):
+            told = NotMetError(str(problem))
+        told.add_note(cure_for(spec))
+        raise told from problem.__cause__
+
+
+def _write_files(
+    made: Strip,
+    frame: Frame | None,
+    name: str,
+    drawn_in: Path,
+    cut: _Cut,
+    near: NearestRod | None,
+    verdict: Stability,
+    smoothing: Smoothing,
+) -> list[Path]:
+    """Write every file that the installed libraries allow: all of them, or after any error none."""
+    # R12 has no header for its unit, so the name says it
+    names = {"dxf": f"{name}-mm.dxf" if cut.dxf_version == "R12" else f"{name}.dxf"}
+    names |= {kind: f"{name}.{kind}" for kind in ("svg", "json")}
+    if len(made.layers) > 1:
+        names |= {
+            f"backing {kind}": names[kind].replace(name, f"{name}-backing", 1) for kind in ("dxf", "svg")
+        }
+    names |= {"png": f"{name}.png"} if find_spec("matplotlib") else {}
+    names |= {"pdf": f"{name}.pdf"} if cut.paper else {}
+    names |= {"step": f"{name}.step"} if find_spec("OCP") else {}
+    written = [cut.output / file for file in names.values()]
+    if any(path.exists() and path.samefile(drawn_in) for path in written):
+        raise InputError(f"{drawn_in} holds the drawn curve and is kept: name another folder, e.g. -o out")
+    drawn: dict[str, Any] = {
+        "curves": cut.curves, "tolerance": cut.tolerance,
+        "holding": None if cut.holding is None else HoldingTabs(cut.holding),
+    }  # fmt: skip
+    with files_together(cut.output, names.values(), force=cut.force) as workshop:
+        for layer, drawing, prefix in zip(made.layers, made.drawings(), ("", "backing "), strict=False):
+            called, kerf = (
+                replace(drawing, name=f"{name}-{prefix}".rstrip("- ")),
+                cut.width_burnt(layer.sheet),
+            )
+            save(called, workshop / names[f"{prefix}dxf"], version=cut.dxf_version, kerf=kerf, **drawn)
+            save(called, workshop / names[f"{prefix}svg"], kerf=kerf, **drawn)
+        if "png" in names:
+            from elastica_cad.plot.canvas import save_figure
+            from elastica_cad.plot.strip_pictures import strip_sheet
+
+            drawn_curve = None if near is None else near.target
+            save_figure(strip_sheet(made, wish=drawn_curve), workshop / names["png"])
+        if cut.paper:
+            from elastica_cad.plot.template_pages import save_template
+
+            save_template(replace(made.drawing(), name=name), workshop / names["pdf"], paper=cut.paper)
+        if "step" in names:
+            from elastica_cad.kernel.step_files import write_strip_step
+
+            write_strip_step(made, workshop / names["step"], frame=frame)
+        report = strip_report(made, name=name, files=names, near=near, stability=verdict, smoothing=smoothing)
+        (workshop / names["json"]).write_text(json.dumps(report, indent=1) + "\n", encoding="utf-8")
+    return written
+
+
+def _tell(made: Strip, near: NearestRod | None, verdict: Stability, written: list[Path]) -> None:
+    """What was made, in a few lines."""
+    rod, (low, high) = made.rod, made.width.extremes
+    click.echo(f"{made.label or 'strip'}: {rod.length:.2f} mm long, {low:.2f} to {high:.2f} mm wide, "
+               f"stiffness ratio {rod.ratio:.4g}, {made.mass:.3g} g")  # fmt: skip
+    click.echo(f"largest strain {100 * made.max_strain:.2f} % at {made.max_strain_at:.1f} mm "
+               f"({made.sheet.name} bears {100 * made.sheet.max_strain:.2f} %)")  # fmt: skip
+    if near is not None:
+        click.echo(f"largest distance from the drawn curve {near.deviation:.2f} mm. {near.status.value}")
+        for advice in islice(advise(near), MOST_ADVICE):
+            click.echo(advice)
+    said = f"margin {verdict.margin:.3g} ({verdict.word}): {verdict.meaning}"
+    if verdict.stable:
+        click.echo(f"stable, {said}")
+    else:
+        click.echo(f"Warning: {said}. --stable finds the nearest that stays.", err=True)
+    for warning in made.warnings:
+        if near is not None and warning == near.status.value:
+            continue  # told with the distance
+        click.echo(f"Warning: {warning}", err=True)
+    for kind, package in (("png", "matplotlib"), ("step", "build123d")):
+        if not any(path.suffix == f".{kind}" for path in written):
+            click.echo(f"no .{kind}: it needs {package} (pip install {package})")
+    for path in written:
+        click.echo(f"wrote {path}")

@@ -1,0 +1,307 @@
+"""Options that ask for one strip, and the request that they make together."""
+
+import re
+from collections.abc import Callable, Mapping
+from typing import Any, TypeVar
+
+import click
+
+from elastica_cad.cli.options import refuse_odd_numbers, smooth_option, support_options
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.fabrication.makeability.shop import Shop
+from elastica_cad.fabrication.strip.lamination import Laminated
+from elastica_cad.fabrication.strip.perforation import Perforated
+from elastica_cad.fabrication.strip.styles import Plain, Style
+from elastica_cad.fabrication.strip.tabs import Tab
+from elastica_cad.fabrication.strip_spec import AskedGravity, StripSpec
+from elastica_cad.formats.design_files.strip_records import (
+    parse_line,
+    parse_lines,
+    read_keep_out,
+    read_loads,
+    read_slot,
+    read_stiffness_bounds,
+    read_tab,
+)
+from elastica_cad.forming.limits import Keep, Limits
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.loads.weight import PointMass, Weight
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN
+
+__all__ = ["NotMetError", "spec_from_options", "strip_options"]
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+TAB_LENGTH_MM = 10.0
+"""Enough to hold a strip of some centimetres by."""
+
+PAIR, TRIPLE = (float, float), (float, float, float)
+
+BOTH_ENDS = {"both": True, "start": (True, False), "end": (False, True), "none": False}
+"""Which ends keep what `Keep` says of both."""
+
+PERFORATED = ("columns", "rows", "hole_ratio", "least_ligament", "least_hole", "corner_radius", "sides")
+LAMINATED = ("least_backing", "dots")
+"""Sizes of the styles: fields of their records, and options of the same name."""
+
+OPTION_OF = {
+    "max_width": "--max-width", "min_width": "--min-width", "samples": "--samples", "loads": "--hang",
+    "natural curvature": "--natural-curvature", "natural_curvature": "--natural-curvature",
+    "limits": "--nearest and the limits", "gravity": "--gravity", "width of the outline": "--outer-width",
+    "width of the base": "--outer-width", "smooth": "--smooth", "anyway": "--anyway",
+    "least_width": "--least-width",
+}  # fmt: skip
+"""Options for what the sentences of `StripSpec` name by its fields."""
+
+
+class NotMetError(NotConvergedError):
+    """The limits cannot be met near the drawn curve."""
+
+
+def strip_options(function: F) -> F:
+    """All that can be asked of one strip, but for its curve."""
+    for option in reversed((*_WIDTHS, *_STYLE, support_options, *_WEIGHT, *_NEAREST, *_PATTERN)):
+        function = option(function)
+    return function
+
+
+_WIDTHS = (
+    click.option("--sheet", required=True, metavar="NAME", help="Material; `elastica sheets` lists them."),
+    click.option("--max-width", type=float, metavar="MM", help="Width of the widest place."),
+    click.option("--min-width", type=float, metavar="MM", help="Width of the narrowest place (or its limit)."),
+)  # fmt: skip
+
+_STYLE = (
+    click.option("--style", type=click.Choice(["plain", "perforated", "laminated"]), default="plain",
+                 show_default=True, help="How stiffness becomes material."),
+    click.option("--outer-width", type=float, metavar="MM", help="Width of a perforated or laminated strip."),
+    click.option("--columns", type=click.IntRange(1), metavar="N", help="Perforated: holes side by side."),
+    click.option("--rows", type=click.IntRange(1), metavar="N", help="Perforated: rows of holes."),
+    click.option("--hole-ratio", type=float, metavar="SHARE", help="Perforated: most that holes take."),
+    click.option("--least-ligament", type=float, metavar="MM", help="Perforated: narrowest ligament."),
+    click.option("--least-hole", type=float, metavar="MM", help="Perforated: narrowest hole."),
+    click.option("--corner-radius", type=float, metavar="MM", help="Perforated: rounding of holes."),
+    click.option("--sides", type=click.Choice(["spline", "arc"]), help="Perforated: what holes are made of."),
+    click.option("--backing", metavar="NAME", help="Laminated: the sheet that is glued on."),
+    click.option("--least-backing", type=float, metavar="MM", help="Laminated: narrowest backing."),
+    click.option("--dots", type=float, metavar="MM", help="Laminated: holes that align the layers; 0: none."),
+)  # fmt: skip
+
+_WEIGHT = (
+    click.option("--gravity", is_flag=True, help="Let the strip carry its own weight."),
+    click.option("--down", type=PAIR, metavar="X Y",
+                 help="The direction in which things fall, in the drawing  [default: 0 -1]"),
+    click.option("--down-in-space", type=TRIPLE, metavar="X Y Z",
+                 help="The same in space, with --y-axis for a drawing that is not upright there."),
+    click.option("--gravity-length", type=float, metavar="MM",
+                 help="Elasto-gravity length, instead of the sheet's."),
+    click.option("--origin", type=TRIPLE, metavar="X Y Z", help="Where the drawing's origin lies in space."),
+    click.option("--x-axis", type=TRIPLE, metavar="X Y Z", help="The drawing's x in space  [default: 1 0 0]"),
+    click.option("--y-axis", type=TRIPLE, metavar="X Y Z", help="The drawing's y in space  [default: 0 0 1]"),
+    click.option("--hang", "hung", type=PAIR, multiple=True, metavar="MM GRAMS",
+                 help="A mass at this place along the strip, with --gravity; repeatable."),
+    click.option("--loads", metavar="KEYS", help="All weight in newtons: 'alpha = 0.001, masses = [...]'."),
+)  # fmt: skip
+
+_NEAREST = (
+    smooth_option,
+    click.option("--nearest", is_flag=True, help="Change the curve, as little as it takes."),
+    click.option("--ratio", type=float, metavar="R", help="Largest stiffness ratio (widest to narrowest)."),
+    click.option("--stable", is_flag=True, help=f"Make sure that it stays put (a margin of {SAFE_MARGIN:g})."),
+    click.option("--margin", type=float, metavar="MU", help="Least stability margin, instead of --stable's."),
+    click.option("--keep-strain", is_flag=True, help="Keep within the strain that the sheet bears."),
+    click.option("--max-strain", type=float, metavar="SHARE", help="Keep within this strain: 0.01 is 1 %."),
+    click.option("--max-curvature", type=float, metavar="1/MM", help="Keep within this curvature."),
+    click.option("--length-range", type=PAIR, metavar="MM MM", help="Least and largest length."),
+    click.option("--width-range", type=PAIR, metavar="MM MM", help="Bound the ratio by two widths."),
+    click.option("--keep-out", multiple=True, metavar="KEYS",
+                 help="'point = [x, y], normal = [x, y]', or 'lower = [x, y], upper = [x, y]'; repeatable."),
+    click.option("--stiffness-bounds", metavar="KEYS", help="'lower = 1.5, upper = [2, 3, 2]', along the strip."),
+    click.option("--keep-ends", type=click.Choice(list(BOTH_ENDS)), help="Which ends stay  [default: both]"),
+    click.option("--keep-tangents", is_flag=True, help="When the curve changes, keep its end tangents."),
+    click.option("--keep-tangent", type=click.Choice(["start", "end"]), help="Keep the tangent of one end."),
+    click.option("--keep-length", is_flag=True, help="When the curve changes, keep its length."),
+    click.option("--keep-symmetry", type=click.Choice(["mirror", "turn"]), help="Keep its symmetry."),
+    click.option("--keep-point", "keep_points", type=float, multiple=True, metavar="MM",
+                 help="Still pass through this place along the curve; repeatable."),
+    click.option("--keep-line", is_flag=True, help="Keep inflections on the drawn curve's inflection line."),
+    click.option("--inflection-line", type=(*PAIR, *PAIR), metavar="X Y X Y",
+                 help="Keep inflections on the line through two points."),
+)  # fmt: skip
+
+_PATTERN = (
+    click.option("--tab", type=float, default=TAB_LENGTH_MM, show_default=True, metavar="MM",
+                 help="Length of both tabs."),
+    click.option("--tab-radius", type=float, default=0.0, metavar="MM", help="Rounding of the tabs' corners."),
+    click.option("--start-tab", metavar="KEYS",
+                 help="The first tab: 'length = 12, holes = [{at = 6, diameter = 3}]'."),
+    click.option("--end-tab", metavar="KEYS", help="The last tab, in the same way."),
+    click.option("--slot", "slots", multiple=True, metavar="KEYS",
+                 help="A slot: 'at = 40, width = 1.2, side = \"lower\"'; repeatable."),
+    click.option("--label", help="Text engraved on the strip [default: the file's name]."),
+    click.option("--samples", type=int, help="Number of samples along the curve [default: chosen]."),
+    click.option("--least-width", type=float, metavar="MM",
+                 help="Narrowest strip, tab or tongue that the workshop can make [default: the sheet's]."),
+    click.option("--stock", type=PAIR, metavar="MM MM", help="Sides of the largest sheet [default: 3050 1525]."),
+    click.option("--anyway", is_flag=True, help="Write a strip that cannot be cut or handled, and say so."),
+)  # fmt: skip
+
+
+def spec_from_options(curve: PlaneCurve, label: str, chosen: Mapping[str, Any]) -> StripSpec:
+    """The strip that the options ask for.
+
+    Raises
+    ------
+    InputError
+        Options that exclude each other, or what `StripSpec` refuses, with the options to look at.
+    """
+    refuse_odd_numbers(chosen)
+    sheet = Sheet.named(chosen["sheet"])
+    limits, keep = _limits(chosen, sheet), _keep(chosen)
+    if limits is None and keep is not None:
+        raise InputError(
+            "--keep-tangents, --keep-length and other --keep options are for a curve that may change: add --nearest"
+        )
+    try:
+        return StripSpec(
+            curve,
+            sheet,
+            _frame(chosen),
+            max_width=chosen["max_width"],
+            min_width=chosen["min_width"],
+            style=_style(chosen),
+            limits=limits,
+            keep=keep if limits is None else keep or Keep(),
+            gravity=_gravity(chosen),
+            loads=_loads(chosen),
+            supports=Supports(chosen["start"], chosen["end"]),
+            natural_curvature=chosen["natural_curvature"],
+            samples=chosen["samples"],
+            ends=_ends(chosen),
+            slots=parse_lines(chosen["slots"], "--slot", read_slot),
+            label=label,
+            smooth=chosen["smooth"],
+            shop=_shop(chosen),
+            anyway=chosen["anyway"],
+        )
+    except InputError as problem:
+        raise InputError(f"{problem}{_options_named(str(problem))}") from problem
+
+
+def _options_named(sentence: str) -> str:
+    """The options that set what a sentence names by its fields."""
+    found = [option for name, option in OPTION_OF.items() if re.search(rf"\b{name}\b", sentence)]
+    return f" ({', '.join(dict.fromkeys(found))})" if found and "--" not in sentence else ""
+
+
+def _shop(chosen: Mapping[str, Any]) -> Shop:
+    """Limits of the workshop; ligaments are as fine as the style is told to make them."""
+    given = {name: chosen[name] for name in ("least_width", "stock") if chosen[name] is not None}
+    if chosen["least_ligament"] is not None:
+        given["least_ligament"] = chosen["least_ligament"]
+    return Shop(**given)
+
+
+def _style(chosen: Mapping[str, Any]) -> Style:
+    """The style with the sizes that are given; sizes of another style are refused."""
+    kind = chosen["style"]
+    sizes = {"perforated": PERFORATED, "laminated": ("backing", *LAMINATED)}
+    for other, names in sizes.items():
+        idle = [name for name in names if other != kind and chosen[name] is not None]
+        if idle:
+            raise InputError(f"--{idle[0].replace('_', '-')} is of a {other} strip: add --style {other}")
+    if kind == "plain":
+        if chosen["outer_width"] is not None:
+            raise InputError("--outer-width is of a perforated or laminated strip: add --style")
+        return Plain()
+    if chosen["outer_width"] is None:
+        raise InputError(f"a {kind} strip has a width of its own: give --outer-width MM")
+    given = {name: chosen[name] for name in sizes[kind] if chosen[name] is not None}
+    if kind == "perforated":
+        return Perforated(width=chosen["outer_width"], **given)
+    if "backing" not in given:
+        raise InputError("a laminated strip is two sheets: name the one that is glued on with --backing NAME")
+    return Laminated(width=chosen["outer_width"], **(given | {"backing": Sheet.named(given["backing"])}))
+
+
+def _frame(chosen: Mapping[str, Any]) -> Frame | None:
+    """The plane of the drawing, upright in space unless told, where anything says where it is."""
+    if all(chosen[name] is None for name in ("origin", "x_axis", "y_axis", "down_in_space")):
+        return None
+    return Frame(
+        chosen["origin"] or (0.0, 0.0, 0.0),
+        chosen["x_axis"] or (1.0, 0.0, 0.0),
+        chosen["y_axis"] or (0.0, 0.0, 1.0),
+    )
+
+
+def _gravity(chosen: Mapping[str, Any]) -> AskedGravity:
+    down, in_space, length = chosen["down"], chosen["down_in_space"], chosen["gravity_length"]
+    if not chosen["gravity"]:
+        return None
+    if down is not None and in_space is not None:
+        raise InputError("--down and --down-in-space say the same in two ways: leave one of them out")
+    if length is not None:
+        if in_space is not None:
+            raise InputError("--gravity-length falls in the drawing: use --down instead of --down-in-space")
+        return Gravity(length, down or (0.0, -1.0))
+    return in_space or down or True
+
+
+def _loads(chosen: Mapping[str, Any]) -> tuple[PointMass, ...] | Weight:
+    hung = tuple(PointMass(at, grams) for at, grams in chosen["hung"])
+    if chosen["loads"] is None:
+        return hung
+    if hung:
+        raise InputError("--hang and --loads exclude each other: name the masses in --loads too")
+    return parse_line(f"loads = {{{chosen['loads']}}}", "--loads", read_loads)
+
+
+def _limits(chosen: Mapping[str, Any], sheet: Sheet) -> Limits | None:
+    """The limits; none that are asked for, with --nearest alone; None where the curve may not change."""
+    margin = chosen["margin"]
+    if margin is None and chosen["stable"]:
+        margin = SAFE_MARGIN
+    bounds, strain = chosen["stiffness_bounds"], chosen["max_strain"]
+    asked: dict[str, Any] = {
+        "ratio": chosen["ratio"],
+        "margin": margin,
+        "curvature": chosen["max_curvature"],
+        "sheet": sheet if chosen["keep_strain"] or strain is not None else None,
+        "strain": strain,
+        "width": chosen["width_range"],
+        "length": chosen["length_range"],
+        "keep_out": parse_lines(chosen["keep_out"], "--keep-out", read_keep_out) or None,
+        "stiffness_bounds": None
+        if bounds is None
+        else parse_line(bounds, "--stiffness-bounds", read_stiffness_bounds),
+    }
+    given = {name: value for name, value in asked.items() if value is not None}
+    return Limits(**given) if given or chosen["nearest"] else None
+
+
+def _keep(chosen: Mapping[str, Any]) -> Keep | None:
+    tangent, line = chosen["keep_tangent"], chosen["inflection_line"]
+    asked: dict[str, Any] = {
+        "ends": None if chosen["keep_ends"] is None else BOTH_ENDS[chosen["keep_ends"]],
+        "tangents": True if chosen["keep_tangents"] else None if tangent is None else BOTH_ENDS[tangent],
+        "length": chosen["keep_length"] or None,
+        "symmetry": chosen["keep_symmetry"],
+        "points": chosen["keep_points"] or None,
+        "line": (line[:2], line[2:]) if line is not None else chosen["keep_line"] or None,
+    }
+    given = {name: value for name, value in asked.items() if value is not None}
+    return Keep(**given) if given else None
+
+
+def _ends(chosen: Mapping[str, Any]) -> tuple[Tab, Tab]:
+    usual = Tab(chosen["tab"], corner_radius=chosen["tab_radius"])
+    start, end = (
+        usual if chosen[name] is None else parse_line(chosen[name], f"--{name.replace('_', '-')}", read_tab)
+        for name in ("start_tab", "end_tab")
+    )
+    return start, end

@@ -1,0 +1,65 @@
+from elastica_cad.fabrication.drawings.bridges import (
+    HoldingTabs as HoldingTabs,
+    add_holding_tabs as add_holding_tabs,
+)
+from elastica_cad.fabrication.drawings.drawing import (
+    CUT_INNER as CUT_INNER,
+    CUT_OUTER as CUT_OUTER,
+    Drawing as Drawing,
+    ENGRAVE as ENGRAVE,
+    LAYERS as LAYERS,
+    LayeredPath as LayeredPath,
+    MARK as MARK,
+)
+from elastica_cad.fabrication.drawings.kerf import compensate_kerf as compensate_kerf
+from elastica_cad.fabrication.drawings.lettering import (
+    Text as Text,
+    text_strokes as text_strokes,
+    text_width as text_width,
+)
+from elastica_cad.fabrication.drawings.sheet_colors import sheet_color as sheet_color
+from elastica_cad.fabrication.holders.base_plate import BasePlate as BasePlate, base_plate as base_plate
+from elastica_cad.fabrication.holders.end_fixtures import (
+    EndFixture as EndFixture,
+    end_fixtures as end_fixtures,
+)
+from elastica_cad.fabrication.holders.placed_tab import PlacedTab as PlacedTab
+from elastica_cad.fabrication.holders.ring_plate import Ring as Ring, ring_plate as ring_plate
+from elastica_cad.fabrication.holders.slotted_frame import (
+    Rib as Rib,
+    SlottedFrame as SlottedFrame,
+    slotted_frame as slotted_frame,
+)
+from elastica_cad.fabrication.interlocking.interlock import (
+    Joint as Joint,
+    interlock as interlock,
+    slot_width as slot_width,
+)
+from elastica_cad.fabrication.model.revolution_model import revolution as revolution, revolve as revolve
+from elastica_cad.fabrication.model.strip_model import Model as Model
+from elastica_cad.fabrication.model.touching_widths import touching_widths as touching_widths
+from elastica_cad.fabrication.placed_strip import Placed as Placed
+from elastica_cad.fabrication.sheets.coupon import (
+    coupon_drawing as coupon_drawing,
+    coupon_overhang as coupon_overhang,
+    reference_bar as reference_bar,
+)
+from elastica_cad.fabrication.sheets.cut_list import (
+    CutList as CutList,
+    CutListRow as CutListRow,
+    cut_list as cut_list,
+)
+from elastica_cad.fabrication.sheets.equal_strips import EqualStrips as EqualStrips
+from elastica_cad.fabrication.sheets.nesting import NestedSheet as NestedSheet, nest_pieces as nest_pieces
+from elastica_cad.fabrication.sheets.pieces import Piece as Piece
+from elastica_cad.fabrication.slots.slot import Slot as Slot
+from elastica_cad.fabrication.solids.prisms import PrismSolid as PrismSolid
+from elastica_cad.fabrication.solids.strip_solids import BentSolid as BentSolid, FlatSolid as FlatSolid
+from elastica_cad.fabrication.strip.lamination import Laminated as Laminated
+from elastica_cad.fabrication.strip.perforation import Perforated as Perforated
+from elastica_cad.fabrication.strip.slot_effects import SlotEffect as SlotEffect
+from elastica_cad.fabrication.strip.strip_record import Layer as Layer, Reactions as Reactions, Strip as Strip
+from elastica_cad.fabrication.strip_spec import StripSpec as StripSpec, make_strip as make_strip
+from elastica_cad.fabrication.strip.styles import Plain as Plain
+from elastica_cad.fabrication.strip.tabs import Hole as Hole, TSlot as TSlot, Tab as Tab
+from elastica_cad.geometry.frame import Frame as Frame

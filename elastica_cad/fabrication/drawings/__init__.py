@@ -1,0 +1,1 @@
+"""Drawings on named layers: lettering, kerf, holding bridges, colours."""

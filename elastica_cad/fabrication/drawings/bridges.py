@@ -1,0 +1,156 @@
+"""Holding tabs: small bridges left uncut, so that parts stay in their sheet until they are broken out."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, Drawing, LayeredPath
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.segments import Segment, Spline, place
+from elastica_cad.geometry.paths.trim import trim_segment
+
+__all__ = ["HoldingTabs", "add_holding_tabs"]
+
+CORNER_RAD = 0.05
+"""Turn between two segments from which on a bridge keeps off: smaller ones come from fitting."""
+
+SAME_PLACE_MM = 1e-9
+"""Arc lengths nearer than this are one: rounding."""
+
+
+@dataclass(frozen=True)
+class HoldingTabs:
+    """Bridges that interrupt closed cuts.
+
+    Parameters
+    ----------
+    width : float
+        Length of cut that each leaves out, mm.
+    spacing : float
+        Largest distance between two of them along the cut, mm.
+    least : int
+        How many each loop has at least.
+    inner : bool
+        Interrupt inner cuts too, those longer than `spacing`.
+    """
+
+    width: float = 0.5
+    spacing: float = 100.0
+    least: int = 2
+    inner: bool = False
+
+    def __post_init__(self) -> None:
+        for name in ("width", "spacing"):
+            value = getattr(self, name)
+            if not (np.isfinite(value) and value > 0):
+                raise InputError(f"holding tab {name} is {value}: it must be positive, in mm")
+        if self.least < 1 or self.least != int(self.least):
+            raise InputError(f"holding tabs: least is {self.least}, give a whole number from 1")
+
+
+def add_holding_tabs(drawing: Drawing, tabs: HoldingTabs | None = None) -> Drawing:
+    """The drawing with bridges in its closed outer cuts: each loop becomes open cuts, in its order.
+
+    Bridges are spread evenly and moved off corners. The last step of all: kerf moves closed loops only.
+
+    Parameters
+    ----------
+    drawing : Drawing
+    tabs : HoldingTabs, optional
+        The default ones unless given.
+
+    Raises
+    ------
+    InputError
+        A loop too short for its bridges.
+
+    Examples
+    --------
+    >>> plate = Drawing("plate", [LayeredPath(CUT_OUTER, Path.rectangle(40, 10))])
+    >>> held = add_holding_tabs(plate, HoldingTabs(width=1.0, spacing=60.0))
+    >>> [round(item.path.length, 6) for item in held.paths]
+    [49.0, 49.0]
+    """
+    tabs = tabs or HoldingTabs()
+    found: list[LayeredPath] = []
+    for item in drawing.paths:
+        inner = item.layer == CUT_INNER and tabs.inner and item.path.length > tabs.spacing
+        if item.path.closed and (item.layer == CUT_OUTER or inner):
+            found += [LayeredPath(item.layer, piece) for piece in _Loop(item.path).opened(tabs)]
+        else:
+            found.append(item)
+    return Drawing(drawing.name, tuple(found), drawing.texts)
+
+
+class _Loop:
+    """A closed path by arc length."""
+
+    def __init__(self, path: Path) -> None:
+        self.segments = path.segments
+        self.ends = np.cumsum([segment.length for segment in path.segments])
+        self.length = float(self.ends[-1])
+        self.corners = np.array(
+            [
+                end
+                for end, before, after in zip(
+                    self.ends, self.segments, (*self.segments[1:], self.segments[0]), strict=True
+                )
+                if _turn(before, after) > CORNER_RAD
+            ]
+        )
+
+    def opened(self, tabs: HoldingTabs) -> list[Path]:
+        """The cuts between the bridges."""
+        count = max(tabs.least, int(np.ceil(self.length / tabs.spacing)))
+        if self.length < 4 * count * tabs.width:
+            raise InputError(
+                f"the loop at {place(self.segments[0].start)} is {self.length:.4g} mm around: too short for "
+                f"{count} holding tabs of {tabs.width:g} mm; use fewer or narrower ones"
+            )
+        step = self.length / count
+        middles = [self._off_corners((i + 0.5) * step, tabs.width, step / 4) for i in range(count)]
+        starts = [middle + tabs.width / 2 for middle in middles]
+        stops = [
+            *(middle - tabs.width / 2 for middle in middles[1:]),
+            middles[0] - tabs.width / 2 + self.length,
+        ]
+        return [Path(self._between(a, b)) for a, b in zip(starts, stops, strict=True)]
+
+    def _off_corners(self, middle: float, width: float, reach: float) -> float:
+        """The nearest place whose bridge, with as much again on both sides, meets no corner."""
+        for shift in np.linspace(0.0, reach, 41):
+            for at in (middle + shift, middle - shift):
+                away = np.abs((self.corners - at + self.length / 2) % self.length - self.length / 2)
+                if not np.any(away < width):
+                    return float(at)
+        return middle
+
+    def _between(self, a: float, b: float) -> list[Segment]:
+        """The segments from one arc length to a later one, around the start where need be."""
+        pieces: list[Segment] = []
+        for turn in (0.0, self.length):
+            for segment, end in zip(self.segments, self.ends + turn, strict=True):
+                start = end - segment.length
+                first, last = max(a, start), min(b, end)
+                if last - first > SAME_PLACE_MM:
+                    pieces.append(_part(segment, first - start, last - start))
+        return pieces
+
+
+def _part(segment: Segment, a: float, b: float) -> Segment:
+    """The segment between two of its arc lengths."""
+    length = segment.length
+    if a <= SAME_PLACE_MM and b >= length - SAME_PLACE_MM:
+        return segment
+    if not isinstance(segment, Spline):
+        return trim_segment(segment, max(a / length, 0.0), min(b / length, 1.0))
+    t0, t1 = segment.curve.domain
+    u: FloatArray = (segment.curve.parameter(np.clip([a, b], 0.0, length)) - t0) / (t1 - t0)
+    return trim_segment(segment, float(max(u[0], 0.0)), float(min(u[1], 1.0)))
+
+
+def _turn(before: Segment, after: Segment) -> float:
+    s, t = before.tangent_at(1.0), after.tangent_at(0.0)
+    return abs(float(np.arctan2(s[0] * t[1] - s[1] * t[0], s @ t)))

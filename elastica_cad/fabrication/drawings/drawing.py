@@ -1,0 +1,172 @@
+"""The drawing: paths and engraved texts on named layers, whatever file it ends up in."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from elastica_cad._notebook import BLUE, GREY, INK, RED, svg_of_lines
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.lettering import Text, text_strokes
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.point_distance import distances
+from elastica_cad.geometry.paths.segments import is_similarity, transform_points
+
+__all__ = ["CUT_INNER", "CUT_OUTER", "ENGRAVE", "LAYERS", "MARK", "SAME_MM", "Drawing", "LayeredPath", "Text"]
+
+CUT_OUTER = "CUT_OUTER"
+CUT_INNER = "CUT_INNER"
+ENGRAVE = "ENGRAVE"
+MARK = "MARK"
+
+LAYERS = (ENGRAVE, MARK, CUT_INNER, CUT_OUTER)
+"""All layers in the order in which a machine should work: a part comes loose last."""
+
+SAME_MM = 1e-6
+"""Paths nearer to each other than this everywhere are one: files keep six digits behind the point."""
+
+CHORD_SHARE = 1e-4  # of the diagonal: how closely a notebook's picture follows splines
+LAYER_INK = {CUT_OUTER: RED, CUT_INNER: BLUE, ENGRAVE: INK, MARK: GREY}
+
+
+@dataclass(frozen=True, eq=False)
+class LayeredPath:
+    """A path on a layer, one of `LAYERS`."""
+
+    layer: str
+    path: Path
+
+    def __post_init__(self) -> None:
+        _check_layer(self.layer)
+
+
+@dataclass(frozen=True, eq=False)
+class Drawing:
+    """A flat drawing, mm.
+
+    Parameters
+    ----------
+    name : str
+        What it shows; titles and file names come from it.
+    paths : sequence of LayeredPath
+    texts : sequence of Text
+
+    Examples
+    --------
+    >>> plate = Drawing("plate", [LayeredPath(CUT_OUTER, Path.rectangle(40, 10))])
+    >>> plate.bounds.tolist()
+    [[0.0, 0.0], [40.0, 10.0]]
+    """
+
+    name: str
+    paths: tuple[LayeredPath, ...] = ()
+    texts: tuple[Text, ...] = ()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "paths", tuple(self.paths))
+        object.__setattr__(self, "texts", tuple(self.texts))
+        for text in self.texts:
+            _check_layer(text.layer)
+
+    def __repr__(self) -> str:
+        return f"<Drawing {self.name!r}, {len(self.paths)} paths, {len(self.texts)} texts>"
+
+    def _repr_svg_(self) -> str:
+        low, high = self.bounds
+        chord = float(np.hypot(*(high - low))) * CHORD_SHARE
+        lines = [(one.path.points(chord), LAYER_INK[one.layer], one.path.closed) for one in self.strokes]
+        return svg_of_lines(lines, repr(self))
+
+    @cached_property
+    def strokes(self) -> tuple[LayeredPath, ...]:
+        """Everything as paths in working order: texts as strokes, inner cuts before outer, nothing twice."""
+        written = [LayeredPath(text.layer, stroke) for text in self.texts for stroke in text_strokes(text)]
+        everything = [*written, *self.paths]
+        return _without_twins([item for layer in LAYERS for item in everything if item.layer == layer])
+
+    @cached_property
+    def bounds(self) -> FloatArray:
+        """[[x_min, y_min], [x_max, y_max]], mm.
+
+        Raises
+        ------
+        InputError
+            The drawing is empty.
+        """
+        if not self.strokes:
+            raise InputError(f"the drawing {self.name!r} is empty: it has neither paths nor texts")
+        corners = np.array([item.path.bounds for item in self.strokes])
+        return np.array([corners[:, 0].min(axis=0), corners[:, 1].max(axis=0)])
+
+    def on(self, *layers: str) -> tuple[Path, ...]:
+        """The paths (without texts) on the named layers."""
+        for layer in layers:
+            _check_layer(layer)
+        return tuple(item.path for item in self.paths if item.layer in layers)
+
+    def transformed(self, matrix: ArrayLike) -> "Drawing":
+        """The drawing moved by a 3x3 affine matrix; texts that would be mirrored or skewed become paths."""
+        m = np.asarray(matrix, dtype=float)
+        paths = [LayeredPath(item.layer, item.path.transformed(m)) for item in self.paths]
+        if is_similarity(m) and np.linalg.det(m[:2, :2]) > 0:
+            turn, scale = (
+                float(np.arctan2(m[1, 0], m[0, 0])),
+                float(np.hypot(m[0, 0], m[1, 0]) / abs(m[2, 2])),
+            )
+            turn += np.pi if m[2, 2] < 0 else 0.0
+            texts = []
+            for text in self.texts:
+                x, y = transform_points(m, text.position)
+                texts.append(
+                    Text((float(x), float(y)), text.text, text.height * scale, text.angle + turn, text.layer)
+                )
+            return Drawing(self.name, tuple(paths), tuple(texts))
+        for text in self.texts:
+            paths.extend(LayeredPath(text.layer, stroke.transformed(m)) for stroke in text_strokes(text))
+        return Drawing(self.name, tuple(paths))
+
+    @classmethod
+    def merged(cls, name: str, drawings: Iterable["Drawing"]) -> "Drawing":
+        """All drawings in one."""
+        parts = tuple(drawings)
+        return cls(name, tuple(p for d in parts for p in d.paths), tuple(t for d in parts for t in d.texts))
+
+
+def _check_layer(layer: str) -> None:
+    if layer not in LAYERS:
+        raise InputError(f"there is no layer {layer!r}: use one of {', '.join(LAYERS)}")
+
+
+def _without_twins(items: list[LayeredPath]) -> tuple[LayeredPath, ...]:
+    """The paths in order, without those that run where an earlier one of their layer, or a cut, runs."""
+    if not items:
+        return ()
+    left = np.array([item.path.bounds[0, 0] for item in items])
+    order = np.argsort(left, kind="stable")
+    first = np.searchsorted(left[order], left - SAME_MM)
+    last = np.searchsorted(left[order], left + SAME_MM)
+    kept: list[LayeredPath] = []
+    dropped: set[int] = set()
+    for i, item in enumerate(items):
+        near = [int(j) for j in order[first[i] : last[i]] if j < i and int(j) not in dropped]
+        if any(_twins(items[j], item) for j in near):
+            dropped.add(i)
+        else:
+            kept.append(item)
+    return tuple(kept)
+
+
+def _twins(a: LayeredPath, b: LayeredPath) -> bool:
+    cut = (CUT_INNER, CUT_OUTER)
+    if a.layer != b.layer and not (a.layer in cut and b.layer in cut):
+        return False
+    if (
+        np.abs(a.path.bounds - b.path.bounds).max() > SAME_MM
+        or abs(a.path.length - b.path.length) > 10 * SAME_MM
+    ):
+        return False
+    samples = np.concatenate([s.at(np.array([0.0, 0.3, 0.7, 1.0])) for s in b.path.segments])
+    near = np.min([distances(segment, samples) for segment in a.path.segments], axis=0)
+    return bool(near.max() <= SAME_MM)

@@ -1,0 +1,167 @@
+"""A single-stroke alphabet for engraving: every letter is a few lines and arcs that the tool runs once."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path as FilePath
+from unicodedata import combining, normalize
+
+import numpy as np
+
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.paths.path import Path
+
+__all__ = ["Text", "engravable", "fit_label", "text_strokes", "text_width"]
+
+CAP_HEIGHT = 6.0  # of the alphabet as it is drawn, in its own units
+LABEL_MM = 5.0  # height of a strip's label, where there is room
+_GAP = 1.6  # between two letters, in the same units
+_QUARTER, _EIGHTH = float(np.tan(np.pi / 8)), float(np.tan(np.pi / 16))
+_BULGES = {"q": _QUARTER, "Q": -_QUARTER, "h": 1.0, "H": -1.0, "e": _EIGHTH, "E": -_EIGHTH}
+
+
+@dataclass(frozen=True)
+class Text:
+    """One line of engraved text.
+
+    Parameters
+    ----------
+    position : pair of float
+        Left end of the base line, mm.
+    text : str
+        Letters A-Z, a-z, digits and common punctuation.
+    height : float
+        Height of capitals, mm.
+    angle : float
+        Direction of the base line, rad.
+    layer : str
+        Name of the layer, "ENGRAVE" unless told.
+
+    Raises
+    ------
+    InputError
+        The height is not positive, or the alphabet lacks a character.
+    """
+
+    position: tuple[float, float]
+    text: str
+    height: float
+    angle: float = 0.0
+    layer: str = "ENGRAVE"
+
+    def __post_init__(self) -> None:
+        x, y = self.position
+        if not np.all(np.isfinite([x, y, self.height, self.angle])) or self.height <= 0:
+            raise InputError(
+                f"text {self.text!r} needs a finite position and angle, and a positive height in mm"
+            )
+        object.__setattr__(self, "position", (float(x), float(y)))
+        missing = sorted(set(self.text) - set(_glyphs()))
+        if missing:
+            raise InputError(
+                f"text {self.text!r}: the engraving alphabet has no {', '.join(map(repr, missing))}; "
+                "use A-Z, a-z, 0-9 and common punctuation"
+            )
+
+
+def engravable(text: str) -> str:
+    """The text in letters that can be engraved: accents are left out, unknown letters become underscores.
+
+    Examples
+    --------
+    >>> engravable("Träger")
+    'Trager'
+    """
+    plain = normalize("NFKD", text.replace("ß", "ss"))
+    return "".join(c if c in _glyphs() else "_" for c in plain if not combining(c))
+
+
+def text_width(text: str, height: float) -> float:
+    """Length of a line of text, mm, whose capitals are `height` mm high.
+
+    Examples
+    --------
+    >>> text_width("H", 6.0)
+    4.0
+    """
+    widths = [_glyphs()[c][0] for c in Text((0.0, 0.0), text, height).text]
+    return (sum(widths) + _GAP * max(0, len(widths) - 1)) * height / CAP_HEIGHT
+
+
+def text_strokes(text: Text) -> tuple[Path, ...]:
+    """The strokes of a text as open paths of lines and arcs, mm.
+
+    Examples
+    --------
+    >>> strokes = text_strokes(Text((10, 0), "AL", 5.0))
+    >>> len(strokes), round(float(max(path.bounds[1, 1] for path in strokes)), 9)
+    (3, 5.0)
+    """
+    scale = text.height / CAP_HEIGHT
+    c, s = scale * np.cos(text.angle), scale * np.sin(text.angle)
+    x, y = text.position
+    placed: list[Path] = []
+    advance = 0.0
+    for character in text.text:
+        frame = np.array([[c, -s, x + c * advance], [s, c, y + s * advance], [0.0, 0.0, 1.0]])
+        placed.extend(stroke.transformed(frame) for stroke in _glyph(character))
+        advance += _glyphs()[character][0] + _GAP
+    return tuple(placed)
+
+
+def fit_label(
+    text: str,
+    center: tuple[float, float],
+    *,
+    angle: float,
+    room: float,
+    across: float,
+    layer: str = "ENGRAVE",
+) -> Text:
+    """A label about a point, as large as fits up to 5 mm: a share of the `room` along it, and of the width across.
+
+    Parameters
+    ----------
+    center : pair of float
+        Middle of the label, mm.
+    angle : float
+        Direction of its base line, rad.
+    room, across : float
+        What there is along and across the base line, mm.
+
+    Examples
+    --------
+    >>> fit_label("A1", (50.0, 0.0), angle=0.0, room=100.0, across=20.0).height
+    5.0
+    >>> fit_label("A1", (50.0, 0.0), angle=0.0, room=100.0, across=5.0).height
+    2.0
+    """
+    height = min(LABEL_MM, 0.4 * across)
+    long = text_width(text, height)
+    height *= min(1.0, 0.8 * room / long) if long > 0 else 1.0
+    along, up = text_width(text, height) / 2, height / 2
+    c, s = np.cos(angle), np.sin(angle)
+    corner = (center[0] - c * along + s * up, center[1] - s * along - c * up)
+    return Text(position=corner, text=text, height=height, angle=float(angle), layer=layer)
+
+
+@lru_cache(maxsize=1)
+def _glyphs() -> dict[str, tuple[float, str]]:
+    """Width and code of every letter."""
+    import tomllib
+
+    text = FilePath(__file__).with_name("glyphs.toml").read_text(encoding="utf-8")
+    return {character: (width, code) for character, (width, code) in tomllib.loads(text).items()}
+
+
+@lru_cache(maxsize=256)
+def _glyph(character: str) -> tuple[Path, ...]:
+    return tuple(_strokes(_glyphs()[character][1]))
+
+
+def _strokes(code: str) -> Iterator[Path]:
+    for stroke in filter(None, code.split(";")):
+        tokens = stroke.split()
+        bulges = [_BULGES.get(token[-1], 0.0) for token in tokens]
+        points = [[float(v) for v in token.rstrip("".join(_BULGES)).split(",")] for token in tokens]
+        yield Path.polyline(points, bulges)

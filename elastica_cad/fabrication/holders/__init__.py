@@ -1,0 +1,1 @@
+"""What holds the ends of strips: fixtures, base plates, slotted frames, rings."""

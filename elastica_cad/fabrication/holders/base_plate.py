@@ -1,0 +1,290 @@
+"""A base plate: one slotted sheet into which all tabs of a model that stand on it are pushed."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
+from elastica_cad.fabrication.drawings.lettering import Text, text_width
+from elastica_cad.fabrication.holders.placed_tab import PlacedTab, place_tabs
+from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.sheets.pieces import Piece
+from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
+from elastica_cad.fabrication.solids.prisms import convex_corners
+from elastica_cad.fabrication.solids.strip_solids import FlatSolid
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.paths.offset import offset_path
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.mechanics.material.sheet import Sheet
+
+__all__ = ["BasePlate", "TabSlot", "base_plate", "plate_with", "tab_slot"]
+
+FLATTEST_RAD = np.radians(15.0)
+"""Tabs at less than this angle to a plate would need slots over four times its thickness wide."""
+
+BRIDGE_MM = 1.0
+"""Least material between two slots: less burns or breaks in thin boards."""
+
+LABEL_MM = 4.0
+"""Height of engraved names, where there is room."""
+
+BELOW_MM = 1e-6
+"""A tab that ends no farther below a plate's face does not go through it: rounding."""
+
+Shape = Literal["hull", "rectangle"]
+
+
+@dataclass(frozen=True, eq=False)
+class TabSlot:
+    """A slot of a base plate.
+
+    Attributes
+    ----------
+    corners : (4, 2) array
+        In the plate's frame, anticlockwise, mm; the first side runs across the tab.
+    name : str
+        The tab's.
+    """
+
+    corners: FloatArray
+    name: str
+
+    @property
+    def path(self) -> Path:
+        """The closed loop to cut."""
+        return Path.polygon(self.corners)
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Across the tab and through it, mm."""
+        a, b = np.hypot(*(self.corners[1:3] - self.corners[:2]).T)
+        return float(a), float(b)
+
+
+@dataclass(frozen=True, eq=False)
+class BasePlate:
+    """A plate with a slot for every tab.
+
+    Attributes
+    ----------
+    sheet : Sheet
+    frame : Frame
+        Its upper face, z up.
+    outline : Path
+        Closed, in the frame.
+    slots : tuple of TabSlot
+    name : str
+    """
+
+    sheet: Sheet
+    frame: Frame
+    outline: Path
+    slots: tuple[TabSlot, ...]
+    name: str = "base"
+
+    @property
+    def solid(self) -> FlatSolid:
+        """The plate in space, below its frame."""
+        thickness = self.sheet.thickness
+        holes = tuple(slot.path for slot in self.slots)
+        return FlatSolid(self.outline, holes, thickness, self.frame.shifted(z=-thickness))
+
+    @cached_property
+    def drawing(self) -> Drawing:
+        """The cut pattern seen from above, every slot with the name of its tab."""
+        paths = [LayeredPath(CUT_INNER, slot.path) for slot in self.slots]
+        texts = [self._label(slot) for slot in self.slots]
+        return Drawing(self.name, (*paths, LayeredPath(CUT_OUTER, self.outline)), tuple(texts))
+
+    @property
+    def piece(self) -> Piece:
+        """The plate as a piece to be cut."""
+        return Piece(self.name, self.drawing, self.sheet)
+
+    def _label(self, slot: TabSlot) -> Text:
+        """The name along the slot, reading upright above it, or below where another slot is in the way."""
+        a, b, c, _ = slot.corners
+        along, off = (b - a) / np.hypot(*(b - a)), (c - b) / np.hypot(*(c - b))
+        if along[0] < -1e-9 or (abs(along[0]) <= 1e-9 and along[1] < 0):
+            along, off = -along, -off
+        height = min(LABEL_MM, 0.2 * slot.size[0])
+        long, far = text_width(slot.name, height) / 2, slot.size[1] / 2 + 0.5 * height
+        reach = 2 * max(slot.size) + 2 * long + 4 * height
+        others = [
+            other.corners
+            for other in self.slots
+            if other is not slot and np.abs(other.corners[0] - a).max() < reach + max(other.size)
+        ]
+        bases = [slot.corners.mean(axis=0) + shift * off for shift in (far, -far - height)]
+        boxes = [np.array([p - long * along, p + long * along]) for p in bases]
+        room = [
+            min(
+                (_gap(np.concatenate([box, box[::-1] + height * off]), other) for other in others),
+                default=1.0,
+            )
+            for box in boxes
+        ]
+        start = boxes[0 if room[0] > 0.2 * height or room[0] >= room[1] else 1][0]
+        angle = float(np.arctan2(along[1], along[0]))
+        return Text((float(start[0]), float(start[1])), slot.name, height, angle, ENGRAVE)
+
+
+def base_plate(
+    placed: Sequence[Placed],
+    sheet: Sheet,
+    *,
+    frame: Frame | None = None,
+    play: float = 0.5,
+    clearance: float = CLEARANCE_MM,
+    slot_width: float | None = None,
+    border: float = 12.0,
+    shape: Shape = "hull",
+    name: str = "base",
+) -> BasePlate:
+    """One plate with a slot for every tab that stands on it.
+
+    A tab goes on straight through the plate: a slot is as wide as the tab's way between upper and lower face
+    asks for with a vertical cut, h / sin(phi) + H |cot(phi)| + clearance, where phi is the tab's angle to the
+    plate, h its thickness and H the plate's.
+
+    Parameters
+    ----------
+    placed : sequence of Placed
+    sheet : Sheet
+        Of the plate.
+    frame : Frame, optional
+        The plate's upper face, z up; the plane z = 0 unless given.
+    play : float
+        Room beside the tab on either side, mm.
+    clearance : float
+        Added to the width of slots, mm.
+    slot_width : float, optional
+        Least width of slots, mm.
+    border : float
+        Least distance of slots from the edge, mm.
+    shape : "hull" or "rectangle"
+        The outline around all slots.
+    name : str
+
+    Raises
+    ------
+    InputError
+        No tab goes through the plate, one lies too flat, or two slots meet; the parts are named.
+    """
+    ground = frame or Frame()
+    for value, what in (
+        (play, "play"),
+        (clearance, "clearance"),
+        (slot_width or 0.0, "slot width"),
+        (border, "border"),
+    ):
+        if not (np.isfinite(value) and value >= 0):
+            raise InputError(f"{name}: {what} is {value}: it must be 0 mm or more")
+    if shape not in ("hull", "rectangle"):
+        raise InputError(f'{name}: the outline is "hull" or "rectangle", not {shape!r}')
+    standing = [tab for tab in place_tabs(placed) if _stands(tab, ground)]
+    if not standing:
+        raise InputError(
+            f"{name}: no tab of the model goes through the plate: move the plate to where the strips end, or give "
+            "the strips longer tabs"
+        )
+    slots = tuple(
+        tab_slot(
+            tab, ground, sheet.thickness, play=play, clearance=clearance, least=slot_width or 0.0, name=name
+        )
+        for tab in standing
+    )
+    return plate_with(slots, sheet, ground, border=border, shape=shape, name=name)
+
+
+def plate_with(
+    slots: Sequence[TabSlot],
+    sheet: Sheet,
+    frame: Frame,
+    *,
+    border: float,
+    shape: Shape = "hull",
+    name: str = "base",
+) -> BasePlate:
+    """The plate around slots; refused where two of them meet."""
+    _refuse_meetings(slots, name)
+    points = np.concatenate([slot.corners for slot in slots])
+    return BasePlate(sheet, frame, _outline(points, border, shape), tuple(slots), name)
+
+
+def _stands(tab: PlacedTab, ground: Frame) -> bool:
+    """Does the tab begin on or above the plate and end below its upper face?"""
+    (_, _, start), (_, _, tip) = ground.local([tab.frame.origin, tab.tip])
+    return bool(start > -tab.thickness and tip < -BELOW_MM)
+
+
+def tab_slot(
+    tab: PlacedTab,
+    ground: Frame,
+    thickness: float,
+    *,
+    play: float,
+    clearance: float,
+    least: float = 0.0,
+    name: str = "base",
+) -> TabSlot:
+    """The rectangle that lets the tab through both faces."""
+    down = -float(tab.frame.x_axis @ ground.z_axis)
+    if down < np.sin(FLATTEST_RAD):
+        raise InputError(
+            f"{name}: the tab of {tab.name} leans to {np.degrees(np.arcsin(max(0.0, down))):.3g} degrees from the "
+            f"plate: at {np.degrees(FLATTEST_RAD):.0f} degrees or less a slot cannot hold it; use a fixture there"
+        )
+    edges = ground.local(tab.edges)
+    step = ground.local(tab.frame.origin + tab.frame.x_axis) - ground.local(tab.frame.origin)
+    through = [edges - np.outer((edges[:, 2] - z) / step[2], step) for z in (0.0, -thickness)]
+    points = np.concatenate(through)[:, :2]
+    across = (ground.axes @ tab.frame.y_axis)[:2]
+    u = across / np.hypot(*across)
+    v = np.array([-u[1], u[0]])
+    p = points @ np.array([u, v]).T
+    low, high = p.min(axis=0), p.max(axis=0)
+    rest = max(clearance, least - (high[1] - low[1]))
+    room = np.array([play, rest / 2])
+    low, high = low - room, high + room
+    box = np.array([low, (high[0], low[1]), high, (low[0], high[1])])
+    return TabSlot(box @ np.array([u, v]), tab.name)
+
+
+def _refuse_meetings(slots: Sequence[TabSlot], name: str) -> None:
+    boxes = np.array([(s.corners.min(axis=0), s.corners.max(axis=0)) for s in slots])
+    for i, a in enumerate(slots):
+        near = np.all(
+            (boxes[:i, 0] <= boxes[i, 1] + BRIDGE_MM) & (boxes[:i, 1] >= boxes[i, 0] - BRIDGE_MM), axis=1
+        )
+        for j in np.flatnonzero(near).tolist():
+            if _gap(a.corners, slots[j].corners) < BRIDGE_MM:
+                x, y = (a.corners.mean(axis=0) + slots[j].corners.mean(axis=0)) / 2
+                raise InputError(
+                    f"{name}: the slots of {slots[j].name} and {a.name} come closer than {BRIDGE_MM:g} mm near "
+                    f"({x:.1f}, {y:.1f}): give the strips narrower tabs or move them apart"
+                )
+
+
+def _gap(a: FloatArray, b: FloatArray) -> float:
+    """A lower bound of the distance (mm) of two rectangles (4, 2), exact where a side faces the other."""
+    gaps = []
+    for one, other in ((a, b), (b, a)):
+        for side in np.roll(one, -1, axis=0)[:2] - one[:2]:
+            n = np.array([-side[1], side[0]]) / np.hypot(*side)
+            p, q = one @ n, other @ n
+            gaps.append(max(q.min() - p.max(), p.min() - q.max()))
+    return float(max(gaps))
+
+
+def _outline(points: FloatArray, border: float, shape: Shape) -> Path:
+    low, high = points.min(axis=0) - border, points.max(axis=0) + border
+    if shape == "rectangle":
+        return Path.rectangle(*map(float, high - low), corner=low)
+    hull = Path.polygon(convex_corners(points))
+    return offset_path(hull, border) if border else hull

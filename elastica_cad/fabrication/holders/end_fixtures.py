@@ -1,0 +1,314 @@
+"""End fixtures: printed blocks that hold a tab at its place, angle and orientation in space."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.lettering import Text, text_strokes, text_width
+from elastica_cad.fabrication.holders.placed_tab import ENDS, End, PlacedTab, place_tabs
+from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.solids.prisms import PrismSolid, convex_corners
+from elastica_cad.fabrication.solids.strip_solids import FlatSolid
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.paths.path import Path
+
+__all__ = ["EndFixture", "end_fixtures"]
+
+GROOVE_MM = 0.6
+"""Width of engraved strokes: what a 0.4 mm nozzle still prints."""
+
+GROOVE_DEPTH_MM = 0.4
+"""Two layers of a print."""
+
+STROKE_MM = 0.08
+"""Flatness of engraved strokes, little beside their width."""
+
+LABEL_MM = 4.0
+"""Height of the part number, where there is room."""
+
+LEVEL = 1e-6
+"""Rounding of heights, mm, and of directions."""
+
+BEYOND_MM = 1.0
+"""How far holes and pockets are drawn beyond the faces that they open."""
+
+
+@dataclass(frozen=True, eq=False)
+class EndFixture:
+    """A block with a pocket for one tab, and a foot with two screw holes.
+
+    Parameters
+    ----------
+    tab : PlacedTab
+        What it holds; see `EndFixture.of`.
+    floor : Frame, optional
+        The plane it stands on, z up; it must be at right angles to the plane of the strip's curve. Without it the
+        block stands on a plane square to the tab, behind its tip.
+    clearance : float
+        Room around the tab on every side, mm.
+    wall : float
+        Least thickness around the pocket, mm.
+    foot : float
+        How far the foot sticks out on either side, mm; 0 for none.
+    foot_height : float
+        mm.
+    screw : float
+        Diameter of the screw holes in the foot, mm; 0 for none. Holes of the tab go through the block too, to clamp
+        it with screws.
+    number : str, optional
+        Engraved part number; the tab's name unless given, empty for none.
+
+    Raises
+    ------
+    InputError
+        No tab to hold, sizes that are not possible, a floor above the tab or not square to the curve's plane.
+
+    Examples
+    --------
+    >>> from elastica_cad.mechanics.rod.rod_record import Rod
+    >>> from elastica_cad.mechanics.material.sheet import Sheet
+    >>> strip = Strip(Rod.straight(100), Sheet.named("birch-plywood-0.8"), max_width=20, label="A")
+    >>> fixture = EndFixture.of(strip, "end")
+    >>> fixture.number, len(fixture.solid.added)
+    ('A:2', 2)
+    """
+
+    tab: PlacedTab
+    floor: Frame | None = None
+    clearance: float = 0.15
+    wall: float = 4.0
+    foot: float = 12.0
+    foot_height: float = 4.0
+    screw: float = 4.3
+    number: str | None = None
+
+    def __post_init__(self) -> None:
+        who = f"fixture {self.tab.name}"
+        if self.tab.length <= 0:
+            raise InputError(f"{who}: the strip has no tab there to hold; give it one, e.g. Tab(10)")
+        sizes = {
+            "clearance": self.clearance, "wall": self.wall - 1e-9, "foot": self.foot,
+            "foot height": self.foot_height - 1e-9, "screw": self.screw,
+        }  # fmt: skip
+        for name, value in sizes.items():
+            if not (np.isfinite(value) and value >= 0):
+                raise InputError(
+                    f"{who}: {name} is {getattr(self, name.replace(' ', '_'))}: it must be positive, in mm"
+                )
+        if self.foot and self.screw > 0.8 * min(self.foot, self.across):
+            raise InputError(
+                f"{who}: a screw of {self.screw:g} mm does not fit a foot of {self.foot:g} by {self.across:.4g} "
+                "mm: make the foot longer or the screw thinner"
+            )
+        if self.number is None:
+            object.__setattr__(self, "number", self.tab.name)
+        if abs(self._ground.z_axis @ self.tab.frame.y_axis) > LEVEL:
+            lean = np.degrees(np.arcsin(min(1.0, abs(float(self._ground.z_axis @ self.tab.frame.y_axis)))))
+            raise InputError(
+                f"{who}: the plane of the strip leans {lean:.3g} degrees to the floor: leave the floor out, and "
+                "the block stands square to its tab"
+            )
+        if self.lowest < -LEVEL:
+            raise InputError(
+                f"{who}: the block reaches {-self.lowest:.4g} mm below the floor: lower the floor or shorten the "
+                "tab"
+            )
+
+    @classmethod
+    def of(
+        cls,
+        strip: Strip,
+        end: End = "start",
+        frame: Frame | None = None,
+        *,
+        floor: Frame | None = None,
+        number: str | None = None,
+        **sizes: float,
+    ) -> "EndFixture":
+        """The fixture of a strip's "start" or "end", its curve drawn in `frame` (the xy plane unless told)."""
+        if end not in ENDS:
+            raise InputError(f'a strip has the ends "start" and "end", not {end!r}')
+        tab = PlacedTab.of(strip, end, frame)
+        return cls(tab, floor, number=number, **sizes)
+
+    @property
+    def label(self) -> str:
+        """What assemblies call it."""
+        return f"fixture {self.number or self.tab.name}"
+
+    @property
+    def across(self) -> float:
+        """Width of the block, across the strip, mm."""
+        return self.tab.width + 2 * (self.clearance + self.wall)
+
+    @cached_property
+    def _ground(self) -> Frame:
+        """The plane the block stands on; its z axis points to the block."""
+        if self.floor is not None:
+            return self.floor
+        tab = self.tab.frame
+        back = self.tab.length + self.clearance + self.wall
+        return Frame(tab.point((back, 0.0, 0.0)), tab.z_axis, tab.y_axis)
+
+    @cached_property
+    def _profile(self) -> Frame:
+        """Where profiles are drawn: x out of the strip, y off its upper side; z runs across, from the middle."""
+        return Frame(self.tab.frame.origin, self.tab.frame.x_axis, self.tab.frame.z_axis)
+
+    @cached_property
+    def _core(self) -> FloatArray:
+        """Corners (4, 2) of the block about the pocket, in the profile's frame."""
+        half = self.tab.thickness / 2 + self.clearance + self.wall
+        back = self.tab.length + self.clearance + self.wall
+        return np.array([(0.0, -half), (back, -half), (back, half), (0.0, half)])
+
+    @cached_property
+    def _up(self) -> tuple[FloatArray, FloatArray, float]:
+        """In the profile's frame: unit vectors up and along the floor (2,), and the floor's height."""
+        n = self._ground.z_axis
+        up = np.array([n @ self._profile.x_axis, n @ self._profile.y_axis])
+        up = up / np.hypot(*up)
+        return up, np.array([up[1], -up[0]]), float((self._ground.origin - self._profile.origin) @ n)
+
+    @property
+    def lowest(self) -> float:
+        """Height of the block's lowest corner over the floor, mm, before it is drawn down to it."""
+        up, _, height = self._up
+        return float((self._core @ up).min() - height)
+
+    @property
+    def lowest_height(self) -> float:
+        """Least z in space of the block about the pocket, mm."""
+        return float(self._profile.point(self._core)[:, 2].min())
+
+    @cached_property
+    def solid(self) -> PrismSolid:
+        """The block, as prisms put together and taken away; its joint "tab" is where the strip ends."""
+        up, along, height = self._up
+        core = self._core
+        grounded = core - np.outer(core @ up - height, up)
+        body = convex_corners(np.concatenate([core, grounded]))
+        added = [self._prism(body, self.across)]
+        reach = np.array([(core @ along).min(), (core @ along).max()])
+        removed = [self._pocket(), *self._clamp_holes(body), *self._tip_hole(body)]
+        if self.foot:
+            span = reach + np.array([-self.foot, self.foot])
+            corners = [
+                (span[0], 0.0),
+                (span[1], 0.0),
+                (span[1], self.foot_height),
+                (span[0], self.foot_height),
+            ]
+            added.append(self._prism(_on_floor(corners, along, up, height), self.across))
+            middles = (span[0] + self.foot / 2, span[1] - self.foot / 2)
+            removed += [self._screw_hole(x) for x in middles if self.screw]
+        return PrismSolid(tuple(added), (*removed, *self._letters()), {"tab": self.tab.frame})
+
+    def _prism(self, corners: FloatArray, across: float) -> FlatSolid:
+        """A profile drawn across the block, half to either side of the strip's middle."""
+        return FlatSolid(_polygon(corners), (), across, self._profile.shifted(z=-across / 2))
+
+    def _pocket(self) -> FlatSolid:
+        """The room of the tab, open to the strip."""
+        half = self.tab.thickness / 2 + self.clearance
+        back, front = self.tab.length + self.clearance, -BEYOND_MM
+        corners = np.array([(front, -half), (back, -half), (back, half), (front, half)])
+        return self._prism(corners, self.tab.width + 2 * self.clearance)
+
+    def _clamp_holes(self, body: FloatArray) -> list[FlatSolid]:
+        """The tab's own holes, through the whole block."""
+        low, high = body[:, 1].min() - BEYOND_MM, body[:, 1].max() + BEYOND_MM
+        frame = self.tab.frame.shifted(z=float(low))
+        return [
+            FlatSolid(Path.circle((hole.at, hole.across), hole.diameter / 2), (), float(high - low), frame)
+            for hole in self.tab.holes
+        ]
+
+    def _tip_hole(self, body: FloatArray) -> list[FlatSolid]:
+        """For the screw of a T-slot, through the wall behind the tip and all below it."""
+        slot, tab = self.tab.t_slot, self.tab.frame
+        if slot is None:
+            return []
+        tip, back = self.tab.length, float(body[:, 0].max()) + 2 * self.foot + BEYOND_MM
+        frame = Frame(tab.point((tip, 0.0, 0.0)), tab.y_axis, tab.z_axis)
+        return [FlatSolid(Path.circle((0.0, 0.0), slot.screw / 2), (), back - tip, frame)]
+
+    def _screw_hole(self, along: float) -> FlatSolid:
+        up, level, height = self._up
+        x, y = along * level + (height - BEYOND_MM) * up
+        z_axis = self._profile.direction(up)
+        frame = Frame(
+            self._profile.point((x, y, 0.0)), np.cross(self._profile.z_axis, z_axis), self._profile.z_axis
+        )
+        if frame.z_axis @ z_axis < 0:
+            frame = Frame(frame.origin, -frame.x_axis, frame.y_axis)
+        return FlatSolid(Path.circle((0.0, 0.0), self.screw / 2), (), self.foot_height + 2 * BEYOND_MM, frame)
+
+    def _letters(self) -> list[FlatSolid]:
+        """The part number as grooves in the side, along the tab."""
+        if not self.number:
+            return []
+        (_, low), (long, high) = self._core[0], self._core[2]
+        height = min(LABEL_MM, 0.7 * (high - low))
+        height *= min(1.0, 0.85 * long / text_width(self.number, height))
+        start = (long - text_width(self.number, height)) / 2
+        tab = self.tab.frame
+        side = Frame(tab.point((0.0, self.across / 2, 0.0)), tab.x_axis, -tab.z_axis)
+        strokes = text_strokes(Text((start, -height / 2), self.number, height))
+        return [
+            FlatSolid(_groove(p, q), (), GROOVE_DEPTH_MM + 0.2, side.shifted(z=-GROOVE_DEPTH_MM))
+            for stroke in strokes
+            for p, q in _chords(stroke)
+        ]
+
+
+def end_fixtures(
+    placed: Sequence[Placed], *, floor: Frame | None = None, **sizes: float
+) -> tuple[EndFixture, ...]:
+    """Blocks for both ends of every strip that has tabs; sizes as in `EndFixture`.
+
+    Without `floor`, blocks whose strips stand upright share a horizontal floor that just touches the lowest of
+    them; the others stand square to their tabs.
+    """
+    tabs = [tab for tab in place_tabs(placed) if tab.length > 0]
+    if floor is not None:
+        return tuple(EndFixture(tab, floor, number=None, **sizes) for tab in tabs)
+    upright = [abs(tab.frame.y_axis[2]) <= LEVEL for tab in tabs]
+    trial = [EndFixture(tab, None, number=None, **sizes) for tab in tabs]
+    corners = [one.lowest_height for one, stands in zip(trial, upright, strict=True) if stands]
+    ground = Frame((0.0, 0.0, min(corners))) if corners else None
+    return tuple(
+        EndFixture(tab, ground if stands else None, number=None, **sizes)
+        for tab, stands in zip(tabs, upright, strict=True)
+    )
+
+
+def _on_floor(
+    corners: list[tuple[float, float]], along: FloatArray, up: FloatArray, height: float
+) -> FloatArray:
+    """Points (n, 2) given along the floor and above it, in the profile's frame."""
+    return np.array([x * along + (height + y) * up for x, y in corners])
+
+
+def _polygon(corners: FloatArray) -> Path:
+    path = Path.polygon(corners)
+    return path if path.area > 0 else path.reversed()
+
+
+def _chords(stroke: Path) -> list[tuple[FloatArray, FloatArray]]:
+    points = stroke.points(STROKE_MM)
+    points = np.concatenate([points, points[:1]]) if stroke.closed else points
+    return list(pairwise(points))
+
+
+def _groove(start: FloatArray, end: FloatArray) -> Path:
+    """A rectangle about a stroke's chord, longer than it by the groove's width."""
+    t = (end - start) / np.hypot(*(end - start)) * GROOVE_MM / 2
+    n = np.array([-t[1], t[0]])
+    return Path.polygon([start - t - n, end + t - n, end + t + n, start - t + n])

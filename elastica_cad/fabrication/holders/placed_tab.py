@@ -1,0 +1,88 @@
+"""The tabs of a strip in space: plates that go on straight from the bent part."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.fabrication.placed_strip import Placed, strip_names
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip.tabs import Hole, TSlot
+from elastica_cad.geometry.frame import Frame
+
+__all__ = ["ENDS", "End", "PlacedTab", "place_tabs"]
+
+End = Literal["start", "end"]
+ENDS: tuple[End, End] = ("start", "end")
+
+
+@dataclass(frozen=True, eq=False)
+class PlacedTab:
+    """A tab in space.
+
+    Attributes
+    ----------
+    frame : Frame
+        Origin where the free part ends, half way through the thickness; x out of the strip into the tab, y across
+        it, z off the strip's upper side.
+    length, width, thickness : float
+        mm.
+    holes : tuple of Hole
+        Seen along y of this frame.
+    name : str
+        Part number: the strip's name with 1 for the start and 2 for the end, which is the way its label reads.
+    t_slot : TSlot or None
+        The screw that goes in from the tip.
+    """
+
+    frame: Frame
+    length: float
+    width: float
+    thickness: float
+    holes: tuple[Hole, ...]
+    name: str
+    t_slot: TSlot | None = None
+
+    @classmethod
+    def of(
+        cls, strip: Strip, end: End, frame: Frame | None = None, *, name: str | None = None
+    ) -> "PlacedTab":
+        """The tab at the start or the end of a strip whose curve is drawn in `frame`."""
+        place = frame or Frame()
+        k, way = (0, -1.0) if end == "start" else (-1, 1.0)
+        alpha = float(strip.rod.angle[k])
+        out = way * place.direction([np.cos(alpha), np.sin(alpha)])
+        origin = place.point(strip.rod.position[k])
+        tab, own = strip.ends[k], strip.end_widths[k]
+        called = name or strip.label or "strip"
+        return cls(
+            Frame(origin, out, way * place.z_axis),
+            tab.length,
+            tab.width or own,
+            sum(layer.sheet.thickness for layer in strip.layers),
+            tab.holes,
+            f"{called}:{1 if end == 'start' else 2}",
+            tab.t_slot,
+        )
+
+    @property
+    def tip(self) -> FloatArray:
+        """Middle of the tab's far end (3,), mm."""
+        return self.frame.point((self.length, 0.0, 0.0))
+
+    @property
+    def edges(self) -> FloatArray:
+        """Origins (4, 3) of the tab's four long edges; all run along x of the frame."""
+        corners = [(0.0, i * self.width / 2, j * self.thickness / 2) for i in (-1, 1) for j in (-1, 1)]
+        return self.frame.point(corners)
+
+
+def place_tabs(placed: Sequence[Placed], ends: Sequence[End] = ENDS) -> list[PlacedTab]:
+    """The tabs of all strips at these ends, strip by strip, called like the strips."""
+    return [
+        PlacedTab.of(one.strip, end, one.frame, name=name)
+        for one, name in zip(placed, strip_names(placed), strict=True)
+        for end in ends
+    ]

@@ -1,0 +1,367 @@
+"""A slotted frame for models that have no base: two rails that hold all tabs, and ribs that join the rails."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.drawing import CUT_OUTER, ENGRAVE, Drawing, LayeredPath
+from elastica_cad.fabrication.drawings.lettering import Text, text_width
+from elastica_cad.fabrication.holders.base_plate import FLATTEST_RAD, BasePlate, TabSlot, plate_with, tab_slot
+from elastica_cad.fabrication.holders.placed_tab import ENDS, End, PlacedTab, place_tabs
+from elastica_cad.fabrication.holders.ring_plate import PLAY_MM
+from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.sheets.pieces import Piece
+from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
+from elastica_cad.fabrication.solids.prisms import convex_corners
+from elastica_cad.fabrication.solids.strip_solids import FlatSolid
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.path_intersections import self_crossing
+from elastica_cad.mechanics.material.sheet import Sheet
+
+__all__ = ["Rib", "SlottedFrame", "slotted_frame"]
+
+SHOULDER_MM = 5.0
+"""How far a rib reaches beside its tongue, to rest against the rail."""
+
+SLOT_ROOM_MM = 3.0
+"""Between the slots of ribs and of tabs: three times the least between tabs, for ribs carry the rails."""
+
+LABEL_MM = 6.0
+"""Height of a rib's name, where there is room."""
+
+LEVEL_GAIN_MM = 0.5
+"""Tabs that begin this much more level are worth a rail that is not square to their mean direction."""
+
+ON_SIDE_MM = 1e-6
+"""Points of a tongue this near to a side of the rib lie on it: rounding."""
+
+PARALLEL_SINE = 0.1
+"""Rails whose normals differ by no larger sine count as parallel: ribs then stand across the first of them."""
+
+
+@dataclass(frozen=True, eq=False)
+class Rib:
+    """A plate that joins the rails; its tongues fill slots of both.
+
+    Attributes
+    ----------
+    name : str
+    sheet : Sheet
+    frame : Frame
+        Middle of its thickness.
+    outline : Path
+        Closed, in the frame.
+    label : Text
+        Its name, in the frame.
+    """
+
+    name: str
+    sheet: Sheet
+    frame: Frame
+    outline: Path
+    label: Text
+
+    @property
+    def solid(self) -> FlatSolid:
+        """The rib in space."""
+        thickness = self.sheet.thickness
+        return FlatSolid(self.outline, (), thickness, self.frame.shifted(z=-thickness / 2))
+
+    @property
+    def piece(self) -> Piece:
+        """The rib as a piece to be cut, its name engraved."""
+        drawing = Drawing(self.name, (LayeredPath(CUT_OUTER, self.outline),), (self.label,))
+        return Piece(self.name, drawing, self.sheet)
+
+
+@dataclass(frozen=True, eq=False)
+class SlottedFrame:
+    """Two rails and the ribs between them.
+
+    Attributes
+    ----------
+    rails : (BasePlate, BasePlate)
+        One holds the tabs at the strips' starts, one those at their ends.
+    ribs : tuple of Rib
+    """
+
+    rails: tuple[BasePlate, BasePlate]
+    ribs: tuple[Rib, ...]
+
+    @property
+    def pieces(self) -> tuple[Piece, ...]:
+        """What must be cut."""
+        return (*(rail.piece for rail in self.rails), *(rib.piece for rib in self.ribs))
+
+    @cached_property
+    def solids(self) -> tuple[tuple[str, FlatSolid], ...]:
+        """Names and bodies in space."""
+        plates = tuple((rail.name, rail.solid) for rail in self.rails)
+        return (*plates, *((rib.name, rib.solid) for rib in self.ribs))
+
+
+def slotted_frame(
+    placed: Sequence[Placed],
+    sheet: Sheet,
+    *,
+    ribs: int = 3,
+    depth: float = 20.0,
+    tongue: float = 12.0,
+    play: float = PLAY_MM,
+    clearance: float = CLEARANCE_MM,
+    border: float = 8.0,
+) -> SlottedFrame:
+    """A frame of plates: each rail follows the tabs of one end, ribs hold the rails apart at their angle.
+
+    Parameters
+    ----------
+    placed : sequence of Placed
+        Every strip with a tab at both ends; the tabs of each end lie near a line or a plane.
+    sheet : Sheet
+        Of the rails and ribs.
+    ribs : int
+        How many, 2 or more; fewer are made where there is no room between tabs.
+    depth : float
+        Of the ribs behind the rails, mm.
+    tongue : float
+        Length of the tongues by which ribs hold rails, mm.
+    play, clearance : float
+        Room beside tabs and tongues on either side, and added to the width of slots, mm.
+    border : float
+        Least distance of slots from the edge of a rail, mm.
+
+    Raises
+    ------
+    InputError
+        Tabs that no plane rail can hold, slots that meet, rails that no rib can join; the parts are named.
+
+    Examples
+    --------
+    >>> from elastica_cad.fabrication.strip.strip_record import Strip
+    >>> from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+    >>> from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+    >>> rod = optimal_rod(PlaneCurve.ellipse((0, 0), (100, 60), start=0.2, end=2.9))
+    >>> strip = Strip(rod, Sheet.named("birch-plywood-0.8"), max_width=20)
+    >>> arches = [Placed(strip, (0, y, 0), (1, 0, 0), (0, 0, 1)) for y in (0, 50, 100)]
+    >>> frame = slotted_frame(arches, Sheet.named("mdf-3"))
+    >>> [piece.name for piece in frame.pieces]
+    ['rail-start', 'rail-end', 'rib-1', 'rib-2', 'rib-3']
+    """
+    sizes = {"depth": depth, "tongue": tongue, "play": play, "clearance": clearance, "border": border}
+    for name, value in sizes.items():
+        least = 0.0 if name in ("play", "clearance", "border") else 1.0
+        if not (np.isfinite(value) and value >= least):
+            raise InputError(f"frame {name} is {value}: it must be {least:g} mm or more")
+    if ribs < 2:
+        raise InputError(f"a frame of {ribs} ribs: two rails need 2 or more to stay apart")
+    rails = [_RailPlan.of(placed, end, sheet, play=play, clearance=clearance) for end in ENDS]
+    across = _across(rails)
+    stations = _stations(rails, across, ribs, sheet.thickness + 2 * (SLOT_ROOM_MM + clearance))
+    plans = [
+        _RibPlan(f"rib-{n}", station, across, tuple(rail.seat(station, across) for rail in rails))
+        for n, station in enumerate(stations, start=1)
+    ]
+    for k, rail in enumerate(rails):
+        size = (tongue + 2 * play, sheet.thickness + clearance)
+        rail.slots += [rail.tongue_slot(plan.name, plan.seats[k], size) for plan in plans]
+    first, second = (
+        plate_with(rail.slots, sheet, rail.frame, border=border, name=rail.name) for rail in rails
+    )
+    return SlottedFrame((first, second), tuple(plan.rib(sheet, tongue, depth) for plan in plans))
+
+
+@dataclass
+class _RailPlan:
+    """A rail before its outline is drawn."""
+
+    name: str
+    frame: Frame
+    slots: list[TabSlot]
+
+    @classmethod
+    def of(
+        cls, placed: Sequence[Placed], end: End, sheet: Sheet, *, play: float, clearance: float
+    ) -> "_RailPlan":
+        """The plane that the tabs of one end go through, with their slots."""
+        name = f"rail-{end}"
+        tabs = place_tabs(placed, [end])
+        frame = _plane(tabs, name)
+        for tab in tabs:
+            tip = float(frame.local(tab.tip)[2])
+            if tab.length <= 0 or tip > -0.5 * sheet.thickness:
+                raise InputError(
+                    f"{name}: the tab of {tab.name} ends {max(tip, 0.0):.4g} mm in front of the rail or within it: "
+                    "give that strip a longer tab, or bring the ends of the strips into a plane"
+                )
+        slots = [
+            tab_slot(tab, frame, sheet.thickness, play=play, clearance=clearance, name=name) for tab in tabs
+        ]
+        return cls(name, frame, slots)
+
+    def seat(self, station: float, across: FloatArray) -> "_Seat":
+        """Where a rib across direction `across` (3,) meets the upper face: in the middle of the rail."""
+        centers = self.frame.point([slot.corners.mean(axis=0) for slot in self.slots])
+        n = self.frame.z_axis
+        along = np.cross(n, across)
+        along = along / np.linalg.norm(along)
+        order = np.argsort(centers @ across)
+        side = float(np.interp(station, (centers @ across)[order], (centers @ along)[order]))
+        height = float(self.frame.origin @ n)
+        return _Seat(station * across + side * along + height * n, along, n)
+
+    def tongue_slot(self, name: str, seat: "_Seat", size: tuple[float, float]) -> TabSlot:
+        """The slot for a rib's tongue: length along the rib and width."""
+        center = self.frame.local(seat.point)[:2]
+        u = (self.frame.axes @ seat.along)[:2]
+        v = np.array([-u[1], u[0]])
+        a, b = size[0] / 2 * u, size[1] / 2 * v
+        return TabSlot(np.array([center - a - b, center + a - b, center + a + b, center - a + b]), name)
+
+    def reach(self, across: FloatArray) -> FloatArray:
+        """From where to where each slot reaches (n, 2), along a direction (3,)."""
+        corners = self.frame.point(np.array([slot.corners for slot in self.slots])) @ across
+        return np.column_stack([corners.min(axis=1), corners.max(axis=1)])
+
+
+@dataclass(frozen=True, eq=False)
+class _Seat:
+    """Where a rib goes through a rail: a point of the rail's upper face, along the rib, and off the face."""
+
+    point: FloatArray
+    along: FloatArray
+    normal: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class _RibPlan:
+    """A rib before it is drawn."""
+
+    name: str
+    station: float
+    across: FloatArray
+    seats: tuple[_Seat, ...]
+
+    def rib(self, sheet: Sheet, tongue: float, depth: float) -> Rib:
+        """The plate behind both rails, with a tongue through each."""
+        x_axis = self.seats[0].along
+        frame = Frame(self.seats[0].point, x_axis, np.cross(self.across, x_axis))
+        rest, under = tongue / 2 + SHOULDER_MM, sheet.thickness
+        a, b = (_Corner(frame, seat, other) for seat, other in zip(self.seats, self.seats[::-1], strict=True))
+        bases = [np.array([c.at(side * tongue / 2, under) for side in (-1, 1)]) for c in (a, b)]
+        block = [
+            c.at(side * rest, down) for c in (a, b) for side in (-1, 1) for down in (under, under + depth)
+        ]
+        half, full = under + depth / 2, under + depth
+        bar = [
+            *(a.at(-rest, under), a.at(rest, under), a.at(rest, half), b.at(rest, half), b.at(rest, under)),
+            *(b.at(-rest, under), b.at(-rest, full), b.at(rest, full), a.at(rest, full), a.at(-rest, full)),
+        ]
+        for loop in (convex_corners(np.array(block)), _anticlockwise(np.array(bar))):
+            drawn: FloatArray | None = loop
+            for base in bases:
+                drawn = None if drawn is None else _with_tongue(drawn, base, under)
+            if drawn is not None and self_crossing(drawn, closed=True) is None:
+                label = self._label(a.at(0.0, half), 2 * rest, depth)
+                return Rib(self.name, sheet, frame, Path.polygon(drawn), label)
+        raise InputError(
+            f"{self.name}: the rails face each other, so that no rib can join them from behind: use fixtures"
+        )
+
+    def _label(self, middle: FloatArray, wide: float, high: float) -> Text:
+        """The name in the part behind the first tongue."""
+        height = min(LABEL_MM, 0.6 * high)
+        height *= min(1.0, 0.8 * wide / text_width(self.name, height))
+        x, y = middle - np.array([text_width(self.name, height), height]) / 2
+        return Text((float(x), float(y)), self.name, height, 0.0, ENGRAVE)
+
+
+class _Corner:
+    """Corners of a rib in its frame, told by one of its seats: towards the other seat, and behind the face."""
+
+    def __init__(self, frame: Frame, seat: _Seat, other: _Seat) -> None:
+        self.frame, self.seat = frame, seat
+        self.inward = seat.along if (other.point - seat.point) @ seat.along >= 0 else -seat.along
+
+    def at(self, inward: float, behind: float) -> FloatArray:
+        """The point (2,)."""
+        point = self.seat.point + inward * self.inward - behind * self.seat.normal
+        return self.frame.local(point)[:2]
+
+
+def _plane(tabs: Sequence[PlacedTab], name: str) -> Frame:
+    """The plane that suits the tabs: through the lowest of their origins, z against the way they go."""
+    points = np.array([tab.frame.origin for tab in tabs])
+    outs = np.array([tab.frame.x_axis for tab in tabs])
+    down = outs.mean(axis=0)
+    center = points.mean(axis=0)
+    _, _, axes = np.linalg.svd(points - center)
+    along = axes[0] if len(tabs) > 1 else tabs[0].frame.y_axis
+    square = down - (down @ along) * along
+    normals = [-square / max(float(np.linalg.norm(square)), 1e-12)]
+    if len(tabs) > 2:
+        normals.append(-np.sign(axes[2] @ down) * axes[2])
+    fit = [float((outs @ n).max()) < -np.sin(FLATTEST_RAD) for n in normals]
+    if not any(fit):
+        raise InputError(
+            f"{name}: the tabs point in too many directions for one plane rail: hold them with fixtures, or "
+            "give their ends more alike directions"
+        )
+    spread = [float(np.ptp(points @ n)) if ok else np.inf for n, ok in zip(normals, fit, strict=True)]
+    better = len(spread) > 1 and spread[1] < spread[0] - LEVEL_GAIN_MM
+    z = normals[1 if better else 0]
+    x = along - (along @ z) * z
+    x = x / np.linalg.norm(x)
+    lowest = float((points @ z).min())
+    return Frame(center + (lowest - center @ z) * z, x, np.cross(z, x))
+
+
+def _across(rails: Sequence[_RailPlan]) -> FloatArray:
+    """The direction that ribs stand across, square to both rails' normals."""
+    a, b = rails
+    normal = np.cross(a.frame.z_axis, b.frame.z_axis)
+    if np.linalg.norm(normal) < PARALLEL_SINE:
+        normal = a.frame.x_axis - (a.frame.x_axis @ b.frame.z_axis) * b.frame.z_axis
+    normal = normal / np.linalg.norm(normal)
+    return normal if normal @ a.frame.x_axis >= 0 else -normal
+
+
+def _stations(rails: Sequence[_RailPlan], across: FloatArray, count: int, room: float) -> list[float]:
+    """Places of the ribs: before the first tab, behind the last, and evenly in gaps between."""
+    reach = np.concatenate([rail.reach(across) for rail in rails])
+    reach = reach[np.argsort(reach[:, 0])]
+    first, last = float(reach[:, 0].min()), float(reach[:, 1].max())
+    ends = np.maximum.accumulate(reach[:, 1])[:-1]
+    wide = reach[1:, 0] - ends >= room
+    gaps = (reach[1:, 0] + ends)[wide] / 2
+    chosen = [first - room / 2, last + room / 2]
+    for wanted in np.linspace(first, last, count)[1:-1]:
+        free = [float(gap) for gap in gaps if gap not in chosen]
+        if free:
+            chosen.append(min(free, key=lambda gap: abs(gap - wanted)))
+    return sorted(chosen)
+
+
+def _anticlockwise(loop: FloatArray) -> FloatArray:
+    p, q = loop, np.roll(loop, -1, axis=0)
+    return loop if np.sum(p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0]) > 0 else loop[::-1]
+
+
+def _with_tongue(loop: FloatArray, base: FloatArray, height: float) -> FloatArray | None:
+    """The anticlockwise loop with a tongue drawn outward over `base`, two points inside one of its sides.
+
+    None where they lie on no side.
+    """
+    for i, (p, q) in enumerate(zip(loop, np.roll(loop, -1, axis=0), strict=True)):
+        side = (q - p) / np.hypot(*(q - p))
+        outward = np.array([side[1], -side[0]])
+        off, along = (base - p) @ outward, (base - p) @ side
+        if np.abs(off).max() < ON_SIDE_MM and along.min() > 0 and along.max() < np.hypot(*(q - p)):
+            a, b = base[np.argsort(along)]
+            corners = [a, a + height * outward, b + height * outward, b]
+            return np.concatenate([loop[: i + 1], corners, loop[i + 1 :]])
+    return None

@@ -1,0 +1,307 @@
+"""Strips that cross in space are slotted half way each, so that they slide into each other."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations
+from typing import Literal
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.interlocking.ruled_intersection import PARALLEL_RAD
+from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip
+from elastica_cad.fabrication.interlocking.strip_crossings import Crossing, strip_crossings
+from elastica_cad.fabrication.placed_strip import Placed, distinct_names, strip_names
+from elastica_cad.fabrication.slots.slot import CLEARANCE_MM, Relief, Slot
+from elastica_cad.fabrication.strip.strip_record import Strip
+
+__all__ = ["Fit", "InterlockedStrips", "Joint", "interlock", "slot_width"]
+
+Fit = Literal["exact", "paper"]
+
+SHALLOW_RAD = np.radians(15.0)
+"""Below this angle between two strips a slot is over 7 times as wide as the sheet is thick: a warning is due."""
+
+TOUCHING_RAD = np.radians(1.0)
+"""Below this angle strips touch rather than cross: a slot would be over 100 times as wide as the sheet."""
+
+FORCED_SHARE = 0.5
+"""A strip is cut from the other side only where that costs less than this share of the crossing's length more."""
+
+PITCH_MM = 1.5
+"""Largest distance of the points along a slot's centre line: enough for the curves that crossings are."""
+
+
+@dataclass(frozen=True, eq=False)
+class Joint:
+    """Two strips slotted into each other.
+
+    Attributes
+    ----------
+    members : (int, int)
+        Places of the strips in the model.
+    slots : (Slot, Slot)
+        In the same order.
+    angle : (float, float)
+        Smallest and largest angle between the strips along the crossing, rad.
+    position : (3,) array
+        Where the two slots end against each other, mm.
+    """
+
+    members: tuple[int, int]
+    slots: tuple[Slot, Slot]
+    angle: tuple[float, float]
+    position: FloatArray
+
+
+def slot_width(
+    angle: FloatArray, *, own: float, other: float, clearance: float, fit: Fit = "exact"
+) -> FloatArray:
+    """Width of a slot through a sheet of thickness `own` for one of thickness `other` at an angle, mm.
+
+    h_other / sin(phi) + h_own |cot(phi)| + clearance: a cut square to the sheet also lets the other strip pass
+    obliquely through the thickness. `fit="paper"` leaves the second term out (paper, section 9.1).
+    """
+    width = other / np.sin(angle) + clearance
+    return width + own * np.abs(np.cos(angle)) / np.sin(angle) if fit == "exact" else width
+
+
+@dataclass(frozen=True, eq=False)
+class InterlockedStrips:
+    """What `interlock` makes of placed strips: the same with their slots, the joints, and what to know of them."""
+
+    placed: tuple[Placed, ...]
+    joints: tuple[Joint, ...]
+    reports: tuple[str, ...]
+
+
+def interlock(
+    placed: Sequence[Placed],
+    *,
+    clearance: float = CLEARANCE_MM,
+    fit: Fit = "exact",
+    relief: Relief = "square",
+    pairs: Iterable[tuple[int, int]] | None = None,
+    above: ArrayLike | None = None,
+) -> InterlockedStrips:
+    """Slots wherever two bent strips cross, cut half way into each from opposite sides.
+
+    The strips are taken as ruled surfaces, and their crossings are exact. A slot is as wide as the angle
+    between the strips asks for, point by point. Each strip is cut from the side on which it ends; where
+    both sides would do, the earlier of two strips opens towards `above`, so that the later one is pushed on
+    from there. Only the strips between their tabs are searched: keep tabs clear of other strips. A crossing
+    that leaves a strip through its end, not its edge, leaves no way to push it on and is refused.
+
+    Parameters
+    ----------
+    placed : sequence of Placed
+        In the order of assembly.
+    clearance : float
+        Added to the width of every slot, mm.
+    fit : "exact" or "paper"
+        "paper" is the narrower h / sin(phi), too narrow below 60 degrees.
+    relief : "square" or "round"
+        Inner ends of the slots.
+    pairs : iterable of (int, int), optional
+        Which strips may be slotted, by their places; all that cross if not given.
+    above : (3,) array_like, optional
+        A direction; the earlier strip's own rulings if not given.
+
+    Raises
+    ------
+    InputError
+        Strips that touch along a line or cross where one of them ends, slots that meet, a clearance larger
+        than a strip.
+    """
+    if fit not in ("exact", "paper"):
+        raise InputError(f'fit is "exact" or "paper", not {fit!r}')
+    if not (np.isfinite(clearance) and clearance >= 0):
+        raise InputError(f"clearance is {clearance}: it must be 0 mm or more")
+    up = None if above is None else np.asarray(above, dtype=float)
+    if up is not None and not (up.shape == (3,) and np.all(np.isfinite(up)) and np.any(up != 0)):
+        raise InputError("above must be a direction of three numbers")
+    ruled = [RuledStrip(p.strip.rod.curve, p.frame, p.strip.width) for p in placed]
+    names = distinct_names(placed)
+    cutter = _Cutter(tuple(one.strip for one in placed), names, clearance, fit, relief, up)
+    joints: list[Joint] = []
+    for i, j in _checked_pairs(len(placed), pairs):
+        crossings = strip_crossings(ruled[i], ruled[j])
+        cutter.refuse_touching((i, j), (ruled[i], ruled[j]), crossings)
+        joints += [cutter.joint((i, j), crossing) for crossing in crossings]
+    slots: list[list[Slot]] = [[] for _ in placed]
+    for joint in joints:
+        for member, slot in zip(joint.members, joint.slots, strict=True):
+            slots[member].append(slot)
+    slotted = tuple(
+        one.with_strip(replace(one.strip, slots=(*one.strip.slots, *new))) if new else one
+        for one, new in zip(placed, slots, strict=True)
+    )
+    for one, name in zip(slotted, strip_names(placed), strict=True):
+        _refuse_faults(one.strip, name)
+    return InterlockedStrips(slotted, tuple(joints), _reports(names, joints))
+
+
+def _checked_pairs(count: int, pairs: Iterable[tuple[int, int]] | None) -> list[tuple[int, int]]:
+    if pairs is None:
+        return list(combinations(range(count), 2))
+    found = []
+    for i, j in pairs:
+        if not (0 <= i < count and 0 <= j < count and i != j):
+            raise InputError(f"pair ({i}, {j}): name two different strips by their places 0 to {count - 1}")
+        found.append((min(i, j), max(i, j)))
+    return sorted(set(found))
+
+
+@dataclass(frozen=True, eq=False)
+class _Cutter:
+    """Makes slots of crossings."""
+
+    strips: tuple[Strip, ...]
+    names: tuple[str, ...]
+    clearance: float
+    fit: Fit
+    relief: Relief
+    above: FloatArray | None
+
+    def joint(self, members: tuple[int, int], crossing: Crossing) -> Joint:
+        """Both slots of one crossing, each from the half way point to where its strip ends."""
+        names = [self.names[i] for i in members]
+        ends = self._ends(members, crossing)
+        points = crossing.course[2]
+        low, high = float(points.angle.min()), float(points.angle.max())
+        if low < TOUCHING_RAD:
+            s = float(points.first[int(points.angle.argmin()), 0])
+            raise InputError(self._touch(names, s))
+        slots, middle = [], np.zeros(3)
+        for which, end in enumerate(ends):
+            last = crossing.beyond(which, end)
+            p = crossing.at(crossing.evenly(crossing.middle, float(end if last is None else last), PITCH_MM))
+            rows = (p.first, p.second)[which]
+            own, other = (_thickness(self.strips[i]) for i in _turned(members, which))
+            widths = slot_width(p.angle, own=own, other=other, clearance=self.clearance, fit=self.fit)
+            strip = self.strips[members[which]]
+            if self.clearance >= float(strip.width(rows[0, 0])):
+                raise InputError(
+                    f"a clearance of {self.clearance:g} mm is larger than {names[which]} is wide at "
+                    f"{rows[0, 0]:.6g} mm: make it smaller"
+                )
+            side: Literal["upper", "lower"] = "upper" if rows[-1, 1] > rows[0, 1] else "lower"
+            mate = self.strips[members[1 - which]].label
+            slots.append(Slot.along(rows, widths, side=side, relief=self.relief, mate=mate))
+            middle = p.position[0]
+        return Joint(members, (slots[0], slots[1]), (low, high), middle)
+
+    def _ends(self, members: tuple[int, int], crossing: Crossing) -> tuple[int, int]:
+        """On which end of the crossing (0 or 1) either strip is cut.
+
+        Each is cut from where it ends anyway; where both ways serve, the earlier strip of the model opens
+        towards `above` (its own rulings' direction).
+        """
+        costs: list[float] = []
+        room = crossing.room / crossing.length
+        for ends in ((0, 1), (1, 0)):
+            least = room[0, ends[0]] + room[1, ends[1]]
+            if least > FORCED_SHARE + min(costs, default=np.inf):
+                costs.append(least)
+                continue
+            exits = [crossing.beyond(which, end) for which, end in enumerate(ends)]
+            beyond = [np.inf if x is None else abs(x - end) for x, end in zip(exits, ends, strict=True)]
+            costs.append(float(sum(beyond)))
+        if not np.isfinite(min(costs)):
+            s = crossing.at(np.array([0.5])).first[0, 0]
+            names = [self.names[i] for i in members]
+            raise InputError(
+                f"{names[0]} and {names[1]} cross at {s:.6g} mm of {names[0]}, but one of them ends before the "
+                "crossing comes to its edge, so that no slot can open there: shorten, move or turn one of them"
+            )
+        if abs(costs[0] - costs[1]) > FORCED_SHARE:
+            return ((0, 1), (1, 0))[int(np.argmin(costs))]
+        up = crossing.strips[0].axis if self.above is None else self.above
+        heights = crossing.course[2].position @ up
+        return (0, 1) if heights[0] > heights[-1] else (1, 0)
+
+    def refuse_touching(
+        self, members: tuple[int, int], ruled: tuple[RuledStrip, RuledStrip], crossings: Iterable[Crossing]
+    ) -> None:
+        """Strips with parallel rulings must keep clear of each other but where they cross."""
+        a, b = ruled
+        if np.linalg.norm(np.cross(a.axis, b.axis)) > PARALLEL_RAD or not a.may_meet(b):
+            return
+        reach = sum(_thickness(self.strips[i]) for i in members) / 2
+        own, other = (a.frame.local(strip.motion(strip.stations)[0]) for strip in (a, b))
+        distance = np.hypot(*(own[:, None, :2] - other[None, :, :2]).transpose(2, 0, 1))
+        nearest = distance.argmin(axis=1)
+        apart = np.abs(other[nearest, 2] - own[:, 2])
+        overlap = a.half_width(a.stations) + b.half_width(b.stations)[nearest] > apart
+        touch = (distance.min(axis=1) < reach) & overlap
+        spacing = float(np.diff(a.stations).max())
+        for crossing in crossings:
+            p = crossing.at(np.array([0.5]))
+            room = reach / np.tan(max(float(p.angle[0]), TOUCHING_RAD)) + 2 * spacing
+            touch &= np.abs(a.stations - p.first[0, 0]) > 2 * room
+        if touch.any():
+            names = [self.names[i] for i in members]
+            raise InputError(self._touch(names, float(a.stations[int(touch.argmax())])))
+
+    def _touch(self, names: list[str], s: float) -> str:
+        return (
+            f"{names[0]} and {names[1]} touch along a line at {s:.6g} mm of {names[0]} instead of crossing: move "
+            "them apart or turn one of them"
+        )
+
+
+def _thickness(strip: Strip) -> float:
+    """Of all layers, mm."""
+    backing = strip.layout.backing
+    return strip.sheet.thickness + (0.0 if backing is None else backing.sheet.thickness)
+
+
+def _turned(pair: tuple[int, int], which: int) -> tuple[int, int]:
+    return pair if which == 0 else (pair[1], pair[0])
+
+
+def _reports(names: Sequence[str], joints: list[Joint]) -> tuple[str, ...]:
+    """Shallow angles, and how the model goes together."""
+    shallow: dict[tuple[int, int], list[Joint]] = {}
+    for joint in joints:
+        if joint.angle[0] < SHALLOW_RAD:
+            shallow.setdefault(joint.members, []).append(joint)
+    found = []
+    for (i, j), group in shallow.items():
+        a, b = names[i], names[j]
+        places = ", ".join(f"{joint.slots[0].at:.1f}" for joint in group)
+        width = max(
+            float(np.max(slot.widths)) for joint in group for slot in joint.slots if slot.widths is not None
+        )
+        degrees = np.degrees(min(joint.angle[0] for joint in group))
+        found.append(
+            f"{a} and {b} cross at {degrees:.1f} degrees at {places} mm of {a}: the slots are up to "
+            f"{width:.2f} mm wide; a larger angle would hold better"
+        )
+    told = _assembly(names, joints) if joints else "no two strips cross: interlocking cut no slot"
+    return (*found, told)
+
+
+def _assembly(names: Sequence[str], joints: list[Joint]) -> str:
+    """In which order the strips go together, and which cannot simply be pushed on."""
+    sides: dict[int, set[str]] = {}
+    for joint in joints:
+        sides.setdefault(joint.members[1], set()).add(joint.slots[1].side)
+    both = [names[i] for i, found in sorted(sides.items()) if len(found) > 1]
+    order = ", ".join(names)
+    text = f"assembly: {order}; push each strip onto those before it"
+    if both:
+        text += f"; {', '.join(both)} must be threaded in, being held from both edges"
+    return text
+
+
+def _refuse_faults(strip: Strip, name: str) -> None:
+    """Draw the outline now, so that slots that meet are found with the part's name."""
+    try:
+        whole = strip.outline.closed
+    except InputError as error:
+        own = f"{strip.label or 'strip'}: "
+        raise InputError(f"{name}: {str(error).removeprefix(own)}") from error
+    if not whole:
+        raise InputError(f"{name}: the slots open its outline")

@@ -1,0 +1,148 @@
+"""A bent strip as a ruled surface: its curve in space, and rulings as long as the strip is wide."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import NotConvergedError
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.paths.profile import Profile
+
+__all__ = ["RuledStrip"]
+
+STATIONS = 400
+"""Fewest samples of a strip from which crossings are found: turns closer than these are missed."""
+
+CURVE_ERROR = 1e-13
+"""Of the curve over arc length, relative to its length: near rounding, so that crossings are exact."""
+
+
+@dataclass(frozen=True, eq=False)
+class RuledStrip:
+    """The surface gamma(s) + v z, |v| <= width(s) / 2: curve in the plane of `frame`, rulings along its z.
+
+    Parameters
+    ----------
+    curve : PlaneCurve
+    frame : Frame
+    width : Profile
+        Full width over arc length, mm.
+    """
+
+    curve: PlaneCurve
+    frame: Frame
+    width: Profile
+
+    @property
+    def length(self) -> float:
+        """mm."""
+        return self.width.length
+
+    @property
+    def axis(self) -> FloatArray:
+        """Direction of the rulings (3,)."""
+        return self.frame.z_axis
+
+    @property
+    def stations(self) -> FloatArray:
+        """Arc lengths (n,) dense enough to find crossings from."""
+        return self._table[0]
+
+    def half_width(self, s: FloatArray) -> FloatArray:
+        """Half the width (n,) at arc lengths (n,), mm."""
+        return self.width(s) / 2
+
+    def motion(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Points of the curve in space and unit tangents, (n, 3) each, at arc lengths (n,)."""
+        p, d = self.in_plane(s)
+        return self.frame.point(p), self.frame.direction(d)
+
+    def normal(self, s: FloatArray) -> FloatArray:
+        """Unit normals of the surface (n, 3), to the left of the curve."""
+        d = self.in_plane(s)[1]
+        return self.frame.direction(np.stack([-d[:, 1], d[:, 0]], axis=1))
+
+    def may_meet(self, other: "RuledStrip") -> bool:
+        """False where the strips are clearly apart, as seen in the frame of either."""
+        return self._sees(other) and other._sees(self)
+
+    def _sees(self, other: "RuledStrip") -> bool:
+        """Does a box around the other strip meet this one's, in this one's frame?"""
+        turn = self.frame.axes @ other.frame.axes.T
+        box = other._box
+        center = self.frame.local(other.frame.point(box.mean(axis=0)))
+        half = np.abs(turn) @ (box[1] - box[0]) / 2
+        own = self._box
+        return bool(np.all(own[0] <= center + half) and np.all(own[1] >= center - half))
+
+    @cached_property
+    def _box(self) -> FloatArray:
+        """[[low], [high]] (2, 3) of a box around the surface in its own frame, mm."""
+        reach = self.width.extremes[1] / 2
+        low, high = self.curve.bounds
+        return np.array([[*low, -reach], [*high, reach]])
+
+    def in_plane(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Points and tangents (n, 2) in the plane of the curve."""
+        nodes, c = self._table
+        k = np.searchsorted(nodes[1:-1], s, side="right")
+        u = (s - nodes[k])[:, None]
+        rows = c.take(k, axis=1)
+        point, slope = rows[5] * u + rows[4], rows[5]
+        for row in rows[3::-1]:  # Horner's scheme, for both at once
+            slope = slope * u + point
+            point = point * u + row
+        return point, slope
+
+    @cached_property
+    def _table(self) -> tuple[FloatArray, FloatArray]:
+        """The curve over arc length: nodes (n + 1,) and quintic pieces (6, n, 2) in s - node."""
+        count = STATIONS
+        while count < 64 * STATIONS:
+            nodes, pieces = _quintics(self.curve, count)
+            if _error(self.curve, nodes, pieces) <= CURVE_ERROR * self.curve.length:
+                scale = self.length / self.curve.length
+                powers = scale ** (1.0 - np.arange(6))[:, None, None]
+                return self.curve.arc_length(nodes) * scale, pieces * powers
+            count *= 2
+        raise NotConvergedError(
+            f"the curve of a strip {self.length:.6g} mm long is too wild to be followed: smooth it"
+        )
+
+
+def _quintics(curve: PlaneCurve, count: int) -> tuple[FloatArray, FloatArray]:
+    """Parameters of the nodes, and Hermite quintics with the curve's position, tangent and curvature there."""
+    panels = curve.smooth_panels
+    each = max(1, -(-count // (panels.size - 1)))
+    inner = (panels[:-1, None] + np.diff(panels)[:, None] * np.arange(each) / each).ravel()
+    t = np.append(inner, panels[-1])
+    h = np.diff(curve.arc_length(t))[:, None]
+    p = curve.evaluate(t)
+    d0, c0 = _turning(curve, t[:-1], left=False)
+    d1, c1 = _turning(curve, t[1:], left=True)
+    gap, turn, change = p[1:] - p[:-1] - h * d0 - h**2 / 2 * c0, h * (d1 - d0 - h * c0), h**2 * (c1 - c0)
+    rows = (
+        p[:-1], d0, c0 / 2,
+        (10 * gap - 4 * turn + change / 2) / h**3,
+        (-15 * gap + 7 * turn - change) / h**4,
+        (6 * gap - 3 * turn + change / 2) / h**5,
+    )  # fmt: skip
+    return t, np.array(rows)
+
+
+def _turning(curve: PlaneCurve, t: FloatArray, *, left: bool) -> tuple[FloatArray, FloatArray]:
+    """Unit tangents and their derivatives by arc length (n, 2)."""
+    d = curve.evaluate(t, 1, left=left)
+    d = d / np.hypot(*d.T)[:, None]
+    return d, curve.curvature_at(t, left=left)[:, None] * np.stack([-d[:, 1], d[:, 0]], axis=1)
+
+
+def _error(curve: PlaneCurve, t: FloatArray, pieces: FloatArray) -> float:
+    """Largest distance from the curve, measured between the nodes, mm."""
+    middle = (t[:-1] + t[1:]) / 2
+    u = (curve.arc_length(middle) - curve.arc_length(t[:-1]))[:, None]
+    points = sum(row * u**k for k, row in enumerate(pieces))
+    return float(np.abs(points - curve.evaluate(middle)).max())

@@ -1,0 +1,147 @@
+"""What of a part cannot be cut or handled: each fault with its place, its size and the cure."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad.fabrication.makeability.shop import SLENDEREST, WIDEST_SLOT_THICKNESSES, Shop
+from elastica_cad.fabrication.makeability.thin_places import ThinPlace, find_thin_places
+from elastica_cad.fabrication.strip.lamination import Laminated
+from elastica_cad.fabrication.strip.perforation import Perforated
+from elastica_cad.fabrication.strip.strip_record import Layer, Strip
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.mechanics.material.sheet import Sheet
+
+__all__ = ["Fault", "find_plate_faults", "find_slot_faults", "find_strip_faults", "tell_faults"]
+
+MOST_TOLD = 3  # thin places of one part that are named; the count tells the rest
+
+
+@dataclass(frozen=True)
+class Fault:
+    """One reason why a part cannot be made.
+
+    Attributes
+    ----------
+    part : str
+        Its name.
+    what : str
+        The fault with its place, mm.
+    cure : str
+        What to change.
+    """
+
+    part: str
+    what: str
+    cure: str
+
+    def __str__(self) -> str:
+        return f"{self.part}: {self.what}; {self.cure}"
+
+
+def tell_faults(faults: Iterable[Fault]) -> str:
+    """Sentences that name each cure once."""
+    found: dict[tuple[str, str], list[str]] = {}
+    for fault in faults:
+        found.setdefault((fault.part, fault.cure), []).append(fault.what)
+    return " ".join(f"{part}: {', and '.join(whats)}; {cure}." for (part, cure), whats in found.items())
+
+
+def find_strip_faults(strip: Strip, shop: Shop | None = None) -> tuple[Fault, ...]:
+    """Everything that keeps a strip from being cut and handled, the base first.
+
+    Widths are measured on the cut loops: free part, tabs, necks beside slots and holes.
+
+    Examples
+    --------
+    >>> from elastica_cad.mechanics.rod.rod_record import Rod
+    >>> thin = Strip(Rod.straight(200, [1, 4, 1]), Sheet.named("birch-plywood-0.8"), max_width=6, label="A")
+    >>> print(find_strip_faults(thin)[0])  # doctest: +ELLIPSIS
+    A: only 1.5 mm wide at ... mm along it, 3 mm are needed in birch-plywood-0.8; make it wider ...
+    """
+    shop = shop or Shop()
+    name = strip.label or "strip"
+    found: list[Fault] = []
+    for i, layer in enumerate(strip.layers):
+        called = name if i == 0 else f"{name}, backing"
+        least = shop.width_for(layer.sheet)
+        if i and isinstance(strip.style, Laminated):  # glued on, it needs no strength of its own
+            least = min(least, strip.style.least_backing)
+        found += _thin_strip(called, strip, layer, least)
+        length, width = np.ptp(layer.outline.bounds, axis=0)
+        found += _too_large(called, float(length), float(width), layer.sheet, shop)
+    style = strip.style
+    if isinstance(style, Perforated) and style.least_ligament < shop.least_ligament:
+        allowed, needed = style.least_ligament, shop.least_ligament
+        what = f"ligaments down to {allowed:.3g} mm are allowed, {needed:.3g} mm are needed"
+        found.append(Fault(name, what, "ask for wider ligaments, or fewer columns"))
+    slenderest = strip.rod.length / min(float(strip.width.extremes[0]), shop.stock[1])
+    if slenderest > SLENDEREST:
+        what = (
+            f"{strip.rod.length:.4g} mm long and {strip.width.extremes[0]:.3g} mm wide: too slender to handle"
+        )
+        found.append(Fault(name, what, "make it wider, or split it"))
+    return tuple(found)
+
+
+def find_plate_faults(
+    name: str, sheet: Sheet, outline: Path, holes: Sequence[Path], shop: Shop | None = None
+) -> tuple[Fault, ...]:
+    """The same for a ring, a base or a rail: bridges between its cuts, and its size."""
+    shop = shop or Shop()
+    least = shop.bridge_for(sheet)
+    length, width = np.ptp(outline.bounds, axis=0)
+    return (
+        *_told(
+            name, find_thin_places([outline], holes, least), least, sheet,
+            "leave more room between the slots: a larger ring or plate, fewer or narrower strips, a wider border",
+        ),
+        *_too_large(name, float(length), float(width), sheet, shop),
+    )  # fmt: skip
+
+
+def find_slot_faults(
+    name: str, through: float, slots: Sequence[tuple[str, float]]
+) -> tuple[Fault, ...]:  # fmt: skip
+    """Slots far wider than the tab, `through` mm thick, that goes into them: (name, width in mm) of each."""
+    wide = [(slot, width) for slot, width in slots if width > WIDEST_SLOT_THICKNESSES * through]
+    if not wide:
+        return ()
+    slot, width = max(wide, key=lambda one: one[1])
+    more = f" (and {len(wide) - 1} more)" if len(wide) > 1 else ""
+    what = f"the slot for {slot}{more} is {width:.3g} mm wide for a tab of {through:.3g} mm, which it cannot hold"
+    cure = "end the strips steeper to the plate, take a thinner plate, or hold them by end fixtures"
+    return (Fault(name, what, cure),)
+
+
+def _thin_strip(name: str, strip: Strip, layer: Layer, least: float) -> Iterator[Fault]:
+    pattern = strip.layout.pattern is not None
+    holes = () if pattern else layer.holes  # ligaments have a limit of their own
+    places = find_thin_places([layer.outline], holes, least)
+    cure = "make it wider (max_width), or ask for the nearest curve with a smaller ratio"
+    yield from _told(name, places, least, layer.sheet, cure)
+
+
+def _told(name: str, places: Sequence[ThinPlace], least: float, sheet: Sheet, cure: str) -> Iterator[Fault]:
+    for k, place in enumerate(places[:MOST_TOLD]):
+        rest = len(places) - MOST_TOLD
+        more = f" (and {rest} more places)" if k == MOST_TOLD - 1 and rest > 0 else ""
+        at = (
+            f"at {place.x:.4g} mm along it"
+            if abs(place.y) < 1e-9
+            else f"at ({place.x:.4g}, {place.y:.4g}) mm"
+        )
+        what = f"only {place.width:.3g} mm wide {at}{more}, {least:.3g} mm are needed in {sheet.name}"
+        yield Fault(name, what, cure)
+
+
+def _too_large(name: str, length: float, width: float, sheet: Sheet, shop: Shop) -> Iterator[Fault]:
+    long, short = max(length, width), min(length, width)
+    if long > shop.stock[0] or short > shop.stock[1]:
+        sides = " x ".join(f"{side:.4g}" for side in shop.stock)
+        yield Fault(
+            name,
+            f"{long:.4g} x {short:.4g} mm is larger than the stock of {sides} mm in {sheet.name}",
+            "name a larger stock, split it, or scale the curve",
+        )

@@ -1,0 +1,76 @@
+"""What a workshop can make: least widths, the largest sheet it takes, the slots it accepts."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad.errors import InputError
+from elastica_cad.mechanics.material.sheet import Sheet
+
+__all__ = ["DEFAULT_SHOP", "LEAST_LIGAMENT_MM", "Shop"]
+
+LEAST_STRIP_MM = 3.0  # narrower strips of any sheet break when they are lifted out
+THICKNESSES = 3.0  # a strip narrower than this many thicknesses bends sideways and twists rather than flat
+LEAST_BRIDGE_MM = 2.0  # between two cuts of a plate: what the heat of two passes leaves sound
+LEAST_LIGAMENT_MM = 0.5  # lines of a laser closer than this may burn away what is between them
+LARGEST_PANEL_MM = (3050.0, 1525.0)  # the largest sheet of plywood and board on sale
+WIDEST_SLOT_THICKNESSES = 6.0  # of the tab: a vertical slot this wide holds a tab at no angle
+SLENDEREST = 600.0  # length over least width, beyond which a loose strip cannot be handled flat
+
+
+@dataclass(frozen=True)
+class Shop:
+    """Limits of the workshop; what is not given follows from the sheet.
+
+    Parameters
+    ----------
+    least_width : float, optional
+        Of a strip, a tab or a tongue, mm; where not given the sheet's own, or 3 thicknesses of it, 3 mm at least.
+    least_ligament : float
+        Between the holes of a perforated strip, mm.
+    least_bridge : float, optional
+        Between the cuts of a ring or a plate, mm; the sheet's thickness, 2 mm at least, where not given.
+    stock : (float, float)
+        Longer and shorter side of the largest sheet, mm.
+
+    Raises
+    ------
+    InputError
+        A limit that is not positive.
+
+    Examples
+    --------
+    >>> Shop().width_for(Sheet.named("birch-plywood-0.8")), Shop(least_width=1.5).width_for(None)
+    (3.0, 1.5)
+    """
+
+    least_width: float | None = None
+    least_ligament: float = LEAST_LIGAMENT_MM
+    least_bridge: float | None = None
+    stock: tuple[float, float] = LARGEST_PANEL_MM
+
+    def __post_init__(self) -> None:
+        for name in ("least_width", "least_ligament", "least_bridge"):
+            value = getattr(self, name)
+            if value is not None and not (np.isfinite(value) and value > 0):
+                raise InputError(f"{name} is {value!r}: give a positive width in mm")
+        sides = tuple(float(side) for side in self.stock)
+        if len(sides) != 2 or not all(np.isfinite(side) and side > 0 for side in sides):
+            raise InputError(f"the stock is {self.stock!r}: give the two sides of the sheet in mm")
+        object.__setattr__(self, "stock", (max(sides), min(sides)))
+
+    def width_for(self, sheet: Sheet | None) -> float:
+        """Least width of strips, tabs and tongues of a sheet, mm."""
+        if self.least_width is not None:
+            return self.least_width
+        if sheet is not None and sheet.least_width is not None:
+            return sheet.least_width
+        return max(LEAST_STRIP_MM, THICKNESSES * sheet.thickness if sheet else 0.0)
+
+    def bridge_for(self, sheet: Sheet) -> float:
+        """Least material between two cuts of a plate, mm."""
+        return max(LEAST_BRIDGE_MM, sheet.thickness) if self.least_bridge is None else self.least_bridge
+
+
+DEFAULT_SHOP = Shop()
+"""A shop of which nothing is known."""

@@ -1,0 +1,88 @@
+"""Necks, tongues and bridges: where two cuts of a flat part leave less material than asked."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.geometry.paths.path import Path
+
+__all__ = ["ThinPlace", "find_thin_places"]
+
+SAMPLES_PER_WIDTH = 12  # points along a cut in each least width: a width is found to a percent
+FACING = 0.9  # cosine between a width and both inward normals: corners blunter than 50 degrees are no necks
+FLAT_SHARE = 0.02  # of the least width: chords of the sampled cuts
+
+
+@dataclass(frozen=True)
+class ThinPlace:
+    """Too little material: its middle (x, y) and its width, mm."""
+
+    x: float
+    y: float
+    width: float
+
+
+def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: float) -> tuple[ThinPlace, ...]:
+    """Places where straight across the material the next cut is nearer than `least` mm, the thinnest first.
+
+    Each place is the thinnest of all that lie within `least` of each other.
+
+    Parameters
+    ----------
+    outlines, holes : sequences of Path
+        Closed outer and inner cuts.
+    least : float
+        mm.
+
+    Examples
+    --------
+    >>> plate, hole = Path.rectangle(40, 20), Path.rectangle(10, 10, corner=(5, 1))
+    >>> [place.width for place in find_thin_places([plate], [hole], 2.0)]
+    [1.0]
+    """
+    from scipy.sparse import coo_matrix
+    from scipy.sparse.csgraph import connected_components
+    from scipy.spatial import cKDTree
+
+    points, normals = _sampled(outlines, holes, least)
+
+    pairs = cKDTree(points).query_pairs(least * (1 - 1e-9), output_type="ndarray")
+    if not len(pairs):
+        return ()
+    i, j = pairs.T
+    across = points[j] - points[i]
+    width = np.hypot(across[:, 0], across[:, 1])
+    with np.errstate(invalid="ignore", divide="ignore"):
+        across = across / width[:, None]
+    facing = (np.sum(across * normals[i], axis=1) > FACING) & (np.sum(across * normals[j], axis=1) < -FACING)
+    i, j, width = i[facing], j[facing], width[facing]
+    if not width.size:
+        return ()
+    middle = (points[i] + points[j]) / 2
+    near = cKDTree(middle).query_pairs(least, output_type="ndarray")
+    links = coo_matrix((np.ones(len(near), dtype=bool), near.T), shape=(width.size, width.size))
+    group = connected_components(links, directed=False)[1]
+    order = np.argsort(width, kind="stable")
+    thinnest = order[np.unique(group[order], return_index=True)[1]]
+    places = [ThinPlace(float(middle[k, 0]), float(middle[k, 1]), float(width[k])) for k in thinnest]
+    return tuple(sorted(places, key=lambda place: place.width))
+
+
+def _sampled(outlines: Sequence[Path], holes: Sequence[Path], least: float) -> tuple[FloatArray, FloatArray]:
+    """Points (n, 2) on all cuts and their normals (n, 2) into the material."""
+    points, normals = [], []
+    for path, outer in [*((path, True) for path in outlines), *((path, False) for path in holes)]:
+        run = path if (path.area > 0) == outer else path.reversed()  # the material on the left
+        corners = run.points(FLAT_SHARE * least)
+        sides = np.roll(corners, -1, axis=0) - corners
+        long = np.hypot(sides[:, 0], sides[:, 1])
+        corners, sides, long = corners[long > 0], sides[long > 0], long[long > 0]
+        counts = np.maximum(1, np.ceil(long * SAMPLES_PER_WIDTH / least)).astype(int)
+        side = np.repeat(np.arange(len(sides)), counts)
+        place = (np.arange(side.size) - np.repeat(np.cumsum(counts) - counts, counts) + 0.5) / counts[side]
+        points.append(corners[side] + place[:, None] * sides[side])
+        inward = np.column_stack([-sides[:, 1], sides[:, 0]]) / long[:, None]
+        normals.append(inward[side])
+    return np.concatenate(points), np.concatenate(normals)

@@ -1,0 +1,1 @@
+"""Models: strips in space, equal parts, surfaces of revolution, assemblies."""

@@ -1,0 +1,118 @@
+"""The parts of an assembly: bent strips in their places, and what holds them, named, coloured, shared."""
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from typing import TypeAlias, TypeVar
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.sheet_colors import FIXTURE_COLOR, Color, sheet_color
+from elastica_cad.fabrication.holders.base_plate import BasePlate
+from elastica_cad.fabrication.holders.end_fixtures import EndFixture
+from elastica_cad.fabrication.holders.ring_plate import Ring
+from elastica_cad.fabrication.holders.slotted_frame import Rib, SlottedFrame
+from elastica_cad.fabrication.placed_strip import Placed, strip_names
+from elastica_cad.fabrication.solids.prisms import PrismSolid
+from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.geometry.frame import Frame
+
+__all__ = ["AssemblyPart", "Holder", "assembly_parts", "layer_names", "shape_parts"]
+
+Holder: TypeAlias = BasePlate | SlottedFrame | Rib | Ring | EndFixture
+"""What holds the strips of a model: see `Model.base_plate`, `Model.slotted_frame` and `Model.fixtures`."""
+
+Shape = TypeVar("Shape")
+
+
+@dataclass(frozen=True, eq=False)
+class AssemblyPart:
+    """A bent strip, a plate or a block of an assembly.
+
+    Attributes
+    ----------
+    name : str
+        Unlike all other names of its kind in the assembly.
+    solids : tuple of BentSolid, FlatSolid or PrismSolid
+        Of a strip one for each sheet, the curve's plane as their xy plane; equal strips share the tuple.
+    colors : tuple of (red, green, blue)
+        Of the solids, in 0..1, as on a screen.
+    frame : Frame
+        Where the solids' frame lies.
+    strip : Strip or None
+        None for what holds strips.
+    """
+
+    name: str
+    solids: tuple[BentSolid | FlatSolid | PrismSolid, ...]
+    colors: tuple[Color, ...]
+    frame: Frame = field(default_factory=Frame)
+    strip: Strip | None = None
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Of its solids."""
+        return (self.name,) if self.strip is None else layer_names(self.name, self.strip)
+
+
+def layer_names(name: str, strip: Strip) -> tuple[str, ...]:
+    """Names of a strip's sheets: its own for the base, with "backing" for what is glued on."""
+    return (name, f"{name} backing")[: len(strip.layers)]
+
+
+def assembly_parts(placed: Sequence[Placed], holders: Iterable[Holder] = ()) -> tuple[AssemblyPart, ...]:
+    """The strips in their order, then what holds them; those with the same name are numbered.
+
+    Raises
+    ------
+    InputError, NotConvergedError
+        Something else among the holders, and as `BentSolid.of`.
+    """
+    solids: dict[int, tuple[BentSolid, ...]] = {}
+    strips = []
+    for name, one in zip(strip_names(placed), placed, strict=True):
+        strip = one.strip
+        if id(strip) not in solids:
+            solids[id(strip)] = BentSolid.layers(strip)
+        colors = tuple(sheet_color(layer.sheet) for layer in strip.layers)
+        strips.append(AssemblyPart(name, solids[id(strip)], colors, one.frame, strip))
+    return (*_numbered(strips), *_numbered([part for holder in holders for part in _holder_parts(holder)]))
+
+
+def shape_parts(
+    parts: Iterable[AssemblyPart], make: Callable[[AssemblyPart], Shape]
+) -> Iterator[tuple[AssemblyPart, Shape]]:
+    """Each part with what `make` makes of it, made once for all parts that share their solids."""
+    made: dict[int, Shape] = {}
+    for part in parts:
+        if id(part.solids) not in made:
+            made[id(part.solids)] = make(part)
+        yield part, made[id(part.solids)]
+
+
+def _holder_parts(holder: Holder) -> Iterator[AssemblyPart]:
+    if isinstance(holder, SlottedFrame):
+        plates: tuple[BasePlate | Rib, ...] = (*holder.rails, *holder.ribs)
+        for plate in plates:
+            yield from _holder_parts(plate)
+    elif isinstance(holder, BasePlate | Rib | Ring):
+        yield AssemblyPart(holder.name, (holder.solid,), (sheet_color(holder.sheet),))
+    elif isinstance(holder, EndFixture):
+        yield AssemblyPart(holder.label, (holder.solid,), (FIXTURE_COLOR,))
+    else:
+        raise InputError(
+            f"strips are held by base plates, slotted frames and end fixtures, not by {type(holder).__name__}"
+        )
+
+
+def _numbered(parts: Sequence[AssemblyPart]) -> Iterator[AssemblyPart]:
+    """The parts, those with the same name told apart by a number that no other name has."""
+    count = Counter(part.name for part in parts)
+    used, taken = Counter[str](), set(count)
+    for part in parts:
+        name = part.name
+        while count[part.name] > 1 and name in taken:
+            used[part.name] += 1
+            name = f"{part.name}_{used[part.name]}"
+        taken.add(name)
+        yield replace(part, name=name)

@@ -1,0 +1,56 @@
+"""Patterns of placed strips: mirrored, repeated about an axis, repeated along a direction."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.placed_strip import Placed
+
+__all__ = ["mirror", "repeat", "rotate"]
+
+
+def mirror(
+    placed: Sequence[Placed], point: ArrayLike, normal: ArrayLike, *, keep: bool = True
+) -> tuple[Placed, ...]:
+    """The mirror images in the plane through `point` across `normal`, behind the strips themselves if kept."""
+    n, p = np.asarray(normal, dtype=float), np.asarray(point, dtype=float)
+    size = float(np.linalg.norm(n))
+    if not (n.shape == p.shape == (3,) and np.isfinite(size) and size > 0):
+        raise InputError("a mirror needs a point and a normal of three numbers, the normal not zero")
+    n = n / size
+    turn = np.eye(3) - 2 * np.outer(n, n)
+    images = tuple(one.moved(turn, 2 * (p @ n) * n) for one in placed)
+    return (*placed, *images) if keep else images
+
+
+def rotate(
+    placed: Sequence[Placed],
+    count: int,
+    *,
+    axis: ArrayLike = (0.0, 0.0, 1.0),
+    point: ArrayLike = (0.0, 0.0, 0.0),
+    step: float | None = None,
+) -> tuple[Placed, ...]:
+    """The strips `count` times about an axis, each `step` rad further; the full turn by `count` unless given."""
+    k, p = np.asarray(axis, dtype=float), np.asarray(point, dtype=float)
+    size = float(np.linalg.norm(k))
+    if count < 1 or not (np.isfinite(size) and size > 0):
+        raise InputError("a rotation pattern needs a count of 1 or more and an axis that is not zero")
+    angle = 2 * np.pi / count if step is None else float(step)
+    k = k / size
+    cross = np.array([[0, -k[2], k[1]], [k[2], 0, -k[0]], [-k[1], k[0], 0]])
+    copies = list(placed)
+    for i in range(1, count):
+        turn = np.eye(3) + np.sin(i * angle) * cross + (1 - np.cos(i * angle)) * cross @ cross
+        copies += [one.moved(turn, p - turn @ p) for one in placed]
+    return tuple(copies)
+
+
+def repeat(placed: Sequence[Placed], count: int, step: ArrayLike) -> tuple[Placed, ...]:
+    """The strips `count` times, the first where they are, each `step` (3,) mm further."""
+    if count < 1:
+        raise InputError(f"a pattern repeats 1 time or more, not {count}")
+    d = np.asarray(step, dtype=float)
+    return tuple(one.moved(np.eye(3), i * d) for i in range(count) for one in placed)

@@ -1,0 +1,168 @@
+"""A model: strips in space, what holds them and what is cut."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+from elastica_cad._notebook import html_table
+from elastica_cad._types import ArrayLike
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.holders.base_plate import BasePlate, base_plate
+from elastica_cad.fabrication.holders.end_fixtures import EndFixture, end_fixtures
+from elastica_cad.fabrication.holders.ring_plate import Ring
+from elastica_cad.fabrication.holders.slotted_frame import SlottedFrame, slotted_frame
+from elastica_cad.fabrication.interlocking.interlock import Joint, interlock
+from elastica_cad.fabrication.model.patterns import mirror, repeat, rotate
+from elastica_cad.fabrication.placed_strip import Placed, distinct_names, strip_names
+from elastica_cad.fabrication.sheets.cut_list import CutList, cut_list
+from elastica_cad.fabrication.sheets.equal_strips import EqualStrips, group_equal_strips
+from elastica_cad.fabrication.sheets.nesting import NestedSheet, nest_pieces
+from elastica_cad.fabrication.sheets.pieces import Piece, strip_pieces
+from elastica_cad.fabrication.strip.slot_effects import SlotEffect, slot_effect
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.mechanics.material.sheet import Sheet
+
+__all__ = ["Model"]
+
+
+@dataclass(frozen=True, eq=False)
+class Model:
+    """Strips in space.
+
+    Parameters
+    ----------
+    placed : sequence of Placed
+        In the order of assembly.
+    name : str
+        Titles and file names come from it.
+    reports : tuple of str
+        What was found on the way, one sentence each.
+    joints : tuple of Joint
+        Where strips were slotted into each other by `interlock`.
+    plates : tuple of Ring
+        Flat parts that belong to it, in their places: rings and caps of a surface of revolution.
+
+    Raises
+    ------
+    InputError
+        No strips.
+    """
+
+    placed: tuple[Placed, ...]
+    name: str = "model"
+    reports: tuple[str, ...] = ()
+    joints: tuple[Joint, ...] = ()
+    plates: tuple[Ring, ...] = ()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "placed", tuple(self.placed))
+        object.__setattr__(self, "reports", tuple(self.reports))
+        if not self.placed:
+            raise InputError(f"the model {self.name!r} has no strips")
+
+    @property
+    def strips(self) -> tuple[Strip, ...]:
+        """The strips in order, equal ones repeated."""
+        return tuple(placed.strip for placed in self.placed)
+
+    def name_of(self, index: int) -> str:
+        """How messages call a strip: its label, or its place counted from 1."""
+        return strip_names(self.placed)[index]
+
+    def single_name_of(self, index: int) -> str:
+        """Its name, with its place where other strips have the same label."""
+        return distinct_names(self.placed)[index]
+
+    def __repr__(self) -> str:
+        return f"<Model {self.name!r}, {len(self.placed)} strips, {len(self.joints)} joints>"
+
+    def _repr_html_(self) -> str:
+        rows = [
+            {
+                "part": part.name, "cut": part.count, "sheet": part.strip.sheet.name,
+                "length, mm": f"{part.strip.rod.length:.1f}", "ratio": f"{part.strip.rod.ratio:.3g}",
+                "strain": f"{part.strip.max_strain:.2%}",
+            }
+            for part in self.parts
+        ]  # fmt: skip
+        return html_table(repr(self), rows)
+
+    @cached_property
+    def parts(self) -> tuple[EqualStrips, ...]:
+        """What must be cut: equal strips once, with their count; see `group_equal_strips`."""
+        return group_equal_strips(self.placed)
+
+    def with_strips(self, strips: Sequence[Strip]) -> "Model":
+        """The model with other strips in the same places."""
+        pairs = zip(self.placed, strips, strict=True)
+        return replace(self, placed=tuple(placed.with_strip(strip) for placed, strip in pairs))
+
+    def interlock(self, **options: Any) -> "Model":
+        """The model with slots wherever two bent strips cross, cut half way into each.
+
+        Options are those of `fabrication.interlock`: clearance, fit, relief, pairs, above; so are the errors.
+        """
+        found = interlock(self.placed, **options)
+        return replace(
+            self,
+            placed=found.placed,
+            joints=(*self.joints, *found.joints),
+            reports=(*self.reports, *found.reports),
+        )
+
+    @property
+    def pieces(self) -> tuple[Piece, ...]:
+        """What must be cut, drawn: as `parts`, each layer of a laminate a piece of its own, then the plates."""
+        return (*strip_pieces(self.parts), *(plate.piece for plate in self.plates))
+
+    def fixtures(self, *, floor: Frame | None = None, **sizes: float) -> tuple[EndFixture, ...]:
+        """Printed blocks that hold both ends of every strip; sizes are those of `EndFixture`."""
+        return end_fixtures(self.placed, floor=floor, **sizes)
+
+    def base_plate(self, sheet: Sheet, **options: Any) -> BasePlate:
+        """One slotted plate for all tabs that stand on it; options: see `fabrication.base_plate`."""
+        return base_plate(self.placed, sheet, **options)
+
+    def slotted_frame(self, sheet: Sheet, **options: Any) -> SlottedFrame:
+        """Rails for the tabs of both ends, joined by ribs; options: see `fabrication.slotted_frame`."""
+        return slotted_frame(self.placed, sheet, **options)
+
+    def nest(self, *, others: Iterable[Piece] = (), **options: Any) -> tuple[NestedSheet, ...]:
+        """Drawings of all sheets to be cut: the strips and other pieces.
+
+        Options are those of `fabrication.nest_pieces`: sheet_size, margin, kerf, name.
+        """
+        return nest_pieces((*self.pieces, *others), **{"name": f"{self.name}-nest", **options})
+
+    def cut_list(self, others: Iterable[Piece] = ()) -> CutList:
+        """The list of all pieces, equal ones once with their count."""
+        return cut_list((*self.pieces, *others))
+
+    def slot_effects(self) -> tuple[SlotEffect | None, ...]:
+        """For each strip what its slots do to its stiffness and shape; None where there are none."""
+        return tuple(slot_effect(strip) if strip.slots else None for strip in self.strips)
+
+    def mirrored(self, point: ArrayLike, normal: ArrayLike, *, keep: bool = True) -> "Model":
+        """The mirror image in the plane through `point` across `normal`, and the strips themselves if kept."""
+        return self._arranged(mirror(self.placed, point, normal, keep=keep))
+
+    def rotated(self, count: int, **options: Any) -> "Model":
+        """The strips `count` times about an axis, the first where they are.
+
+        Options: axis (3,), point (3,) and step, rad; about z, one full turn in all, unless given.
+        """
+        return self._arranged(rotate(self.placed, count, **options))
+
+    def repeated(self, count: int, step: ArrayLike) -> "Model":
+        """The strips `count` times, the first where they are, each `step` (3,) mm further."""
+        return self._arranged(repeat(self.placed, count, step))
+
+    def _arranged(self, placed: tuple[Placed, ...]) -> "Model":
+        if self.plates:
+            raise InputError(
+                f"the model {self.name!r} has {self.plates[0].name}, made for its strips where they are: repeat "
+                "the strips without rings"
+            )
+        return replace(self, placed=placed)

@@ -1,0 +1,1 @@
+"""Pieces on sheets: nesting, cut lists, the bend coupon."""

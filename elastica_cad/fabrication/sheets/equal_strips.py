@@ -1,0 +1,169 @@
+"""Strips that are the same part: cut loops that cover each other, turned about or over."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.fabrication.drawings.drawing import SAME_MM
+from elastica_cad.fabrication.placed_strip import Placed, strip_names
+from elastica_cad.fabrication.strip.flat_outline import pace
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.point_distance import distances
+from elastica_cad.geometry.paths.segments import Segment, Spline
+
+__all__ = ["EqualStrips", "group_equal_strips"]
+
+CENTROID_MM = 0.02
+"""Flatness of the loops whose centroids tell which way round parts may fit."""
+
+STEEPEST_SLOPE = 100.0
+"""No long side rises more than this for each mm along the strip."""
+
+SAMPLES = 6
+"""Points a segment by which loops are compared: as many as a cubic has coefficients, and two more."""
+
+WAYS = ((1, 1), (1, -1), (-1, 1), (-1, -1))
+"""Signs of x and y: as it is, turned over along the strip, across it, turned about."""
+
+
+@dataclass(frozen=True, eq=False)
+class EqualStrips:
+    """Equal strips of a model: one part, cut as often as there are `members`.
+
+    Attributes
+    ----------
+    strip : Strip
+        The first of them, whose drawing is cut.
+    name : str
+        Its label, or "strip 3" after its place in the model.
+    members : tuple of int
+        Places in the model.
+    """
+
+    strip: Strip
+    name: str
+    members: tuple[int, ...]
+
+    @property
+    def count(self) -> int:
+        """How many are cut."""
+        return len(self.members)
+
+
+def group_equal_strips(placed: Sequence[Placed]) -> tuple[EqualStrips, ...]:
+    """The strips grouped by the part that is cut for them, in order of first appearance.
+
+    Strips are equal where sheet, label and all cut loops are, after turning the part about or over.
+    """
+    found: list[tuple[_FlatShape, list[int]]] = []
+    known: dict[int, list[int]] = {}  # one strip in several places need not be compared again
+    for index, strip in enumerate(one.strip for one in placed):
+        if id(strip) not in known:
+            shape = _FlatShape(strip)
+            alike = next((members for first, members in found if first.equals(shape)), None)
+            if alike is None:
+                alike = []
+                found.append((shape, alike))
+            known[id(strip)] = alike
+        known[id(strip)].append(index)
+    names = strip_names(placed)
+    return tuple(EqualStrips(shape.strip, names[members[0]], tuple(members)) for shape, members in found)
+
+
+@dataclass(frozen=True, eq=False)
+class _FlatShape:
+    """A strip's cut loops, ready to be compared with many others."""
+
+    strip: Strip
+
+    def equals(self, other: "_FlatShape") -> bool:
+        """Would one part serve for both? Sheet, style, label, mates and all loops must be the same."""
+        a, b = self.strip, other.strip
+        if a is b:
+            return True
+        mates = [sorted(slot.mate for slot in strip.slots) for strip in (a, b)]
+        if a.label != b.label or a.sheet != b.sheet or mates[0] != mates[1] or len(a.layers) != len(b.layers):
+            return False
+        if any(
+            p.sheet != q.sheet or len(p.holes) != len(q.holes)
+            for p, q in zip(a.layers, b.layers, strict=True)
+        ):
+            return False
+        if np.abs(self._size - other._size).max() > SAME_MM * self._size[0]:
+            return False
+        off = np.abs(self._lean - np.array(WAYS) * other._lean).max(axis=1)
+        return any(self._covers(other, way) for way, far in zip(WAYS, off, strict=True) if far < CENTROID_MM)
+
+    @cached_property
+    def _size(self) -> FloatArray:
+        """Length, box and areas of the loops: cheap to compare."""
+        layers = self.strip.layers
+        width, height = np.diff(layers[0].outline.bounds, axis=0)[0]
+        return np.array([layers[0].outline.length, width, height, *(np.sqrt(layer.area) for layer in layers)])
+
+    @cached_property
+    def _lean(self) -> FloatArray:
+        """From the middle of the box to the centroid (2,), mm: its signs change as the part is turned."""
+        x, y = self.strip.outline.points(CENTROID_MM).T
+        x1, y1 = np.roll(x, -1), np.roll(y, -1)
+        cross = x * y1 - x1 * y
+        centroid = np.array([((x + x1) * cross).sum(), ((y + y1) * cross).sum()]) / (3 * cross.sum())
+        return np.asarray(centroid - self.strip.outline.bounds.mean(axis=0), dtype=float)
+
+    def _covers(self, other: "_FlatShape", way: tuple[int, int]) -> bool:
+        """Do the other's loops, turned and laid onto the middle of this one's, run along these?"""
+        middles = [shape.strip.outline.bounds.mean(axis=0) for shape in (self, other)]
+        shift = middles[0] - way * middles[1]
+        for own, others in zip(self.strip.layers, other.strip.layers, strict=True):
+            if not _along(own.outline, _samples(others.outline) * way + shift):
+                return False
+            moved = [(hole.length, _samples(hole) * way + shift) for hole in others.holes]
+            for length, points in moved:
+                near = [hole for hole in own.holes if abs(hole.length - length) < 10 * SAME_MM]
+                if not any(_along(hole, points) for hole in near):
+                    return False
+        return True
+
+
+def _samples(path: Path) -> FloatArray:
+    """Points along every segment of a path."""
+    return np.concatenate([segment.at(np.linspace(0.0, 1.0, SAMPLES + 1)[:-1]) for segment in path.segments])
+
+
+def _along(path: Path, points: FloatArray) -> bool:
+    """Do points lie within `SAME_MM` of a path?"""
+    near = np.full(len(points), np.inf)
+    for segment in path.segments:
+        low, high = _box(segment)
+        inside = np.flatnonzero(
+            np.all((points > low - SAME_MM) & (points < high + SAME_MM), axis=1) & (near > SAME_MM)
+        )
+        if inside.size:
+            near[inside] = np.minimum(near[inside], _off(segment, points[inside]))
+    return bool(near.max() <= SAME_MM)
+
+
+def _off(segment: Segment, points: FloatArray) -> FloatArray:
+    """Distances (n,) of points from a segment; where they are too large to count, no more than that is sure."""
+    even = pace(segment) if isinstance(segment, Spline) else None
+    if even is None or not isinstance(segment, Spline):
+        return distances(segment, points)
+    # straight across where x runs evenly: no less than the distance, and the same in the end
+    t = np.clip((points[:, 0] - even[0]) / even[1], *segment.curve.domain)
+    off = np.asarray(np.hypot(*(segment.curve.evaluate(t) - points).T), dtype=float)
+    unsure = (off > SAME_MM) & (off < STEEPEST_SLOPE * SAME_MM)
+    if unsure.any():
+        off[unsure] = distances(segment, points[unsure])
+    return off
+
+
+def _box(segment: Segment) -> FloatArray:
+    """A box around a segment, of its control points where it is a spline."""
+    if not isinstance(segment, Spline):
+        return segment.bounds
+    p = segment.curve.control_points
+    return np.array([p.min(axis=0), p.max(axis=0)])

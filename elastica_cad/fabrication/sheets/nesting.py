@@ -1,0 +1,269 @@
+"""Nesting: pieces in rows on sheets of a given size, grain kept, never nearer to each other than the margin."""
+
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.drawing import Drawing
+from elastica_cad.fabrication.sheets.pieces import Piece
+from elastica_cad.mechanics.material.sheet import Sheet
+
+__all__ = ["NestedSheet", "nest_pieces"]
+
+SLACK_MM = 1e-9
+"""Rounding that a piece as large as its row may have."""
+
+
+@dataclass(frozen=True, eq=False)
+class NestedSheet(Drawing):
+    """The drawing of one sheet with its pieces; the sheet's lower left corner is the origin.
+
+    Attributes
+    ----------
+    sheet : Sheet
+        The material.
+    sheet_size : (width, height)
+        mm.
+    pieces : tuple of str
+        Names of the pieces, one for each that is cut.
+    used : float
+        Area of the rows that hold pieces, margins included, mm2.
+    filled : float
+        Area of the pieces' bounding boxes, each with its margin, mm2.
+    """
+
+    sheet: Sheet | None = None
+    sheet_size: tuple[float, float] = (0.0, 0.0)
+    pieces: tuple[str, ...] = ()
+    used: float = 0.0
+    filled: float = 0.0
+
+    @property
+    def counts(self) -> dict[str, int]:
+        """How often each piece is on this sheet."""
+        return dict(Counter(self.pieces))
+
+
+@dataclass(frozen=True)
+class _Box:
+    """A piece to be laid, with its margin: index, size along the rows and across them, turned by a quarter."""
+
+    piece: int
+    long: float
+    wide: float
+    turned: bool
+
+
+@dataclass
+class _Row:
+    """A row of boxes: where it begins across the sheet, how wide it is, how much of its length is taken."""
+
+    start: float
+    wide: float
+    taken: float = 0.0
+
+
+@dataclass(frozen=True)
+class _Place:
+    box: _Box
+    sheet: int
+    x: float
+    y: float
+
+
+def nest_pieces(
+    pieces: Iterable[Piece],
+    *,
+    sheet_size: tuple[float, float] = (600.0, 400.0),
+    margin: float = 2.0,
+    kerf: float | None = 0.0,
+    name: str = "nest",
+) -> tuple[NestedSheet, ...]:
+    """Lay pieces on as few sheets as rows allow; every material has sheets of its own.
+
+    Rows follow the long or the short side of the sheet, whichever takes fewer sheets, then less of the last
+    one; within a row pieces lie as drawn or, without grain, turned by a quarter. With grain, which runs along
+    the width of the sheet, `Sheet.grain` decides.
+
+    Parameters
+    ----------
+    pieces : iterable of Piece
+        Each is laid `count` times.
+    sheet_size : (width, height)
+        mm.
+    margin : float
+        Least distance between pieces, and to the edge of the sheet, mm.
+    kerf : float or None
+        What the drawings will be moved by when they are written (`compensate_kerf`), mm; None for each sheet's own.
+        The margin is kept between the loops as the tool runs.
+    name : str
+        The drawings are called after it, the material and their number.
+
+    Returns
+    -------
+    tuple of NestedSheet
+        Drawings in the order of materials, then sheets.
+
+    Raises
+    ------
+    InputError
+        A piece larger than the sheet, a sheet or margin that is not possible.
+
+    Notes
+    -----
+    Best fit of boxes by falling width (shelf packing; Lodi, Martello and Monaci, Two-dimensional packing
+    problems, EJOR 141, 2002). Boxes are the exact bounds of what is cut, so boxes that keep the margin prove
+    that curves keep it.
+    """
+    width, height = (float(v) for v in sheet_size)
+    if kerf is not None and not np.isfinite(kerf):
+        raise InputError(f"the kerf is {kerf}: it must be a finite number of mm, 0 for none")
+    if not (np.isfinite([width, height, margin]).all() and min(width, height) > 0 and margin >= 0):
+        raise InputError(
+            f"sheet size is {width:g} by {height:g} mm with a margin of {margin:g} mm: sizes must be positive and "
+            "the margin 0 or more"
+        )
+    groups: dict[Sheet, list[Piece]] = {}
+    for piece in pieces:
+        groups.setdefault(piece.sheet, []).append(piece)
+    drawings: list[NestedSheet] = []
+    for sheet, group in groups.items():
+        grown = max(sheet.kerf if kerf is None else kerf, 0.0)
+        drawings += _nested_group(sheet, group, (width, height), margin + grown, name)
+    return tuple(drawings)
+
+
+def _nested_group(
+    sheet: Sheet, pieces: Sequence[Piece], size: tuple[float, float], margin: float, name: str
+) -> list[NestedSheet]:
+    """All sheets of one material: rows are tried along either side of the sheet."""
+    best: tuple[tuple[float, float], bool, list[_Place]] | None = None
+    for upright in (False, True):
+        room = (size[1] - margin, size[0] - margin) if upright else (size[0] - margin, size[1] - margin)
+        boxes = [_boxes(i, piece, margin, room, upright) for i, piece in enumerate(pieces)]
+        if not all(boxes):
+            continue
+        places = _packed(boxes, pieces, room)
+        count = max(place.sheet for place in places)
+        last = max(place.y + place.box.wide for place in places if place.sheet == count) * room[0]
+        if best is None or (count, last) < best[0]:
+            best = ((count, last), upright, places)
+    if best is None:
+        raise InputError(_too_large(pieces, size, margin))
+    _, upright, places = best
+    return [
+        _drawing(
+            sheet,
+            pieces,
+            [p for p in places if p.sheet == number],
+            size,
+            margin,
+            upright,
+            f"{name}-{number + 1}",
+        )
+        for number in range(max(place.sheet for place in places) + 1)
+    ]
+
+
+def _turns(piece: Piece) -> tuple[bool, ...]:
+    """May the piece lie as drawn, turned by a quarter? The grain runs along x of the sheet."""
+    return {"along": (False,), "across": (True,)}.get(piece.sheet.grain, (False, True))
+
+
+def _boxes(index: int, piece: Piece, margin: float, room: tuple[float, float], upright: bool) -> list[_Box]:
+    """The ways in which a piece may lie in the rows and fits the sheet."""
+    x, y = (side + margin for side in piece.size)
+    found = []
+    for turned in _turns(piece):
+        long, wide = (y, x) if turned != upright else (x, y)
+        if long <= room[0] + SLACK_MM and wide <= room[1] + SLACK_MM:
+            found.append(_Box(index, long, wide, turned))
+    return sorted(found, key=lambda box: box.wide)
+
+
+def _packed(boxes: list[list[_Box]], pieces: Sequence[Piece], room: tuple[float, float]) -> list[_Place]:
+    """Best fit by falling width: a box goes into the row that it fills best, else into a new one."""
+    queue = [ways for ways, piece in zip(boxes, pieces, strict=True) for _ in range(piece.count)]
+    queue.sort(key=lambda ways: (-ways[0].wide, -ways[0].long))
+    sheets: list[list[_Row]] = []
+    places: list[_Place] = []
+    for ways in queue:
+        fits = [
+            (row.wide - box.wide, room[0] - row.taken - box.long, number, k, box)
+            for number, rows in enumerate(sheets)
+            for k, row in enumerate(rows)
+            for box in ways
+            if box.wide <= row.wide + SLACK_MM and row.taken + box.long <= room[0] + SLACK_MM
+        ]
+        if fits:
+            _, _, number, k, box = min(fits, key=lambda fit: fit[:4])
+            row = sheets[number][k]
+        else:
+            box = ways[0]
+            roomy = [i for i, rows in enumerate(sheets) if _ends(rows) + box.wide <= room[1] + SLACK_MM]
+            number = roomy[0] if roomy else len(sheets)
+            if not roomy:
+                sheets.append([])
+            row = _Row(_ends(sheets[number]), box.wide)
+            sheets[number].append(row)
+        places.append(_Place(box, number, row.taken, row.start))
+        row.taken += box.long
+    return places
+
+
+def _ends(rows: Sequence[_Row]) -> float:
+    """How far the rows of a sheet reach."""
+    return rows[-1].start + rows[-1].wide if rows else 0.0
+
+
+def _drawing(
+    sheet: Sheet,
+    pieces: Sequence[Piece],
+    places: Sequence[_Place],
+    size: tuple[float, float],
+    margin: float,
+    upright: bool,
+    name: str,
+) -> NestedSheet:
+    """The drawing of one sheet, its pieces in the order of the model."""
+    room = size[1] - margin if upright else size[0] - margin
+    laid = []
+    for place in sorted(places, key=lambda place: place.box.piece):
+        piece = pieces[place.box.piece]
+        x, y = (place.y, place.x) if upright else (place.x, place.y)
+        laid.append(piece.drawing.transformed(_matrix(piece, place.box.turned, x + margin, y + margin)))
+    merged = Drawing.merged(f"{name}-{sheet.name}", laid)
+    rows = max(place.y + place.box.wide for place in places)
+    return NestedSheet(
+        merged.name,
+        merged.paths,
+        merged.texts,
+        sheet=sheet,
+        sheet_size=size,
+        pieces=tuple(pieces[place.box.piece].name for place in sorted(places, key=lambda p: p.box.piece)),
+        used=rows * room,
+        filled=sum(place.box.long * place.box.wide for place in places),
+    )
+
+
+def _matrix(piece: Piece, turned: bool, x: float, y: float) -> np.ndarray:
+    """Moves the piece, turned by a quarter if asked, so that the corner of its bounds lies at (x, y)."""
+    (x0, y0), (_, y1) = piece.bounds
+    if turned:
+        return np.array([[0.0, -1.0, x + y1], [1.0, 0.0, y - x0], [0.0, 0.0, 1.0]])
+    return np.array([[1.0, 0.0, x - x0], [0.0, 1.0, y - y0], [0.0, 0.0, 1.0]])
+
+
+def _too_large(pieces: Sequence[Piece], size: tuple[float, float], margin: float) -> str:
+    for piece in pieces:
+        if not any(_boxes(0, piece, margin, (size[0] - margin, size[1] - margin), False)):
+            x, y = piece.size
+            grain = f" with the grain {piece.sheet.grain} it" if piece.sheet.grain != "none" else ""
+            return (
+                f"{piece.name}: {x:.1f} by {y:.1f} mm is larger than a sheet of {size[0]:g} by {size[1]:g} mm with "
+                f"a margin of {margin:g} mm{grain}: use a larger sheet or make the part in pieces"
+            )
+    raise AssertionError("every piece fits the sheet")

@@ -1,0 +1,125 @@
+"""Pieces: what is cut from which sheet, and how often."""
+
+import re
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import count
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, Drawing
+from elastica_cad.fabrication.sheets.equal_strips import EqualStrips
+from elastica_cad.mechanics.material.sheet import Sheet
+
+__all__ = ["Piece", "file_word", "strip_pieces"]
+
+
+@dataclass(frozen=True, eq=False)
+class Piece:
+    """A flat part to be cut.
+
+    Parameters
+    ----------
+    name : str
+    drawing : Drawing
+        One closed outer cut or more.
+    sheet : Sheet
+        What it is cut from; where the sheet has a grain, the drawing's x runs along or across it as `sheet.grain`
+        says.
+    count : int
+        How many are cut.
+
+    Raises
+    ------
+    InputError
+        Nothing to cut out, or a count below 1.
+
+    Examples
+    --------
+    >>> from elastica_cad.fabrication.drawings.drawing import LayeredPath
+    >>> from elastica_cad.geometry.paths.path import Path
+    >>> plate = Drawing("plate", [LayeredPath("CUT_OUTER", Path.rectangle(40, 10))])
+    >>> Piece("plate", plate, Sheet.named("birch-plywood-0.8"), 2).file_stem
+    'plate_birch-plywood-0.8_0.8mm_x2'
+    """
+
+    name: str
+    drawing: Drawing
+    sheet: Sheet
+    count: int = 1
+
+    def __post_init__(self) -> None:
+        if not any(path.closed for path in self.drawing.on(CUT_OUTER)):
+            raise InputError(f"{self.name}: there is no closed outer cut, so nothing to cut out")
+        if self.count < 1:
+            raise InputError(f"{self.name}: cut {self.count} times; the count must be 1 or more")
+
+    @property
+    def file_stem(self) -> str:
+        """File name without suffix: part, material, thickness and quantity."""
+        words = (self.name, self.sheet.name, f"{self.sheet.thickness:g}mm", f"x{self.count}")
+        return "_".join(map(file_word, words))
+
+    @cached_property
+    def bounds(self) -> FloatArray:
+        """[[x_min, y_min], [x_max, y_max]] of the outer cuts, mm, exact; all else lies inside."""
+        corners = np.array([path.bounds for path in self.drawing.on(CUT_OUTER)])
+        return np.array([corners[:, 0].min(axis=0), corners[:, 1].max(axis=0)])
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Length along x and height along y, mm."""
+        x, y = self.bounds[1] - self.bounds[0]
+        return float(x), float(y)
+
+    @cached_property
+    def cut_length(self) -> float:
+        """Length of all cuts of one piece, mm."""
+        return sum(path.length for path in self.drawing.on(CUT_INNER, CUT_OUTER))
+
+    @cached_property
+    def area(self) -> float:
+        """Of one piece, mm2."""
+        outer = sum(abs(path.area) for path in self.drawing.on(CUT_OUTER) if path.closed)
+        return outer - sum(abs(path.area) for path in self.drawing.on(CUT_INNER) if path.closed)
+
+    @property
+    def mass(self) -> float:
+        """Of one piece, g."""
+        return self.area * self.sheet.thickness * self.sheet.density * 1e-6
+
+
+def file_word(text: str) -> str:
+    """The text as it may stand in a file name on any system.
+
+    Examples
+    --------
+    >>> file_word("P 1/2: top")
+    'P-1-2-top'
+    """
+    return re.sub(r"[^\w.-]+", "-", text).strip("-.") or "part"
+
+
+def strip_pieces(parts: Sequence[EqualStrips]) -> tuple[Piece, ...]:
+    """Each group of equal strips as a piece with its count; each layer of a laminate is one.
+
+    Different parts with the same label get a number behind it, on the part and in its name.
+    """
+    pieces: list[Piece] = []
+    taken = {part.name for part in parts}
+    used: Counter[str] = Counter()
+    for part in parts:
+        name, strip = part.name, part.strip
+        used[name] += 1
+        if used[name] > 1:
+            name = next(f"{name}-{n}" for n in count(used[name]) if f"{name}-{n}" not in taken)
+            taken.add(name)
+            strip = replace(strip, label=name)
+        for i, (drawing, layer) in enumerate(zip(strip.drawings(), strip.layers, strict=True)):
+            called = name if i == 0 else f"{name}-backing"
+            pieces.append(Piece(called, replace(drawing, name=called), layer.sheet, part.count))
+    return tuple(pieces)

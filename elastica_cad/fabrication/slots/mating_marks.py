@@ -1,0 +1,102 @@
+"""Mating marks: beside every slot the name of the strip that goes in."""
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.fabrication.drawings.drawing import MARK
+from elastica_cad.fabrication.drawings.lettering import Text, text_width
+from elastica_cad.fabrication.slots.slot import Slot, slot_rim
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.path_intersections import polylines_cross
+from elastica_cad.geometry.paths.profile import Profile
+
+__all__ = ["mating_marks"]
+
+LETTER_HEIGHTS_MM = (2.0, 1.5, 1.0)
+"""Tried in turn; below 1 mm engraved letters run together."""
+
+CLEARANCE_MM = 0.5
+"""Letters keep this far from every cut, so that no stroke is a notch."""
+
+FLAT_MM = 0.02
+"""Flatness of the cuts as letters see them: little beside their clearance."""
+
+
+def mating_marks(
+    slots: Sequence[Slot], width: Profile, others: Sequence[Path], taken: Sequence[Text] = ()
+) -> tuple[Text, ...]:
+    """The names of the mates, on the MARK layer, clear of all slots, of `others` and of other texts.
+
+    Each stands at the inner end of its slot, or else beside the slot, as large as fits; where nothing fits the
+    slot stays without.
+    """
+    cuts = [slot_rim(slot, width, beyond=slot.width) for slot in slots]
+    lines = [*cuts, *(_line(path) for path in others)] if cuts else []
+    boxes = [_box(text) for text in taken]
+    marks = []
+    for slot, cut in zip(slots, cuts, strict=True):
+        for text in _choices(slot, cut, width) if slot.mate else ():
+            box = _box(text)
+            if _on_strip(box, width) and not any(_meet(box, other) for other in boxes):
+                rim = np.concatenate([box, box[:1]])
+                if not any(_within(line, box) or polylines_cross(rim, line) is not None for line in lines):
+                    marks.append(text)
+                    boxes.append(box)
+                    break
+    return tuple(marks)
+
+
+def _choices(slot: Slot, cut: FloatArray, width: Profile) -> Iterator[Text]:
+    """Texts beyond the inner end, then on either side of the slot, the largest first."""
+    points, _ = slot.center_line(width)
+    inward = -1.0 if slot.side == "upper" else 1.0
+    end = cut[:, 1].min() if inward < 0 else cut[:, 1].max()
+    if slot.relief == "round":
+        end += inward * slot.width / 2
+    inside = np.abs(cut[:, 1]) < float(width(np.clip(slot.at, 0.0, width.length))) / 2
+    low, high = cut[inside, 0].min(), cut[inside, 0].max()
+    middle = points[:, 1].mean()
+    for height in LETTER_HEIGHTS_MM:
+        long, room = text_width(slot.mate, height), CLEARANCE_MM + height / 2
+        for x, y in (
+            (points[0, 0], end + inward * 1.5 * room),
+            (high + CLEARANCE_MM + 0.6 * long, middle),
+            (low - CLEARANCE_MM - 0.6 * long, middle),
+        ):
+            corner = (float(x - long / 2), float(y - height / 2))
+            yield Text(position=corner, text=slot.mate, height=height, layer=MARK)
+
+
+def _box(text: Text) -> FloatArray:
+    """Corners (4, 2) of a text with its clearance, anticlockwise."""
+    long = text_width(text.text, text.height)
+    flat = np.array([[0, 0], [long, 0], [long, text.height], [0, text.height]])
+    flat = flat + CLEARANCE_MM * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
+    c, s = np.cos(text.angle), np.sin(text.angle)
+    return np.asarray(text.position + flat @ np.array([[c, s], [-s, c]]), dtype=float)
+
+
+def _on_strip(box: FloatArray, width: Profile) -> bool:
+    """Does the box lie on the free part?"""
+    x = np.linspace(box[:, 0].min(), box[:, 0].max(), 9)
+    if x[0] < 0 or x[-1] > width.length:
+        return False
+    return bool(np.abs(box[:, 1]).max() < float(width(x).min()) / 2)
+
+
+def _meet(a: FloatArray, b: FloatArray) -> bool:
+    """Do the bounds of two boxes overlap?"""
+    return bool(np.all(a.min(axis=0) <= b.max(axis=0)) and np.all(a.max(axis=0) >= b.min(axis=0)))
+
+
+def _within(line: FloatArray, box: FloatArray) -> bool:
+    """Does a line have points in an upright box?"""
+    return bool(np.any(np.all((line > box.min(axis=0)) & (line < box.max(axis=0)), axis=1)))
+
+
+def _line(path: Path) -> FloatArray:
+    """Points along a path, around to the first where it is closed."""
+    points = path.points(FLAT_MM)
+    return np.concatenate([points, points[:1]]) if path.closed else points

@@ -1,0 +1,197 @@
+"""Slots: narrow cuts that let strips interlock, open at the edge of the flat pattern."""
+
+from dataclasses import dataclass, replace
+from typing import Any, Literal
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline, left_of
+
+__all__ = ["CLEARANCE_MM", "Relief", "Side", "Slot", "slot_cut", "slot_rim"]
+
+STRAIGHT_MM = 1e-7
+"""Sides that bend less than this are lines: a tenth of what drawings tell apart."""
+
+CLEARANCE_MM = 0.1
+"""Usually added to the width of a slot: a laser-cut sheet then slides in and stays."""
+
+Side = Literal["upper", "lower"]
+Relief = Literal["square", "round"]
+
+
+@dataclass(frozen=True, eq=False)
+class Slot:
+    """A slot from inside the strip to its edge.
+
+    Parameters
+    ----------
+    at : float
+        Arc length of the inner end of its centre line, mm.
+    width : float
+        Across the slot, mm; of a slot along a `path` the width at the inner end.
+    depth : float, optional
+        From the edge of the strip to the inner end, measured across the strip, mm; to the centre line of the
+        strip where not given.
+    side : "upper" or "lower"
+        The edge on which it opens: y > 0 or y < 0 of the flat pattern.
+    lean : float
+        Angle of the centre line to the strip's ruling, rad: outward it moves towards larger x where positive.
+    relief : "square" or "round"
+        The inner end: straight across, or a half circle beyond it.
+    mate : str
+        What goes in here; written beside the slot.
+    path : (k, 2) array, optional
+        Centre line in the flat pattern from the inner end to the edge, mm, in place of depth and lean.
+    widths : (k,) array, optional
+        Width at every point of `path`, mm.
+
+    Raises
+    ------
+    InputError
+        Sizes that are not positive, a path without its widths.
+
+    Examples
+    --------
+    >>> Slot(40.0, width=1.2, depth=5.0, side="lower").mirrored().side
+    'upper'
+    """
+
+    at: float
+    width: float
+    depth: float | None = None
+    side: Side = "upper"
+    lean: float = 0.0
+    relief: Relief = "square"
+    mate: str = ""
+    path: FloatArray | None = None
+    widths: FloatArray | None = None
+
+    def __post_init__(self) -> None:
+        for name in ("at", "width", "lean", *(() if self.depth is None else ("depth",))):
+            if not np.isfinite(getattr(self, name)):
+                raise InputError(f"slot {name} is {getattr(self, name)}: it must be a finite number")
+        here = f"slot at {self.at:.6g} mm"
+        if self.width <= 0 or (self.depth is not None and self.depth <= 0):
+            raise InputError(f"{here}: width and depth must be positive, in mm")
+        if self.side not in ("upper", "lower") or self.relief not in ("square", "round"):
+            raise InputError(
+                f'{here}: side is "upper" or "lower" and relief "square" or "round", not {self.side!r} and '
+                f"{self.relief!r}"
+            )
+        if abs(self.lean) >= np.pi / 2:
+            raise InputError(f"{here}: lean is {self.lean:g} rad: it must stay within a quarter turn")
+        if (self.path is None) != (self.widths is None):
+            raise InputError(f"{here}: path and widths go together")
+        if self.path is not None:
+            path, widths = np.array(self.path, dtype=float), np.array(self.widths, dtype=float)
+            if path.ndim != 2 or path.shape[1] != 2 or len(path) < 2 or widths.shape != (len(path),):
+                raise InputError(f"{here}: path has two or more rows (x, y), widths one number for each")
+            if not np.all(np.isfinite(path)) or not np.all(widths > 0):
+                raise InputError(f"{here}: path and widths must be finite, widths positive, in mm")
+            for name, array in (("path", path), ("widths", widths)):
+                array.setflags(write=False)
+                object.__setattr__(self, name, array)
+
+    @classmethod
+    def along(
+        cls, path: ArrayLike, widths: ArrayLike, *, side: Side, relief: Relief = "square", mate: str = ""
+    ) -> "Slot":
+        """A slot along a centre line (k, 2) from its inner end to the edge, as wide as `widths` (k,) say."""
+        rows, across = np.asarray(path, dtype=float), np.asarray(widths, dtype=float)
+        return cls(
+            float(rows[0, 0]), float(across[0]), side=side, relief=relief, mate=mate, path=rows, widths=across
+        )
+
+    def mirrored(self) -> "Slot":
+        """The slot of the strip turned over about its centre line (y to -y)."""
+        path = None if self.path is None else self.path * (1.0, -1.0)
+        return replace(self, side="lower" if self.side == "upper" else "upper", path=path)
+
+    def center_line(self, width: Profile) -> tuple[FloatArray, FloatArray]:
+        """Points (k, 2) from the inner end to the edge and widths (k,), in a strip of that width, mm."""
+        if self.path is not None and self.widths is not None:
+            return self.path, self.widths
+        sign = 1.0 if self.side == "upper" else -1.0
+        half = float(width(np.clip(self.at, 0.0, width.length))) / 2
+        depth = half if self.depth is None else self.depth
+        outward = np.array([np.sin(self.lean), sign * np.cos(self.lean)])
+        inner = np.array([self.at, sign * (half - depth)])
+        return np.array([inner, inner + outward * depth / np.cos(self.lean)]), np.full(2, self.width)
+
+
+def slot_cut(slot: Slot, width: Profile, *, beyond: float) -> Path:
+    """The open path that a cutter follows: from outside the edge inward, about the inner end, and out again.
+
+    Parameters
+    ----------
+    slot : Slot
+    width : Profile
+        Full width of the strip.
+    beyond : float
+        How far the sides run on, straight, beyond the end of the centre line, mm.
+    """
+    points, widths = slot.center_line(width)
+    t = _chords(points)
+    spline = _spline(t, points)
+    normals = _left_of(spline(t, 1))
+    rows = [points + sign * widths[:, None] / 2 * normals for sign in (-1, 1)]
+    sides = _spline(t, np.hstack(rows))
+    right, left = (_through(row, sides, k, beyond) for k, row in enumerate(rows))
+    end: Segment = Line(rows[0][0], rows[1][0])
+    if slot.relief == "round":
+        end = Arc.from_bulge(rows[0][0], rows[1][0], -1.0)
+    return Path([*(segment.reversed() for segment in reversed(right)), end, *left])
+
+
+def slot_rim(slot: Slot, width: Profile, *, beyond: float) -> FloatArray:
+    """Points (2 k + 2, 2) of a polyline near `slot_cut`, without the relief: quick to make."""
+    points, widths = slot.center_line(width)
+    tangents = np.gradient(points, axis=0)
+    normals = _left_of(tangents)
+    onward = points[-1] + tangents[-1] * beyond / np.hypot(*tangents[-1])
+    points, widths, normals = (
+        np.concatenate([row, last])
+        for row, last in ((points, onward[None]), (widths, widths[-1:]), (normals, normals[-1:]))
+    )
+    off = widths[:, None] / 2 * normals
+    return np.concatenate([(points - off)[::-1], points + off])
+
+
+def _left_of(tangents: FloatArray) -> FloatArray:
+    """Unit normals (k, 2) to the left of tangents (k, 2)."""
+    normals = np.stack([-tangents[:, 1], tangents[:, 0]], axis=1)
+    return np.asarray(normals / np.hypot(*tangents.T)[:, None], dtype=float)
+
+
+def _through(points: FloatArray, sides: Any, which: int, beyond: float) -> list[Segment]:
+    """Segments through points in order and straight on: lines where they lie on one, else a B-spline first.
+
+    `sides` is the spline of both sides at once, `which` the one of them that is meant.
+    """
+    chord = points[-1] - points[0]
+    off = (points - points[0]) @ left_of(chord) / np.hypot(*chord)
+    if len(points) == 2 or np.abs(off).max() < STRAIGHT_MM:
+        return [Line(points[0], points[-1] + chord * beyond / np.hypot(*chord))]
+    if len(points) < 4:
+        raise InputError("a bent slot needs four points or more along its centre line")
+    columns = slice(2 * which, 2 * which + 2)
+    direction = sides(sides.t[-1], 1)[columns]
+    onward = Line(points[-1], points[-1] + direction * beyond / np.hypot(*direction))
+    return [Spline(PlaneCurve(sides.t, sides.c[:, columns], sides.k)), onward]
+
+
+def _chords(points: FloatArray) -> FloatArray:
+    """Parameters (k,) of points: summed chord lengths."""
+    return np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
+
+
+def _spline(t: FloatArray, points: FloatArray) -> Any:
+    """The interpolating spline, of degree 3 where there are points enough."""
+    from scipy.interpolate import make_interp_spline
+
+    return make_interp_spline(t, points, k=min(3, len(points) - 1))

@@ -1,0 +1,39 @@
+"""Where other parts join a strip, and how its sheets lie on each other."""
+
+from collections.abc import Mapping
+from itertools import accumulate
+
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.geometry.frame import Frame
+
+__all__ = ["joint_places", "levels", "turned", "with_faces"]
+
+
+def levels(strip: Strip) -> list[float]:
+    """Heights of the faces of the strip's sheets, mm, from the base's lower one at 0."""
+    return [0.0, *accumulate(layer.sheet.thickness for layer in strip.layers)]
+
+
+def joint_places(strip: Strip) -> dict[str, tuple[float, float, int]]:
+    """Flat place (x, y) of every joint, and +1 where its x axis runs along the strip, -1 against it."""
+    places = {"start": (0.0, 0.0, -1), "end": (strip.rod.length, 0.0, 1)}
+    for number, hole in enumerate(strip.holes, start=1):
+        x, y = map(float, hole.bounds.mean(axis=0))
+        places[f"hole{number}"] = (x, y, 1)
+    return places
+
+
+def with_faces(joints: Mapping[str, Frame], thickness: float) -> dict[str, Frame]:
+    """The joints, and of every hole one on each face of the strip: "hole1:top", "hole1:bottom", z outward."""
+    found = dict(joints)
+    for name, frame in joints.items():
+        if name.startswith("hole"):
+            found[f"{name}:top"] = frame.shifted(z=thickness / 2)
+            below = frame.shifted(z=-thickness / 2)
+            found[f"{name}:bottom"] = Frame(below.origin, below.x_axis, -below.y_axis)
+    return found
+
+
+def turned(frame: Frame, way: int) -> Frame:
+    """The frame, half a turn about its z axis where `way` is -1."""
+    return Frame(frame.origin, way * frame.x_axis, way * frame.y_axis)

@@ -1,0 +1,304 @@
+"""A flat pattern cut across at given stations: loops of pieces that share their corners and their seams."""
+
+from bisect import bisect_left
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from itertools import groupby
+from operator import itemgetter
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.curves.line_intersections import line_crossings
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
+
+__all__ = ["CutPattern", "Piece", "Region", "cut_across", "on_segment"]
+
+ON_SEAM = 1e-7  # mm
+
+
+@dataclass(frozen=True, eq=False)
+class Piece:
+    """A part of one segment as a loop runs through it.
+
+    Attributes
+    ----------
+    segment : Segment
+        Arcs run anticlockwise.
+    first, last : float
+        Range of the segment's parameter: distance on lines, angle on arcs, the curve's own on splines.
+    forward : bool
+        True where the loop runs with the parameter.
+    start, end : int
+        Corners in the direction of the loop.
+    number : int
+        Two pieces with the same number are the two sides of one seam.
+    seam : bool
+        True for a piece that only exists because the pattern was cut there.
+    """
+
+    segment: Segment
+    first: float
+    last: float
+    forward: bool
+    start: int
+    end: int
+    number: int
+    seam: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Region:
+    """A connected part of the pattern between two stations; `interval` 0 lies before the first station."""
+
+    interval: int
+    loops: tuple[tuple[Piece, ...], ...]
+
+
+@dataclass(frozen=True, eq=False)
+class CutPattern:
+    """`points` (k, 2), mm, are the corners that the pieces name by row."""
+
+    points: FloatArray
+    regions: tuple[Region, ...]
+
+
+def on_segment(segment: Segment, t: FloatArray) -> FloatArray:
+    """Points (..., 2) of a segment at its parameters `t` (see `Piece`)."""
+    if isinstance(segment, Spline):
+        return np.asarray(segment.curve.evaluate(t), dtype=float)
+    if isinstance(segment, Arc):
+        return segment.at((t - segment.start_angle) / segment.sweep)
+    return segment.at(t / segment.length)
+
+
+def cut_across(outline: Path, holes: Sequence[Path], stations: Sequence[float]) -> CutPattern:
+    """Cut the flat pattern at the lines x = station.
+
+    Parameters
+    ----------
+    outline, holes : Path
+        Closed loops, the holes inside the outline.
+    stations : sequence of float
+        Increasing, mm.
+
+    Raises
+    ------
+    InputError
+        The loops cross or touch each other on a station.
+    """
+    cutter = _Cutter(np.asarray(stations, dtype=float))
+    cutter.add(outline, backward=outline.area < 0)
+    cutter.rim = cutter.count
+    for hole in holes:
+        cutter.add(hole, backward=hole.area > 0)
+    return cutter.result()
+
+
+@dataclass
+class _Cutter:
+    """Collects loops, then closes each region along the seams."""
+
+    stations: FloatArray
+    points: list[FloatArray] = field(default_factory=list)
+    loops: dict[int, list[list[Piece]]] = field(default_factory=dict)
+    chains: dict[int, list[list[Piece]]] = field(default_factory=dict)
+    seams: dict[tuple[int, int], tuple[int, Line]] = field(default_factory=dict)
+    count: int = 0
+    rim: int = 0
+    """Pieces with lower numbers are the outline's."""
+
+    def add(self, path: Path, *, backward: bool) -> None:
+        """Split one closed loop, perhaps run backward, at the stations; sort its pieces into intervals."""
+        parts = [part for segment in path.segments for part in self._split(segment, len(path.segments) == 1)]
+        if backward:
+            parts = [(segment, a, b, not forward) for segment, a, b, forward in reversed(parts)]
+        first = len(self.points)
+        corners = [*range(first, first + len(parts)), first]
+        pieces: list[tuple[int, Piece]] = []
+        for (segment, a, b, forward), i, j in zip(parts, corners[:-1], corners[1:], strict=True):
+            self.points.append(_corner(segment, a if forward else b))
+            piece = Piece(segment, a, b, forward, i, j, self._next())
+            pieces.append((self._interval(piece), piece))
+        intervals = [interval for interval, _ in pieces]
+        if len(set(intervals)) == 1:
+            self.loops.setdefault(intervals[0], []).append([piece for _, piece in pieces])
+            return
+        turn = next(k for k in range(len(pieces)) if intervals[k] != intervals[k - 1])
+        for interval, run in groupby(pieces[turn:] + pieces[:turn], key=itemgetter(0)):
+            self.chains.setdefault(interval, []).append([piece for _, piece in run])
+
+    def result(self) -> CutPattern:
+        """All regions, closed along the seams."""
+        on_seam = [self._corners_on(x) for x in self.stations]
+        regions: list[Region] = []
+        for interval in sorted({*self.loops, *self.chains}):
+            loops = [*self.loops.get(interval, []), *self._closed(interval, on_seam)]
+            regions += [Region(interval, tuple(map(tuple, group))) for group in self._grouped(loops)]
+        used = [piece.number for region in regions for loop in region.loops for piece in loop if piece.seam]
+        if len(used) != 2 * len(set(used)):
+            raise InputError(
+                "loops of the flat pattern cross or touch where the strip's ends begin: move them apart"
+            )
+        return CutPattern(np.array(self.points), tuple(regions))
+
+    def _next(self) -> int:
+        self.count += 1
+        return self.count - 1
+
+    def _split(self, segment: Segment, alone: bool) -> Iterator[tuple[Segment, float, float, bool]]:
+        """Parameter ranges between the stations, in the loop's direction; a lone segment in two at least."""
+        forward = True
+        if isinstance(segment, Arc):
+            forward = segment.sweep > 0
+            segment = segment if forward else segment.reversed()
+            a, b = segment.start_angle, segment.end_angle
+        elif isinstance(segment, Spline):
+            a, b = segment.curve.domain
+        else:
+            a, b = 0.0, segment.length
+        cuts = sorted({t for x in self.stations for t in _crossings(segment, float(x)) if a < t < b})
+        if alone and not cuts:
+            cuts = [(a + b) / 2]
+        ranges = list(zip([a, *cuts], [*cuts, b], strict=True))
+        for low, high in ranges if forward else reversed(ranges):
+            yield segment, low, high, forward
+
+    def _interval(self, piece: Piece) -> int:
+        """Which interval a piece lies in; one along a station belongs to the side on its left."""
+        segment = piece.segment
+        if isinstance(segment, Spline):
+            x = segment.curve.control_points[:, 0]
+            low, high = np.searchsorted(self.stations, [x.min(), x.max()])
+            if low == high:
+                return int(low)
+        middle = float(on_segment(segment, np.array((piece.first + piece.last) / 2))[0])
+        stations = self.stations.tolist()
+        if isinstance(segment, Line):
+            rises = (segment.end[1] > segment.start[1]) == piece.forward
+            for k, station in enumerate(stations):
+                if abs(station - middle) < ON_SEAM:
+                    return k + (0 if rises else 1)
+        return bisect_left(stations, middle)
+
+    def _corners_on(self, x: float) -> list[int]:
+        """Corners on the line at x, from low y to high y."""
+        found = [i for i, p in enumerate(self.points) if abs(p[0] - x) < ON_SEAM]
+        return sorted(found, key=lambda i: float(self.points[i][1]))
+
+    def _closed(self, interval: int, on_seam: list[list[int]]) -> list[list[Piece]]:
+        """Loops made of the interval's open chains and the seams between them."""
+        chains = list(self.chains.get(interval, []))
+        loops = []
+        while chains:
+            loop = chains.pop(0)
+            while loop[-1].end != loop[0].start:
+                row, step = self._run(loop[-1].end, interval, on_seam)
+                starts = {chain[0].start: chain for chain in chains} | {loop[0].start: []}
+                k = row.index(loop[-1].end)
+                while row[k] not in starts:
+                    k += step
+                    if not 0 <= k < len(row):
+                        raise InputError(
+                            f"the flat pattern does not close at x = {self.points[loop[-1].end][0]:.6g} mm: "
+                            "its loops cross there"
+                        )
+                    loop.append(self._seam(row[k - step], row[k], step > 0))
+                chain = starts[row[k]]
+                if chain:
+                    chains.remove(chain)
+                    loop += chain
+            loops.append(loop)
+        return loops
+
+    def _run(self, corner: int, interval: int, on_seam: list[list[int]]) -> tuple[list[int], int]:
+        """Corners on the seam that a chain ends on, and which way along it keeps the region to the left."""
+        for row, step in ((interval, 1), (interval - 1, -1)):
+            if 0 <= row < len(on_seam) and corner in on_seam[row]:
+                return on_seam[row], step
+        raise InputError(f"the flat pattern has an open loop at x = {self.points[corner][0]:.6g} mm")
+
+    def _seam(self, start: int, end: int, upward: bool) -> Piece:
+        low, high = (start, end) if upward else (end, start)
+        if (low, high) not in self.seams:
+            self.seams[low, high] = self._next(), Line(self.points[low], self.points[high])
+        number, line = self.seams[low, high]
+        return Piece(line, 0.0, line.length, upward, start, end, number, seam=True)
+
+    def _grouped(self, loops: list[list[Piece]]) -> list[list[list[Piece]]]:
+        """Every outer loop with the holes inside it."""
+        if len(loops) == 1 and any(piece.number < self.rim for piece in loops[0]):
+            return [loops]
+        polygons = [_polygon(loop) for loop in loops]
+        outer = [k for k, polygon in enumerate(polygons) if _area(polygon) > 0]
+        groups = {k: [loops[k]] for k in outer}
+        for k, polygon in enumerate(polygons):
+            if k not in groups:
+                home = next((o for o in outer if _inside(polygon[0], polygons[o])), outer[0])
+                groups[home].append(loops[k])
+        return list(groups.values())
+
+
+def _corner(segment: Segment, t: float) -> FloatArray:
+    """The point at a parameter; of a clamped spline's ends the control points."""
+    if isinstance(segment, Line) and t == 0.0:
+        return segment.start
+    if isinstance(segment, Spline):
+        curve = segment.curve
+        for end, knot in ((0, curve.knots[0]), (-1, curve.knots[-1])):
+            if t == knot and curve.domain[end] == knot:
+                return np.asarray(curve.control_points[end], dtype=float)
+    return on_segment(segment, np.array(t))
+
+
+def _crossings(segment: Segment, x: float) -> list[float]:
+    """Parameters strictly inside a segment where it passes from one side of the line at x to the other."""
+    if isinstance(segment, Line):
+        a, b = segment.start[0] - x, segment.end[0] - x
+        apart = min(abs(a), abs(b)) > ON_SEAM and a * b < 0
+        return [segment.length * a / (a - b)] if apart else []
+    if isinstance(segment, Arc):
+        ratio = (x - segment.center[0]) / segment.radius
+        if abs(ratio) >= 1 - 1e-12:
+            return []
+        turn = float(np.arccos(ratio))
+        whole = 2 * np.pi * np.arange(-2, 3)
+        angles = np.concatenate([turn + whole, -turn + whole])
+        margin = ON_SEAM / segment.radius
+        return [float(t) for t in angles if segment.start_angle + margin < t < segment.end_angle - margin]
+    across = segment.curve.control_points[:, 0] - x
+    if across.min() > -ON_SEAM or across.max() < ON_SEAM:
+        return []
+    roots = line_crossings(segment.curve, -x, (1.0, 0.0))
+    ends = np.array([segment.start, segment.end])
+    found = [float(root.t) for root in roots if root.kind == "crossing"]
+    points = [on_segment(segment, np.array(t)) for t in found]
+    return [t for t, p in zip(found, points, strict=True) if np.hypot(*(ends - p).T).min() > ON_SEAM]
+
+
+def _polygon(loop: Sequence[Piece]) -> FloatArray:
+    """Points along a loop, dense enough to tell inside from outside."""
+    rows = []
+    for piece in loop:
+        count = 2 if isinstance(piece.segment, Line) else 33
+        t = np.linspace(piece.first, piece.last, count)[:-1] if piece.forward else np.linspace(
+            piece.last, piece.first, count
+        )[:-1]  # fmt: skip
+        rows.append(on_segment(piece.segment, t))
+    return np.concatenate(rows)
+
+
+def _area(polygon: FloatArray) -> float:
+    x, y = polygon.T
+    return 0.5 * float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y))
+
+
+def _inside(point: FloatArray, polygon: FloatArray) -> bool:
+    """Even-odd rule."""
+    a, b = polygon, np.roll(polygon, -1, axis=0)
+    spans = (a[:, 1] > point[1]) != (b[:, 1] > point[1])
+    a, b = a[spans], b[spans]
+    x = a[:, 0] + (point[1] - a[:, 1]) * (b[:, 0] - a[:, 0]) / (b[:, 1] - a[:, 1])
+    return bool(np.count_nonzero(x > point[0]) % 2)

@@ -1,0 +1,46 @@
+"""Bodies made of prisms: some are put together, others taken away."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.solids.strip_solids import FlatSolid
+from elastica_cad.geometry.frame import Frame
+
+__all__ = ["PrismSolid", "convex_corners"]
+
+
+@dataclass(frozen=True, eq=False)
+class PrismSolid:
+    """The union of the prisms `added`, less the prisms `removed`.
+
+    Attributes
+    ----------
+    added, removed : tuple of FlatSolid
+        Closed outlines with holes and thickness, each in its own frame.
+    joints : mapping of str to Frame
+        Places to join other parts to.
+
+    Raises
+    ------
+    InputError
+        Nothing added.
+    """
+
+    added: tuple[FlatSolid, ...]
+    removed: tuple[FlatSolid, ...] = ()
+    joints: Mapping[str, Frame] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        if not self.added:
+            raise InputError("a body of prisms needs at least one prism")
+
+
+def convex_corners(points: FloatArray) -> FloatArray:
+    """Corners (n, 2), anticlockwise, of the least convex polygon around points (m, 2)."""
+    from scipy.spatial import ConvexHull
+
+    return np.asarray(points[ConvexHull(points).vertices], dtype=float)

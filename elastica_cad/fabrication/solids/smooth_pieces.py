@@ -1,0 +1,134 @@
+"""Loops of a flat pattern with an edge of its own for every smooth piece, as the tools of CAD kernels need them."""
+
+from itertools import pairwise
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.fabrication.strip.flat_outline import greville, pace
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.segments import Line, Segment, Spline
+from elastica_cad.geometry.paths.trim import clamp_ends, trim_curve
+
+__all__ = ["in_smooth_pieces"]
+
+SMOOTH = 2
+"""Continuous derivatives inside an edge: kernels offset faces, which takes one of them away."""
+
+RAMP = 2e-5
+"""A piece between two kinks that is shorter than this part of the loop is the ramp of a width that steps."""
+
+NO_JUMP = 1e-4
+"""mm: a jump of the second derivative worth less than this over a span is smoothed, which costs a hundredth."""
+
+NO_STEP = 1e-5
+"""mm: sides that end nearer than this to each other are made to meet."""
+
+
+def in_smooth_pieces(path: Path) -> Path:
+    """The loop with its splines cut where they kink, and a line straight across for every step of the width.
+
+    A drawn side is one spline, which a laser follows in one go: it may have corners at its knots, and ramps over
+    which a width that jumps gets from one value to the other. Kernels fillet, offset and hollow only what is
+    smooth inside its edges. No point moves by more than half a ramp, 5e-6 of the length, and areas stay.
+
+    Examples
+    --------
+    >>> knots = [0, 0, 0, 20, 20, 40, 40, 40]
+    >>> side = Spline(PlaneCurve(knots, [(0, 0), (10, 0), (20, 0), (30, 2), (40, 4)], 2))
+    >>> loop = Path([side, Line((40, 4), (0, 9)), Line((0, 9), (0, 0))], closed=True)
+    >>> len(in_smooth_pieces(loop).segments)
+    4
+    """
+    if not any(_kinks(segment).size for segment in path.segments):
+        return path
+    ramp = RAMP * float(np.ptp(path.bounds[:, 0]))
+    pieces = [piece for segment in path.segments for piece in _pieces(_smoothed(segment), ramp)]
+    return Path(pieces, path.closed)
+
+
+def _kinks(segment: Segment) -> FloatArray:
+    """Parameters (k,) inside a segment where its tangent may turn or its curvature jump."""
+    if not isinstance(segment, Spline):
+        return np.empty(0)
+    curve = segment.curve
+    knots, counts = np.unique(curve.knots, return_counts=True)
+    first, last = curve.domain
+    return np.asarray(knots[(counts > curve.degree - SMOOTH) & (knots > first) & (knots < last)], dtype=float)
+
+
+def _smoothed(segment: Segment) -> Segment:
+    """The segment with single knots in place of double ones at which its curvature does not really jump."""
+    if not isinstance(segment, Spline) or segment.curve.weights is not None:
+        return segment
+    from scipy.interpolate import BSpline, make_interp_spline
+
+    curve = clamp_ends(segment.curve)
+    degree, first, last = curve.degree, *curve.domain
+    knots, counts = np.unique(curve.knots, return_counts=True)
+    double = (counts == degree + 1 - SMOOTH) & (knots > first) & (knots < last)
+    if not double.any():
+        return segment
+    rows = BSpline(np.array(curve.knots), np.array(curve.control_points), degree)
+    reach = np.minimum(np.diff(knots, prepend=first), np.diff(knots, append=last))
+    sides = [knots - 1e-6 * reach, knots + 1e-6 * reach]
+    jump = np.abs(rows(sides[1], SMOOTH) - rows(sides[0], SMOOTH)).max(axis=1)
+    counts = counts - (double & (jump * reach**2 < NO_JUMP))
+    whole = np.repeat(knots, counts)
+    sites = greville(whole, degree)
+    sites[[0, -1]] = first, last
+    points = np.asarray(make_interp_spline(sites, rows(sites), k=degree, t=whole).c, dtype=float)
+    points[[0, -1]] = curve.control_points[[0, -1]]
+    return Spline(PlaneCurve.of_sound(whole, points, degree, None))
+
+
+def _joints(curve: PlaneCurve, ramp: float) -> list[tuple[float, float, float]]:
+    """Where the smooth parts of a graph meet, and where the part before ends and the part after begins."""
+    kinks = _kinks(Spline(curve)).tolist()
+    joints: list[tuple[float, float, float]] = []
+    speed = abs(float(curve.control_points[-1, 0] - curve.control_points[0, 0]) / np.ptp(curve.domain))
+    while kinks:
+        first = last = kinks.pop(0)
+        while kinks and (kinks[0] - last) * speed < ramp:
+            last = kinks.pop(0)
+        joints.append(((first + last) / 2, first, last))
+    return joints
+
+
+def _pieces(segment: Segment, ramp: float) -> list[Segment]:
+    """The smooth parts of a segment, with lines across in place of ramps."""
+    kinks = _kinks(segment)
+    if not isinstance(segment, Spline) or not kinks.size:
+        return [segment]
+    curve = clamp_ends(segment.curve)
+    first, last = curve.domain
+    if pace(segment) is None:
+        return [Spline(trim_curve(curve, a, b)) for a, b in pairwise([first, *kinks.tolist(), last])]
+    joints = [(first, first, first), *_joints(curve, ramp), (last, last, last)]
+    parts = [_extended(trim_curve(curve, low, high), a, b) for (a, _, low), (b, high, _) in pairwise(joints)]
+    pieces: list[Segment] = [Spline(parts[0])]
+    for part in parts[1:]:
+        meeting = pieces[-1].end
+        step = float(np.hypot(*(part.control_points[0] - meeting)))
+        if step > NO_STEP:
+            pieces += [Line(meeting, part.control_points[0]), Spline(part)]
+        else:
+            pieces.append(Spline(part.with_control_points(np.vstack([meeting, part.control_points[1:]]))))
+    return pieces
+
+
+def _extended(curve: PlaneCurve, first: float, last: float) -> PlaneCurve:
+    """A clamped graph with its end spans carried on, or cut back, to a domain that differs a little."""
+    if (first, last) == curve.domain:
+        return curve
+    from scipy.interpolate import BSpline, make_interp_spline
+
+    degree, knots = curve.degree, curve.knots.copy()
+    knots[: degree + 1], knots[-degree - 1 :] = first, last
+    sites = greville(knots, degree)
+    sites[[0, -1]] = first, last
+    values = BSpline(np.array(curve.knots), np.array(curve.control_points), degree)(sites)
+    return PlaneCurve.of_sound(
+        knots, np.asarray(make_interp_spline(sites, values, k=degree, t=knots).c), degree, None
+    )

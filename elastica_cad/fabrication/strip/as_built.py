@@ -1,0 +1,140 @@
+"""How much material is left at a station of a flat part, measured on its loops, and the rod that this makes."""
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.fabrication.strip.flat_outline import pace
+from elastica_cad.fabrication.strip.styles import Layout
+from elastica_cad.geometry.paths.chords import chord_parameters
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.geometry.paths.segments import Spline
+from elastica_cad.mechanics.loads.weight import Weight
+from elastica_cad.mechanics.rod.rod_record import Rod
+
+__all__ = ["material_width", "rod_as_built"]
+
+CUTS = 8
+"""Stations at which the material of each cell of the rod is measured."""
+
+CHORD_MM = 1e-5
+"""Flatness of the polylines that are measured: widths are then right to a few parts in a million."""
+
+
+def material_width(outline: Path, holes: Iterable[Path], s: ArrayLike) -> FloatArray:
+    """Summed width (n,), mm, of what a straight cut across at the stations `s` (n,) meets.
+
+    Parameters
+    ----------
+    outline, holes : Path
+        Closed loops of a flat pattern, x along the strip.
+    s : (n,) array_like
+        mm; at a station where a loop has an edge straight across, the side beyond it counts.
+
+    Examples
+    --------
+    >>> plate = Path.rectangle(40, 10)
+    >>> material_width(plate, [Path.rectangle(10, 4, corner=(5, 3))], [2.0, 8.0]).round(6).tolist()
+    [10.0, 6.0]
+    """
+    s = np.asarray(s, dtype=float)
+    return _chord(outline, s) - sum((_chord(hole, s) for hole in holes), np.zeros(s.shape))
+
+
+def rod_as_built(rod: Rod, layout: Layout, widths: Sequence[Callable[[FloatArray], FloatArray]]) -> Rod:
+    """The rod with the stiffness and weight of what is really cut: slots, solid ends, rounded tips.
+
+    Each node is softer than designed by as much as the mean compliance of its cell, which is what the angle across
+    the cell feels. Weight follows; a rod whose own weight is in newtons has it scaled with the material, hung
+    masses stay.
+
+    Parameters
+    ----------
+    rod : Rod
+        The design.
+    layout : Layout
+        What the style made of it.
+    widths : sequence of callables
+        Of each layer, the width (n,), mm, left at stations (n,), mm.
+
+    Returns
+    -------
+    Rod
+        The design's shape, supports and gravity: out of balance until bent.
+    """
+    n = rod.s.size
+    ends = np.linspace(0.0, rod.length, CUTS * (n - 1) + 1)
+    s = (ends[1:] + ends[:-1]) / 2
+    left = [width(s) for width in widths]
+    material = left[0]
+    # as drawn, the backing's edge may pass the base's by the tolerance of the drawing
+    backing = np.minimum(left[1], material) if len(left) > 1 else None
+    softer = layout.bending_stiffness * rod.profile(s) / layout.stiffness(material, backing)
+    EI = layout.bending_stiffness * rod.stiffness / _cell_means(softer, n)
+    least = float(EI.min())
+    made = replace(rod.with_stiffness(Profile.interpolate(rod.s, EI)), bending_stiffness=least)
+    if rod.gravity is None:
+        return made
+    weight = rod.weight or Weight()
+    newtons = layout.weight_per_length(material, backing)
+    if newtons is not None:
+        along = Profile.interpolate(rod.s, _cell_means(newtons, n))
+        return replace(made, weight=replace(weight, alpha=along, beta=0.0))
+    if rod.weight is None:
+        return made
+    factor = least / layout.bending_stiffness
+    beta = weight.beta.scaled(factor) if isinstance(weight.beta, Profile) else weight.beta * factor
+    return replace(made, weight=replace(weight, beta=beta))
+
+
+def _cell_means(values: FloatArray, nodes: int) -> FloatArray:
+    """Mean (n,) over the cell of each node of values at uniform stations, `CUTS` between neighbouring nodes."""
+    halves = values.reshape(2 * (nodes - 1), CUTS // 2).mean(axis=1)
+    inner = (halves[1:-1:2] + halves[2::2]) / 2
+    return np.concatenate([halves[:1], inner, halves[-1:]])
+
+
+def _chord(loop: Path, s: FloatArray) -> FloatArray:
+    """Length (n,) inside a loop of the lines across at `s`: the signed sum of its crossings' y."""
+    (low, _), (high, _) = loop.bounds
+    total = np.zeros(s.shape)
+    met = np.flatnonzero((s >= low) & (s <= high))
+    if not met.size:
+        return total
+    order = met[np.argsort(s[met], kind="stable")]
+    at = s[order]
+    sums = np.zeros(at.size)
+    starts: list[FloatArray] = []
+    ends: list[FloatArray] = []
+    for segment, following in zip(loop.segments, (*loop.segments[1:], loop.segments[0]), strict=True):
+        even = pace(segment) if isinstance(segment, Spline) else None
+        if even is not None and isinstance(segment, Spline):
+            x0, x1 = segment.start[0], following.start[0]
+            first, last = np.searchsorted(at, sorted((x0, x1)), side="left")
+            if first < last:
+                t = np.clip((at[first:last] - even[0]) / even[1], *segment.curve.domain)
+                sums[first:last] += np.sign(x0 - x1) * segment.curve.evaluate(t)[:, 1]
+            continue
+        points = segment.at(chord_parameters(segment, CHORD_MM)[:-1])
+        starts.append(points)
+        ends += [points[1:], following.start[None]]
+    if starts:
+        sums += _crossed(np.concatenate(starts), np.concatenate(ends), at)
+    total[order] = sums
+    return np.abs(total)
+
+
+def _crossed(start: FloatArray, end: FloatArray, at: FloatArray) -> FloatArray:
+    """Signed sums (n,) of y where lines from `start` to `end` (k, 2) meet the sorted stations `at` (n,)."""
+    (x, y), (x1, y1) = start.T, end.T
+    # a line meets the stations with min(x, x1) <= s < max(x, x1)
+    first = np.searchsorted(at, np.minimum(x, x1), side="left")
+    count = np.searchsorted(at, np.maximum(x, x1), side="left") - first
+    line = np.repeat(np.arange(x.size), count)
+    station = np.arange(line.size) - np.repeat(np.cumsum(count) - count, count) + np.repeat(first, count)
+    u = (at[station] - x[line]) / (x1 - x)[line]
+    crossing = np.sign(x[line] - x1[line]) * (y[line] * (1 - u) + y1[line] * u)
+    return np.asarray(np.bincount(station, crossing, minlength=at.size), dtype=float)

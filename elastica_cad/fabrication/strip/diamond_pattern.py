@@ -1,0 +1,252 @@
+"""The pattern of a perforated strip: diamonds between ligaments of equal width that run along the strip."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.slots.slot import Slot, slot_cut
+from elastica_cad.fabrication.strip.corner_rounding import round_corners
+from elastica_cad.fabrication.strip.flat_outline import Ends, close_chain, graph, greville
+from elastica_cad.fabrication.strip.tabs import Tab
+from elastica_cad.geometry.paths.biarcs import as_arcs
+from elastica_cad.geometry.paths.path import JOIN, Path
+from elastica_cad.geometry.paths.path_intersections import polylines_cross
+from elastica_cad.geometry.paths.point_distance import distances
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.geometry.paths.segments import Segment, Spline
+from elastica_cad.geometry.polynomials.fit_function import adaptive_spline
+
+__all__ = ["DiamondPattern"]
+
+FIT_MM = 2e-5
+"""Largest error of width, material and full diamond along the strip: of the sums of ligaments some 1e-4 mm."""
+
+INSET = 1e-9
+"""Share of a stretch by which its spline is fitted inside it, on this side of jumps."""
+
+CLEAR_OF_SLOTS_MM = 0.02
+"""Flatness of the polylines by which holes are kept clear of slots."""
+
+
+@dataclass(frozen=True, eq=False)
+class DiamondPattern:
+    """Full diamonds in `rows` along and `columns` across, others in the gaps between them, halves at the edges.
+
+    With H = width - material, T(s) rising from 0 to 1 over half a row and falling again, n = `columns` and
+    t = material / (2 n + 2): full diamonds are T H / n wide across, those in the gaps (1 - T) H / n, halves along
+    both edges half of that. Every station meets holes of H in all, and every ligament is t wide across, 2 t where
+    two of them join. T rests at 0 and at 1 for a `bridge` between two rows, which keeps tips apart.
+
+    Parameters
+    ----------
+    width, material : Profile
+        Of the outline, and what is to be left of it, mm.
+    columns, rows : int
+        Full diamonds across and along.
+    bridge : float
+        Solid length along the strip between the tips of two holes, mm.
+    corner_radius : float
+        Of the holes' corners, mm; 0 leaves them sharp.
+    clearance : float
+        What holes keep from a slot, mm: those in its way end before it and begin anew behind it; where a tab is
+        narrower than the strip they keep it from the end, too.
+    arcs : float, optional
+        Sides as arcs within this distance, mm, of the true ones; splines unless given.
+    """
+
+    width: Profile
+    material: Profile
+    columns: int
+    rows: int
+    bridge: float
+    corner_radius: float = 0.0
+    clearance: float = 0.5
+    arcs: float | None = None
+
+    @property
+    def ligaments(self) -> int:
+        """How many run side by side, counting those that have joined."""
+        return 2 * self.columns + 2
+
+    @property
+    def row_length(self) -> float:
+        """mm."""
+        return self.width.length / self.rows
+
+    @property
+    def side_length(self) -> float:
+        """Length along the strip, mm, over which a diamond opens from its tip to its whole width."""
+        return self.row_length / 2 - self.bridge
+
+    @cached_property
+    def joints(self) -> FloatArray:
+        """Stations (2 rows + 1,), mm, where diamonds end in a tip and others are widest."""
+        return np.linspace(0.0, self.width.length, 2 * self.rows + 1)
+
+    def __post_init__(self) -> None:
+        if self.side_length <= self.bridge:
+            raise InputError(
+                f"{self.rows} rows are {self.row_length:.3g} mm long each: diamonds with bridges of "
+                f"{self.bridge:g} mm between their tips need more than {4 * self.bridge:g} mm; use fewer rows"
+            )
+
+    def paths(self, ends: Ends, slots: Sequence[Slot] = ()) -> tuple[Path, ...]:
+        """The holes as closed anticlockwise loops in the order of the strip, clear of tabs and slots."""
+        length = self.width.length
+        low, high = self._margin(ends[0], 0.0), length - self._margin(ends[1], length)
+        cuts = [slot_cut(slot, self.width, beyond=slot.width) for slot in slots]
+        clear = [loop for hole in self._holes for loop in self._clear(hole.within(low, high), cuts)]
+        if self.corner_radius > 0:
+            clear = [round_corners(loop, self.corner_radius) for loop in clear]
+        if self.arcs is not None:
+            clear = [as_arcs(loop, self.arcs) for loop in clear]
+        return tuple(clear)
+
+    def _margin(self, tab: Tab, s: float) -> float:
+        held = tab.width is None or tab.width >= float(self.width(s))
+        return 0.0 if held and tab.length > 0 else self.clearance
+
+    def _clear(self, hole: "_Hole | None", cuts: Sequence[Path]) -> list[Path]:
+        """The loop of a hole, or what slots leave of it on both sides of them."""
+        left = [] if hole is None else [hole]
+        for cut in cuts:
+            left = [part for one in left for part in self._beside(one, cut)]
+        return [one.loop() for one in left]
+
+    def _beside(self, hole: "_Hole", cut: Path) -> list["_Hole"]:
+        if self._apart(hole.loop(), cut):
+            return [hole]
+        (low, _), (high, _) = cut.bounds
+        sides = hole.within(-np.inf, low - self.clearance), hole.within(high + self.clearance, np.inf)
+        return [side for side in sides if side is not None and side.length > 2 * self.clearance]
+
+    def _apart(self, loop: Path, cut: Path) -> bool:
+        low, high = cut.bounds + np.array([[-self.clearance], [self.clearance]])
+        if np.any(loop.bounds[0] >= high) or np.any(loop.bounds[1] <= low):
+            return True
+        points, line = loop.points(CLEAR_OF_SLOTS_MM), cut.points(CLEAR_OF_SLOTS_MM)
+        if polylines_cross(np.concatenate([points, points[:1]]), line) is not None:
+            return False
+        near = min(float(distances(segment, points).min()) for segment in cut.segments)
+        back = min(float(distances(segment, line).min()) for segment in loop.segments)
+        return min(near, back) >= self.clearance
+
+    @cached_property
+    def _holes(self) -> list["_Hole"]:
+        """Rows of full diamonds and of the ones in the gaps between them, in turn."""
+        holes = []
+        for i in range(2 * self.rows + 1):
+            first, last = self.joints[max(i - 1, 0)], self.joints[min(i + 1, 2 * self.rows)]
+            first += self.bridge / 2 if i > 1 else 0.0
+            last -= self.bridge / 2 if i < 2 * self.rows - 1 else 0.0
+            stretches = tuple(one for one in self._stretches if first < one.middle < last)
+            full = i % 2 == 1
+            across = self.columns if full else self.columns + 1
+            holes += [_Hole(stretches, self.columns, j, full) for j in range(across)]
+        return holes
+
+    @cached_property
+    def _stretches(self) -> list["_Stretch"]:
+        """The strip between joints and jumps: width, material and T H / columns as splines over the same knots."""
+        breaks = [*self.width.breaks, *self.material.breaks]
+        jumps = np.array([s for s, continuity in breaks if continuity < 0])
+        inner = self.joints[1:-1]
+        tips = np.concatenate([inner - self.bridge / 2, inner + self.bridge / 2])
+        cuts = np.unique(np.concatenate([self.joints[[0, -1]], tips, jumps]))
+        rough = [(s, continuity) for s, continuity in breaks if continuity < 2]
+        found = []
+        for a, b in pairwise(cuts.tolist()):
+            inside = (a + INSET * (b - a), b - INSET * (b - a))
+            knots, values = adaptive_spline(
+                self._values, inside, degree=3, tolerance=FIT_MM, breaks=rough, rounding=1e-12
+            )
+            knots[:4], knots[-4:] = a, b
+            for row, s, beside in ((0, a, inside[0]), (-1, b, inside[1])):
+                values[row] = self._values(np.array([beside if np.any(jumps == s) else s]))[0]
+            found.append(_Stretch(knots, values))
+        return found
+
+    def _values(self, s: FloatArray) -> FloatArray:
+        """Width, material, and the width of a full diamond (n, 3), mm."""
+        w, m = self.width(s), self.material(s)
+        half, last = self.row_length / 2, 2 * self.rows - 1
+        k = np.clip(np.floor(s / half), 0, last)
+        before, after = np.where(k > 0, self.bridge / 2, 0.0), np.where(k < last, self.bridge / 2, 0.0)
+        rise = np.clip((s - k * half - before) / (half - before - after), 0.0, 1.0)
+        T = np.where(k % 2 == 0, rise, 1 - rise)
+        return np.column_stack([w, m, T * (w - m) / self.columns])
+
+
+@dataclass(frozen=True, eq=False)
+class _Hole:
+    """The j-th hole across over some stretches: a full diamond, or one in the gaps (0 and last: halves)."""
+
+    stretches: tuple["_Stretch", ...]
+    columns: int
+    j: int
+    full: bool
+
+    @property
+    def length(self) -> float:
+        """Along the strip, mm."""
+        return float(self.stretches[-1].knots[-1] - self.stretches[0].knots[0])
+
+    def within(self, low: float, high: float) -> "_Hole | None":
+        """The part between two stations; None where there is none."""
+        parts = (one.within(low, high) for one in self.stretches)
+        kept = tuple(one for one in parts if one is not None)
+        return replace(self, stretches=kept) if kept else None
+
+    def loop(self) -> Path:
+        """Anticlockwise."""
+        sides = [one.sides(self.columns, self.j, full=self.full) for one in self.stretches]
+        lower: list[Segment] = [side for side, _ in sides]
+        upper: list[Segment] = [side.reversed() for _, side in reversed(sides)]
+        return Path(close_chain([*lower, *upper]), closed=True)
+
+
+@dataclass(frozen=True, eq=False)
+class _Stretch:
+    """Knots and coefficients (m, 3) of width, material and full diamond; cubic."""
+
+    knots: FloatArray
+    values: FloatArray
+
+    @property
+    def middle(self) -> float:
+        return float(self.knots[0] + self.knots[-1]) / 2
+
+    def within(self, low: float, high: float) -> "_Stretch | None":
+        """The part between two stations; None where there is none."""
+        a, b = max(low, float(self.knots[0])), min(high, float(self.knots[-1]))
+        if b - a <= JOIN:
+            return None
+        if (a, b) == (self.knots[0], self.knots[-1]):
+            return self
+        from scipy.interpolate import BSpline
+
+        inner = self.knots[(self.knots > a) & (self.knots < b)]
+        knots = np.concatenate([np.repeat(a, 4), inner, np.repeat(b, 4)])
+        sites = np.clip(greville(knots, 3), a, b)  # a mean of equal knots may be off by rounding
+        basis = BSpline.design_matrix(sites, knots, 3).toarray()
+        return _Stretch(knots, np.linalg.solve(basis, BSpline(self.knots, self.values, 3)(sites)))
+
+    def sides(self, columns: int, j: int, *, full: bool) -> tuple[Spline, Spline]:
+        """Lower and upper side of the j-th hole across."""
+        w, m, diamond = self.values.T
+        t, pitch = m / (2 * columns + 2), (w - m) / columns
+        gap = pitch - diamond
+        step = 2 * t + pitch
+        if full:
+            center, half = -w / 2 + 2 * t + pitch / 2 + j * step, diamond / 2
+            lower, upper = center - half, center + half
+        else:
+            center = -w / 2 + t + j * step
+            lower = center - (gap / 2 if j > 0 else 0.0)
+            upper = center + (gap / 2 if j < columns else 0.0)
+        return graph(self.knots, lower), graph(self.knots, upper)

@@ -1,0 +1,169 @@
+"""The rim of a flat part: two long sides from a width, and the tabs at both ends."""
+
+from collections.abc import Iterable
+from dataclasses import replace
+from math import dist
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.fabrication.strip.tabs import Hole, Tab
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.geometry.paths.segments import Line, Segment, Spline
+
+__all__ = [
+    "Ends",
+    "add_register_holes",
+    "close_chain",
+    "end_holes",
+    "fix_tab_widths",
+    "flat_rim",
+    "graph",
+    "greville",
+    "long_sides",
+    "pace",
+]
+
+Ends = tuple[Tab, Tab]
+
+SHOULDER_MM = 1e-5
+"""A tab that differs less in width is as wide as the strip: its corners would be one point in a file."""
+
+MEETING_MM = 1e-9
+"""Ends nearer than this meet: rounding."""
+
+EVEN = 1e-10
+"""Share of its size by which a spline's x may stray from running evenly: rounding."""
+
+
+def flat_rim(width: Profile, ends: Ends) -> Path:
+    """The closed outer loop, anticlockwise, of a strip of full width `width` (mm) with its tabs.
+
+    Its long sides are B-splines whose x control points are the Greville abscissae of the knots, so that y(x)
+    is exactly half the width.
+    """
+    pieces = _pieces(width)
+    lower = [_side(piece, -0.5) for piece in pieces]
+    upper = [_side(piece, 0.5, backward=True) for piece in reversed(pieces)]
+    start, end = _end_widths(width)
+    near_tab, far_tab = (_flush(tab, at) for tab, at in zip(ends, (start, end), strict=True))
+    far = [segment.transformed(_frame(width.length, 1)) for segment in far_tab.corners(end)]
+    near = [segment.transformed(_frame(0.0, -1)) for segment in near_tab.corners(start)]
+    return Path(close_chain([*lower, *far, *upper, *near]), closed=True)
+
+
+def long_sides(width: Profile) -> tuple[list[Spline], list[Spline]]:
+    """The lower and the upper long side from start to end, each in the pieces between the width's jumps."""
+    pieces = _pieces(width)
+    lower, upper = ([_side(piece, factor) for piece in pieces] for factor in (-0.5, 0.5))
+    return lower, upper
+
+
+def end_holes(width: Profile, ends: Ends) -> tuple[Path, ...]:
+    """The round holes of both tabs as closed loops in the frame of the strip."""
+    start, end = _end_widths(width)
+    first = [path.transformed(_frame(0.0, -1)) for path in ends[0].hole_paths(start)]
+    last = [path.transformed(_frame(width.length, 1)) for path in ends[1].hole_paths(end)]
+    return (*first, *last)
+
+
+def fix_tab_widths(width: Profile, ends: Ends) -> Ends:
+    """The tabs with the width that they have on a strip of full width `width`, written into them."""
+    start, end = ends
+    first, last = _end_widths(width)
+    return replace(start, width=start.width or first), replace(end, width=end.width or last)
+
+
+def add_register_holes(ends: Ends, diameter: float) -> Ends:
+    """The tabs with a hole in the middle of each that has none and is long enough for it."""
+    start, end = (
+        tab
+        if tab.holes or tab.length < 2 * diameter
+        else replace(tab, holes=(Hole(tab.length / 2, diameter),))
+        for tab in ends
+    )
+    return start, end
+
+
+def graph(knots: FloatArray, values: FloatArray, degree: int = 3, *, backward: bool = False) -> Spline:
+    """The spline function with these coefficients as a curve over x, from its start or from its end."""
+    points = np.column_stack([greville(knots, degree), values])
+    if backward:
+        knots, points = knots[0] + knots[-1] - knots[::-1], points[::-1]
+    return Spline(PlaneCurve(knots, points, degree))
+
+
+def pace(segment: Segment) -> tuple[float, float] | None:
+    """(offset, speed) where x = offset + speed * parameter along the whole segment, else None."""
+    if isinstance(segment, Line):
+        return float(segment.start[0]), float((segment.end[0] - segment.start[0]) / segment.length)
+    if not isinstance(segment, Spline):
+        return None
+    curve = segment.curve
+    if curve.weights is not None and np.ptp(curve.weights) > 0:
+        return None
+    sites, x = greville(curve.knots, curve.degree), curve.control_points[:, 0]
+    speed = (x[-1] - x[0]) / (sites[-1] - sites[0])
+    offset = x[0] - speed * sites[0]
+    even = np.abs(offset + speed * sites - x).max() <= EVEN * max(1.0, float(np.abs(x).max()))
+    return (float(offset), float(speed)) if even and speed != 0 else None
+
+
+def greville(knots: FloatArray, degree: int) -> FloatArray:
+    """Greville abscissae (m,) of a knot vector."""
+    count = knots.size - degree - 1
+    total = sum((knots[i : i + count] for i in range(2, degree + 1)), start=knots[1 : count + 1])
+    return np.asarray(total / degree, dtype=float)
+
+
+def close_chain(segments: Iterable[Segment]) -> tuple[Segment, ...]:
+    """The closed chain, with a line wherever two neighbours do not meet, as at a step of the width."""
+    chain: list[Segment] = []
+    for segment in segments:
+        if chain and not _meet(chain[-1], segment):
+            chain.append(Line(chain[-1].end, segment.start))
+        chain.append(segment)
+    if not _meet(chain[-1], chain[0]):
+        chain.append(Line(chain[-1].end, chain[0].start))
+    return tuple(chain)
+
+
+def _meet(before: Segment, after: Segment) -> bool:
+    return dist(before.end.tolist(), after.start.tolist()) <= MEETING_MM
+
+
+def _pieces(width: Profile) -> list[Profile]:
+    """The profile cut at its jumps (interior knots of multiplicity degree + 1)."""
+    k = width.degree
+    knots, counts = np.unique(width.knots, return_counts=True)
+    cuts = knots[(counts > k) & (knots > knots[0]) & (knots < knots[-1])]
+    if not cuts.size:
+        return [width]
+    pieces, first = [], 0
+    for cut in [*cuts, None]:
+        last = width.coefficients.size if cut is None else int(np.searchsorted(width.knots, cut))
+        pieces.append(Profile(width.knots[first : last + k + 1], width.coefficients[first:last], k))
+        first = last
+    return pieces
+
+
+def _side(width: Profile, factor: float, *, backward: bool = False) -> Spline:
+    """One long side: the graph of `factor` times the width."""
+    return graph(width.knots, factor * width.coefficients, width.degree, backward=backward)
+
+
+def _flush(tab: Tab, width: float) -> Tab:
+    """The tab without shoulders too small to cut: their ends would count as the same point in a file."""
+    small = tab.width is not None and abs(tab.width - width) < SHOULDER_MM
+    return replace(tab, width=None) if small else tab
+
+
+def _end_widths(width: Profile) -> tuple[float, float]:
+    return float(width(0.0)), float(width(width.length))
+
+
+def _frame(x: float, direction: int) -> FloatArray:
+    """A tab's frame in that of the strip: at the end as it is, at the start turned by half a turn."""
+    return np.array([[direction, 0.0, x], [0.0, direction, 0.0], [0.0, 0.0, 1.0]])

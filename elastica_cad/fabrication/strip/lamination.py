@@ -1,0 +1,192 @@
+"""Laminated strips: an outline of any width, and a narrower strip glued on that gives it its stiffness."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.fabrication.strip.styles import (
+    Backing,
+    Layout,
+    Width,
+    refine_stations,
+    stations_of,
+    width_profile,
+)
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.geometry.polynomials.fit_function import adaptive_spline
+from elastica_cad.mechanics.material.cross_sections import LaminatedSection
+from elastica_cad.mechanics.material.section_limits import ScaleRange
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.rod.rod_record import Rod
+
+__all__ = ["Laminated"]
+
+SLACK = 3e-4
+"""Share by which a rod's own stiffness, fitted at fewer stations, may pass what fits; it is brought to that."""
+
+FIT_MM, DRAWN_MM = 1e-9, 1e-5
+"""Largest error of the backing's width: near rounding for the stiffness, as of other outlines for the cut."""
+
+
+@dataclass(frozen=True, eq=False)
+class Laminated:
+    """A base of its own width and a narrower backing glued on, solved from the exact two-layer section.
+
+    The backing runs on into both tabs, as wide as the base there, so that holes in the tabs register both. Without
+    `max_width` the backing is as wide as the base somewhere, as in the paper (section 8.1). A laminate's weight is
+    not proportional to its stiffness: rods that feel it come from `optimal_laminate`.
+
+    Parameters
+    ----------
+    width : float, Profile or callable
+        Of the base, mm: one number, or a profile or function of arc length (`touching_widths` gives such).
+    backing : Sheet
+        What is glued on.
+    least_backing : float
+        Narrowest backing that can be cut and glued, mm.
+    dots : float
+        Diameter, mm, of the alignment holes in the middle of both tabs; 0 for none.
+
+    Examples
+    --------
+    >>> from elastica_cad.fabrication.strip.strip_record import Strip
+    >>> card = Sheet.named("card-200gsm")
+    >>> style = Laminated(width=20.0, backing=card)
+    >>> strip = Strip(Rod.straight(120.0, [1, 2, 1]), card, style=style)
+    >>> round(strip.layout.backing.width.extremes[1], 6)
+    20.0
+    """
+
+    width: Width
+    backing: Sheet
+    least_backing: float = 1.0
+    dots: float = 1.0
+
+    def __post_init__(self) -> None:
+        if not (np.isfinite(self.least_backing) and self.least_backing > 0):
+            raise InputError(f"least_backing is {self.least_backing}: it must be positive, in mm")
+        if not (np.isfinite(self.dots) and self.dots >= 0):
+            raise InputError(f"dots are {self.dots} mm across: give a diameter, 0 for none")
+
+    def laid_out(
+        self, rod: Rod, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
+    ) -> Layout:
+        """Outline and backing for a rod.
+
+        Parameters
+        ----------
+        max_width, min_width : float, optional
+            Bounds of the backing's width, mm.
+
+        Raises
+        ------
+        InputError
+            No scale keeps the backing within the base: says where, and which thickness would do.
+        """
+        base = width_profile(self.width, rod.length, "the width of the base")
+        section = LaminatedSection(sheet, self.backing)
+        least = max(self.least_backing, min_width or 0.0)
+        scale = self._scale(rod, section, base, least, max_width)
+        backing = Backing(
+            self.backing,
+            width=_backing_width(rod, section, base, scale, tolerance=FIT_MM, smooth=3),
+            drawn=_backing_width(rod, section, base, scale, tolerance=DRAWN_MM, smooth=2),
+        )
+        told: tuple[str, ...] = ()
+        if rod.gravity is not None and rod.weight is None:
+            told = (
+                "the rod was designed for a weight proportional to its stiffness, and a laminate's is not: use "
+                "optimal_laminate, or see how far it strays (deviation_as_built)",
+            )
+        return Layout(sheet, base, base, scale, backing=backing, dots=self.dots, warnings=told)
+
+    def _scale(
+        self, rod: Rod, section: LaminatedSection, base: Profile, least: float, most: float | None
+    ) -> float:
+        """c, N mm2: the rod's own, or the largest whose backing fits."""
+        s = stations_of(rod.length, base, rod.profile)
+        w1 = base(s)
+        s = refine_stations(s, section.bending_stiffness(w1, w1) / rod.profile(s), w1 / rod.profile(s))
+        K, w1 = rod.profile(s), base(s)
+        i = int(np.argmin(w1))
+        if w1[i] < least:
+            raise InputError(
+                f"the base is {w1[i]:.4g} mm wide at {s[i]:.1f} mm, narrower than the least backing of "
+                f"{least:g} mm: widen it there"
+            )
+        fits = section.scale_range(w1, K, least_backing=least)
+        if not fits.feasible:
+            raise InputError(_infeasible(section, fits, s, K, w1, least))
+        if most is not None:
+            widest = section.bending_stiffness(w1, np.minimum(w1, most))
+            fits = ScaleRange.of(section.bending_stiffness(w1, least), widest, K)
+        low, high = float(s[fits.lowest_at]), float(s[fits.highest_at])
+        if not fits.feasible:
+            raise InputError(
+                f"a backing of at least {least:g} mm at {low:.1f} mm is wider than max_width {most:g} mm at "
+                f"{high:.1f} mm: raise max_width"
+            )
+        scale = rod.bending_stiffness or fits.highest
+        if scale > fits.highest * (1 + SLACK):
+            raise InputError(
+                f"the rod's bending stiffness of {scale:.4g} N mm2 asks for a backing wider than fits at "
+                f"{high:.1f} mm, where {fits.highest:.4g} N mm2 is the most: use thicker or stiffer sheets, or "
+                "widen the base"
+            )
+        if scale < fits.lowest * (1 - SLACK):
+            raise InputError(
+                f"the rod's bending stiffness of {scale:.4g} N mm2 leaves a backing narrower than {least:g} mm at "
+                f"{low:.1f} mm, where {fits.lowest:.4g} N mm2 is the least: use thinner sheets, or narrow the base"
+            )
+        return float(np.clip(scale, fits.lowest, fits.highest))
+
+
+def _infeasible(
+    section: LaminatedSection, fits: ScaleRange, s: FloatArray, K: FloatArray, w1: FloatArray, least: float
+) -> str:
+    """Why no scale fits, where, and which thickness or stiffness ratio would do."""
+    i, j = fits.lowest_at, fits.highest_at
+    told = (
+        f"the laminate cannot be as soft as it should at {s[i]:.1f} mm (base {w1[i]:.4g} mm, K {K[i]:.3g}) and as "
+        f"stiff at {s[j]:.1f} mm (base {w1[j]:.4g} mm, K {K[j]:.3g}): "
+    )
+    ways = [f"narrow the base at {s[i]:.1f} mm", f"widen it at {s[j]:.1f} mm"]
+    try:
+        ratio = section.thickness_ratio(w1, K, least_backing=least)
+    except InputError as error:
+        ways.append(f"choose other widths ({error})")
+    else:
+        ways.insert(
+            0,
+            f"make the backing {1 / ratio:.3g} times as thick as the base or more (now "
+            f"{section.backing.thickness / section.base.thickness:.3g} times)",
+        )
+    return told + ", or ".join(ways)
+
+
+def _backing_width(
+    rod: Rod, section: LaminatedSection, base: Profile, scale: float, *, tolerance: float, smooth: int
+) -> Profile:
+    """w2 along the free part, with knots where K or the base have less than `smooth` derivatives."""
+
+    def width(s: FloatArray) -> FloatArray:
+        return section.backing_width(base(s), scale * rod.profile(s))
+
+    breaks = [(s, order) for s, order in (*rod.profile.breaks, *base.breaks) if order < smooth]
+    try:
+        knots, coefficients = adaptive_spline(
+            width, (0.0, rod.length), degree=3, tolerance=tolerance, breaks=breaks, rounding=1e-13
+        )
+    except NotConvergedError:
+        # where the backing fills the base its width is cut off there, with a kink too small to be declared
+        knots, coefficients = adaptive_spline(
+            width,
+            (0.0, rod.length),
+            degree=3,
+            tolerance=max(tolerance, DRAWN_MM),
+            breaks=breaks,
+            rounding=1e-9,
+        )
+    return Profile(knots, coefficients)

@@ -1,0 +1,268 @@
+"""Perforated strips: an outline of any width, and holes that leave as much material as the stiffness asks for."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.strip.diamond_pattern import DiamondPattern
+from elastica_cad.fabrication.strip.styles import Layout, Width, refine_stations, stations_of, width_profile
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.mechanics.material.cross_sections import PerforatedSection
+from elastica_cad.mechanics.material.section_limits import ScaleRange
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.rod.rod_record import Rod
+
+__all__ = ["Perforated"]
+
+SLACK = 1e-7
+"""Share by which a design may pass a limit that it touches: rounding."""
+
+STEEP_RAD = np.radians(30.0)
+"""Ligaments that lean more than this off the strip's direction are told: they bend less than their width says."""
+
+TIP_SHARE = 0.03
+"""Share of material too much at rounded tips that is told."""
+
+SLENDERNESS = 3.0
+"""Length over pitch of the diamonds where no number of rows is given."""
+
+
+@dataclass(frozen=True, eq=False)
+class Perforated:
+    """An outline of its own width with diamond holes; the ligaments' summed width is ~ K (paper, section 8.1).
+
+    Sums are taken straight across the strip and hold at every station, from one end of the free part to the
+    other; only corners that are rounded leave more, over the short zone of `tip_zone` about the tips. The strip
+    then weighs ~ K like a plain one. Without `max_width` as much material is left as the holes allow.
+
+    Parameters
+    ----------
+    width : float, Profile or callable
+        Of the outline, mm: one number, or a profile or function of arc length (`touching_widths` gives such).
+    columns, rows : int
+        Full diamonds across and along; between them come the ones in the gaps, halves at edges and ends. Without
+        `rows` diamonds are three times as long as their columns are apart.
+    hole_ratio : float
+        Largest share of the width that holes may take at any station.
+    least_ligament, least_hole : float
+        Widths, mm, that no ligament and no widest place of a hole may fall below.
+    corner_radius : float
+        Of the holes' corners, against tearing, mm; 0 leaves them sharp.
+    sides : "spline" or "arc"
+        What the sides of holes are made of.
+
+    Examples
+    --------
+    >>> from elastica_cad.fabrication.strip.strip_record import Strip
+    >>> style = Perforated(width=24.0, columns=2, rows=4)
+    >>> strip = Strip(Rod.straight(120.0, [1, 2, 1]), Sheet.named("card-200gsm"), style=style)
+    >>> len(strip.holes)  # four rows of two, five of three
+    23
+    >>> left, asked = strip.layers[0].material([13.7, 60.0]), strip.layout.material([13.7, 60.0])
+    >>> bool(abs(left / asked - 1).max() < 1e-4)
+    True
+    """
+
+    width: Width
+    columns: int = 2
+    rows: int | None = None
+    hole_ratio: float = 0.85
+    least_ligament: float = 0.5
+    least_hole: float = 1.0
+    corner_radius: float = 0.0
+    sides: Literal["spline", "arc"] = "spline"
+
+    def __post_init__(self) -> None:
+        for name in ("columns", "rows"):
+            count = getattr(self, name)
+            if count is not None and (count != int(count) or count < 1):
+                raise InputError(f"{name} is {count}: a perforated strip has a whole number of them, from 1")
+        if not 0 < self.hole_ratio < 1:
+            raise InputError(f"hole_ratio is {self.hole_ratio}: it must lie between 0 and 1")
+        for name in ("least_ligament", "least_hole"):
+            value = getattr(self, name)
+            if not (np.isfinite(value) and value > 0):
+                raise InputError(f"{name} is {value}: it must be positive, in mm")
+        if not (np.isfinite(self.corner_radius) and self.corner_radius >= 0):
+            raise InputError(f"corner_radius is {self.corner_radius}: it must be 0 mm or more")
+        if self.sides not in ("spline", "arc"):
+            raise InputError(f'sides are "spline" or "arc", not {self.sides!r}')
+
+    @property
+    def ligaments(self) -> int:
+        """How many run side by side."""
+        return 2 * self.columns + 2
+
+    def laid_out(
+        self, rod: Rod, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
+    ) -> Layout:
+        """Outline, material and holes for a rod.
+
+        Parameters
+        ----------
+        max_width, min_width : float, optional
+            Bounds of the ligaments' sum, mm.
+
+        Raises
+        ------
+        InputError
+            No scale keeps ligaments and holes wide enough: says where, and what would do.
+        """
+        outer = width_profile(self.width, rod.length, "the width of the outline")
+        fit = _Fit(self, rod, sheet, outer)
+        scale = fit.scale(max_width, min_width)
+        material = rod.profile.scaled(scale / fit.section.rigidity)
+        rows = self.rows or max(1, round(rod.length * self.columns / (SLENDERNESS * float(fit.w.mean()))))
+        pattern = DiamondPattern(
+            outer, material, self.columns, rows, self.least_ligament, self.corner_radius, self.least_ligament,
+            arcs=None if self.sides == "spline" else 5e-4 * material.extremes[0] / self.ligaments,
+        )  # fmt: skip
+        told = self._told(pattern, fit.s)
+        return Layout(sheet, outer, material, scale, pattern=pattern, warnings=told)
+
+    def tip_zone(self, layout: Layout) -> float:
+        """Half the length, mm, of the zones about `layout.pattern.joints` in which rounded corners leave more."""
+        if self.corner_radius == 0 or not isinstance(layout.pattern, DiamondPattern):
+            return 0.0
+        s = stations_of(layout.width.length, layout.width, layout.material)
+        # the halves at the edges are the sharpest
+        return layout.pattern.bridge / 2 + float(2 * self.corner_radius / _slopes(layout.pattern, s).min())
+
+    def _told(self, pattern: DiamondPattern, s: FloatArray) -> tuple[str, ...]:
+        told = []
+        slopes = _slopes(pattern, s)
+        i = int(np.argmax(slopes))
+        if slopes[i] > np.tan(STEEP_RAD):
+            long = pattern.row_length + 2 * pattern.side_length * (slopes[i] / np.tan(STEEP_RAD) - 1)
+            told.append(
+                f"ligaments lean {np.degrees(np.arctan(slopes[i])):.0f} degrees off the strip at {s[i]:.1f} mm: "
+                f"use fewer rows, {np.ceil(long):.0f} mm long or longer"
+            )
+        missing = self._excess(pattern) / pattern.material(pattern.joints)
+        i = int(np.argmax(missing))
+        if missing[i] > TIP_SHARE:
+            told.append(
+                f"a corner radius of {self.corner_radius:g} mm leaves {100 * missing[i]:.1f} % too much material "
+                f"at the tips at {pattern.joints[i]:.1f} mm: {self.corner_radius * TIP_SHARE / missing[i]:.2g} mm "
+                f"or less keeps it within {100 * TIP_SHARE:.0f} %"
+            )
+        return tuple(told)
+
+    def _excess(self, pattern: DiamondPattern) -> FloatArray:
+        """Width (n,), mm, that rounded tips at the joints leave too much, at the worst station beside them.
+
+        A circle in a corner of half angle a ends where the corner is 2 r (sec a - tan a) wide. Halves have half the
+        angle of the others, end farther from the joint, and miss half as much where the others end.
+        """
+        slope = _slopes(pattern, pattern.joints)
+        others, halves = (
+            2 * self.corner_radius * (np.hypot(1.0, tan) - tan)
+            for tan in (slope, np.tan(np.arctan(slope) / 2))
+        )
+        at_gaps = np.arange(slope.size) % 2 == 1
+        return np.maximum(self.columns * others, np.where(at_gaps, 2 * halves, 0.0))
+
+
+class _Fit:
+    """What fits where: widths, the section, and the scales that keep all limits."""
+
+    def __init__(self, style: Perforated, rod: Rod, sheet: Sheet, outer: Profile) -> None:
+        self.style, self.rod = style, rod
+        self.holes = 2 * style.columns * style.least_hole
+        s = stations_of(rod.length, outer, rod.profile)
+        self.s = refine_stations(s, outer(s) / rod.profile(s), (outer(s) - self.holes) / rod.profile(s))
+        self.w, self.K = outer(self.s), rod.profile(self.s)
+        self.section = PerforatedSection(
+            sheet, ligaments=style.ligaments, least_ligament=style.least_ligament
+        )
+        room = self.w - self.holes
+        i = int(np.argmin(room))
+        if room[i] <= style.ligaments * style.least_ligament:
+            raise InputError(
+                f"the outline is {self.w[i]:.4g} mm wide at {self.s[i]:.1f} mm: {style.ligaments} ligaments of "
+                f"{style.least_ligament:g} mm and {style.columns} columns of holes need more than "
+                f"{self.holes + style.ligaments * style.least_ligament:.4g} mm; widen it or use fewer columns"
+            )
+        self.by_ligaments = self.section.scale_range(room, self.K)
+        most = self.section.bending_stiffness(room)
+        least = self.section.bending_stiffness((1 - style.hole_ratio) * self.w)
+        self.by_ratio = ScaleRange.of(least, most, self.K)
+        self.lowest = max(self.by_ligaments.lowest, self.by_ratio.lowest)
+        self.highest = self.by_ligaments.highest
+
+    def scale(self, max_width: float | None, min_width: float | None) -> float:
+        """c, N mm2: the rod's own, or as much as fits under `max_width`."""
+        if self.lowest > self.highest * (1 + SLACK):
+            raise InputError(self._infeasible())
+        rigidity, (low, high) = self.section.rigidity, self.rod.profile.extremes
+        scale = self.highest if max_width is None else min(self.highest, rigidity * max_width / high)
+        if self.rod.bending_stiffness is not None:
+            asked = self.rod.bending_stiffness
+            if asked > scale * (1 + SLACK):
+                i = self.by_ligaments.highest_at
+                raise InputError(
+                    f"the rod's bending stiffness asks for {asked * self.K[i] / rigidity:.4g} mm of material at "
+                    f"{self.s[i]:.1f} mm, {scale * self.K[i] / rigidity:.4g} mm fit: widen the outline or raise "
+                    "max_width"
+                )
+            scale = asked
+        if scale < self.lowest * (1 - SLACK):
+            way = "raise max_width" if self.rod.bending_stiffness is None else "use a thinner or softer sheet"
+            raise InputError(
+                f"{self._too_little(scale)}: the ligaments need {self.lowest * high / rigidity:.4g} mm in all "
+                f"where they are widest, not {scale * high / rigidity:.4g} mm; {way}"
+            )
+        if min_width is not None and scale * low / rigidity < min_width * (1 - SLACK):
+            raise InputError(
+                f"the ligaments are {scale * low / rigidity:.4g} mm in all at the narrowest place, below min_width "
+                f"{min_width:g} mm: widen the outline or lower the stiffness ratio"
+            )
+        return scale
+
+    def _infeasible(self) -> str:
+        """Why nothing fits, where, and what would do."""
+        style, rigidity = self.style, self.section.rigidity
+        need = self.lowest * self.K / rigidity + self.holes
+        i = int(np.argmax(need / self.w))
+        ways = [f"make the outline {need[i]:.4g} mm or more wide there (now {self.w[i]:.4g} mm)"]
+        fewer = [n for n in range(style.columns - 1, 0, -1) if self._would_do(n)]
+        if self.by_ratio.lowest > self.by_ligaments.lowest:
+            share = 1 - float((self.highest * self.K / (rigidity * self.w)).min())
+            ways.append(f"allow a hole_ratio of {np.ceil(1000 * share) / 1000:.3f}")
+        elif fewer:
+            ways.append(f"use {fewer[0]} column{'s' if fewer[0] > 1 else ''}")
+        ratio = self.rod.ratio * self.highest / self.lowest
+        if ratio > 1:
+            ways.append(f"lower the stiffness ratio from {self.rod.ratio:.3g} to {ratio:.3g}")
+        return f"{self._too_little(self.highest)}, when holes still fit at {self.s[i]:.1f} mm: {', or '.join(ways)}"
+
+    def _would_do(self, columns: int) -> bool:
+        section = PerforatedSection(
+            self.section.sheet, ligaments=2 * columns + 2, least_ligament=self.style.least_ligament
+        )
+        return section.scale_range(self.w - 2 * columns * self.style.least_hole, self.K).feasible
+
+    def _too_little(self, scale: float) -> str:
+        """The limit that a scale breaks, and where."""
+        if self.by_ratio.lowest > self.by_ligaments.lowest:
+            i = self.by_ratio.lowest_at
+            share = 1 - scale * self.K[i] / (self.section.rigidity * self.w[i])
+            return (
+                f"holes would take {100 * share:.1f} % of the width at {self.s[i]:.1f} mm, more than "
+                f"{100 * self.style.hole_ratio:.1f} %"
+            )
+        i = self.by_ligaments.lowest_at
+        each = scale * self.K[i] / self.section.rigidity / self.style.ligaments
+        return (
+            f"ligaments would be {each:.3g} mm wide at {self.s[i]:.1f} mm, below "
+            f"{self.style.least_ligament:g} mm"
+        )
+
+
+def _slopes(pattern: DiamondPattern, s: FloatArray) -> FloatArray:
+    """Slope (n,) of the diamonds' sides against the strip at stations `s` (n,)."""
+    holes = pattern.width(s) - pattern.material(s)
+    return np.asarray(holes / (2 * pattern.columns * pattern.side_length), dtype=float)

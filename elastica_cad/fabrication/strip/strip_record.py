@@ -1,0 +1,379 @@
+"""A strip: the flat part whose width gives a rod its stiffness."""
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.drawing import (
+    CUT_INNER,
+    CUT_OUTER,
+    MARK,
+    Drawing,
+    LayeredPath,
+)
+from elastica_cad.fabrication.drawings.lettering import Text, fit_label
+from elastica_cad.fabrication.slots.mating_marks import mating_marks
+from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.slots.slotted_outline import cut_slots
+from elastica_cad.fabrication.strip.as_built import material_width, rod_as_built
+from elastica_cad.fabrication.strip.flat_outline import (
+    Ends,
+    add_register_holes,
+    end_holes,
+    fix_tab_widths,
+    flat_rim,
+)
+from elastica_cad.fabrication.strip.styles import PLAIN, Layout, Style
+from elastica_cad.fabrication.strip.tabs import Tab
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.geometry.paths.segments import Line
+from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.material.section_limits import LayerStrain
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.rod.rod_record import Rod
+
+__all__ = ["Layer", "Reactions", "Strip"]
+
+FINE_EDGES = 1600
+"""At least, of the rod that is bent as built: its own error is then far below what it measures."""
+
+CURVATURE_STATIONS = 2001
+"""At which strain is looked for, spread over the curve's smooth panels."""
+
+
+@dataclass(frozen=True, eq=False)
+class Reactions:
+    """What the supports do to the strip: forces (2,) in N, moments in N mm (positive anticlockwise)."""
+
+    start_force: FloatArray
+    start_moment: float
+    end_force: FloatArray
+    end_moment: float
+
+
+@dataclass(frozen=True, eq=False)
+class Layer:
+    """One sheet of a strip as it is cut, in the flat frame of the strip.
+
+    Attributes
+    ----------
+    sheet : Sheet
+    outline : Path
+        Closed, anticlockwise.
+    holes : tuple of Path
+        Closed inner loops.
+    """
+
+    sheet: Sheet
+    outline: Path
+    holes: tuple[Path, ...] = ()
+
+    @cached_property
+    def area(self) -> float:
+        """mm2."""
+        return abs(self.outline.area) - sum(abs(hole.area) for hole in self.holes)
+
+    @property
+    def mass(self) -> float:
+        """g."""
+        return self.area * self.sheet.thickness * self.sheet.density * 1e-6
+
+    def material(self, s: ArrayLike) -> FloatArray:
+        """Summed width (n,), mm, that is really left at stations `s` (n,)."""
+        return material_width(self.outline, self.holes, s)
+
+
+@dataclass(frozen=True, eq=False)
+class Strip:
+    """A flat strip that takes the shape of `rod` when its ends are held as the rod's are.
+
+    Parameters
+    ----------
+    rod : Rod
+        From `optimal_rod`, `nearest_rod` or `bend`.
+    sheet : Sheet
+        The material it is cut from.
+    max_width, min_width : float, optional
+        Width of the widest, of the narrowest place, mm; one of them sets the scale. With both, `max_width` sets
+        it and a strip that would be narrower than `min_width` is refused. A rod that knows its bending stiffness
+        in N mm2 (a weight in newtons) fixes its own width; the two are then limits.
+    style : Plain, Perforated or Laminated
+        How stiffness becomes material. The last two give the strip a width of its own; `max_width` and `min_width`
+        then limit the material: the ligaments' sum, the backing.
+    ends : pair of Tab
+        Tabs at the start and at the end.
+    slots : tuple of Slot
+        Cuts for other strips; they become part of the outline.
+    label : str
+        Engraved on the strip; empty for none.
+
+    Raises
+    ------
+    InputError
+        No width given, a width that is not positive, or limits that cannot be kept.
+
+    Notes
+    -----
+    Flat pattern: x is arc length from the start of the free part, y = 0 the centre line. The long sides are cubic
+    B-splines whose x control points are the Greville abscissae of the knots, so that y(x) is exactly half the
+    spline width.
+
+    Examples
+    --------
+    >>> strip = Strip(Rod.straight(100, [1, 2, 1]), Sheet.named("card-200gsm"), max_width=20)
+    >>> round(strip.outline.length, 1) > 200
+    True
+    """
+
+    rod: Rod
+    sheet: Sheet
+    max_width: float | None = None
+    min_width: float | None = None
+    style: Style = PLAIN
+    ends: tuple[Tab, Tab] = (Tab(10.0), Tab(10.0))
+    slots: tuple[Slot, ...] = ()
+    label: str = ""
+
+    def __post_init__(self) -> None:
+        for name in ("max_width", "min_width"):
+            value = getattr(self, name)
+            if value is not None and not (np.isfinite(value) and value > 0):
+                raise InputError(f"{name} is {value}: it must be positive, in mm")
+        _ = self.layout
+
+    def __repr__(self) -> str:
+        low, high = self.width.extremes
+        called = f" {self.label!r}" if self.label else ""
+        size = f"{self.rod.length:.4g} mm long, {low:.3g} to {high:.3g} mm wide"
+        return f"<Strip{called} of {self.sheet.name}, {size}, strain {self.max_strain:.2%}>"
+
+    def _repr_svg_(self) -> str:
+        return self.drawing()._repr_svg_()
+
+    def table(self) -> dict[str, FloatArray]:
+        """Columns (n,) by name with their unit: those of `Rod.table`, with moments and forces in N mm and N, widths
+        in mm and the strain of the most strained skin.
+        """
+        columns, B = self.rod.table(), self.bending_stiffness
+        for name, physical in {
+            "moment_1_per_mm": "moment_Nmm", "force_x_1_per_mm2": "force_x_N", "force_y_1_per_mm2": "force_y_N",
+        }.items():  # fmt: skip
+            columns[physical] = B * columns.pop(name)
+        bent = np.abs(self.rod.curvature - self.rod.natural_curvature)
+        worst = max(self.layout.strains(self.rod.s, bent), key=lambda layer: layer.largest / layer.limit)
+        return columns | {"width_mm": self.width(self.rod.s), "strain": worst.strain}
+
+    @cached_property
+    def layout(self) -> Layout:
+        """What the style makes of the rod."""
+        return self.style.laid_out(self.rod, self.sheet, max_width=self.max_width, min_width=self.min_width)
+
+    @property
+    def width(self) -> Profile:
+        """Full width (mm) along the free part [0, length]."""
+        return self.layout.width
+
+    @cached_property
+    def outline(self) -> Path:
+        """The closed outer loop with its slots, anticlockwise; its long sides are B-splines."""
+        return cut_slots(self._rim, self.holes, self.slots, self.width, name=self.label or "strip")
+
+    @cached_property
+    def _rim(self) -> Path:
+        """The outer loop without slots."""
+        return flat_rim(self.width, self.ends)
+
+    @cached_property
+    def holes(self) -> tuple[Path, ...]:
+        """Closed inner loops."""
+        return (
+            *end_holes(self.width, self._registered),
+            *self.layout.hole_paths(self.ends, self.slots),
+        )
+
+    @property
+    def _registered(self) -> Ends:
+        """The tabs with the holes by which a laminate's layers are aligned."""
+        return add_register_holes(self.ends, self.layout.dots) if self.layout.dots else self.ends
+
+    @cached_property
+    def layers(self) -> tuple[Layer, ...]:
+        """The sheets that the strip is made of, the base first."""
+        base = Layer(self.sheet, self.outline, self.holes)
+        if self.layout.backing is None:
+            return (base,)
+        sheet, width = self.layout.backing.sheet, self.layout.backing.drawn
+        held = fix_tab_widths(self.width, self._registered)
+        reaching = [slot for slot in self.slots if _reaches(slot, self.width, width)]
+        holes = end_holes(width, held)
+        rim = cut_slots(
+            flat_rim(width, held), holes, reaching, self.width, name=f"{self.label or 'strip'}, backing"
+        )
+        return base, Layer(sheet, rim, holes)
+
+    def mirrored(self) -> "Strip":
+        """The strip turned over about its centre line (y to -y), bent into the same curve."""
+        start, end = self.ends
+        slots = tuple(slot.mirrored() for slot in self.slots)
+        return replace(self, ends=(start.mirrored(), end.mirrored()), slots=slots)
+
+    @property
+    def end_widths(self) -> tuple[float, float]:
+        """Width of the free part at its start and end, mm."""
+        return float(self.width(0.0)), float(self.width(self.rod.length))
+
+    @property
+    def max_strain(self) -> float:
+        """Largest strain of the skin (dimensionless): of the layer that comes nearest to its limit."""
+        return self._strained[0].largest
+
+    @property
+    def max_strain_at(self) -> float:
+        """Arc length of the largest strain, mm."""
+        layer, s = self._strained
+        return float(s[layer.station])
+
+    @property
+    def strain_limit(self) -> float:
+        """What the sheet of that layer bears."""
+        return self._strained[0].limit
+
+    @cached_property
+    def strains(self) -> tuple[LayerStrain, ...]:
+        """Skin strain of each layer at stations along the strip, with the limit of its sheet."""
+        s, bend = self._bend
+        return self.layout.strains(s, bend)
+
+    @property
+    def _strained(self) -> tuple[LayerStrain, FloatArray]:
+        return max(self.strains, key=lambda layer: layer.largest / layer.limit), self._bend[0]
+
+    @cached_property
+    def _bend(self) -> tuple[FloatArray, FloatArray]:
+        """Stations (n,) and what each is bent by, |kappa - kappa_0|, 1/mm."""
+        rod = self.rod
+        s, curvature = rod.s, rod.curvature
+        if rod.shape is not None:
+            panels = rod.curve.smooth_panels
+            places = np.linspace(0.0, panels.size - 1.0, max(CURVATURE_STATIONS, rod.s.size))
+            t = np.interp(places, np.arange(panels.size), panels)
+            s, curvature = rod.curve.arc_length(t), rod.curve.curvature_at(t)
+        s = np.minimum(s, rod.length)
+        rest = np.broadcast_to(np.asarray(rod.natural_curvature, dtype=float), rod.s.shape)
+        return s, np.abs(curvature - np.interp(s, rod.s, rest))
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What a maker should know before cutting: the rod's and the style's warnings, strains beyond a limit."""
+        found = [*self.rod.warnings, *self.layout.warnings]
+        s, bend = self._bend
+        for layer in self.strains:
+            if layer.exceeded:
+                at = layer.station
+                bearable = bend[at] * layer.limit / layer.largest
+                found.append(
+                    f"strain {100 * layer.largest:.2f} % at {s[at]:.1f} mm is beyond the {100 * layer.limit:.2f} % "
+                    f"that {layer.name} bears: its radius there is {1 / bend[at]:.1f} mm, the least advisable "
+                    f"{1 / bearable:.1f} mm; use a thinner sheet or a gentler curve"
+                )
+        return tuple(found)
+
+    @property
+    def area(self) -> float:
+        """Area of the flat part (the base of a laminate), mm2."""
+        return self.layers[0].area
+
+    @property
+    def mass(self) -> float:
+        """Mass in g, of all layers."""
+        return sum(layer.mass for layer in self.layers)
+
+    @property
+    def bending_stiffness(self) -> float:
+        """B, the E I where K = 1, N mm2; the rod's numbers times B are newtons."""
+        return self.layout.bending_stiffness
+
+    @cached_property
+    def as_built(self) -> Rod:
+        """The rod with the stiffness and weight of what is really cut, to be bent: see `rod_as_built`."""
+        return rod_as_built(self.rod, self.layout, [layer.material for layer in self.layers])
+
+    @cached_property
+    def deviation_as_built(self) -> float:
+        """How far the strip as built, bent and held as designed, strays from the design, mm.
+
+        Bent on finer nodes than the design's, which may be too coarse for its own stiffness.
+        """
+        edges = self.rod.s.size - 1
+        finer = -(-FINE_EDGES // edges)
+        bent = bend(self.as_built, end=self.rod.position[-1], samples=finer * edges + 1)
+        return float(np.hypot(*(bent.position[::finer] - self.rod.position).T).max())
+
+    def reactions(self) -> Reactions:
+        """Forces (N) and moments (N mm) that the supports exert on the strip.
+
+        The internal force is -lambda B (Eq. 2), so the start is pushed by lambda(0) B and the end by -lambda(L) B.
+        """
+        B, force, moment = self.bending_stiffness, self.rod.force, self.rod.moment
+        return Reactions(B * force[0], float(-B * moment[0]), -B * force[-1], float(B * moment[-1]))
+
+    def drawing(self) -> Drawing:
+        """The cut pattern on its layers: label, marks, inner cuts, outer cut; of a laminate that of the base."""
+        return self.drawings()[0]
+
+    def drawings(self) -> tuple[Drawing, ...]:
+        """The cut pattern of each layer, the base first; they register: same frame, same holes in the tabs.
+
+        Where the backing of a laminate comes to lie is marked on the base.
+        """
+        name = self.label or "strip"
+        names = (name, f"{name}-backing")
+        drawn = []
+        for i, layer in enumerate(self.layers):
+            marks = (*self._ticks(i), *(() if i else self.layout.guides))
+            paths = (
+                *(LayeredPath(MARK, mark) for mark in marks),
+                *(LayeredPath(CUT_INNER, hole) for hole in layer.holes),
+                LayeredPath(CUT_OUTER, layer.outline),
+            )
+            texts: tuple[Text, ...] = (self._label_text(i),) if self.label else ()
+            if i == 0:
+                texts += mating_marks(self.slots, self.width, (*marks, *layer.holes), texts)
+            drawn.append(Drawing(name=names[i], paths=paths, texts=texts))
+        return tuple(drawn)
+
+    def _ticks(self, layer: int) -> tuple[Path, ...]:
+        """Where the free part ends; not along the flat ends of the first and last holes."""
+        if self.layout.pattern is not None:
+            return ()
+        width = self._layer_width(layer)
+        return tuple(_tick(x, float(width(x))) for x in (0.0, self.rod.length))
+
+    def _layer_width(self, layer: int) -> Profile:
+        return self.width if layer == 0 or self.layout.backing is None else self.layout.backing.width
+
+    def _label_text(self, layer: int = 0) -> Text:
+        """The label: along the middle, or across the first tab where there are holes."""
+        if self.layout.pattern is not None:
+            room, across = self.end_widths[0], self.ends[0].length
+            x, y, angle = -across / 2, 0.0, np.pi / 2
+        else:
+            x, y, angle = self.rod.length / 2, 0.0, 0.0
+            room, across = self.rod.length, float(self._layer_width(layer)(x))
+        return fit_label(self.label, (x, y), angle=angle, room=room, across=across)
+
+
+def _reaches(slot: Slot, outer: Profile, inner: Profile) -> bool:
+    """Does a slot of a strip of one width go deep enough to cut a narrower one?"""
+    points, _ = slot.center_line(outer)
+    return bool(abs(points[0, 1]) < float(inner(np.clip(points[0, 0], 0.0, inner.length))) / 2)
+
+
+def _tick(x: float, width: float) -> Path:
+    """A mark across the strip where the free part ends, kept off its edges so that it is no notch."""
+    y = 0.3 * width
+    return Path((Line((x, -y), (x, y)),), closed=False)

@@ -1,0 +1,237 @@
+"""Styles: how stiffness becomes material. The plain one, and what a style answers."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Protocol, TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.strip.flat_outline import Ends, long_sides
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.mechanics.material.cross_sections import LaminatedSection, PlainSection
+from elastica_cad.mechanics.material.section_limits import LayerStrain
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.stiffness_law import StiffnessLaw
+from elastica_cad.mechanics.rod.rod_record import Rod
+
+__all__ = [
+    "NO_WIDTH",
+    "PLAIN",
+    "Backing",
+    "Layout",
+    "Pattern",
+    "Plain",
+    "Style",
+    "Width",
+    "refine_stations",
+    "stations_of",
+    "width_profile",
+]
+
+Width: TypeAlias = "float | Profile | Callable[[FloatArray], FloatArray]"
+"""An outer width: one number, or a profile or function of arc length, all in mm."""
+
+WIDTH_MM = 1e-6
+"""Largest error of a width given as a function: what files keep."""
+
+
+MOST_EXTREMES = 200
+"""Local extremes at which finer stations are set: more of them are rounding."""
+
+GUIDE_MM = 0.5
+"""A backing that comes this near to the base's edge everywhere is not marked on it."""
+
+
+NO_WIDTH = "a strip needs max_width or min_width (mm): the rod only fixes how widths compare"
+"""Of a plain strip; the others have an outline of their own."""
+
+
+class Pattern(Protocol):
+    """Holes in the free part of a strip."""
+
+    def paths(self, ends: Ends, slots: Sequence[Slot]) -> tuple[Path, ...]:
+        """The holes as closed loops, clear of the slots."""
+        ...
+
+
+@dataclass(frozen=True, eq=False)
+class Backing:
+    """A narrower strip that is glued on.
+
+    Attributes
+    ----------
+    sheet : Sheet
+    width : Profile
+        mm along the free part, as the section asks for it.
+    drawn : Profile
+        The same with fewer pieces, as it is cut: within 1e-5 mm.
+    """
+
+    sheet: Sheet
+    width: Profile
+    drawn: Profile
+
+
+@dataclass(frozen=True, eq=False)
+class Layout:
+    """What a style makes of a rod and a sheet.
+
+    Attributes
+    ----------
+    sheet : Sheet
+        The sheet that makes the outline.
+    width : Profile
+        Full width of the outline along the free part, mm.
+    material : Profile
+        Summed width that the style means to leave of the sheet, mm.
+    bending_stiffness : float
+        B, N mm2: the E I where K = 1.
+    pattern : Pattern or None
+        Holes.
+    backing : Backing or None
+        What is glued on.
+    dots : float
+        Diameter of holes that register base and backing, mm; 0 for none.
+    warnings : tuple of str
+        What a maker should know.
+    """
+
+    sheet: Sheet
+    width: Profile
+    material: Profile
+    bending_stiffness: float
+    pattern: Pattern | None = None
+    backing: Backing | None = None
+    dots: float = 0.0
+    warnings: tuple[str, ...] = ()
+
+    def hole_paths(self, ends: Ends, slots: Sequence[Slot] = ()) -> tuple[Path, ...]:
+        """Closed loops cut out of the free part, clear of the slots."""
+        return () if self.pattern is None else self.pattern.paths(ends, slots)
+
+    @property
+    def guides(self) -> tuple[Path, ...]:
+        """Lines marked on the base where the edges of the backing come to lie, unless the base's own show it."""
+        if self.backing is None:
+            return ()
+        s = stations_of(self.width.length, count=201)
+        if float((self.width(s) - self.backing.width(s)).max()) < GUIDE_MM:
+            return ()
+        return tuple(Path([side]) for sides in long_sides(self.backing.drawn) for side in sides)
+
+    def law(self, material: FloatArray, backing: FloatArray | None) -> tuple[StiffnessLaw, FloatArray]:
+        """The law where the sheet is `material` (n,) mm wide, and its parameter (n,)."""
+        if self.backing is None or backing is None:
+            return PlainSection(self.sheet), material
+        return LaminatedSection(self.sheet, self.backing.sheet).on(material), backing
+
+    def strains(self, s: FloatArray, bend: FloatArray) -> tuple[LayerStrain, ...]:
+        """Skin strain of each layer at stations `s` (n,) bent by `bend` (n,) = |kappa - kappa_0|, 1/mm."""
+        outer = self.width(s)
+        # where it fills the base, the backing's fit may pass the base's by its tolerance
+        law, parameter = self.law(
+            outer, None if self.backing is None else np.minimum(self.backing.width(s), outer)
+        )
+        return law.strains(bend, parameter)
+
+    def stiffness(self, material: FloatArray, backing: FloatArray | None = None) -> FloatArray:
+        """E I (n,), N mm2, of widths (n,), mm, that are really there of the sheet and of the backing."""
+        law, parameter = self.law(material, backing)
+        return law.bending_stiffness(parameter)
+
+    def weight_per_length(self, material: FloatArray, backing: FloatArray | None = None) -> FloatArray | None:
+        """N/mm (n,) of such widths; None for a single sheet, whose weight is proportional to its stiffness."""
+        law, parameter = self.law(material, backing)
+        return None if backing is None or self.backing is None else law.weight_per_length(parameter)
+
+
+class Style(Protocol):
+    """How stiffness becomes material."""
+
+    def laid_out(
+        self, rod: Rod, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
+    ) -> Layout:
+        """Widths for a rod; refuses what can't be made and says where."""
+        ...
+
+
+@dataclass(frozen=True)
+class Plain:
+    """A solid strip of one sheet: the width is proportional to the stiffness (paper, section 8.1)."""
+
+    def laid_out(
+        self, rod: Rod, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
+    ) -> Layout:
+        """One of the widths sets the scale; a rod that knows its bending stiffness sets it itself."""
+        if max_width is None and min_width is None and rod.bending_stiffness is None:
+            raise InputError(NO_WIDTH)
+        rigidity = PlainSection(sheet).rigidity
+        low, high = rod.profile.extremes
+        if rod.bending_stiffness is not None:
+            factor = rod.bending_stiffness / rigidity
+        else:
+            factor = (min_width or 0.0) / low if max_width is None else max_width / high
+        width = rod.profile.scaled(factor)
+        narrow, wide = width.extremes
+        slack = 1 + 1e-9
+        if min_width is not None and narrow * slack < min_width:
+            raise InputError(
+                f"the narrowest place is {narrow:.4g} mm, below min_width {min_width:g} mm: the ratio is "
+                f"{rod.ratio:.3g}, so max_width must be {min_width * rod.ratio:.4g} mm or more"
+            )
+        if max_width is not None and wide > max_width * slack:
+            raise InputError(
+                f"the rod's bending stiffness asks for a width of {wide:.4g} mm, above max_width "
+                f"{max_width:g} mm: choose a thicker or stiffer sheet"
+            )
+        return Layout(sheet, width, material=width, bending_stiffness=factor * rigidity)
+
+
+PLAIN = Plain()
+"""The style of a strip for which none is chosen."""
+
+
+def width_profile(width: Width, length: float, name: str) -> Profile:
+    """A width as a profile over [0, length], positive everywhere.
+
+    Raises
+    ------
+    InputError
+        Not positive somewhere, a profile of another length, a function that gives no numbers.
+    """
+    if isinstance(width, Profile):
+        if not np.isclose(width.length, length, rtol=1e-6):
+            raise InputError(f"{name} is given over {width.length:.6g} mm, the strip is {length:.6g} mm long")
+        profile = width
+    elif callable(width):
+        profile = Profile.fit(width, length, tolerance=WIDTH_MM)
+    else:
+        value = float(width)
+        if not (np.isfinite(value) and value > 0):
+            raise InputError(f"{name} is {value:g}: it must be positive, in mm")
+        return Profile(np.repeat([0.0, length], 4), np.full(4, value))
+    if profile.extremes[0] <= 0:
+        s = stations_of(length, profile)
+        at = float(s[int(np.argmin(profile(s)))])
+        raise InputError(
+            f"{name} is {float(profile(at)):.4g} mm at {at:.4g} mm: it must be positive everywhere"
+        )
+    return profile
+
+
+def refine_stations(s: FloatArray, *values: FloatArray) -> FloatArray:
+    """The stations (n,) with finer ones about the local extremes of `values` (n,) at them."""
+    turns = [np.flatnonzero(np.diff(np.sign(np.diff(value)))) + 1 for value in values]
+    found = np.unique(np.concatenate([[0, s.size - 1], *turns]).astype(int))[:MOST_EXTREMES]
+    before, after = s[np.maximum(found - 1, 0)], s[np.minimum(found + 1, s.size - 1)]
+    return np.unique(np.concatenate([s, np.linspace(before, after, 65).ravel()]))
+
+
+def stations_of(length: float, *profiles: Profile, count: int = 2001) -> FloatArray:
+    """Stations (n,) in [0, length], mm, dense, with the knots of the profiles among them."""
+    knots = [profile.knots[(profile.knots >= 0) & (profile.knots <= length)] for profile in profiles]
+    return np.unique(np.concatenate([np.linspace(0.0, length, count), *knots]))

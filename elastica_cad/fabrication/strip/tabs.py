@@ -1,0 +1,222 @@
+"""The ends of a strip: tabs to hold it by, with holes, rounded or chamfered corners."""
+
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.segments import Arc, Line
+
+__all__ = ["Hole", "TSlot", "Tab"]
+
+
+@dataclass(frozen=True)
+class Hole:
+    """A round hole in a tab.
+
+    Parameters
+    ----------
+    at : float
+        Distance of the centre from the end of the free part, mm, outward into the tab.
+    diameter : float
+        mm.
+    across : float
+        Distance from the centre line, mm, towards positive y.
+    """
+
+    at: float
+    diameter: float
+    across: float = 0.0
+
+
+@dataclass(frozen=True)
+class TSlot:
+    """A slot from the middle of the tab's outer edge for a screw, with a pocket that holds its nut.
+
+    Parameters
+    ----------
+    depth : float
+        From the outer edge inward, mm: the screw's length beyond what it holds.
+    screw : float
+        Width of the slot, mm; 3.2 for M3.
+    nut : (width, height)
+        Of the pocket, across and along the screw, mm; 5.6 by 2.6 for M3.
+    wall : float
+        Between the outer edge and the nut, mm.
+
+    Raises
+    ------
+    InputError
+        Sizes that are not positive, a nut narrower than the screw, a depth that ends before the nut.
+    """
+
+    depth: float
+    screw: float = 3.2
+    nut: tuple[float, float] = (5.6, 2.6)
+    wall: float = 4.0
+
+    def __post_init__(self) -> None:
+        sizes = (self.depth, self.screw, *self.nut, self.wall)
+        if len(self.nut) != 2 or not all(np.isfinite(v) and v > 0 for v in sizes):
+            raise InputError("a T-slot needs positive sizes in mm: depth, screw, nut = (width, height), wall")
+        if self.nut[0] <= self.screw:
+            raise InputError(
+                f"a nut of {self.nut[0]:g} mm is held by nothing in a slot of {self.screw:g} mm: make it wider"
+            )
+        if self.depth < self.wall + self.nut[1]:
+            raise InputError(
+                f"a T-slot of {self.depth:g} mm ends before its nut is in, at "
+                f"{self.wall + self.nut[1]:g} mm: make it deeper"
+            )
+
+    def side(self, edge: float) -> list[tuple[float, float]]:
+        """Corners (x, y) from the outer edge at x = `edge` inward, at negative y."""
+        y, n, a = -self.screw / 2, -self.nut[0] / 2, edge - self.wall
+        deep = edge - self.depth
+        points = [(edge, y), (a, y), (a, n), (a - self.nut[1], n), (a - self.nut[1], y), (deep, y)]
+        return points if deep < a - self.nut[1] else points[:-1]
+
+
+@dataclass(frozen=True)
+class Tab:
+    """A straight piece beyond the free part of the strip, by which the end is held.
+
+    Parameters
+    ----------
+    length : float
+        mm; 0 ends the strip square, without a tab.
+    width : float, optional
+        mm; the strip's own width at that end where not given.
+    corner_radius, chamfer : float
+        Rounding or chamfer of the two outer corners, mm (one or the other).
+    holes : tuple of Hole
+        Round holes.
+    t_slot : TSlot, optional
+        A slot for a screw with its nut.
+    taper : float
+        How much the tab narrows towards its outer edge on either side, mm, as a flap that is glued on.
+
+    Raises
+    ------
+    InputError
+        Sizes negative, corners larger than the tab, or holes that leave it.
+
+    Examples
+    --------
+    >>> Tab(12, holes=(Hole(6, 3.2),)).length
+    12
+    """
+
+    length: float
+    width: float | None = None
+    corner_radius: float = 0.0
+    chamfer: float = 0.0
+    holes: tuple[Hole, ...] = ()
+    t_slot: TSlot | None = None
+    taper: float = 0.0
+
+    def __post_init__(self) -> None:
+        sizes = {
+            "length": self.length,
+            "corner radius": self.corner_radius,
+            "chamfer": self.chamfer,
+            "taper": self.taper,
+        }
+        for name, value in sizes.items():
+            if not (np.isfinite(value) and value >= 0):
+                raise InputError(f"tab {name} is {value}: it must be 0 mm or more")
+        if self.width is not None and not (np.isfinite(self.width) and self.width > 0):
+            raise InputError(f"tab width is {self.width}: it must be positive, in mm")
+        if self.corner_radius and self.chamfer:
+            raise InputError("a tab has either a corner radius or a chamfer, not both")
+        if self.taper and (self.corner_radius or self.chamfer):
+            raise InputError("a tab that tapers has neither corner radius nor chamfer")
+        if self.t_slot is not None and self.t_slot.depth >= self.length:
+            raise InputError(
+                f"a T-slot of {self.t_slot.depth:g} mm does not fit a tab of {self.length:g} mm: lengthen the tab"
+            )
+        for hole in self.holes:
+            r = hole.diameter / 2
+            if r <= 0:
+                raise InputError(f"hole diameter is {hole.diameter}: it must be positive, in mm")
+            if hole.at - r <= 0 or hole.at + r >= self.length:
+                raise InputError(
+                    f"a {hole.diameter:g} mm hole {hole.at:g} mm into the tab does not fit its length of "
+                    f"{self.length:g} mm: move it or lengthen the tab"
+                )
+
+    def mirrored(self) -> "Tab":
+        """The tab of the strip turned over about its centre line."""
+        return replace(self, holes=tuple(replace(hole, across=-hole.across) for hole in self.holes))
+
+    def corners(self, width: float) -> tuple[Line | Arc, ...]:
+        """The tab's rim seen from its free part, run outward, across and back (local frame: x outward).
+
+        Goes from (0, -w/2) to (0, w/2), where w is the tab's width (`width`, the strip's, unless the tab has one).
+        """
+        w, length = self.width or width, self.length
+        cut = self.corner_radius or self.chamfer
+        if cut > length or 2 * cut > w:
+            raise InputError(
+                f"tab corners of {cut:g} mm do not fit a tab of {length:g} by {w:g} mm: make them smaller"
+            )
+        if 2 * self.taper >= w:
+            raise InputError(
+                f"a taper of {self.taper:g} mm leaves nothing of a tab {w:.4g} mm wide: make it smaller"
+            )
+        if length == 0:
+            return _chain([(0.0, -w / 2), (0.0, w / 2)])
+        near, far = length - cut, w / 2 - max(cut, self.taper)
+        edge = self._outer_edge(far)
+        if not cut:
+            return _chain([(0.0, -w / 2), *edge, (0.0, w / 2)])
+        if self.chamfer:
+            return _chain([(0.0, -w / 2), (near, -w / 2), *edge, (near, w / 2), (0.0, w / 2)])
+        return (
+            *_chain([(0.0, -w / 2), (near, -w / 2)]),
+            Arc((near, -far), cut, -np.pi / 2, 0.0),
+            *_chain(edge),
+            Arc((near, far), cut, 0.0, np.pi / 2),
+            *_chain([(near, w / 2), (0.0, w / 2)]),
+        )
+
+    def _outer_edge(self, far: float) -> list[tuple[float, float]]:
+        """Points of the outer edge from y = -far to far, about the T-slot where there is one."""
+        ends = (self.length, -far), (self.length, far)
+        if self.t_slot is None:
+            return list(ends)
+        if self.t_slot.nut[0] / 2 >= far:
+            raise InputError(
+                f"the nut of a T-slot, {self.t_slot.nut[0]:g} mm, is wider than the tab's outer edge of "
+                f"{2 * far:.4g} mm: make the tab wider"
+            )
+        side = self.t_slot.side(self.length)
+        return [ends[0], *side, *((x, -y) for x, y in reversed(side)), ends[1]]
+
+    def hole_paths(self, width: float) -> tuple[Path, ...]:
+        """The holes as closed circles in the tab's frame; `width` as in `corners`."""
+        w = self.width or width
+        for hole in self.holes:
+            if abs(hole.across) + hole.diameter / 2 >= w / 2:
+                raise InputError(
+                    f"a {hole.diameter:g} mm hole {hole.across:g} mm off the centre line breaks the edge of a "
+                    f"{w:.4g} mm wide tab: make it smaller or the tab wider"
+                )
+            slot = self.t_slot
+            if slot is not None and (
+                abs(hole.across) - hole.diameter / 2 < slot.nut[0] / 2
+                and hole.at + hole.diameter / 2 > self.length - slot.depth
+            ):
+                raise InputError(
+                    f"a {hole.diameter:g} mm hole {hole.at:g} mm into the tab meets its T-slot: move it aside"
+                )
+        return tuple(Path.circle((hole.at, hole.across), hole.diameter / 2) for hole in self.holes)
+
+
+def _chain(points: list[tuple[float, float]]) -> tuple[Line, ...]:
+    """Lines between successive points, without the ones of no length."""
+    rows: list[FloatArray] = [np.array(p) for p in points]
+    return tuple(Line(p, q) for p, q in pairwise(rows) if np.any(p != q))

@@ -1,0 +1,181 @@
+"""A strip led through a travel: forces and moments at its ends, energy, strain and safety, step by step."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, BoolArray, FloatArray
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.mechanics.bending.bend_forward import bend_path
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
+
+__all__ = ["Travel", "bend_strip"]
+
+
+@dataclass(frozen=True, eq=False)
+class Travel:
+    """What a strip does at k places of its ends, in physical units.
+
+    Attributes
+    ----------
+    rods : tuple of Rod
+        The rest shape at each step.
+    end : (k, 2) array
+        Where the end is, seen from the start, mm.
+    travel : (k,) array
+        Way of the end seen from the start up to each step, mm, from where the strip's own end is.
+    start_force, end_force : (k, 2) array
+        What the supports push the strip with, N.
+    start_moment, end_moment : (k,) array
+        N mm, positive anticlockwise.
+    force_along : (k,) array
+        What the end is pushed with in the direction of its way, N: positive where work is put in.
+    energy : (k,) array
+        Stored by bending, N mm (mJ).
+    strain, stress : (k,) array
+        Of the most strained skin (dimensionless), and its elastic stress, MPa.
+    safety : (k,) array
+        Strain limit over strain of the layer nearest to its limit.
+    verdicts : tuple of Stability
+    """
+
+    rods: tuple[Rod, ...]
+    end: FloatArray
+    travel: FloatArray
+    start_force: FloatArray
+    end_force: FloatArray
+    start_moment: FloatArray
+    end_moment: FloatArray
+    force_along: FloatArray
+    energy: FloatArray
+    strain: FloatArray
+    stress: FloatArray
+    safety: FloatArray
+    verdicts: tuple[Stability, ...]
+
+    @property
+    def stable(self) -> BoolArray:
+        """Does the shape of each step (k,) stay?"""
+        return np.array([verdict.stable for verdict in self.verdicts])
+
+    @property
+    def margin(self) -> FloatArray:
+        """Stability margins (k,)."""
+        return np.array([verdict.margin for verdict in self.verdicts])
+
+    def table(self) -> dict[str, FloatArray | BoolArray]:
+        """Columns (k,) by name with their unit, for a data frame or a file."""
+        return {
+            "travel_mm": self.travel,
+            "end_x_mm": self.end[:, 0],
+            "end_y_mm": self.end[:, 1],
+            "force_along_N": self.force_along,
+            "end_force_x_N": self.end_force[:, 0],
+            "end_force_y_N": self.end_force[:, 1],
+            "end_moment_Nmm": self.end_moment,
+            "start_force_x_N": self.start_force[:, 0],
+            "start_force_y_N": self.start_force[:, 1],
+            "start_moment_Nmm": self.start_moment,
+            "energy_Nmm": self.energy,
+            "strain": self.strain,
+            "stress_MPa": self.stress,
+            "safety": self.safety,
+            "stable": self.stable,
+            "margin": self.margin,
+        }
+
+    def csv(self) -> str:
+        """The table as comma-separated text with a header."""
+        columns = self.table()
+        rows = [",".join(columns)]
+        rows += [
+            ",".join(f"{float(value):.9g}" for value in row) for row in zip(*columns.values(), strict=True)
+        ]
+        return "\n".join(rows) + "\n"
+
+
+def bend_strip(
+    strip: Strip, path: "ArrayLike | Sequence[Mapping[str, Any]]", *, side: int | None = None
+) -> Travel:
+    """Lead the ends of a strip along a path and tell what it does, in newtons and millimetres.
+
+    Forces follow from the internal force -lambda B (Eq. 2), with B the bending stiffness where K = 1; the energy is
+    the integral of E I (kappa - kappa_0)^2 / 2.
+
+    Parameters
+    ----------
+    strip : Strip
+        Its rod may be straight: a strip cut to a width profile and then bent.
+    path : (k, 2) array_like or sequence of mappings
+        As in `bend_path`.
+    side : {+1, -1}, optional
+        To which side a straight strip bulges, as in `bend`.
+
+    Returns
+    -------
+    Travel
+
+    Raises
+    ------
+    InputError, NotConvergedError
+        As `bend_path`.
+
+    Examples
+    --------
+    >>> from elastica_cad.mechanics.material.sheet import Sheet
+    >>> clip = Strip(Rod.straight(100.0, samples=201), Sheet.named("spring-steel-0.5"), max_width=10.0)
+    >>> moved = bend_strip(clip, [(95.0, 0.0), (90.0, 0.0)])
+    >>> bool(moved.force_along[1] > 0), moved.travel.round(6).tolist()
+    (True, [5.0, 10.0])
+    """
+    rods = bend_path(strip.rod, path, side=side)
+    B = strip.bending_stiffness
+    end = np.array([rod.position[-1] - rod.position[0] for rod in rods])
+    own = strip.rod.position[-1] - strip.rod.position[0]
+    steps = np.diff(end, axis=0, prepend=own[None])
+    travel = np.cumsum(np.hypot(steps[:, 0], steps[:, 1]))
+    force = np.array([rod.force for rod in rods])
+    moment = np.array([rod.moment for rod in rods])
+    skins = [_most_strained(strip, rod) for rod in rods]
+    end_force = -B * force[:, -1]
+    return Travel(
+        rods=rods, end=end, travel=travel,
+        start_force=B * force[:, 0], end_force=end_force,
+        start_moment=-B * moment[:, 0], end_moment=B * moment[:, -1],
+        force_along=np.sum(end_force * _directions(end, own), axis=1),
+        energy=np.array([B * _bending_energy(rod) for rod in rods]),
+        strain=np.array([strain for strain, _, _ in skins]),
+        stress=np.array([stress for _, stress, _ in skins]),
+        safety=np.array([safety for _, _, safety in skins]),
+        verdicts=tuple(stability(rod) for rod in rods),
+    )  # fmt: skip
+
+
+def _directions(end: FloatArray, own: FloatArray) -> FloatArray:
+    """Unit vectors (k, 2) of the way of the end, seen from the start; 0 where it stands still."""
+    first = end[0] if len(end) > 1 else own
+    before = np.concatenate([[first], end[:-1]])
+    after = np.concatenate([end[1:], end[-1:]])
+    way = after - before
+    size = np.hypot(way[:, 0], way[:, 1])[:, None]
+    return np.asarray(np.divide(way, size, out=np.zeros_like(way), where=size > 0))
+
+
+def _bending_energy(rod: Rod) -> float:
+    """Integral of K (kappa - kappa_0)^2 / 2, 1/mm."""
+    density = rod.stiffness * (rod.curvature - rod.natural_curvature) ** 2 / 2
+    return float(np.sum((density[1:] + density[:-1]) * np.diff(rod.s)) / 2)
+
+
+def _most_strained(strip: Strip, rod: Rod) -> tuple[float, float, float]:
+    """Strain, elastic stress (MPa) and safety of the layer nearest to its limit."""
+    bent = np.abs(rod.curvature - rod.natural_curvature)
+    layers = strip.layout.strains(rod.s, bent)
+    k = max(range(len(layers)), key=lambda i: layers[i].largest / layers[i].limit)
+    worst = layers[k]
+    with np.errstate(divide="ignore"):
+        safety = float(np.divide(worst.limit, worst.largest))
+    return worst.largest, worst.largest * strip.layers[k].sheet.youngs_modulus, safety

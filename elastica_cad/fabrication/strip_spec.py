@@ -1,0 +1,364 @@
+"""What is asked of one strip, in one record; and the strip that is made of it."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from elastica_cad._equality import EqualByValue
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.makeability.faults import find_strip_faults, tell_faults
+from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
+from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.strip.lamination import Laminated
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip.styles import NO_WIDTH, PLAIN, Plain, Style, width_profile
+from elastica_cad.fabrication.strip.tabs import Tab
+from elastica_cad.forming.limits import Keep, Limits
+from elastica_cad.forming.nearest.nearest_record import NearestRod
+from elastica_cad.forming.rod_spec import LaminateLayers, RodSpec, accepted_rod
+from elastica_cad.forming.smoothing import smoothed
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.mechanics.loads.arguments import require_curve, require_supports
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.loads.weight import PointMass, Weight
+from elastica_cad.mechanics.material.cross_sections import LaminatedSection
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.rod.rod_record import Rod
+
+__all__ = ["AskedGravity", "StripSpec", "make_strip"]
+
+AskedGravity: TypeAlias = "Gravity | bool | Sequence[float] | None"
+"""A `Gravity`, True for the sheet's own weight along -y, or the direction in which that falls."""
+
+SAME_LENGTH = 1e-9
+"""Relative difference below which two gravity lengths are of the same sheet: they were computed alike."""
+
+
+@dataclass(frozen=True, eq=False)
+class StripSpec(EqualByValue):
+    """All that is asked of one strip; equal requests give equal strips.
+
+    Parameters
+    ----------
+    curve : PlaneCurve
+        What the strip bends into.
+    sheet : Sheet or str
+        The material, or the name of a built-in one.
+    frame : Frame, optional
+        The plane of the curve in space, for directions that are given there.
+    max_width, min_width : float, optional
+        Width of the widest, of the narrowest place, mm: see `Strip`.
+    style : Plain, Perforated or Laminated
+        How stiffness becomes material.
+    limits, keep : Limits, Keep, optional
+        With one of them the curve may be changed, by `nearest_rod`; without them it is followed exactly.
+    gravity : Gravity, bool or sequence of float, optional
+        True for the sheet's own weight, falling along -y of the drawing; two numbers for the direction in which it
+        falls there; three for a direction in space, of which the part in the plane of `frame` is felt. A `Gravity`
+        is taken as it is. A laminate carries the weight of both its layers.
+    loads : sequence of PointMass, or Weight
+        Masses hung on the strip, besides its own weight; or all weight in newtons. They need gravity.
+    supports : Supports
+        What holds the ends; clamped unless given.
+    natural_curvature : float
+        Of the strip before bending, 1/mm.
+    samples : int, optional
+        Nodes of the rod; chosen unless given.
+    ends : pair of Tab
+    slots : sequence of Slot
+    label : str
+        Engraved on the strip; empty for none.
+    smooth : float, optional
+        How far the curve may be moved to make its curvature and the slope of that continuous, mm; 0: exactly as
+        drawn. Unless given only curves of a pen tool whose curvature jumps, read from a drawing, are moved, by
+        0.1 mm or 5e-4 of the length at most (see `smoothed`).
+    shop : Shop
+        What the workshop can make: least widths and the largest sheet.
+    anyway : bool
+        Make a strip that the workshop cannot, and say so in its warnings.
+
+    Raises
+    ------
+    InputError
+        Values of another kind, not positive or not finite, or requests that exclude each other.
+
+    Examples
+    --------
+    >>> arch = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
+    >>> spec = StripSpec(arch, "birch-plywood-0.8", max_width=30)
+    >>> round(spec.make().width.extremes[1], 6)
+    30.0
+    >>> spec.changed(label="A").rod_spec == spec.rod_spec  # the same rod serves both
+    True
+    """
+
+    curve: PlaneCurve
+    sheet: Sheet | str
+    frame: Frame | None = None
+    max_width: float | None = None
+    min_width: float | None = None
+    style: Style = PLAIN
+    limits: Limits | None = None
+    keep: Keep | None = None
+    gravity: AskedGravity = None
+    loads: tuple[PointMass, ...] | Weight = ()
+    supports: Supports = field(default_factory=Supports)
+    natural_curvature: float = 0.0
+    samples: int | None = None
+    ends: tuple[Tab, Tab] = (Tab(10.0), Tab(10.0))
+    slots: tuple[Slot, ...] = ()
+    label: str = ""
+    smooth: float | None = None
+    shop: Shop = DEFAULT_SHOP
+    anyway: bool = False
+
+    def __post_init__(self) -> None:
+        require_curve(self.curve)
+        given = Sheet.named(self.sheet) if isinstance(self.sheet, str) else self.sheet
+        if not isinstance(given, Sheet):
+            raise InputError(f"a Sheet or the name of one is needed, not {type(given).__name__}")
+        if not (self.frame is None or isinstance(self.frame, Frame)):
+            raise InputError(f"frame is {self.frame!r}: give a Frame, the plane of the curve, or None")
+        for name in ("max_width", "min_width"):
+            width = getattr(self, name)
+            if width is not None and not (_is_number(width) and width > 0):
+                raise InputError(f"{name} is {width}: it must be positive, in mm")
+        if not callable(getattr(self.style, "laid_out", None)):
+            raise InputError(
+                f"style is {self.style!r}: give Plain(), Perforated(width=...) or Laminated(width=..., backing=...)"
+            )
+        if isinstance(self.style, Plain) and not (self.max_width or self.min_width or self.loads):
+            raise InputError(NO_WIDTH)
+        ends, slots = _several("ends", self.ends, Tab, "Tab"), _several("slots", self.slots, Slot, "Slot")
+        if len(ends) != 2:
+            raise InputError(
+                f"ends are {len(ends)} tabs: give two, for the start and the end; Tab(0) is none"
+            )
+        if not isinstance(self.label, str):
+            raise InputError(f"label is {self.label!r}: give a text, empty for none")
+        if not isinstance(self.shop, Shop):
+            raise InputError(f"shop is {self.shop!r}: give a Shop record, such as Shop(least_width=2.0)")
+        settled = {
+            "sheet": given,
+            "loads": self.loads if isinstance(self.loads, Weight) else _masses(self.loads),
+            "supports": require_supports(self.supports),
+            "ends": ends,
+            "slots": slots,
+        }
+        for name, value in settled.items():
+            object.__setattr__(self, name, value)
+        _ = self.rod_spec
+
+    @property
+    def material(self) -> Sheet:
+        """The sheet, also where its name was given."""
+        return self.sheet if isinstance(self.sheet, Sheet) else Sheet.named(self.sheet)
+
+    @cached_property
+    def gravity_in_plane(self) -> Gravity | None:
+        """Gravity as the rod feels it in the plane of its curve."""
+        return self._pulled[0]
+
+    @cached_property
+    def _pulled(self) -> tuple[Gravity | None, float]:
+        """Gravity in the plane of the curve, and the share of a weight that acts there."""
+        given = self.gravity
+        if given is None or isinstance(given, bool):
+            return (self.material.gravity() if given else None), 1.0
+        if isinstance(given, Gravity):
+            return given, 1.0
+        direction = _direction(given)
+        if len(direction) == 2:
+            return self.material.gravity(direction), 1.0
+        if self.frame is None:
+            raise InputError(
+                f"gravity {direction} is a direction in space: give frame, the plane of the curve, or two numbers, "
+                "the direction in the drawing"
+            )
+        own = self.material.elasto_gravity_length
+        felt = Gravity.in_plane(own, direction, self.frame.x_axis, self.frame.y_axis)
+        return felt, 1.0 if felt is None else (own / felt.length) ** 3
+
+    @property
+    def in_plane(self) -> "StripSpec":
+        """The same strip asked for in the plane of its curve alone, wherever that lies: without a frame."""
+        gravity, share = self._pulled
+        if self.frame is None:
+            return self
+        loads = self.loads if isinstance(self.loads, Weight) else _lightened(self.loads, share)
+        return replace(self, frame=None, gravity=gravity, loads=loads)
+
+    @property
+    def may_change(self) -> bool:
+        """May the strip leave the drawn curve?"""
+        return self.rod_spec.may_change
+
+    @cached_property
+    def rod_spec(self) -> RodSpec:
+        """What the rod is found from; requests that differ only in widths, ends, slots or label share it."""
+        gravity, share = self._pulled
+        layers: LaminateLayers | None = None
+        weight = self._weight(share)
+        if isinstance(self.style, Laminated) and gravity is not None:
+            layers = self._layers(self.style, gravity)
+            if isinstance(self.loads, Weight):
+                raise InputError(
+                    "a laminate's own weight follows from its layers: give loads as PointMass records only"
+                )
+        return RodSpec(
+            self.curve,
+            gravity,
+            require_supports(self.supports),
+            self.natural_curvature,
+            self.samples,
+            weight=weight,
+            limits=self._makeable_limits if self.limits is not None or self.keep is not None else None,
+            keep=self.keep,
+            layers=layers,
+            smooth=self.smooth,
+        )
+
+    @property
+    def _makeable_limits(self) -> Limits:
+        """The limits with what sheet and widths imply: a nearest rod can be cut and bent."""
+        limits = Limits() if self.limits is None else self.limits
+        if self.anyway or not isinstance(limits, Limits):  # the rod's request refuses what is no record
+            return limits
+        if limits.sheet is None:
+            limits = replace(limits, sheet=self.material)
+        if isinstance(self.style, Plain) and self.max_width is not None:
+            least = max(self.min_width or 0.0, self.shop.width_for(self.material))
+            if least >= self.max_width:
+                raise InputError(
+                    f"max_width is {self.max_width:g} mm, but {self.material.name} needs {least:.3g} mm at its "
+                    "narrowest: widen the strip, take another sheet, or allow less with shop=Shop(least_width=...)"
+                )
+            ratio = self.max_width / least
+            limits = replace(limits, ratio=ratio if limits.ratio is None else min(limits.ratio, ratio))
+        return limits
+
+    def make(self, found: Rod | NearestRod | None = None) -> Strip:
+        """The strip.
+
+        Parameters
+        ----------
+        found : Rod or NearestRod, optional
+            What `rod_spec.solve()` answered, where that is known already.
+
+        Raises
+        ------
+        NotRealizable
+            No strip takes the curve and neither limits nor keep allow it to change.
+        NotConvergedError
+            No rod near the curve meets the limits; the message says what would help.
+        InputError
+            As `optimal_rod`, `optimal_laminate`, `nearest_rod` and `Strip`; or the strip cannot be cut or handled,
+            with place and cure of each fault.
+        """
+        rod = accepted_rod(self.rod_spec.solve() if found is None else found)
+        notes = self.rod_spec.smoothing.notes
+        made = Strip(
+            replace(rod, warnings=(*rod.warnings, *notes)) if notes else rod,
+            self.material,
+            max_width=self.max_width,
+            min_width=self.min_width,
+            style=self.style,
+            ends=self.ends,
+            slots=self.slots,
+            label=self.label,
+        )
+        faults = find_strip_faults(made, self.shop)
+        if not faults:
+            return made
+        if not self.anyway:
+            raise InputError(f"{tell_faults(faults)} To make it all the same, set anyway (--anyway).")
+        told = (*made.rod.warnings, *(f"made anyway: {fault}" for fault in faults))
+        return replace(made, rod=replace(made.rod, warnings=told))
+
+    def changed(self, **fields: Any) -> "StripSpec":
+        """The request with other values of some fields."""
+        return replace(self, **fields)
+
+    def _weight(self, share: float) -> Weight | None:
+        """Loads as `optimal_rod` takes them; in a plane that leans, masses hang with a share of their weight."""
+        if isinstance(self.loads, Weight):
+            return self.loads
+        if not self.loads:
+            return None
+        return Weight(masses=_lightened(self.loads, share), own=True)
+
+    @property
+    def _bent(self) -> PlaneCurve:
+        """The curve that the strip takes where it may not change."""
+        return smoothed(self.curve, self.smooth, supports=require_supports(self.supports)).curve
+
+    def _layers(self, style: Laminated, gravity: Gravity) -> LaminateLayers:
+        """What the rod of a laminate is found from; its weight is known for sheets that stand upright only."""
+        if abs(gravity.length / self.material.elasto_gravity_length - 1) > SAME_LENGTH:
+            raise InputError(
+                "a laminate that carries its weight must stand upright and weigh what its sheets do: turn its "
+                "plane, give gravity=True or the base sheet's gravity, or leave gravity out"
+            )
+        return LaminateLayers(
+            LaminatedSection(self.material, style.backing),
+            width_profile(style.width, self._bent.length, "the width of the base"),
+            style.least_backing,
+        )
+
+
+def make_strip(curve: PlaneCurve, sheet: Sheet | str, **fields: Any) -> Strip:
+    """The strip that bends into a curve: `StripSpec(curve, sheet, **fields).make()`.
+
+    Raises
+    ------
+    NotRealizable, NotConvergedError, InputError
+        As `StripSpec` and its `make`.
+
+    Examples
+    --------
+    >>> arch = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
+    >>> round(make_strip(arch, "birch-plywood-0.8", max_width=30).width.extremes[1], 6)
+    30.0
+    """
+    return StripSpec(curve, sheet, **fields).make()
+
+
+def _lightened(loads: tuple[PointMass, ...], share: float) -> tuple[PointMass, ...]:
+    return tuple(replace(one, mass=share * one.mass) for one in loads)
+
+
+def _is_number(value: object) -> bool:
+    return (
+        isinstance(value, float | int | np.number)
+        and not isinstance(value, bool)
+        and bool(np.isfinite(value))
+    )
+
+
+def _direction(given: object) -> tuple[float, ...]:
+    """Two or three numbers that say where things fall."""
+    row = tuple(given) if isinstance(given, Sequence | np.ndarray) and not isinstance(given, str) else ()
+    if len(row) not in (2, 3) or not all(_is_number(one) for one in row) or not any(row):
+        raise InputError(
+            f"gravity is {given!r}: give True, a Gravity record, or the direction in which things fall as two "
+            "numbers in the drawing or three in space, not all zero, such as (0, -1) or (0, 0, -1)"
+        )
+    return tuple(float(one) for one in row)
+
+
+def _masses(loads: object) -> tuple[PointMass, ...]:
+    return _several("loads", (loads,) if isinstance(loads, PointMass) else loads, PointMass, "PointMass")
+
+
+def _several(name: str, values: object, record: type[Any], kind: str) -> tuple[Any, ...]:
+    """A tuple of records of one kind."""
+    found = tuple(values) if isinstance(values, Sequence) else (values,)
+    for one in found:
+        if not isinstance(one, record):
+            raise InputError(f"{name} hold {one!r}: give {kind} records")
+    return found

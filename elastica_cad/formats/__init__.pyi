@@ -1,0 +1,45 @@
+from elastica_cad.formats.curve_files.chains import (
+    FIT_TOLERANCE as FIT_TOLERANCE,
+    JOIN_TOLERANCE as JOIN_TOLERANCE,
+)
+from elastica_cad.formats.curve_files.dxf_curves import read_dxf_curves as read_dxf_curves
+from elastica_cad.formats.curve_files.json_curves import (
+    curve_record as curve_record,
+    curves_json as curves_json,
+    read_json_curves as read_json_curves,
+    write_json_curves as write_json_curves,
+)
+from elastica_cad.formats.curve_files.point_files import (
+    read_csv_curves as read_csv_curves,
+    read_text_curves as read_text_curves,
+)
+from elastica_cad.formats.svg_files.svg_curves import read_svg_curves as read_svg_curves
+from elastica_cad.formats.curve_files.write_curves import write_curves as write_curves
+from elastica_cad.formats.design_files.design_file import Design as Design, read_design as read_design
+from elastica_cad.formats.drawing_files.curve_style import CURVES as CURVES
+from elastica_cad.formats.drawing_files.dxf_drawing import (
+    DXF_VERSIONS as DXF_VERSIONS,
+    dxf_bytes as dxf_bytes,
+    write_dxf as write_dxf,
+)
+from elastica_cad.formats.drawing_files.layers import LayerStyle as LayerStyle, layer_styles as layer_styles
+from elastica_cad.formats.drawing_files.svg_drawing import svg_bytes as svg_bytes, write_svg as write_svg
+from elastica_cad.formats.drawing_files.write_drawing import (
+    DRAWING_SUFFIXES as DRAWING_SUFFIXES,
+    write_drawing as write_drawing,
+)
+from elastica_cad.formats.file_access.atomic_write import (
+    checked_target as checked_target,
+    write_atomically as write_atomically,
+)
+from elastica_cad.formats.file_access.file_transaction import files_together as files_together
+from elastica_cad.formats.reports.model_report import (
+    MODEL_SCHEMA as MODEL_SCHEMA,
+    model_report as model_report,
+)
+from elastica_cad.formats.reports.strip_report import (
+    REPORT_SCHEMA as REPORT_SCHEMA,
+    check_report as check_report,
+    strip_report as strip_report,
+)
+from elastica_cad.formats.surface_files.mesh_files import read_mesh as read_mesh

@@ -1,0 +1,301 @@
+"""Loose edges of a file put end to end, and each chain of them made one curve."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from itertools import pairwise
+from typing import TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.formats.curve_files.edges import Edge, Run, reversed_run
+from elastica_cad.formats.curve_files.number_gate import (
+    MOST_PIECES,
+    checked_count,
+    checked_size,
+    checked_tolerance,
+)
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.curves.provenance import Provenance
+from elastica_cad.geometry.curves.tangent_healing import healed_tangents
+from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
+
+__all__ = [
+    "FIT_TOLERANCE",
+    "JOIN_TOLERANCE",
+    "chained",
+    "curve_from_points",
+    "curve_from_run",
+    "layer_of",
+]
+
+JOIN_TOLERANCE = 0.01  # mm: files are written with three or four decimals
+FIT_TOLERANCE = 0.05  # mm
+_CORNER = np.cos(np.radians(50.0))
+_LONG = 20.0
+_CROWD = 50  # ends in one place, on all layers: more are no joint of two curves
+
+_Joints: TypeAlias = dict[
+    tuple[int, int], tuple[int, int]
+]  # end (run, 0 start or 1 end) -> the end it touches
+
+
+def chained(runs: Iterable[Sequence[Edge]], tolerance: float = JOIN_TOLERANCE) -> list[Run]:
+    """Runs of edges joined wherever exactly two ends lie within `tolerance` mm of each other.
+
+    A chain runs the way its first edge in the file was drawn. Where three or more ends meet nothing is
+    joined, for no file says which way the strip goes on, and none across layers. An edge drawn twice counts once,
+    one shorter than the tolerance not.
+    """
+    checked_tolerance(tolerance, "tolerance for joining")
+    long = [tuple(run) for run in runs if sum(e.size for e in run) > tolerance]
+    if len(long) < 2:
+        return long
+    kept = _without_repeats(long, tolerance)
+    partner = _partners(kept, tolerance)
+    chains, used = [], [False] * len(kept)
+    for first in range(len(kept)):
+        if used[first]:
+            continue
+        forward = _walk(first, 1, partner, used)
+        backward = _walk(first, 0, partner, used)
+        way = [(i, 1 - side) for i, side in reversed(backward)] + [(first, 1)] + forward
+        chains.append(tuple(e for i, side in way for e in (kept[i] if side else reversed_run(kept[i]))))
+    return chains
+
+
+def _walk(first: int, side: int, partner: _Joints, used: list[bool]) -> list[tuple[int, int]]:
+    """Runs met when leaving `first` by its end `side` (0 start, 1 end), each with the end it is left by."""
+    used[first] = True
+    way: list[tuple[int, int]] = []
+    here = (first, side)
+    while here in partner:
+        i, entered = partner[here]
+        if used[i]:
+            break
+        used[i] = True
+        here = (i, 1 - entered)
+        way.append(here)
+    return way
+
+
+def layer_of(run: Sequence[Edge]) -> str:
+    """The layer that the run's first edge is drawn on."""
+    return run[0].source.layer if run and run[0].source is not None else ""
+
+
+def _ends(runs: Sequence[Run]) -> FloatArray:
+    """Start and end of every run, (2 n, d)."""
+    return np.array([point for run in runs for point in (run[0].start, run[-1].end)])
+
+
+def _partners(runs: Sequence[Run], tolerance: float) -> _Joints:
+    """For each end (run, side) the one other end it touches, if there is just one."""
+    from scipy.spatial import cKDTree
+
+    ends = _ends(runs)
+    layers = [layer_of(run) for run in runs]
+    tree = cKDTree(ends)
+    crowd = tree.query_ball_point(ends, tolerance, return_length=True)
+    near = [
+        [j for j in tree.query_ball_point(end, tolerance) if layers[j // 2] == layers[k // 2]]
+        if crowd[k] <= _CROWD
+        else []
+        for k, end in enumerate(ends)
+    ]
+    found = {}
+    for k, group in enumerate(near):
+        if len(group) == 2:
+            other = group[0] if group[1] == k else group[1]
+            if len(near[other]) == 2 and other // 2 != k // 2:
+                found[divmod(k, 2)] = divmod(other, 2)
+    return found
+
+
+def _without_repeats(runs: Sequence[Run], tolerance: float) -> list[Run]:
+    """The runs less those that lie on an earlier one, drawn either way."""
+    from scipy.spatial import cKDTree
+
+    middles = np.array([_middle(run) for run in runs])
+    kept: list[Run] = []
+    dropped: set[int] = set()
+    tree = cKDTree(middles)
+    for i, run in enumerate(runs):
+        if i in dropped:
+            continue
+        kept.append(run)
+        layer = layer_of(run)
+        dropped.update(
+            j
+            for j in tree.query_ball_point(middles[i], tolerance)
+            if j > i and layer_of(runs[j]) == layer and _same(run, runs[j], tolerance)
+        )
+    return kept
+
+
+def _same(one: Run, other: Run, tolerance: float) -> bool:
+    if len(one) != len(other):
+        return False
+    mine = _probes(one)
+    return any(
+        float(np.abs(mine - _probes(candidate)).max()) <= tolerance
+        for candidate in (other, reversed_run(other))
+    )
+
+
+def _probes(run: Run) -> FloatArray:
+    """Points along the run, enough to tell it from another with the same ends."""
+    return np.concatenate([e.at(np.linspace(e.spans.edges[0], e.spans.edges[-1], 9)) for e in run])
+
+
+def _middle(run: Run) -> FloatArray:
+    """A point that does not depend on the direction of travel: the mean of the control points."""
+    return np.asarray(np.concatenate([edge.points for edge in run]).mean(axis=0))
+
+
+def curve_from_run(
+    run: Sequence[Edge],
+    *,
+    tolerance: float = JOIN_TOLERANCE,
+    fit_tolerance: float = FIT_TOLERANCE,
+    shown: Provenance | None = None,
+) -> PlaneCurve:
+    """One curve from edges (in the plane) that follow each other.
+
+    A run of straight pieces only is a polyline: its vertices are fitted. True curves stay exact; of several,
+    each keeps its own form, brought to a common degree, and starts where the one before it ends: gaps up to
+    `tolerance` mm are closed by moving whole edges, which turns no tangent. Corners that the number of digits
+    explains are taken out. `PlaneCurve.breaks` tells how smooth the joints are.
+
+    Parameters
+    ----------
+    shown : Provenance, optional
+        How the drawing program shows places; the curve's own record is made of it.
+
+    Raises
+    ------
+    InputError
+        When the numbers make no curve.
+    """
+    checked_size(np.concatenate([edge.points for edge in run]))
+    checked_count(
+        sum(edge.spans.widths.size if edge.degree > 1 else len(edge.points) // 4 for edge in run),
+        MOST_PIECES,
+        "pieces in one curve",
+        "simplify the curve (Inkscape: Path > Simplify), or cut it in parts",
+    )
+    sources = [edge.source for edge in run if edge.source is not None]
+    drawn = replace(
+        shown or Provenance(),
+        drawn="pen" if all(edge.source is not None and edge.is_pen_drawn for edge in run) else "exact",
+        rounding=max((source.rounding for source in sources), default=0.0),
+        name=sources[0].name if sources else "",
+        layer=sources[0].layer if sources else "",
+    )
+    if all(edge.degree == 1 for edge in run):
+        whole = curve_from_points(np.concatenate([edge.points for edge in run]), tolerance=fit_tolerance)
+        return whole.drawn_as(drawn)
+    dust = 1e-9 * sum(edge.size for edge in run)
+    exact = [_exact(edge, fit_tolerance) for edge in run if edge.size > dust]
+    one = exact[0] if len(exact) == 1 else _joined(exact, tolerance)
+    healing = healed_tangents(one.knots, one.points, one.degree, one.weights, rounding=drawn.rounding)
+    return PlaneCurve(
+        healing.knots,
+        healing.control_points,
+        healing.degree,
+        healing.weights,
+        replace(drawn, healed=healing.moved, undecided=healing.undecided),
+    )
+
+
+def curve_from_points(points: FloatArray, *, tolerance: float = FIT_TOLERANCE) -> PlaneCurve:
+    """The curve through measured points (n, 2): a line if in line, else fitted within `tolerance` mm.
+
+    Corners stay corners (`PlaneCurve.tangent_breaks` tells them): a turn by more than 50 degrees between two
+    straight pieces that are long beside the tolerance was drawn, not measured.
+
+    Raises
+    ------
+    InputError
+        Fewer than two different points, or numbers that are not finite.
+    """
+    points = points[np.append(True, np.any(np.diff(points, axis=0) != 0, axis=1))] if len(points) else points
+    if len(points) < 2:
+        raise InputError("a curve needs two different points or more")
+    if not np.all(np.isfinite(points)):
+        raise InputError("a point has a coordinate that is not a finite number")
+    cuts = [0, *_corners(points, tolerance), len(points) - 1]
+    if len(cuts) == 2:
+        return _smooth(points, tolerance)
+    pieces = [_smooth(points[i : j + 1], tolerance) for i, j in pairwise(cuts)]
+    whole = _joined([Edge(c.knots, c.control_points, c.degree) for c in pieces], 0.0)
+    return PlaneCurve(whole.knots, whole.points, whole.degree)
+
+
+def _corners(points: FloatArray, tolerance: float) -> list[int]:
+    """Indices of the vertices where straight pieces meet at a corner."""
+    step = np.diff(points, axis=0)
+    size = np.hypot(step[:, 0], step[:, 1])
+    cosine = (step[:-1] * step[1:]).sum(axis=1) / (size[:-1] * size[1:])
+    long = np.minimum(size[:-1], size[1:]) > _LONG * tolerance
+    return [int(i) + 1 for i in np.flatnonzero(long & (cosine < _CORNER))]
+
+
+def _smooth(points: FloatArray, tolerance: float) -> PlaneCurve:
+    chord = points[-1] - points[0]
+    x, y = chord / max(float(np.hypot(*chord)), 1e-300)
+    along, across = ((points - points[0]) @ np.array([[x, -y], [y, x]])).T
+    if np.abs(across).max() <= 1e-9 * np.abs(along).max() and np.all(np.diff(along) > 0):
+        return PlaneCurve.line(points[0], points[-1])
+    return PlaneCurve.fit(points, tolerance=tolerance)
+
+
+def _exact(edge: Edge, fit_tolerance: float) -> Edge:
+    """The edge, a polyline among true curves being fitted."""
+    if edge.degree > 1 or len(edge.points) == 2:
+        return edge
+    curve = curve_from_points(edge.points, tolerance=fit_tolerance)
+    return Edge(curve.knots, curve.control_points, curve.degree, curve.weights)
+
+
+def _joined(edges: Sequence[Edge], tolerance: float) -> Edge:
+    """The edges end to end as one B-spline: knots of multiplicity degree at the joints, speed near 1."""
+    degree = max(2, *(edge.degree for edge in edges))
+    knots, homogeneous = np.zeros(1), np.empty((0, 3))
+    for edge in edges:
+        inner_knots, own = _clamped(edge, degree)
+        length = float(np.linalg.norm(np.diff(edge.at(edge.stations()), axis=0), axis=1).sum())
+        inner_knots = (inner_knots[1:-1] - inner_knots[0]) * (length / np.ptp(inner_knots))
+        if len(homogeneous):
+            last = homogeneous[-1]
+            own = own * (last[-1] / own[0, -1])
+            gap = (last - own[0])[:-1] / last[-1]
+            own = (own + np.append(gap, 0.0) * own[:, -1:])[1:]
+            inner_knots = inner_knots[degree:]
+        knots = np.concatenate([knots, knots[-1] + inner_knots])
+        homogeneous = np.concatenate([homogeneous, own])
+    knots = np.append(knots, knots[-1])
+    points, weights = homogeneous[:, :-1] / homogeneous[:, -1:], homogeneous[:, -1]
+    if np.linalg.norm(points[-1] - points[0]) <= tolerance:
+        points[-1] = points[0]
+    return Edge(knots, points, degree, weights)
+
+
+def _clamped(edge: Edge, degree: int) -> tuple[FloatArray, FloatArray]:
+    """The same edge clamped and of a higher or equal degree: knots, homogeneous control points.
+
+    The raised spline space holds the edge, so interpolation at its Greville abscissae returns the edge
+    itself.
+    """
+    first, last = edge.spans.edges[[0, -1]]
+    inner = edge.knots[(edge.knots > first) & (edge.knots < last)]
+    values, counts = np.unique(inner, return_counts=True)
+    counts = np.minimum(counts, edge.degree) + degree - edge.degree
+    knots = np.concatenate([np.full(degree + 1, first), np.repeat(values, counts), np.full(degree + 1, last)])
+    if knots.size == edge.knots.size and np.array_equal(knots, edge.knots):
+        return knots, edge.homogeneous
+    sites = np.lib.stride_tricks.sliding_window_view(knots[1:-1], degree).mean(axis=1)
+    sites[0], sites[-1] = first, last
+    target = edge.spans.basis(sites) @ edge.homogeneous
+    return knots, np.asarray(np.linalg.solve(bezier_spans(knots, degree).basis(sites), target), dtype=float)

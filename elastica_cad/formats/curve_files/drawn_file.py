@@ -1,0 +1,205 @@
+"""The curves of a file one by one: each is judged for itself, and what is no curve is counted and named."""
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.formats.curve_files.chains import curve_from_run
+from elastica_cad.formats.curve_files.edges import Run, Source
+from elastica_cad.formats.curve_files.number_gate import MOST_CURVES, checked_count
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.curves.provenance import Provenance
+
+__all__ = ["CurveList", "DrawnCurve", "DrawnFile", "drawn_curve", "drawn_file", "listed_things"]
+
+
+@dataclass(frozen=True, eq=False)
+class DrawnCurve:
+    """One curve of a file; it is made when it is first asked for.
+
+    Attributes
+    ----------
+    number : int
+        Counted from 1 in the order of the file.
+    name, layer : str
+        Its id (or handle) and layer as the drawing program shows them; empty where the file has none.
+    make : callable
+        Makes the curve.
+    """
+
+    number: int
+    make: Callable[[], PlaneCurve] = field(repr=False)
+    name: str = ""
+    layer: str = ""
+
+    @cached_property
+    def curve(self) -> PlaneCurve:
+        """The curve, mm.
+
+        Raises
+        ------
+        InputError, NotConvergedError
+            When its numbers make none.
+        """
+        return self.make()
+
+    @cached_property
+    def problem(self) -> str:
+        """Why it makes no curve; empty where it does."""
+        try:
+            _ = self.curve
+        except (InputError, NotConvergedError) as error:
+            return str(error)
+        return ""
+
+    @property
+    def called(self) -> str:
+        """Number, and id and layer where there are some: "curve 2 (path12, layer CUT)"."""
+        known = [*([self.name] if self.name else []), *([f"layer {self.layer}"] if self.layer else [])]
+        return f"curve {self.number}" + (f" ({', '.join(known)})" if known else "")
+
+
+@dataclass(frozen=True, eq=False)
+class DrawnFile:
+    """What a file draws.
+
+    Attributes
+    ----------
+    curves : tuple of DrawnCurve
+    skipped : dict
+        What was left out, by name, and how often: {"TEXT": 3}.
+    """
+
+    curves: tuple[DrawnCurve, ...]
+    skipped: dict[str, int] = field(default_factory=dict)
+
+    def __iter__(self) -> Iterator[DrawnCurve]:
+        return iter(self.curves)
+
+    def __len__(self) -> int:
+        return len(self.curves)
+
+    @property
+    def left_out(self) -> str:
+        """What was skipped, as one sentence; empty when nothing was."""
+        return f"left out, for they are no curves: {listed_things(self.skipped)}" if self.skipped else ""
+
+    @property
+    def bad(self) -> tuple[DrawnCurve, ...]:
+        """The curves whose numbers make none."""
+        return tuple(one for one in self.curves if one.problem)
+
+    def chosen(self, which: str | None = None, layer: str | None = None) -> tuple[DrawnCurve, ...]:
+        """The curves of that number or id, and on that layer; all where neither is given."""
+        found = [one for one in self.curves if layer is None or one.layer == layer]
+        if which is not None:
+            named = [one for one in found if which and one.name in (which, *_with_kind(which, one.name))]
+            found = named or [one for one in found if str(one.number) == which.strip()]
+        return tuple(found)
+
+    def one(self, which: str | None, layer: str | None, file: str, how: str) -> DrawnCurve:
+        """The one curve that is chosen; `how` says what to choose it by, with {count} for how many there are.
+
+        Raises
+        ------
+        InputError
+            None, or several.
+        """
+        found = self.chosen(which, layer)
+        plural = "curve" if len(self.curves) == 1 else "curves"
+        how = how.format(count=len(self.curves))
+        if not found:
+            asked = " on layer ".join(word for word in (which or "", layer or "") if word)
+            raise InputError(
+                f"{file} holds {len(self.curves)} {plural}, and {asked} is not among them: choose one with {how}; "
+                f"{_known(self.curves)}"
+            )
+        if len(found) > 1:
+            raise InputError(f"{file} holds {len(found)} curves: choose one with {how}; {_known(found)}")
+        return found[0]
+
+    def read(self) -> "CurveList":
+        """All curves that can be made.
+
+        Raises
+        ------
+        InputError, NotConvergedError
+            When there is none; the first one's problem.
+        """
+        good = [one for one in self.curves if not one.problem]
+        if not good:
+            return CurveList([self.curves[0].curve], self)  # raises its own error
+        return CurveList([one.curve for one in good], self)
+
+
+class CurveList(list[PlaneCurve]):
+    """The curves of a file, and beside them what was left out.
+
+    Attributes
+    ----------
+    file : DrawnFile
+        All that the file draws, with numbers, names and layers.
+    """
+
+    def __init__(self, curves: Iterable[PlaneCurve], file: DrawnFile) -> None:
+        super().__init__(curves)
+        self.file = file
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What the reader left out, one sentence each."""
+        bad = [f"{one.called} is left out: {one.problem}" for one in self.file.bad]
+        return (*([self.file.left_out] if self.file.left_out else []), *bad)
+
+
+def drawn_curve(
+    number: int,
+    chain: Run,
+    *,
+    tolerance: float,
+    fit_tolerance: float,
+    shown: Provenance | None = None,
+    flat: Callable[[Run, float], Run] | None = None,
+) -> DrawnCurve:
+    """The curve of a chain of edges; `flat` brings edges in space into their plane."""
+
+    def make() -> PlaneCurve:
+        plane = chain if flat is None else flat(chain, tolerance)
+        return curve_from_run(plane, tolerance=tolerance, fit_tolerance=fit_tolerance, shown=shown)
+
+    source = chain[0].source or Source()
+    return DrawnCurve(number, make, source.name, source.layer)
+
+
+def drawn_file(curves: Sequence[DrawnCurve], skipped: Counter[str]) -> DrawnFile:
+    """The record of a file, its curves counted.
+
+    Raises
+    ------
+    InputError
+        More curves than are worked on.
+    """
+    checked_count(len(curves), MOST_CURVES, "curves", "leave out what is no strip")
+    return DrawnFile(tuple(curves), dict(sorted(skipped.items())))
+
+
+_SHOWN = 6  # curves named in a sentence
+
+
+def _known(curves: Sequence[DrawnCurve]) -> str:
+    """The first curves by number, id and layer."""
+    first = ", ".join(one.called.removeprefix("curve ") for one in curves[:_SHOWN])
+    return f"they are {first}" + (" ..." if len(curves) > _SHOWN else "")
+
+
+def _with_kind(which: str, name: str) -> tuple[str, ...]:
+    """Handles of a DXF are named with the kind of entity before them: "SPLINE 2F" is found by "2F"."""
+    kind, _, handle = name.rpartition(" ")
+    return (name,) if kind and handle == which else ()
+
+
+def listed_things(counted: dict[str, int]) -> str:
+    """For example "2 text, 1 image"."""
+    return ", ".join(f"{count} {kind}" for kind, count in counted.items())

@@ -1,0 +1,338 @@
+"""Curves drawn in a DXF file, exact where the file is exact."""
+
+import logging
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError, MissingDependencyError
+from elastica_cad.formats.curve_files.chains import FIT_TOLERANCE, JOIN_TOLERANCE, chained
+from elastica_cad.formats.curve_files.drawn_file import CurveList, DrawnFile, drawn_curve, drawn_file
+from elastica_cad.formats.curve_files.dxf_text import (
+    DEEPEST_BLOCK,
+    ODDITIES,
+    dxf_rounding,
+    refuse_many_inserts,
+)
+from elastica_cad.formats.curve_files.edge_plane import flattened
+from elastica_cad.formats.curve_files.edges import Edge, Run, Source
+from elastica_cad.formats.curve_files.number_gate import checked_degree, checked_places, checked_tolerance
+from elastica_cad.formats.file_access.source_file import existing_file, millimetres, naming
+from elastica_cad.geometry.curves.provenance import Provenance
+
+if TYPE_CHECKING:
+    from ezdxf.document import Drawing
+
+__all__ = ["read_dxf_curves", "read_dxf_drawing"]
+
+# $INSUNITS -> millimetres in one unit; 0 is "no unit", which we read as mm
+_INSUNITS = {
+    0: 1.0, 1: 25.4, 2: 304.8, 3: 1609344.0, 4: 1.0, 5: 10.0, 6: 1000.0, 7: 1e6, 8: 25.4e-6, 9: 0.0254,
+    10: 914.4, 11: 1e-7, 12: 1e-6, 13: 1e-3, 14: 100.0, 15: 1e4, 16: 1e5, 17: 1e12, 21: 1.2e6 / 3937,
+}  # fmt: skip
+
+
+def read_dxf_curves(
+    path: str | Path,
+    *,
+    tolerance: float = JOIN_TOLERANCE,
+    fit_tolerance: float = FIT_TOLERANCE,
+    unit: str | None = None,
+) -> CurveList:
+    """All curves of the model space, whatever their layer, in mm.
+
+    LINE, ARC, CIRCLE, ELLIPSE, SPLINE and polylines are read, those inside of blocks too. True curves stay
+    exact; pieces whose ends meet are joined to one curve; a polyline without arcs is fitted. The unit is the
+    file's $INSUNITS; a file without unit is read as mm.
+
+    Parameters
+    ----------
+    tolerance : float
+        Ends nearer than this are joined, and a curve may leave its plane by as much, mm.
+    fit_tolerance : float
+        Largest distance of a polyline's vertex from its curve, mm.
+    unit : str, optional
+        "mm", "cm", "m", "in", ...; overrides what the file says.
+
+    Raises
+    ------
+    InputError
+        No such file, not a DXF file, an unknown unit, nothing usable in it, a curve that lies in no plane.
+    MissingDependencyError
+        ezdxf is not installed.
+    """
+    path = existing_file(path)
+    with naming(path):
+        return read_dxf_drawing(path, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit).read()
+
+
+def read_dxf_drawing(
+    path: str | Path,
+    *,
+    tolerance: float = JOIN_TOLERANCE,
+    fit_tolerance: float = FIT_TOLERANCE,
+    unit: str | None = None,
+) -> DrawnFile:
+    """The curves of a DXF file one by one, with handles and layers; all else as in `read_dxf_curves`."""
+    path = existing_file(path)
+    with naming(path):
+        checked_tolerance(tolerance)
+        checked_tolerance(fit_tolerance, "tolerance for fitting")
+        document = _opened(path)
+        scale = millimetres(unit) if unit else _scale(document)
+        refuse_many_inserts(document)
+        rounding = scale * dxf_rounding(path)
+        skipped: Counter[str] = Counter()
+        runs = list(_runs(document, scale, rounding, skipped))
+        chains = chained((run for run in runs if run), tolerance)
+        if not chains:
+            found = [f"{count} {kind}" for kind, count in sorted(skipped.items())]
+            found += [f"{len(runs)} of no length"] if runs else []
+            raise InputError(
+                "holds no curve in its model space: draw a SPLINE, ARC, ELLIPSE, LINE or polyline there"
+                + (f" (found only {', '.join(found)})" if found else "")
+            )
+        shown = Provenance(
+            place=np.diag([1 / scale, 1 / scale, 1.0]), unit="mm" if scale == 1 else "drawing units"
+        )
+        return drawn_file(
+            [
+                drawn_curve(
+                    number,
+                    chain,
+                    tolerance=tolerance,
+                    fit_tolerance=fit_tolerance,
+                    shown=shown,
+                    flat=flattened,
+                )
+                for number, chain in enumerate(chains, start=1)
+            ],
+            skipped,
+        )
+
+
+def _runs(document: "Drawing", scale: float, rounding: float, skipped: Counter[str]) -> Iterator[Run]:
+    """The edges of every entity, mm; what is none and what cannot be read is counted."""
+    from ezdxf.lldxf.const import DXFError
+
+    bad: list[InputError] = []
+    good = 0
+    for entity, size, layer in _entities(document.modelspace(), 0, skipped):
+        kind = entity.dxftype()
+        try:
+            run = _run(entity)
+            if run is None:
+                skipped[kind] += 1
+                continue
+            handle = str(entity.dxf.get("handle") or "")
+            source = Source(f"{kind} {handle}" if handle else kind, layer, rounding * size)
+            mapped = tuple(edge.mapped(scale * np.eye(3), np.zeros(3)).drawn_by(source) for edge in run)
+            for edge in mapped:
+                checked_places(edge.points)
+        except InputError as error:
+            bad.append(error)
+            skipped[f"{kind} that cannot be read ({error})"] += 1
+            continue
+        except (*ODDITIES, DXFError):
+            bad.append(InputError(f"has a {kind} that breaks off or makes no sense: draw it anew"))
+            skipped[f"{kind} that breaks off or makes no sense"] += 1
+            continue
+        good += 1
+        yield mapped
+    if bad and not good:
+        raise bad[0]
+
+
+def _opened(path: Path) -> "Drawing":
+    try:
+        from ezdxf import recover
+        from ezdxf.audit import AuditError
+        from ezdxf.filemanagement import readfile
+        from ezdxf.lldxf.const import DXFError
+    except ImportError as error:
+        raise MissingDependencyError(
+            f"reading {path.name} needs ezdxf, which is not installed: pip install ezdxf"
+        ) from error
+    # what ezdxf meets in a file cut short or overwritten in places
+    damage = (
+        DXFError,
+        OSError,
+        ArithmeticError,
+        ValueError,
+        LookupError,
+        TypeError,
+        AttributeError,
+        AssertionError,
+    )
+    with _quiet("ezdxf"):
+        try:
+            document = readfile(str(path))
+            document.modelspace()
+        except (*damage, StopIteration):
+            pass
+        else:
+            return document
+        try:
+            document, audit = recover.readfile(str(path))
+            document.modelspace()
+        except (*damage, StopIteration) as error:
+            raise InputError(
+                "is not a DXF file that can be read: export it anew, as DXF R2000 or later"
+            ) from error
+    guessed = [entry for entry in audit.errors if entry.code == AuditError.INVALID_FLOATING_POINT_VALUE]
+    if guessed:
+        raise InputError(f"is damaged ({guessed[0].message}): export it anew")
+    return document
+
+
+@contextmanager
+def _quiet(name: str) -> Iterator[None]:
+    """Keep a library's log off the user's screen unless somebody listens to it."""
+    logger, silence = logging.getLogger(name), logging.NullHandler()
+    logger.addHandler(silence)
+    try:
+        yield
+    finally:
+        logger.removeHandler(silence)
+
+
+def _scale(document: "Drawing") -> float:
+    try:
+        code = int(document.header.get("$INSUNITS", 0))
+    except (TypeError, ValueError, OverflowError):
+        code = -1
+    if code not in _INSUNITS:
+        raise InputError(
+            "is drawn in a unit that is not known here ($INSUNITS = "
+            f"{code if -1 < code < 1000 else 'no number from 0 to 21'}): say which, e.g. unit='mm'"
+        )
+    return _INSUNITS[code]
+
+
+def _entities(
+    layout: Iterable[Any], depth: int, skipped: Counter[str], size: float = 1.0, outer: str = "0"
+) -> Iterator[tuple[Any, float, str]]:
+    """The entities of a layout with the scale they are shown at and their layer, those of blocks in their place.
+
+    What lies on layer 0 of a block is on the layer that the block is inserted on.
+    """
+    from ezdxf.lldxf.const import DXFError
+
+    for entity in layout:
+        layer = str(entity.dxf.get("layer", "0")) if entity.dxf.is_supported("layer") else "0"
+        layer = outer if layer == "0" and depth else layer
+        if entity.dxftype() != "INSERT":
+            yield entity, size, layer
+        elif depth < DEEPEST_BLOCK:
+            try:
+                stretch = max(abs(float(entity.dxf.get(f"{axis}scale", 1.0))) for axis in "xyz")
+                copies = list(entity.multi_insert()) if entity.mcount > 1 else [entity]
+                shown = [part for copy in copies for part in copy.virtual_entities()]
+            except (*ODDITIES, DXFError):
+                skipped["INSERT that makes no sense"] += 1
+                continue
+            yield from _entities(shown, depth + 1, skipped, size * stretch, layer)
+        else:
+            raise InputError(f"blocks are nested more than {DEEPEST_BLOCK} deep: explode them before export")
+
+
+def _run(entity: Any) -> Run | None:
+    """The entity's edges in space, None for what is no curve."""
+    kind = entity.dxftype()
+    if kind == "LINE":
+        return (Edge.polyline([entity.dxf.start, entity.dxf.end]),)
+    if kind in ("ARC", "CIRCLE"):
+        return (_circle(entity, full=kind == "CIRCLE"),)
+    if kind == "ELLIPSE":
+        return (_ellipse(entity),)
+    if kind == "SPLINE":
+        return (_spline(entity),)
+    if kind == "LWPOLYLINE":
+        rows = [(x, y, entity.dxf.elevation, bulge) for x, y, bulge in entity.get_points("xyb")]
+        return _polyline(rows, closed=entity.closed, to_world=entity.ocs().to_wcs)
+    if kind == "POLYLINE" and (entity.is_2d_polyline or entity.is_3d_polyline):
+        vertices = [
+            v for v in entity.vertices if not v.dxf.flags & 16
+        ]  # 16: frame of a spline, not on the curve
+        places = [(v.dxf.location, v.dxf.get("bulge", 0.0)) for v in vertices]
+        if entity.is_3d_polyline:
+            return _polyline([(*p, 0.0) for p, _ in places], closed=entity.is_closed, to_world=np.asarray)
+        height = entity.dxf.elevation.z
+        rows = [(p.x, p.y, height, bulge) for p, bulge in places]
+        return _polyline(rows, closed=entity.is_closed, to_world=entity.ocs().to_wcs)
+    return None
+
+
+def _circle(entity: Any, *, full: bool) -> Edge:
+    to_world, radius = entity.ocs().to_wcs, entity.dxf.radius
+    start, end = (0.0, 360.0) if full else (entity.dxf.start_angle, entity.dxf.end_angle)
+    x_axis, y_axis = radius * np.array(to_world((1, 0, 0))), radius * np.array(to_world((0, 1, 0)))
+    return Edge.arc(np.array(to_world(entity.dxf.center)), x_axis, y_axis, *_turn(np.radians([start, end])))
+
+
+def _ellipse(entity: Any) -> Edge:
+    center, x_axis = np.array(entity.dxf.center), np.array(entity.dxf.major_axis)
+    y_axis = np.array(entity.minor_axis)
+    return Edge.arc(center, x_axis, y_axis, *_turn(np.array([entity.dxf.start_param, entity.dxf.end_param])))
+
+
+def _turn(angles: FloatArray) -> tuple[float, float]:
+    """Start and end angle, rad, anticlockwise over at most one turn as DXF means them."""
+    start, end = float(angles[0]), float(angles[1])
+    sweep = (end - start) % (2 * np.pi)
+    return start, start + (sweep if sweep > 1e-12 else 2 * np.pi)
+
+
+def _spline(entity: Any) -> Edge:
+    if not len(entity.control_points):
+        if len(entity.fit_points) < 2:
+            raise InputError("a SPLINE has neither control points nor fit points: draw it anew")
+        tool = entity.construction_tool()
+        return Edge(np.array(tool.knots()), np.array([tuple(p) for p in tool.control_points]), tool.degree)
+    points = np.array([tuple(p) for p in entity.control_points], dtype=float)
+    weights = np.array(entity.weights, dtype=float) if len(entity.weights) else None
+    knots = np.array(entity.knots, dtype=float)
+    checked_degree(int(entity.dxf.degree))
+    backwards = np.maximum.accumulate(knots) - knots
+    if knots.size and backwards.max() <= 1e-9 * np.ptp(knots):  # knots written with too few decimals
+        knots = knots + backwards
+    return Edge(knots, points, entity.dxf.degree, weights)
+
+
+def _polyline(rows: list[tuple[float, float, float, float]], *, closed: bool, to_world: Any) -> Run:
+    """One polyline edge where there are no bulges, else its lines and arcs one by one."""
+    if closed and len(rows) > 1:
+        rows = [*rows, rows[0]]
+    if len(rows) < 2:
+        return ()
+    vertices = np.array([row[:3] for row in rows], dtype=float)
+    bulges = np.array([row[3] for row in rows[:-1]], dtype=float)
+    if not bulges.any():
+        return (Edge.polyline([tuple(to_world(v)) for v in vertices]),)
+    edges = []
+    for p, q, bulge in zip(vertices[:-1], vertices[1:], bulges, strict=True):
+        if not np.any(p != q):
+            continue
+        edge = _bulged(p, q, float(bulge)) if bulge else Edge.polyline([p, q])
+        world = np.array([tuple(to_world(v)) for v in edge.points])
+        edges.append(Edge(edge.knots, world, edge.degree, edge.weights))
+    return tuple(edges)
+
+
+def _bulged(p: FloatArray, q: FloatArray, bulge: float) -> Edge:
+    """The arc from p to q; `bulge` is tangent of a quarter of its angle, positive for a left-hand turn."""
+    chord = q - p
+    left = np.array([-chord[1], chord[0], 0.0])
+    sweep = 4 * np.arctan(bulge)
+    if abs(sweep) <= np.pi / 2:  # by its tangents: no centre, which lies far off for a flat arc
+        middle = (p + q) / 2 - left * np.tan(sweep / 2) / 2
+        knots = np.repeat([0.0, 1.0], 3)
+        return Edge(knots, np.array([p, middle, q]), 2, np.array([1.0, np.cos(sweep / 2), 1.0]))
+    center = (p + q) / 2 + left * (1 - bulge**2) / (4 * bulge)
+    arm = p - center
+    return Edge.arc(center, arm, np.array([-arm[1], arm[0], 0.0]), 0.0, sweep)

@@ -1,0 +1,193 @@
+"""A drawn piece as a file holds it: a NURBS of any degree from 1, in the plane or in space."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.polynomials.bezier_pieces import Spans, bezier_spans
+from elastica_cad.geometry.polynomials.conics import unit_circle_arc
+
+__all__ = ["Edge", "Run", "Source", "reversed_run"]
+
+
+@dataclass(frozen=True)
+class Source:
+    """What a file says of a shape that edges are drawn by.
+
+    Attributes
+    ----------
+    name : str
+        Its id or handle, as the drawing program shows it.
+    layer : str
+    rounding : float
+        Half a unit of the last digit of its coordinates, mm.
+    """
+
+    name: str = ""
+    layer: str = ""
+    rounding: float = 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class Edge:
+    """One drawn piece.
+
+    Parameters
+    ----------
+    knots : (m + degree + 1,) array
+        Full knot vector, clamped or not.
+    points : (m, 2) or (m, 3) array
+        Control points; of an edge of degree 1 the vertices of a polyline.
+    degree : int
+        1 or more.
+    weights : (m,) array, optional
+        Rational weights, positive.
+    source : Source, optional
+        The shape of a file that it belongs to.
+
+    Raises
+    ------
+    InputError
+        Numbers that are not finite, weights that are not positive, a knot vector that does not fit.
+    """
+
+    knots: FloatArray
+    points: FloatArray
+    degree: int
+    weights: FloatArray | None = None
+    source: Source | None = None
+
+    def __post_init__(self) -> None:
+        knots, points = np.array(self.knots, dtype=float), np.array(self.points, dtype=float)
+        if not (np.all(np.isfinite(points)) and np.all(np.isfinite(knots))):
+            raise InputError("a curve has a coordinate or knot that is not a finite number: export it anew")
+        count = len(points)
+        if self.degree < 1 or count <= self.degree:
+            raise InputError(
+                f"a spline of degree {self.degree} has {count} control points; "
+                f"it needs {self.degree + 1}: draw it anew"
+            )
+        if knots.shape != (count + self.degree + 1,) or np.any(np.diff(knots) < 0):
+            raise InputError(
+                f"a spline of degree {self.degree} with {count} control points has {knots.size} knots; "
+                f"it needs {count + self.degree + 1}, never decreasing"
+            )
+        if not knots[self.degree] < knots[count]:
+            raise InputError(
+                f"all knots of a spline are {knots[count]:g}; its parameter must run over an interval"
+            )
+        object.__setattr__(self, "knots", knots)
+        object.__setattr__(self, "points", points)
+        if self.weights is not None:
+            weights = np.array(self.weights, dtype=float)
+            if weights.shape != (count,) or not np.all(np.isfinite(weights)) or not np.all(weights > 0):
+                raise InputError(f"a rational spline needs {count} weights, all positive and finite")
+            same = np.ptp(weights) <= 1e-14 * weights[0]
+            object.__setattr__(self, "weights", None if same else weights)
+
+    @classmethod
+    def polyline(cls, vertices: ArrayLike) -> "Edge":
+        """Vertices joined by straight lines; two of them make a line."""
+        vertices = np.asarray(vertices, dtype=float)
+        inner = np.arange(len(vertices), dtype=float)
+        return cls(np.concatenate([inner[:1], inner, inner[-1:]]), vertices, 1)
+
+    @classmethod
+    def bezier(cls, points: ArrayLike) -> "Edge":
+        """One polynomial Bezier piece."""
+        points = np.asarray(points, dtype=float)
+        degree = len(points) - 1
+        return cls(np.repeat([0.0, 1.0], degree + 1), points, degree)
+
+    @classmethod
+    def arc(cls, center: ArrayLike, x_axis: ArrayLike, y_axis: ArrayLike, start: float, end: float) -> "Edge":
+        """The exact rational arc center + x_axis cos(t) + y_axis sin(t), t from `start` to `end` (rad)."""
+        knots, unit, weights = unit_circle_arc(start, end)
+        return cls(
+            knots,
+            np.asarray(center, dtype=float) + unit @ np.array([x_axis, y_axis], dtype=float),
+            2,
+            weights,
+        )
+
+    @cached_property
+    def spans(self) -> Spans:
+        """Its Bezier extraction."""
+        return bezier_spans(self.knots, self.degree)
+
+    @cached_property
+    def homogeneous(self) -> FloatArray:
+        """Control points (m, d + 1) times their weights, weights last."""
+        weights = np.ones(len(self.points)) if self.weights is None else self.weights
+        return np.column_stack([self.points * weights[:, None], weights])
+
+    def at(self, t: ArrayLike) -> FloatArray:
+        """Points (n, d) at parameters (n,)."""
+        values = self.spans.basis(np.atleast_1d(np.asarray(t, dtype=float))) @ self.homogeneous
+        return np.asarray(values[:, :-1] / values[:, -1:], dtype=float)
+
+    @cached_property
+    def start(self) -> FloatArray:
+        """First point (d,)."""
+        if self.knots[0] == self.knots[self.degree]:
+            return np.asarray(self.points[0], dtype=float)
+        return np.asarray(self.at(self.spans.edges[0])[0], dtype=float)
+
+    @cached_property
+    def end(self) -> FloatArray:
+        """Last point (d,)."""
+        if self.knots[-1] == self.knots[-self.degree - 1]:
+            return np.asarray(self.points[-1], dtype=float)
+        return np.asarray(self.at(self.spans.edges[-1])[0], dtype=float)
+
+    @cached_property
+    def size(self) -> float:
+        """Length of the control polygon, mm: no less than the length of the curve."""
+        return float(np.linalg.norm(np.diff(self.points, axis=0), axis=1).sum())
+
+    def stations(self, each: int = 17) -> FloatArray:
+        """Parameters along the edge, `each` to a span, both ends and all knots included."""
+        edges = self.spans.edges
+        return np.unique((edges[:-1, None] + np.diff(edges)[:, None] * np.linspace(0, 1, each)).ravel())
+
+    def reversed(self) -> "Edge":
+        """The edge run the other way."""
+        weights = None if self.weights is None else self.weights[::-1]
+        return Edge(
+            self.knots[0] + self.knots[-1] - self.knots[::-1],
+            self.points[::-1],
+            self.degree,
+            weights,
+            self.source,
+        )
+
+    def drawn_by(self, source: Source) -> "Edge":
+        """The same edge as part of a shape of a file."""
+        return replace(self, source=source)
+
+    @property
+    def is_pen_drawn(self) -> bool:
+        """Is it made of polynomial pieces of degree 2 or 3 that only share their tangents?"""
+        if self.weights is not None or self.degree not in (2, 3):
+            return False
+        first, last = self.knots[self.degree], self.knots[-self.degree - 1]
+        _, counts = np.unique(self.knots[(self.knots > first) & (self.knots < last)], return_counts=True)
+        return bool(np.all(counts >= self.degree - 1))
+
+    def mapped(self, matrix: ArrayLike, offset: ArrayLike, source: Source | None = None) -> "Edge":
+        """The edge with every point p at matrix @ p + offset; the matrix may drop a dimension."""
+        points = self.points @ np.asarray(matrix, dtype=float).T + np.asarray(offset, dtype=float)
+        return Edge(self.knots, points, self.degree, self.weights, source or self.source)
+
+
+Run = tuple[Edge, ...]
+"""Edges that follow each other end to end."""
+
+
+def reversed_run(run: Sequence[Edge]) -> Run:
+    """The run travelled the other way."""
+    return tuple(edge.reversed() for edge in reversed(run))

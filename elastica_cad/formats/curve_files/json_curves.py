@@ -1,0 +1,134 @@
+"""Curves as JSON, exactly: knots, control points, degree and weights, in mm."""
+
+import json
+from collections import Counter
+from collections.abc import Sequence
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from elastica_cad.errors import InputError
+from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, DrawnFile, drawn_file
+from elastica_cad.formats.curve_files.number_gate import (
+    MOST_PIECES,
+    checked_count,
+    checked_degree,
+    checked_size,
+)
+from elastica_cad.formats.file_access.atomic_write import write_atomically
+from elastica_cad.formats.file_access.source_file import existing_file, millimetres, naming
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+
+__all__ = [
+    "CURVES_SCHEMA",
+    "curve_record",
+    "curves_json",
+    "read_json_curves",
+    "read_json_drawing",
+    "write_json_curves",
+]
+
+CURVES_SCHEMA = "elastica-curves/1"
+
+
+def curve_record(curve: PlaneCurve) -> dict[str, Any]:
+    """The curve as plain data for JSON, without any rounding; `weights` is None for a polynomial spline."""
+    return {
+        "degree": curve.degree,
+        "knots": curve.knots.tolist(),
+        "control_points": curve.control_points.tolist(),
+        "weights": None if curve.weights is None else curve.weights.tolist(),
+    }
+
+
+def curves_json(curves: Sequence[PlaneCurve]) -> str:
+    """The text of a JSON file that holds the curves; `read_json_curves` returns them bit by bit."""
+    data = {"schema": CURVES_SCHEMA, "units": "mm", "curves": [curve_record(curve) for curve in curves]}
+    return json.dumps(data, indent=1) + "\n"
+
+
+def write_json_curves(curves: Sequence[PlaneCurve], path: str | Path, *, force: bool = False) -> Path:
+    """Write the curves as JSON, whole or not at all; an existing file is replaced with `force` only."""
+    return write_atomically(path, curves_json(curves).encode(), force)
+
+
+def read_json_curves(path: str | Path, *, unit: str | None = None) -> list[PlaneCurve]:
+    """The curves of a JSON file: one written by `curves_json`, or the report of a strip.
+
+    Raises
+    ------
+    InputError
+        Not JSON, another schema, a missing or bad entry: file and entry are named.
+    """
+    path = existing_file(path)
+    with naming(path):
+        return read_json_drawing(path, unit=unit).read()
+
+
+def read_json_drawing(path: str | Path, *, unit: str | None = None) -> DrawnFile:
+    """The curves of a JSON file one by one; all else as in `read_json_curves`."""
+    path = existing_file(path)
+    with naming(path):
+        try:
+            data = json.loads(path.read_bytes())
+        except (ValueError, RecursionError) as error:  # a whole number of thousands of digits too
+            raise InputError(f"is not JSON ({str(error).partition(';')[0]}): export it anew") from error
+        if not isinstance(data, dict):
+            raise InputError(f"holds {type(data).__name__}, not a record with the schema {CURVES_SCHEMA!r}")
+        scale = _scale(data, unit)
+        if "curve" in data:
+            return drawn_file([DrawnCurve(1, partial(_curve, data["curve"], "curve", scale))], Counter())
+        curves = data.get("curves")
+        if not isinstance(curves, list) or not curves:
+            raise InputError("holds no curves: 'curves' must be a list of records")
+        return drawn_file(
+            [
+                DrawnCurve(i, partial(_curve, record, f"curve {i}", scale))
+                for i, record in enumerate(curves, start=1)
+            ],
+            Counter(),
+        )
+
+
+def _scale(data: dict[str, Any], unit: str | None) -> float:
+    """Millimetres in one unit of the file."""
+    schema = data.get("schema")
+    name, _, version = str(schema).partition("/")
+    if name not in ("elastica-curves", "elastica-report"):
+        raise InputError(
+            f"has the schema {schema!r}; curves are read from {CURVES_SCHEMA!r} and from reports of strips"
+        )
+    if version != "1":
+        raise InputError(f"has the schema {schema!r}, which is newer than this program: update it")
+    given = data.get("units", "mm")
+    if isinstance(given, dict):
+        given = given.get("length", "mm")
+    return millimetres(unit or str(given))
+
+
+def _curve(record: Any, where: str, scale: float) -> PlaneCurve:
+    if not isinstance(record, dict):
+        raise InputError(f"{where} is not a record of degree, knots, control_points and weights")
+    for key in ("degree", "knots", "control_points"):
+        if key not in record:
+            raise InputError(f"{where} has no {key!r}")
+    degree = record["degree"]
+    if not isinstance(degree, int) or isinstance(degree, bool):
+        raise InputError(f"{where}: degree is {degree!r}; it must be a whole number")
+    try:
+        knots = np.array(record["knots"], dtype=float)
+        points = np.array(record["control_points"], dtype=float)
+        weights = None if record.get("weights") is None else np.array(record["weights"], dtype=float)
+    except (TypeError, ValueError, OverflowError, RecursionError) as error:
+        raise InputError(f"{where} has an entry that is not a number") from error
+    if points.ndim != 2 or points.shape[1] != 2:
+        raise InputError(f"{where}: control_points must be rows of x and y")
+    try:
+        checked_count(len(points), 4 * MOST_PIECES, "control points", "leave some out")
+        checked_degree(degree)
+        checked_size(scale * points)
+        return PlaneCurve(knots, scale * points, degree, weights)
+    except InputError as error:
+        raise InputError(f"{where}: {error}") from error

@@ -1,0 +1,126 @@
+"""From edges drawn in a CAD model to one plane curve and the plane it lies in."""
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.formats.curve_files.chains import chained, curve_from_run
+from elastica_cad.formats.curve_files.edge_plane import plane_axes
+from elastica_cad.formats.curve_files.edges import Edge, Run
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.frame import Frame
+
+__all__ = ["edge_chains", "placed_chain", "placed_curve"]
+
+JOIN = 1e-4  # mm: ends of edges that are meant to meet
+TANGENT = 1e-3  # rad
+EVEN = 1e-6  # rad: curves that turn by less on the whole turn to neither side
+AS_DRAWN = np.eye(3)
+
+
+def placed_curve(
+    edges: Sequence[Edge], *, plane: Frame | None = None, turned: ArrayLike | None = None
+) -> tuple[PlaneCurve, Frame]:
+    """The one curve that edges (m, 3) make end to end, and its plane in space.
+
+    The curve runs the way the first edge does. Where the plane is parallel to xy the frame's axes are the
+    world's. In every other plane the frame's y axis points up, towards z, as far as it can, and its z axis to the
+    side from which the curve turns anticlockwise on the whole: where edges are turned, the frame's side turns with
+    them.
+
+    Parameters
+    ----------
+    edges : sequence of Edge
+        In any order.
+    plane : Frame, optional
+        The plane in which they are drawn, where it is known.
+    turned : (3, 3) array, optional
+        The rotation by which a program has placed the edges after they were drawn; their side was chosen before it.
+
+    Raises
+    ------
+    InputError
+        Edges that are not plane, have no length, do not meet or meet at a corner, that close, or that lie in
+        another plane than `plane`.
+    """
+    runs = chained([(edge,) for edge in edges], JOIN)
+    if not runs:
+        raise InputError("the edge has no length: draw a curve for the strip to follow")
+    if len(runs) > 1:
+        raise InputError(
+            f"the edges make {len(runs)} separate chains: a strip follows one chain of edges that meet "
+            "end to end"
+        )
+    return placed_chain(runs[0], plane, AS_DRAWN if turned is None else np.asarray(turned, dtype=float))
+
+
+def edge_chains(edges: Sequence[Edge]) -> list[Run]:
+    """Every chain that the edges make end to end; `placed_chain` makes a curve of one."""
+    return chained([(edge,) for edge in edges], JOIN)
+
+
+def placed_chain(
+    run: Sequence[Edge], plane: Frame | None = None, turned: FloatArray = AS_DRAWN
+) -> tuple[PlaneCurve, Frame]:
+    """The curve of one chain and its plane, as in `placed_curve`."""
+    if np.linalg.norm(run[0].start - run[-1].end) <= JOIN:
+        raise InputError("the wire is closed: a strip has two ends, so leave an edge out or split the wire")
+    for before, after in pairwise(run):
+        out, onward = before.points[-1] - before.points[-2], after.points[1] - after.points[0]
+        turn = np.arctan2(np.linalg.norm(np.cross(out, onward)), out @ onward)
+        if turn > TANGENT:
+            x, y, z = before.end
+            raise InputError(
+                f"edges meet at a corner of {np.degrees(turn):.3g} degrees at ({x:.4g}, {y:.4g}, {z:.4g}) "
+                "mm: make them tangent or round the corner"
+            )
+    frame = _side_of(run, turned) if plane is None else _within(run, plane)
+    across = frame.axes[:2]
+    flat = [edge.mapped(across, -across @ frame.origin) for edge in run]
+    return curve_from_run(flat, tolerance=JOIN), frame
+
+
+def _within(run: Sequence[Edge], plane: Frame) -> Frame:
+    """The given plane, refused where the edges leave it; its origin where theirs is in every other plane."""
+    points = np.concatenate([edge.at(edge.stations()) for edge in run])
+    off = (points - plane.origin) @ plane.z_axis
+    if np.abs(off).max() > max(JOIN, 1e-6 * float(np.ptp(points, axis=0).max())):
+        raise InputError(
+            f"the curve lies up to {np.abs(off).max():.3g} mm off the plane that is given for it: give the one in "
+            "which it is drawn, or none"
+        )
+    return plane
+
+
+def _side_of(run: Sequence[Edge], turned: FloatArray) -> Frame:
+    """The plane of the edges, seen from the side that `placed_curve` tells."""
+    points = np.concatenate([edge.points for edge in run])
+    if np.ptp(points[:, 2]) > JOIN or turned is not AS_DRAWN:
+        points = np.concatenate([edge.at(edge.stations()) for edge in run])
+    x_axis, y_axis = plane_axes(points, max(JOIN, 1e-6 * float(np.ptp(points, axis=0).max())))
+    normal = np.cross(x_axis, y_axis)
+    before = turned.T @ normal
+    if np.hypot(before[0], before[1]) < TANGENT:
+        side = before[2]
+    else:
+        side = _turning(points, normal)
+    if side < 0:
+        x_axis, normal = -x_axis, -normal
+    return Frame((run[0].start @ normal) * normal, x_axis, y_axis)
+
+
+def _turning(points: FloatArray, normal: FloatArray) -> float:
+    """Angle, rad, by which points (m, 3) turn about a normal; of the first bend where they turn back."""
+    chords = np.diff(points, axis=0)
+    chords = chords[np.linalg.norm(chords, axis=1) > 0]
+    before, after = chords[:-1], chords[1:]
+    sines = np.cross(before, after) @ normal
+    turns = np.arctan2(sines, np.einsum("ij,ij->i", before, after))
+    whole = float(turns.sum())
+    if abs(whole) > EVEN:
+        return whole
+    bends = turns[np.abs(turns) > EVEN]
+    return float(bends[0]) if bends.size else 0.0

@@ -1,0 +1,196 @@
+"""Curves from plain numbers: measured points (CSV) and the control points of a uniform spline (text)."""
+
+import re
+from collections import Counter
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.formats.curve_files.chains import FIT_TOLERANCE, curve_from_points
+from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, DrawnFile, drawn_file
+from elastica_cad.formats.curve_files.number_gate import (
+    MOST_PIECES,
+    NUMBER,
+    checked_count,
+    checked_degree,
+    checked_size,
+    checked_tolerance,
+    half_last_place,
+)
+from elastica_cad.formats.file_access.source_file import existing_file, millimetres, naming
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.curves.provenance import Provenance
+
+__all__ = ["read_csv_curves", "read_csv_drawing", "read_text_curves"]
+
+_DIGITS = 20_000  # numbers whose digits are looked at
+
+
+def read_csv_curves(
+    path: str | Path, *, fit_tolerance: float = FIT_TOLERANCE, unit: str | None = None
+) -> list[PlaneCurve]:
+    """Curves fitted to measured points, one "x, y" a row; blank rows part one curve from the next.
+
+    Columns are parted by commas, semicolons, tabs or blanks; rows that start with # are remarks, and the
+    first row may be a heading. With semicolons, or with tabs, decimals may have commas. A third column is
+    taken when it is constant: points of a plane z = const.
+
+    Parameters
+    ----------
+    fit_tolerance : float
+        Largest distance of a point from its curve, mm.
+    unit : str, optional
+        Unit of the numbers: "mm" unless told ("cm", "m", "in", ...).
+
+    Raises
+    ------
+    InputError
+        A row that is not two or three finite numbers, too few points: file and row are named.
+    """
+    path = existing_file(path)
+    with naming(path):
+        return read_csv_drawing(path, fit_tolerance=fit_tolerance, unit=unit).read()
+
+
+def read_csv_drawing(
+    path: str | Path, *, fit_tolerance: float = FIT_TOLERANCE, unit: str | None = None
+) -> DrawnFile:
+    """The curves of a file of measured points one by one; all else as in `read_csv_curves`."""
+    path = existing_file(path)
+    with naming(path):
+        scale = millimetres(unit or "mm")
+        checked_tolerance(fit_tolerance, "tolerance for fitting")
+        text = _text(path)
+        blocks = _blocks(text)
+        digits = Provenance(rounding=scale * half_last_place(re.findall(NUMBER, text)[:_DIGITS]))
+        return drawn_file(
+            [
+                DrawnCurve(number, partial(_fitted, scale * block, fit_tolerance, digits))
+                for number, block in enumerate(blocks, start=1)
+            ],
+            Counter(),
+        )
+
+
+def _fitted(points: FloatArray, tolerance: float, digits: Provenance) -> PlaneCurve:
+    checked_size(points)
+    checked_count(len(points), 4 * MOST_PIECES, "points in one curve", "leave some out")
+    return curve_from_points(points, tolerance=tolerance).drawn_as(digits)
+
+
+def read_text_curves(path: str | Path, *, unit: str | None = None) -> list[PlaneCurve]:
+    """The curve of a control point file: first line "degree count", then `count` lines "x y".
+
+    Its knots are the whole numbers from -degree to count: a uniform spline, not clamped at its ends.
+
+    Raises
+    ------
+    InputError
+        A first line that does not say degree and count, or other than `count` good points after it.
+    """
+    path = existing_file(path)
+    with naming(path):
+        scale = millimetres(unit or "mm")
+        rows = [(n, line.split()) for n, line in enumerate(_text(path).splitlines(), 1) if line.strip()]
+        rows = [(n, row) for n, row in rows if not row[0].startswith("#")]
+        if not rows:
+            raise InputError("there are no numbers in it: the first line must be 'degree count'")
+        number, head = rows[0]
+        if len(head) != 2 or not all(re.fullmatch(r"\d+", word) for word in head):
+            raise InputError(
+                f"line {number} is {' '.join(head)!r}; it must be two whole numbers, degree and count of "
+                "control points (measured points belong into a .csv file)"
+            )
+        if max(len(word) for word in head) > 9:
+            raise InputError(
+                f"line {number} has a number of {max(len(w) for w in head)} digits: it cannot be meant"
+            )
+        degree, count = checked_degree(int(head[0])), int(head[1])
+        checked_count(count, 4 * MOST_PIECES, "control points", "leave some out")
+        if len(rows) - 1 != count:
+            raise InputError(
+                f"line {number} announces {count} control points, but {len(rows) - 1} lines follow"
+            )
+        points = np.array([_numbers(row, n, 2) for n, row in rows[1:]]).reshape(-1, 2)
+        checked_size(scale * points)
+        digits = Provenance(rounding=scale * half_last_place([word for _, row in rows[1:] for word in row]))
+        return [
+            PlaneCurve(np.arange(-degree, count + 1, dtype=float), scale * points, degree, provenance=digits)
+        ]
+
+
+def _text(path: Path) -> str:
+    """The file as text, with or without a byte order mark."""
+    data = path.read_bytes()
+    encoding = "utf-16" if data[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig"
+    try:
+        return data.decode(encoding)
+    except UnicodeDecodeError as error:
+        raise InputError("is not a text file: save the points as plain text") from error
+
+
+def _blocks(text: str) -> list[FloatArray]:
+    """The points (n, 2) of each block of rows."""
+    lines = [line.strip() for line in text.splitlines()]
+    rows = [(n, _cells(line)) for n, line in enumerate(lines, 1) if not line.startswith("#")]
+    blocks: list[list[FloatArray]] = [[]]
+    headed = False
+    for n, cells in rows:
+        if not any(cells):
+            if blocks[-1]:
+                blocks.append([])
+            continue
+        if not headed and len(blocks) == 1 and not blocks[0] and not any(_is_number(cell) for cell in cells):
+            headed = True
+            continue
+        blocks[-1].append(_numbers(cells, n, 3))
+    filled = [np.array(block) for block in blocks if block]
+    if not filled:
+        raise InputError("there are no points in it: write one 'x, y' a row")
+    for block in filled:
+        height = np.ptp(block[:, 2])
+        if height > 1e-6 * max(1.0, float(np.ptp(block[:, :2], axis=0).max())):
+            raise InputError(
+                f"the third column runs over {height:.4g}: only curves in a plane z = const are read; "
+                "turn the points into the xy plane"
+            )
+    return [block[:, :2] for block in filled]
+
+
+def _cells(line: str) -> list[str]:
+    """The cells of one row; a trailing separator adds none."""
+    if ";" in line or "\t" in line:
+        cells = [cell.strip().replace(",", ".") for cell in re.split(r"[;\t]", line)]
+    elif "," in line:
+        cells = [cell.strip() for cell in line.split(",")]
+    else:
+        cells = line.split()
+    while cells and not cells[-1]:
+        cells.pop()
+    return cells
+
+
+def _is_number(cell: str) -> bool:
+    try:
+        float(cell)
+    except ValueError:
+        return False
+    return True
+
+
+def _numbers(cells: list[str], row: int, most: int) -> FloatArray:
+    """x, y (and z, 0 where there is none, when `most` is 3) of one row."""
+    if not 2 <= len(cells) <= most:
+        raise InputError(
+            f"row {row} has {len(cells)} columns; it needs x and y{' (and z)' if most == 3 else ''}"
+        )
+    for cell in cells:
+        if not _is_number(cell):
+            raise InputError(f"row {row} has {cell!r} where a number is needed")
+    values = np.array([float(cell) for cell in cells])
+    if not np.all(np.isfinite(values)):
+        raise InputError(f"row {row} is not finite ({', '.join(cells)}): leave it out or mend it")
+    return np.append(values, [0.0] * (most - len(values)))

@@ -1,0 +1,65 @@
+"""Curves written to files that `read_curves` and CAD programs read again."""
+
+import os
+from collections.abc import Sequence
+from pathlib import Path
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.drawing import MARK, Drawing, LayeredPath
+from elastica_cad.formats.curve_files.json_curves import write_json_curves
+from elastica_cad.formats.drawing_files.curve_style import EXACT
+from elastica_cad.formats.drawing_files.dxf_drawing import write_dxf
+from elastica_cad.formats.drawing_files.svg_drawing import write_svg
+from elastica_cad.formats.file_access.atomic_write import checked_target
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.path import Path as Chain
+from elastica_cad.geometry.paths.segments import Spline
+
+__all__ = ["WRITTEN_SUFFIXES", "write_curves"]
+
+WRITTEN_SUFFIXES = (".dxf", ".svg", ".json")
+
+
+def write_curves(curves: Sequence[PlaneCurve], path: str | os.PathLike[str], *, force: bool = False) -> Path:
+    """Write drawn curves, mm, as .dxf, .svg or .json.
+
+    DXF keeps degree, knots and weights of every spline, JSON every bit; SVG knows cubics without weights only and
+    stays within 0.001 mm. In a DXF or SVG two curves whose ends meet are read back as one.
+
+    Parameters
+    ----------
+    curves : sequence of PlaneCurve
+    path : path-like
+        Its suffix is the format.
+    force : bool
+        Overwrite a file of that name.
+
+    Raises
+    ------
+    InputError
+        No curves, an unknown suffix, a file that can't be made.
+    MissingDependencyError
+        DXF without ezdxf.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> arch = PlaneCurve.arc((0, 0), 80, 0.3, 2.8)
+    >>> with TemporaryDirectory() as folder:
+    ...     write_curves([arch], folder + "/arch.json").name
+    'arch.json'
+    """
+    suffix = Path(path).suffix.lower()
+    checked_target(path, force=force)
+    if not curves:
+        raise InputError(f"{path}: there are no curves to write")
+    if suffix == ".json":
+        return write_json_curves(curves, Path(path), force=force)
+    if suffix not in WRITTEN_SUFFIXES:
+        raise InputError(
+            f"{path} can't be written as curves: end its name with {', '.join(WRITTEN_SUFFIXES)}"
+        )
+    drawn = tuple(LayeredPath(MARK, Chain((Spline(curve),), closed=curve.is_closed)) for curve in curves)
+    drawing = Drawing(Path(path).stem, drawn)
+    write = write_svg if suffix == ".svg" else write_dxf
+    return write(drawing, path, curves=EXACT, force=force)

@@ -1,0 +1,1 @@
+"""Design files: a whole model in TOML, read, checked and made."""

@@ -1,0 +1,305 @@
+"""Design files: a whole model written down in TOML, read, checked and made.
+
+Every number may be a formula in quotes (see `formulae`); lengths are mm, angles rad (30 * degrees). Keys:
+
+    schema = 1, name, let = {names for formulae}, sheets_file or [sheets.NAME] (as `load_sheets`)
+    for all strips, or in [[strips]] for some: sheet, max_width, min_width, samples, natural_curvature, supports,
+        gravity = true, [x, y, z] (where things fall) or {length, direction = [x, y] in the curve's plane},
+        loads = [{at, mass}] or {alpha, beta, own, masses = [{at, mass}]},
+        style = {kind, and the sizes of that style},
+        ends = {length, width, corner_radius, chamfer, taper, holes = [{at, diameter, across}],
+        t_slot = {depth, screw, nut, wall}} or two of them, and where the curve may change
+        limits = {ratio, margin, curvature, strain, length, width, stiffness_bounds = {lower, upper},
+        keep_out = [{point, normal} or {lower, upper}]}, keep = {ends, tangents, length, symmetry, points, line}
+    [[strips]] count (i = 1, 2, ...), label ("P{i}"), let, origin, x_axis, y_axis (the plane of the curve), slots,
+        sections = {mesh (or STEP body), unit, scale, half, longest, split = {point, normal}, {points}, {corners =
+        angle} or a list of such, tolerance, wavelength, and one of radial = {point, axis, zero, count or angles},
+        parallel = {point, normal, offsets or count, up}, along = {path, count, ends, up}}: a strip each, or
+        curve = "file", {file, number, unit}, {x, y, t = [from, to], breaks = [[t, continuity]]},
+        {spline = [[x, y]], degree} or {ellipse = {center, semi_axes, rotation, start, end or above}}, any of them
+        with reshape = {bottom_left, bottom_right, top_right, top_left: where corners of its box go} or
+        {handles = four points, to = four points}
+    revolution = {points = [[x, y]] from the axis, or curve (as above), or a, b, start, angle and length; strips,
+        ring, rings = "SHEET", sheet, ends}: a surface of revolution about z, tiled by equal strips
+    [[patterns]] mirror = {point, normal, keep}, rotate = {count, axis, point, step}, repeat = {count, step}
+    interlock = {clearance, fit, relief, above}, fixtures = {floor, clearance, wall, foot, foot_height, screw}
+    base = {sheet, height, play, clearance, slot_width, border, shape, sheet_size}
+    frame = {sheet, ribs, depth, tongue, play, clearance, border, sheet_size}
+    nest = {sheet_size, margin}, extras = {coupon, reference_bar}
+    cut = {kerf, curves, tolerance, version, holding = {width, spacing, least, inner}}
+"""
+
+import tomllib
+from collections.abc import Callable
+from dataclasses import dataclass, field, fields, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from elastica_cad._equality import value_key
+from elastica_cad.errors import ElasticaError, InputError, NotConvergedError
+from elastica_cad.fabrication.holders.ring_plate import Ring
+from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.formats.design_files.kit_spec import KitSpec
+from elastica_cad.formats.design_files.model_tables import read_interlock, read_kit
+from elastica_cad.formats.design_files.revolution_table import RevolutionEntry, read_revolution
+from elastica_cad.formats.design_files.sections_table import read_sections
+from elastica_cad.formats.design_files.strip_table import (
+    MAKING_KEYS,
+    STRIP_KEYS,
+    CurveReader,
+    StripEntry,
+    read_strip,
+)
+from elastica_cad.formats.design_files.tables import Table
+from elastica_cad.formats.file_access.source_file import existing_file
+from elastica_cad.formats.surface_files.file_surface import SurfaceReader, mesh_surface
+from elastica_cad.forming.plane_sections.section_curves import SectionCurve
+from elastica_cad.mechanics.material.sheet import Sheet, load_sheets, sheets_from_table
+from elastica_cad.mechanics.theorem1.verdict import NotRealizable
+
+__all__ = ["DESIGN_SCHEMA", "Design", "read_design"]
+
+DESIGN_SCHEMA = 1
+
+TOP_KEYS = (
+    *MAKING_KEYS, "schema", "name", "let", "sheets", "sheets_file", "strips", "patterns", "interlock", "base",
+    "frame", "fixtures", "nest", "cut", "extras", "revolution",
+)  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class Design:
+    """A design file, read and checked; `model` makes it.
+
+    Attributes
+    ----------
+    name : str
+    entries : tuple of StripEntry
+        Strips in the order of the file.
+    patterns : tuple of (name, options)
+        "mirror", "rotate", "repeat", applied in order.
+    interlock : dict or None
+        Options of `Model.interlock`, where asked for.
+    kit : KitSpec
+        What goes with the strips.
+    reports : tuple of str
+        What sections of meshes and meridians have to say.
+    revolution : RevolutionEntry or None
+        A surface of revolution, made before all strips.
+    """
+
+    name: str
+    entries: tuple[StripEntry, ...]
+    patterns: tuple[tuple[str, dict[str, Any]], ...] = ()
+    interlock: dict[str, Any] | None = None
+    kit: KitSpec = field(default_factory=KitSpec)
+    reports: tuple[str, ...] = ()
+    revolution: RevolutionEntry | None = None
+
+    def model(self, done: Callable[[str], None] | None = None) -> Model:
+        """Make all strips, put them in their places, repeat and interlock them.
+
+        Parameters
+        ----------
+        done : callable, optional
+            Called with the label of each strip that has been made.
+
+        Raises
+        ------
+        NotRealizable, NotConvergedError, InputError
+            What `StripSpec.make` and `Model.interlock` refuse, with the part's name. A section that no strip can
+            follow is left out and reported; the first is raised where none is left.
+        """
+        made: dict[Any, Strip] = {}
+        placed: list[Placed] = []
+        failed: list[ElasticaError] = []
+        for entry in self.entries:
+            key = _likeness(entry)
+            if key not in made:
+                try:
+                    made[key] = _make(entry)
+                except (NotRealizable, NotConvergedError, InputError) as problem:
+                    if not entry.section:
+                        raise
+                    failed.append(problem)
+                    continue
+            strip = replace(made[key], label=entry.label, slots=entry.spec.slots)
+            placed.append(Placed(strip, entry.frame.origin, entry.frame.x_axis, entry.frame.y_axis))
+            if done is not None:
+                done(entry.label)
+        plates: tuple[Ring, ...] = ()
+        if self.revolution is not None:
+            surface = self.revolution.model(self.name)
+            placed, plates = [*surface.placed, *placed], surface.plates
+        if failed and not placed:
+            raise failed[0]
+        without = tuple(f"{problem} This section is left out." for problem in failed)
+        model = Model(tuple(placed), self.name, reports=(*without, *self.reports), plates=plates)
+        for kind, options in self.patterns:
+            model = getattr(model, _PATTERNS[kind])(**options)
+        return model if self.interlock is None else model.interlock(**self.interlock)
+
+
+_PATTERNS = {"mirror": "mirrored", "rotate": "rotated", "repeat": "repeated"}
+
+
+def read_design(
+    path: str | Path, read_curves: CurveReader, read_surface: SurfaceReader = mesh_surface
+) -> Design:
+    """A design file, every formula computed and every curve file read.
+
+    Parameters
+    ----------
+    path : path-like
+        TOML with `schema = 1`; files in it are relative to its folder.
+    read_curves : callable
+        Reads a curve file: `elastica_cad.read_curves`.
+    read_surface : callable
+        Reads a surface for sections: of meshes alone, or of STEP bodies too, `elastica_cad.files.read_surface`.
+
+    Raises
+    ------
+    InputError
+        No TOML, unknown keys, missing files or values that make no sense: the place in the file is named.
+    """
+    path = existing_file(path)
+    try:
+        data = tomllib.loads(path.read_bytes().decode("utf-8"))
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise InputError(f"{path} is no TOML file: {error}") from error
+    top = Table(data, str(path), {}).only(*TOP_KEYS)
+    if data.get("schema") != DESIGN_SCHEMA:
+        raise InputError(
+            f"{path}: schema is {data.get('schema')!r}; this version reads schema = {DESIGN_SCHEMA}"
+        )
+    top.scope = top.within(data.get("let", {}))
+    sheets = _own_sheets(top, path)
+    revolution = None
+    if top.has("revolution"):
+        inner = top.table("revolution")
+        inner.defaults = Table(
+            {key: top.raw(key) for key in ("sheet", "ends") if top.has(key)}, top.where, top.scope
+        )
+        revolution = read_revolution(inner, path.parent, sheets, read_curves)
+    entries, reports = _read_strips(top, path.parent, sheets, read_curves, read_surface)
+    if not entries and revolution is None:
+        raise InputError(f"{top.where} has no strips: write at least one table [[strips]]")
+    twice = sorted({w.label for w in entries if sum(w.label == v.label for v in entries) > 1})
+    if twice:
+        raise InputError(
+            f"{path}: two strips are labelled {twice[0]!r}; give each its own label, with {{i}} for the count"
+        )
+    return Design(
+        name=top.text("name", path.stem),
+        entries=tuple(entries),
+        patterns=tuple(_pattern(table) for table in top.tables("patterns")),
+        interlock=read_interlock(top.table("interlock")) if top.has("interlock") else None,
+        kit=read_kit(top, sheets),
+        reports=reports if revolution is None else (*revolution.reports, *reports),
+        revolution=revolution,
+    )
+
+
+def _own_sheets(top: Table, path: Path) -> dict[str, Sheet]:
+    """Sheets that the design brings along."""
+    sheets: dict[str, Sheet] = {}
+    if top.has("sheets_file"):
+        sheets |= load_sheets(path.parent / top.text("sheets_file"))
+    if top.has("sheets"):
+        sheets |= sheets_from_table(top.raw("sheets"), where=str(path))
+    return sheets
+
+
+def _read_strips(
+    top: Table,
+    folder: Path,
+    sheets: dict[str, Sheet],
+    read_curves: CurveReader,
+    read_surface: SurfaceReader,
+) -> tuple[list[StripEntry], tuple[str, ...]]:
+    """All strips in order, and what sections of meshes have to say."""
+    entries: list[StripEntry] = []
+    failed: list[InputError] = []
+    reports: list[str] = []
+    for table in top.tables("strips"):
+        table.only(*STRIP_KEYS)
+        sections: tuple[SectionCurve | None, ...]
+        if table.has("sections"):
+            sections, told = read_sections(_only_sections(table), folder, read_surface)
+            reports += told
+        else:
+            sections = (None,) * table.count("count", 1)
+        for i, section in enumerate(sections, start=1):
+            where = f"{table.where}, i = {i}" if len(sections) > 1 else table.where
+            one = Table(table.data, where, {**top.scope, "i": float(i)}, top)
+            one.scope = one.within(table.data.get("let", {}))
+            label = table.text("label", f"S{len(entries) + 1}").replace("{i}", str(i))
+            one.where = f"{where} ({label})"
+            try:
+                entries.append(read_strip(one, label, folder, sheets, read_curves, section))
+            except InputError as problem:
+                if section is None:
+                    raise
+                failed.append(problem)
+    if failed and not entries:
+        raise failed[0]
+    return entries, (*reports, *(f"{problem} This section is left out." for problem in failed))
+
+
+def _only_sections(table: Table) -> Table:
+    """The table of sections, which say themselves how many there are and where they lie."""
+    idle = [key for key in ("count", "curve", "origin", "x_axis", "y_axis") if key in table.data]
+    if idle:
+        raise InputError(f"{table.place(idle[0])} means nothing beside sections: leave it out")
+    return table.table("sections")
+
+
+def _pattern(table: Table) -> tuple[str, dict[str, Any]]:
+    """One of mirror, rotate and repeat."""
+    table.only(*_PATTERNS)
+    if len(table.data) != 1:
+        raise InputError(f"{table.where} must hold one of {', '.join(_PATTERNS)}")
+    (kind,) = table.data
+    inner = table.table(kind)
+    if kind == "mirror":
+        inner.only("point", "normal", "keep")
+        point, normal = inner.vector("point", 3, (0.0, 0.0, 0.0)), inner.vector("normal", 3)
+        return kind, {"point": point, "normal": normal, "keep": inner.flag("keep", True)}
+    if kind == "repeat":
+        inner.only("count", "step")
+        return kind, {"count": inner.count("count", 1), "step": inner.vector("step", 3)}
+    inner.only("count", "axis", "point", "step")
+    axis, point = inner.vector("axis", 3, (0.0, 0.0, 1.0)), inner.vector("point", 3, (0.0, 0.0, 0.0))
+    return kind, {"count": inner.count("count", 1), "axis": axis, "point": point, "step": inner.maybe("step")}
+
+
+SAME_DIGITS = 11
+"""Digits, in lengths of the curve, to which curves and gravity are the same: mirrored places differ by rounding."""
+
+
+def _likeness(entry: StripEntry) -> Any:
+    """Strips with equal keys are made alike: the same curve but for rounding, the same request."""
+    spec, curve, gravity = entry.spec, entry.curve, entry.spec.gravity_in_plane
+    numbers = [curve.knots - curve.knots[0], curve.control_points.ravel()]
+    numbers += [] if curve.weights is None else [curve.weights]
+    numbers += [] if gravity is None else [[gravity.length, *gravity.direction]]
+    digits = np.round(np.concatenate(numbers) / curve.length, SAME_DIGITS) + 0.0
+    placed = ("curve", "frame", "gravity", "slots", "label")
+    asked = [getattr(spec, one.name) for one in fields(spec) if one.name not in placed]
+    return digits.tobytes(), value_key(asked)
+
+
+def _make(entry: StripEntry) -> Strip:
+    """The strip without its slots, with complaints that name it."""
+    try:
+        return entry.spec.changed(slots=()).make()
+    except NotRealizable as problem:
+        named = NotRealizable(problem.check)
+        named.args = (f"{entry.called}: {problem}",)
+        raise named from problem
+    except (InputError, NotConvergedError) as problem:
+        raise type(problem)(f"{entry.called}: {problem}") from problem

@@ -1,0 +1,114 @@
+"""What a design file says about a surface of revolution: its meridian, and the strips and rings it is made of."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.fabrication.model.revolution_model import revolve
+from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.strip.tabs import Tab
+from elastica_cad.formats.design_files.strip_records import find_sheet, read_tabs
+from elastica_cad.formats.design_files.strip_table import CurveReader, read_drawn_curve
+from elastica_cad.formats.design_files.tables import Table
+from elastica_cad.forming.revolution.meridian import Meridian, meridian, meridian_through
+from elastica_cad.mechanics.material.sheet import Sheet
+
+__all__ = ["RevolutionEntry", "read_revolution"]
+
+NEAR_MM = 1e-3
+"""A meridian this near to its points passes them: no cut is as exact."""
+
+OWN_KEYS = ("a", "b", "start", "angle", "length")
+
+
+@dataclass(frozen=True, eq=False)
+class RevolutionEntry:
+    """A surface of revolution to be made.
+
+    Attributes
+    ----------
+    meridian : Meridian
+    strips : int
+    sheet : Sheet
+    ends : pair of Tab or None
+        None for tabs that keep apart.
+    rings : Sheet or None
+        Of the rings at both ends.
+    """
+
+    meridian: Meridian
+    strips: int
+    sheet: Sheet
+    ends: tuple[Tab, Tab] | None = None
+    rings: Sheet | None = None
+
+    def model(self, name: str) -> Model:
+        """All strips, and the rings.
+
+        Raises
+        ------
+        InputError
+            As `revolve`.
+        """
+        return revolve(
+            self.meridian, self.strips, sheet=self.sheet, ends=self.ends, rings=self.rings, name=name
+        )
+
+    @property
+    def reports(self) -> tuple[str, ...]:
+        """How far the meridian is off what was drawn, where it is."""
+        off = self.meridian.deviation
+        if off <= NEAR_MM:
+            return ()
+        return (
+            f"the meridian is {off:.3g} mm off its points at most: no meridian that strips can tile is nearer",
+        )
+
+
+def read_revolution(
+    table: Table, folder: Path, sheets: dict[str, Sheet], read_curves: CurveReader
+) -> RevolutionEntry:
+    """What the table `revolution` asks for.
+
+    Raises
+    ------
+    InputError
+        Unknown keys, a meridian told in two ways or none, or one that cannot be; the place is named.
+    """
+    table.only("sheet", "strips", "ring", "rings", "ends", "points", "curve", *OWN_KEYS)
+    ring = table.maybe("ring")
+    ways = [way for way in ("points", "curve", "a") if table.has(way)]
+    if len(ways) != 1:
+        raise InputError(
+            f"{table.where} must hold one of points, curve, or {', '.join(OWN_KEYS)}: what the meridian is to be"
+        )
+    try:
+        with table.naming():
+            if ways[0] == "a":
+                b, start = table.vector("b", 2), table.vector("start", 2)
+                numbers: Any = (table.number("angle"), table.number("length"))
+                line = meridian(table.number("a"), b, start, *numbers, ring=ring)
+            elif ways[0] == "points":
+                line = meridian_through(_points(table), ring=ring)
+            else:
+                line = meridian_through(read_drawn_curve(table, folder, read_curves), ring=ring)
+    except NotConvergedError as problem:
+        raise NotConvergedError(f"{table.where}: {problem}") from problem
+    return RevolutionEntry(
+        line,
+        table.count("strips", 16),
+        find_sheet(table, "sheet", sheets),
+        read_tabs(table) if table.has("ends") else None,
+        find_sheet(table, "rings", sheets) if table.has("rings") else None,
+    )
+
+
+def _points(table: Table) -> list[tuple[float, ...]]:
+    rows = table.raw("points")
+    if not isinstance(rows, list):
+        raise InputError(f"{table.place('points')} must be a list of points [x, y], x from the axis, mm")
+    return [
+        Table({"point": row}, f"{table.place('points')}[{i}]", table.scope).vector("point", 2)
+        for i, row in enumerate(rows, start=1)
+    ]

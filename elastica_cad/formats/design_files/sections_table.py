@@ -1,0 +1,138 @@
+"""What a design file says about sections of a surface: which file, which planes cut it, how it is divided."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.formats.design_files.tables import Table
+from elastica_cad.formats.surface_files.file_surface import SurfaceReader, read_sized_surface
+from elastica_cad.forming.plane_sections.section_curves import SectionCurve
+from elastica_cad.forming.plane_sections.section_spec import (
+    AlongPath,
+    CornerSplit,
+    Cuts,
+    ParallelCuts,
+    PlaneSplit,
+    PointSplit,
+    RadialCuts,
+    SectionSpec,
+    Split,
+)
+
+__all__ = ["FAMILIES", "read_sections"]
+
+FAMILIES = ("radial", "parallel", "along")
+
+
+def read_sections(
+    table: Table, folder: Path, read_surface: SurfaceReader
+) -> tuple[tuple[SectionCurve, ...], tuple[str, ...]]:
+    """Curves of the sections that a table asks for, each in the plane of its own, and what is worth knowing.
+
+    Raises
+    ------
+    InputError
+        A missing surface, planes that make no sense, or no section that a strip could follow.
+    MissingDependencyError
+        trimesh is not installed, or for CAD bodies no kernel.
+    """
+    table.only("mesh", "unit", "scale", "half", "longest", "split", "tolerance", "wavelength", *FAMILIES)
+    found = [family for family in FAMILIES if table.has(family)]
+    if len(found) != 1:
+        raise InputError(
+            f"{table.where} must hold one of {', '.join(FAMILIES)}: the planes that cut the mesh"
+        )
+    path = folder / table.text("mesh")
+    if not path.is_file():
+        raise InputError(f"{table.where}: there is no file {path}; names are relative to the design file")
+    scale = table.maybe("scale")
+    if scale is not None and not scale > 0:
+        raise InputError(f"{table.place('scale')} is {scale:g}: it must be positive")
+    family = table.table(found[0])
+    spec = SectionSpec(
+        _READERS[found[0]](family),
+        half=table.flag("half") if table.has("half") else None,
+        longest=table.flag("longest"),
+        splits=_splits(table),
+        tolerance=table.number("tolerance", 0.3),
+        wavelength=table.number("wavelength", 0.0),
+    )
+    unit = table.text("unit") if table.has("unit") else None
+    with table.naming():
+        return spec.curves(read_sized_surface(read_surface, path, unit=unit, scale=scale))
+
+
+def _splits(table: Table) -> tuple[Split, ...]:
+    """Ways to split a line: by a plane through a point, at the places nearest to points in space, at corners."""
+    given = table.raw("split", [])
+    tables = [table.table("split")] if isinstance(given, dict) else table.tables("split")
+    return tuple(_split(cut) for cut in tables)
+
+
+def _split(cut: Table) -> Split:
+    with cut.naming():
+        if cut.has("corners"):
+            return CornerSplit(cut.only("corners").number("corners"))
+        if cut.has("points"):
+            return PointSplit(_points(cut.only("points"), "points"))
+        cut.only("point", "normal")
+        return PlaneSplit(_triple(cut, "normal"), _triple(cut, "point", (0.0, 0.0, 0.0)))
+
+
+def _radial(table: Table) -> RadialCuts:
+    """`angles`, or as many as `count` says all around."""
+    table.only("point", "axis", "zero", "count", "angles")
+    given: dict[str, Any] = {key: _triple(table, key) for key in ("point", "axis", "zero") if table.has(key)}
+    angles = _list(table, "angles") if table.has("angles") else None
+    return RadialCuts(table.count("count", RadialCuts.count), angles, **given)
+
+
+def _parallel(table: Table) -> ParallelCuts:
+    """`offsets` from the point, or through the middles of `count` equal slices of the surface."""
+    table.only("point", "normal", "offsets", "count", "up")
+    if table.has("count") and table.has("offsets"):
+        raise InputError(f"{table.place('count')} means nothing beside offsets: leave one of them out")
+    given: dict[str, Any] = {key: _triple(table, key) for key in ("point", "up") if table.has(key)}
+    offsets = None if table.has("count") else _list(table, "offsets")
+    return ParallelCuts(_triple(table, "normal"), table.count("count", 1), offsets, **given)
+
+
+def _along(table: Table) -> AlongPath:
+    table.only("path", "count", "ends", "up")
+    count, up = table.count("count", AlongPath.count), _triple(table, "up", AlongPath.up)
+    return AlongPath(_points(table, "path"), count, table.flag("ends"), up)
+
+
+_READERS: dict[str, Callable[[Table], Cuts]] = {"radial": _radial, "parallel": _parallel, "along": _along}
+
+
+def _triple(
+    table: Table, key: str, default: tuple[float, float, float] | None = None
+) -> tuple[float, float, float]:
+    x, y, z = table.vector(key, 3, default)
+    return x, y, z
+
+
+def _points(table: Table, key: str) -> FloatArray:
+    """Places in space, however many."""
+    rows = table.raw(key)
+    if not isinstance(rows, list) or not rows:
+        raise InputError(f"{table.place(key)} must be a list of points [x, y, z]")
+    return np.array(
+        [
+            Table({"point": row}, f"{table.place(key)}[{i}]", table.scope).vector("point", 3)
+            for i, row in enumerate(rows, start=1)
+        ]
+    )
+
+
+def _list(table: Table, key: str) -> tuple[float, ...]:
+    """Numbers, however many."""
+    rows = table.raw(key)
+    if not isinstance(rows, list) or not rows:
+        raise InputError(f"{table.place(key)} must be a list of numbers, at least one")
+    return table.vector(key, len(rows))

@@ -1,0 +1,251 @@
+"""What a design file says about one strip: its curve, its place in space, and how it is made."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.strip_spec import StripSpec
+from elastica_cad.formats.curve_files.drawn_file import CurveList
+from elastica_cad.formats.design_files.formulae import Formula
+from elastica_cad.formats.design_files.reshaping import reshape_curve
+from elastica_cad.formats.design_files.strip_records import (
+    find_sheet,
+    read_keep,
+    read_limits,
+    read_loads,
+    read_shop,
+    read_slot,
+    read_style,
+    read_supports,
+    read_tabs,
+)
+from elastica_cad.formats.design_files.tables import Table
+from elastica_cad.forming.plane_sections.section_curves import SectionCurve
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.material.sheet import Sheet
+
+__all__ = ["MAKING_KEYS", "STRIP_KEYS", "CurveReader", "StripEntry", "read_drawn_curve", "read_strip"]
+
+CurveReader: TypeAlias = Callable[..., list[PlaneCurve]]
+"""`read_curves(path, unit=...)`."""
+
+MAKING_KEYS = (
+    "sheet", "max_width", "min_width", "gravity", "loads", "supports", "natural_curvature", "samples", "limits",
+    "keep", "ends", "style", "smooth", "shop", "anyway",
+)  # fmt: skip
+"""Keys that may stand for all strips at the top of the file or for some in [[strips]]."""
+
+STRIP_KEYS = (
+    *MAKING_KEYS, "label", "count", "let", "curve", "sections", "origin", "x_axis", "y_axis", "slots",
+)  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class StripEntry:
+    """One strip of a design file.
+
+    Attributes
+    ----------
+    spec : StripSpec
+        What is asked.
+    section : str
+        The section of a surface that it follows and where that begins, else empty.
+    off_section : float
+        Largest distance of that section's points from the curve, mm.
+    """
+
+    spec: StripSpec
+    section: str = ""
+    off_section: float = 0.0
+
+    @property
+    def label(self) -> str:
+        """Engraved on the strip, and its name in messages."""
+        return self.spec.label
+
+    @property
+    def curve(self) -> PlaneCurve:
+        """As drawn."""
+        return self.spec.curve
+
+    @property
+    def sheet(self) -> Sheet:
+        """What the strip is cut from."""
+        return self.spec.material
+
+    @property
+    def frame(self) -> Frame:
+        """The plane that the curve is drawn in."""
+        return self.spec.frame or Frame()
+
+    @property
+    def called(self) -> str:
+        """Label, and section where there is one."""
+        return f"{self.label} ({self.section})" if self.section else self.label
+
+
+def read_strip(
+    table: Table,
+    label: str,
+    folder: Path,
+    sheets: dict[str, Sheet],
+    read_curves: CurveReader,
+    section: SectionCurve | None = None,
+) -> StripEntry:
+    """The strip that one table of strips asks for, its formulae computed; a `section` brings curve and plane.
+
+    Raises
+    ------
+    InputError
+        Unknown keys or values, missing files, curves that make no sense; the place is named.
+    """
+    sheet = find_sheet(table, "sheet", sheets)
+    frame = _plane(table) if section is None else section.frame
+    limited = table.has("limits") or table.has("keep")
+    asked: dict[str, Any] = {
+        "max_width": table.maybe("max_width"),
+        "min_width": table.maybe("min_width"),
+        "gravity": _gravity(table),
+        "loads": read_loads(table),
+        "supports": read_supports(table),
+        "natural_curvature": table.number("natural_curvature", 0.0),
+        "samples": table.count("samples", 1) if table.has("samples") else None,
+        "limits": read_limits(table.table("limits"), sheet) if limited else None,
+        "keep": read_keep(table.table("keep")) if limited else None,
+        "ends": read_tabs(table),
+        "style": read_style(table.table("style"), sheets),
+        "slots": tuple(read_slot(slot) for slot in table.tables("slots")),
+        "smooth": table.maybe("smooth"),
+        "shop": read_shop(table.table("shop")),
+        "anyway": table.flag("anyway"),
+    }
+    curve = read_drawn_curve(table, folder, read_curves) if section is None else section.curve
+    with table.naming():
+        spec = StripSpec(curve, sheet, frame, label=label, **asked)
+    if section is None:
+        return StripEntry(spec)
+    return StripEntry(spec, section.called, section.deviation)
+
+
+def _plane(table: Table) -> Frame:
+    origin = table.vector("origin", 3, (0.0, 0.0, 0.0))
+    x_axis = table.vector("x_axis", 3, (1.0, 0.0, 0.0))
+    y_axis = table.vector("y_axis", 3, (0.0, 0.0, 1.0))
+    with table.naming():
+        return Frame(origin, x_axis, y_axis)
+
+
+def read_drawn_curve(table: Table, folder: Path, read_curves: CurveReader) -> PlaneCurve:
+    """The curve that the key `curve` tells of."""
+    given = table.raw("curve")
+    if given is None:
+        raise InputError(
+            f"{table.place('curve')} is missing; give a file, formulae x, y and t, an ellipse or a spline"
+        )
+    if isinstance(given, str):
+        return _from_file(Table({"file": given}, table.place("curve"), table.scope), folder, read_curves)
+    curve = table.table("curve")
+    kinds = {"file": _from_file, "x": _from_formulae, "ellipse": _from_ellipse, "spline": _from_spline}
+    found = [kind for kind in kinds if kind in curve.data]
+    if len(found) != 1:
+        raise InputError(
+            f"{curve.where} must hold one of file, x (with y and t), ellipse or spline, not "
+            f"{', '.join(curve.data) or 'nothing'}"
+        )
+    drawn = kinds[found[0]](curve, folder, read_curves)
+    return reshape_curve(drawn, curve.table("reshape")) if curve.has("reshape") else drawn
+
+
+def _from_file(curve: Table, folder: Path, read_curves: CurveReader) -> PlaneCurve:
+    curve.only("file", "number", "id", "layer", "unit", "reshape")
+    path = folder / curve.text("file")
+    if not path.is_file():
+        raise InputError(f"{curve.where}: there is no file {path}; names are relative to the design file")
+    curves = read_curves(path, unit=curve.raw("unit"))
+    number = curve.count("number", 1)
+    if isinstance(curves, CurveList):
+        with curve.naming():
+            return curves.file.one(
+                curve.text("id") if curve.has("id") else str(number) if curve.has("number") else None,
+                curve.text("layer") if curve.has("layer") else None,
+                path.name,
+                "number = 1 .. {count}, id or layer",
+            ).curve
+    if number > len(curves) or (len(curves) > 1 and not curve.has("number")):
+        raise InputError(
+            f"{curve.where}: {path.name} holds {len(curves)} curve{'s' if len(curves) > 1 else ''}: choose one "
+            f"with number = 1 .. {len(curves)}"
+        )
+    return curves[number - 1]
+
+
+def _from_formulae(curve: Table, _folder: Path, _read: CurveReader) -> PlaneCurve:
+    curve.only("x", "y", "t", "breaks", "reshape")
+    x, y = (Formula(str(curve.raw(key, "")), curve.place(key)) for key in ("x", "y"))
+    start, end = curve.vector("t", 2)
+    if not start < end:
+        raise InputError(f"{curve.place('t')} is [{start:g}, {end:g}]: it must be a range, least first")
+    breaks = curve.raw("breaks", [])
+    if not isinstance(breaks, list):
+        raise InputError(f"{curve.place('breaks')} must be a list of [t, continuity]")
+    pairs = [Table({"at": one}, curve.place("breaks"), curve.scope).vector("at", 2) for one in breaks]
+
+    def point(t: FloatArray) -> FloatArray:
+        columns = [np.broadcast_to(f(curve.scope, t=t), t.shape) for f in (x, y)]
+        return np.column_stack(columns)
+
+    return PlaneCurve.fit_function(point, start, end, breaks=[(t, int(order)) for t, order in pairs])
+
+
+def _from_ellipse(curve: Table, _folder: Path, _read: CurveReader) -> PlaneCurve:
+    """An exact ellipse arc, between two parameters or above a height."""
+    given = curve.only("ellipse", "reshape").table("ellipse")
+    given.only("center", "semi_axes", "rotation", "start", "end", "above")
+    center, axes = given.vector("center", 2, (0.0, 0.0)), given.vector("semi_axes", 2)
+    rotation = given.number("rotation", 0.0)
+    if not given.has("above"):
+        full = 2 * np.pi
+        return PlaneCurve.ellipse(
+            center, axes, rotation, given.number("start", 0.0), given.number("end", full)
+        )
+    rise = given.number("above") - center[1]
+    # y - center = a sin(rotation) cos v + b cos(rotation) sin v = reach cos(v - top)
+    tall = axes[0] * np.sin(rotation), axes[1] * np.cos(rotation)
+    reach, top = float(np.hypot(*tall)), float(np.arctan2(tall[1], tall[0]))
+    if not -reach < rise < reach:
+        raise InputError(
+            f"{given.place('above')}: the ellipse lies between y = {center[1] - reach:.4g} and "
+            f"{center[1] + reach:.4g} mm, so y = {rise + center[1]:.4g} mm does not cut it"
+        )
+    half = float(np.arccos(rise / reach))
+    return PlaneCurve.ellipse(center, axes, rotation, top - half, top + half)
+
+
+def _from_spline(curve: Table, _folder: Path, _read: CurveReader) -> PlaneCurve:
+    curve.only("spline", "degree", "reshape")
+    rows = curve.raw("spline")
+    if not isinstance(rows, list):
+        raise InputError(f"{curve.place('spline')} must be a list of control points [x, y]")
+    points = [Table({"point": row}, f"{curve.place('spline')}[{i}]", curve.scope).vector("point", 2)
+              for i, row in enumerate(rows, start=1)]  # fmt: skip
+    return PlaneCurve.spline(points, degree=curve.count("degree", 4))
+
+
+def _gravity(table: Table) -> Gravity | tuple[float, ...] | None:
+    """The direction in space in which the sheet's weight falls, -z unless told; or a `length` of its own."""
+    given = table.raw("gravity", False)
+    if isinstance(given, bool):
+        return (0.0, 0.0, -1.0) if given else None
+    if not isinstance(given, dict):
+        return table.vector("gravity", 3)
+    own = table.table("gravity").only("length", "direction")
+    with own.naming():
+        x, y = own.vector("direction", 2, (0.0, -1.0))
+        return Gravity(own.number("length"), (x, y))

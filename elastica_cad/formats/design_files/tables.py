@@ -1,0 +1,154 @@
+"""Tables of a design file: values by key, formulae computed, whatever nobody asked for refused."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from difflib import get_close_matches
+from typing import Any
+
+from elastica_cad.errors import InputError
+from elastica_cad.formats.design_files.formulae import Formula, Value
+
+__all__ = ["Table", "compute_number"]
+
+
+def compute_number(value: object, where: str, scope: Mapping[str, Value]) -> float:
+    """The number that is written as a number or as a formula.
+
+    Raises
+    ------
+    InputError
+        Something else, or a formula that fails.
+    """
+    if isinstance(value, str):
+        value = Formula(value, where)(scope)
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise InputError(f"{where} is {value!r}: it must be a number or a formula in quotes")
+    return float(value)
+
+
+class Table:
+    """A table of a design file and the names that its formulae may use.
+
+    Parameters
+    ----------
+    data : mapping
+        As parsed.
+    where : str
+        File and place, for messages.
+    scope : mapping
+        Names with their values.
+    defaults : Table, optional
+        Asked for keys that are missing here.
+    """
+
+    def __init__(
+        self, data: object, where: str, scope: Mapping[str, Value], defaults: "Table | None" = None
+    ) -> None:
+        if not isinstance(data, Mapping):
+            raise InputError(f"{where} must be a table of keys and values, not {data!r}")
+        self.data: Mapping[str, Any] = data
+        self.where = where
+        self.scope = scope
+        self.defaults = defaults
+
+    def only(self, *keys: str) -> "Table":
+        """This table, refused where it holds any other key."""
+        for key in self.data:
+            if key not in keys:
+                near = get_close_matches(key, keys, n=1, cutoff=0.5)
+                hint = f"did you mean {near[0]}?" if near else f"known keys are {', '.join(sorted(keys))}"
+                raise InputError(f"{self.where}: unknown key {key!r}; {hint}")
+        return self
+
+    def place(self, key: str) -> str:
+        """How messages call a value."""
+        return f"{self.where}: {key}"
+
+    @contextmanager
+    def naming(self, key: str | None = None) -> Iterator[None]:
+        """Complaints from inside name this table, or the value of `key`, unless they do already."""
+        try:
+            yield
+        except InputError as error:
+            where = self.where if key is None else self.place(key)
+            text = str(error)
+            raise InputError(text if text.startswith(self.where) else f"{where}: {text}") from error
+
+    def raw(self, key: str, default: Any = None) -> Any:
+        """The value as parsed, here or in the defaults."""
+        if key in self.data:
+            return self.data[key]
+        return default if self.defaults is None else self.defaults.raw(key, default)
+
+    def has(self, key: str) -> bool:
+        """Is it given, here or in the defaults?"""
+        return self.raw(key) is not None
+
+    def number(self, key: str, default: float | None = None) -> float:
+        """A number or a formula.
+
+        Raises
+        ------
+        InputError
+            Missing without a default, or no number.
+        """
+        value = self.raw(key, default)
+        if value is None:
+            raise InputError(f"{self.place(key)} is missing; give it a number or a formula in quotes")
+        return compute_number(value, self.place(key), self.scope)
+
+    def maybe(self, key: str) -> float | None:
+        """A number, or None where it is not given."""
+        return self.number(key) if self.has(key) else None
+
+    def count(self, key: str, default: int) -> int:
+        """A whole number, at least 1."""
+        value = self.number(key, default)
+        if value != int(value) or value < 1:
+            raise InputError(f"{self.place(key)} is {value:g}: it must be a whole number, 1 or more")
+        return int(value)
+
+    def vector(self, key: str, size: int, default: Sequence[float] | None = None) -> tuple[float, ...]:
+        """`size` numbers or formulae."""
+        value = self.raw(key, default)
+        if not isinstance(value, list | tuple) or len(value) != size:
+            raise InputError(f"{self.place(key)} is {value!r}: it must be {size} numbers in brackets")
+        return tuple(
+            compute_number(one, f"{self.place(key)}[{i}]", self.scope) for i, one in enumerate(value, start=1)
+        )
+
+    def text(self, key: str, default: str | None = None, choices: Sequence[str] = ()) -> str:
+        """A word or a line of text."""
+        value = self.raw(key, default)
+        if not isinstance(value, str):
+            raise InputError(f"{self.place(key)} is {value!r}: it must be text in quotes")
+        if choices and value not in choices:
+            raise InputError(f"{self.place(key)} is {value!r}: use one of {', '.join(choices)}")
+        return value
+
+    def flag(self, key: str, default: bool = False) -> bool:
+        """True or false."""
+        value = self.raw(key, default)
+        if not isinstance(value, bool):
+            raise InputError(f"{self.place(key)} is {value!r}: it must be true or false")
+        return value
+
+    def table(self, key: str) -> "Table":
+        """A table inside this one; an empty one where it is not given."""
+        return Table(self.raw(key, {}), self.place(key), self.scope)
+
+    def tables(self, key: str) -> "list[Table]":
+        """A list of tables."""
+        value = self.raw(key, [])
+        if not isinstance(value, list):
+            raise InputError(f"{self.place(key)} must be a list of tables, not {value!r}")
+        return [Table(one, f"{self.place(key)}[{i}]", self.scope) for i, one in enumerate(value, start=1)]
+
+    def within(self, let: object) -> dict[str, Value]:
+        """The scope with further names: each may use those before it."""
+        scope = dict(self.scope)
+        for name, value in Table(let, self.place("let"), scope).data.items():
+            if not name.isidentifier():
+                raise InputError(f"{self.place('let')}: {name!r} is no name; use letters, digits and _")
+            scope[name] = compute_number(value, f"{self.place('let')}.{name}", scope)
+        return scope

@@ -1,0 +1,1 @@
+"""Drawings as DXF and SVG files: layers, styles of curves."""

@@ -1,0 +1,42 @@
+"""How curves are written: as splines, arcs or polylines."""
+
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.paths.biarcs import as_arcs, as_polyline
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.path_cubics import as_cubics
+
+__all__ = ["CURVES", "EXACT", "checked_curves", "shaped"]
+
+CURVES = ("spline", "arc", "polyline")
+
+EXACT = "exact"
+"""Splines of any degree as they are: for curves that a CAD program is to read, not a machine."""
+
+_SPLINE_TOLERANCE_MM = 1e-3
+"""Splines cost few bytes: approximated ones stay this near even where a coarser tolerance is given."""
+
+FINEST_MM = 1e-5
+"""Finer arcs and polylines would only fill the disk."""
+
+
+def checked_curves(curves: str) -> str:
+    """The mode, refused unless it is one of `CURVES` or `EXACT`."""
+    if curves not in (*CURVES, EXACT):
+        raise InputError(f"curves is {curves!r}: use one of {', '.join(CURVES)}")
+    return curves
+
+
+def shaped(path: Path, curves: str, tolerance: float, *, rational: bool = True) -> Path:
+    """The path as a file holds it: splines of degree 3 at most (`rational` where allowed), arcs, or lines.
+
+    With `EXACT` splines of any degree stay, where the file knows weights.
+    """
+    if curves == EXACT:
+        return path if rational else as_cubics(path, _SPLINE_TOLERANCE_MM, rational=False)
+    if 0 < tolerance < FINEST_MM and curves != "spline":
+        raise InputError(
+            f"the tolerance is {tolerance:g} mm: no machine cuts so finely, give {FINEST_MM:g} or more"
+        )
+    if curves == "spline":
+        return as_cubics(path, min(tolerance, _SPLINE_TOLERANCE_MM), rational=rational)
+    return (as_arcs if curves == "arc" else as_polyline)(path, tolerance)

@@ -1,0 +1,83 @@
+"""Names and colours of layers, as files show them."""
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, LAYERS, MARK
+
+__all__ = ["LayerChoice", "LayerStyle", "layer_styles"]
+
+
+@dataclass(frozen=True)
+class LayerStyle:
+    """How a layer is called and coloured in a file.
+
+    Parameters
+    ----------
+    name : str
+        Without the characters that CAD programs refuse.
+    color : str
+        "#rrggbb".
+    """
+
+    name: str
+    color: str
+
+    def __post_init__(self) -> None:
+        if not self.name.strip() or re.search(r'[<>/\\":;?*|=`\x00-\x1f]', self.name) or len(self.name) > 255:
+            raise InputError(f"{self.name!r} is no name for a layer: use letters, digits, spaces, - and _")
+        if not re.fullmatch(r"#[0-9a-fA-F]{6}", self.color):
+            raise InputError(f"{self.color!r} is no colour for layer {self.name!r}: write it as #rrggbb")
+        object.__setattr__(self, "color", self.color.lower())
+
+    @property
+    def rgb(self) -> tuple[int, int, int]:
+        """Red, green and blue, 0 to 255."""
+        return int(self.color[1:3], 16), int(self.color[3:5], 16), int(self.color[5:7], 16)
+
+
+LayerChoice: TypeAlias = str | tuple[str, str] | LayerStyle
+
+_STANDARD = {
+    CUT_OUTER: LayerStyle(CUT_OUTER, "#ff0000"),
+    CUT_INNER: LayerStyle(CUT_INNER, "#0000ff"),
+    ENGRAVE: LayerStyle(ENGRAVE, "#000000"),
+    MARK: LayerStyle(MARK, "#00ff00"),
+}
+
+
+def layer_styles(choices: Mapping[str, LayerChoice] | None = None) -> dict[str, LayerStyle]:
+    """The style of every layer, the user's choices put over the standard ones.
+
+    Parameters
+    ----------
+    choices : mapping, optional
+        From a layer of the drawing to a name, or to a name and a colour "#rrggbb".
+
+    Raises
+    ------
+    InputError
+        A layer that drawings do not have, two layers of one name, a bad name or colour.
+
+    Examples
+    --------
+    >>> layer_styles({"ENGRAVE": ("Raster", "#808080")})["ENGRAVE"].name
+    'Raster'
+    """
+    styles = dict(_STANDARD)
+    for layer, choice in (choices or {}).items():
+        if layer not in styles:
+            raise InputError(f"there is no layer {layer!r} to rename: drawings have {', '.join(LAYERS)}")
+        if isinstance(choice, LayerStyle):
+            styles[layer] = choice
+        elif isinstance(choice, str):
+            styles[layer] = LayerStyle(choice, styles[layer].color)
+        else:
+            styles[layer] = LayerStyle(*choice)
+    names = [style.name.casefold() for style in styles.values()]
+    if len(set(names)) < len(names):
+        raise InputError("two layers have the same name: name each one differently")
+    return styles

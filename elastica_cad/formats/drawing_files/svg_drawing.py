@@ -1,0 +1,165 @@
+"""Drawings as SVG files in mm."""
+
+import os
+from collections.abc import Mapping
+from pathlib import Path as FilePath
+from xml.sax.saxutils import escape, quoteattr
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.fabrication.drawings.drawing import LAYERS, Drawing
+from elastica_cad.formats.drawing_files.curve_style import checked_curves, shaped
+from elastica_cad.formats.drawing_files.layers import LayerChoice, layer_styles
+from elastica_cad.formats.file_access.atomic_write import checked_target, write_atomically
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
+
+__all__ = ["svg_bytes", "write_svg"]
+
+_MARGIN_MM = 1.0
+"""About the drawing, so that a stroke on its border is seen."""
+
+_STROKE_MM = 0.1
+"""Hairline: laser programs take thin strokes for cuts."""
+
+
+def write_svg(
+    drawing: Drawing,
+    path: str | os.PathLike[str],
+    *,
+    curves: str = "spline",
+    tolerance: float = 0.02,
+    layers: Mapping[str, LayerChoice] | None = None,
+    force: bool = False,
+) -> FilePath:
+    """Write a drawing as SVG; see `svg_bytes` for the options.
+
+    Parameters
+    ----------
+    path : path-like
+        The file; its folder must exist.
+    force : bool
+        Overwrite a file of that name.
+
+    Returns
+    -------
+    pathlib.Path
+        The file written.
+    """
+    checked_target(path, force=force)
+    return write_atomically(
+        path, svg_bytes(drawing, curves=curves, tolerance=tolerance, layers=layers), force
+    )
+
+
+def svg_bytes(
+    drawing: Drawing,
+    *,
+    curves: str = "spline",
+    tolerance: float = 0.02,
+    layers: Mapping[str, LayerChoice] | None = None,
+) -> bytes:
+    """A drawing as the content of an SVG file whose user unit is the mm; same drawing, same bytes.
+
+    One group a layer, in working order, one <path> a loop, y upward on the sheet. Arcs and polynomial splines
+    up to degree 3 are exact.
+
+    Parameters
+    ----------
+    drawing : Drawing
+    curves : str
+        "spline" writes Bezier curves (weighted splines and degrees above 3 to the tolerance but at most
+        0.001 mm), "arc" arcs, "polyline" lines.
+    tolerance : float
+        Largest distance, mm, of a replaced curve from the true one.
+    layers : mapping, optional
+        Names and colours, see `layer_styles`.
+
+    Raises
+    ------
+    InputError
+        The drawing is empty, or an option is unknown.
+
+    Examples
+    --------
+    >>> from elastica_cad.fabrication.drawings.drawing import CUT_OUTER, LayeredPath
+    >>> plate = Drawing("plate", [LayeredPath(CUT_OUTER, Path.rectangle(40, 10))])
+    >>> 'width="42mm" height="12mm"' in svg_bytes(plate).decode()
+    True
+    """
+    curves = checked_curves(curves)
+    styles = layer_styles(layers)
+    (left, low), (right, high) = drawing.bounds
+    sheet = _Sheet(left - _MARGIN_MM, high + _MARGIN_MM)
+    width, height = _number(right - left + 2 * _MARGIN_MM), _number(high - low + 2 * _MARGIN_MM)
+    rows = [
+        '<?xml version="1.0" encoding="UTF-8"?>',
+        '<svg xmlns="http://www.w3.org/2000/svg" version="1.1" '
+        'xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" '
+        f'width="{width}mm" height="{height}mm" viewBox="0 0 {width} {height}">',
+        f"<title>{escape(drawing.name)}</title>",
+    ]
+    for layer in LAYERS:
+        paths = [item.path for item in drawing.strokes if item.layer == layer]
+        if not paths:
+            continue
+        style = styles[layer]
+        key, label = quoteattr(style.name.replace(" ", "_")), quoteattr(style.name)
+        rows.append(
+            f'<g id={key} inkscape:groupmode="layer" inkscape:label={label} '
+            f'fill="none" stroke="{style.color}" stroke-width="{_STROKE_MM:g}">'
+        )
+        rows.extend(
+            f'<path d="{sheet.data(shaped(path, curves, tolerance, rational=False))}"/>' for path in paths
+        )
+        rows.append("</g>")
+    rows.append("</svg>\n")
+    return "\n".join(rows).encode()
+
+
+class _Sheet:
+    """Path data with the origin at the upper left corner and y downward."""
+
+    def __init__(self, left: float, top: float) -> None:
+        self.origin = np.array([left, top])
+
+    def data(self, path: Path) -> str:
+        """The d attribute of one path."""
+        parts = [f"M{self._points(path.start)}"]
+        for segment in path.segments:
+            parts.extend(self._segment(segment))
+        if path.closed:
+            # the closing line is drawn by Z
+            if isinstance(path.segments[-1], Line):
+                parts.pop()
+            parts.append("Z")
+        return "".join(parts)
+
+    def _segment(self, segment: Segment) -> list[str]:
+        if isinstance(segment, Line):
+            return [f"L{self._points(segment.end)}"]
+        if isinstance(segment, Arc):
+            return self._arc(segment)
+        return self._bezier(segment)
+
+    def _arc(self, arc: Arc) -> list[str]:
+        # more than half a turn in two parts: a whole turn has no ends, and nearly one is badly conditioned
+        ends = arc.at(np.array([0.5, 1.0])) if abs(arc.sweep) > np.pi * (1 + 1e-9) else arc.end[None]
+        radius, flag = _number(arc.radius), "0" if arc.sweep > 0 else "1"
+        return [f"A{radius} {radius} 0 0 {flag} {self._points(end)}" for end in ends]
+
+    def _bezier(self, spline: Spline) -> list[str]:
+        letter = {2: "Q", 3: "C"}[spline.curve.degree]
+        pieces = [points[:, :2] / points[:, 2:] for _, _, points in spline.curve.bezier_pieces()]
+        return [letter + self._points(*points[1:]) for points in pieces]
+
+    def _points(self, *points: FloatArray) -> str:
+        placed = [(np.asarray(p) - self.origin) * (1, -1) for p in points]
+        return " ".join(f"{_number(x)},{_number(y)}" for x, y in placed)
+
+
+def _number(value: float) -> str:
+    """A length to 1e-6 mm, as short as it goes."""
+    text = f"{value:.6f}".rstrip("0").rstrip(".")
+    return "0" if text in ("-0", "") else text

@@ -1,0 +1,82 @@
+"""Cutting files: a drawing, with kerf on request, in the format that the file name asks for."""
+
+import os
+from collections.abc import Mapping
+from pathlib import Path
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.bridges import HoldingTabs, add_holding_tabs
+from elastica_cad.fabrication.drawings.drawing import Drawing
+from elastica_cad.fabrication.drawings.kerf import compensate_kerf
+from elastica_cad.formats.drawing_files.dxf_drawing import write_dxf
+from elastica_cad.formats.drawing_files.layers import LayerChoice
+from elastica_cad.formats.drawing_files.svg_drawing import write_svg
+from elastica_cad.formats.file_access.atomic_write import checked_target
+
+__all__ = ["DRAWING_SUFFIXES", "write_drawing"]
+
+DRAWING_SUFFIXES = (".dxf", ".svg")
+
+_KERF_TOLERANCE_MM = 1e-4
+"""Of offsets by half the kerf: a hundredth of what a laser repeats."""
+
+
+def write_drawing(
+    drawing: Drawing,
+    path: str | os.PathLike[str],
+    *,
+    kerf: float = 0.0,
+    curves: str = "spline",
+    tolerance: float = 0.02,
+    version: str = "R2010",
+    layers: Mapping[str, LayerChoice] | None = None,
+    holding: HoldingTabs | None = None,
+    force: bool = False,
+) -> Path:
+    """Write a drawing for a laser cutter as .dxf or .svg.
+
+    Parameters
+    ----------
+    drawing : Drawing
+    path : path-like
+        Its suffix is the format.
+    kerf : float
+        Width of the cut, mm: closed outer loops grow by half of it, inner ones shrink. Cutting services often
+        do this themselves, so the default is 0; it may be negative.
+    curves : str
+        "spline", "arc" or "polyline".
+    tolerance : float
+        Largest distance, mm, of a replaced curve from the true one.
+    version : str
+        DXF version, R12 to R2018.
+    layers : mapping, optional
+        From a layer to a name, or to a name and a colour "#rrggbb".
+    holding : HoldingTabs, optional
+        Bridges that hold parts in the sheet; none unless given.
+    force : bool
+        Overwrite a file of that name.
+
+    Returns
+    -------
+    pathlib.Path
+        The file written.
+
+    Raises
+    ------
+    InputError
+        An unknown suffix or option, an empty drawing, a kerf too wide for a loop, a file that can't be made.
+    MissingDependencyError
+        DXF without ezdxf.
+    """
+    suffix = Path(path).suffix.lower()
+    checked_target(path, force=force)
+    if suffix not in DRAWING_SUFFIXES:
+        raise InputError(f"{path} can't be written as a drawing: end its name with .dxf or .svg")
+    cut = compensate_kerf(drawing, kerf, tolerance=min(tolerance, _KERF_TOLERANCE_MM))
+    if holding is not None:
+        cut = add_holding_tabs(cut, holding)
+    if suffix == ".svg":
+        return write_svg(cut, path, curves=curves, tolerance=tolerance, layers=layers, force=force)
+    return write_dxf(
+        cut, path, curves=curves, tolerance=tolerance, version=version, layers=layers, force=force
+    )

@@ -1,0 +1,64 @@
+"""Several files that appear together, or not at all."""
+
+import os
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from elastica_cad.errors import InputError
+from elastica_cad.formats.file_access.atomic_write import checked_target
+
+__all__ = ["files_together"]
+
+
+@contextmanager
+def files_together(
+    folder: str | os.PathLike[str], names: Iterable[str], *, force: bool = False
+) -> Iterator[Path]:
+    """A workshop folder whose files move to `folder` only when the whole block has succeeded.
+
+    Parameters
+    ----------
+    folder : path-like
+        Where the files are to be; made if need be.
+    names : iterable of str
+        File names that the block will write into the folder it is given.
+    force : bool
+        Overwrite files of those names.
+
+    Yields
+    ------
+    Path
+        A temporary folder on the same disk.
+
+    Raises
+    ------
+    InputError
+        `folder` is a file or can't be made, or a file exists and `force` is not set: before the block runs.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as base:
+    ...     with files_together(base + "/out", ["a.txt"]) as workshop:
+    ...         _ = (workshop / "a.txt").write_text("done")
+    ...     Path(base, "out", "a.txt").read_text()
+    'done'
+    """
+    target, names = Path(os.path.realpath(os.fspath(folder))), list(names)
+    if target.exists() and not target.is_dir():
+        raise InputError(f"{folder} is a file, not a folder: choose another folder for the files")
+    if target.is_dir():
+        for name in names:
+            checked_target(target / name, force=force)
+    ground = next(parent for parent in (target, *target.parents) if parent.is_dir())
+    try:
+        with TemporaryDirectory(prefix=".elastica-", dir=ground) as workshop:
+            yield Path(workshop)
+            target.mkdir(parents=True, exist_ok=True)
+            for name in names:
+                os.replace(Path(workshop, name), target / name)
+    except OSError as problem:
+        reason = "no permission" if isinstance(problem, PermissionError) else problem.strerror or str(problem)
+        raise InputError(f"files can't be written to {folder}: {reason}; choose another folder") from problem

@@ -1,0 +1,77 @@
+"""What every reader asks of a file before and while it reads: one clear sentence when something is wrong."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from elastica_cad.errors import InputError, NotConvergedError
+
+__all__ = ["LARGEST_FILE", "MILLIMETRES", "existing_file", "millimetres", "naming"]
+
+LARGEST_FILE = 256 * 2**20
+"""Bytes."""
+
+MILLIMETRES = {
+    "mm": 1.0,
+    "cm": 10.0,
+    "dm": 100.0,
+    "m": 1000.0,
+    "um": 0.001,
+    "in": 25.4,
+    "ft": 304.8,
+    "px": 25.4 / 96,
+    "pt": 25.4 / 72,
+}
+
+
+def existing_file(path: str | Path) -> Path:
+    """The path, when a file is there that can be read and holds something.
+
+    Raises
+    ------
+    InputError
+        Nothing there, a folder, no permission, no bytes, or more than are read.
+    """
+    path = Path(path)
+    if path.is_dir():
+        raise InputError(f"{path} is a folder: name one file in it")
+    try:
+        with path.open("rb") as file:
+            empty = not file.read(1)
+    except OSError as error:
+        raise InputError(
+            f"{path} cannot be read: {error.strerror or error}; name a file that is there and may be read"
+        ) from error
+    if empty:
+        raise InputError(f"{path} is empty: export the curve anew")
+    size = path.stat().st_size
+    if size > LARGEST_FILE:
+        raise InputError(
+            f"{path} has {size / 2**20:.0f} MB, and at most {LARGEST_FILE // 2**20} MB are read: leave "
+            "out what is no "
+            "curve, or simplify it"
+        )
+    return path
+
+
+def millimetres(unit: str) -> float:
+    """Millimetres in one `unit`.
+
+    Raises
+    ------
+    InputError
+        A unit that is not known.
+    """
+    if unit not in MILLIMETRES:
+        raise InputError(f"unknown unit {unit!r}: use one of {', '.join(MILLIMETRES)}")
+    return MILLIMETRES[unit]
+
+
+@contextmanager
+def naming(path: Path) -> Iterator[None]:
+    """Put the file's name before any complaint about what it holds."""
+    try:
+        yield
+    except (InputError, NotConvergedError) as error:
+        message = str(error)
+        raise type(error)(message if str(path) in message else f"{path}: {message}") from error

@@ -1,0 +1,1 @@
+"""Reports of strips and models as JSON records."""

@@ -1,0 +1,111 @@
+"""The report of a model: its strips, joints, sheets and files as one JSON record."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict
+from typing import Any
+
+from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.sheets.cut_list import CutList
+from elastica_cad.fabrication.sheets.nesting import NestedSheet
+from elastica_cad.fabrication.strip.slot_effects import SlotEffect
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.formats.design_files.strip_table import StripEntry
+from elastica_cad.formats.reports.strip_report import rounded, versions
+from elastica_cad.geometry.paths.point_distance import largest_deviation
+
+__all__ = ["MODEL_SCHEMA", "model_report"]
+
+MODEL_SCHEMA = "elastica-model/1"
+
+
+def model_report(
+    model: Model,
+    *,
+    cut_list: CutList,
+    nests: Sequence[NestedSheet],
+    files: Mapping[str, str],
+    effects: Mapping[str, SlotEffect],
+    entries: Sequence[StripEntry] = (),
+) -> dict[str, Any]:
+    """The report of a model, ready for JSON.
+
+    Parameters
+    ----------
+    model : Model
+    cut_list : CutList
+        All pieces.
+    nests : sequence of NestedSheet
+    files : mapping
+        What each file is, by its name.
+    effects : mapping
+        What its slots do to a part, by its name.
+    entries : sequence of StripEntry
+        What the strips were made after; the report says how far they are from it.
+    """
+    drawn = {entry.label: entry for entry in entries}
+    return {
+        "schema": MODEL_SCHEMA,
+        "name": model.name,
+        "versions": versions(),
+        "units": {"length": "mm", "strain": "1", "mass": "g", "area": "mm2", "angle": "rad"},
+        "strips": len(model.placed),
+        "parts": [
+            {
+                **_strip(part.strip),
+                **({"slot_effect": _effect(effects[part.name])} if part.name in effects else {}),
+                **(_departure(part.strip, drawn[part.strip.label]) if part.strip.label in drawn else {}),
+                "name": part.name,
+                "count": part.count,
+            }
+            for part in model.parts
+        ],
+        "joints": [
+            {
+                "strips": [model.single_name_of(i) for i in joint.members],
+                "angle": rounded(joint.angle),
+                "position": rounded(joint.position),
+            }
+            for joint in model.joints
+        ],
+        "sheets": [
+            {
+                "drawing": nest.name,
+                "size": rounded(nest.sheet_size),
+                "pieces": nest.counts,
+                "filled": rounded(nest.filled / nest.used),
+            }
+            for nest in nests
+        ],
+        "pieces": cut_list.count,
+        "cut_length": rounded(cut_list.cut_length),
+        "mass": rounded(cut_list.mass),
+        "reports": list(model.reports),
+        "files": dict(files),
+    }
+
+
+def _effect(effect: SlotEffect) -> dict[str, float]:
+    return {name: rounded(value) for name, value in asdict(effect).items()}
+
+
+def _departure(strip: Strip, entry: StripEntry) -> dict[str, Any]:
+    """How far the strip's shape is from the curve it was made after, and that from its section, mm."""
+    found = strip.rod.curve
+    told: dict[str, Any] = {"deviation": rounded(largest_deviation(entry.curve, found))}
+    if entry.section:
+        told |= {"section": entry.section, "curve_off_section": rounded(entry.off_section)}
+    return told
+
+
+def _strip(strip: Strip) -> dict[str, Any]:
+    low, high = strip.width.extremes
+    return {
+        "sheet": strip.sheet.name,
+        "length": rounded(strip.rod.length),
+        "ratio": rounded(strip.rod.ratio),
+        "width": {"least": rounded(low), "largest": rounded(high)},
+        "largest_strain": rounded(strip.max_strain),
+        "mass": rounded(strip.mass),
+        "slots": len(strip.slots),
+        "warnings": list(strip.warnings),
+    }

@@ -1,0 +1,170 @@
+"""The report of a strip: one JSON record that says what was asked, what came out and with which versions."""
+
+from importlib.metadata import PackageNotFoundError, version
+from typing import Any
+
+import numpy as np
+
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.formats.curve_files.json_curves import curve_record
+from elastica_cad.forming.nearest.nearest_record import NearestRod
+from elastica_cad.forming.smoothing import Smoothing
+from elastica_cad.mechanics.stability.stability_verdict import Stability
+from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
+
+__all__ = ["REPORT_SCHEMA", "check_report", "rounded", "strip_report", "versions"]
+
+REPORT_SCHEMA = "elastica-report/1"
+_UNITS = {
+    "length": "mm",
+    "width": "mm",
+    "angle": "rad",
+    "strain": "1",
+    "stiffness": "1 (least value 1)",
+    "mass": "g",
+    "force": "N",
+    "moment": "N mm",
+}
+
+
+def strip_report(
+    strip: Strip,
+    *,
+    name: str,
+    files: dict[str, str],
+    near: NearestRod | None = None,
+    stability: Stability | None = None,
+    smoothing: Smoothing | None = None,
+    stations: int = 201,
+) -> dict[str, Any]:
+    """The report of one strip, ready for JSON.
+
+    Parameters
+    ----------
+    strip : Strip
+    name : str
+        What the part is called.
+    files : dict
+        Kind of file (dxf, svg, ...) to file name.
+    near : NearestRod, optional
+        Where the strip left the drawn curve: how far, and what it cost.
+    stability : Stability, optional
+        The verdict on its rest shape.
+    smoothing : Smoothing, optional
+        What was moved of the drawn curve to make it fair.
+    stations : int
+        Number of stations at which stiffness and width are listed, uniform in arc length.
+    """
+    rod, sheet = strip.rod, strip.sheet
+    s = np.linspace(0.0, rod.length, stations)
+    low, high = strip.width.extremes
+    backing = strip.layout.backing
+    reactions = strip.reactions()
+    return {
+        "schema": REPORT_SCHEMA,
+        "name": name,
+        "versions": versions(),
+        "units": _UNITS,
+        "files": files,
+        "curve": curve_record(rod.curve),
+        "check": None if rod.check is None else check_report(rod.check),
+        "nearest": None if near is None else _nearest_report(near),
+        "stability": None
+        if stability is None
+        else {"stable": stability.stable, "margin": rounded(stability.margin)},
+        "moved_by_snapping": rounded(rod.moved),
+        "smoothing": None if smoothing is None else _smoothing_report(smoothing),
+        "length": rounded(rod.length),
+        "ratio": rounded(rod.ratio),
+        "residual": rod.residual,
+        "gravity": None
+        if rod.gravity is None
+        else {"length": rod.gravity.length, "direction": list(rod.gravity.direction)},
+        "stations": {
+            "s": rounded(s),
+            "stiffness": rounded(rod.profile(s)),
+            "width": rounded(strip.width(s)),
+            "material": rounded(strip.layout.material(s)),
+            "backing": None if backing is None else rounded(backing.width(s)),
+        },
+        "width": {"least": rounded(low), "largest": rounded(high)},
+        "sheet": {
+            "name": sheet.name,
+            "thickness": sheet.thickness,
+            "youngs_modulus_MPa": sheet.youngs_modulus,
+            "density_kg_m3": sheet.density,
+            "max_strain": sheet.max_strain,
+            "source": sheet.source,
+        },
+        "strain": {
+            "largest": rounded(strip.max_strain),
+            "at": rounded(strip.max_strain_at),
+            "limit": strip.strain_limit,
+        },
+        "mass": rounded(strip.mass),
+        "layers": [
+            {"sheet": layer.sheet.name, "thickness": layer.sheet.thickness, "mass": rounded(layer.mass)}
+            for layer in strip.layers
+        ],
+        "reactions": {
+            "start_force": rounded(reactions.start_force),
+            "start_moment": rounded(reactions.start_moment),
+            "end_force": rounded(reactions.end_force),
+            "end_moment": rounded(reactions.end_moment),
+        },
+        "warnings": list(strip.warnings),
+    }
+
+
+def _smoothing_report(smoothing: Smoothing) -> dict[str, Any]:
+    ratio = smoothing.ratio_as_drawn if smoothing.fairing is not None else None
+    return {
+        "moved": rounded(smoothing.moved),
+        "allowed": None if smoothing.fairing is None else rounded(smoothing.fairing.tolerance),
+        "ratio_as_drawn": None if ratio is None else rounded(ratio),
+        "healed": rounded(smoothing.healed),
+        "drawn": None if smoothing.fairing is None else curve_record(smoothing.drawn),
+    }
+
+
+def _nearest_report(near: NearestRod) -> dict[str, Any]:
+    return {
+        "wish": curve_record(near.target),
+        "status": near.status.name.lower(),
+        "message": near.status.value,
+        "met": near.met,
+        "deviation": rounded(near.deviation),
+        "binding": [
+            {"name": one.name, "limit": one.limit, "cost": rounded(one.cost)} for one in near.binding
+        ],
+    }
+
+
+def check_report(check: EquilibriumCheck) -> dict[str, Any]:
+    """Theorem 1's answer as plain data; places in mm along the curve."""
+    return {
+        "realizable": check.realizable,
+        "reasons": list(check.reasons),
+        "warnings": list(check.warnings),
+        "inflections": rounded(check.inflections),
+        "advice": str(check),
+    }
+
+
+def rounded(value: Any) -> Any:
+    """Ten significant digits: more would be noise, and the same design must give the same file."""
+    array = np.asarray(value, dtype=float)
+    if array.ndim == 0:
+        return float(f"{float(array):.10g}")
+    return [rounded(row) for row in array]
+
+
+def versions() -> dict[str, str]:
+    """Versions of the packages that a result depends on."""
+    found = {}
+    for package in ("elastica-cad", "numpy", "scipy", "highspy", "ezdxf"):
+        try:
+            found[package] = version(package)
+        except PackageNotFoundError:
+            continue
+    return found

@@ -1,0 +1,1 @@
+"""Surfaces in files, whatever their kind."""

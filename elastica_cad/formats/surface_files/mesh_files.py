@@ -1,0 +1,89 @@
+"""Reading triangle meshes: OBJ, STL, PLY, through trimesh."""
+
+from pathlib import Path
+
+import numpy as np
+
+from elastica_cad.errors import InputError, MissingDependencyError
+from elastica_cad.formats.file_access.source_file import existing_file, millimetres, naming
+from elastica_cad.forming.plane_sections.triangle_mesh import Mesh
+
+__all__ = ["MESH_SUFFIXES", "read_mesh"]
+
+MESH_SUFFIXES = (".obj", ".stl", ".ply")
+
+LIKELY_SIZES_MM = (50.0, 20000.0)
+"""From corner to corner: sizes that a model made of strips may well have."""
+
+GUESSES = ("um", "cm", "in", "m")
+"""Units that a file without one was likely drawn in."""
+
+
+def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) -> Mesh:
+    """The triangles of a file, in mm; faces of four corners and more are cut into triangles.
+
+    Parameters
+    ----------
+    path : path-like
+        .obj, .stl or .ply.
+    unit : str, optional
+        What one unit of the file is: "mm", "cm", "m", "um", "in", "ft". These formats don't say; unless told
+        they are taken as mm, and a size that no model has is refused.
+    scale : float
+        Factor from the file to the model, besides the unit.
+
+    Raises
+    ------
+    InputError
+        A missing or unknown file, no triangles in it, or a size that asks for `unit`.
+    MissingDependencyError
+        trimesh is not installed.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as folder:
+    ...     file = Path(folder, "tent.obj")
+    ...     _ = file.write_text("v 0 0 0\\nv 9 0 0\\nv 9 9 5\\nv 0 9 5\\nf 1 2 3 4\\n")
+    ...     read_mesh(file, unit="cm").faces.shape
+    (2, 3)
+    """
+    path = existing_file(path)
+    suffix = path.suffix.lower()
+    if suffix not in MESH_SUFFIXES:
+        raise InputError(
+            f"{path} ends in {suffix!r}, which is no mesh known here: use {', '.join(MESH_SUFFIXES)}"
+        )
+    if not (np.isfinite(scale) and scale > 0):
+        raise InputError(f"the scale of {path} is {scale:g}: it must be positive")
+    factor = millimetres(unit or "mm") * scale
+    try:
+        from trimesh import load
+    except ImportError as error:
+        raise MissingDependencyError(
+            f'reading {path.name} needs trimesh: pip install "elastica-cad[mesh]"'
+        ) from error
+    with naming(path):
+        try:
+            mesh = load(path, file_type=suffix[1:], force="mesh", process=False)
+            vertices, faces = np.array(mesh.vertices, dtype=float), np.array(mesh.faces, dtype=int)
+        except Exception as error:  # the reader raises what its parsers happen to trip over
+            raise InputError(f"this is no {suffix[1:].upper()} mesh ({error}): export it anew") from error
+        if not len(faces):
+            raise InputError("holds no faces: export a mesh, not points or lines")
+        found = Mesh(vertices * factor, faces)
+        if unit is None and not LIKELY_SIZES_MM[0] <= found.size <= LIKELY_SIZES_MM[1]:
+            raise InputError(_asking(found.size))
+        return found
+
+
+def _asking(size: float) -> str:
+    """What to ask of one whose mesh has no likely size in mm."""
+    guesses = {name: size * millimetres(name) for name in GUESSES}
+    likely = [name for name, long in guesses.items() if LIKELY_SIZES_MM[0] <= long <= LIKELY_SIZES_MM[1]]
+    hint = f" ({', '.join(f'{name}: {guesses[name]:.4g} mm' for name in likely)})" if likely else ""
+    unit = likely[-1] if likely else "m"
+    return (
+        f"measures {size:.3g} from corner to corner, no likely size in mm, and a mesh file does not say its unit: "
+        f'give it, --unit {unit} or unit = "{unit}"{hint}, or mm where that is right'
+    )

@@ -1,0 +1,272 @@
+"""Curves drawn in an SVG file, exact where the file is exact."""
+
+import re
+from collections.abc import Iterator, Sequence
+from io import BytesIO
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError, MissingDependencyError
+from elastica_cad.formats.curve_files.chains import FIT_TOLERANCE, JOIN_TOLERANCE, chained
+from elastica_cad.formats.curve_files.drawn_file import (
+    CurveList,
+    DrawnFile,
+    drawn_curve,
+    drawn_file,
+    listed_things,
+)
+from elastica_cad.formats.curve_files.edges import Edge, Run, Source
+from elastica_cad.formats.curve_files.number_gate import MOST_EDGES, NUMBER, checked_count, checked_tolerance
+from elastica_cad.formats.file_access.source_file import MILLIMETRES, existing_file, millimetres, naming
+from elastica_cad.formats.svg_files.path_data import PathData, bezier_edge, path_data
+from elastica_cad.formats.svg_files.svg_tree import LENGTH, MARK, MM, SvgTree, svg_tree
+from elastica_cad.geometry.curves.provenance import Provenance
+
+__all__ = ["read_svg_curves", "read_svg_drawing"]
+
+_PX = MILLIMETRES["px"]
+_LEAST_UNIT = 1e-9  # mm
+_LARGEST = 1e15  # of any number: what comes of two of them is still a number
+
+
+def read_svg_curves(
+    path: str | Path,
+    *,
+    tolerance: float = JOIN_TOLERANCE,
+    fit_tolerance: float = FIT_TOLERANCE,
+    unit: str | None = None,
+) -> CurveList:
+    """All paths and basic shapes of the drawing, in mm, with up on the screen up: y is minus SVG's y.
+
+    Bezier curves and arcs stay exact, with all transforms applied; pieces whose ends meet are joined to one
+    curve; a path of straight lines only is fitted. The size of a user unit follows from width, height and
+    viewBox of the drawing; without a width in mm or the like it is a CSS pixel, 25.4/96 mm. The origin is the
+    one of the user units. Text, images, definitions and what is not displayed are left out and counted.
+
+    Parameters
+    ----------
+    tolerance : float
+        Ends nearer than this are joined, mm.
+    fit_tolerance : float
+        Largest distance of a polyline's vertex from its curve, mm.
+    unit : str, optional
+        "mm", "in", "px", ...: what a user unit of the drawing is; overrides what the file says.
+
+    Raises
+    ------
+    InputError
+        No such file, not an SVG file, an unknown unit, path data that break off, nothing usable in it.
+    MissingDependencyError
+        svgelements is not installed.
+    """
+    path = existing_file(path)
+    with naming(path):
+        return read_svg_drawing(path, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit).read()
+
+
+def read_svg_drawing(
+    path: str | Path,
+    *,
+    tolerance: float = JOIN_TOLERANCE,
+    fit_tolerance: float = FIT_TOLERANCE,
+    unit: str | None = None,
+) -> DrawnFile:
+    """The curves of an SVG file one by one, with ids and layers; arguments and errors as in `read_svg_curves`."""
+    path = existing_file(path)
+    with naming(path):
+        checked_tolerance(tolerance)
+        checked_tolerance(fit_tolerance, "tolerance for fitting")
+        tree = svg_tree(path)
+        scale = np.full(2, millimetres(unit)) if unit else _scale(tree.root)
+        if not (np.all(scale >= _LEAST_UNIT) and np.all(scale <= 1 / _LEAST_UNIT)):
+            raise InputError(
+                f"has user units of {scale[0]:.3g} by {scale[1]:.3g} mm: check width, height and viewBox"
+            )
+        to_mm = np.diag(scale * (1.0, -1.0))
+        runs = list(_runs(path, tree, to_mm))
+        chains = chained((run for run in runs if run), tolerance)
+        if not chains:
+            found = f" (found {listed_things(dict(sorted(tree.skipped.items())))})" if tree.skipped else ""
+            raise InputError(
+                "holds no curve: draw a path, line, polyline, circle, ellipse or rectangle that is shown"
+                + found
+            )
+        shown = Provenance(
+            place=np.diag([1 / scale[0], -1 / scale[1], 1.0]),
+            unit="mm" if np.all(scale == 1) else "user units",
+        )
+        return drawn_file(
+            [
+                drawn_curve(number, chain, tolerance=tolerance, fit_tolerance=fit_tolerance, shown=shown)
+                for number, chain in enumerate(chains, start=1)
+            ],
+            tree.skipped,
+        )
+
+
+def _scale(root: ElementTree.Element) -> FloatArray:
+    """Millimetres in one user unit along x and y, from width, height and viewBox."""
+    size = [_absolute(root.get(side)) for side in ("width", "height")]
+    box = [float(v) for v in re.findall(NUMBER, root.get("viewBox", ""))]
+    if len(box) != 4 or not np.all(np.isfinite(box)) or box[2] <= 0 or box[3] <= 0:
+        return np.full(2, _PX)
+    known = [length / extent for length, extent in zip(size, box[2:], strict=True) if length]
+    if not known:
+        return np.full(2, _PX)
+    aspect = root.get("preserveAspectRatio", "")
+    if len(known) == 2 and "none" in aspect:
+        return np.array(known)
+    return np.full(2, max(known) if "slice" in aspect else min(known))
+
+
+def _absolute(text: str | None) -> float | None:
+    """A length in mm; None for percentages and what is no length."""
+    match = LENGTH.fullmatch(text or "")
+    return float(match[1]) * MM[(match[2] or "px").lower()] if match else None
+
+
+def _runs(path: Path, tree: SvgTree, to_mm: FloatArray) -> Iterator[Run]:
+    """The subpaths of all shapes that are shown, mm; `to_mm` (2, 2) maps user units."""
+    try:
+        from svgelements import SVG, Matrix, Shape
+    except ImportError as error:
+        raise MissingDependencyError(
+            f"reading {path.name} needs svgelements, which is not installed: pip install svgelements"
+        ) from error
+    read: dict[int, PathData] = {}
+    bad: dict[int, InputError] = {}
+    drawn: set[int] = set()
+    count = 0
+    try:
+        drawing = SVG.parse(BytesIO(_in_user_units(tree.root)), reify=False, on_error="raise")
+        for shape in drawing.elements():
+            if not isinstance(shape, Shape):
+                continue
+            m = Matrix(shape.transform)
+            matrix, offset = (
+                np.array([[m.a, m.c], [m.b, m.d]], dtype=float),
+                np.array([m.e, m.f], dtype=float),
+            )
+            mark = int(shape.values[MARK])
+            drawn.add(mark)
+            if mark in bad:
+                continue
+            source = tree.shapes[mark]
+            try:
+                if not (np.all(np.abs(matrix) < _LARGEST) and np.all(np.abs(offset) < _LARGEST)):
+                    raise InputError("has a transform with numbers that are not finite or too large")
+                if source.data is None:
+                    runs, rounding = list(_subpaths(shape.segments(transformed=False))), source.rounding
+                else:
+                    read[mark] = read[mark] if mark in read else path_data(source.data)
+                    runs = [_with_polylines(run) for run in read[mark].runs]
+                    rounding = read[mark].rounding
+            except InputError as error:
+                bad[mark] = error
+                continue
+            record = Source(source.name, source.layer, rounding * float(np.linalg.norm(to_mm @ matrix, 2)))
+            for run in runs:
+                count = checked_count(count + len(run), MOST_EDGES, "pieces", "leave out what is no strip")
+                yield tuple(edge.mapped(to_mm @ matrix, to_mm @ offset, record) for edge in run)
+    except (
+        ValueError,
+        TypeError,
+        IndexError,
+        KeyError,
+        AttributeError,
+        RecursionError,
+        OverflowError,
+    ) as error:
+        if isinstance(error, InputError):
+            raise
+        raise InputError(
+            "has path data or attributes that break off or make no sense: export it anew"
+        ) from error
+    hidden = sum(shape.shown and mark not in drawn for mark, shape in enumerate(tree.shapes))
+    if hidden:
+        tree.skipped["hidden or empty shape"] += hidden
+    if bad and len(bad) == len(drawn):
+        raise next(iter(bad.values()))
+    for mark, problem in bad.items():
+        name = f" {tree.shapes[mark].name}" if tree.shapes[mark].name else ""
+        tree.skipped[f"{tree.shapes[mark].kind}{name} that {problem}"] += 1
+
+
+def _in_user_units(root: ElementTree.Element) -> bytes:
+    """The document without the size of its root."""
+    box = root.get("viewBox", "").replace(",", " ").split()
+    size = box[2:] if len(box) == 4 else [root.get("width", "100%"), root.get("height", "100%")]
+    for name in ("viewBox", "preserveAspectRatio", "x", "y"):
+        root.attrib.pop(name, None)
+    root.set("width", size[0])
+    root.set("height", size[1])
+    return ElementTree.tostring(root)
+
+
+def _subpaths(segments: Any) -> Iterator[Run]:
+    """Edges between one Move and the next."""
+    run: list[Edge] = []
+    for segment in segments:
+        kind = type(segment).__name__
+        if kind == "Move":
+            yield _with_polylines(run)
+            run = []
+        elif segment.start is not None and segment.end is not None:
+            edge = _edge(kind, segment)
+            if edge is not None:
+                run.append(edge)
+    yield _with_polylines(run)
+
+
+def _with_polylines(run: Sequence[Edge]) -> Run:
+    """Several straight edges and nothing else are one polyline."""
+    if len(run) > 1 and all(edge.degree == 1 for edge in run):
+        return (Edge.polyline(np.concatenate([run[0].points[:1], *(edge.points[1:] for edge in run)])),)
+    return tuple(run)
+
+
+def _edge(kind: str, segment: Any) -> Edge | None:
+    """One side of a basic shape in its own coordinates; None when it has no length."""
+    return bezier_edge(_points(segment.start, segment.end)) if kind in ("Line", "Close") else _arc(segment)
+
+
+def _points(*points: Any) -> FloatArray:
+    places = np.array([(p.x, p.y) for p in points], dtype=float)
+    if not np.all(np.abs(places) < _LARGEST):
+        raise InputError("has numbers that are not finite or too large: check its size")
+    return places
+
+
+def _arc(segment: Any) -> Edge | None:
+    """The exact arc through both ends; its centre found anew, for a half turn leaves it ill-conditioned."""
+    start, end, center, px, py = _points(segment.start, segment.end, segment.center, segment.prx, segment.pry)
+    x_axis, y_axis = px - center, py - center
+    rx, ry = float(np.hypot(*x_axis)), float(np.hypot(*y_axis))
+    if rx == 0 or ry == 0:
+        return Edge.polyline([start, end]) if np.any(start != end) else None
+    axes = np.column_stack([x_axis, y_axis])
+    if not np.any(start != end):
+        turn = float(segment.sweep)
+        first = np.linalg.solve(axes, start - center)
+        begin = float(np.arctan2(first[1], first[0]))
+        return Edge.arc(center, x_axis, y_axis, begin, begin + turn) if abs(turn) > 1e-9 else None
+    # in units of the axes: the centre lies on the perpendicular bisector of the chord of a unit circle
+    half = np.linalg.solve(axes, (end - start) / 2)
+    reach = float(np.hypot(*half))
+    rest = 1 - reach**2
+    along = np.sqrt(rest) / reach if rest > 1e-12 else 0.0
+    sweep = float(segment.sweep)
+    side = along if (abs(sweep) < np.pi) == (sweep > 0) else -along
+    middle = side * np.array([-half[1], half[0]])
+    if along == 0.0:
+        axes = axes * reach
+        half = half / reach
+    begin = np.arctan2(*(-half - middle)[::-1])
+    turn = np.arctan2(*(half - middle)[::-1]) - begin
+    turn = turn % (2 * np.pi) if sweep > 0 else -((-turn) % (2 * np.pi))
+    center = (start + end) / 2 + axes @ middle
+    return Edge.arc(center, axes[:, 0], axes[:, 1], float(begin), float(begin + turn))

@@ -1,0 +1,175 @@
+"""The element tree of an SVG file, bounded and made ready before any shape of it is expanded."""
+
+import re
+from collections import Counter
+from dataclasses import dataclass, field
+from pathlib import Path
+from xml.etree import ElementTree
+
+from elastica_cad.errors import InputError
+from elastica_cad.formats.curve_files.number_gate import MOST_SHAPES, NUMBER, checked_count, half_last_place
+from elastica_cad.formats.file_access.source_file import MILLIMETRES
+
+__all__ = ["LENGTH", "MARK", "MM", "Shape", "SvgTree", "svg_tree"]
+
+LENGTH = re.compile(rf"\s*({NUMBER})\s*(px|pt|pc|mm|cm|in|[qQ])?\s*")
+MM = {"pc": 25.4 / 6, "q": 0.25} | {unit: MILLIMETRES[unit] for unit in ("px", "pt", "mm", "cm", "in")}
+_PX = MILLIMETRES["px"]
+_LENGTH_ATTRIBUTES = ("x", "y", "x1", "y1", "x2", "y2", "cx", "cy", "r", "rx", "ry", "width", "height")
+_SHAPES = ("path", "line", "polyline", "polygon", "rect", "circle", "ellipse")
+_NOT_SHOWN = (
+    "defs",
+    "symbol",
+    "clipPath",
+    "mask",
+    "pattern",
+    "marker",
+    "linearGradient",
+    "radialGradient",
+    "filter",
+)
+_NO_CURVES = ("text", "image", "foreignObject", "flowRoot", "switch")
+_INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}"
+_DEEPEST = 200
+_MOST_TEXT = 64 * 2**20
+MARK = "data-shape"
+"""The attribute that says which shape of the tree an expanded one is."""
+
+
+@dataclass(frozen=True)
+class Shape:
+    """A shape as the file holds it.
+
+    Attributes
+    ----------
+    kind : str
+        "path", "circle", ...
+    name, layer : str
+        Its id, and the label of its layer in Inkscape.
+    data : str or None
+        The path data of a path.
+    rounding : float
+        Half a unit of the last digit of what its size is written with; of a path 0.
+    shown : bool
+        Does it stand where shapes are shown, not among definitions?
+    """
+
+    kind: str
+    name: str
+    layer: str
+    data: str | None
+    rounding: float
+    shown: bool
+
+
+@dataclass
+class SvgTree:
+    """The tree and the shapes in it; path data are taken out of the tree, a mark put in."""
+
+    root: ElementTree.Element
+    shapes: list[Shape] = field(default_factory=list)
+    skipped: Counter[str] = field(default_factory=Counter)
+
+
+def svg_tree(path: Path) -> SvgTree:
+    """Parse, count and mark.
+
+    Raises
+    ------
+    InputError
+        No SVG, nested too deep, or more shapes, clones expanded, than are read.
+    """
+    try:
+        root = ElementTree.parse(path).getroot()
+    except (ElementTree.ParseError, ValueError, LookupError) as error:
+        raise InputError(f"is not an SVG file ({error}): export it anew") from error
+    if _tag(root) != "svg":
+        raise InputError(f"is not an SVG file: it begins with <{_tag(root)}>, not with <svg>")
+    tree = SvgTree(root)
+    _refuse_bombs(tree)
+    _mark(tree)
+    return tree
+
+
+def _tag(element: ElementTree.Element) -> str:
+    return str(element.tag).rpartition("}")[2]
+
+
+def _refuse_bombs(tree: SvgTree) -> None:
+    """Count what clones (`use`) come to, and take out those that refer to themselves."""
+    order: list[tuple[ElementTree.Element, int]] = [(tree.root, 0)]
+    for element, depth in order:  # grows while it is walked: parents before children
+        if depth > _DEEPEST:
+            raise InputError(f"nests groups more than {_DEEPEST} deep: ungroup them before export")
+        order += [(child, depth + 1) for child in element]
+    named = {str(e.get("id")): e for e, _ in reversed(order) if e.get("id") is not None}
+    links = {e: _target(e, named) for e, _ in order if _tag(e) == "use"}
+    state: dict[ElementTree.Element, tuple[int, int]] = {}
+    open_now: set[ElementTree.Element] = set()
+    stack: list[tuple[ElementTree.Element, bool]] = [(tree.root, False)]
+    while stack:
+        element, done = stack.pop()
+        below = [*element, *([links[element]] if links.get(element) is not None else [])]
+        if done:
+            open_now.discard(element)
+            shapes = int(_tag(element) in _SHAPES)
+            size = len(element.get("d", "")) + len(element.get("points", ""))
+            for one in below:
+                if one in state:
+                    shapes, size = shapes + state[one][0], size + state[one][1]
+            checked_count(
+                shapes, MOST_SHAPES, "shapes, its clones counted", "leave out clones or unused parts"
+            )
+            if size > _MOST_TEXT:
+                raise InputError("has clones that come to more than 64 MB of path data: leave out clones")
+            state[element] = shapes, size
+        elif element not in state and element not in open_now:
+            open_now.add(element)
+            stack.append((element, True))
+            for one in below:
+                if one in open_now:
+                    _cut(element, tree)
+                elif one not in state:
+                    stack.append((one, False))
+
+
+def _target(
+    element: ElementTree.Element, named: dict[str, ElementTree.Element]
+) -> ElementTree.Element | None:
+    link = element.get("href") or element.get("{http://www.w3.org/1999/xlink}href") or ""
+    return named.get(link[1:]) if link.startswith("#") else None
+
+
+def _cut(element: ElementTree.Element, tree: SvgTree) -> None:
+    """Take the link off a clone that contains itself."""
+    for name in ("href", "{http://www.w3.org/1999/xlink}href"):
+        element.attrib.pop(name, None)
+    tree.skipped["clone of itself"] += 1
+
+
+def _mark(tree: SvgTree) -> None:
+    """Name every shape by its number, take the path data out, write lengths such as 10mm as user units."""
+    stack: list[tuple[ElementTree.Element, str, bool]] = [(tree.root, "", True)]
+    while stack:
+        element, layer, shown = stack.pop()
+        tag = _tag(element)
+        shown = shown and tag not in _NOT_SHOWN
+        if tag == "g" and element.get(f"{_INKSCAPE}groupmode") == "layer":
+            layer = element.get(f"{_INKSCAPE}label") or element.get("id") or layer
+        if shown and tag in _NO_CURVES:
+            tree.skipped[tag] += 1
+        element.attrib.pop(MARK, None)
+        written = " ".join(element.get(name, "") for name in (*_LENGTH_ATTRIBUTES, "points"))
+        for name in _LENGTH_ATTRIBUTES:
+            text = element.get(name)
+            match = LENGTH.fullmatch(text) if text else None
+            if match and match[2]:
+                element.set(name, repr(float(match[1]) * MM[match[2].lower()] / _PX))
+        if tag in _SHAPES:
+            data = element.get("d", "") if tag == "path" else None
+            if data is not None:
+                element.set("d", "M0 0L1 1" if data.strip() else "")
+            rounding = half_last_place(re.findall(NUMBER, written)) if data is None else 0.0
+            element.set(MARK, str(len(tree.shapes)))
+            tree.shapes.append(Shape(tag, element.get("id", ""), layer, data, rounding, shown))
+        stack += [(child, layer, shown) for child in reversed(element)]

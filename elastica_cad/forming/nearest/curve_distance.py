@@ -1,0 +1,206 @@
+"""How far a rod is from the target curve: three measures and their local models for the optimiser."""
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+
+from elastica_cad._types import FloatArray, IntArray
+from elastica_cad.forming.nearest.rod_constraints import thinned
+from elastica_cad.forming.nearest.rod_map import MappedRod, Sensitivities
+from elastica_cad.forming.nearest.target_curve import TargetCurve
+from elastica_cad.forming.optimizer.dense_solves import gram
+from elastica_cad.forming.optimizer.nonlinear_program import LocalModel
+
+__all__ = ["ClosestDistance", "Distance", "LargestDistance", "MeanDistance", "measure_deviation"]
+
+_MOST_EXACT = 8  # points whose distance is computed from all chords before a search tree is cheaper
+
+
+class Distance(Protocol):
+    """A measure: its value, and a convex model of it around a rod."""
+
+    def value(self, rod: MappedRod) -> float:
+        """The number to be minimised, in lengths of the target or their squares."""
+
+    def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
+        """Gauss-Newton model in the steps of the unknowns."""
+
+
+@dataclass(frozen=True, eq=False)
+class MeanDistance:
+    """Half the weighted mean square distance, arc length against arc length.
+
+    Attributes
+    ----------
+    targets : (n+1, 2) array
+        Where each node should lie.
+    shares : (n+1,) array
+        Weights, sum 1.
+    """
+
+    targets: FloatArray
+    shares: FloatArray
+
+    def value(self, rod: MappedRod) -> float:
+        """Half the mean square distance."""
+        off = rod.position - self.targets
+        return 0.5 * float(self.shares @ (off**2).sum(axis=1))
+
+    def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
+        """Gauss-Newton: J^T W J and J^T W r."""
+        root = np.sqrt(self.shares)
+        columns = sensitivities.position.shape[2]
+        J = (sensitivities.position * root[:, None, None]).reshape(-1, columns)
+        r = ((rod.position - self.targets) * root[:, None]).ravel()
+        return _least_squares(J, r, rod.z.size)
+
+
+@dataclass(frozen=True, eq=False)
+class ClosestDistance:
+    """Half the weighted mean square distance of the nodes from their nearest points on the target.
+
+    Attributes
+    ----------
+    target : TargetCurve
+    shares : (n+1,) array
+        Weights, sum 1.
+    """
+
+    target: TargetCurve
+    shares: FloatArray
+
+    def value(self, rod: MappedRod) -> float:
+        """Half the mean square distance."""
+        off, _ = offsets(self.target, rod)
+        return 0.5 * float(self.shares @ (off**2).sum(axis=1))
+
+    def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
+        """Gauss-Newton across the target; along it a node slides freely."""
+        off, normal = offsets(self.target, rod)
+        root = np.sqrt(self.shares)
+        J = _across(normal, sensitivities) * root[:, None]
+        return _least_squares(J, (off * normal).sum(axis=1) * root, rod.z.size)
+
+
+@dataclass(frozen=True, eq=False)
+class LargestDistance:
+    """The largest weighted distance of a node from its nearest point on the target.
+
+    Attributes
+    ----------
+    target : TargetCurve
+    factors : (n+1,) array
+        Weights, largest 1.
+    """
+
+    target: TargetCurve
+    factors: FloatArray
+
+    def value(self, rod: MappedRod) -> float:
+        """The largest distance."""
+        off, _ = offsets(self.target, rod)
+        return float((self.factors * np.hypot(off[:, 0], off[:, 1])).max())
+
+    def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
+        """Every node that is at least half as far off as the worst is a peak."""
+        _, normal = offsets(self.target, rod)
+        signed, far = self._peaks(rod)
+        p = rod.z.size
+        across = _across(normal, sensitivities)
+        rows = (self.factors * np.sign(signed))[far, None] * across[far]
+        peaks = np.abs(signed[far])
+        if rows.shape[1] > p:
+            peaks = peaks + rows[:, p]
+        # the mean-square curvature only decides what the peaks leave open
+        return LocalModel(0.0, 1e-3 / signed.size * gram(across[:, :p]), np.zeros(p), peaks, rows[:, :p])
+
+    def _peaks(self, rod: MappedRod) -> tuple[FloatArray, IntArray]:
+        """Signed distances (n+1,) and the nodes that count."""
+        off, normal = offsets(self.target, rod)
+        signed = self.factors * (off * normal).sum(axis=1)
+        size = np.abs(signed)
+        return signed, thinned(np.flatnonzero(size >= 0.5 * size.max()), size)
+
+
+def offsets(target: TargetCurve, rod: MappedRod) -> tuple[FloatArray, FloatArray]:
+    """Offsets (n+1, 2) of the nodes from their feet on the target, and unit normals there.
+
+    Past an end the normal points along the offset.
+    """
+    found: tuple[FloatArray, FloatArray] = rod.remembered(target, lambda: _offsets(target, rod))
+    return found
+
+
+def _offsets(target: TargetCurve, rod: MappedRod) -> tuple[FloatArray, FloatArray]:
+    n = rod.position.shape[0] - 1
+    feet = target.feet(rod.position, np.linspace(0, 1, n + 1))
+    position, direction = target.at(feet)
+    off = rod.position - position
+    normal = np.column_stack([-direction[:, 1], direction[:, 0]])
+    normal /= np.hypot(normal[:, 0], normal[:, 1])[:, None]
+    size = np.hypot(off[:, 0], off[:, 1])
+    past = ((feet <= 0) | (feet >= 1)) & (size > 0)
+    normal[past] = off[past] / size[past, None]
+    return off, normal
+
+
+def _across(normal: FloatArray, sensitivities: Sensitivities) -> FloatArray:
+    """Derivatives (n+1, p) of the nodes' displacements along `normal`."""
+    d = sensitivities.position
+    return np.asarray(normal[:, 0, None] * d[:, 0] + normal[:, 1, None] * d[:, 1])
+
+
+def _least_squares(J: FloatArray, r: FloatArray, p: int) -> LocalModel:
+    """Model of |r + J d|^2 / 2; a closing column of J belongs to r."""
+    if J.shape[1] > p:
+        r = r + J[:, p]
+    joined = np.empty((J.shape[0], p + 1))
+    joined[:, :p], joined[:, p] = J[:, :p], r
+    product = gram(joined)
+    return LocalModel(
+        0.5 * float(product[p, p]), product[:p, :p], product[:p, p], np.zeros(0), np.zeros((0, p))
+    )
+
+
+def measure_deviation(target: TargetCurve, nodes: FloatArray) -> float:
+    """Largest distance between the curve and the smooth curve through `nodes` (n, 2), in lengths, either way."""
+    from scipy.interpolate import CubicSpline
+
+    dense = np.linspace(0, 1, target.position.shape[0])
+    other = CubicSpline(np.linspace(0, 1, nodes.shape[0]), nodes)(dense)
+    return max(_largest_distance(target.position, other), _largest_distance(other, target.position))
+
+
+def _largest_distance(points: FloatArray, chain: FloatArray) -> float:
+    """The largest distance of `points` from the nearest chord of a fine chain of points.
+
+    Where the chain runs beside them, distances from chords near by are upper bounds, and the largest is exact if
+    no chord at all is nearer.
+    """
+    last = chain.shape[0] - 2
+    chords = np.diff(chain, axis=0)
+    squares = np.maximum((chords**2).sum(axis=1), 1e-300)
+    k = np.minimum(np.arange(points.shape[0]), last)
+    for _ in range(3):
+        ahead = ((points - chain[k]) * chords[k]).sum(axis=1) / squares[k]
+        k = np.clip(k + np.floor(ahead).astype(int), 0, last)
+
+    def beside(points: FloatArray, k: IntArray | slice) -> FloatArray:
+        off, chord = points - chain[:-1][k], chords[k]
+        off = off - np.clip((off * chord).sum(axis=1) / squares[k], 0, 1)[:, None] * chord
+        return np.asarray(np.hypot(off[:, 0], off[:, 1]))
+
+    bounds = beside(points, k)
+    for _ in range(_MOST_EXACT):
+        farthest = int(np.argmax(bounds))
+        exact = float(beside(points[farthest], slice(None)).min())
+        if exact >= bounds[farthest] * (1 - 1e-12):
+            return exact
+        bounds[farthest] = exact
+    from scipy.spatial import cKDTree
+
+    _, nearest = cKDTree(chain).query(points)
+    for k in (np.maximum(nearest - 1, 0), np.minimum(nearest, last)):
+        bounds = np.minimum(bounds, beside(points, k))
+    return float(bounds.max())

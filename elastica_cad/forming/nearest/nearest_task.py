@@ -1,0 +1,397 @@
+"""What is asked of a nearest rod, in lengths of the drawn curve, and the nonlinear program made of it."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Literal, TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.forming.limits import Keep, Limits, Symmetry
+from elastica_cad.forming.nearest import rod_constraints as rows
+from elastica_cad.forming.nearest.curve_distance import (
+    ClosestDistance,
+    Distance,
+    LargestDistance,
+    MeanDistance,
+)
+from elastica_cad.forming.nearest.rod_map import MappedRod, StripGrid
+from elastica_cad.forming.nearest.rod_problem import RodProblem
+from elastica_cad.forming.nearest.target_curve import TargetCurve, symmetry_frame
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.mechanics.loads.arguments import (
+    require_curve,
+    require_gravity,
+    require_supports,
+    whole_number,
+)
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.rod.node_counts import SEARCH_SAMPLES
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.rod.rod_system import RodSystem
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+
+__all__ = ["Measure", "NearestTask", "Weights", "spline_basis"]
+
+Measure: TypeAlias = Literal["mean", "closest", "max"]
+Weights: TypeAlias = "ArrayLike | Callable[[FloatArray], ArrayLike] | None"
+
+_MOST_NODES = 5000  # beyond, time grows and the shape hardly changes
+_FEWEST_COEFFICIENTS, _MOST_COEFFICIENTS = 20, 60  # of the stiffness unless told
+_COEFFICIENTS_PER_HALF_TURN = 4.2  # a curve that turns more often asks for a finer stiffness
+_LENGTHS = (0.2, 5.0)  # of the target, least and largest: where no limit says so a rod stays of its kind
+
+
+@dataclass(frozen=True, eq=False)
+class NearestTask:
+    """All that is asked, in lengths of the target; `problem` builds the nonlinear program.
+
+    Attributes
+    ----------
+    target : TargetCurve
+    limits : Limits
+    keep : Keep
+    supports : Supports
+    gravity : Gravity or None
+    weights : (nodes,) array
+        Of the nodes, mean 1.
+    nodes, coefficients : int
+    line : pair of points or None
+        Inflection line to be kept, mm.
+    """
+
+    target: TargetCurve
+    limits: Limits
+    keep: Keep
+    supports: Supports
+    gravity: Gravity | None
+    weights: FloatArray
+    nodes: int
+    coefficients: int
+    line: tuple[FloatArray, FloatArray] | None = None
+
+    @classmethod
+    def of(
+        cls, curve: PlaneCurve, limits: Limits | None, keep: Keep | None, gravity: Gravity | None,
+        supports: Supports | None, weights: Weights, samples: int, coefficients: int | None,
+    ) -> "NearestTask":  # fmt: skip
+        """Checked input of `nearest_rod`.
+
+        Raises
+        ------
+        InputError
+            Limits that contradict each other or the curve, and arguments of the wrong kind.
+        """
+        require_curve(curve)
+        require_gravity(gravity)
+        supports = require_supports(supports)
+        for name, value, record in (("limits", limits, Limits), ("keep", keep, Keep)):
+            if not (value is None or isinstance(value, record)):
+                raise InputError(f"{name} is {value!r}: give a {record.__name__} record, or None")
+        if whole_number(samples, "samples", 20) > _MOST_NODES:
+            raise InputError(
+                f"samples={samples!r}: a rod needs 20 to {_MOST_NODES} nodes, {SEARCH_SAMPLES} are usual"
+            )
+        target = TargetCurve.of(curve)
+        if coefficients is None:
+            half_turns = float(np.abs(np.diff(target.angle)).sum()) / np.pi
+            wanted = _FEWEST_COEFFICIENTS + round(_COEFFICIENTS_PER_HALF_TURN * half_turns)
+            coefficients = min(_MOST_COEFFICIENTS, wanted, (samples - 1) // 2)
+        if whole_number(coefficients, "coefficients", 4) > (samples - 1) // 2:
+            raise InputError(
+                f"coefficients={coefficients!r}: the stiffness needs 4 coefficients or more, and at most half as "
+                f"many as there are edges ({samples - 1})"
+            )
+        limits, keep = limits or Limits(), keep or Keep()
+        for region in limits.keep_out:
+            ends = zip(("start", "end"), keep.both_ends, target.position[[0, -1]], strict=True)
+            for side, kept, point in ends:
+                inside = -float(region.clearance((point * target.size + target.origin)[None])[0][0])
+                if kept and inside > 1e-9 * target.size:
+                    raise InputError(
+                        f"the kept {side} of the curve lies {inside:.3g} mm inside a keep-out region: "
+                        "move the curve or the region, or free that end"
+                    )
+        return cls(
+            target=target, limits=limits, keep=keep, supports=supports, gravity=gravity,
+            weights=_node_weights(weights, samples, target.size), nodes=int(samples),
+            coefficients=int(coefficients), line=_inflection_line(curve, keep, gravity),
+        )  # fmt: skip
+
+    def problem(self, measure: Measure, *, weight: float = 1.0, with_margin: bool = True) -> RodProblem:
+        """The problem with a share `weight` of gravity."""
+        grid = self.grid(weight)
+        lower, upper = self._box(grid)
+        return RodProblem(
+            lower, upper, self._scale(grid), grid=grid, distance=self.distance(measure),
+            constraints=tuple(self._constraints(with_margin)),
+        )  # fmt: skip
+
+    def grid(self, weight: float = 1.0) -> StripGrid:
+        """The nodes, with a share `weight` of gravity."""
+        e = np.zeros(2) if self.gravity is None else self.gravity.e * self.target.size**3 * weight
+        basis = self._paired(_nodal_basis(self.nodes, self.coefficients))
+        return StripGrid(basis, e, supports=self.supports)
+
+    def basis(self, s: FloatArray) -> FloatArray:
+        """Values of the basis of K at s (n,) in 0..1, its functions in mirrored pairs where symmetry is kept."""
+        return self._paired(spline_basis(s, self.coefficients))
+
+    def _paired(self, basis: FloatArray) -> FloatArray:
+        if not self.keep.symmetry:
+            return basis
+        half = (self.coefficients + 1) // 2
+        mirrored = basis[:, ::-1][:, :half].copy()
+        if self.coefficients % 2:
+            mirrored[:, -1] = 0
+        return np.asarray(basis[:, :half] + mirrored)
+
+    def coefficients_of(self, z: FloatArray) -> FloatArray:
+        """All coefficients of K, mirrored where symmetry is kept."""
+        m = self.coefficients
+        if not self.keep.symmetry:
+            return z[:m].copy()
+        half = (m + 1) // 2
+        return np.concatenate([z[:half], z[: m // 2][::-1]])
+
+    def rod_of(self, mapped: MappedRod) -> Rod:
+        """The rod in millimetres, least stiffness 1."""
+        size = self.target.size
+        least = float(mapped.stiffness.min())
+        length = mapped.length * size
+        knots = spline_knots(self.coefficients) * length
+        profile = Profile(knots, self.coefficients_of(mapped.z) / least)
+        nodes = self.nodes
+        blank = Rod.straight(length, profile, samples=nodes, gravity=self.gravity, supports=self.supports)
+        position = mapped.position * size + self.target.origin
+        system = RodSystem(
+            stiffness=blank.stiffness, edge_length=length / (nodes - 1), load=blank.nodal_load,
+            natural_curvature=0.0, supports=self.supports, start=position[0], end=position[-1],
+            end_angles=mapped.all_angles[[0, -1]], force=np.zeros(2), moments=np.zeros(2),
+        )  # fmt: skip
+        force = mapped.force / (least * size**2)
+        reactions = (force - system.given_force)[:, list(system.held)].mean(axis=0)
+        return system.state(mapped.angles, reactions).rod(blank)
+
+    @property
+    def moment_scale(self) -> float:
+        """Typical moment."""
+        bend = float(np.sqrt(np.mean(self.target.curvature**2)))
+        return float(max(1.0, bend * min(2.0, np.sqrt(self.limits.largest_ratio))))
+
+    def _scale(self, grid: StripGrid) -> FloatArray:
+        u = grid.unknowns
+        scale = np.ones(u.count)
+        scale[u.moment] = self.moment_scale
+        scale[u.force] = 5 * self.moment_scale
+        return scale
+
+    def _box(self, grid: StripGrid) -> tuple[FloatArray, FloatArray]:
+        u, target = grid.unknowns, self.target
+        lower, upper = np.full(u.count, -np.inf), np.full(u.count, np.inf)
+        lower[u.stiffness], upper[u.stiffness] = self._stiffness_box(u.coefficients)
+        start = self.supports.ends[0]
+        if self.keep.both_ends[0]:
+            lower[u.position] = upper[u.position] = target.position[0]
+        if self.keep.both_tangents[0]:
+            lower[u.angle] = upper[u.angle] = target.angle[0]
+        if not start.angle:
+            lower[u.moment] = upper[u.moment] = 0.0
+        for axis, held in enumerate((start.x, start.y)):
+            if not held:
+                lower[u.force.start + axis] = upper[u.force.start + axis] = 0.0
+        lower[u.length], upper[u.length] = self._lengths()
+        return lower, upper
+
+    def _lengths(self) -> tuple[float, float]:
+        target, limits = self.target, self.limits
+        low, high = _LENGTHS if limits.length is None else np.asarray(limits.length) / target.size
+        if self.keep.length:
+            if not low * (1 - 1e-12) <= 1 <= high * (1 + 1e-12):
+                raise InputError(
+                    f"keep length asks for {target.size:.6g} mm, outside the limit length of "
+                    f"{low * target.size:.6g} to {high * target.size:.6g} mm: drop one of them"
+                )
+            low = high = 1.0
+        if all(self.keep.both_ends):
+            chord = float(np.hypot(*(target.position[-1] - target.position[0])))
+            if high < chord * (1 - 1e-12):
+                raise InputError(
+                    f"the rod may be at most {high * target.size:.6g} mm long, but its kept ends are "
+                    f"{chord * target.size:.6g} mm apart: allow more length or free an end"
+                )
+        return float(low), float(high)
+
+    def distance(self, measure: Measure) -> Distance:
+        """The measure of the distance from the target."""
+        if measure == "mean":
+            targets, _ = self.target.at(np.linspace(0, 1, self.nodes))
+            return MeanDistance(targets, self._shares)
+        if measure == "closest":
+            return ClosestDistance(self.target, self._shares)
+        if measure == "max":
+            return LargestDistance(self.target, self.weights / self.weights.max())
+        raise InputError(f"unknown measure {measure!r}: use 'mean', 'closest' or 'max'")
+
+    @property
+    def _shares(self) -> FloatArray:
+        shares = self.weights.copy()
+        shares[[0, -1]] /= 2
+        return np.asarray(shares / shares.sum())
+
+    def _constraints(self, with_margin: bool) -> list[rows.Constraint]:
+        target, limits, keep = self.target, self.limits, self.keep
+        end = self.supports.ends[1]
+        found: list[rows.Constraint] = []
+        if keep.symmetry:
+            found.append(self._symmetry(keep.symmetry))
+        else:
+            if keep.both_ends[1]:
+                found.append(rows.EndPosition(target=_pair(target.position[-1])))
+            if keep.both_tangents[1]:
+                found.append(rows.EndAngle(target=float(target.angle[-1])))
+            if not end.angle:
+                found.append(rows.EndMoment(scale=self.moment_scale))
+            found += [
+                rows.EndForce(axis=axis, scale=5 * self.moment_scale)
+                for axis, held in enumerate((end.x, end.y))
+                if not held
+            ]
+        for s in keep.points:
+            if not 0 <= s <= target.size * (1 + 1e-9):
+                raise InputError(f"keep point at {s:.6g} mm lies off the drawn curve of {target.size:.6g} mm")
+            place = min(s / target.size, 1.0)
+            point, _ = target.at(np.array([place]))
+            found.append(rows.Through(target=_pair(point[0]), place=place))
+        if self.line is not None:
+            a, b = ((np.asarray(p) - target.origin) / target.size for p in self.line)
+            direction = (b - a) / np.hypot(*(b - a))
+            found.append(
+                rows.InflectionLine(point=_pair(a), direction=_pair(direction), scale=self.moment_scale)
+            )
+        curvature = limits.largest_curvature
+        if curvature is not None:
+            found.append(rows.CurvatureLimit(curvature * target.size))
+        found += [
+            rows.KeepOut(region, target.size, _pair(target.origin), keep.both_ends)
+            for region in limits.keep_out
+        ]
+        if limits.stiffness_bounds is not None and limits.stiffness_bounds[0] is not None:
+            found.append(rows.LeastStiffness())
+        if with_margin and limits.margin is not None:
+            found.append(rows.MarginLimit(limits.margin))
+        return found
+
+    def _symmetry(self, kind: Symmetry) -> rows.Constraint:
+        target = self.target
+        centre, axis = symmetry_frame(target, kind)
+        if kind == "turn":
+            if self.gravity is not None:
+                raise InputError("a half turn turns gravity over: keep symmetry='turn' only without weight")
+            return rows.MiddleOfTurn(centre=_pair(centre), scale=self.moment_scale)
+        if self.gravity is not None and abs(np.dot(self.gravity.direction, axis)) < 1 - 1e-9:
+            raise InputError(
+                "gravity pulls across the mirror axis: a strip with weight cannot stay symmetric"
+            )
+        across = np.array([-axis[1], axis[0]])
+        middle = float(target.angles(np.array([0.5]))[0])
+        angle = float(np.arctan2(across[1], across[0]))
+        angle += np.pi * np.round((middle - angle) / np.pi)
+        return rows.MiddleOfMirror(
+            centre=_pair(centre), axis=_pair(axis), angle=angle, scale=5 * self.moment_scale
+        )
+
+    def _stiffness_box(self, count: int) -> tuple[FloatArray, FloatArray]:
+        """Least and largest coefficients: of the bounds along the strip the strictest over each one's support."""
+        ratio = self.limits.largest_ratio
+        low, high = np.ones(count), np.full(count, ratio)
+        if self.limits.stiffness_bounds is None:
+            return low, high
+        s = np.linspace(0, 1, 20 * self.coefficients + 1)
+        support = self.basis(s) > 0
+        below, above = self.limits.stiffness_bounds
+        if below is not None:
+            values = _along(below, s, self.target.size, "stiffness bounds")
+            low = np.maximum(low, np.where(support, values[:, None], -np.inf).max(axis=0))
+        if above is not None:
+            values = _along(above, s, self.target.size, "stiffness bounds")
+            high = np.minimum(high, np.where(support, values[:, None], np.inf).min(axis=0))
+        if low.min() > 1:
+            raise InputError(
+                f"stiffness_bounds ask for at least {low.min():.4g} everywhere, but K / min K is 1 somewhere: "
+                "let the lower bound come down to 1"
+            )
+        if np.any(low > high):
+            at = float(s[int(np.argmax(support[:, int(np.argmax(low - high))]))]) * self.target.size
+            raise InputError(
+                f"no stiffness is both above the lower and below the upper bound (or the ratio limit {ratio:.4g}) "
+                f"near {at:.4g} mm: widen the bounds"
+            )
+        return low, high
+
+
+def _inflection_line(
+    curve: PlaneCurve, keep: Keep, gravity: Gravity | None
+) -> tuple[FloatArray, FloatArray] | None:
+    """Two points of the inflection line that is kept."""
+    if not keep.line:
+        return None
+    if gravity is not None:
+        raise InputError("a rod with weight has no inflection line: do without keep line, or without gravity")
+    if not isinstance(keep.line, bool):
+        return np.asarray(keep.line[0]), np.asarray(keep.line[1])
+    line = check_equilibrium(curve).line
+    if line is None:
+        raise InputError(
+            "the drawn curve has no inflection line to keep: give two points, keep line=((x, y), (x, y))"
+        )
+    point, direction = np.asarray(line.point), np.asarray(line.direction)
+    return point, point + direction * curve.length
+
+
+@lru_cache(maxsize=16)
+def _nodal_basis(nodes: int, coefficients: int) -> FloatArray:
+    basis = spline_basis(np.linspace(0, 1, nodes), coefficients)
+    basis.flags.writeable = False
+    return basis
+
+
+def spline_basis(x: FloatArray, count: int) -> FloatArray:
+    """Values (n, count) of the cubic B-splines with uniform clamped knots at x (n,) in 0..1."""
+    from scipy.interpolate import BSpline
+
+    return np.asarray(BSpline.design_matrix(np.clip(x, 0, 1), spline_knots(count), 3).toarray())
+
+
+def spline_knots(count: int) -> FloatArray:
+    """Their knots."""
+    return np.concatenate([np.zeros(3), np.linspace(0, 1, count - 2), np.ones(3)])
+
+
+def _node_weights(weights: Weights, nodes: int, size: float) -> FloatArray:
+    """Weights along the curve at the nodes, mean 1."""
+    values = _along(1.0 if weights is None else weights, np.linspace(0, 1, nodes), size, "weights")
+    if np.any(values < 0) or not values.any():
+        raise InputError("weights along the curve must be 0 or more, and not all 0")
+    return np.asarray(values / values.mean())
+
+
+def _along(given: object, x: FloatArray, size: float, what: str) -> FloatArray:
+    """Values at x (0..1) of a number, of values at equal distances, or of a function of arc length in mm."""
+    values = given(x * size) if callable(given) else given
+    array = np.asarray(values, dtype=float)
+    if array.ndim == 0:
+        array = np.full(2, float(array))
+    if array.ndim != 1 or array.size < 2 or not np.all(np.isfinite(array)):
+        raise InputError(
+            f"{what} must be a finite number, values at equal distances, or a function of arc length"
+        )
+    return np.asarray(np.interp(x, np.linspace(0, 1, array.size), array))
+
+
+def _pair(point: FloatArray) -> tuple[float, float]:
+    return float(point[0]), float(point[1])

@@ -1,0 +1,425 @@
+"""Limits and what is kept, as numbers that must be zero (or not negative), with their derivatives."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+
+from elastica_cad._types import FloatArray, IntArray
+from elastica_cad.forming.limits import Box, HalfPlane
+from elastica_cad.forming.nearest.rod_map import MappedRod, Sensitivities
+
+__all__ = [
+    "Constraint",
+    "CurvatureLimit",
+    "EndAngle",
+    "EndForce",
+    "EndMoment",
+    "EndPosition",
+    "InflectionLine",
+    "KeepOut",
+    "LeastStiffness",
+    "MarginLimit",
+    "MiddleOfMirror",
+    "MiddleOfTurn",
+    "Through",
+    "thinned",
+]
+
+MOST_ROWS = 56  # of one constraint in one program: with its ends below 64, where factorisations start threads
+_NEAR = 0.6  # of a limit: values within it enter the quadratic program, as a step may use them up
+
+
+class Constraint(Protocol):
+    """Values that must be 0, or at least 0 where `one_sided`; all are of order 1 when badly broken.
+
+    `price` is the most that breaking one by 1 costs.
+    """
+
+    @property
+    def name(self) -> str:
+        """What the user calls it."""
+
+    @property
+    def one_sided(self) -> bool:
+        """At least 0, not 0."""
+
+    @property
+    def price(self) -> float:
+        """See above."""
+
+    @property
+    def near_balance_only(self) -> bool:
+        """Does it make no sense far from balance?"""
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """All values (k,)."""
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """Indices (j,) into the values and derivatives (j, p) of those that matter near this rod."""
+
+
+@dataclass(frozen=True)
+class _Equality:
+    name: str
+    one_sided: bool = False
+    price: float = 100.0
+    near_balance_only: bool = False
+
+
+@dataclass(frozen=True)
+class EndPosition(_Equality):
+    """The last node lies at `target`."""
+
+    name: str = "end position"
+    target: tuple[float, float] = (0.0, 0.0)
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """Gap (2,)."""
+        return np.asarray(rod.position[-1] - np.asarray(self.target))
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """Both."""
+        return _all(sensitivities.position[-1])
+
+
+@dataclass(frozen=True)
+class EndAngle(_Equality):
+    """The end's angle is `target`."""
+
+    name: str = "end tangent"
+    target: float = 0.0
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """Difference (1,), rad."""
+        return rod.all_angles[-1:] - self.target
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """The one."""
+        return _all(sensitivities.angles[-1:])
+
+
+@dataclass(frozen=True)
+class EndMoment(_Equality):
+    """No moment at an end that is free to turn."""
+
+    name: str = "free end angle"
+    scale: float = 1.0
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """M_n (1,)."""
+        return rod.moments[-1:] / self.scale
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """The one."""
+        return _all(sensitivities.moments[-1:] / self.scale)
+
+
+@dataclass(frozen=True)
+class EndForce(_Equality):
+    """No force along an `axis` (0: x, 1: y) that the end leaves free."""
+
+    name: str = "free end position"
+    axis: int = 0
+    scale: float = 1.0
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """lambda at the very end (1,)."""
+        return rod.all_forces[-1:, self.axis] / self.scale
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """The one: the last edge's force and the last node's load, both linear in z but for the length."""
+        rod = sensitivities.rod
+        n = rod.tangents.shape[0]
+        weights = np.zeros((n, 2))
+        weights[-1, self.axis] = 1
+        row = sensitivities.along_forces(weights)
+        row += sensitivities.last_load_row(self.axis)
+        return _all(row[None] / self.scale)
+
+
+@dataclass(frozen=True)
+class MarginLimit:
+    """Stability margin, for least stiffness 1, at least `limit`."""
+
+    limit: float
+    name: str = "margin"
+    one_sided: bool = True
+    price: float = 1.0
+    near_balance_only: bool = True
+
+    @property
+    def scale(self) -> float:
+        """Size of a badly missed margin."""
+        return max(10.0, abs(self.limit))
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """(mu - limit min K) / scale, (1,)."""
+        return np.array([(rod.margin.value - self.limit * rod.stiffness.min()) / self.scale])
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """Chain rule from K, angles, forces and length to z."""
+        rod, d = sensitivities.rod, sensitivities.rod.margin_derivatives
+        u = sensitivities.grid.unknowns
+        row = d.angles @ sensitivities.angles[1:-1] + sensitivities.along_forces(d.force)
+        by_stiffness = d.stiffness.copy()
+        by_stiffness[int(np.argmin(rod.stiffness))] -= self.limit
+        row[u.stiffness] += by_stiffness @ sensitivities.grid.basis
+        row[u.length] += d.length
+        return _all(row[None] / self.scale)
+
+
+@dataclass(frozen=True)
+class CurvatureLimit:
+    """|M / K| at most `limit`, node by node."""
+
+    limit: float
+    name: str = "curvature"
+    one_sided: bool = True
+    price: float = 1.0
+    near_balance_only: bool = False
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """1 - |M / K| / limit, (n+1,)."""
+        return np.asarray(1 - np.abs(rod.moments / rod.stiffness) / self.limit)
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """The nodes that are bent most."""
+        rod = sensitivities.rod
+        values = self.values(rod)
+        near = thinned(np.flatnonzero(values < 1 - _NEAR), -values)
+        K, M = rod.stiffness[near, None], rod.moments[near, None]
+        rows = -np.sign(M) / K * sensitivities.moments[near] / self.limit
+        rows[:, sensitivities.grid.unknowns.stiffness] += (
+            np.abs(M) / K**2 * sensitivities.grid.basis[near] / self.limit
+        )
+        return near, rows
+
+
+@dataclass(frozen=True)
+class KeepOut:
+    """Every node outside a region; the region is in millimetres, the rod in `size` from `origin`.
+
+    Ends that are `kept` where they are do not count: on the border they would only fight what keeps them.
+    """
+
+    region: HalfPlane | Box
+    size: float
+    origin: tuple[float, float]
+    kept: tuple[bool, bool] = (False, False)
+    name: str = "keep-out"
+    one_sided: bool = True
+    price: float = 100.0
+    near_balance_only: bool = False
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """Clearances (n+1,)."""
+        return self._clearance(rod)[0]
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """The nodes that may come near in one step."""
+        rod = sensitivities.rod
+        value, gradient = self._clearance(rod)
+        near = thinned(np.flatnonzero(value < 0.1), -value)
+        d = sensitivities.position[near]
+        return near, gradient[near, 0, None] * d[:, 0] + gradient[near, 1, None] * d[:, 1]
+
+    def _clearance(self, rod: MappedRod) -> tuple[FloatArray, FloatArray]:
+        value, gradient = self.region.clearance(rod.position * self.size + np.asarray(self.origin))
+        value = value / self.size
+        value[[0, -1]] = np.where(self.kept, 1.0, value[[0, -1]])
+        return value, gradient
+
+
+@dataclass(frozen=True)
+class LeastStiffness:
+    """The least stiffness is 1, where lower bounds along the strip are meant in units of it."""
+
+    name: str = "stiffness bounds"
+    one_sided: bool = True
+    price: float = 1.0
+    near_balance_only: bool = False
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """1 - min K, (1,); the box keeps it from growing."""
+        return np.array([1 - rod.stiffness.min()])
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """The softest node."""
+        grid, rod = sensitivities.grid, sensitivities.rod
+        row = np.zeros((1, sensitivities.angles.shape[1]))
+        row[0, grid.unknowns.stiffness] = -grid.basis[int(np.argmin(rod.stiffness))]
+        return _all(row)
+
+
+@dataclass(frozen=True)
+class Through(_Equality):
+    """The rod passes through `target`, first sought `place` (0..1) of its length from the start."""
+
+    name: str = "points"
+    target: tuple[float, float] = (0.0, 0.0)
+    place: float = 0.5
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """Distance across the rod (1,)."""
+        share, nodes, normal = self._foot(rod.position)
+        off = share @ rod.position[nodes] - np.asarray(self.target)
+        return np.array([normal @ off])
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """The one."""
+        rod = sensitivities.rod
+        share, nodes, normal = self._foot(rod.position)
+        return _all(np.einsum("i,k,ikp->p", share, normal, sensitivities.position[nodes])[None])
+
+    def _foot(self, position: FloatArray) -> tuple[FloatArray, IntArray, FloatArray]:
+        """The cubic through four nodes that passes nearest: its shares at the foot, the nodes, the normal there."""
+        n = position.shape[0] - 1
+        window = np.arange(n + 1)
+        window = window[np.abs(window / n - self.place) < 0.15]
+        off = position[window] - np.asarray(self.target)
+        nearest = int(window[np.argmin((off**2).sum(axis=1))])
+        first = int(np.clip(nearest - 1, 0, n - 3))
+        nodes = np.arange(first, first + 4)
+        x, u = position[nodes], float(nearest - first)
+        share, slope = _lagrange(u)
+        for _ in range(8):
+            tangent = slope @ x
+            u -= float(tangent @ (share @ x - np.asarray(self.target)) / (tangent @ tangent))
+            u = float(np.clip(u, -0.5 if first == 0 else 0.0, 3.0))
+            share, slope = _lagrange(u)
+        tangent = slope @ x
+        return share, nodes, np.array([-tangent[1], tangent[0]]) / np.hypot(*tangent)
+
+
+@dataclass(frozen=True)
+class InflectionLine(_Equality):
+    """M vanishes on the line through `point` along `direction`: without weight M = a + <b, gamma>."""
+
+    name: str = "inflection line"
+    point: tuple[float, float] = (0.0, 0.0)
+    direction: tuple[float, float] = (1.0, 0.0)
+    scale: float = 1.0
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """Moment at the point, and its change along the line (2,)."""
+        first = float(rod.moments[0]), rod.all_forces[0]
+        return np.array([self._moment(*first, rod.position[0]), self._slope(rod.all_forces[0])]) / self.scale
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """Both."""
+        rod = sensitivities.rod
+        u = sensitivities.grid.unknowns
+        rows = np.zeros((2, sensitivities.angles.shape[1]))
+        b = np.array([rod.all_forces[0, 1], -rod.all_forces[0, 0]])
+        off = np.asarray(self.point) - rod.position[0]
+        rows[0, u.moment] = 1
+        rows[0, u.force] = [-off[1], off[0]]
+        rows[0, u.position] = -b
+        rows[1, u.force] = [-self.direction[1], self.direction[0]]
+        return _all(rows / self.scale)
+
+    def _moment(self, moment: float, force: FloatArray, start: FloatArray) -> float:
+        off = np.asarray(self.point) - start
+        return float(moment + force[1] * off[0] - force[0] * off[1])
+
+    def _slope(self, force: FloatArray) -> float:
+        return float(force[1] * self.direction[0] - force[0] * self.direction[1])
+
+
+@dataclass(frozen=True)
+class MiddleOfMirror(_Equality):
+    """The middle stands on the axis, across it, and carries no force along it: one half mirrors the other."""
+
+    name: str = "symmetry"
+    centre: tuple[float, float] = (0.0, 0.0)
+    axis: tuple[float, float] = (0.0, 1.0)
+    angle: float = 0.0
+    scale: float = 1.0
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """Distance from the axis, angle, force (3,)."""
+        nodes, edges = _middle(rod)
+        normal = np.array([-self.axis[1], self.axis[0]])
+        off = rod.position[nodes].mean(axis=0) - np.asarray(self.centre)
+        turn = rod.angles[edges].mean() - self.angle
+        return np.array([normal @ off, turn, rod.force[edges].mean(axis=0) @ self.axis / self.scale])
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """All three."""
+        rod = sensitivities.rod
+        nodes, edges = _middle(rod)
+        normal = np.array([-self.axis[1], self.axis[0]])
+        weights = np.zeros_like(rod.tangents)
+        weights[edges] = np.asarray(self.axis) / len(edges) / self.scale
+        return _all(
+            np.array(
+                [
+                    normal @ sensitivities.position[nodes].mean(axis=0),
+                    sensitivities.angles[1:-1][edges].mean(axis=0),
+                    sensitivities.along_forces(weights),
+                ]
+            )
+        )
+
+
+@dataclass(frozen=True)
+class MiddleOfTurn(_Equality):
+    """The middle stands in the centre and carries no moment: one half is the other turned by half a turn."""
+
+    name: str = "symmetry"
+    centre: tuple[float, float] = (0.0, 0.0)
+    scale: float = 1.0
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """Distances and moment (3,)."""
+        nodes, _ = _middle(rod)
+        off = rod.position[nodes].mean(axis=0) - np.asarray(self.centre)
+        return np.append(off, rod.moments[nodes].mean() / self.scale)
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """All three."""
+        rod = sensitivities.rod
+        nodes, _ = _middle(rod)
+        moment = sensitivities.moments[nodes].mean(axis=0) / self.scale
+        return _all(np.vstack([sensitivities.position[nodes].mean(axis=0), moment]))
+
+
+def _middle(rod: MappedRod) -> tuple[Sequence[int], Sequence[int]]:
+    """Indices of the nodes and of the edges around the middle of the rod, each one or two."""
+    n = rod.tangents.shape[0]
+    nodes, edges = {n // 2, (n + 1) // 2}, {(n - 1) // 2, n // 2}
+    return sorted(nodes), sorted(edges)
+
+
+def _lagrange(u: float) -> tuple[FloatArray, FloatArray]:
+    """Shares of the nodes 0, 1, 2, 3 in their cubic's value at u, and in its slope."""
+    k = np.arange(4)
+    share, slope = np.empty(4), np.empty(4)
+    for i in k:
+        others = k[k != i]
+        scale = float(np.prod(i - others))
+        share[i] = np.prod(u - others) / scale
+        slope[i] = sum(np.prod(u - others[others != j]) for j in others) / scale
+    return share, slope
+
+
+def thinned(indices: IntArray, urgency: FloatArray) -> IntArray:
+    """At most MOST_ROWS of `indices`: the peaks of `urgency` (n,), then the others at equal steps.
+
+    Rows left out may be broken by a step; the next program then finds them among the peaks.
+    """
+    if indices.size <= MOST_ROWS:
+        return indices
+    high = np.concatenate([[-np.inf], urgency, [-np.inf]])
+    peak = (urgency >= high[:-2]) & (urgency >= high[2:])
+    kept = np.zeros(indices.size, dtype=bool)
+    kept[np.flatnonzero(peak[indices])[: MOST_ROWS // 2]] = True
+    others = np.flatnonzero(~kept)
+    kept[others[:: -(-others.size // (MOST_ROWS - kept.sum()))]] = True
+    return indices[kept]
+
+
+def _all(rows: FloatArray) -> tuple[IntArray, FloatArray]:
+    return np.arange(rows.shape[0]), rows

@@ -1,0 +1,269 @@
+"""The strip as the variable: the rod that unknown stiffness and start make, and how it moves with them.
+
+Everything here is in lengths of the target curve, not in millimetres.
+"""
+
+from collections.abc import Callable, Hashable
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod, edge_forces, node_weights
+from elastica_cad.mechanics.rod.shooting import shoot
+
+__all__ = ["MappedRod", "Sensitivities", "StripGrid", "Unknowns"]
+
+
+@dataclass(frozen=True)
+class Unknowns:
+    """Where each unknown stands in z (count,).
+
+    Attributes
+    ----------
+    coefficients, count : int
+        Number of coefficients of K, and of unknowns p.
+    stiffness : slice
+        Coefficients of K.
+    moment : int
+        M_0.
+    force : slice
+        lambda at the very start, before the weight of the first node.
+    position : slice
+        gamma_0.
+    angle, length : int
+        alpha_0, and the length of the rod.
+    """
+
+    coefficients: int
+    count: int
+    stiffness: slice
+    moment: int
+    force: slice
+    position: slice
+    angle: int
+    length: int
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class MappedRod(DiscreteRod):
+    """The discrete rod of given unknowns, in balance or, while it is being closed, nearly so.
+
+    Attributes
+    ----------
+    z : (p,) array
+        The unknowns.
+    moments : (n+1,) array
+    all_angles : (n+2,) array
+        Start, edges, end.
+    all_forces : (n+2, 2) array
+        lambda before the first node, of the edges, and behind the last node.
+    length : float
+    memory : dict
+        Costly results that the merit and the model of one rod share.
+    """
+
+    z: FloatArray
+    moments: FloatArray
+    all_angles: FloatArray
+    all_forces: FloatArray
+    length: float
+    memory: dict[Hashable, Any] = field(default_factory=dict)
+
+    def remembered(self, key: Hashable, compute: Callable[[], Any]) -> Any:
+        """What `compute` gives, computed once for this rod."""
+        if key not in self.memory:
+            self.memory[key] = compute()
+        return self.memory[key]
+
+
+@dataclass(frozen=True, eq=False)
+class Sensitivities:
+    """Derivatives of a rod in its p unknowns; a last column more, where asked, closes its defects.
+
+    Attributes
+    ----------
+    angles : (n+2, p) array
+    moments : (n+1, p) array
+    position : (n+1, 2, p) array
+    """
+
+    grid: "StripGrid"
+    rod: MappedRod
+    angles: FloatArray
+    moments: FloatArray
+    position: FloatArray
+
+    def along_forces(self, weights: FloatArray) -> FloatArray:
+        """Gradient (p,) of sum(weights * edge forces), weights (n, 2)."""
+        grid, z = self.grid, self.rod.z
+        u, out = grid.unknowns, np.zeros(self.angles.shape[1])
+        out[u.force] = weights.sum(axis=0)
+        if grid.heavy:
+            pull = weights @ grid.e
+            out[u.stiffness] = -self.rod.length * (pull @ grid.running[:-1])
+            out[u.length] = -float(pull @ (grid.running[:-1] @ z[u.stiffness]))
+        return out
+
+    def last_load_row(self, axis: int) -> FloatArray:
+        """Gradient (p,) of the last node's load -w K e along `axis` (0: x, 1: y)."""
+        grid, z = self.grid, self.rod.z
+        u, out = grid.unknowns, np.zeros(self.angles.shape[1])
+        per_length = -grid.shares[-1] * grid.e[axis]
+        out[u.stiffness] = per_length * self.rod.length * grid.basis[-1]
+        out[u.length] = per_length * float(grid.basis[-1] @ z[u.stiffness])
+        return out
+
+
+@dataclass(frozen=True, eq=False)
+class StripGrid:
+    """n edges, and a basis for K on the nodes.
+
+    Parameters
+    ----------
+    basis : (n+1, m) array
+        Values of the basis functions of K at the nodes; they sum to 1.
+    e : (2,) array
+        Weight vector of Eq. 5 (it points up), times the unit of length cubed.
+    natural_curvature : float or (n+1,) array
+        Times the unit of length.
+    supports : Supports
+    """
+
+    basis: FloatArray
+    e: FloatArray
+    natural_curvature: float | FloatArray = 0.0
+    supports: Supports = field(default_factory=Supports)
+
+    @property
+    def edges(self) -> int:
+        """Number of edges n."""
+        return int(self.basis.shape[0]) - 1
+
+    @cached_property
+    def unknowns(self) -> Unknowns:
+        """Layout of z."""
+        m = self.basis.shape[1]
+        return Unknowns(
+            coefficients=m, count=m + 7, stiffness=slice(0, m), moment=m, force=slice(m + 1, m + 3),
+            position=slice(m + 3, m + 5), angle=m + 5, length=m + 6,
+        )  # fmt: skip
+
+    @cached_property
+    def shares(self) -> FloatArray:
+        """Voronoi lengths of the nodes for a rod of length 1 (n+1,)."""
+        return node_weights(1 / self.edges, self.edges)
+
+    @cached_property
+    def running(self) -> FloatArray:
+        """Integral of every basis function up to and with each node, for a rod of length 1 (n+1, m)."""
+        return np.asarray(np.cumsum(self.shares[:, None] * self.basis, axis=0))
+
+    @property
+    def heavy(self) -> bool:
+        """Is there weight?"""
+        return bool(np.any(self.e))
+
+    def shoot(self, z: FloatArray) -> MappedRod:
+        """The rod in balance; its last moment is not a number where it winds up beyond all measure."""
+        K, force, length = self._given(z)
+        u = self.unknowns
+        angles, moments = shoot(
+            K, length * self.shares, force[1:-1], length / self.edges,
+            moment=z[u.moment], angle=z[u.angle], natural_curvature=self.natural_curvature,
+        )  # fmt: skip
+        return self._assemble(z, angles, moments, K, force, length)
+
+    def assemble(self, z: FloatArray, angles: FloatArray, moments: FloatArray) -> MappedRod:
+        """A rod with angles (n+2,) and moments (n+1,) that need not be in balance."""
+        return self._assemble(z, angles, moments, *self._given(z))
+
+    def sensitivities(self, rod: MappedRod, *, closing: bool = False) -> Sensitivities:
+        """Derivatives of angles, moments and positions in z.
+
+        The linearised recursion couples each angle and moment to the two before it: one banded triangular solve
+        for all columns. With `closing`, a last column p tells what brings the rod into balance to first order.
+        """
+        from scipy.linalg.lapack import dtbtrs
+
+        n, u = self.edges, self.unknowns
+        K, M, T, length = rod.stiffness, rod.moments, rod.tangents, rod.length
+        edge, w = length / n, length * self.shares
+        columns = u.count + closing
+
+        # unknowns alpha_1, M_1, alpha_2, M_2, ..., alpha_{n+1}; right-hand sides are what drives them
+        right = np.zeros((2 * n + 1, columns), order="F")
+        drive_angle, drive_moment = right[0::2], right[1::2]
+        np.multiply((-w * M / K**2)[:, None], self.basis, out=drive_angle[:, u.stiffness])
+        drive_angle[:, u.length] = self.shares * (M / K + self.natural_curvature)
+        drive_angle[0, u.moment] += w[0] / K[0]
+        drive_angle[0, u.angle] += 1
+        first, second = u.force.start, u.force.start + 1
+        drive_moment[:, first], drive_moment[:, second] = -edge * T[:, 1], edge * T[:, 0]
+        drive_moment[:, u.length] = rod.shear / n
+        drive_moment[0, u.moment] += 1
+        if self.heavy:
+            lift = self.e[1] * T[:, 0] - self.e[0] * T[:, 1]
+            np.multiply((-edge * length * lift)[:, None], self.running[:-1], out=drive_moment[:, u.stiffness])
+            drive_moment[:, u.length] -= edge * lift * (self.running[:-1] @ rod.z[u.stiffness])
+        if closing:
+            late = rod.z[u.moment] - M[0]
+            drive_angle[:, -1] = (
+                rod.all_angles[:-1] + w * (M / K + self.natural_curvature) - rod.all_angles[1:]
+            )
+            drive_moment[:, -1] = M[:-1] + edge * rod.shear - M[1:]
+            drive_angle[0, -1] += w[0] / K[0] * late + rod.z[u.angle] - rod.all_angles[0]
+            drive_moment[0, -1] += late
+        solved, _ = dtbtrs(self._band(rod), right, uplo="L", diag="U", overwrite_b=1)
+
+        angles = np.zeros((n + 2, columns))
+        angles[0, u.angle] = 1
+        angles[1:] = solved[0::2]
+        moments = np.zeros((n + 1, columns))
+        moments[0, u.moment] = 1
+        moments[1:] = solved[1::2]
+        if closing:
+            angles[0, -1], moments[0, -1] = rod.z[u.angle] - rod.all_angles[0], late
+        position = np.zeros((n + 1, 2, columns))
+        step = position[1:]
+        np.multiply((-edge * T[:, 1])[:, None], angles[1:-1], out=step[:, 0])
+        np.multiply((edge * T[:, 0])[:, None], angles[1:-1], out=step[:, 1])
+        step[:, :, u.length] += T / n
+        np.cumsum(step, axis=0, out=step)
+        position[:, 0, u.position.start] += 1
+        position[:, 1, u.position.start + 1] += 1
+        return Sensitivities(self, rod, angles, moments, position)
+
+    def _band(self, rod: MappedRod) -> FloatArray:
+        """The linearised recursion on (alpha_1, M_1, ..., alpha_{n+1}), unit lower triangular, by diagonals."""
+        band = np.empty((3, 2 * self.edges + 1))
+        band[0] = 1
+        band[1, 0:-1:2] = rod.edge_length * rod.pull  # -dM_i / dalpha_i
+        band[1, 1::2] = -(rod.length * self.shares / rod.stiffness)[1:]
+        band[1, -1] = 0
+        band[2] = -1
+        return band
+
+    def _given(self, z: FloatArray) -> tuple[FloatArray, FloatArray, float]:
+        """K at the nodes, forces (n+2, 2), length."""
+        u = self.unknowns
+        length = float(z[u.length])
+        K = self.basis @ z[u.stiffness]
+        load = (-length * self.shares * K)[:, None] * self.e
+        force = np.empty((self.edges + 2, 2))
+        force[0] = z[u.force]
+        force[1:-1] = edge_forces(z[u.force] + load[0], load)
+        force[-1] = force[-2] + load[-1]
+        return K, force, length
+
+    def _assemble(
+        self, z: FloatArray, angles: FloatArray, moments: FloatArray, K: FloatArray, force: FloatArray,
+        length: float,
+    ) -> MappedRod:  # fmt: skip
+        return MappedRod(
+            K, angles[1:-1], force[1:-1], length / self.edges, self.supports, z[self.unknowns.position],
+            z=z, moments=moments, all_angles=angles, all_forces=force, length=length,
+        )  # fmt: skip

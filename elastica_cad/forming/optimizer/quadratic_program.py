@@ -1,0 +1,254 @@
+"""Small dense convex quadratic programs whose rows may be broken at a price."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad._types import BoolArray, FloatArray
+from elastica_cad.forming.optimizer.dense_solves import gram
+
+__all__ = ["QuadraticProgram", "QuadraticSolution", "solve_quadratic"]
+
+# Interior points, not HiGHS: its active-set QP was tried first and cycled without end on the programs of a
+# nearly solved problem. These programs are dense, at most some hundred rows by some tens of unknowns, and
+# every unknown has finite bounds (a trust region), so a dozen factorisations always suffice.
+MOST_FACTORISATIONS = 60  # a dozen is usual
+TOLERANCE = 1e-10  # relative: far below the error of the linear model
+_BACKOFF = 0.995  # of the way to the nearest bound, which interior points do not touch
+_MOST_GUESSES = 5  # of what binds, before interior points take over
+_ROUNDING = 1e-15  # rows that say nearly the same may not make the system singular
+
+
+@dataclass(frozen=True, eq=False)
+class QuadraticProgram:
+    """Minimise x^T H x / 2 + g^T x + sum of row prices, with lower <= x <= upper.
+
+    A row k stands for A_k x = r_k (or A_k x >= r_k where `one_sided`); breaking it by u costs `price[k]` u.
+    A price larger than the row's multiplier makes the row exact.
+
+    Attributes
+    ----------
+    hessian, gradient : (p, p), (p,) arrays
+        Positive semidefinite.
+    lower, upper : (p,) arrays
+        Finite.
+    rows, right : (m, p), (m,) arrays
+    price : (m,) array
+        Positive.
+    one_sided : (m,) boolean array
+    """
+
+    hessian: FloatArray
+    gradient: FloatArray
+    lower: FloatArray
+    upper: FloatArray
+    rows: FloatArray
+    right: FloatArray
+    price: FloatArray
+    one_sided: BoolArray
+
+
+@dataclass(frozen=True, eq=False)
+class QuadraticSolution:
+    """The minimum: x, and the multipliers of rows (positive pushes A x up) and of bounds.
+
+    `converged` tells whether the tolerance was reached, `iterations` after how many factorisations.
+    """
+
+    x: FloatArray
+    row_multipliers: FloatArray
+    lower_multipliers: FloatArray
+    upper_multipliers: FloatArray
+    converged: bool
+    iterations: int
+
+
+def solve_quadratic(program: QuadraticProgram, *, accuracy: float = TOLERANCE) -> QuadraticSolution:
+    """Primal-dual interior points with Mehrotra's predictor and corrector.
+
+    The optimum is met to `accuracy`, relative to the largest number in the gradient or on the Hessian's
+    diagonal.
+
+    The price of a row bounds its multiplier y: the row is the pairs p (y - y_low) = 0, q (y_high - y) = 0 with
+    A x - r = p - q, so that equalities, inequalities and their elastic forms are one case.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> one = np.ones(1)
+    >>> program = QuadraticProgram(np.eye(1), -one, -9 * one, 9 * one, np.eye(1), 3 * one, 9 * one, one > 0)
+    >>> float(solve_quadratic(program).x[0].round(8))
+    3.0
+    """
+    lower, upper = program.lower, program.upper
+    fixed = upper - lower < 1e-14 * (1 + np.abs(lower))
+    if np.any(fixed):
+        return _without(program, fixed, accuracy)
+    easy = _by_active_sets(program)
+    if easy is not None:
+        return easy
+    H, A, r = program.hessian, program.rows, program.right
+    scale = 1 / max(1e-30, float(np.abs(program.gradient).max()), float(np.abs(np.diag(H)).max()))
+    H, g, y_high = H * scale, program.gradient * scale, program.price * scale
+    tolerance = accuracy * float(np.clip(np.abs(g).max(), 1e-6, 1.0))
+    y_low = np.where(program.one_sided, 0.0, -y_high)
+    n, m = g.size, r.size
+    low, high, up, down = slice(n), slice(n, 2 * n), slice(2 * n, 2 * n + m), slice(2 * n + m, None)
+
+    # Complementary pairs u v = mu: u is linear in (x, y), its partner v (z_low, z_high, p, q) is free.
+    count = 2 * (n + m)
+    pairs, changes = np.empty(2 * count), np.empty(2 * count)
+    u, v, du, dv = pairs[:count], pairs[count:], changes[:count], changes[count:]
+    inner = 0.1 * (upper - lower)
+    x, y = np.clip(0.0, lower + inner, upper - inner), (y_low + y_high) / 2
+    u[low], u[high], u[up], u[down] = x - lower, upper - x, y - y_low, y_high - y
+    mu = max(1e-3, 0.1 * float(np.abs(g) @ inner) / n)
+    np.divide(mu, u, out=v)
+    gap, room = A @ x - r, v[up].copy()
+    v[up] = room + gap / 2 + np.hypot(room, gap / 2)
+    v[down] = np.maximum(v[up] - gap, mu)
+
+    converged, iteration = False, 0
+    while iteration < MOST_FACTORISATIONS:
+        dual = H @ x + g - y @ A - v[low] + v[high]
+        primal = A @ x - r - v[up] + v[down]
+        product = u * v
+        mu = float(product.sum()) / count
+        if mu < tolerance and _largest(dual) < 10 * tolerance and _largest(primal) < 10 * TOLERANCE:
+            converged = True
+            break
+        iteration += 1
+        ratio = v / u
+        system = _factorised(H, ratio[low] + ratio[high], A, ratio[up] + ratio[down])
+        if system is None:
+            break
+        # Predictor straight to mu = 0, then Mehrotra's corrector towards the centre it leaves room for.
+        aim = -product
+        for corrector in (False, True):
+            change = aim / u
+            dx, dy = _solved(system, change[low] - change[high] - dual, change[up] - change[down] - primal)
+            du[low], du[high], du[up], du[down] = dx, -dx, dy, -dy
+            np.subtract(change, ratio * du, out=dv)
+            worst = -float((changes / pairs).min())
+            step = min(1 / _BACKOFF, 1 / worst) if worst > 0 else 1 / _BACKOFF
+            if not corrector:
+                after = float((u + step * du) @ (v + step * dv)) / count
+                aim = mu * (after / mu) ** 3 - product - du * dv
+        step *= _BACKOFF
+        x, y = x + step * dx, y + step * dy
+        pairs += step * changes
+    return QuadraticSolution(x, y / scale, v[low] / scale, v[high] / scale, converged, iteration)
+
+
+def _by_active_sets(program: QuadraticProgram) -> QuadraticSolution | None:
+    """The exact minimum where guessing what binds settles at once, as it does where few bounds bind.
+
+    What is passed binds in the next guess, and what pulls inwards does no more (primal-dual active sets); None
+    as soon as the guesses do not come nearer to each other.
+    """
+    from scipy.linalg.lapack import dsysv
+
+    H, g, A, r = program.hessian, program.gradient, program.rows, program.right
+    lower, upper = program.lower, program.upper
+    at_low, at_high = np.zeros(g.size, dtype=bool), np.zeros(g.size, dtype=bool)
+    active, changed = ~program.one_sided, g.size
+    for guess in range(_MOST_GUESSES):
+        free = ~(at_low | at_high)
+        x, y = np.where(at_low, lower, np.where(at_high, upper, 0.0)), np.zeros(r.size)
+        inner, count = A[np.ix_(active, free)], int(free.sum())
+        system = np.zeros((count + inner.shape[0],) * 2)
+        system[:count, :count] = H[np.ix_(free, free)]
+        system[count:, :count] = inner
+        right = np.concatenate([-(g + H @ x)[free], (r - A @ x)[active]])
+        if not right.size:
+            return None
+        *_, solution, info = dsysv(system, right, lower=1)
+        if info != 0:
+            return None
+        x[free], y[active] = solution[:count], -solution[count:]
+        pull = H @ x + g - y @ A
+        low = (at_low & (pull > 0)) | (free & (x < lower))
+        high = (at_high & (pull < 0)) | (free & (x > upper))
+        rows = ~program.one_sided | (active & (y > 0)) | (~active & (A @ x < r))
+        before, changed = (
+            changed,
+            sum(int(np.count_nonzero(a != b)) for a, b in ((low, at_low), (high, at_high), (rows, active))),
+        )
+        if changed == 0:
+            if np.any(np.abs(y) > program.price):
+                return None
+            return QuadraticSolution(
+                x, y, np.where(low, pull, 0.0), np.where(high, -pull, 0.0), True, guess + 1
+            )
+        if 2 * changed > before:
+            return None
+        at_low, at_high, active = low, high, rows
+    return None
+
+
+def _factorised(
+    H: FloatArray, diagonal: FloatArray, A: FloatArray, D: FloatArray
+) -> tuple[FloatArray, FloatArray, FloatArray] | None:
+    """L^-1 of L L^T = G = H + diagonal, W = L^-1 A^T, and the Cholesky factor of W^T W + D.
+
+    L is inverted because LAPACK's triangular solves with several right-hand sides start threads, which on a
+    busy machine costs a thousand times the work.
+    """
+    from scipy.linalg.lapack import dpotrf, dtrtri
+
+    G = H.copy()
+    G.flat[:: G.shape[0] + 1] += diagonal
+    L, info = dpotrf(G, lower=1)
+    if info != 0:
+        return None
+    inverse, _ = dtrtri(L, lower=1)
+    W = inverse @ A.T
+    S = gram(W) if W.size else np.zeros((0, 0))
+    if not S.size:
+        return inverse, W, S
+    diagonals = S.reshape(-1)[:: S.shape[0] + 1]
+    diagonals += D
+    C, info = dpotrf(S, lower=1)
+    if info != 0:
+        diagonals += _ROUNDING * diagonals.max()
+        C, info = dpotrf(S, lower=1)
+    return None if info != 0 else (inverse, W, C)
+
+
+def _solved(
+    system: tuple[FloatArray, FloatArray, FloatArray], a: FloatArray, b: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """(dx, dy) with G dx - A^T dy = a and A dx + D dy = b."""
+    from scipy.linalg.lapack import dpotrs
+
+    inverse, W, C = system
+    half = inverse @ a
+    dy = np.zeros(0)
+    if C.size:
+        dy, _ = dpotrs(C, b - half @ W, lower=1)
+        half = half + W @ dy
+    return half @ inverse, dy
+
+
+def _largest(values: FloatArray) -> float:
+    return float(np.abs(values).max()) if values.size else 0.0
+
+
+def _without(program: QuadraticProgram, fixed: BoolArray, accuracy: float) -> QuadraticSolution:
+    """The program with its fixed unknowns put in."""
+    free = ~fixed
+    known = np.where(fixed, program.lower, 0.0)
+    inner = solve_quadratic(
+        QuadraticProgram(
+            program.hessian[np.ix_(free, free)], (program.gradient + program.hessian @ known)[free],
+            program.lower[free], program.upper[free], np.ascontiguousarray(program.rows[:, free]),
+            program.right - program.rows @ known, program.price, program.one_sided,
+        ),
+        accuracy=accuracy,
+    )  # fmt: skip
+    x = known.copy()
+    x[free] = inner.x
+    reduced = program.hessian @ x + program.gradient - inner.row_multipliers @ program.rows
+    low, high = np.where(fixed, np.maximum(reduced, 0), 0.0), np.where(fixed, np.maximum(-reduced, 0), 0.0)
+    low[free], high[free] = inner.lower_multipliers, inner.upper_multipliers
+    return QuadraticSolution(x, inner.row_multipliers, low, high, inner.converged, inner.iterations)

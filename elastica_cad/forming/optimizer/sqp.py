@@ -1,0 +1,337 @@
+"""Sequential quadratic programming with a trust region and an exact penalty over points that are nearly closed."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Generic
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import NotConvergedError
+from elastica_cad.forming.optimizer.dense_solves import matvec
+from elastica_cad.forming.optimizer.iterate import (
+    ActiveSet,
+    Iterate,
+    all_equalities,
+    close_iterate,
+    find_free,
+    follow_step,
+    iterate_at,
+    meet_equalities,
+    row_keys,
+)
+from elastica_cad.forming.optimizer.nonlinear_program import ConstraintRows, NonlinearProgram, Point
+from elastica_cad.forming.optimizer.quadratic_program import (
+    QuadraticProgram,
+    QuadraticSolution,
+    solve_quadratic,
+)
+
+__all__ = ["LIFTS", "Outcome", "lift", "minimize"]
+
+STEPS = 80  # most quadratic programs of one search: usual ones take less than half
+LIFTS = 12  # most lifted steps: they converge quadratically, or not at all
+SETTLED = 3e-4  # a step that promises less than this share of the objective ends the search
+CLEARANCE = 1e-9  # what a limit that is touched keeps in hand, so that rounding does not break it
+SMALLEST_RADIUS = 1e-7  # in scales: where longer steps fail, shorter ones are no progress
+_TOUCHED = 1e-3  # values of a limit below this are touched when the outcome is made exact
+_MISSED = 1e-13  # by rounding alone
+_DAMPING = 1e-9  # of the largest curvature: keeps the program strictly convex
+_IDLE = 1e-2  # share of the objective left that a step of one scale costs where it changes nothing
+_EASIEST = 1e-4  # share of the damping that is left where steps keep what they promise
+_FAR = 20.0  # radius of the lifted steps, in scales
+_CALM = 1e-6  # damping of the first: where several unknowns do, the start takes the least
+_CALMED = 0.1  # of the state: a lifted step that changes it by less leaves a point that closes
+_WORTHWHILE = 0.7  # a lifted step that leaves more of the objective is the last
+_AJAR = 1.0  # of the state: a start that is off by more is closed from its unknowns instead
+_ALIKE = 0.1  # of the distance to the optimum known: nearer points lie in the same valley
+_FIRM = 1e4  # times what is missed: no step that puts it right is longer, no multiplier larger
+_RESOLUTION = 1e-11  # of an objective of order 1 (half a mean square): a micrometre on a strip of 300 mm
+
+
+@dataclass(frozen=True, eq=False)
+class Outcome(Generic[Point]):
+    """Where the search ended.
+
+    Attributes
+    ----------
+    point : Point
+        Closed.
+    objective, violation : float
+    multipliers : tuple of (k,) arrays
+        Of every constraint's values: d(objective) / d(value).
+    at_lower, at_upper : (p,) arrays
+        Multipliers of the box.
+    iterations : int
+    settled : bool
+    """
+
+    point: Point
+    objective: float
+    violation: float
+    multipliers: tuple[FloatArray, ...]
+    at_lower: FloatArray
+    at_upper: FloatArray
+    iterations: int
+    settled: bool
+
+
+def lift(program: NonlinearProgram[Point], start: Point, steps: int = LIFTS) -> Point:
+    """A point near one that is far from closed, nearly closed itself.
+
+    The state is an unknown of its own here and its equations are one more constraint, linearised about it: the
+    quadratic program is convex whatever the start (its first step weighs the equations' error by its effect on
+    the objective).
+    """
+    program = program.for_open_points()
+    point = best = start
+    before = least = np.inf
+    for k in range(steps):
+        here = iterate_at(program, point)
+        if here is None:
+            break
+        step, solution = _solve_step(here, _FAR, _damping(here, _CALM, np.inf if k == 0 else _IDLE))
+        if step is None or solution is None:
+            break
+        change = np.append(step, 1.0)
+        point = here.local.moved(change)
+        after = program.objective(point)
+        changed = float(np.abs(matvec(here.local.state_jacobian, change)).max())
+        # second order in the change of state is what closing the point may add to its distance
+        if (rank := float(np.sqrt(2 * after)) + 0.1 * changed**2) < least:
+            best, least = point, rank
+        if changed < _CALMED and after > _WORTHWHILE * before - _RESOLUTION:
+            break
+        before = after
+    return best
+
+
+def minimize(
+    program: NonlinearProgram[Point],
+    start: Point,
+    *,
+    steps: int = STEPS,
+    radius: float = 1.0,
+    known: Outcome[Point] | None = None,
+) -> Outcome[Point]:
+    """The local minimum downhill from a point that need not be closed; `known` where that is the same valley.
+
+    The local model of the objective, linearised constraints with prices, a box of size `radius` (in scales),
+    one quadratic program a step. The state follows a step with the unknowns (see `follow_step`); the merit's
+    prices follow the multipliers (Powell's rule).
+
+    Raises
+    ------
+    NotConvergedError
+        When no point is found to begin with.
+    """
+    here = _begin(program, start)
+    prices = np.zeros(program.highest_prices.size)
+    active = all_equalities(here)
+    found: tuple[ConstraintRows, QuadraticSolution] | None = None
+    settled, iteration, ease = False, 0, 1.0
+    while iteration < steps and not settled and radius > SMALLEST_RADIUS:
+        if known is not None and program.apart(here.local.point, known.point) < _ALIKE**2 * known.objective:
+            return replace(known, iterations=iteration)
+        iteration += 1
+        floor = SETTLED * here.objective + _RESOLUTION
+        damping = ease * _damping(here, _DAMPING, _IDLE)
+        accepted = False
+        while not accepted and radius > SMALLEST_RADIUS:
+            step, solution = _solve_step(here, radius, damping)
+            if step is None or solution is None:
+                radius *= 0.25
+                continue
+            found = here.local.rows, solution
+            prices = _prices(program, here.local.rows, solution, prices)
+            merit = here.merit(prices)
+            promised = merit - here.predicted_merit(step, prices)
+            size = float(np.abs(step / program.scale).max())
+            worth, highest = max(promised, floor), float(prices.max(initial=0.0))
+            reliable = here.is_reliable(worth, highest)
+            settled = reliable and promised <= floor and not here.restores_feasibility(step)
+            touched = _touched(here, step, solution)
+            trial = follow_step(here, np.append(step, 1.0), touched, worth, highest)
+            gain = -np.inf if trial is None else (merit - trial.merit(prices)) / worth
+            accepted = gain > 1e-4
+            if trial is not None and accepted:
+                here, active = trial, touched
+            elif not reliable:
+                # the merit that the trial did not come up to may be that of a point that does not close so
+                nearer = follow_step(here, here.change, active, worth, highest)
+                if nearer is not None:
+                    here, accepted = nearer, True
+                    continue
+            if settled:
+                break
+            if gain > 0.75:
+                radius, ease = max(radius, min(5.0, 2 * size)), max(0.1 * ease, _EASIEST)
+            elif gain < 0.25:
+                radius, ease = (0.5 if accepted else 0.3) * size, 1.0
+    point = close_iterate(here, active) or program.close(here.local.point) or program.fallback()
+    point = _make_exact(program, point)
+    values = program.values(point)
+    multipliers, low, high = _multipliers(program, values, found)
+    return Outcome(
+        point, program.objective(point), _violation(program, values), multipliers, low, high, iteration, settled
+    )  # fmt: skip
+
+
+def _begin(program: NonlinearProgram[Point], start: Point) -> Iterate[Point]:
+    """Where the search begins: at a point as it is given, or where that does not close, at that of its unknowns."""
+    point = program.clip(start)
+    found = iterate_at(program, point)
+    if found is not None:
+        here = meet_equalities(found)
+        if here.defect < _AJAR:
+            return here
+    for other in (program.close(point), program.fallback()):
+        found = None if other is None else iterate_at(program, other)
+        if found is not None:
+            return found
+    raise NotConvergedError("no rod is found to begin with: draw a smoother curve, or a shorter one")
+
+
+def _touched(here: Iterate[Point], step: FloatArray, solution: QuadraticSolution) -> ActiveSet:
+    """Equalities and the limits that a step touches, where it leads."""
+    rows = here.local.rows
+    y = solution.row_multipliers[: rows.value.size]
+    touched = ~rows.one_sided | (y > 1e-6 * rows.price)
+    return ActiveSet(row_keys(rows)[touched], (rows.value + rows.jacobian @ step)[touched])
+
+
+def _solve_step(
+    here: Iterate[Point], radius: float, damping: float
+) -> tuple[FloatArray | None, QuadraticSolution | None]:
+    """The step of the quadratic program within `radius` scales, and its solution in scales."""
+    program, local = here.program, here.local
+    rows, model, z = local.rows, local.model, local.z
+    s = program.scale
+    p = z.size
+    hessian = model.hessian * np.outer(s, s)
+    hessian[np.diag_indices(p)] += damping
+    lower = np.maximum((program.lower - z) / s, -radius)
+    upper = np.minimum((program.upper - z) / s, radius)
+    jacobian, value = rows.jacobian * s, rows.value
+    gradient, price, one_sided = model.gradient * s, rows.price, rows.one_sided
+    if model.peaks.size:
+        # one more unknown t >= every peak; its rows cannot be worth breaking
+        k, top = model.peaks.size, float(model.peaks.max())
+        grown = np.zeros((p + 1, p + 1))
+        grown[:p, :p] = hessian
+        hessian, gradient = grown, np.append(gradient, 1.0)
+        lower, upper = np.append(lower, -2 * top - 1e-9), np.append(upper, 2 * top + 1e-9)
+        jacobian = np.block([[jacobian, np.zeros((value.size, 1))], [-model.peak_rows * s, np.ones((k, 1))]])
+        value = np.append(value, top - model.peaks)
+        price = np.append(price, np.full(k, 10.0))
+        one_sided = np.append(one_sided, np.ones(k, dtype=bool))
+    solution = solve_quadratic(
+        QuadraticProgram(hessian, gradient, lower, upper, jacobian, -value, price, one_sided)
+    )
+    if not np.all(np.isfinite(solution.x)):
+        return None, None
+    return solution.x[:p] * s, solution
+
+
+def _damping(here: Iterate[Point], most: float, share: float) -> float:
+    """Against long steps that change nothing: less and less as the objective comes down."""
+    most *= float(np.diag(here.local.model.hessian).max())
+    if here.local.model.peaks.size or not np.isfinite(share):
+        return most
+    return min(most, max(share * here.program.objective(here.local.point), 1e-16))
+
+
+def _prices(
+    program: NonlinearProgram[Point], rows: ConstraintRows, solution: QuadraticSolution, before: FloatArray
+) -> FloatArray:
+    """Prices for the merit: half as much again as the multipliers, falling step by step (Powell's rule)."""
+    y = np.abs(solution.row_multipliers[: rows.value.size])
+    largest = np.zeros_like(before)
+    np.maximum.at(largest, rows.constraint, 1.5 * y)
+    return np.minimum(program.highest_prices, np.maximum(largest, 0.1 * before))
+
+
+def _make_exact(program: NonlinearProgram[Point], point: Point) -> Point:
+    """Newton's method on the equalities and on the limits that are touched, by least steps of what is free."""
+    values = program.values(point)
+    for k in range(6):
+        if not any(_is_missed(v, one) for v, one in zip(values, program.one_sided, strict=True)):
+            return point
+        z, rows = program.rows(point, values)
+        aim = np.where(rows.one_sided, np.maximum(CLEARANCE - rows.value, 0.0), -rows.value)
+        if np.abs(aim).max() > 1e-3:
+            return point
+        step = _least_step(program, rows, z, aim) if k == 0 else _least_step_within(program, rows, z, aim)
+        trial = program.close(point, step)
+        if trial is None:
+            return point
+        trial_values = program.values(trial)
+        if _violation(program, trial_values) < _violation(program, values):
+            point, values = trial, trial_values
+        elif k > 0:
+            return point
+    return point
+
+
+def _violation(program: NonlinearProgram[Point], values: Sequence[FloatArray]) -> float:
+    """The worst broken constraint."""
+    return max(
+        (
+            float((np.maximum(-value, 0.0) if one_sided else np.abs(value)).max())
+            for value, one_sided in zip(values, program.one_sided, strict=True)
+        ),
+        default=0.0,
+    )
+
+
+def _is_missed(values: FloatArray, one_sided: bool) -> bool:
+    """Is an equality, or what a limit should keep in hand, missed by more than rounding?"""
+    gap = CLEARANCE - values.min() if one_sided else np.abs(values).max()
+    return bool(gap > _MISSED)
+
+
+def _least_step(
+    program: NonlinearProgram[Point], rows: ConstraintRows, z: FloatArray, aim: FloatArray
+) -> FloatArray:
+    """The least step that changes equalities by `aim`, and the limits that are touched."""
+    touched, free = ~rows.one_sided | (rows.value < _TOUCHED), find_free(program, z)
+    s, step = program.scale[free], np.zeros(z.size)
+    step[free] = np.linalg.lstsq(rows.jacobian[np.ix_(touched, free)] * s, aim[touched], rcond=1e-10)[0] * s
+    return step
+
+
+def _least_step_within(
+    program: NonlinearProgram[Point], rows: ConstraintRows, z: FloatArray, aim: FloatArray
+) -> FloatArray:
+    """The same where more limits are touched than can be held: none is left broken."""
+    s, unit, p = program.scale, float(np.abs(aim).max()), z.size
+    right = np.where(rows.one_sided, CLEARANCE - rows.value, -rows.value)
+    solution = solve_quadratic(
+        QuadraticProgram(
+            np.eye(p), np.zeros(p), np.maximum((program.lower - z) / s / unit, -_FIRM),
+            np.minimum((program.upper - z) / s / unit, _FIRM), rows.jacobian * s, right / unit,
+            np.full(right.size, _FIRM), rows.one_sided,
+        ),
+        accuracy=1e-6,
+    )  # fmt: skip
+    return np.asarray(solution.x * s * unit)
+
+
+def _multipliers(
+    program: NonlinearProgram[Point],
+    values: Sequence[FloatArray],
+    found: tuple[ConstraintRows, QuadraticSolution] | None,
+) -> tuple[tuple[FloatArray, ...], FloatArray, FloatArray]:
+    """d(objective) / d(value) of every constraint and of the box, from the last quadratic program."""
+    p = program.scale.size
+    out = [np.zeros_like(v) for v in values]
+    if found is None:
+        return tuple(out), np.zeros(p), np.zeros(p)
+    rows, solution = found
+    for k, i, y in zip(rows.constraint, rows.index, solution.row_multipliers, strict=False):
+        out[k][i] = y
+    return (
+        tuple(out),
+        solution.lower_multipliers[:p] / program.scale,
+        solution.upper_multipliers[:p] / program.scale,
+    )

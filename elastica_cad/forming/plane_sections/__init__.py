@@ -1,0 +1,1 @@
+"""Plane sections of triangle meshes, and the curves fitted to them."""

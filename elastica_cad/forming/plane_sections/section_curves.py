@@ -1,0 +1,331 @@
+"""From lines of sections to smooth curves that strips can follow: smoothing, fitting, false inflections removed."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.forming.plane_sections.section_lines import PlaneSection, SectionLine
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.paths.point_distance import distances
+from elastica_cad.geometry.paths.segments import Spline
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.material.sheet import Sheet
+
+__all__ = ["SectionCurve", "remove_false_inflections", "section_curves", "smooth_polyline"]
+
+SMOOTHED_POINTS = 240
+"""Points that smoothing works on."""
+
+FALSE_TURN_RAD = np.radians(4.0)
+"""A bend between two inflections that turns less than this comes from the mesh, not from its maker."""
+
+CLOSED_SHARE = 1e-6
+"""A gap between the ends below this share of the length is none."""
+
+CORNER_RADIUS_SHARE = 0.01
+"""A radius below this share of the length is a corner."""
+
+SHARP_TURN_RAD = np.radians(20.0)
+"""A line that turns by more than this at one point has a corner there."""
+
+AT_CORNERS = "split it at its corners"
+"""How messages call the way out; callers can name the option that does it."""
+
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(8)
+
+
+@dataclass(frozen=True, eq=False)
+class SectionCurve:
+    """A smooth curve in its plane in space.
+
+    Attributes
+    ----------
+    curve : PlaneCurve
+    frame : Frame
+    name : str
+    deviation : float
+        Largest distance of the section's points from the curve, mm.
+    removed : int
+        False inflections that were smoothed away.
+    """
+
+    curve: PlaneCurve
+    frame: Frame
+    name: str
+    deviation: float
+    removed: int = 0
+
+    @property
+    def called(self) -> str:
+        """Its name and where in space it begins."""
+        x, y, z = self.frame.point(self.curve.evaluate(self.curve.domain[0])).round(9) + 0.0
+        return f"{self.name}, from ({x:.4g}, {y:.4g}, {z:.4g}) mm"
+
+    def gravity(self, sheet: Sheet, direction: ArrayLike = (0.0, 0.0, -1.0)) -> Gravity | None:
+        """The weight of a sheet as the curve's plane feels it, where things fall along `direction` in space."""
+        frame = self.frame
+        return Gravity.in_plane(sheet.elasto_gravity_length, direction, frame.x_axis, frame.y_axis)
+
+
+def section_curves(
+    sections: Iterable[PlaneSection | SectionLine],
+    *,
+    tolerance: float = 0.3,
+    wavelength: float = 0.0,
+    false_turn: float = FALSE_TURN_RAD,
+) -> tuple[tuple[SectionCurve, ...], tuple[str, ...]]:
+    """Curves of degree 4 along the lines of sections, ready for `nearest_rods`.
+
+    Parameters
+    ----------
+    sections : iterable of PlaneSection or SectionLine
+        All lines of a section are taken; closed ones must be split before.
+    tolerance : float
+        Largest distance of the (smoothed) points from the curve, mm.
+    wavelength : float
+        Waves of the line shorter than this are taken out first, mm; ends stay. 0 for none.
+    false_turn : float
+        Inflections in pairs between which the curve turns by less than this are removed, rad; 0 keeps all.
+
+    Returns
+    -------
+    curves : tuple of SectionCurve
+    reports : tuple of str
+        What the sections reported, and why a line gave no curve; the others go on.
+
+    Raises
+    ------
+    InputError
+        A tolerance, a wavelength or an angle that is none.
+
+    Examples
+    --------
+    >>> u = np.linspace(0, np.pi, 60)
+    >>> line = SectionLine(50 * np.column_stack([-np.cos(u), np.sin(u)]), Frame(), "arch")
+    >>> (found,), reports = section_curves([line])
+    >>> found.name, found.curve.degree, reports
+    ('arch', 4, ())
+    """
+    if not (_is_finite(wavelength) and wavelength >= 0):
+        raise InputError(f"wavelength={wavelength!r}: it must be 0 mm (no smoothing) or more")
+    if not (_is_finite(tolerance) and tolerance > 0):
+        raise InputError(f"tolerance={tolerance!r}: it must be positive, in mm")
+    if not (_is_finite(false_turn) and 0 <= false_turn <= np.pi):
+        raise InputError(f"false_turn={false_turn!r}: it must be an angle from 0 to pi rad")
+    found: list[SectionCurve] = []
+    reports: list[str] = []
+    for item in sections:
+        reports += item.reports if isinstance(item, PlaneSection) else ()
+        for line in item.lines if isinstance(item, PlaneSection) else (item,):
+            try:
+                curve, told = _curve(line, tolerance, wavelength, false_turn)
+            except (InputError, NotConvergedError) as error:
+                reports.append(f"{line.name}: {error}")
+                continue
+            found.append(curve)
+            reports += told
+    return tuple(found), tuple(reports)
+
+
+def _curve(
+    line: SectionLine, tolerance: float, wavelength: float, false_turn: float
+) -> tuple[SectionCurve, list[str]]:
+    small = CLOSED_SHARE * line.length
+    if line.is_closed or np.linalg.norm(line.points[-1] - line.points[0]) <= small:
+        x, y, z = line.places[0]
+        raise InputError(
+            f"the section is closed (it passes ({x:.4g}, {y:.4g}, {z:.4g}) mm): a strip has two ends, so split it "
+            "at a spine or at two points"
+        )
+    points = smooth_polyline(line.points, wavelength) if wavelength > 0 else line.points
+    try:
+        curve = PlaneCurve.fit(points, degree=4, tolerance=tolerance)
+    except NotConvergedError as error:
+        raise NotConvergedError(_unfitted(line, tolerance) or str(error)) from error
+    fitted, before = curve, curve.inflections.size
+    told = _corner(curve, line)
+    if false_turn > 0:
+        try:
+            curve = remove_false_inflections(curve, turn=false_turn)
+        except NotConvergedError as error:
+            told.append(f"{line.name}: {error}: it is kept")
+    removed = before - curve.inflections.size
+    off = distances(Spline(curve), line.points)
+    if off.max() > tolerance:
+        told.append(_departure(line, off, tolerance, wavelength, changed=curve is not fitted))
+    return SectionCurve(curve, line.frame, line.name, float(off.max()), removed), told
+
+
+def _is_finite(value: object) -> bool:
+    return isinstance(value, int | float | np.number) and bool(np.isfinite(value))
+
+
+def _place(line: SectionLine, point: FloatArray) -> str:
+    x, y, z = line.frame.point(point).round(6) + 0.0
+    return f"({x:.4g}, {y:.4g}, {z:.4g}) mm"
+
+
+def _unfitted(line: SectionLine, tolerance: float) -> str:
+    """Why no smooth curve follows a line: its sharpest corner, or nothing if it has none."""
+    step = np.diff(line.points, axis=0)
+    cross = step[:-1, 0] * step[1:, 1] - step[:-1, 1] * step[1:, 0]
+    turned = np.abs(np.arctan2(cross, (step[:-1] * step[1:]).sum(axis=1)))
+    worst = int(turned.argmax())
+    if turned[worst] < SHARP_TURN_RAD:
+        return ""
+    return (
+        f"no smooth curve stays within the tolerance of {tolerance:g} mm: the section turns by "
+        f"{np.degrees(turned[worst]):.3g} degrees at {_place(line, line.points[worst + 1])}; {AT_CORNERS}, or "
+        "smooth it"
+    )
+
+
+def _departure(
+    line: SectionLine, off: FloatArray, tolerance: float, wavelength: float, *, changed: bool
+) -> str:
+    """Where the curve leaves its section by more than the tolerance, in words."""
+    worst = int(off.argmax())
+    if wavelength > 0:
+        cause = f"smoothing took waves shorter than {wavelength:g} mm away; a shorter wavelength stays nearer"
+    elif changed:
+        cause = "bends between false inflections were smoothed away"
+    else:
+        cause = "no smooth curve came nearer; smooth the section first, with a wavelength"
+    return (
+        f"{line.name}: the curve lies {off[worst]:.3g} mm off the section at {_place(line, line.points[worst])}, "
+        f"more than the tolerance of {tolerance:g} mm: {cause}"
+    )
+
+
+def _corner(curve: PlaneCurve, line: SectionLine) -> list[str]:
+    """Where the curve bends as no strip can, in words."""
+    samples = curve.sample(2001)
+    worst = int(np.abs(samples.curvature).argmax())
+    kappa = abs(float(samples.curvature[worst]))
+    if kappa * curve.length <= 1 / CORNER_RADIUS_SHARE:
+        return []
+    return [
+        f"{line.name} bends with a radius of {1 / kappa:.2g} mm at {_place(line, samples.position[worst])}, a "
+        f"corner to any strip: {AT_CORNERS}, or smooth it"
+    ]
+
+
+def smooth_polyline(
+    points: ArrayLike, wavelength: float, *, where: ArrayLike = (), count: int = SMOOTHED_POINTS
+) -> FloatArray:
+    """Points (count, 2) at equal distances along a polyline (n, 2), short waves taken out, both ends kept.
+
+    Of a wave as long as `wavelength` half is left, of one half as long a 65th: the points that make
+    |x - p|^2 + (wavelength / 2 pi)^6 |x'''|^2 least. Parabolas stay as they are.
+
+    Parameters
+    ----------
+    points : (n, 2) array_like
+        mm.
+    wavelength : float
+        mm.
+    where : (k, 2) array_like
+        Smooth only between these pairs of arc lengths, mm; everywhere if not given.
+    count : int
+        Points that are returned.
+
+    Raises
+    ------
+    InputError
+        A wavelength that is not positive, or points that are all the same.
+
+    Examples
+    --------
+    >>> x = np.linspace(0, 100, 400)
+    >>> wavy = np.column_stack([x, np.sin(2 * np.pi * x / 4)])
+    >>> bool(np.abs(smooth_polyline(wavy, 20)[20:-20, 1]).max() < 0.05)
+    True
+    """
+    given = np.asarray(points, dtype=float)
+    if not (np.isfinite(wavelength) and wavelength > 0):
+        raise InputError(f"smoothing needs a positive wavelength in mm, not {wavelength!r}")
+    s = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(given, axis=0), axis=1)))
+    if s[-1] == 0:
+        raise InputError("the points to smooth are all the same")
+    at = np.linspace(0.0, s[-1], count)
+    even = np.column_stack([np.interp(at, s, column) for column in given.T])
+    third = np.diff(np.eye(count), 3, axis=0)
+    middle = (at[:-3] + at[3:]) / 2
+    spans = np.asarray(where, dtype=float).reshape(-1, 2)
+    counted = np.any([(middle >= a) & (middle <= b) for a, b in spans], axis=0) if len(spans) else True
+    # of waves four times as long as the line nothing is left but a parabola; beyond, only digits are lost
+    share = min(wavelength, 4 * s[-1]) / (2 * np.pi * at[1])
+    third = third * (np.broadcast_to(counted, middle.shape) * share**3)[:, None]
+    system = np.eye(count) + third.T @ third
+    inner = slice(1, -1)
+    right = even[inner] - system[inner][:, [0, -1]] @ even[[0, -1]]
+    even[inner] = np.linalg.solve(system[inner, inner], right)
+    return np.asarray(even)
+
+
+def remove_false_inflections(
+    curve: PlaneCurve, *, turn: float = FALSE_TURN_RAD, give: float | None = None
+) -> PlaneCurve:
+    """The curve with bends that turn by less than `turn` (rad) smoothed away; ends stay.
+
+    Only what lies between two inflections, or between one and an end, counts as a bend. It is smoothed there and
+    a wavelength about, by the shortest wavelength that does.
+
+    Parameters
+    ----------
+    curve : PlaneCurve
+    turn : float
+        rad.
+    give : float, optional
+        Largest distance that the curve may move, mm; a hundredth of its length unless given.
+
+    Raises
+    ------
+    NotConvergedError
+        Such bends stay, or go only with larger moves.
+
+    Examples
+    --------
+    >>> x = np.linspace(0, 100, 60)
+    >>> bumpy = PlaneCurve.fit(np.column_stack([x, 0.01 * (x - 50) ** 2 + 0.02 * np.sin(x)]), tolerance=1e-3)
+    >>> bumpy.inflections.size > 4, remove_false_inflections(bumpy).inflections.size
+    (True, 0)
+    """
+    bends = _false_bends(curve, turn)
+    if not len(bends):
+        return curve
+    points = curve.sample(SMOOTHED_POINTS).position
+    most = curve.length / 100 if give is None else give
+    for wavelength in curve.length * 2.0 ** np.arange(-4.0, 0.1, 0.5):
+        where = bends + wavelength * np.array([-1.0, 1.0])
+        even = smooth_polyline(points, float(wavelength), where=where)
+        if np.hypot(*(even - points).T).max() > most:
+            break
+        try:
+            simpler = PlaneCurve.fit(even, degree=4, tolerance=most / 20)
+        except NotConvergedError:  # kinks where the smoothed part begins: a longer wavelength may have none
+            continue
+        if not len(_false_bends(simpler, turn)):
+            return simpler
+    named = ", ".join(f"from {a:.4g} to {b:.4g}" for a, b in bends[:3])
+    more = f" and at {len(bends) - 3} more places" if len(bends) > 3 else ""
+    raise NotConvergedError(
+        f"{named} mm along the curve{more} it turns by less than {np.degrees(turn):.2g} degrees between "
+        f"inflections; no smoothing that moves it by less than {most:.3g} mm takes that away"
+    )
+
+
+def _false_bends(curve: PlaneCurve, turn: float) -> FloatArray:
+    """Parts (k, 2) between neighbouring inflections, arc lengths, that turn by less than `turn`."""
+    marks = np.concatenate([[0.0], curve.inflections, [curve.length]])
+    if marks.size == 2:
+        return np.empty((0, 2))
+    half = np.diff(marks) / 2
+    s = (marks[:-1] + half)[:, None] + half[:, None] * NODES
+    kappa = curve.at(s.ravel()).curvature.reshape(s.shape)
+    false = np.abs(kappa @ WEIGHTS) * half < turn
+    return np.column_stack([marks[:-1], marks[1:]])[false]

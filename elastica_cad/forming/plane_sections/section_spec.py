@@ -1,0 +1,327 @@
+"""What is asked of the sections of a surface: planes, the lines that are wanted, and the curves along them."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import Protocol, TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.forming.plane_sections.cutting_planes import parallel_planes, planes_along, radial_planes
+from elastica_cad.forming.plane_sections.section_curves import SectionCurve, section_curves
+from elastica_cad.forming.plane_sections.section_lines import PlaneSection, SectionLine
+from elastica_cad.geometry.frame import Frame
+
+__all__ = [
+    "AlongPath",
+    "CornerSplit",
+    "Cuts",
+    "ParallelCuts",
+    "PlaneSplit",
+    "PointSplit",
+    "RadialCuts",
+    "SectionSpec",
+    "Split",
+    "Surface",
+]
+
+Triple: TypeAlias = tuple[float, float, float]
+
+MOST_PLANES = 1000
+"""More are a slip of the keyboard, and hours of work."""
+
+NAMED_REASONS = 6
+"""Reasons that a refusal names: as many as fit a screen."""
+
+SAME_PLANE = 1e-9
+"""Share of the largest number below which two planes are one: rounding of formulae."""
+
+
+@dataclass(frozen=True, eq=False)
+class Surface:
+    """A surface that can be cut by planes.
+
+    Attributes
+    ----------
+    points : (n, 3) array
+        Places whose hull holds it, mm: the vertices of a mesh, the corners of a box around a CAD body.
+    cut : callable
+        Its sections by planes, with half planes if the second argument is true: `cut(planes, half)`.
+    """
+
+    points: FloatArray
+    cut: Callable[[Sequence[Frame], bool], tuple[PlaneSection, ...]]
+
+    @property
+    def middle(self) -> FloatArray:
+        """Middle (3,) of the box around it, mm."""
+        return np.asarray((self.points.min(axis=0) + self.points.max(axis=0)) / 2)
+
+    @property
+    def size(self) -> float:
+        """Diagonal of the box around it, mm."""
+        return float(np.linalg.norm(np.ptp(self.points, axis=0)))
+
+
+class Cuts(Protocol):
+    """A family of planes."""
+
+    @property
+    def half(self) -> bool:
+        """Do they end at an axis, unless told otherwise?"""
+        ...
+
+    def frames(self, surface: Surface, /) -> tuple[Frame, ...]:
+        """The planes for a surface."""
+        ...
+
+
+@dataclass(frozen=True)
+class RadialCuts:
+    """Half planes about an axis: at `angles`, rad from `zero`, or `count` of them all around."""
+
+    count: int = 8
+    angles: tuple[float, ...] | None = None
+    point: Triple = (0.0, 0.0, 0.0)
+    axis: Triple = (0.0, 0.0, 1.0)
+    zero: Triple = (1.0, 0.0, 0.0)
+
+    @property
+    def half(self) -> bool:
+        """They end at the axis."""
+        return True
+
+    def frames(self, _surface: Surface, /) -> tuple[Frame, ...]:
+        """The planes, whatever the surface."""
+        if self.angles is not None:
+            _refuse_twice("angles", self.angles, 2 * np.pi)
+            return radial_planes(self.point, self.axis, self.angles, zero=self.zero)
+        angles = 2 * np.pi * np.arange(_plane_count(self.count)) / self.count
+        return radial_planes(self.point, self.axis, angles, zero=self.zero)
+
+
+@dataclass(frozen=True)
+class ParallelCuts:
+    """Planes across `normal`: at `offsets` from the point, mm, or through `count` equal slices of the surface."""
+
+    normal: Triple
+    count: int = 8
+    offsets: tuple[float, ...] | None = None
+    point: Triple = (0.0, 0.0, 0.0)
+    up: Triple = (0.0, 0.0, 1.0)
+
+    @property
+    def half(self) -> bool:
+        """They are whole planes."""
+        return False
+
+    def frames(self, surface: Surface, /) -> tuple[Frame, ...]:
+        """The planes; slices are those of the surface."""
+        if self.offsets is not None:
+            _refuse_twice("offsets", self.offsets)
+            return parallel_planes(self.point, self.normal, self.offsets, up=self.up)
+        count = _plane_count(self.count)
+        (first,) = parallel_planes(self.point, self.normal, 0.0, up=self.up)
+        away = (surface.points - self.point) @ first.z_axis
+        offsets = away.min() + np.ptp(away) * (np.arange(count) + 0.5) / count
+        return parallel_planes(self.point, self.normal, offsets, up=self.up)
+
+
+@dataclass(frozen=True, eq=False)
+class AlongPath:
+    """`count` planes across a path of points (n, 3), mm; `ends` puts the first and the last at its ends."""
+
+    path: FloatArray
+    count: int = 8
+    ends: bool = False
+    up: Triple = (0.0, 0.0, 1.0)
+
+    @property
+    def half(self) -> bool:
+        """They are whole planes."""
+        return False
+
+    def frames(self, _surface: Surface, /) -> tuple[Frame, ...]:
+        """The planes, whatever the surface."""
+        return planes_along(self.path, _plane_count(self.count), ends=self.ends, up=self.up)
+
+
+class Split(Protocol):
+    """A way to split the line of a section."""
+
+    @property
+    def name(self) -> str:
+        """What it splits at, in words."""
+        ...
+
+    def pieces(self, line: SectionLine) -> tuple[SectionLine, ...]:
+        """The line in pieces, or as it is where it is not met."""
+        ...
+
+
+@dataclass(frozen=True)
+class PlaneSplit:
+    """At a spine: the plane through `point` across `normal`.
+
+    Raises
+    ------
+    InputError
+        A normal of zero.
+    """
+
+    normal: Triple
+    point: Triple = (0.0, 0.0, 0.0)
+
+    def __post_init__(self) -> None:
+        if not any(self.normal):
+            raise InputError("normal is zero: give a direction of three numbers")
+
+    @property
+    def name(self) -> str:
+        """The plane."""
+        through, across = (", ".join(f"{v:.4g}" for v in row) for row in (self.point, self.normal))
+        return f"the plane through ({through}) mm across ({across})"
+
+    def pieces(self, line: SectionLine) -> tuple[SectionLine, ...]:
+        """See `SectionLine.split_by`."""
+        return line.split_by(self.point, self.normal)
+
+
+@dataclass(frozen=True, eq=False)
+class PointSplit:
+    """At the places nearest to points (k, 3) in space."""
+
+    points: FloatArray
+
+    @property
+    def name(self) -> str:
+        """In words."""
+        return "a point"
+
+    def pieces(self, line: SectionLine) -> tuple[SectionLine, ...]:
+        """See `SectionLine.split_at`."""
+        return line.split_at(line.frame.local(self.points)[:, :2])
+
+
+@dataclass(frozen=True)
+class CornerSplit:
+    """Where the line turns by more than `turn`, rad, at a corner.
+
+    Raises
+    ------
+    InputError
+        An angle that no corner has.
+    """
+
+    turn: float
+
+    def __post_init__(self) -> None:
+        if not 0 < self.turn < np.pi:
+            raise InputError(f"corners is {self.turn:g}: corners turn by an angle between 0 and pi")
+
+    @property
+    def name(self) -> str:
+        """The angle."""
+        return f"a turn of more than {np.degrees(self.turn):.4g} degrees at a corner"
+
+    def pieces(self, line: SectionLine) -> tuple[SectionLine, ...]:
+        """See `SectionLine.split_at_corners`."""
+        return line.split_at_corners(self.turn)
+
+
+@dataclass(frozen=True, eq=False)
+class SectionSpec:
+    """All that is asked of the sections of a surface.
+
+    Parameters
+    ----------
+    cuts : RadialCuts, ParallelCuts or AlongPath
+    half : bool, optional
+        Only what lies at x >= 0 of each plane; of radial cuts unless told.
+    longest : bool
+        Only the longest line of each section.
+    splits : sequence of PlaneSplit, PointSplit and CornerSplit
+    tolerance : float
+        Largest distance of the curves from the sections, mm.
+    wavelength : float
+        Waves shorter than this are smoothed away first, mm.
+    """
+
+    cuts: Cuts
+    half: bool | None = None
+    longest: bool = False
+    splits: tuple[Split, ...] = ()
+    tolerance: float = 0.3
+    wavelength: float = 0.0
+
+    def curves(self, surface: Surface) -> tuple[tuple[SectionCurve, ...], tuple[str, ...]]:
+        """A curve for every line that a strip can follow, and what is worth knowing.
+
+        Raises
+        ------
+        InputError
+            Planes that make no sense, or no section that a strip could follow.
+        """
+        half = self.cuts.half if self.half is None else self.half
+        divided = [self._divide(section) for section in surface.cut(self.cuts.frames(surface), half)]
+        curves, reports = section_curves(
+            [section for section, _ in divided], tolerance=self.tolerance, wavelength=self.wavelength
+        )
+        if not curves:
+            raise InputError(f"no plane gives a strip: {_reasons(reports)}")
+        idle = [split.name for split in self.splits if not any(split.name in used for _, used in divided)]
+        return tuple(curves), (*reports, *(f"{name} splits no section" for name in idle))
+
+    def _divide(self, section: PlaneSection) -> tuple[PlaneSection, frozenset[str]]:
+        """The section with the lines that are wanted of it, split where asked; what split any of them."""
+        used = set()
+        lines, reports = section.lines, section.reports
+        if self.longest and len(lines) > 1:
+            reports = (*reports, f"{section.name}: the longest line is kept, {lines[0].length:.4g} mm of it")
+            lines = lines[:1]
+        for split in self.splits:
+            pieces: list[SectionLine] = []
+            for line in lines:
+                try:
+                    found = split.pieces(line)
+                except InputError as problem:
+                    text = str(problem)
+                    reports = (*reports, text if text.startswith(line.name) else f"{line.name}: {text}")
+                    used.add(split.name)
+                    continue
+                pieces += found
+                if found != (line,):
+                    used.add(split.name)
+            lines = tuple(pieces)
+        if not lines:
+            used |= {split.name for split in self.splits if not section.lines}
+        return replace(section, lines=lines, reports=reports), frozenset(used)
+
+
+def _reasons(reports: Sequence[str]) -> str:
+    """Why sections gave no strip, one after the other."""
+    reasons = [text for text in reports if text.startswith("section ")] or list(reports)
+    left = len(reasons) - NAMED_REASONS
+    more = f"; and {left} more like these" if left > 0 else ""
+    return "; ".join(reasons[:NAMED_REASONS]) + more if reasons else "none is given"
+
+
+def _refuse_twice(name: str, values: Sequence[float], period: float = np.inf) -> None:
+    """Refuse planes that are given twice."""
+    order = np.argsort(np.mod(values, period), kind="stable")
+    ring = np.append(order, order[:1]) if np.isfinite(period) else order
+    steps = np.diff(np.asarray(values)[ring])
+    if np.isfinite(period):
+        steps -= period * np.round(steps / period)
+    largest = max(1.0, float(np.abs(values).max(initial=0.0)))
+    twice = np.flatnonzero(np.abs(steps) <= SAME_PLANE * largest)
+    if len(values) > 1 and twice.size:
+        i, j = sorted((int(ring[twice[0]]), int(ring[twice[0] + 1])))
+        raise InputError(f"{name} holds one plane twice, as its numbers {i + 1} and {j + 1}: leave one out")
+
+
+def _plane_count(count: int) -> int:
+    if count > MOST_PLANES:
+        raise InputError(f"count is {count}: {MOST_PLANES} planes are the most")
+    return count

@@ -1,0 +1,197 @@
+"""What is asked of a rod: to follow a curve exactly, alone, loaded or in two layers, or to come near it."""
+
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import numpy as np
+
+from elastica_cad._equality import EqualByValue
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.forming.limits import Keep, Limits
+from elastica_cad.forming.nearest.nearest_record import NearestRod, Status
+from elastica_cad.forming.nearest.nearest_rod import nearest_rod
+from elastica_cad.forming.smoothing import Smoothing, checked_smooth, smoothed
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.mechanics.loads.arguments import (
+    require_curve,
+    require_gravity,
+    require_supports,
+    whole_number,
+)
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.loads.weight import Weight
+from elastica_cad.mechanics.material.cross_sections import LaminatedSection
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stiffness.optimal_laminate import optimal_laminate
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+
+__all__ = ["LaminateLayers", "RodSpec", "accepted_rod"]
+
+
+@dataclass(frozen=True, eq=False)
+class LaminateLayers:
+    """A base of known width and what is glued on: their weight is not proportional to their stiffness.
+
+    Attributes
+    ----------
+    section : LaminatedSection
+    base_width : float or Profile
+        mm.
+    least_backing : float
+        Narrowest backing that can be cut and glued, mm.
+    """
+
+    section: LaminatedSection
+    base_width: float | Profile
+    least_backing: float
+
+
+@dataclass(frozen=True, eq=False)
+class RodSpec(EqualByValue):
+    """All that a rod is found from; equal requests have the same answer.
+
+    Parameters
+    ----------
+    curve : PlaneCurve
+    gravity : Gravity, optional
+    supports : Supports, optional
+        Clamped at both ends unless given.
+    natural_curvature : float
+        1/mm.
+    samples : int, optional
+        Nodes; chosen unless given.
+    weight : Weight, optional
+        Loads in newtons, as in `optimal_rod`.
+    limits, keep : Limits, Keep, optional
+        With one of them the curve may change.
+    layers : LaminateLayers, optional
+        Of a laminate that feels its weight.
+    smooth : float, optional
+        How far the curve may be moved to make it fair, mm: see `smoothed`.
+
+    Raises
+    ------
+    InputError
+        Values of another kind, or requests that exclude each other.
+    """
+
+    curve: PlaneCurve
+    gravity: Gravity | None = None
+    supports: Supports = field(default_factory=Supports)
+    natural_curvature: float = 0.0
+    samples: int | None = None
+    weight: Weight | None = None
+    limits: Limits | None = None
+    keep: Keep | None = None
+    layers: LaminateLayers | None = None
+    smooth: float | None = None
+
+    def __post_init__(self) -> None:
+        require_curve(self.curve)
+        require_gravity(self.gravity)
+        object.__setattr__(self, "supports", require_supports(self.supports))
+        object.__setattr__(self, "smooth", checked_smooth(self.smooth))
+        if not (
+            isinstance(self.natural_curvature, float | int | np.number)
+            and np.isfinite(self.natural_curvature)
+        ):
+            raise InputError(f"natural_curvature is {self.natural_curvature}: give a finite number, in 1/mm")
+        if self.samples is not None:
+            whole_number(self.samples, "samples", 3)
+        for name, record in (("limits", Limits), ("keep", Keep)):
+            value = getattr(self, name)
+            if not (value is None or isinstance(value, record)):
+                raise InputError(f"{name} is {value!r}: give a {record.__name__} record, or None")
+        self._require_agreement()
+
+    def _require_agreement(self) -> None:
+        """Refuse requests that exclude each other."""
+        if self.layers is not None and (self.may_change or self.natural_curvature != 0.0):
+            raise InputError(
+                "a laminate that carries its weight follows its curve exactly, from flat sheets: leave out limits, "
+                "keep and natural_curvature, or gravity"
+            )
+        if self.weight is not None and self.gravity is None:
+            raise InputError(
+                "loads hang where gravity pulls in the plane of the curve: give gravity=True or a direction in "
+                "that plane, or leave loads out"
+            )
+        if self.may_change and self.natural_curvature != 0.0:
+            raise InputError(
+                "a strip with a natural curvature follows its curve exactly: leave limits and keep out"
+            )
+        if self.may_change and self.samples is not None:
+            raise InputError(
+                "samples are of a strip that follows its curve exactly: leave limits and keep out, or samples"
+            )
+        if self.may_change and self.weight is not None:
+            raise InputError(
+                "a strip with loads hung on it follows its curve exactly: leave limits and keep out, or the loads"
+            )
+
+    @property
+    def may_change(self) -> bool:
+        """May the rod leave the drawn curve?"""
+        return self.limits is not None or self.keep is not None
+
+    @cached_property
+    def smoothing(self) -> Smoothing:
+        """The drawn curve and the one that is bent instead."""
+        return smoothed(self.curve, self.smooth, supports=self.supports)
+
+    def solve(self) -> "Rod | NearestRod":
+        """The rod that rests in the curve, or where the curve may change the nearest one.
+
+        Raises
+        ------
+        NotRealizable
+            No rod takes the curve, and it may not change.
+        InputError, NotConvergedError
+            As `optimal_rod`, `optimal_laminate` and `nearest_rod`.
+        """
+        if self.may_change:
+            return nearest_rod(
+                self.smoothing.curve,
+                self.limits,
+                self.keep,
+                self.gravity,
+                supports=self.supports,
+            )
+        if self.layers is not None and self.gravity is not None:
+            return optimal_laminate(
+                self.smoothing.curve,
+                self.layers.section,
+                self.layers.base_width,
+                direction=self.gravity.direction,
+                supports=self.supports,
+                samples=self.samples,
+                least_backing=self.layers.least_backing,
+                masses=() if self.weight is None else self.weight.masses,
+            ).rod
+        return optimal_rod(
+            self.smoothing.curve,
+            self.gravity,
+            self.supports,
+            self.natural_curvature,
+            self.samples,
+            weight=self.weight,
+        )
+
+
+def accepted_rod(found: Rod | NearestRod) -> Rod:
+    """The rod of an answer, with a warning where the search says one.
+
+    Raises
+    ------
+    NotConvergedError
+        No rod near the curve meets the limits; the message says what would help.
+    """
+    if isinstance(found, Rod):
+        return found
+    if not found.met:
+        raise NotConvergedError(str(found))
+    if found.status is Status.MET:
+        return found.rod
+    return replace(found.rod, warnings=(*found.rod.warnings, found.status.value))

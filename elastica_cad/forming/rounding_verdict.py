@@ -1,0 +1,72 @@
+"""Whether the digits of a file decide if its curve can be bent: curves that round to the same numbers, tried."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from elastica_cad.errors import ElasticaError
+from elastica_cad.forming.smoothing import smoothed
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.curves.tangent_healing import healed_tangents
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+
+__all__ = ["UNDECIDED", "undecided_by_rounding"]
+
+TRIES = 8
+"""Curves that are tried; each costs a verdict of Theorem 1."""
+
+SLIGHT = 1e-7
+"""Rounding below this share of the length changes no verdict that is not the border itself."""
+
+UNDECIDED = (
+    "Undecided at this precision: the numbers in the file are exact to {rounding:.2g} mm, and of the "
+    "curves that round "
+    "to them some can be bent and some cannot. Save the drawing with more decimals (Inkscape: Preferences > "
+    "Input/Output > SVG output > Numeric precision), or move the curve farther from the border."
+)
+
+
+def undecided_by_rounding(
+    curve: PlaneCurve, realizable: bool, smooth: float | None = None, supports: Supports | None = None
+) -> str:
+    """A sentence where rounding of the coordinates alone can change the verdict on a pen curve, else empty.
+
+    Parameters
+    ----------
+    curve : PlaneCurve
+        As read from a file.
+    realizable : bool
+        The verdict on it.
+    smooth, supports
+        As in `smoothed`.
+    """
+    drawn = curve.provenance
+    if drawn is None or drawn.drawn != "pen" or drawn.rounding <= SLIGHT * curve.length:
+        return ""
+    rng = np.random.default_rng(0)
+    for _ in range(TRIES):
+        moved = curve.control_points + rng.uniform(
+            -drawn.rounding, drawn.rounding, curve.control_points.shape
+        )
+        healing = healed_tangents(
+            curve.knots, moved, curve.degree, curve.weights, rounding=2 * drawn.rounding
+        )
+        try:
+            other = PlaneCurve(
+                healing.knots,
+                healing.control_points,
+                healing.degree,
+                healing.weights,
+                replace(drawn, healed=0.0),
+            )
+            if other.tangent_breaks:
+                continue
+            if (
+                check_equilibrium(smoothed(other, smooth, supports=supports).curve, supports).realizable
+                != realizable
+            ):
+                return UNDECIDED.format(rounding=drawn.rounding)
+        except ElasticaError:
+            continue
+    return ""

@@ -1,0 +1,155 @@
+"""A drawn curve as a strip is to take it: exactly, or made fair where that was asked for or a pen drew it."""
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from elastica_cad.errors import ElasticaError, InputError
+from elastica_cad.geometry.curve_editing.fairing import Fairing, faired, unasked_tolerance
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+
+__all__ = ["LARGEST_SMOOTH", "Smoothing", "checked_smooth", "smoothed"]
+
+LARGEST_SMOOTH = 1000.0
+"""mm."""
+
+SEEN = 1e-3
+"""Moves of more than so many mm are told."""
+
+
+@dataclass(frozen=True, eq=False)
+class Smoothing:
+    """A drawn curve and the curve that is bent instead.
+
+    Attributes
+    ----------
+    drawn : PlaneCurve
+    curve : PlaneCurve
+        The drawn one itself where nothing was moved.
+    fairing : Fairing or None
+        How it was made fair.
+    supports : Supports
+    """
+
+    drawn: PlaneCurve
+    curve: PlaneCurve
+    fairing: Fairing | None = None
+    supports: Supports | None = None
+
+    @property
+    def moved(self) -> float:
+        """Largest distance between both curves, mm."""
+        return 0.0 if self.fairing is None else self.fairing.moved
+
+    @property
+    def healed(self) -> float:
+        """How far the reader moved the curve to take rounding out of its tangents, mm."""
+        return 0.0 if self.drawn.provenance is None else self.drawn.provenance.healed
+
+    @cached_property
+    def ratio_as_drawn(self) -> float | None:
+        """Stiffness ratio of the curve as drawn, clamped and without weight; None where no strip takes it."""
+        try:
+            return optimal_rod(self.drawn, supports=self.supports).ratio
+        except ElasticaError:
+            return None
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What was moved, a sentence each."""
+        found = []
+        if self.healed > SEEN:
+            found.append(
+                "The digits of the file turn its tangents where pieces meet: put right, "
+                f"{self.healed:.2g} mm at most."
+            )
+        if self.fairing is not None:
+            before = self.ratio_as_drawn
+            ratio = (
+                "as drawn no strip takes it"
+                if before is None
+                else f"the stiffness ratio as drawn was {before:.4g}"
+            )
+            found.append(
+                f"The curvature jumped where pieces meet: made fair, {self.moved:.2g} mm from the drawn "
+                "curve at most; "
+                f"{ratio} (smooth = 0 takes it as drawn, a larger number makes it fairer)."
+            )
+        return tuple(found)
+
+
+def checked_smooth(smooth: object) -> float | None:
+    """The distance in mm that fairing may move a curve by, 0 for none; None leaves it to the curve.
+
+    Raises
+    ------
+    InputError
+        What is no such number.
+    """
+    if smooth is None:
+        return None
+    if isinstance(smooth, bool) or not isinstance(smooth, float | int | np.number):
+        raise InputError(f"smooth is {smooth!r}: give a distance in mm, 0 for none, or None")
+    if not 0 <= smooth <= LARGEST_SMOOTH:
+        raise InputError(
+            f"smooth is {smooth}: a curve is made fair within 0 (not at all) to {LARGEST_SMOOTH:g} mm"
+        )
+    return float(smooth)
+
+
+def smoothed(
+    curve: PlaneCurve, smooth: float | None = None, *, supports: Supports | None = None
+) -> Smoothing:
+    """The curve to be bent instead of a drawn one.
+
+    Parameters
+    ----------
+    smooth : float, optional
+        0: exactly the drawn one; more: fair within so many mm; None: only a curve of a pen tool whose
+        curvature jumps
+        is moved (see `unasked_tolerance`), and only where it can be bent afterwards if it could before.
+    supports : Supports, optional
+        What holds the ends.
+
+    Raises
+    ------
+    InputError
+        When it was asked for and cannot be done.
+
+    Examples
+    --------
+    >>> pen = PlaneCurve(np.repeat([0.0, 1.0, 2.0], [4, 3, 4]),
+    ...                  [(0, 0), (0, 60), (40, 100), (100, 100), (150, 100), (200, 70), (200, 0)], 3)
+    >>> smoothed(pen).moved, round(smoothed(pen, 0.1).ratio_as_drawn, 2)
+    (0.0, 1.63)
+    """
+    smooth = checked_smooth(smooth)
+    if smooth is not None:
+        fairing = faired(curve, smooth) if smooth > 0 else None
+        return _with(curve, fairing, supports)
+    tolerance = unasked_tolerance(curve)
+    if tolerance == 0:
+        return _with(curve, None, supports)
+    try:
+        fairing = faired(curve, tolerance)
+    except InputError:
+        return _with(curve, None, supports)
+    if _can_be_bent(curve, supports) and not _can_be_bent(fairing.curve, supports):
+        fairing = None
+    return _with(curve, fairing, supports)
+
+
+def _can_be_bent(curve: PlaneCurve, supports: Supports | None) -> bool:
+    return check_equilibrium(curve, supports).realizable
+
+
+def _with(curve: PlaneCurve, fairing: Fairing | None, supports: Supports | None) -> Smoothing:
+    if fairing is None:
+        return Smoothing(curve, curve, None, supports)
+    drawn = curve.provenance
+    fair = fairing.curve.drawn_as(None if drawn is None else replace(drawn, drawn="exact"))
+    return Smoothing(curve, fair, fairing, supports)

@@ -1,0 +1,1 @@
+"""Curves changed through their control points: constraints that hold, waves that are made fair."""

@@ -1,0 +1,295 @@
+"""Constraints on the control points of a curve, and the least move that restores them.
+
+Appendix C of the paper: inflections on a
+line, end points, end tangents, arc length. Every constraint is an equation G(q) = 0 in the control points
+q (m, 2), read row by row; of a rational curve the weights stay as they are.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+
+__all__ = [
+    "CollinearInflections",
+    "Constraint",
+    "CurvatureAt",
+    "EndPositions",
+    "EndTangents",
+    "FixedLength",
+    "InflectionsOnLine",
+    "PointsOnLine",
+    "directed_rows",
+    "least_norm_newton",
+]
+
+_GAUSS, _GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(16)
+
+
+class Constraint(Protocol):
+    """Equations that the control points of a curve must satisfy."""
+
+    def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
+        """Residuals (k,) and their derivatives (k, 2 m) by the control points, x and y of each in turn."""
+
+
+@dataclass(frozen=True, eq=False)
+class EndPositions:
+    """The ends of the curve stay at given points (2,), mm; None leaves an end free."""
+
+    start: FloatArray | None
+    end: FloatArray | None
+
+    @classmethod
+    def of(cls, curve: PlaneCurve) -> "EndPositions":
+        """Both ends stay where they are on `curve`."""
+        start, end = curve.evaluate(np.array(curve.domain))
+        return cls(start, end)
+
+    def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
+        """Gaps in x and y of the ends that are held, mm."""
+        held = [(t, p) for t, p in zip(curve.domain, (self.start, self.end), strict=True) if p is not None]
+        if not held:
+            return np.zeros(0), np.zeros((0, curve.control_points.size))
+        t = np.array([at for at, _ in held])
+        gap = curve.evaluate(t) - np.array([p for _, p in held])
+        return gap.ravel(), directed_rows(curve.basis(t).repeat(2, axis=0), np.tile(np.eye(2), (t.size, 1)))
+
+
+@dataclass(frozen=True, eq=False)
+class EndTangents:
+    """The end tangents stay normal to given vectors (2,); None leaves an end free."""
+
+    start_normal: FloatArray | None
+    end_normal: FloatArray | None
+
+    @classmethod
+    def of(cls, curve: PlaneCurve) -> "EndTangents":
+        """Both tangents stay as they are on `curve`."""
+        velocity = curve.evaluate(np.array(curve.domain), 1)
+        unit = velocity / np.linalg.norm(velocity, axis=1, keepdims=True)
+        start, end = np.column_stack([-unit[:, 1], unit[:, 0]])
+        return cls(start, end)
+
+    def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
+        """Normal parts of the velocities d/dt at the ends that are held."""
+        ends = zip(curve.domain, (self.start_normal, self.end_normal), strict=True)
+        held = [(t, n) for t, n in ends if n is not None]
+        if not held:
+            return np.zeros(0), np.zeros((0, curve.control_points.size))
+        t, normal = np.array([at for at, _ in held]), np.array([n for _, n in held])
+        residual = (curve.evaluate(t, 1) * normal).sum(axis=1)
+        return residual, directed_rows(curve.basis(t, 1), normal)
+
+
+@dataclass(frozen=True)
+class FixedLength:
+    """The arc length stays `length`, mm."""
+
+    length: float
+
+    def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
+        """Excess length, mm; the derivative by q_i is the integral of <gamma' / |gamma'|, dR_i/dt>."""
+        low, width = curve.smooth_panels[:-1], np.diff(curve.smooth_panels)
+        t = (low[:, None] + width[:, None] * (1 + _GAUSS) / 2).ravel()
+        weight = (width[:, None] * _GAUSS_WEIGHTS / 2).ravel()
+        velocity = curve.evaluate(t, 1)
+        tangent = velocity / np.linalg.norm(velocity, axis=1, keepdims=True)
+        gradient = curve.basis(t, 1).T @ (tangent * weight[:, None])
+        return np.array([curve.length - self.length]), gradient.reshape(1, -1)
+
+
+@dataclass(frozen=True, eq=False)
+class InflectionsOnLine:
+    """The inflections near parameters `t` (k,) lie on the line a + <b, x> = 0.
+
+    With a natural curvature, 1/mm, they are the places where the curvature crosses that.
+    """
+
+    a: float
+    b: FloatArray
+    t: FloatArray
+    natural_curvature: float = 0.0
+
+    def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
+        """Values a + <b, gamma(t_0)> at the inflections t_0, which move with the control points."""
+        position, jacobian = _inflections(curve, self.t, self.natural_curvature)
+        b = np.asarray(self.b, dtype=float)
+        return self.a + position @ b, np.asarray(np.einsum("k,ikq->iq", b, jacobian))
+
+
+@dataclass(frozen=True, eq=False)
+class PointsOnLine:
+    """The points of given parameters `t` (k,) lie on the line a + <b, x> = 0, as pinned ends must."""
+
+    a: float
+    b: FloatArray
+    t: FloatArray
+
+    def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
+        """Values a + <b, gamma(t)>."""
+        b = np.asarray(self.b, dtype=float)
+        rows = directed_rows(curve.basis(self.t), np.tile(b, (self.t.size, 1)))
+        return self.a + curve.evaluate(self.t) @ b, rows
+
+
+@dataclass(frozen=True, eq=False)
+class CurvatureAt:
+    """The curvature at given parameters `t` (k,) is `curvature`, 1/mm; `size`, mm, makes a length of it."""
+
+    t: FloatArray
+    curvature: float
+    size: float
+
+    def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
+        """Excess curvature times the square of `size`, mm."""
+        excess = curve.curvature_at(self.t) - self.curvature
+        return excess * self.size**2, _curvature_rows(curve, self.t) * self.size**2
+
+
+@dataclass(frozen=True, eq=False)
+class CollinearInflections:
+    """The inflections near parameters `t` (k,) lie on one line, whichever it is."""
+
+    t: FloatArray
+
+    def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
+        """Distances, mm, of the other inflections from the line through the two that are farthest apart."""
+        position, jacobian = _inflections(curve, self.t)
+        apart = np.linalg.norm(position[:, None] - position[None], axis=2)
+        i, j = np.unravel_index(int(apart.argmax()), apart.shape)
+        others = [k for k in range(len(position)) if k not in (i, j)]
+        if not others:
+            return np.zeros(0), np.zeros((0, curve.control_points.size))
+        chord, size = position[j] - position[i], apart[i, j]
+        normal = np.array([-chord[1], chord[0]]) / size
+        offset = position[others] - position[i]
+        along = offset @ chord / size**2
+        # d<offset, n>: the chord's own turn moves the line by the share `along` of its far end
+        step = jacobian[others] - jacobian[i] - along[:, None, None] * (jacobian[j] - jacobian[i])
+        return offset @ normal, np.asarray(np.einsum("k,ikq->iq", normal, step))
+
+
+def least_norm_newton(
+    curve: PlaneCurve,
+    constraints: Sequence[Constraint],
+    *,
+    tolerance: float = 1e-10,
+    max_steps: int = 30,
+) -> tuple[PlaneCurve, tuple[float, ...]]:
+    """Move the control points a little until all constraints hold (paper, Appendix C).
+
+    Each step is the least-norm solution of J dq = -G; it is shortened only where the residual would grow.
+
+    Parameters
+    ----------
+    tolerance : float
+        Norm of all residuals at which to stop, relative to the size of the curve.
+
+    Returns
+    -------
+    curve : PlaneCurve
+    residuals : tuple of float
+        Norm of the residuals at the start and after every step.
+
+    Raises
+    ------
+    NotConvergedError
+        When the constraints contradict each other, or an inflection gets lost on the way.
+
+    Examples
+    --------
+    >>> curve = PlaneCurve.spline([(0, 0), (30, 40), (60, -40), (90, 0), (120, 30)])
+    >>> shorter, _ = least_norm_newton(curve, [EndPositions.of(curve), FixedLength(130.0)])
+    >>> round(shorter.length, 6)
+    130.0
+    """
+    size = float(np.ptp(curve.control_points, axis=0).max())
+    residual, jacobian = _assembled(curve, constraints)
+    norms = [float(np.linalg.norm(residual))]
+    while norms[-1] > tolerance * size:
+        if len(norms) > max_steps:
+            raise NotConvergedError(
+                f"the constraints on the curve are not met after {max_steps} steps: {norms[-1]:.3g} is left; "
+                "give up one of them, or start from a curve that is nearer"
+            )
+        step = np.asarray(np.linalg.lstsq(jacobian, -residual, rcond=1e-12)[0].reshape(-1, 2), dtype=float)
+        curve, residual, jacobian = _advanced(curve, constraints, step, norms[-1])
+        norms.append(float(np.linalg.norm(residual)))
+    return curve, tuple(norms)
+
+
+def _advanced(
+    curve: PlaneCurve, constraints: Sequence[Constraint], step: FloatArray, norm: float
+) -> tuple[PlaneCurve, FloatArray, FloatArray]:
+    """The curve after the longest of the steps 1, 1/2, ... 1/64 that lessens the residual."""
+    lost: Exception | None = None
+    for halving in range(7):
+        try:
+            moved = curve.with_control_points(curve.control_points + step / 2**halving)
+            residual, jacobian = _assembled(moved, constraints)
+        except (InputError, NotConvergedError) as error:
+            lost = error
+            continue
+        if np.linalg.norm(residual) < norm:
+            return moved, residual, jacobian
+    raise NotConvergedError(
+        f"the constraints on the curve cannot be met: no step lessens the residual {norm:.3g}; "
+        "give up one of them, or start from a curve that is nearer"
+    ) from lost
+
+
+def _assembled(curve: PlaneCurve, constraints: Sequence[Constraint]) -> tuple[FloatArray, FloatArray]:
+    parts = [constraint.equations(curve) for constraint in constraints]
+    if not parts:
+        return np.zeros(0), np.zeros((0, curve.control_points.size))
+    return np.concatenate([r for r, _ in parts]), np.concatenate([j for _, j in parts])
+
+
+def directed_rows(basis: FloatArray, direction: FloatArray) -> FloatArray:
+    """Derivatives (k, 2 m) of <direction_k, sum_i basis_ki q_i> by the control points q_i."""
+    return np.asarray((basis[:, :, None] * direction[:, None, :]).reshape(basis.shape[0], -1))
+
+
+def _curvature_rows(curve: PlaneCurve, t: FloatArray) -> FloatArray:
+    """Derivatives (k, 2 m) of the curvature det(gamma', gamma'') / |gamma'|^3 at parameters t (k,)."""
+    d1, d2 = curve.evaluate(t, 1), curve.evaluate(t, 2)
+    speed = np.hypot(d1[:, 0], d1[:, 1])[:, None]
+    turned1, turned2 = (np.column_stack([-d[:, 1], d[:, 0]]) for d in (d1, d2))
+    kappa = curve.curvature_at(t)[:, None]
+    by_velocity = directed_rows(curve.basis(t, 1), turned2 + 3 * kappa * speed * d1)
+    return np.asarray((directed_rows(curve.basis(t, 2), turned1) - by_velocity) / speed**3)
+
+
+def _inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float = 0.0) -> tuple[FloatArray, FloatArray]:
+    """Positions (k, 2) of the inflections near given parameters, and derivatives (k, 2, 2 m).
+
+    They stay where kappa = kappa_0, so dt_0/dq = -(d kappa/dq) / (d kappa/dt).
+    """
+    t = _nearest_inflections(curve, np.atleast_1d(np.asarray(near, dtype=float)), kappa_0)
+    velocity = curve.evaluate(t, 1)
+    slope = curve.curvature_slope_at(t) * np.hypot(velocity[:, 0], velocity[:, 1])
+    moved = -_curvature_rows(curve, t) / slope[:, None]
+    fixed = np.stack([directed_rows(curve.basis(t), np.tile(e, (t.size, 1))) for e in np.eye(2)], axis=1)
+    return curve.evaluate(t), fixed + velocity[:, :, None] * moved[:, None, :]
+
+
+def _nearest_inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float) -> FloatArray:
+    """One inflection for each given parameter: in order where the numbers agree, else the nearest."""
+    found = np.array([z.t for z in curve.curvature_equals(kappa_0) if z.kind == "crossing"])
+    if found.size < near.size:
+        raise NotConvergedError(
+            f"the curve has {found.size} inflections where {near.size} are to be kept: "
+            "the move is too large or an inflection is too shallow"
+        )
+    if found.size == near.size:
+        return np.asarray(found[np.argsort(np.argsort(near))])
+    picked = found[np.abs(found[None, :] - near[:, None]).argmin(axis=1)]
+    if np.unique(picked).size < near.size:
+        raise NotConvergedError("two inflections to be kept run into the same one: the move is too large")
+    return np.asarray(picked)

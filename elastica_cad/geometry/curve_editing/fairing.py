@@ -1,0 +1,285 @@
+"""Curves of pieces whose curvature jumps, made fair: curvature and its slope continuous, within a tolerance.
+
+The fair curve c is the spline of degree 4 with simple knots that minimises
+
+    integral of (n . (c - drawn))^2 ds + l^6 integral of (d kappa / ds)^2 ds,
+
+its ends and end tangents as drawn, with the largest length l for which it stays within the tolerance. The slope of
+the curvature is linearised about the curve of the round before; all systems are banded.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
+
+__all__ = ["Fairing", "faired", "has_rough_curvature", "two_sided_distance", "unasked_tolerance"]
+
+DEGREE = 4
+
+USUAL, USUAL_SHARE = 0.1, 5e-4
+"""How far a pen curve is moved unless told: mm, and lengths of the curve."""
+
+_EACH = 5  # sites in a span
+_FEWEST, _MOST = 24, 768  # spans
+_ROUNDS = 3
+_HALVINGS = 14
+_USED = 0.96  # of the tolerance at the sites: what is between them is measured afterwards
+_SLIDE = 1e4  # weight of sliding along the curve, beside moving across it
+_FINE = 1.5  # spans in the length over which curvature is evened out
+_DENSE = 8  # points in a span when the distance is measured
+
+
+@dataclass(frozen=True, eq=False)
+class Fairing:
+    """A fair curve beside the drawn one.
+
+    Attributes
+    ----------
+    curve : PlaneCurve
+        Degree 4, simple knots: curvature and its slope are continuous.
+    moved : float
+        Largest distance of either curve from the other, mm, by dense sampling.
+    tolerance : float
+        What was allowed, mm.
+    """
+
+    curve: PlaneCurve
+    moved: float
+    tolerance: float
+
+
+def has_rough_curvature(curve: PlaneCurve) -> bool:
+    """Does the curvature jump, or its slope at an inflection, somewhere inside a curve without corners?"""
+    if any(b.continuity == 1 for b in curve.breaks):
+        return True
+    kinks = np.array([b.t for b in curve.breaks if b.continuity == 2])
+    zeros = [z.t for z in curve.curvature_zeros if z.kind in ("crossing", "touch")]
+    near = 1e-9 * np.ptp(np.array(curve.domain))
+    return any(np.abs(kinks - t).min(initial=np.inf) <= near for t in zeros)
+
+
+def unasked_tolerance(curve: PlaneCurve) -> float:
+    """How far a curve may be moved to make it fair when nobody says, mm; 0: not at all.
+
+    Only curves of a pen tool, as readers of files record it, whose curvature jumps: by 0.1 mm or 5e-4 of the
+    length,
+    whichever is less, and no less than its coordinates were rounded by. Curves with straight pieces are left alone:
+    those are meant to be straight.
+    """
+    drawn = curve.provenance
+    if drawn is None or drawn.drawn != "pen" or curve.tangent_breaks or curve.is_closed:
+        return 0.0
+    if any(zero.kind == "flat" for zero in curve.curvature_zeros) or not has_rough_curvature(curve):
+        return 0.0
+    usual = min(USUAL, USUAL_SHARE * curve.length)
+    return max(usual, min(drawn.rounding, 4 * USUAL_SHARE * curve.length))
+
+
+def faired(curve: PlaneCurve, tolerance: float) -> Fairing:
+    """The curve with its curvature evened out as far as `tolerance` (mm) allows, ends and end tangents kept.
+
+    Raises
+    ------
+    InputError
+        A curve with corners or closed, a tolerance that is not positive, or so small that no spline of some
+        hundred pieces can even out the jumps.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> pen = PlaneCurve(np.repeat([0.0, 1.0, 2.0], [4, 3, 4]),
+    ...                  [(0, 0), (0, 60), (40, 100), (100, 100), (150, 100), (200, 70), (200, 0)], 3)
+    >>> fair = faired(pen, 0.1)
+    >>> [b.continuity for b in pen.breaks], fair.moved <= 0.1, min(b.continuity for b in fair.curve.breaks) >= 3
+    ([1], True, True)
+    """
+    if not (np.isfinite(tolerance) and tolerance > 0):
+        raise InputError(
+            f"a curve is made fair within a positive distance, not {tolerance!r} mm: give 0.1, for one"
+        )
+    if curve.tangent_breaks or curve.is_closed:
+        raise InputError(
+            "a curve that is closed or has corners cannot be made fair: round the corners, cut it open"
+        )
+    spans = int(np.clip(4 * len(curve.breaks), _FEWEST, _MOST // 4))
+    best: Fairing | None = None
+    while spans <= _MOST:
+        found, length = _fitted(curve, tolerance, spans)
+        if found is not None:
+            if best is None or found.moved <= tolerance:
+                best = found
+            if length * spans >= _FINE * curve.length:
+                return found
+        spans *= 2
+    if best is None:
+        raise InputError(
+            f"the jumps of the curvature cannot be evened out within {tolerance:.3g} mm: allow more, at least "
+            f"{2 * tolerance:.2g} mm"
+        )
+    return best
+
+
+def _fitted(curve: PlaneCurve, tolerance: float, spans: int) -> tuple[Fairing | None, float]:
+    """The fairest spline of so many spans within the tolerance, if any, and its length of evening out."""
+    problem = _Problem(curve, spans)
+    points = problem.start()
+    within: FloatArray | None = None
+    reached = 0.0
+    for _ in range(_ROUNDS):
+        slope = problem.slope_rows(points)
+        low, high = np.log(problem.width / 4), np.log(curve.length)
+        latest: FloatArray | None = None
+        for _ in range(_HALVINGS):
+            middle = (low + high) / 2
+            tried = problem.solved(slope, float(np.exp(6 * middle)))
+            if problem.off(tried) <= _USED * tolerance:
+                low, latest = middle, tried
+            else:
+                high = middle
+        if latest is None:
+            break
+        within, reached, points = latest, float(np.exp(low)), latest
+    if within is None:
+        return None, 0.0
+    try:
+        fair = PlaneCurve(problem.knots, within, DEGREE)
+    except InputError:
+        return None, 0.0
+    moved = two_sided_distance(curve, fair, _DENSE * spans)
+    return (Fairing(fair, moved, tolerance), reached) if moved <= tolerance else (None, 0.0)
+
+
+class _Problem:
+    """Rows and targets of the least squares problem for one number of spans, over interleaved x and y."""
+
+    def __init__(self, curve: PlaneCurve, spans: int) -> None:
+        length = curve.length
+        edges = np.linspace(0.0, length, spans + 1)
+        self.width = length / spans
+        self.knots = np.concatenate([np.zeros(DEGREE), edges, np.full(DEGREE, length)])
+        self.spans = bezier_spans(self.knots, DEGREE)
+        local = (np.arange(_EACH) + 0.5) / _EACH
+        self.s = (edges[:-1, None] + self.width * local).ravel()
+        drawn = curve.at(self.s)
+        self.data = drawn.position
+        along = np.column_stack([np.cos(drawn.angle), np.sin(drawn.angle)])
+        self.across = np.column_stack([-along[:, 1], along[:, 0]])
+        self.along = along
+        self.basis = [self.spans.local_basis(self.s, k)[0] for k in range(4)]
+        first = np.repeat(self.spans.first, _EACH)
+        self.columns = 2 * first[:, None] + np.arange(2 * (DEGREE + 1))
+        self.support = first[:, None] + np.arange(DEGREE + 1)
+        count = spans + DEGREE
+        ends = curve.at(np.array([0.0, length]))
+        step = self.width / DEGREE * np.column_stack([np.cos(ends.angle), np.sin(ends.angle)])
+        self.held = np.zeros((count, 2))
+        self.held[[0, -1]] = ends.position
+        self.held[1], self.held[-2] = ends.position[0] + step[0], ends.position[1] - step[1]
+        normal, slide = self._rows(self.across, 0), self._rows(self.along, 0)
+        bands, right = self._normal_equations(normal, (self.data * self.across).sum(axis=1))
+        slide_bands, slide_right = self._normal_equations(slide, (self.data * self.along).sum(axis=1))
+        self.data_part = bands + _SLIDE * slide_bands, right + _SLIDE * slide_right
+
+    def _rows(self, direction: FloatArray, derivative: int) -> FloatArray:
+        """Rows (n, 10) that take control points to direction . c^(derivative) at the sites."""
+        basis = self.basis[derivative]
+        return np.asarray((basis[:, :, None] * direction[:, None, :]).reshape(len(basis), -1))
+
+    def _normal_equations(self, rows: FloatArray, target: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Lower bands (10, 2 m) and right-hand side (2 m,) of the squares of rows @ points - target."""
+        size = self.held.size
+        bands, right = np.zeros((2 * (DEGREE + 1), size)), np.zeros(size)
+        for a in range(rows.shape[1]):
+            for b in range(a + 1):
+                np.add.at(bands[a - b], self.columns[:, b], rows[:, a] * rows[:, b])
+        np.add.at(right, self.columns, rows * target[:, None])
+        return bands, right
+
+    def values(self, points: FloatArray, derivative: int) -> FloatArray:
+        """Derivative (n, 2) of the curve at the sites."""
+        return np.asarray(np.einsum("nk,nkd->nd", self.basis[derivative], points[self.support]))
+
+    def start(self) -> FloatArray:
+        """The spline nearest to the drawn curve."""
+        return self.solved(
+            self._normal_equations(self._rows(self.across, 3), np.zeros(self.s.size)), self.width**6 / 64
+        )
+
+    def slope_rows(self, points: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Normal equations of the slope of the curvature, linearised about the curve of `points`.
+
+        With unit tangent t, unit normal n and a speed near 1, a change d of the curve changes d kappa / ds by
+        n . d''' - 3 kappa t . d'' - 2 kappa' t . d' - 2 kappa^2 n . d'.
+        """
+        d1, d2, d3 = (self.values(points, k) for k in (1, 2, 3))
+        speed = np.hypot(d1[:, 0], d1[:, 1])
+        t = d1 / speed[:, None]
+        n = np.column_stack([-t[:, 1], t[:, 0]])
+        kappa = (d2 * n).sum(axis=1) / speed**2
+        slope = ((d3 * n).sum(axis=1) / speed**2 - 3 * kappa * (d2 * t).sum(axis=1) / speed) / speed
+        rows = (
+            self._rows(n, 3)
+            - 3 * kappa[:, None] * self._rows(t, 2)
+            - 2 * slope[:, None] * self._rows(t, 1)
+            - 2 * kappa[:, None] ** 2 * self._rows(n, 1)
+        )
+        target = (rows * points[self.support].reshape(len(rows), -1)).sum(axis=1) - slope
+        return self._normal_equations(rows, target)
+
+    def solved(self, slope: tuple[FloatArray, FloatArray], weight: float) -> FloatArray:
+        """Control points (m, 2) of least squares of distance and slope."""
+        from scipy.linalg import solveh_banded
+
+        bands = self.data_part[0] + weight * slope[0]
+        right = self.data_part[1] + weight * slope[1] - _times(bands, self.held.ravel())
+        inner = bands[:, 4:-4].copy()
+        for below in range(1, len(inner)):
+            inner[below, -below:] = 0.0
+        points = self.held.copy().ravel()
+        points[4:-4] = solveh_banded(inner, right[4:-4], lower=True, check_finite=False)
+        return points.reshape(-1, 2)
+
+    def off(self, points: FloatArray) -> float:
+        """Largest distance across the drawn curve at the sites, mm."""
+        return float(np.abs(((self.values(points, 0) - self.data) * self.across).sum(axis=1)).max())
+
+
+def _times(bands: FloatArray, x: FloatArray) -> FloatArray:
+    """The product of a symmetric matrix, given by its lower bands, with a vector."""
+    y = bands[0] * x
+    for below in range(1, len(bands)):
+        y[below:] += bands[below, :-below] * x[:-below]
+        y[:-below] += bands[below, :-below] * x[below:]
+    return np.asarray(y)
+
+
+def two_sided_distance(one: PlaneCurve, other: PlaneCurve, count: int = 2000) -> float:
+    """Largest distance of a point of either curve from the other curve, mm, over `count` points of each.
+
+    Points are taken at equal distances and at all knots; the foot of the perpendicular is found by Newton steps
+    from the nearest point of the other curve's sample.
+    """
+    return max(_one_sided(one, other, count), _one_sided(other, one, count))
+
+
+def _one_sided(of: PlaneCurve, to: PlaneCurve, count: int) -> float:
+    from scipy.spatial import cKDTree
+
+    s = np.union1d(np.linspace(0.0, of.length, count), [b.s for b in of.breaks])
+    points = np.asarray(of.evaluate(of.parameter(np.clip(s, 0.0, of.length))))
+    beside = to.sample(2 * count)
+    _, nearest = cKDTree(beside.position).query(points)
+    low, high = to.domain
+    t = beside.t[nearest]
+    best = np.hypot(*(beside.position[nearest] - points).T)
+    for _ in range(3):
+        at, velocity = to.position_and_velocity(t)
+        speed = np.maximum((velocity**2).sum(axis=1), 1e-300)
+        t = np.clip(t + ((points - at) * velocity).sum(axis=1) / speed, low, high)
+        best = np.minimum(best, np.hypot(*(np.asarray(to.evaluate(t)) - points).T))
+    return float(best.max())

@@ -1,0 +1,144 @@
+"""Arc length of smooth pieces as Chebyshev series, and its inverse."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+
+import numpy as np
+
+from elastica_cad._types import FloatArray, IntArray
+from elastica_cad.geometry.polynomials.chebyshev import chebyshev, series_at
+
+__all__ = ["ArcLength", "arc_length_table"]
+
+_DEGREE = 15
+"""Of the Chebyshev series for the speed on one panel."""
+
+_MOST_HALVINGS = 40
+"""A panel halved this often is as wide as rounding."""
+
+_NOISE_SHARE = 1e-8
+"""Coefficients below this share of the speed that halving no longer lessens are rounding."""
+
+_LAST_NEWTON_STEP = 1e-8
+"""In a panel from -1 to 1: the next step would be its square."""
+
+
+@dataclass(frozen=True, eq=False)
+class ArcLength:
+    """Arc length s(t) on panels short enough for a series of degree 16 to be exact to rounding.
+
+    Attributes
+    ----------
+    t : (k + 1,) array
+        Ends of the panels.
+    s : (k + 1,) array
+        Arc length at the ends, mm; s[0] = 0.
+    series : (k, 17) array
+        Chebyshev coefficients over the panel of the arc length from its start.
+    """
+
+    t: FloatArray
+    s: FloatArray
+    series: FloatArray
+
+    def length_at(self, t: FloatArray) -> FloatArray:
+        """Arc lengths (n,) of parameters (n,)."""
+        panel = self._panel(self.t, t)
+        x = np.minimum(np.maximum(2 * (t - self.t[panel]) / np.diff(self.t)[panel] - 1, -1.0), 1.0)
+        s = self.s[panel] + series_at(self.series, panel, chebyshev(x, self.series.shape[1]))
+        return np.asarray(np.where(x <= -1, self.s[panel], np.where(x >= 1, self.s[panel + 1], s)))
+
+    def parameter_at(self, s: FloatArray) -> FloatArray:
+        """Parameters (n,) of arc lengths (n,)."""
+        panel = self._panel(self.s, s)
+        target, whole = s - self.s[panel], np.diff(self.s)[panel]
+        share = np.minimum(np.maximum(2 * target / whole - 1, -1.0), 1.0)
+        guess = series_at(self._inverse, panel, chebyshev(share, self._inverse.shape[1]))
+        x = self._places(panel, target, guess)
+        x = np.where(target <= 0, -1.0, np.where(target >= whole, 1.0, x))
+        return np.asarray(self.t[panel] + np.diff(self.t)[panel] * (1 + x) / 2)
+
+    def _panel(self, edges: FloatArray, places: FloatArray) -> IntArray:
+        """The panels between `edges` in which places (n,) lie; beyond the ends the outermost one."""
+        return np.asarray(np.searchsorted(edges[1:-1], places, side="right"))
+
+    def _places(self, panel: IntArray, target: FloatArray, guess: FloatArray) -> FloatArray:
+        """Places x in [-1, 1] of panels (n,) at arc lengths `target` from their starts, by Newton steps."""
+        x = np.minimum(np.maximum(guess, -1.0), 1.0)
+        low, high = np.full(x.shape, -1.0), np.ones(x.shape)
+        for _ in range(60):
+            polynomials = chebyshev(x, self.series.shape[1])
+            gap = series_at(self.series, panel, polynomials) - target
+            low, high = np.where(gap < 0, x, low), np.where(gap < 0, high, x)
+            newton = x - gap / series_at(self._slopes, panel, polynomials)
+            following = np.where((newton >= low) & (newton <= high), newton, (low + high) / 2)
+            step = np.abs(following - x).max(initial=0.0)
+            x = following
+            # the next step would be its square
+            if step <= _LAST_NEWTON_STEP:
+                break
+        return np.asarray(x)
+
+    @cached_property
+    def _slopes(self) -> FloatArray:
+        return np.asarray(np.polynomial.chebyshev.chebder(self.series, axis=1), dtype=float)
+
+    @cached_property
+    def _inverse(self) -> FloatArray:
+        """Series (k, 16) of the place x over the arc length, both from -1 to 1: where Newton's method starts."""
+        nodes, to_series, _ = _chebyshev()
+        count = self.series.shape[0]
+        panel = np.repeat(np.arange(count), nodes.size)
+        share = np.tile((1 + nodes) / 2, count)
+        x = self._places(panel, share * np.diff(self.s)[panel], 2 * share - 1)
+        return np.asarray(x.reshape(count, -1) @ to_series.T)
+
+
+def arc_length_table(speed: Callable[[FloatArray], FloatArray], edges: FloatArray) -> ArcLength:
+    """Tabulate the integral of `speed` (parameters (n,) to mm per unit of t) over spans between `edges`.
+
+    Panels are halved until the Chebyshev coefficients of the speed have fallen to rounding level, which is
+    where halving no longer helps when the parameters themselves are large beside their domain.
+    """
+    nodes, to_series, integrate = _chebyshev()
+    low, width = edges[:-1], np.diff(edges)
+    parent = np.full(low.shape, np.inf)
+    starts, widths, tables = [], [], []
+    total = 0.0
+    for depth in range(_MOST_HALVINGS):
+        t = low[:, None] + width[:, None] * (1 + nodes) / 2
+        values = speed(t.ravel()).reshape(t.shape)
+        coefficients = values @ to_series.T
+        total = max(total, float((coefficients[:, 0] * width).sum()))
+        tail = np.abs(coefficients[:, -3:]).max(axis=1)
+        fine = (
+            (tail <= 2e-15 * coefficients[:, 0])
+            | (tail * width <= 1e-15 * total)
+            | (depth == _MOST_HALVINGS - 1)
+        )
+        fine |= (tail < _NOISE_SHARE * coefficients[:, 0]) & (tail > 0.3 * parent)
+        starts.append(low[fine])
+        widths.append(width[fine])
+        tables.append((coefficients[fine] * width[fine, None] / 2) @ integrate.T)
+        low, width = low[~fine], width[~fine] / 2
+        low, width = np.concatenate([low, low + width]), np.concatenate([width, width])
+        parent = np.concatenate([tail[~fine], tail[~fine]])
+        if not low.size:
+            break
+    t = np.concatenate(starts)
+    order = np.argsort(t)
+    series = np.concatenate(tables)[order]
+    s = np.concatenate([[0.0], np.cumsum(series.sum(axis=1))])
+    return ArcLength(np.append(t[order], edges[-1]), s, series)
+
+
+@lru_cache(maxsize=1)
+def _chebyshev() -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Nodes (n,), values -> coefficients (n, n), coefficients -> those of the integral from -1 (n+1, n)."""
+    n = _DEGREE + 1
+    phase = np.pi * (np.arange(n) + 0.5) / n
+    to_series = 2 / n * np.cos(np.arange(n)[:, None] * phase)
+    to_series[0] /= 2
+    integrate = np.asarray(np.polynomial.chebyshev.chebint(np.eye(n), lbnd=-1, axis=0), dtype=float)
+    return np.cos(phase), to_series, integrate

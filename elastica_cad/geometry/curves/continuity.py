@@ -1,0 +1,83 @@
+"""How smooth a curve is at its knots, and the refusal of curves that stand still."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from elastica_cad._types import FloatArray, IntArray
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.curves.curve_derivatives import RationalPieces, curvature, curvature_slope, norm
+from elastica_cad.geometry.curves.tangent_angle import TangentAngle
+
+__all__ = ["KnotSides", "continuity_orders", "in_millimetres", "refuse_standstill"]
+
+
+@dataclass(frozen=True, eq=False)
+class KnotSides:
+    """Angle (rad), curvature and its slope just before and just after the interior knots, (3, p - 1) each."""
+
+    before: FloatArray
+    after: FloatArray
+
+    @classmethod
+    def of(cls, pieces: RationalPieces, turning: TangentAngle) -> "KnotSides":
+        """What a curve does at its knots."""
+        sides = []
+        for (_, d1, d2, d3), left in zip(pieces.beside_knots(3), (True, False), strict=True):
+            angle = turning.at(pieces.edges[1:-1], d1, left=left)
+            sides.append(np.array([angle, curvature(d1, d2), curvature_slope(d1, d2, d3)]))
+        return cls(*sides)
+
+    @property
+    def corners(self) -> FloatArray:
+        """Exterior angles (p - 1,), rad."""
+        return np.asarray(self.after[0] - self.before[0])
+
+
+def continuity_orders(pieces: RationalPieces, sides: KnotSides, knots: FloatArray, length: float) -> IntArray:
+    """Numbers (p - 1,) of continuous derivatives by arc length at the interior knots.
+
+    At least degree - multiplicity; more where angle, curvature and its slope agree on both sides, as at the
+    double knots of an arc written as a NURBS.
+    """
+    t = pieces.edges[1:-1]
+    multiplicity = (knots[None, :] == t[:, None]).sum(axis=1)
+    before, after = sides.before, sides.after
+    scale = 1 / length + np.maximum(np.abs(before[1]), np.abs(after[1]))
+    allowed = np.array([np.full(t.size, 1e-9), 1e-8 * scale, 1e-6 * scale**2])
+    agreeing = np.cumprod(np.abs(before - after) <= allowed, axis=0).sum(axis=0)
+    return np.asarray(np.maximum(pieces.spans.degree - multiplicity, agreeing))
+
+
+def in_millimetres(point: FloatArray) -> str:
+    """A place as it stands in messages."""
+    return f"({point[0]:g}, {point[1]:g}) mm"
+
+
+def refuse_standstill(
+    pieces: RationalPieces, control_points: FloatArray, shown: Callable[[FloatArray], str] = in_millimetres
+) -> None:
+    """Raise InputError, with the place, when the curve has zero length or a point without tangent.
+
+    `shown` writes a point (2,) in mm the way the drawing program does.
+    """
+    if np.ptp(control_points, axis=0).max() == 0:
+        raise InputError("all control points coincide: the curve has zero length")
+    t = pieces.tangent_cones.standstill
+    if t is None:
+        return
+    place = shown(pieces.at(np.array([t]), 0)[0][0])
+    twins = np.flatnonzero((np.diff(control_points, axis=0) == 0).all(axis=1))
+    cause = f"control points {twins[0]} and {twins[0] + 1} coincide" if twins.size else "it has a cusp"
+    raise InputError(
+        f"the curve has no tangent at {place}, {_length_until(pieces, t):.4g} mm from its start: "
+        f"{cause}; move or delete a control point there"
+    )
+
+
+def _length_until(pieces: RationalPieces, t: float) -> float:
+    edges = np.append(pieces.edges[pieces.edges < t], t)
+    dense = [np.linspace(a, b, 65) for a, b in pairwise(edges)]
+    return float(sum(norm(np.diff(pieces.at(places, 0)[0], axis=0)).sum() for places in dense))

@@ -1,0 +1,253 @@
+"""Where a piecewise polynomial along the curve vanishes: curvature zeros and crossings with a line.
+
+The sign of the curvature is that of det(P, P', P'') / w^3 in homogeneous coordinates P = (x w, y w, w), a
+polynomial on every knot span; so no zero can hide between samples, however close two of them lie.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Literal, TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import BoolArray, FloatArray
+from elastica_cad.geometry.curves.tangent_angle import hodograph
+from elastica_cad.geometry.polynomials.bernstein import divide_out_end_root, product, roots, value_and_slope
+
+__all__ = ["ZeroKind", "ZeroPlace", "curvature_level_places", "curvature_zero_places", "line_places"]
+
+ZeroKind: TypeAlias = Literal["crossing", "touch", "end", "jump", "flat"]
+
+_EPS = float(np.finfo(float).eps)
+
+
+@dataclass(frozen=True)
+class ZeroPlace:
+    """A zero of a function along the curve, by parameter.
+
+    Attributes
+    ----------
+    t, t_end : float
+        Place; t_end differs from t only for a stretch on which the function vanishes ("flat").
+    kind : str
+        "crossing" (the sign changes), "touch" (it does not), "end" (zero at an end of the curve),
+        "jump" (the sign changes by a jump, at a knot), "flat" (zero all along t..t_end).
+    before, after : int
+        Sign of the function on either side, 0 beyond the ends of the curve.
+    """
+
+    t: float
+    t_end: float
+    kind: ZeroKind
+    before: int
+    after: int
+
+
+def curvature_zero_places(bezier: FloatArray, edges: FloatArray, smooth: BoolArray) -> tuple[ZeroPlace, ...]:
+    """All zeros of the curvature of homogeneous Bezier pieces (p, degree + 1, 3).
+
+    Parameters
+    ----------
+    edges : (p + 1,) array
+        Parameters at which the pieces meet.
+    smooth : (p - 1,) bool array
+        True where the curvature is continuous.
+    """
+    bezier = _unit_sized(bezier)
+    numerator, noise = _curvature_numerator(bezier)
+    flat = straight_pieces(bezier) | (np.abs(numerator).max(axis=1) <= noise)
+    return _places(_Pieces(numerator, noise, flat, smooth), edges)
+
+
+def curvature_level_places(
+    bezier: FloatArray, edges: FloatArray, smooth: BoolArray, level: float
+) -> tuple[ZeroPlace, ...]:
+    """All places where the curvature equals `level` (1/mm, not 0); signs are those of curvature - level.
+
+    Zeros of the polynomial kappa^2 - level^2 (times |h|^6) at which kappa has the sign of the level.
+    """
+    size = _extent(bezier)
+    bezier, level = _unit_sized(bezier), level * size
+    degree = bezier.shape[1] - 1
+    numerator, noise = _curvature_numerator(bezier)
+    weight = bezier[..., 2]
+    h = hodograph(bezier)
+    speed2 = product(h[..., 0], h[..., 0]) + product(h[..., 1], h[..., 1])
+    denominator = product(product(speed2, speed2), speed2) * level**2
+    scaled = numerator * (degree - 1) / degree
+    square = product(scaled, scaled)
+    if np.ptp(weight) > 0:
+        cube = product(product(weight, weight), weight)
+        square = product(square, product(cube, cube))
+    square, denominator = _same_degree(square, denominator)
+    bound = np.abs(square).max(axis=1) + np.abs(denominator).max(axis=1)
+    difference = square - denominator
+    slack = 64 * _EPS * bound + 4 * np.abs(scaled).max(axis=1) * noise
+    constant = np.abs(difference).max(axis=1) <= 1e-9 * bound
+
+    def same_side(piece: int, u: float) -> bool:
+        value, _ = value_and_slope(numerator[piece : piece + 1], np.array([u]))
+        return bool(value[0] * level > 0)
+
+    return _places(_Pieces(difference, slack, constant, smooth, same_side, 1 if level > 0 else -1), edges)
+
+
+def line_places(bezier: FloatArray, edges: FloatArray, a: float, b: FloatArray) -> tuple[ZeroPlace, ...]:
+    """All zeros of a + <b, gamma> along homogeneous Bezier pieces."""
+    terms = bezier * np.array([b[0], b[1], a])
+    distance = terms.sum(axis=-1)
+    noise = 16 * _EPS * np.abs(terms).sum(axis=-1).max(axis=1)
+    level = 1e-12 * np.hypot(*b) * _extent(bezier) * bezier[..., 2].max(axis=1)
+    on_line = np.abs(distance).max(axis=1) <= np.maximum(noise, level)
+    return _places(_Pieces(distance, noise, on_line, np.ones(edges.size - 2, dtype=bool)), edges)
+
+
+def straight_pieces(bezier: FloatArray) -> BoolArray:
+    """Which homogeneous Bezier pieces are straight (p,): curvature below 1e-8 of 1 / size of the curve."""
+    points = bezier[..., :2] / bezier[..., 2:]
+    size = _extent(bezier)
+    chord = points[:, -1] - points[:, 0]
+    offset = points - points[:, :1]
+    length = np.linalg.norm(chord, axis=1)
+    spread = np.linalg.norm(offset, axis=2).max(axis=1)
+    normal = np.stack([-chord[:, 1], chord[:, 0]], axis=1) / np.where(length > 0, length, 1.0)[:, None]
+    sagitta = np.abs(np.einsum("pnk,pk->pn", offset, normal)).max(axis=1)
+    sagitta = np.where(length > 1e-12 * size, sagitta, spread)
+    magnitude = np.abs(points).max()
+    return np.asarray(8 * sagitta <= 1e-8 * length**2 / size + 32 * _EPS * magnitude)
+
+
+def _extent(bezier: FloatArray) -> float:
+    points = bezier[..., :2] / bezier[..., 2:]
+    return float(np.ptp(points, axis=(0, 1)).max())
+
+
+def _unit_sized(bezier: FloatArray) -> FloatArray:
+    """The pieces moved to the origin and scaled to extent 1, weights to largest 1."""
+    points = bezier[..., :2] / bezier[..., 2:]
+    centre = (points.max(axis=(0, 1)) + points.min(axis=(0, 1))) / 2
+    weight = bezier[..., 2:] / bezier[..., 2].max()
+    return np.concatenate([(points - centre) / _extent(bezier) * weight, weight], axis=-1)
+
+
+def _curvature_numerator(bezier: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Bernstein coefficients of det(A, B - A, A - 2B + C) and their rounding level (p,).
+
+    A, B, C are the de Casteljau points of the last but one step; the determinant is det(P, P', P'') up to the
+    factor degree^2 (degree - 1), and kappa = (degree - 1)/degree * it * w^3 / |h|^3 with h of `hodograph`.
+    """
+    a, b, c = bezier[:, :-2], bezier[:, 1:-1], bezier[:, 2:]
+    d, e = b - a, (c - b) - (b - a)
+    centre = bezier[:, :, :2].mean(axis=1, keepdims=True) / bezier[:, :, 2:].mean(axis=1, keepdims=True)
+    a, d, e = (np.concatenate([v[..., :2] - centre * v[..., 2:], v[..., 2:]], axis=-1) for v in (a, d, e))
+
+    def minor(i: int, j: int) -> FloatArray:
+        return product(d[..., i], e[..., j]) - product(d[..., j], e[..., i])
+
+    value = product(a[..., 2], minor(0, 1))
+    if np.ptp(bezier[..., 2]) > 0:
+        value = value + product(a[..., 0], minor(1, 2)) + product(a[..., 1], minor(2, 0))
+    step, bend = np.linalg.norm(d, axis=-1).max(axis=1), np.linalg.norm(e, axis=-1).max(axis=1)
+    return value, 8 * _EPS * (step + bend) * (1 + np.abs(centre).max())
+
+
+def _same_degree(p: FloatArray, q: FloatArray) -> tuple[FloatArray, FloatArray]:
+    one = np.ones((1, abs(p.shape[-1] - q.shape[-1]) + 1))
+    if p.shape[-1] < q.shape[-1]:
+        p = product(p, one)
+    elif q.shape[-1] < p.shape[-1]:
+        q = product(q, one)
+    return p, q
+
+
+@dataclass(frozen=True, eq=False)
+class _Pieces:
+    """A function along the curve whose sign is that of Bernstein polynomials.
+
+    `same_side`, if given, tells where the polynomial stands for the function; elsewhere the function has the
+    sign -`positive` and no zero.
+    """
+
+    coefficients: FloatArray
+    noise: FloatArray
+    flat: BoolArray
+    smooth: BoolArray
+    same_side: Callable[[int, float], bool] | None = None
+    positive: int = 1
+
+    def sign(self, piece: int, u: float, sign: float) -> int:
+        if self.same_side is None:
+            return int(np.sign(sign))
+        return self.positive * int(np.sign(sign)) if self.same_side(piece, u) else -self.positive
+
+    def stands_for(self, piece: int, u: float) -> bool:
+        return self.same_side is None or self.same_side(piece, u)
+
+
+def _places(f: _Pieces, edges: FloatArray) -> tuple[ZeroPlace, ...]:
+    count = f.flat.size
+    c = f.coefficients.copy()
+    zero = np.zeros((count, 2), dtype=bool)
+    for i in np.flatnonzero(~f.flat).tolist():
+        for side in (0, 1):
+            for _ in range(c.shape[1] - 1):
+                if abs(c[i, -side]) > f.noise[i]:
+                    break
+                c[i] = divide_out_end_root(c[i], at_end=bool(side))
+                zero[i, side] = True
+    for i in range(count - 1):
+        if f.flat[i] or f.flat[i + 1] or not f.smooth[i]:
+            continue
+        differ = c[i, -1] * c[i + 1, 0] < 0
+        if zero[i, 1] != zero[i + 1, 0] or (differ and not zero[i, 1]):
+            for j, side in ((i, 1), (i + 1, 0)):
+                if not zero[j, side]:
+                    c[j] = divide_out_end_root(c[j], at_end=bool(side))
+                    zero[j, side] = True
+    curved = np.flatnonzero(~f.flat)
+    inside: dict[int, list[tuple[float, bool]]] = {int(i): [] for i in curved}
+    for root in roots(c[curved], f.noise[curved]):
+        inside[int(curved[root.piece])].append((root.u, root.crossing))
+    start = [0 if f.flat[i] else f.sign(i, 0.0, c[i, 0]) for i in range(count)]
+    stop = [0 if f.flat[i] else f.sign(i, 1.0, c[i, -1]) for i in range(count)]
+    places: list[ZeroPlace] = []
+    for i in range(count):
+        places.extend(_at_start(f, edges, i, zero=zero, start=start, stop=stop))
+        if f.flat[i]:
+            continue
+        sign, width = float(np.sign(c[i, 0])), edges[i + 1] - edges[i]
+        for u, crossing in inside[i]:
+            if f.stands_for(i, u):
+                t = float(edges[i] + u * width)
+                before = int(sign) * f.positive
+                after = -before if crossing else before
+                places.append(ZeroPlace(t, t, "crossing" if crossing else "touch", before, after))
+            sign = -sign if crossing else sign
+    if not f.flat[-1] and zero[-1, 1] and f.stands_for(count - 1, 1.0):
+        t = float(edges[-1])
+        places.append(ZeroPlace(t, t, "end", stop[-1], 0))
+    return tuple(places)
+
+
+def _at_start(
+    f: _Pieces, edges: FloatArray, i: int, *, zero: BoolArray, start: list[int], stop: list[int]
+) -> list[ZeroPlace]:
+    """The zero, if any, at the knot where piece i begins, or the flat stretch that begins there."""
+    t = float(edges[i])
+    if f.flat[i]:
+        if i and f.flat[i - 1]:
+            return []
+        bent = [j for j in range(i, f.flat.size) if not f.flat[j]]
+        last = bent[0] if bent else f.flat.size
+        after = start[last] if last < f.flat.size else 0
+        return [ZeroPlace(t, float(edges[last]), "flat", stop[i - 1] if i else 0, after)]
+    if i == 0:
+        return [ZeroPlace(t, t, "end", 0, start[0])] if zero[0, 0] and f.stands_for(0, 0.0) else []
+    if f.flat[i - 1]:
+        return []
+    before, after = stop[i - 1], start[i]
+    touched = (zero[i - 1, 1] and f.stands_for(i - 1, 1.0)) or (zero[i, 0] and f.stands_for(i, 0.0))
+    if before * after < 0:
+        both = zero[i - 1, 1] and zero[i, 0]
+        return [ZeroPlace(t, t, "crossing" if both else "jump", before, after)]
+    return [ZeroPlace(t, t, "touch", before, after)] if touched else []

@@ -1,0 +1,157 @@
+"""Positions and derivatives of rational Bezier pieces, many parameters at once."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from math import comb
+
+import numpy as np
+
+from elastica_cad._types import FloatArray, IntArray
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.curves.tangent_angle import TangentCones, cut_into_tangent_cones, hodograph
+from elastica_cad.geometry.polynomials.bernstein import interior_roots
+from elastica_cad.geometry.polynomials.bezier_pieces import Spans
+
+__all__ = ["RationalPieces", "cross", "curvature", "curvature_slope", "norm", "quotient"]
+
+
+@dataclass(frozen=True, eq=False)
+class RationalPieces:
+    """A curve as homogeneous Bezier pieces over the spans of its knots.
+
+    Attributes
+    ----------
+    spans : Spans
+        The knot spans.
+    bezier : (p, degree + 1, 3) array
+        Rows x w, y w, w of every span.
+    rational : bool
+        Do the weights differ?
+    """
+
+    spans: Spans
+    bezier: FloatArray
+    rational: bool
+
+    @property
+    def edges(self) -> FloatArray:
+        """Parameters (p + 1,) at which the pieces meet."""
+        return self.spans.edges
+
+    def inside(self, t: FloatArray) -> FloatArray:
+        """The parameters, rounding beyond the ends taken off; others outside are refused."""
+        a, b = self.edges[0], self.edges[-1]
+        slack = 1e-9 * (b - a)
+        if t.size and not (t.min() >= a - slack and t.max() <= b + slack):
+            raise InputError(f"parameter outside the curve: use {a:g} to {b:g}")
+        return np.asarray(np.minimum(np.maximum(t, a), b))
+
+    def at(self, t: FloatArray, order: int, *, left: bool = False) -> list[FloatArray]:
+        """Position and derivatives d/dt up to `order`, each (n, 2)."""
+        return self.within(*self.spans.locate(self.inside(t), left=left), order)
+
+    def within(self, index: IntArray, u: FloatArray, order: int) -> list[FloatArray]:
+        """The same at local coordinates u (n,) of spans (n,), by de Casteljau's scheme."""
+        degree = self.spans.degree
+        c = self._columns[:, :, index]
+        differences: list[FloatArray] = []
+        for remaining in range(degree, -1, -1):
+            if remaining <= order:
+                differences.append(_difference(c))
+            if remaining:
+                c = c[:-1] + (c[1:] - c[:-1]) * u
+        homogeneous = []
+        factor, scale = np.ones_like(u), 1 / self.spans.widths[index]
+        for k, difference in enumerate(reversed(differences)):
+            homogeneous.append(difference * factor)
+            factor = factor * scale * (degree - k)
+        homogeneous += [np.zeros_like(homogeneous[0])] * (order + 1 - len(homogeneous))
+        if self.rational:
+            homogeneous = quotient([h[:2] for h in homogeneous], [h[2] for h in homogeneous])
+        homogeneous[0] = homogeneous[0] + self._origins[:, index]
+        return [np.ascontiguousarray(h.T) for h in homogeneous]
+
+    def beside_knots(self, order: int) -> tuple[list[FloatArray], list[FloatArray]]:
+        """Derivatives up to `order` just before and just after the p - 1 interior knots, each (p - 1, 2)."""
+        knots = self.edges.size - 2
+        before = np.arange(knots)
+        both = self.within(np.concatenate([before, before + 1]), np.repeat([1.0, 0.0], knots), order)
+        return [d[:knots] for d in both], [d[knots:] for d in both]
+
+    def position_and_velocity(self, t: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Positions and velocities d/dt, (n, 2) each."""
+        position, velocity = self.at(t, 1)
+        return position, velocity
+
+    def speed(self, t: FloatArray) -> FloatArray:
+        """Lengths (n,) of the velocities d/dt, mm."""
+        return norm(self.at(t, 1)[1])
+
+    def stationary(self) -> FloatArray:
+        """Parameters (k,) of the knots and of all places where x or y is stationary."""
+        velocity, edges = hodograph(self.bezier), self.edges
+        inner = [root for axis in (0, 1) for root in interior_roots(velocity[..., axis])]
+        return np.array(
+            [*edges, *(edges[r.piece] + r.u * (edges[r.piece + 1] - edges[r.piece]) for r in inner)]
+        )
+
+    @cached_property
+    def tangent_cones(self) -> TangentCones:
+        """Parts of the curve within which it turns by less than half a turn."""
+        return cut_into_tangent_cones(hodograph(self.bezier), self.edges)
+
+    @cached_property
+    def _columns(self) -> FloatArray:
+        """Pieces as (degree + 1, 3 or 2, p), the layout in which many points are evaluated fast.
+
+        Each is seen from its own first point: derivatives of a short piece far from the origin would
+        otherwise carry the rounding of its coordinates.
+        """
+        kept = self.bezier.copy() if self.rational else self.bezier[..., :2].copy()
+        kept[..., :2] -= self.bezier[..., 2:] * self._origins.T[:, None, :]
+        return np.ascontiguousarray(np.moveaxis(kept, 0, 2))
+
+    @cached_property
+    def _origins(self) -> FloatArray:
+        """First points (2, p) of the pieces, mm."""
+        first = self.bezier[:, 0]
+        return np.ascontiguousarray((first[:, :2] / first[:, 2:]).T)
+
+
+def _difference(c: FloatArray) -> FloatArray:
+    """The last forward difference of coefficients (k + 1, ...)."""
+    for _ in range(len(c) - 1):
+        c = c[1:] - c[:-1]
+    return np.asarray(c[0])
+
+
+def quotient(numerators: list[FloatArray], weights: list[FloatArray]) -> list[FloatArray]:
+    """Derivatives (k, n) of P / w from those of P (k, n) and w (n,), by Leibniz' rule."""
+    out: list[FloatArray] = []
+    for k, numerator in enumerate(numerators):
+        value = numerator.copy()
+        for j in range(1, k + 1):
+            value -= comb(k, j) * weights[j] * out[k - j]
+        out.append(value / weights[0])
+    return out
+
+
+def curvature(d1: FloatArray, d2: FloatArray) -> FloatArray:
+    """Signed curvature (n,) from first and second derivatives (n, 2) by any parameter."""
+    return np.asarray(cross(d1, d2) / norm(d1) ** 3)
+
+
+def curvature_slope(d1: FloatArray, d2: FloatArray, d3: FloatArray) -> FloatArray:
+    """Derivative of the curvature by arc length (n,), from derivatives (n, 2) by any parameter."""
+    speed2 = (d1**2).sum(axis=1)
+    return np.asarray(cross(d1, d3) / speed2**2 - 3 * cross(d1, d2) * (d1 * d2).sum(axis=1) / speed2**3)
+
+
+def norm(v: FloatArray) -> FloatArray:
+    """Lengths (n,) of vectors (n, 2)."""
+    return np.asarray(np.hypot(v[:, 0], v[:, 1]))
+
+
+def cross(u: FloatArray, v: FloatArray) -> FloatArray:
+    """Determinants (n,) of pairs of vectors (n, 2)."""
+    return np.asarray(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])

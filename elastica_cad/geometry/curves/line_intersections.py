@@ -1,0 +1,41 @@
+"""Common points of a curve and a straight line."""
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.curves.curvature_zeros import line_places
+from elastica_cad.geometry.curves.curve_records import LineCrossing
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.polynomials.spline_checks import finite
+
+__all__ = ["line_crossings"]
+
+
+def line_crossings(curve: PlaneCurve, a: float, b: ArrayLike) -> tuple[LineCrossing, ...]:
+    """All points that a curve has in common with the line a + <b, x> = 0, in order along the curve.
+
+    Parameters
+    ----------
+    a : float
+        Constant of the line.
+    b : (2,) array_like
+        Its normal (any length but 0).
+
+    Examples
+    --------
+    >>> arch = PlaneCurve.arc((0, 0), 50, 0.0, np.pi)
+    >>> [(root.kind, round(root.s, 3)) for root in line_crossings(arch, -50, (0, 1))]
+    [('touch', 78.54)]
+    """
+    normal = finite("b", b)
+    if normal.shape != (2,) or not normal.any():
+        raise InputError(f"the normal of a line must be two numbers, not both zero: {normal.tolist()}")
+    pieces = curve.bezier_pieces()
+    edges = np.array([pieces[0][0], *(end for _, end, _ in pieces)])
+    found = line_places(np.array([piece for *_, piece in pieces]), edges, float(finite("a", a)), normal)
+    s = curve.arc_length(np.array([[place.t, place.t_end] for place in found]).reshape(-1, 2))
+    return tuple(
+        LineCrossing(float(at), p.t, p.kind, float(to), p.t_end, p.before, p.after)
+        for p, (at, to) in zip(found, s, strict=True)
+    )

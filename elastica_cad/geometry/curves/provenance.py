@@ -1,0 +1,78 @@
+"""Where a drawn curve's numbers come from: how exact they are, and where the drawing program shows them."""
+
+from dataclasses import dataclass, replace
+from typing import Literal, TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.geometry.curves.tangent_healing import Turn
+
+__all__ = ["Drawn", "Provenance"]
+
+Drawn: TypeAlias = Literal["pen", "exact"]
+"""What a curve was drawn as: Bezier pieces of a pen tool, or a shape that is meant to the last digit."""
+
+
+@dataclass(frozen=True, eq=False)
+class Provenance:
+    """What a file says about a curve beside its numbers.
+
+    Parameters
+    ----------
+    drawn : str
+        "pen": polynomial Bezier pieces, which a strip may leave a little to become fair; "exact": arcs, conics,
+        splines, which are followed to the last digit.
+    rounding : float
+        How far a coordinate may be from what was drawn by the number of its digits alone, mm; 0: not at all.
+    healed : float
+        How far the curve was moved to take rounding out of its tangents, mm.
+    undecided : tuple of Turn
+        Turns of the tangent that may be corners and may be rounding.
+    place : (3, 3) array, optional
+        From millimetres to the coordinates that the drawing program shows.
+    unit : str
+        What those coordinates are called: "mm", "user units".
+    name, layer : str
+        What the file calls the curve and its layer; empty when it has no name for them.
+    """
+
+    drawn: Drawn = "exact"
+    rounding: float = 0.0
+    healed: float = 0.0
+    undecided: tuple[Turn, ...] = ()
+    place: FloatArray | None = None
+    unit: str = "mm"
+    name: str = ""
+    layer: str = ""
+
+    def shown(self, point: ArrayLike) -> str:
+        """A point (2,) in mm as the drawing program shows it.
+
+        Examples
+        --------
+        >>> Provenance(place=np.diag([2.0, -2.0, 1.0]), unit="user units").shown((10, 5))
+        '(20, -10) user units'
+        """
+        x, y = np.asarray(point, dtype=float)
+        if self.place is not None:
+            x, y, w = self.place @ (x, y, 1.0)
+            x, y = x / w, y / w
+        return f"({_figure(x)}, {_figure(y)}) {self.unit}"
+
+    def transformed(self, matrix: FloatArray) -> "Provenance":
+        """The record of the curve's image under a 3 x 3 map; of a projective one the digits say nothing."""
+        m = np.asarray(matrix, dtype=float)
+        if m[2, :2].any():
+            return replace(self, rounding=0.0, place=None)
+        linear = m[:2, :2] / m[2, 2]
+        stretch = float(np.linalg.norm(linear, 2))
+        place = (np.eye(3) if self.place is None else self.place) @ np.linalg.inv(m)
+        return replace(
+            self, rounding=self.rounding * stretch, healed=self.healed * stretch, place=np.asarray(place)
+        )
+
+
+def _figure(x: float) -> str:
+    """Six figures at most, and no trace of rounding instead of 0."""
+    return f"{round(float(x), 6) + 0.0:.6g}"

@@ -1,0 +1,1 @@
+"""Chains of lines, arcs and splines: offsets, trims, crossings, and numbers along a strip."""

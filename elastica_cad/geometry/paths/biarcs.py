@@ -1,0 +1,113 @@
+"""Paths of arcs and of lines in place of splines, to a stated tolerance."""
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.paths.chords import require_tolerance_mm
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.path_cubics import smooth_stretches
+from elastica_cad.geometry.paths.point_distance import distances
+from elastica_cad.geometry.paths.segments import Segment, Spline, place, segment_from_bulge
+
+__all__ = ["as_arcs", "as_polyline"]
+
+_ROUNDING_SHARE = 1e-12
+"""A chord no longer than this part of its coordinates has no direction."""
+
+_SHORTEST_SHARE = 1e-6
+"""Splines are never cut into pieces shorter than this part of their parameter."""
+
+
+def as_polyline(path: Path, tolerance: float = 0.02) -> Path:
+    """The path as lines between points on it, nowhere further than `tolerance` mm from it.
+
+    Examples
+    --------
+    >>> len(as_polyline(Path.circle((0, 0), 10), 0.1).segments)
+    23
+    """
+    return Path.polyline(path.points(tolerance), closed=path.closed)
+
+
+def as_arcs(path: Path, tolerance: float = 0.02) -> Path:
+    """The path with every spline replaced by tangent arcs (biarcs), nowhere further than `tolerance` mm away.
+
+    Lines and arcs are kept. Each biarc meets the spline's points and directions at its ends.
+
+    Examples
+    --------
+    >>> from elastica_cad.geometry.paths.segments import Arc
+    >>> from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+    >>> arch = Path([Spline(PlaneCurve.spline([(0, 0), (10, 20), (30, 20), (50, 20), (60, 0)]))])
+    >>> all(isinstance(piece, Arc) for piece in as_arcs(arch, 0.05).segments)
+    True
+    """
+    tolerance = require_tolerance_mm(tolerance)
+    pieces: list[Segment] = []
+    for segment in path.segments:
+        pieces.extend(_biarcs(segment, tolerance) if isinstance(segment, Spline) else [segment])
+    return Path(pieces, path.closed)
+
+
+def _biarcs(spline: Spline, tolerance: float) -> list[Segment]:
+    t0, t1 = spline.curve.domain
+    pieces: list[Segment] = []
+    for stretch in smooth_stretches(spline.curve, 1):
+        a, end = (float(t - t0) / (t1 - t0) for t in (stretch[0], stretch[-1]))
+        while a < end:
+            b, found = _longest(spline, a, end, tolerance)
+            if end - b < 0.5 * (b - a) and b < end:
+                # two pieces of like size rather than a stump at the end
+                middle = (a + end) / 2
+                shorter = _biarc(spline, a, middle, tolerance)
+                b, found = (middle, shorter) if shorter else (b, found)
+            pieces.extend(found)
+            a = b
+    return pieces
+
+
+def _longest(spline: Spline, a: float, end: float, tolerance: float) -> tuple[float, list[Segment]]:
+    """The furthest place b, and the biarc from a to b that stays within the tolerance."""
+    whole = _biarc(spline, a, end, tolerance)
+    if whole:
+        return end, whole
+    good, bad, best = a, end, None
+    while best is None or bad - good > 0.05 * (good - a):
+        middle = (good + bad) / 2
+        trial = _biarc(spline, a, middle, tolerance)
+        if trial:
+            good, best = middle, trial
+        else:
+            bad = middle
+        if bad - a < _SHORTEST_SHARE:
+            raise InputError(
+                f"the spline at {place(spline.at(a))} can't be followed to {tolerance:g} mm by arcs: "
+                "allow a larger tolerance"
+            )
+    return good, best
+
+
+def _biarc(spline: Spline, a: float, b: float, tolerance: float) -> list[Segment] | None:
+    """The biarc from u = a to u = b with equal tangent lengths, or None where it leaves the tolerance."""
+    p, q = spline.at(np.array([a, b]))
+    s, t = spline.tangent_at(a), spline.tangent_at(b, left=True)
+    chord = q - p
+    along, bend = float(chord @ (s + t)), float(2 * (1 - s @ t))
+    square = float(chord @ chord)
+    if along <= _ROUNDING_SHARE * float(np.abs([p, q]).max()):
+        return None  # backwards, or once round a loop
+    # positive root of bend d^2 + 2 along d = square, in the form that holds for bend = 0 too
+    d = square / (along + np.sqrt(along**2 + bend * square))
+    middle = (p + d * s + q - d * t) / 2
+    pieces = [_arc(p, middle, s, 1.0), _arc(middle, q, t, -1.0)]
+    samples = spline.at(a + (b - a) * np.arange(1, 32) / 32)
+    off = np.minimum(distances(pieces[0], samples), distances(pieces[1], samples))
+    return pieces if off.max() <= 0.95 * tolerance else None
+
+
+def _arc(p: FloatArray, q: FloatArray, tangent: FloatArray, end: float) -> Segment:
+    """The arc from p to q that has `tangent` at p (end = 1) or at q (end = -1)."""
+    chord = q - p
+    half_turn = end * float(np.arctan2(tangent[0] * chord[1] - tangent[1] * chord[0], tangent @ chord))
+    return segment_from_bulge(p, q, float(np.tan(half_turn / 2)))

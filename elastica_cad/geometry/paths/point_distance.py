@@ -1,0 +1,66 @@
+"""Distances from points to segments and curves."""
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.chords import chord_parameters
+from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
+
+__all__ = ["distances", "largest_deviation"]
+
+_BLOCK = 4096
+"""Points whose distances from all chords of a spline are held at a time: some ten MB."""
+
+
+def distances(segment: Segment, points: ArrayLike) -> FloatArray:
+    """Least distances (n,) of points (n, 2) from a segment, mm, to rounding error."""
+    p = np.asarray(points, dtype=float).reshape(-1, 2)
+    if isinstance(segment, Line):
+        return _to_chords(p, segment.start[None], segment.end[None])[0][:, 0]
+    if isinstance(segment, Arc):
+        return _to_arc(p, segment)
+    blocks = [p[i : i + _BLOCK] for i in range(0, max(len(p), 1), _BLOCK)]
+    return np.concatenate([_to_spline(block, segment) for block in blocks])
+
+
+def largest_deviation(target: PlaneCurve, found: PlaneCurve) -> float:
+    """Largest distance of 401 points of `found` from `target`, mm."""
+    return float(distances(Spline(target), found.sample(401).position).max())
+
+
+def _to_chords(p: FloatArray, a: FloatArray, b: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Distances (n, m) of points from chords a[j] b[j], and where on the chord (0 to 1) they are taken."""
+    d = b - a
+    square = (d**2).sum(axis=1)
+    where = ((p[:, None] - a) * d).sum(axis=2) / np.where(square > 0, square, 1.0)
+    where = np.clip(where, 0.0, 1.0)
+    off = a + where[..., None] * d - p[:, None]
+    return np.hypot(off[..., 0], off[..., 1]), where
+
+
+def _to_arc(p: FloatArray, arc: Arc) -> FloatArray:
+    off = p - arc.center
+    turn = np.sign(arc.sweep) * (np.arctan2(off[:, 1], off[:, 0]) - arc.start_angle)
+    on = np.mod(turn, 2 * np.pi) <= abs(arc.sweep)
+    ends = [np.hypot(*(p - end).T) for end in (arc.start, arc.end)]
+    return np.where(on, np.abs(np.hypot(off[:, 0], off[:, 1]) - arc.radius), np.minimum(*ends))
+
+
+def _to_spline(p: FloatArray, spline: Spline) -> FloatArray:
+    """Nearest chord, then Newton on <gamma - p, gamma'> = 0, kept only where it comes nearer."""
+    u = chord_parameters(spline, 1e-3 * max(1.0, spline.length / 100))
+    q = spline.at(u)
+    chord, where = _to_chords(p, q[:-1], q[1:])
+    i = np.argmin(chord, axis=1)
+    rows = np.arange(len(p))
+    t = spline.parameter(u[i] + where[rows, i] * np.diff(u)[i])
+    curve, (t0, t1) = spline.curve, spline.curve.domain
+    best = np.hypot(*(curve.evaluate(t) - p).T)
+    for _ in range(6):
+        off, d1, d2 = curve.evaluate(t) - p, curve.evaluate(t, 1), curve.evaluate(t, 2)
+        slope = (d1**2).sum(axis=1) + (off * d2).sum(axis=1)
+        step = (off * d1).sum(axis=1) / np.where(slope > 0, slope, (d1**2).sum(axis=1))
+        t = np.clip(t - step, t0, t1)
+        best = np.minimum(best, np.hypot(*(curve.evaluate(t) - p).T))
+    return np.asarray(best, dtype=float)

@@ -1,0 +1,185 @@
+"""A number along the strip (stiffness, width) as a B-spline function of arc length."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.polynomials.bernstein import interior_roots, raise_degree, value_and_slope
+from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
+from elastica_cad.geometry.polynomials.fit_function import adaptive_spline
+from elastica_cad.geometry.polynomials.spline_checks import finite
+
+__all__ = ["Profile"]
+
+
+@dataclass(frozen=True, eq=False)
+class Profile:
+    """A spline function of arc length; its graph is a true B-spline curve.
+
+    Parameters
+    ----------
+    knots : (m + degree + 1,) array_like
+        Full knot vector over arc length, mm, clamped at both ends.
+    coefficients : (m,) array_like
+        B-spline coefficients, in the unit of the value.
+    degree : int
+        Polynomial degree, 3 unless told.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> taper = Profile.fit(lambda s: 1 + s / 100, 100.0, tolerance=1e-9)
+    >>> float(np.round(taper(50.0), 6))
+    1.5
+    """
+
+    knots: FloatArray
+    coefficients: FloatArray
+    degree: int = 3
+
+    def __post_init__(self) -> None:
+        for name in ("knots", "coefficients"):
+            array = finite(f"profile {name}", getattr(self, name))
+            if array.ndim != 1:
+                raise InputError(
+                    f"profile {name} must be a row of numbers, not an array of shape {array.shape}"
+                )
+            object.__setattr__(self, name, array)
+        if self.knots.size != self.coefficients.size + self.degree + 1:
+            raise InputError(
+                f"profile has {self.knots.size} knots and {self.coefficients.size} coefficients: "
+                f"degree {self.degree} needs {self.coefficients.size + self.degree + 1} knots"
+            )
+        clamped = self.knots[0] == self.knots[self.degree] and self.knots[-1] == self.knots[-self.degree - 1]
+        if np.any(np.diff(self.knots) < 0) or not self.knots[-1] > self.knots[0] or not clamped:
+            raise InputError("profile knots must increase and be repeated at both ends (clamped)")
+
+    @classmethod
+    def fit(
+        cls,
+        function: Callable[[FloatArray], FloatArray],
+        length: float,
+        *,
+        breaks: Sequence[tuple[float, int]] = (),
+        knots: ArrayLike = (),
+        tolerance: float = 1e-7,
+        degree: int = 3,
+    ) -> "Profile":
+        """Approximate `function` on [0, length] to `tolerance` (absolute, checked between the samples).
+
+        Parameters
+        ----------
+        function : callable
+            Maps arc lengths (k,) to values (k,); never asked at a break or an end.
+        breaks : sequence of (s, continuity)
+            Places where the function is only `continuity` times differentiable; -1 is a jump.
+            They become knots of the matching multiplicity, so that a kink stays a kink.
+        knots : (k,) array_like
+            Where to begin with knots; more are put where the tolerance asks for them.
+
+        Raises
+        ------
+        NotConvergedError
+            When the function has a break that was not declared, or noise above the tolerance.
+        """
+        if not (np.isfinite(length) and length > 0):
+            raise InputError(f"a profile needs a positive length, not {length!r} mm")
+        found, coefficients = adaptive_spline(
+            function,
+            (0.0, float(length)),
+            degree=degree,
+            tolerance=tolerance,
+            breaks=breaks,
+            knots=finite("knots", knots),
+            rounding=1e-9,  # quotients of moment and curvature are rarely known better
+        )
+        return cls(found, coefficients, degree)
+
+    @classmethod
+    def interpolate(cls, s: ArrayLike, values: ArrayLike) -> "Profile":
+        """The cubic spline through `values` (n,) at increasing arc lengths `s` (n,)."""
+        from scipy.interpolate import make_interp_spline
+
+        s, values = finite("arc lengths", s), finite("values", values)
+        if s.ndim != 1 or s.shape != values.shape or s.size < 2 or np.any(np.diff(s) <= 0):
+            raise InputError(
+                "a profile is interpolated at two or more increasing arc lengths, one value each"
+            )
+        spline = make_interp_spline(s, values, k=min(3, s.size - 1))
+        knots, coefficients = spline.t, spline.c
+        while knots.size < 8:
+            knots = np.concatenate([knots[:1], knots, knots[-1:]])
+            coefficients = raise_degree(coefficients)
+        return cls(knots, coefficients)
+
+    def __call__(self, s: ArrayLike, derivative: int = 0) -> FloatArray:
+        """Values (or derivatives per mm) at arc lengths `s`, same shape; continued beyond the ends."""
+        return np.asarray(self._spline(np.asarray(s, dtype=float), nu=derivative), dtype=float)
+
+    @property
+    def length(self) -> float:
+        """End of the domain, mm."""
+        return float(self.knots[-1])
+
+    @property
+    def extremes(self) -> tuple[float, float]:
+        """Smallest and largest value over the domain, both sides of a jump included, to rounding error."""
+        (_, low), (_, high) = self._extreme_points
+        return low, high
+
+    @property
+    def extreme_places(self) -> tuple[float, float]:
+        """Arc lengths, mm, of the smallest and of the largest value."""
+        (first, _), (second, _) = self._extreme_points
+        return first, second
+
+    @cached_property
+    def _extreme_points(self) -> tuple[tuple[float, float], tuple[float, float]]:
+        spans = bezier_spans(self.knots, self.degree)
+        pieces = spans.bezier(self.coefficients)
+        at_knots = pieces[:, [0, -1]]
+        # a piece whose coefficients do not pass the extremes of the knots has none beyond them
+        passing = np.flatnonzero(
+            (pieces.min(axis=1) < at_knots.min()) | (pieces.max(axis=1) > at_knots.max())
+        )
+        turning = interior_roots(np.diff(pieces[passing])) if self.degree > 1 and passing.size else []
+        index = passing[[root.piece for root in turning]]
+        u = np.array([root.u for root in turning])
+        inside, _ = value_and_slope(pieces[index], u)
+        start, width = spans.edges[:-1], spans.widths
+        places = np.concatenate([start, start + width, start[index] + u * width[index]])
+        values = np.concatenate([pieces[:, 0], pieces[:, -1], inside])
+        low, high = int(values.argmin()), int(values.argmax())
+        return (float(places[low]), float(values[low])), (float(places[high]), float(values[high]))
+
+    @property
+    def breaks(self) -> tuple[tuple[float, int], ...]:
+        """Interior knots (s, continuity): how often the value can be differentiated there, -1 at a jump."""
+        knots, counts = np.unique(self.knots[self.degree + 1 : -self.degree - 1], return_counts=True)
+        return tuple((float(s), self.degree - int(n)) for s, n in zip(knots, counts, strict=True))
+
+    @property
+    def greville(self) -> FloatArray:
+        """Greville abscissae (m,): with these as x the graph of the spline is the spline curve itself."""
+        windows = np.lib.stride_tricks.sliding_window_view(self.knots[1:-1], self.degree)
+        return np.asarray(windows.mean(axis=1), dtype=float)
+
+    def scaled(self, factor: float) -> "Profile":
+        """The profile times `factor`."""
+        scaled = Profile(self.knots, self.coefficients * factor, self.degree)
+        if factor > 0 and "_extreme_points" in self.__dict__:
+            (first, low), (second, high) = self._extreme_points
+            scaled.__dict__["_extreme_points"] = (first, low * factor), (second, high * factor)
+        return scaled
+
+    @cached_property
+    def _spline(self) -> Any:
+        from scipy.interpolate import BSpline
+
+        # copies: scipy before 1.11 evaluates writable arrays only
+        return BSpline(np.array(self.knots), np.array(self.coefficients), self.degree)

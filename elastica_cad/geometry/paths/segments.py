@@ -1,0 +1,407 @@
+"""The three kinds of segment a path is made of: straight line, circular arc, spline."""
+
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from math import dist, inf, isfinite
+from typing import TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+
+__all__ = [
+    "Arc",
+    "Line",
+    "Segment",
+    "Spline",
+    "is_similarity",
+    "left_of",
+    "place",
+    "require_affine",
+    "segment_from_bulge",
+    "transform_points",
+]
+
+
+_FLATTEST_MM = 1e-7
+"""An arc that rises less than this over its chord (mm) is a line."""
+
+_FARTHEST_MM = 1e9
+"""So is one of a larger radius (mm): in double precision its ends could not be told to 1e-6 mm."""
+
+
+@dataclass(frozen=True, eq=False)
+class Line:
+    """A straight segment.
+
+    Parameters
+    ----------
+    start, end : (2,) array_like
+        mm; they must differ.
+
+    Examples
+    --------
+    >>> Line((0, 0), (3, 4)).length
+    5.0
+    """
+
+    start: FloatArray
+    end: FloatArray
+
+    def __init__(self, start: ArrayLike, end: ArrayLike) -> None:
+        object.__setattr__(self, "start", _point(start, "line start"))
+        object.__setattr__(self, "end", _point(end, "line end"))
+        if self.start.tolist() == self.end.tolist():
+            raise InputError(f"a line at {place(self.start)} has no length: leave it out")
+
+    @property
+    def length(self) -> float:
+        """mm."""
+        return dist(self.start.tolist(), self.end.tolist())
+
+    @property
+    def bounds(self) -> FloatArray:
+        """[[x_min, y_min], [x_max, y_max]], mm."""
+        return np.array([np.minimum(self.start, self.end), np.maximum(self.start, self.end)])
+
+    def at(self, u: ArrayLike) -> FloatArray:
+        """Points (..., 2) at u in [0, 1]."""
+        u = np.asarray(u, dtype=float)[..., None]
+        return np.asarray(self.start * (1 - u) + self.end * u, dtype=float)
+
+    def velocity_at(self, u: ArrayLike) -> FloatArray:
+        """Derivative (..., 2) of `at` by u, mm."""
+        return np.broadcast_to(self.end - self.start, (*np.shape(u), 2)).copy()
+
+    def motion_at(self, u: float) -> tuple[FloatArray, FloatArray]:
+        """The point (2,) at u and its derivative by u, mm."""
+        return self.at(u), self.velocity_at(u)
+
+    def tangent_at(self, u: ArrayLike) -> FloatArray:
+        """Unit tangents (..., 2) at u in [0, 1]."""
+        return np.asarray(self.velocity_at(u) / self.length, dtype=float)
+
+    def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
+        """Signed area swept by the ray from `origin`, mm2: 1/2 of the integral of x dy - y dx."""
+        origin = np.asarray(origin, dtype=float)
+        return 0.5 * _cross(self.start - origin, self.end - origin)
+
+    def reversed(self) -> "Line":
+        """The line run the other way."""
+        return Line(self.end, self.start)
+
+    def transformed(self, matrix: ArrayLike) -> "Line":
+        """The line moved by a 3x3 affine matrix."""
+        return Line(transform_points(matrix, self.start), transform_points(matrix, self.end))
+
+
+@dataclass(frozen=True, eq=False)
+class Arc:
+    """A circular arc, anticlockwise where `end_angle` > `start_angle`; a whole turn is a circle.
+
+    Parameters
+    ----------
+    center : (2,) array_like
+        mm.
+    radius : float
+        mm, positive.
+    start_angle, end_angle : float
+        rad, from the x axis; they may differ by at most 2 pi.
+
+    Examples
+    --------
+    >>> quarter = Arc((0, 0), 2.0, 0.0, 3.141592653589793 / 2)
+    >>> round(quarter.length, 6), round(quarter.swept_area(), 6)
+    (3.141593, 3.141593)
+    """
+
+    center: FloatArray
+    radius: float
+    start_angle: float
+    end_angle: float
+
+    def __init__(self, center: ArrayLike, radius: float, start_angle: float, end_angle: float) -> None:
+        object.__setattr__(self, "center", _point(center, "arc center"))
+        for name, value in {"radius": radius, "start_angle": start_angle, "end_angle": end_angle}.items():
+            if not np.isfinite(value):
+                raise InputError(f"arc {name} is {value}: it must be a finite number")
+            object.__setattr__(self, name, float(value))
+        if self.radius <= 0:
+            raise InputError(f"arc radius is {self.radius:g} mm at {place(self.center)}: it must be positive")
+        if self.sweep == 0 or abs(self.sweep) > 2 * np.pi * (1 + 1e-12):
+            raise InputError(
+                f"arc at {place(self.center)} turns by {self.sweep:g} rad: give more than 0 and at most 2 pi"
+            )
+
+    @classmethod
+    def from_bulge(cls, start: ArrayLike, end: ArrayLike, bulge: float) -> "Arc":
+        """The arc between two points with `bulge` = tan(turn / 4), positive anticlockwise, as in DXF."""
+        start, end = _point(start, "arc start"), _point(end, "arc end")
+        chord = end - start
+        if not bulge or not np.any(chord):
+            raise InputError(f"an arc at {place(start)} needs two different ends and a bulge other than 0")
+        center = (start + end) / 2 + left_of(chord) * (1 - bulge**2) / (4 * bulge)
+        radius = float(np.hypot(*chord)) * (1 + bulge**2) / (4 * abs(bulge))
+        first = float(np.arctan2(*(start - center)[::-1]))
+        return cls(center, radius, first, first + 4 * float(np.arctan(bulge)))
+
+    @property
+    def sweep(self) -> float:
+        """Turn, rad, positive anticlockwise."""
+        return self.end_angle - self.start_angle
+
+    @property
+    def bulge(self) -> float:
+        """tan(sweep / 4), as DXF writes arcs of polylines."""
+        return float(np.tan(self.sweep / 4))
+
+    @property
+    def is_circle(self) -> bool:
+        """True for a whole turn."""
+        return abs(abs(self.sweep) - 2 * np.pi) < 1e-12
+
+    @property
+    def start(self) -> FloatArray:
+        """First point (2,), mm."""
+        return self._on(np.array(self.start_angle))
+
+    @property
+    def end(self) -> FloatArray:
+        """Last point (2,), mm; exactly the first one of a circle."""
+        return self.start if self.is_circle else self._on(np.array(self.end_angle))
+
+    @property
+    def length(self) -> float:
+        """mm."""
+        return self.radius * abs(self.sweep)
+
+    @property
+    def bounds(self) -> FloatArray:
+        """[[x_min, y_min], [x_max, y_max]], mm."""
+        low, high = sorted((self.start_angle, self.end_angle))
+        quarter = np.pi / 2
+        poles = quarter * np.arange(np.ceil(low / quarter), np.floor(high / quarter) + 1)
+        points = self._on(np.array([low, high, *poles]))
+        return np.array([points.min(axis=0), points.max(axis=0)])
+
+    def at(self, u: ArrayLike) -> FloatArray:
+        """Points (..., 2) at u in [0, 1], uniform in arc length."""
+        return self._on(self.start_angle + self.sweep * np.asarray(u, dtype=float))
+
+    def velocity_at(self, u: ArrayLike) -> FloatArray:
+        """Derivative (..., 2) of `at` by u, mm."""
+        return np.asarray(self.length * self.tangent_at(u), dtype=float)
+
+    def motion_at(self, u: float) -> tuple[FloatArray, FloatArray]:
+        """The point (2,) at u and its derivative by u, mm."""
+        return self.at(u), self.velocity_at(u)
+
+    def tangent_at(self, u: ArrayLike) -> FloatArray:
+        """Unit tangents (..., 2) at u in [0, 1]."""
+        angle = self.start_angle + self.sweep * np.asarray(u, dtype=float)
+        forward = np.stack([-np.sin(angle), np.cos(angle)], axis=-1)
+        return forward if self.sweep > 0 else -forward
+
+    def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
+        """Signed area swept by the ray from `origin`, mm2."""
+        origin = np.asarray(origin, dtype=float)
+        triangle = _cross(self.start - origin, self.end - origin)
+        return 0.5 * (triangle + self.radius**2 * _beyond_sine(self.sweep))
+
+    def reversed(self) -> "Arc":
+        """The arc run the other way."""
+        return Arc(self.center, self.radius, self.end_angle, self.start_angle)
+
+    def transformed(self, matrix: ArrayLike) -> "Arc":
+        """The arc moved, turned, mirrored or scaled by a 3x3 similarity.
+
+        Raises
+        ------
+        InputError
+            The matrix would make an ellipse of it; `Path.transformed` then takes a spline.
+        """
+        m = require_affine(matrix)
+        if not is_similarity(m):
+            raise InputError("an arc stays an arc only when moved, turned, mirrored or scaled evenly")
+        scale = np.hypot(m[0, 0], m[1, 0]) / m[2, 2]
+        turn = float(np.arctan2(m[1, 0], m[0, 0]))
+        sign = 1.0 if m[0, 0] * m[1, 1] > m[0, 1] * m[1, 0] else -1.0
+        return Arc(
+            transform_points(m, self.center),
+            self.radius * abs(float(scale)),
+            turn + sign * self.start_angle,
+            turn + sign * self.end_angle,
+        )
+
+    def as_spline(self) -> "Spline":
+        """The same arc as an exact rational spline."""
+        return Spline(PlaneCurve.arc(self.center, self.radius, self.start_angle, self.end_angle))
+
+    def _on(self, angle: FloatArray) -> FloatArray:
+        return self.center + self.radius * np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+
+
+@dataclass(frozen=True, eq=False)
+class Spline:
+    """A segment along a whole `PlaneCurve`."""
+
+    curve: PlaneCurve
+
+    @cached_property
+    def start(self) -> FloatArray:
+        """First point (2,), mm."""
+        c = self.curve
+        return c.control_points[0] if c.knots[0] == c.knots[c.degree] else self.at(0.0)
+
+    @cached_property
+    def end(self) -> FloatArray:
+        """Last point (2,), mm."""
+        c = self.curve
+        return c.control_points[-1] if c.knots[-1] == c.knots[-c.degree - 1] else self.at(1.0)
+
+    @property
+    def length(self) -> float:
+        """mm."""
+        return float(self.curve.length)
+
+    @property
+    def bounds(self) -> FloatArray:
+        """[[x_min, y_min], [x_max, y_max]], mm."""
+        return np.asarray(self.curve.bounds).reshape(2, 2)
+
+    def parameter(self, u: ArrayLike) -> FloatArray:
+        """The curve's parameters at u in [0, 1]."""
+        t0, t1 = self.curve.domain
+        u = np.asarray(u, dtype=float)
+        return np.asarray(t0 * (1 - u) + t1 * u, dtype=float)
+
+    def at(self, u: ArrayLike) -> FloatArray:
+        """Points (..., 2) at u in [0, 1], uniform in the curve's parameter."""
+        return np.asarray(self.curve.evaluate(self.parameter(u)), dtype=float)
+
+    def velocity_at(self, u: ArrayLike) -> FloatArray:
+        """Derivative (..., 2) of `at` by u, mm."""
+        t0, t1 = self.curve.domain
+        return np.asarray(self.curve.evaluate(self.parameter(u), 1) * (t1 - t0), dtype=float)
+
+    def motion_at(self, u: float) -> tuple[FloatArray, FloatArray]:
+        """The point (2,) at u and its derivative by u, in one evaluation, mm."""
+        t0, t1 = self.curve.domain
+        position, velocity = self.curve.position_and_velocity(np.array([t0 * (1 - u) + t1 * u]))
+        return position[0], velocity[0] * (t1 - t0)
+
+    def tangent_at(self, u: ArrayLike, *, left: bool = False) -> FloatArray:
+        """Unit tangents (..., 2) at u in [0, 1]; at a corner the one after it, with `left` the one before."""
+        d = np.asarray(self.curve.evaluate(self.parameter(u), 1, left=left), dtype=float)
+        return np.asarray(d / np.hypot(d[..., 0], d[..., 1])[..., None], dtype=float)
+
+    def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
+        """Signed area swept by the ray from `origin`, mm2, to rounding error (Gauss on each Bezier piece)."""
+        origin = np.asarray(origin, dtype=float)
+        t0, t1 = self.curve.domain
+        knots = np.unique(self.curve.knots)
+        knots = knots[(knots >= t0) & (knots <= t1)]
+        if not self.curve.is_rational:  # x y' - y x' is of degree 2 d - 1 at most: d nodes are exact
+            return self._gauss_area(origin, knots, self.curve.degree)
+        previous = np.inf
+        for nodes in (8, 16, 32, 64):
+            area = self._gauss_area(origin, knots, nodes)
+            if abs(area - previous) <= 1e-13 * self.length**2:
+                break
+            previous = area
+        return area
+
+    def _gauss_area(self, origin: FloatArray, knots: FloatArray, nodes: int) -> float:
+        x, w = _gauss(nodes)
+        half = np.diff(knots)[:, None] / 2
+        t = (knots[:-1, None] + half * (1 + x)).ravel()
+        p, d = self.curve.position_and_velocity(t)
+        p = p - origin
+        return float(0.5 * np.sum((half * w).ravel() * (p[:, 0] * d[:, 1] - p[:, 1] * d[:, 0])))
+
+    def reversed(self) -> "Spline":
+        """The spline run the other way."""
+        return Spline(self.curve.reversed())
+
+    def transformed(self, matrix: ArrayLike) -> "Spline":
+        """The spline moved by a 3x3 projective matrix."""
+        return Spline(self.curve.transformed(matrix))
+
+
+Segment: TypeAlias = Line | Arc | Spline
+
+
+def segment_from_bulge(start: ArrayLike, end: ArrayLike, bulge: float) -> Line | Arc:
+    """The arc from start to end with `bulge` = tan(turn / 4), or a line where it is too flat for a centre."""
+    chord = float(np.hypot(*(np.asarray(end, dtype=float) - np.asarray(start, dtype=float))))
+    rise = abs(bulge) * chord / 2
+    if rise < _FLATTEST_MM or chord**2 > 8 * rise * _FARTHEST_MM:
+        return Line(start, end)
+    return Arc.from_bulge(start, end, bulge)
+
+
+def transform_points(matrix: ArrayLike, points: ArrayLike) -> FloatArray:
+    """Points (..., 2) moved by a 3x3 affine matrix."""
+    m = require_affine(matrix)
+    moved = (np.asarray(points, dtype=float) @ m[:2, :2].T + m[:2, 2]) / m[2, 2]
+    return np.asarray(moved, dtype=float)
+
+
+def require_affine(matrix: ArrayLike) -> FloatArray:
+    """The matrix, refused unless it is affine and invertible."""
+    m = np.asarray(matrix, dtype=float)
+    if m.shape != (3, 3):
+        raise InputError("a path is moved by a finite 3x3 matrix with the last row 0, 0, 1")
+    (a, b, x), (c, d, y), last = m.tolist()  # plain numbers: this is asked once for every segment
+    if not all(map(isfinite, (a, b, x, c, d, y))) or last[:2] != [0.0, 0.0] or not 0 < abs(last[2]) < inf:
+        raise InputError("a path is moved by a finite 3x3 matrix with the last row 0, 0, 1")
+    if abs(a * d - b * c) <= 1e-14 * max(abs(a), abs(b), abs(c), abs(d)) ** 2:
+        raise InputError("a path can't be flattened to a line: use an invertible matrix")
+    return m
+
+
+def is_similarity(matrix: ArrayLike) -> bool:
+    """True where a 3x3 affine matrix keeps circles circles."""
+    a = require_affine(matrix)[:2, :2]
+    size = float(np.abs(a).max())
+    same = np.allclose(a[:, 1], left_of(a[:, 0]), rtol=0, atol=1e-12 * size)
+    return bool(same or np.allclose(a[:, 1], -left_of(a[:, 0]), rtol=0, atol=1e-12 * size))
+
+
+@lru_cache(maxsize=64)
+def _gauss(count: int) -> tuple[FloatArray, FloatArray]:
+    """Places and weights of a Gauss rule over [-1, 1]."""
+    return np.polynomial.legendre.leggauss(count)
+
+
+def _beyond_sine(x: float) -> float:
+    """x - sin x without cancellation, so that the segment of a flat arc keeps its digits."""
+    if abs(x) > 0.3:
+        return x - float(np.sin(x))
+    y = x * x
+    return x * y / 6 * (1 - y / 20 * (1 - y / 42 * (1 - y / 72 * (1 - y / 110))))
+
+
+def left_of(v: FloatArray) -> FloatArray:
+    """The vector (2,) turned by a quarter to the left."""
+    return np.array([-v[1], v[0]])
+
+
+def _cross(a: FloatArray, b: FloatArray) -> float:
+    return float(a[0] * b[1] - a[1] * b[0])
+
+
+def place(p: ArrayLike) -> str:
+    """A point as messages write it."""
+    x, y = np.asarray(p, dtype=float)
+    return f"({x:.6g}, {y:.6g}) mm"
+
+
+def _point(value: ArrayLike, name: str) -> FloatArray:
+    p = np.array(value, dtype=float)
+    if p.shape != (2,) or not all(map(isfinite, p.tolist())):
+        raise InputError(f"{name} must be two finite numbers in mm, got {value!r}")
+    p.setflags(write=False)
+    return p

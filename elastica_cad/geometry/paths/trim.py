@@ -1,0 +1,66 @@
+"""Pieces of segments, cut exactly."""
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
+
+__all__ = ["clamp_ends", "trim_curve", "trim_segment"]
+
+
+def trim_segment(segment: Segment, u0: float, u1: float) -> Segment:
+    """The part of a segment between 0 <= u0 < u1 <= 1, exact."""
+    if not 0 <= u0 < u1 <= 1:
+        raise InputError(f"a segment is trimmed between 0 <= u0 < u1 <= 1, got {u0:g} and {u1:g}")
+    if (u0, u1) == (0, 1):
+        return segment
+    if isinstance(segment, Line):
+        return Line(segment.at(u0), segment.at(u1))
+    if isinstance(segment, Arc):
+        a, sweep = segment.start_angle, segment.sweep
+        return Arc(segment.center, segment.radius, a + u0 * sweep, a + u1 * sweep)
+    return Spline(trim_curve(segment.curve, float(segment.parameter(u0)), float(segment.parameter(u1))))
+
+
+def clamp_ends(curve: PlaneCurve) -> PlaneCurve:
+    """The same curve with its end knots repeated, so that it starts and ends on control points."""
+    p, knots = curve.degree, curve.knots
+    if knots[0] == knots[p] and knots[-1] == knots[-p - 1]:
+        return curve
+    return trim_curve(curve, *curve.domain)
+
+
+def trim_curve(curve: PlaneCurve, t0: float, t1: float) -> PlaneCurve:
+    """The part of a curve between two parameters as a clamped curve of its own (Boehm's knot insertion)."""
+    p = curve.degree
+    t0, t1 = (_snapped(curve, t) for t in (t0, t1))
+    weights = np.ones(len(curve.control_points)) if curve.weights is None else curve.weights
+    knots, points = curve.knots, np.column_stack([curve.control_points * weights[:, None], weights])
+    for t in (t0, t1):
+        while np.count_nonzero(knots == t) < p:
+            knots, points = _with_knot(knots, points, p, t)
+    first = int(np.flatnonzero(knots == t0)[-1]) - p + 1
+    last = int(np.flatnonzero(knots == t1)[0])
+    points = points[first - 1 : last]
+    knots = np.concatenate([np.full(p + 1, t0), knots[first + p : last], np.full(p + 1, t1)])
+    w = points[:, 2]
+    return PlaneCurve.of_sound(knots, points[:, :2] / w[:, None], p, None if curve.weights is None else w)
+
+
+def _snapped(curve: PlaneCurve, t: float) -> float:
+    """The knot that `t` lies at but for rounding, else `t`: spans of rounding size are never made."""
+    nearest = float(curve.knots[int(np.argmin(np.abs(curve.knots - t)))])
+    a, b = curve.domain
+    return nearest if abs(nearest - t) <= 1e-12 * (b - a) else t
+
+
+def _with_knot(knots: FloatArray, points: FloatArray, p: int, t: float) -> tuple[FloatArray, FloatArray]:
+    """Knots and homogeneous control points with `t` inserted once."""
+    k = int(np.searchsorted(knots, t, side="right")) - 1
+    s = int(np.count_nonzero(knots == t))
+    i = np.arange(k - p + 1, k - s + 1)
+    a = ((t - knots[i]) / (knots[i + p] - knots[i]))[:, None]
+    moved = (1 - a) * points[i - 1] + a * points[i]
+    return np.insert(knots, k + 1, t), np.concatenate([points[: k - p + 1], moved, points[k - s :]])

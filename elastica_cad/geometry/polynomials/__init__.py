@@ -1,0 +1,1 @@
+"""Polynomials and splines as numbers: Bernstein roots, Bezier pieces, least-squares fits."""

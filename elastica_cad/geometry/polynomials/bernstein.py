@@ -1,0 +1,256 @@
+"""Polynomials in Bernstein form on [0, 1]: products, subdivision, and every root inside (0, 1)."""
+
+from dataclasses import dataclass
+from functools import lru_cache
+from math import comb
+
+import numpy as np
+
+from elastica_cad._types import BoolArray, FloatArray, IntArray
+
+__all__ = [
+    "Root",
+    "divide_out_end_root",
+    "interior_roots",
+    "product",
+    "raise_degree",
+    "roots",
+    "subdivide",
+    "value_and_slope",
+]
+
+
+@lru_cache(maxsize=64)
+def _binomials(degree: int) -> FloatArray:
+    return np.array([comb(degree, i) for i in range(degree + 1)], dtype=float)
+
+
+@lru_cache(maxsize=256)
+def _split_matrices(degree: int, u: float) -> tuple[FloatArray, FloatArray]:
+    """Matrices that map coefficients to those of the parts [0, u] and [u, 1] (de Casteljau)."""
+    left = np.zeros((degree + 1, degree + 1))
+    right = np.zeros((degree + 1, degree + 1))
+    row = np.eye(degree + 1)
+    for k in range(degree + 1):
+        left[k] = row[0]
+        right[degree - k] = row[-1]
+        row = row[:-1] * (1 - u) + row[1:] * u
+    return left, right
+
+
+def product(a: FloatArray, b: FloatArray) -> FloatArray:
+    """Coefficients (..., m+n+1) of the product of polynomials with coefficients (..., m+1) and (..., n+1)."""
+    m, n = a.shape[-1] - 1, b.shape[-1] - 1
+    a = a * _binomials(m)
+    b = b * _binomials(n)
+    out = np.zeros((*np.broadcast_shapes(a.shape[:-1], b.shape[:-1]), m + n + 1))
+    for i in range(m + 1):
+        out[..., i : i + n + 1] += a[..., i : i + 1] * b
+    return out / _binomials(m + n)
+
+
+def raise_degree(c: FloatArray) -> FloatArray:
+    """The same polynomials (..., n+1) written with degree n + 1."""
+    n = c.shape[-1]
+    weight = np.arange(n + 1) / n
+    padded = np.concatenate([c[..., :1], c, c[..., -1:]], axis=-1)
+    return np.asarray(padded[..., :-1] * weight + padded[..., 1:] * (1 - weight))
+
+
+def subdivide(c: FloatArray, u: float = 0.5) -> tuple[FloatArray, FloatArray]:
+    """Coefficients (..., n+1) of the parts on [0, u] and [u, 1]."""
+    left, right = _split_matrices(c.shape[-1] - 1, u)
+    return c @ left.T, c @ right.T
+
+
+def value_and_slope(c: FloatArray, u: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Values and derivatives (k,) of polynomials (k, n+1) at one place u (k,) each."""
+    degree = c.shape[-1] - 1
+    if degree == 0:
+        return c[:, 0].copy(), np.zeros(c.shape[0])
+    u = u[:, None]
+    for _ in range(degree - 1):
+        c = c[:, :-1] + (c[:, 1:] - c[:, :-1]) * u
+    step = c[:, 1] - c[:, 0]
+    return c[:, 0] + step * u[:, 0], degree * step
+
+
+def divide_out_end_root(c: FloatArray, *, at_end: bool) -> FloatArray:
+    """Polynomials (..., n+1) divided by 1 - u (or by u), at the same degree: same signs inside (0, 1)."""
+    n = c.shape[-1] - 1
+    if n == 0:
+        return c
+    index = np.arange(n)
+    quotient = c[..., :-1] * n / (n - index) if at_end else c[..., 1:] * n / (index + 1)
+    return raise_degree(quotient)
+
+
+@dataclass(frozen=True)
+class Root:
+    """A zero strictly inside one polynomial's interval (0, 1).
+
+    Attributes
+    ----------
+    piece : int
+        Which polynomial.
+    u : float
+        Where, in (0, 1).
+    crossing : bool
+        True when the sign changes there, False when the polynomial only touches zero.
+    """
+
+    piece: int
+    u: float
+    crossing: bool
+
+
+_SPLITS = (0.5, 0.4375, 0.578125)  # exact binary fractions, so that interval ends carry no rounding
+_MOST_HALVINGS = 48
+"""A piece halved this often is as short as rounding: what is left in it is one multiple zero."""
+
+_EPS = float(np.finfo(float).eps)
+
+
+def roots(c: FloatArray, noise: FloatArray) -> list[Root]:
+    """All zeros in the open interval (0, 1) of polynomials (k, n+1), in order.
+
+    Sign variations of Bernstein coefficients bound the number of zeros (Descartes); pieces are halved until
+    each holds none, one, or nothing above `noise` (k,), the rounding level of the coefficients. Zeros that
+    rounding cannot separate count as one: a crossing when the sign differs on its two sides, else a touch.
+    The coefficients at both ends must exceed the noise (see `divide_out_end_root`).
+    """
+    piece = np.arange(c.shape[0])
+    part, low, width = c, np.zeros(c.shape[0]), np.ones(c.shape[0])
+    simple: list[tuple[FloatArray, FloatArray, FloatArray, FloatArray]] = []
+    clusters: list[tuple[int, float, float]] = []
+    for depth in range(_MOST_HALVINGS + 1):
+        if not piece.size:
+            break
+        sign = np.where(np.abs(part) > noise[piece, None], np.sign(part), 0.0)
+        some = (sign != 0).any(axis=1)
+        changes, blurred = _variations(sign)
+        one = some & (changes == 1) & (sign[:, 0] * sign[:, -1] < 0)
+        none = some & (changes == 0) & ~blurred
+        cluster = ~some if depth < _MOST_HALVINGS else ~(one | none)
+        if one.any():
+            simple.append((piece[one].astype(float), low[one], width[one], _bracketed(part[one])))
+        clusters.extend(
+            zip(piece[cluster].tolist(), low[cluster].tolist(), width[cluster].tolist(), strict=True)
+        )
+        rest = ~(one | none | cluster)
+        piece, part, low, width = _halved(piece[rest], part[rest], low[rest], width[rest])
+    events = [
+        (int(i), float(a + w * v), float(a + w * v), True)
+        for group in simple
+        for i, a, w, v in zip(*group, strict=True)
+    ]
+    events += [(i, a, a + w, False) for i, a, w in clusters]
+    return _classified(c, _merged(sorted(events)))
+
+
+def interior_roots(c: FloatArray) -> list[Root]:
+    """Zeros in (0, 1) of polynomials (k, n+1), not those at the ends, none of vanishing polynomials."""
+    noise = 32 * _EPS * np.abs(c).max(axis=1)
+    noise = np.maximum(noise, 1e-15 * np.abs(c).max(initial=0.0))
+    c = c.copy()
+    for i in range(c.shape[0]):
+        for at_end in (False, True):
+            for _ in range(c.shape[1] - 1):
+                if abs(c[i, -1 if at_end else 0]) > noise[i]:
+                    break
+                c[i] = divide_out_end_root(c[i], at_end=at_end)
+    kept = np.flatnonzero(np.abs(c).max(axis=1) > noise)
+    found = roots(c[kept], noise[kept])
+    return [Root(int(kept[root.piece]), root.u, root.crossing) for root in found]
+
+
+def _variations(sign: FloatArray) -> tuple[IntArray, BoolArray]:
+    """Sign changes (k,) of rows with zeros skipped, and whether a row holds zeros."""
+    filled = sign.copy()
+    for j in range(1, filled.shape[1]):
+        filled[:, j] = np.where(filled[:, j] == 0, filled[:, j - 1], filled[:, j])
+    return (filled[:, :-1] * filled[:, 1:] < 0).sum(axis=1), (sign == 0).any(axis=1)
+
+
+def _halved(
+    piece: IntArray, part: FloatArray, low: FloatArray, width: FloatArray
+) -> tuple[IntArray, FloatArray, FloatArray, FloatArray]:
+    """Both parts of every interval, split near the middle where the polynomial is farthest from zero."""
+    if not piece.size:
+        return piece, part, low, width
+    halves = [subdivide(part, u) for u in _SPLITS]
+    best = np.abs(np.array([left[:, -1] for left, _ in halves])).argmax(axis=0)
+    pick = np.arange(piece.size)
+    left = np.array([h[0] for h in halves])[best, pick]
+    right = np.array([h[1] for h in halves])[best, pick]
+    u = np.array(_SPLITS)[best]
+    return (
+        np.concatenate([piece, piece]),
+        np.concatenate([left, right]),
+        np.concatenate([low, low + width * u]),
+        np.concatenate([width * u, width * (1 - u)]),
+    )
+
+
+def _bracketed(c: FloatArray) -> FloatArray:
+    """The one sign change (k,) of polynomials whose end values differ in sign, to rounding error."""
+    low, high = np.zeros(c.shape[0]), np.ones(c.shape[0])
+    rising = c[:, -1] > 0
+    blurred = _EPS * np.abs(c).max(axis=1)
+    u = c[:, 0] / (c[:, 0] - c[:, -1])
+    for _ in range(80):
+        value, slope = value_and_slope(c, u)
+        above = (value > 0) == rising
+        low, high = np.where(above, low, u), np.where(above, u, high)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            newton = u - value / slope
+        inside = (newton > low) & (newton < high)
+        following = np.where(inside, newton, (low + high) / 2)
+        following = np.where(np.abs(value) <= blurred, u, following)
+        if np.abs(following - u).max() <= 4e-16:
+            return following
+        u = following
+    return u
+
+
+def _merged(events: list[tuple[int, float, float, bool]]) -> list[tuple[int, float, float, bool]]:
+    """Adjoining clusters, and roots inside or beside them, as one event."""
+    merged: list[tuple[int, float, float, bool]] = []
+    for piece, a, b, sharp in events:
+        if merged and merged[-1][0] == piece and not (sharp and merged[-1][3]):
+            _, a0, b0, _ = merged[-1]
+            if a <= b0 + max(b0 - a0, b - a):
+                merged[-1] = (piece, a0, max(b, b0), False)
+                continue
+        merged.append((piece, a, b, sharp))
+    return merged
+
+
+def _classified(c: FloatArray, events: list[tuple[int, float, float, bool]]) -> list[Root]:
+    found = []
+    for k, (piece, a, b, sharp) in enumerate(events):
+        if sharp:
+            found.append(Root(piece, a, True))
+            continue
+        before = events[k - 1][2] if k and events[k - 1][0] == piece else 0.0
+        after = events[k + 1][1] if k + 1 < len(events) and events[k + 1][0] == piece else 1.0
+        sides = np.array([(before + a) / 2, (b + after) / 2])
+        values, _ = value_and_slope(np.tile(c[piece], (2, 1)), sides)
+        crossing = bool(values[0] * values[1] < 0)
+        found.append(Root(piece, _multiple_root(c[piece], a, b, crossing=crossing), crossing))
+    return found
+
+
+def _multiple_root(c: FloatArray, a: float, b: float, *, crossing: bool) -> float:
+    """Place of a multiple zero in [a, b]: where the derivative of next lower order (1 or 2) vanishes."""
+    derivative = np.diff(c)
+    if crossing and derivative.size > 1:
+        derivative = np.diff(derivative)
+    middle, reach = (a + b) / 2, 2 * (b - a) + 1e-12
+    u = middle
+    for _ in range(4):
+        value, slope = value_and_slope(derivative[None], np.array([u]))
+        if slope[0] == 0:
+            break
+        u = float(np.clip(u - value[0] / slope[0], max(0.0, middle - reach), min(1.0, middle + reach)))
+    return u

@@ -1,0 +1,248 @@
+"""Few control points for measured or computed points: least-squares splines with fixed ends."""
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.geometry.polynomials.bezier_pieces import Spans, bezier_spans
+from elastica_cad.geometry.polynomials.spline_checks import finite
+
+__all__ = ["fit_spline"]
+
+_CORRECTIONS = 2
+"""Moves of the parameters to the feet of their perpendiculars, for each knot vector."""
+
+_POINTS_EACH = 4  # points a control point must have before a fit goes below its tolerance
+_ENOUGH_FOR_NOISE = 100  # points of which noise can be told from shape; fewer are met one by one if need be
+_MOST_INTERPOLATED = 1000
+"""The interpolation solves a dense system of this size."""
+
+_STRIDE_SHARE = 0.4  # of the way to its neighbour that a point may go where points would overtake each other
+_LEAST_PENALTY = 1e-11  # penalty beside the data that only decides what the data leave open
+_ALLOWED_INCREASE = 1.1  # of the root mean square distance, in exchange for a smoother curve
+
+
+def fit_spline(
+    points: ArrayLike, degree: int, tolerance: float, smoothing: float | None
+) -> tuple[FloatArray, FloatArray]:
+    """Knots and control points of a clamped spline within `tolerance` of `points` (n, 2).
+
+    Knots are added where points lie too far off; between rounds every point's parameter moves to the foot
+    of its perpendicular. What is left then tells noise from shape by its correlation from point to point:
+    shape is followed to a third of the tolerance, for the sake of the curvature; noise is taken out by the
+    largest penalty on the third derivative that hardly increases the mean distance (parabolas, which have no
+    inflection, cost nothing). Points that no such curve follows are interpolated.
+    """
+    data = _cleaned(points)
+    _check_options(degree, tolerance, smoothing)
+    ends = np.repeat([0.0, 1.0], degree + 1)
+    if data.shape[0] == 2:
+        u = np.linspace(0.0, 1.0, degree + 1)[:, None]
+        return ends, data[0] * (1 - u) + data[1] * u
+    if data.shape[0] <= degree:
+        return _through(data, degree)
+    inner, t = np.empty(0), _chord_parameters(data)
+    before, aim = np.inf, tolerance
+    while True:
+        problem = _Problem(np.sort(np.concatenate([ends, inner])), degree, data)
+        try:
+            control, t = problem.solved(t, problem.weight(smoothing), _CORRECTIONS)
+        except np.linalg.LinAlgError:
+            return _through(data, degree)
+        error = problem.distance(control, t)
+        alike = problem.likeness(control, t)
+        if error.max() <= tolerance:
+            ample = data.shape[0] >= _POINTS_EACH * control.shape[0]
+            aim = tolerance / 3 if alike > 0.5 and ample and not smoothing else tolerance
+        if error.max() <= aim:
+            break
+        if smoothing and error.max() > 0.95 * before:
+            break
+        added = _new_knots(problem.spans.edges, t, error, aim)
+        crowded = control.shape[0] + added.size > data.shape[0] / 2 + degree
+        many = data.shape[0] >= _ENOUGH_FOR_NOISE
+        noisy = many and alike < 0.2 and np.median(error) > tolerance / 3
+        if not added.size or crowded or noisy:
+            if error.max() <= tolerance:
+                break
+            if many and (alike < 0.2 or data.shape[0] > _MOST_INTERPOLATED):
+                raise NotConvergedError(_scatter(data, error, tolerance))
+            return _through(data, degree)
+        before = error.max()
+        inner = np.concatenate([inner, added])
+    if smoothing is None and alike <= 0.5:
+        control = _smoothed(problem, control, t, tolerance)
+    return problem.knots, control
+
+
+class _Problem:
+    """Least squares over the control points for one knot vector."""
+
+    def __init__(self, knots: FloatArray, degree: int, data: FloatArray) -> None:
+        self.knots = knots
+        self.spans = bezier_spans(knots, degree)
+        self.data = data
+        gram = _derivative_gram(self.spans)
+        self.scale = float(np.trace(gram))
+        self.penalty = gram * (data.shape[0] / self.scale)
+        self._latest: tuple[FloatArray, FloatArray] = (np.empty(0), np.empty((0, 0)))
+
+    def weight(self, smoothing: float | None) -> float:
+        """The user's smoothing as a factor of the penalty, which is scaled to the data."""
+        return max(_LEAST_PENALTY, (smoothing or 0.0) * self.scale)
+
+    def solved(self, t: FloatArray, weight: float, corrections: int) -> tuple[FloatArray, FloatArray]:
+        """Control points, after moving the parameters `corrections` times; the parameters they belong to."""
+        control = self.at(t, weight)
+        for _ in range(corrections):
+            t = self.feet(control, t)
+            control = self.at(t, weight)
+        return control, t
+
+    def at(self, t: FloatArray, weight: float) -> FloatArray:
+        """Control points (m, 2) of the best spline when the data belong to parameters t (n,)."""
+        basis = self._basis(t)
+        weighted = basis.T * self._end_emphasis(t)
+        normal = weighted @ basis + weight * self.penalty
+        ends = self.data[[0, -1]]
+        right = weighted @ self.data - normal[:, [0, -1]] @ ends
+        inner: FloatArray = np.linalg.solve(normal[1:-1, 1:-1], right[1:-1])
+        return np.asarray(np.concatenate([ends[:1], inner, ends[1:]]))
+
+    def _basis(self, t: FloatArray) -> FloatArray:
+        """Basis functions at t; those of the latest parameters are kept, as each are used several times."""
+        if self._latest[0] is not t:
+            self._latest = t, self.spans.basis(t)
+        return self._latest[1]
+
+    def _gap(self, control: FloatArray, t: FloatArray) -> FloatArray:
+        return np.asarray(self.data - self._basis(t) @ control)
+
+    def _end_emphasis(self, t: FloatArray) -> FloatArray:
+        """Chebyshev-like weights in the first and last span, where least squares would err most."""
+        edges = self.spans.edges
+        from_ends = np.minimum(t / (edges[1] - edges[0]), (1 - t) / (edges[-1] - edges[-2]))
+        return np.asarray(1 / np.sqrt(np.clip(from_ends, 1e-3, 1.0)))
+
+    def feet(self, control: FloatArray, t: FloatArray) -> FloatArray:
+        """Parameters of the points of the curve nearest to the data, one Gauss-Newton step from t."""
+        gap = self._gap(control, t)
+        velocity = self.spans.basis(t, 1) @ control
+        gap[[0, -1]] = 0.0
+        speed2 = (velocity**2).sum(axis=1)
+        step = (gap * velocity).sum(axis=1) / np.maximum(speed2, 1e-12 * speed2.max())
+        moved = t + step
+        if np.all(np.diff(moved) > 0) and moved[0] >= 0 and moved[-1] <= 1:
+            return np.asarray(moved)
+        reach = _STRIDE_SHARE * np.diff(t, prepend=0.0, append=1.0)
+        return np.asarray(t + np.clip(step, -reach[:-1], reach[1:]))
+
+    def distance(self, control: FloatArray, t: FloatArray) -> FloatArray:
+        """Distances (n,) of the points from the curve, mm, at parameters that are feet."""
+        gap = self._gap(control, t)
+        return np.asarray(np.hypot(gap[:, 0], gap[:, 1]))
+
+    def likeness(self, control: FloatArray, t: FloatArray) -> float:
+        """Correlation of the gaps of neighbouring points: near 1 for shape, near 0 for noise."""
+        gap = self._gap(control, t)
+        total = float((gap**2).sum())
+        return float((gap[1:] * gap[:-1]).sum()) / total if total > 0 else 0.0
+
+
+def _smoothed(problem: _Problem, control: FloatArray, t: FloatArray, tolerance: float) -> FloatArray:
+    """The control points under the largest penalty that data and tolerance bear."""
+    mean = np.sqrt((problem.distance(control, t) ** 2).mean())
+    low, high = np.log10(_LEAST_PENALTY), 6.0
+    for _ in range(12):
+        middle = (low + high) / 2
+        try:
+            candidate = problem.at(t, 10.0**middle)
+        except np.linalg.LinAlgError:
+            high = middle
+            continue
+        error = problem.distance(candidate, t)
+        if error.max() <= tolerance and np.sqrt((error**2).mean()) <= _ALLOWED_INCREASE * mean:
+            low, control = middle, candidate
+        else:
+            high = middle
+    return control
+
+
+def _check_options(degree: int, tolerance: float, smoothing: float | None) -> None:
+    if degree not in (3, 4, 5):
+        raise InputError(f"curves are fitted with degree 3, 4 or 5, not {degree!r}")
+    if not (np.isfinite(tolerance) and tolerance > 0):
+        raise InputError(f"the tolerance of a fit must be positive, not {tolerance!r} mm")
+    if smoothing is not None and not (np.isfinite(smoothing) and smoothing >= 0):
+        raise InputError(f"the smoothing of a fit must be 0 or more, not {smoothing!r}")
+
+
+def _through(data: FloatArray, degree: int) -> tuple[FloatArray, FloatArray]:
+    """Knots and control points of the spline through all points with the least third derivative."""
+    t = _chord_parameters(data)
+    knots = np.concatenate([np.zeros(degree), t, np.ones(degree)])
+    spans = bezier_spans(knots, degree)
+    gram, basis = _derivative_gram(spans), spans.basis(t)
+    n, m = basis.shape
+    gram = gram / np.trace(gram)
+    saddle = np.block([[gram, basis.T], [basis, np.zeros((n, n))]])
+    right = np.concatenate([np.zeros((m, 2)), data - data[0]])
+    try:
+        solution = np.linalg.solve(saddle, right)
+    except np.linalg.LinAlgError:
+        solution = np.linalg.lstsq(saddle, right, rcond=1e-15)[0]
+    control: FloatArray = solution[:m] + data[0]
+    control[[0, -1]] = data[[0, -1]]
+    return knots, control
+
+
+def _scatter(data: FloatArray, error: FloatArray, tolerance: float) -> str:
+    worst, typical = int(error.argmax()), float(np.sqrt((error**2).mean()))
+    return (
+        f"the points scatter by {typical:.2g} mm about a smooth curve, by {error[worst]:.2g} mm at "
+        f"({data[worst][0]:g}, {data[worst][1]:g}): that is more than the tolerance of {tolerance:g} mm; "
+        f"allow {1.5 * error[worst]:.1g} mm, give a smoothing, or remove stray points"
+    )
+
+
+def _cleaned(points: ArrayLike) -> FloatArray:
+    data = finite("points", points)
+    if data.ndim != 2 or data.shape[1] != 2:
+        raise InputError(f"points to fit must be rows of x, y: shape (n, 2), not {data.shape}")
+    moved = np.hypot(*np.diff(data, axis=0).T) > 1e-12 * np.abs(data).max(initial=0.0)
+    data = data[np.concatenate([[True], moved])] if data.shape[0] > 1 else data
+    if data.shape[0] < 2:
+        raise InputError(
+            "the points to fit are fewer than two, or all the same: give at least two different points"
+        )
+    return data
+
+
+def _chord_parameters(data: FloatArray) -> FloatArray:
+    chord = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(data, axis=0).T))])
+    return np.asarray(chord / chord[-1])
+
+
+def _derivative_gram(spans: Spans) -> FloatArray:
+    """Integrals (m, m) of products of the basis functions' third derivatives."""
+    x, w = np.polynomial.legendre.leggauss(spans.degree - 2)
+    width = np.diff(spans.edges)
+    t = (spans.edges[:-1, None] + width[:, None] * (1 + x) / 2).ravel()
+    rows = spans.basis(t, 3) * np.sqrt((width[:, None] / 2 * w).ravel())[:, None]
+    return np.asarray(rows.T @ rows)
+
+
+def _new_knots(edges: FloatArray, t: FloatArray, error: FloatArray, tolerance: float) -> FloatArray:
+    """A knot for every span that misses the tolerance, worst first: in its middle, or amid its few points."""
+    span = np.clip(np.searchsorted(edges, t, side="right") - 1, 0, edges.size - 2)
+    worst = np.zeros(edges.size - 1)
+    np.maximum.at(worst, span, error)
+    added = []
+    for i in np.argsort(-worst, kind="stable"):
+        inside = np.sort(t[span == i])
+        if worst[i] <= tolerance or inside.size < 2:
+            continue
+        half = inside.size // 2
+        many = inside.size >= 8
+        added.append((edges[i] + edges[i + 1]) / 2 if many else (inside[half - 1] + inside[half]) / 2)
+    return np.array(added)

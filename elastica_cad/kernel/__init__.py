@@ -1,0 +1,1 @@
+"""OpenCASCADE: records become shapes and STEP files, edges and solids become curves."""

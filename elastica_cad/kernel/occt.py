@@ -1,0 +1,429 @@
+"""OpenCASCADE: solid records become its shapes, its edges become plane curves.
+
+The only module that touches OCP, the Python face of OpenCASCADE that build123d and CadQuery bring along; it
+works with OCP's 7.x and 8.x lines.
+"""
+
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from functools import lru_cache
+from importlib import import_module
+from types import SimpleNamespace
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError, MissingDependencyError
+from elastica_cad.fabrication.solids.boundary_records import (
+    Boundary,
+    CylinderSurface,
+    ExtrudedSurface,
+    PlacedSegment,
+    PlaneSurface,
+    SpaceCurve,
+    StraightTrace,
+    Surface,
+    trace_turn,
+)
+from elastica_cad.fabrication.solids.prisms import PrismSolid
+from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
+from elastica_cad.formats.curve_files.edges import Edge as DrawnEdge
+from elastica_cad.formats.curve_files.edges import Run
+from elastica_cad.formats.curve_files.placed_curve import edge_chains, placed_curve
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
+
+__all__ = [
+    "Shape",
+    "drawn_edges",
+    "free_chains",
+    "kernel",
+    "make_face",
+    "make_location",
+    "make_shell",
+    "make_solid",
+    "make_wire",
+    "plane_axes_of",
+    "plane_curve",
+]
+
+Shape: TypeAlias = Any
+"""A TopoDS_Shape, or an object of build123d or CadQuery that wraps one."""
+
+CONFUSION = 1e-7  # mm: OpenCASCADE's own tolerance of edges
+CORNER = 1e-6  # mm: gap that paths may have between segments
+OFFSET = 1e-6  # mm: offset curves are no NURBS and are followed this closely
+
+MODULES = (
+    "APIHeaderSection", "BOPAlgo", "BRep", "BRepAdaptor", "BRepPrimAPI", "BRepTools", "GeomAbs", "GeomConvert",
+    "Geom", "Geom2d", "IFSelect", "Interface", "Message", "Quantity", "STEPCAFControl", "STEPControl",
+    "TCollection", "TDataStd", "TDocStd", "TopAbs", "TopExp", "TopLoc", "TopoDS", "XCAFDoc", "gp",
+)  # fmt: skip
+ARRAYS = {
+    "7": "TColgp.TColgp_Array1OfPnt TColgp.TColgp_Array1OfPnt2d TColgp.TColgp_Array2OfPnt "
+    "TColStd.TColStd_Array1OfReal TColStd.TColStd_Array1OfInteger",
+    "8": "collections.Array1_gp_Pnt collections.Array1_gp_Pnt2d collections.Array2_gp_Pnt "
+    "collections.Array1_double collections.Array1_int",
+}
+
+
+@lru_cache(maxsize=1)
+def kernel() -> SimpleNamespace:
+    """OCP's classes by their own names, and the array types of its two lines under one name each.
+
+    Raises
+    ------
+    MissingDependencyError
+        OCP is not installed, or of a line that is not known.
+    """
+    try:
+        import OCP
+    except ImportError as error:
+        raise MissingDependencyError(
+            "solids and STEP need OpenCASCADE: pip install build123d (or pip install cadquery)"
+        ) from error
+    version = str(getattr(OCP, "__version__", "?"))
+    arrays = ARRAYS.get(version.split(".", maxsplit=1)[0])
+    if arrays is None:
+        raise MissingDependencyError(
+            f"OCP {version} is installed, but only 7.x and 8.x are known here: "
+            "install a build123d or cadquery release that brings one of these"
+        )
+    names: dict[str, Any] = {}
+    for module in MODULES:
+        names |= {k: v for k, v in vars(import_module(f"OCP.{module}")).items() if not k.startswith("_")}
+    for name, place in zip(("Points", "Points2d", "Grid", "Reals", "Integers"), arrays.split(), strict=True):
+        module, own = place.split(".")
+        names[name] = getattr(import_module(f"OCP.{module}"), own)
+    names["as_edge"] = getattr(names["TopoDS"], "Edge_s", None) or names["TopoDS"].Edge
+    return SimpleNamespace(**names)
+
+
+def make_wire(path: Path, frame: Frame | None = None) -> Shape:
+    """A path as a TopoDS_Wire in the plane of `frame` (the xy plane unless told)."""
+    k, frame = kernel(), frame or Frame()
+    builder, wire = k.BRep_Builder(), k.TopoDS_Wire()
+    builder.MakeWire(wire)
+    corners = [_vertex(frame.point(segment.start)) for segment in path.segments]
+    corners.append(corners[0] if path.closed else _vertex(frame.point(path.end)))
+    for segment, start, end in zip(path.segments, corners[:-1], corners[1:], strict=True):
+        forward = not (isinstance(segment, Arc) and segment.sweep < 0)
+        drawn = segment if forward else segment.reversed()
+        ends = (start, end) if forward else (end, start)
+        edge = _edge(PlacedSegment(drawn, frame), *_range(drawn), *ends)
+        builder.Add(wire, edge if forward else edge.Reversed())
+    wire.Closed(path.closed)
+    return wire
+
+
+def make_face(outline: Path, holes: Sequence[Path] = (), frame: Frame | None = None) -> Shape:
+    """A plane TopoDS_Face with holes; its normal is the frame's z axis."""
+    k, frame = kernel(), frame or Frame()
+    builder, face = k.BRep_Builder(), k.TopoDS_Face()
+    builder.MakeFace(face, _surface(PlaneSurface(frame)), CONFUSION)
+    builder.Add(face, make_wire(outline if outline.area > 0 else outline.reversed(), frame))
+    for hole in holes:
+        builder.Add(face, make_wire(hole.reversed() if hole.area > 0 else hole, frame))
+    return face
+
+
+def make_solid(record: FlatSolid | BentSolid | PrismSolid) -> Shape:
+    """A record as a TopoDS_Solid."""
+    k = kernel()
+    if isinstance(record, PrismSolid):
+        first, *rest = (make_solid(prism) for prism in record.added)
+        whole = _combined(first, rest, k.BOPAlgo_Operation.BOPAlgo_FUSE)
+        holes = [make_solid(prism) for prism in record.removed]
+        return _only_solid(_combined(whole, holes, k.BOPAlgo_Operation.BOPAlgo_CUT))
+    if isinstance(record, FlatSolid):
+        face = make_face(record.outline, record.holes, record.frame)
+        return k.BRepPrimAPI_MakePrism(face, k.gp_Vec(*(record.frame.z_axis * record.thickness))).Shape()
+    builder, solid = k.BRep_Builder(), k.TopoDS_Solid()
+    builder.MakeSolid(solid)
+    builder.Add(solid, make_shell(record.boundary))
+    return solid
+
+
+def _combined(shape: Shape, others: Sequence[Shape], operation: Any) -> Shape:
+    """A boolean operation of a shape with others."""
+    if not others:
+        return shape
+    builder = kernel().BOPAlgo_BOP()
+    builder.AddArgument(shape)
+    for other in others:
+        builder.AddTool(other)
+    builder.SetOperation(operation)
+    builder.Perform()
+    if builder.HasErrors():
+        raise InputError(
+            "OpenCASCADE could not combine the prisms of a body: move them so that none just touch"
+        )
+    return builder.Shape()
+
+
+def _only_solid(shape: Shape) -> Shape:
+    """The one solid in a compound."""
+    found = _parts(shape, kernel().TopAbs_ShapeEnum.TopAbs_SOLID)
+    if len(found) != 1:
+        raise InputError(f"the prisms of a body leave {len(found)} pieces: they must make one")
+    return found[0]
+
+
+def _parts(shape: Shape, *kinds: Any) -> list[Shape]:
+    """Sub-shapes of the first kind, in order, without those inside sub-shapes of the second kind."""
+    explorer = kernel().TopExp_Explorer(shape, *kinds)
+    found = []
+    while explorer.More():
+        found.append(explorer.Current())
+        explorer.Next()
+    return found
+
+
+def make_shell(boundary: Boundary) -> Shape:
+    """Faces that share their edges as a TopoDS_Shell."""
+    k = kernel()
+    builder, shell = k.BRep_Builder(), k.TopoDS_Shell()
+    builder.MakeShell(shell)
+    vertices = [_vertex(point) for point in boundary.vertices]
+    edges = [_edge(e.curve, e.first, e.last, vertices[e.start], vertices[e.end]) for e in boundary.edges]
+    for record in boundary.faces:
+        face = k.TopoDS_Face()
+        builder.MakeFace(face, _surface(record.surface), CONFUSION)
+        for loop in record.loops:
+            wire = k.TopoDS_Wire()
+            builder.MakeWire(wire)
+            for use in loop:
+                if use.trace is not None:
+                    curve = _trace(use.trace, trace_turn(record.surface))
+                    builder.UpdateEdge(edges[use.edge], curve, face, CONFUSION)
+                builder.Add(wire, edges[use.edge] if use.forward else edges[use.edge].Reversed())
+            wire.Closed(True)
+            builder.Add(face, wire)
+        builder.Add(shell, face if record.outward else face.Reversed())
+    shell.Closed(boundary.is_closed)
+    return shell
+
+
+def make_location(frame: Frame) -> Any:
+    """The TopLoc_Location that takes the world's axes to those of a frame."""
+    k = kernel()
+    place = k.gp_Trsf()
+    place.SetTransformation(plane_axes_of(frame), k.gp_Ax3())
+    return k.TopLoc_Location(place)
+
+
+def _vertex(point: FloatArray) -> Shape:
+    k = kernel()
+    vertex = k.TopoDS_Vertex()
+    k.BRep_Builder().MakeVertex(vertex, _pnt(point), CORNER)
+    return vertex
+
+
+def _edge(curve: SpaceCurve | PlacedSegment, first: float, last: float, start: Shape, end: Shape) -> Shape:
+    k = kernel()
+    builder, edge = k.BRep_Builder(), k.TopoDS_Edge()
+    builder.MakeEdge(edge, _curve(curve), CONFUSION)
+    builder.Add(edge, start.Oriented(k.TopAbs_Orientation.TopAbs_FORWARD))
+    builder.Add(edge, end.Oriented(k.TopAbs_Orientation.TopAbs_REVERSED))
+    builder.Range(edge, first, last)
+    return edge
+
+
+def _range(segment: Segment) -> tuple[float, float]:
+    """The segment's own parameters, as told in `PlacedSegment`."""
+    if isinstance(segment, Spline):
+        return segment.curve.domain
+    return (segment.start_angle, segment.end_angle) if isinstance(segment, Arc) else (0.0, segment.length)
+
+
+def _curve(curve: SpaceCurve | PlacedSegment) -> Any:
+    """A Geom_Curve with the record's parameter."""
+    k = kernel()
+    if isinstance(curve, SpaceCurve):
+        return k.Geom_BSplineCurve(
+            _array(k.Points, _pnts(curve.control_points)), *_knots(curve.knots), curve.degree
+        )
+    segment, frame = curve.segment, curve.frame
+    if isinstance(segment, Line):
+        return k.Geom_Line(
+            _pnt(frame.point(segment.start)), _dir(frame.direction(segment.end - segment.start))
+        )
+    if isinstance(segment, Arc):
+        axes = k.gp_Ax2(_pnt(frame.point(segment.center)), _dir(frame.z_axis), _dir(frame.x_axis))
+        return k.Geom_Circle(axes, segment.radius)
+    return _spline(
+        k.Geom_BSplineCurve, _array(k.Points, _pnts(frame.point(segment.curve.control_points))), segment
+    )
+
+
+def _spline(kind: Any, points: Any, segment: Spline) -> Any:
+    """A B-spline curve of OpenCASCADE, in the plane or in space."""
+    curve = segment.curve
+    if curve.weights is None:
+        return kind(points, *_knots(curve.knots), curve.degree)
+    weights = _array(kernel().Reals, map(float, curve.weights))
+    return kind(points, weights, *_knots(curve.knots), curve.degree)
+
+
+def _surface(surface: Surface) -> Any:
+    k = kernel()
+    if isinstance(surface, PlaneSurface):
+        return k.Geom_Plane(plane_axes_of(surface.frame))
+    if isinstance(surface, CylinderSurface):
+        return k.Geom_CylindricalSurface(plane_axes_of(surface.frame), surface.radius)
+    if isinstance(surface, ExtrudedSurface):
+        return k.Geom_SurfaceOfLinearExtrusion(_curve(surface.profile), _dir(surface.profile.frame.z_axis))
+    surface = surface.turned()
+    rows, columns, _ = surface.control_points.shape
+    grid = k.Grid(1, rows, 1, columns)
+    for i, row in enumerate(surface.control_points, start=1):
+        for j, point in enumerate(_pnts(row), start=1):
+            grid.SetValue(i, j, point)
+    (u, u_count), (v, v_count) = map(_knots, surface.knots)
+    return k.Geom_BSplineSurface(grid, u, v, u_count, v_count, *surface.degree)
+
+
+def _trace(trace: StraightTrace | Segment, turn: FloatArray) -> Any:
+    """A Geom2d_Curve in the (u, v) plane of a surface."""
+    k = kernel()
+
+    def axis(origin: ArrayLike, direction: ArrayLike) -> Any:
+        place, along = (np.array((origin, direction)) @ turn.T).tolist()
+        return k.gp_Ax2d(k.gp_Pnt2d(*place), k.gp_Dir2d(*along))
+
+    if isinstance(trace, StraightTrace):
+        return k.Geom2d_Line(axis(trace.origin, trace.direction))
+    if isinstance(trace, Line):
+        return k.Geom2d_Line(axis(trace.start, trace.end - trace.start))
+    if isinstance(trace, Arc):
+        return k.Geom2d_Circle(axis(trace.center, (1.0, 0.0)), trace.radius)
+    points = (k.gp_Pnt2d(*row) for row in (trace.curve.control_points @ turn.T).tolist())
+    return _spline(k.Geom2d_BSplineCurve, _array(k.Points2d, points), trace)
+
+
+def _array(kind: Any, values: Iterable[Any]) -> Any:
+    """An OpenCASCADE array, counted from 1."""
+    items = list(values)
+    array = kind(1, len(items))
+    for i, item in enumerate(items, start=1):
+        array.SetValue(i, item)
+    return array
+
+
+def _knots(knots: FloatArray) -> tuple[Any, Any]:
+    """Distinct knots and their multiplicities."""
+    k = kernel()
+    values, counts = np.unique(knots, return_counts=True)
+    return _array(k.Reals, values.tolist()), _array(k.Integers, counts.tolist())
+
+
+def _pnt(point: FloatArray) -> Any:
+    return kernel().gp_Pnt(*point.tolist())
+
+
+def _pnts(points: FloatArray) -> list[Any]:
+    make = kernel().gp_Pnt
+    return [make(*row) for row in points.tolist()]
+
+
+def _dir(direction: FloatArray) -> Any:
+    return kernel().gp_Dir(*direction.tolist())
+
+
+def plane_axes_of(frame: Frame) -> Any:
+    """The frame's origin, normal and x axis for the kernel."""
+    return kernel().gp_Ax3(_pnt(frame.origin), _dir(frame.z_axis), _dir(frame.x_axis))
+
+
+def plane_curve(
+    shape: Shape | Iterable[Shape], plane: Frame | None = None, *, turned: FloatArray | None = None
+) -> tuple[PlaneCurve, Frame]:
+    """The drawn curve of an edge, a wire, or several edges that follow each other, and the plane it lies in.
+
+    NURBS, lines, circles, ellipses and other conics stay exact; offset curves, which are no NURBS, are followed to
+    1e-6 mm. Direction and axes are as in `placed_curve`: the plane is the given one, else its side
+    is chosen as the edges were drawn and turns with the places that shapes have had since.
+
+    Raises
+    ------
+    InputError
+        Edges that are not plane, have no length, do not meet or meet at a corner, a closed wire, or another plane.
+    """
+    if plane is not None:
+        return placed_curve(drawn_edges(shape), plane=plane)
+    return placed_curve(drawn_edges(shape), turned=_turned(shape) if turned is None else turned)
+
+
+def _turned(shape: Shape | Iterable[Shape]) -> FloatArray | None:
+    """The rotation of the first edge's place, None where it has none."""
+    k = kernel()
+    shape = getattr(shape, "wrapped", shape)
+    if not isinstance(shape, k.TopoDS_Shape):
+        return next((_turned(item) for item in shape), None)
+    edge = next(iter(_parts(shape, k.TopAbs_ShapeEnum.TopAbs_EDGE)), None)
+    if edge is None or edge.Location().IsIdentity():
+        return None
+    place = edge.Location().Transformation()
+    rows = [[float(place.Value(i, j)) for j in (1, 2, 3)] for i in (1, 2, 3)]
+    return np.array(rows) / float(place.ScaleFactor())
+
+
+def free_chains(shape: Shape) -> tuple[list[Run], dict[str, int]]:
+    """The chains that the edges of a shape make, without those that bound faces; what was left out, counted."""
+    k = kernel()
+    kinds = k.TopAbs_ShapeEnum
+    edges, skipped = [], Counter[str]()
+    for edge in _parts(shape, kinds.TopAbs_EDGE, kinds.TopAbs_FACE):
+        try:
+            edges.append(_drawn_edge(k.as_edge(edge)))
+        except InputError as error:
+            skipped[f"edge that cannot be read ({error})"] += 1
+    faces = sum(1 for _ in _parts(shape, kinds.TopAbs_FACE))
+    if faces:
+        skipped["face with its edges"] = faces
+    return edge_chains(edges), dict(skipped)
+
+
+def drawn_edges(shape: Shape | Iterable[Shape]) -> list[DrawnEdge]:
+    """All edges of a shape, a wrapper of one, or several of these, in order."""
+    k = kernel()
+    shape = getattr(shape, "wrapped", shape)
+    if not isinstance(shape, k.TopoDS_Shape):
+        if isinstance(shape, str) or not isinstance(shape, Iterable):
+            raise InputError(f"an edge or wire of a CAD kernel is needed, not {type(shape).__name__}")
+        return [edge for item in shape for edge in drawn_edges(item)]
+    return [_drawn_edge(k.as_edge(edge)) for edge in _parts(shape, k.TopAbs_ShapeEnum.TopAbs_EDGE)]
+
+
+def _drawn_edge(edge: Shape) -> DrawnEdge:
+    """An edge as an exact NURBS in space."""
+    k = kernel()
+    curve = None if k.BRep_Tool.Degenerated_s(edge) else k.BRep_Tool.Curve_s(edge, 0.0, 1.0)
+    if curve is None:
+        raise InputError("an edge is degenerate: it has no curve in space; choose another edge")
+    limits = k.BRepAdaptor_Curve(edge)
+    first, last = limits.FirstParameter(), limits.LastParameter()
+    if not (abs(first) < 1e100 and abs(last) < 1e100):
+        raise InputError("an edge runs on to infinity: trim it")
+    basis = curve
+    while isinstance(basis, k.Geom_TrimmedCurve):
+        basis = basis.BasisCurve()
+    trimmed = k.Geom_TrimmedCurve(curve, first, last)
+    if isinstance(basis, k.Geom_OffsetCurve):
+        followed = k.GeomConvert_ApproxCurve(trimmed, OFFSET, k.GeomAbs_Shape.GeomAbs_C2, 1000, 9)
+        if not followed.HasResult() or followed.MaxError() > 10 * OFFSET:
+            raise InputError("an offset edge is too rough to be followed: draw the curve itself")
+        spline = followed.Curve()
+    else:
+        spline = k.GeomConvert.CurveToBSplineCurve_s(trimmed)
+    if spline.IsPeriodic():
+        spline.SetNotPeriodic()
+    places = range(1, spline.NbPoles() + 1)
+    points = np.array([(p.X(), p.Y(), p.Z()) for p in map(spline.Pole, places)])
+    weights = np.array([spline.Weight(i) for i in places]) if spline.IsRational() else None
+    knots = [np.full(spline.Multiplicity(i), spline.Knot(i)) for i in range(1, spline.NbKnots() + 1)]
+    drawn = DrawnEdge(np.concatenate(knots), points, spline.Degree(), weights)
+    return drawn.reversed() if edge.Orientation() == k.TopAbs_Orientation.TopAbs_REVERSED else drawn

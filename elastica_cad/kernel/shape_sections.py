@@ -1,0 +1,143 @@
+"""Sections of CAD solids and NURBS surfaces by planes, through the installed kernel."""
+
+from collections.abc import Sequence
+from itertools import product
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.formats.curve_files.chains import chained
+from elastica_cad.formats.curve_files.edges import Edge
+from elastica_cad.forming.plane_sections.mesh_sections import refuse_odd_planes
+from elastica_cad.forming.plane_sections.section_lines import PlaneSection, collect_section, tidy_points
+from elastica_cad.forming.plane_sections.section_spec import Surface
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.kernel.occt import Shape, drawn_edges, plane_axes_of
+
+__all__ = ["shape_sections", "shape_surface"]
+
+JOIN = 1e-4
+"""Ends of edges nearer than this meet, mm."""
+
+POINTS = 120
+"""Places on each span of an edge of a section; on edges of more than four spans fewer on each."""
+
+MOST = 1000
+"""Points of a line; of lines with more those are kept that it bends at, and as many at even distances."""
+
+BETWEEN = 1e-3
+"""Points that are left out lie nearer than this to the chords between those that are kept, mm."""
+
+
+def shape_sections(shape: Shape, planes: Sequence[Frame], *, half: bool = False) -> tuple[PlaneSection, ...]:
+    """What planes cut out of a body or a surface of OpenCASCADE, as `mesh_sections` gives it for meshes.
+
+    Parameters
+    ----------
+    shape : TopoDS_Shape, or a wrapper of one
+        Solid, shell or face, mm: a build123d object, or `.val()` of a CadQuery workplane.
+    planes : sequence of Frame
+    half : bool
+        Only what lies at x >= 0 of each frame: half planes about an axis.
+
+    Returns
+    -------
+    tuple of PlaneSection
+        Points lie on the surface, a thousand to a line or as many as keep its chords within 0.001 mm; a plane
+        that misses gives a section without lines.
+
+    Raises
+    ------
+    InputError
+        No shape.
+    """
+    from OCP.BRepAlgoAPI import BRepAlgoAPI_Section
+    from OCP.gp import gp_Pln
+
+    shape = getattr(shape, "wrapped", shape)
+    if shape is None or shape.IsNull():
+        raise InputError("there is no shape to cut: give a solid, a shell or a face")
+    refuse_odd_planes(planes)
+
+    def cut(frame: Frame) -> Shape:
+        section = BRepAlgoAPI_Section(shape, gp_Pln(plane_axes_of(frame)), False)
+        section.Approximation(True)  # else a cut through a freeform face is a polyline of ten thousand points
+        section.Build()
+        return section.Shape()
+
+    return tuple(
+        _section(cut(frame), frame, half, f"section {number}") for number, frame in enumerate(planes, 1)
+    )
+
+
+def shape_surface(shape: Shape, scale: float = 1.0) -> Surface:
+    """A body or surface of OpenCASCADE, all lengths times `scale`, ready to be cut."""
+    from OCP.Bnd import Bnd_Box
+    from OCP.BRepBndLib import BRepBndLib
+    from OCP.BRepBuilderAPI import BRepBuilderAPI_Transform
+    from OCP.gp import gp_Trsf
+    from OCP.TopAbs import TopAbs_ShapeEnum
+    from OCP.TopExp import TopExp_Explorer
+
+    if scale != 1.0:
+        larger = gp_Trsf()
+        larger.SetScaleFactor(scale)
+        shape = BRepBuilderAPI_Transform(shape, larger, True).Shape()
+    if not TopExp_Explorer(shape, TopAbs_ShapeEnum.TopAbs_FACE).More():
+        raise InputError("it holds no faces to cut: export a solid, a shell or a face")
+    box = Bnd_Box()
+    BRepBndLib.AddOptimal_s(shape, box, False, False)
+    low, high = (
+        np.array([corner.X(), corner.Y(), corner.Z()]) for corner in (box.CornerMin(), box.CornerMax())
+    )
+    corners = np.array(list(product(*zip(low, high, strict=True))))
+    return Surface(corners, lambda planes, half: shape_sections(shape, planes, half=half))
+
+
+def _section(cut: Shape, frame: Frame, half: bool, name: str) -> PlaneSection:
+    runs = chained([(edge,) for edge in drawn_edges(cut)], JOIN)
+    return collect_section(name, frame, [_points(run, frame) for run in runs], half=half, apart=JOIN)
+
+
+def _points(run: Sequence[Edge], frame: Frame) -> FloatArray:
+    """The chain's points in the plane, run the agreed way round."""
+    parts = [frame.local(_places(edge))[:, :2] for edge in run]
+    points = np.concatenate([parts[0], *(part[1:] for part in parts[1:])])
+    if np.linalg.norm(points[-1] - points[0]) <= JOIN:
+        points[-1] = points[0]
+    return tidy_points(_thinned(points), JOIN)
+
+
+def _places(edge: Edge) -> FloatArray:
+    """Points (n, 3) along an edge, its knots among them."""
+    count = len(edge.spans.edges) - 1
+    if edge.degree == 1 and count > 4 * POINTS:
+        return edge.points
+    stations = edge.stations(max(edge.degree + 2, min(POINTS, 4 * POINTS // count)))
+    rows = max(1, MOST * MOST // len(edge.points))  # the basis is dense
+    return np.concatenate([edge.at(stations[i : i + rows]) for i in range(0, len(stations), rows)])
+
+
+def _thinned(points: FloatArray) -> FloatArray:
+    """Of many points those at even distances and, where chords between them leave the line, those farthest off."""
+    if len(points) <= MOST:
+        return points
+    s = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1)))
+    kept = np.unique(np.searchsorted(s, np.linspace(0.0, s[-1], MOST // 2)).clip(0, len(s) - 1))
+    kept[0] = 0
+    todo = list(zip(kept[:-1].tolist(), kept[1:].tolist(), strict=True))
+    found = set(kept.tolist())
+    while todo:
+        a, b = todo.pop()
+        if b - a < 2:
+            continue
+        along, off = points[b] - points[a], points[a + 1 : b] - points[a]
+        share = np.clip(off @ along / max(along @ along, np.finfo(float).tiny), 0.0, 1.0)
+        gaps = np.linalg.norm(off - share[:, None] * along, axis=1)
+        worst = int(gaps.argmax())
+        if gaps[worst] > BETWEEN:
+            middle = a + 1 + worst
+            found.add(middle)
+            todo += [(a, middle), (middle, b)]
+    return points[sorted(found)]

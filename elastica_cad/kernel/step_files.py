@@ -1,0 +1,248 @@
+"""STEP files: strips and models written by OpenCASCADE, curves read by it."""
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import partial
+from io import BytesIO
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.sheet_colors import Color, sheet_color
+from elastica_cad.fabrication.model.assembly import Holder, assembly_parts, layer_names, shape_parts
+from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid, frame_beside
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.formats.curve_files.drawn_file import (
+    CurveList,
+    DrawnCurve,
+    DrawnFile,
+    drawn_file,
+    listed_things,
+)
+from elastica_cad.formats.curve_files.edges import Edge
+from elastica_cad.formats.curve_files.number_gate import checked_size
+from elastica_cad.formats.curve_files.placed_curve import placed_chain
+from elastica_cad.formats.file_access.atomic_write import write_atomically
+from elastica_cad.formats.file_access.source_file import existing_file, naming
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.kernel.occt import Shape, free_chains, kernel, make_location, make_solid
+from elastica_cad.kernel.step_text import canonical_step
+
+__all__ = [
+    "NamedShape",
+    "model_shapes",
+    "read_step_curves",
+    "read_step_drawing",
+    "read_step_shape",
+    "step_bytes",
+    "write_model_step",
+    "write_step",
+    "write_strip_step",
+]
+
+
+SETTINGS = {"write.step.schema": "AP214IS", "write.step.unit": "MM"}
+
+
+@dataclass(frozen=True, eq=False)
+class NamedShape:
+    """A shape in an assembly with its name, colour and place; a shape that several share is written once."""
+
+    name: str
+    shape: Shape
+    color: Color = (0.8, 0.65, 0.42)
+    frame: Frame | None = None
+
+
+def model_shapes(model: Model, others: Iterable[Holder] = ()) -> list[NamedShape]:
+    """The bent strips of a model, each in its place, and what holds them; equal strips share one shape."""
+    parts = assembly_parts(model.placed, (*model.plates, *others))
+    return [
+        NamedShape(name, shape, color, part.frame)
+        for part, shapes in shape_parts(parts, lambda part: list(map(make_solid, part.solids)))
+        for name, shape, color in zip(part.names, shapes, part.colors, strict=True)
+    ]
+
+
+def write_model_step(
+    model: Model, path: str | PathLike[str], *, others: Iterable[Holder] = (), force: bool = False
+) -> None:
+    """Write the bent strips of a model, in their places, to one STEP file.
+
+    `others` are its base plates, frames and fixtures, if these are wanted in the file.
+    """
+    write_step(model_shapes(model, others), path, name=model.name, force=force)
+
+
+def write_step(
+    parts: Sequence[NamedShape], path: str | PathLike[str], *, name: str | None = None, force: bool = False
+) -> None:
+    """Write parts to a STEP file: AP214, millimetres, names, colours, the same bytes for the same parts.
+
+    Several parts make one assembly, called `name` (the file's own unless told).
+
+    Raises
+    ------
+    InputError
+        No parts, a file that is there already (without `force`), or a folder that cannot be written to.
+    """
+    if not parts:
+        raise InputError("there is nothing to write: give one part or more")
+    write_atomically(path, step_bytes(parts, name=name or Path(path).stem), force=force)
+
+
+def step_bytes(parts: Sequence[NamedShape], *, name: str) -> bytes:
+    """The STEP file of the parts; several of them make one assembly called `name`."""
+    k = kernel()
+    document = k.TDocStd_Document(k.TCollection_ExtendedString("XmlOcaf"))
+    shapes = k.XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
+    colors = k.XCAFDoc_DocumentTool.ColorTool_s(document.Main())
+    k.XCAFDoc_DocumentTool.SetLengthUnit_s(document, 0.001)
+    drawn: dict[int, Any] = {}
+    for part in parts:
+        if id(part.shape) not in drawn:
+            label = shapes.AddShape(getattr(part.shape, "wrapped", part.shape), False)
+            color = k.Quantity_Color(*part.color, k.Quantity_TypeOfColor.Quantity_TOC_sRGB)
+            colors.SetColor(label, color, k.XCAFDoc_ColorType.XCAFDoc_ColorGen)
+            _set_name(label, part.name)
+            drawn[id(part.shape)] = label
+    if len(parts) > 1 or parts[0].frame is not None:
+        root = shapes.NewShape()
+        for part in parts:
+            place = make_location(part.frame or Frame())
+            _set_name(shapes.AddComponent(root, drawn[id(part.shape)], place), part.name)
+        _set_name(root, name)
+        shapes.UpdateAssemblies()
+    stream = BytesIO()
+    with _own_settings():
+        writer = k.STEPCAFControl_Writer()
+        writer.SetColorMode(True)
+        writer.SetNameMode(True)
+        done = writer.Transfer(document, k.STEPControl_StepModelType.STEPControl_AsIs)
+        header = k.APIHeaderSection_MakeHeader(writer.Writer().Model())
+        text = k.TCollection_HAsciiString
+        header.SetName(text(name))
+        header.SetTimeStamp(text("2000-01-01T00:00:00"))
+        header.SetAuthorValue(1, text(""))
+        for say in (header.SetOriginatingSystem, header.SetPreprocessorVersion):
+            say(text("elastica_cad"))
+        header.SetOrganizationValue(1, text(""))
+        header.SetDescriptionValue(1, text("strips bent to shape"))
+        done = done and writer.WriteStream(stream) == k.IFSelect_ReturnStatus.IFSelect_RetDone
+    if not done:
+        raise InputError("OpenCASCADE could not write these parts as STEP: check that they are valid solids")
+    return canonical_step(stream.getvalue())
+
+
+@contextmanager
+def _own_settings() -> Iterator[None]:
+    """Quiet, and with our own format of STEP, while OpenCASCADE works; its settings are then as they were."""
+    k = kernel()
+    k.STEPControl_Writer()  # settings are there from the first use on
+    before = {name: k.Interface_Static.CVal_s(name) for name in SETTINGS}
+    printers = list(k.Message.DefaultMessenger_s().Printers())
+    levels = [printer.GetTraceLevel() for printer in printers]
+    try:
+        for printer in printers:
+            printer.SetTraceLevel(k.Message_Gravity.Message_Fail)
+        for setting, value in SETTINGS.items():
+            k.Interface_Static.SetCVal_s(setting, value)
+        yield
+    finally:
+        for setting, value in before.items():
+            k.Interface_Static.SetCVal_s(setting, value)
+        for printer, level in zip(printers, levels, strict=True):
+            printer.SetTraceLevel(level)
+
+
+def _set_name(label: Any, name: str) -> None:
+    """Name a label of a document."""
+    k = kernel()
+    k.TDataStd_Name.Set_s(label, k.TCollection_ExtendedString(name, True))
+
+
+def write_strip_step(
+    strip: Strip, path: str | PathLike[str], *, frame: Frame | None = None, force: bool = False
+) -> None:
+    """Write a strip as cut and as bent to one STEP file; the bent one stands on the curve in the plane of `frame`.
+
+    The sheets of a laminate are parts of their own.
+    """
+    name = strip.label or "strip"
+    names, sheets = layer_names(name, strip), [layer.sheet for layer in strip.layers]
+    frame = frame or Frame()
+    shapes = {
+        "flat": [make_solid(solid) for solid in FlatSolid.layers(strip, frame_beside(strip, frame))],
+        "bent": [make_solid(solid) for solid in BentSolid.layers(strip, frame)],
+    }
+    parts = [
+        NamedShape(f"{called} {form}", shape, sheet_color(sheet))
+        for form, made in shapes.items()
+        for called, shape, sheet in zip(names, made, sheets, strict=True)
+    ]
+    write_step(parts, path, name=name, force=force)
+
+
+def read_step_curves(path: str | PathLike[str]) -> CurveList:
+    """The plane curves drawn in a STEP (or BREP) file; edges that belong to faces are not curves of strips.
+
+    Raises
+    ------
+    InputError
+        No such file, no STEP file, no free edges in it, or edges that no strip can follow.
+    """
+    path = existing_file(Path(path))
+    with naming(path):
+        return read_step_drawing(path).read()
+
+
+def read_step_drawing(path: str | PathLike[str], *, scale: float = 1.0) -> DrawnFile:
+    """The curves of a STEP (or BREP) file one by one, `scale` times as large; what is no curve is counted."""
+    path = existing_file(Path(path))
+    with naming(path):
+        chains, skipped = free_chains(read_step_shape(path))
+        if not chains:
+            found = f" (found {listed_things(skipped)})" if skipped else ""
+            raise InputError(
+                "the file holds no free edges or wires: export the curves themselves, not solids or faces"
+                + found
+            )
+        return drawn_file(
+            [DrawnCurve(i, partial(_scaled, chain, scale)) for i, chain in enumerate(chains, start=1)],
+            Counter(skipped),
+        )
+
+
+def _scaled(chain: Sequence[Edge], scale: float) -> PlaneCurve:
+    curve, _ = placed_chain(chain)
+    checked_size(scale * curve.control_points)
+    return curve if scale == 1.0 else curve.transformed(np.diag([scale, scale, 1.0]))
+
+
+def read_step_shape(path: Path) -> Shape:
+    """All that a STEP or BREP file holds, mm.
+
+    Raises
+    ------
+    InputError
+        A file that OpenCASCADE cannot read.
+    """
+    k = kernel()
+    if path.suffix.lower() in (".brep", ".brp"):
+        shape = k.TopoDS_Shape()
+        if not k.BRepTools.Read_s(shape, str(path), k.BRep_Builder()):
+            raise InputError("this is no BREP file that OpenCASCADE can read")
+        return shape
+    with _own_settings():
+        reader = k.STEPControl_Reader()
+        read = reader.ReadFile(str(path)) == k.IFSelect_ReturnStatus.IFSelect_RetDone
+        if not (read and reader.TransferRoots()):
+            raise InputError("this is no STEP file that OpenCASCADE can read")
+        return reader.OneShape()

@@ -1,0 +1,164 @@
+"""The strip of a curve that is drawn in a CAD kernel, or given as numbers, or made before."""
+
+import warnings
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, fields
+from difflib import get_close_matches
+from functools import lru_cache
+from typing import Any, TypedDict
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.makeability.shop import Shop
+from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.strip.strip_facts import StripFacts
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip.styles import Style
+from elastica_cad.fabrication.strip.tabs import Tab
+from elastica_cad.fabrication.strip_spec import AskedGravity, StripSpec
+from elastica_cad.forming.limits import Keep, Limits
+from elastica_cad.forming.nearest.nearest_record import NearestRod
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.kernel.occt import plane_curve
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.loads.weight import PointMass, Weight
+from elastica_cad.mechanics.material.sheet import Sheet
+
+__all__ = ["MadeStrip", "StripOptions", "StripWarning", "make_strip_on"]
+
+KEPT_REQUESTS = 64  # requests whose strips are kept: a few models' worth
+OF_STYLES = {
+    "backing": "style=Laminated(width=..., backing=...)",
+    "columns": "style=Perforated(width=..., columns=...)",
+    "rows": "style=Perforated(width=..., rows=...)",
+    "width": "max_width=..., or style=Perforated(width=...)",
+}
+
+
+class StripWarning(UserWarning):
+    """The strip can be made, but should not be bent as it is: a strain beyond the limit of its sheet."""
+
+
+class UnknownOptionError(InputError, TypeError):
+    """An option that no strip has, as Python itself refuses unknown arguments."""
+
+
+class StripOptions(TypedDict, total=False):
+    """What every skin takes besides path, sheet and max_width; see `StripSpec`.
+
+    `plane` is the plane of the curve, its z axis to the strip's upper edge: a plane of the library, or a `Frame`.
+    A single `Tab` stands for both ends, a single `Slot` for a sequence of one.
+    """
+
+    plane: Any
+    min_width: float | None
+    style: Style
+    limits: Limits | None
+    keep: Keep | None
+    gravity: AskedGravity
+    loads: Sequence[PointMass] | Weight
+    supports: Supports
+    natural_curvature: float
+    samples: int | None
+    smooth: float | None
+    ends: Tab | Sequence[Tab]
+    slots: Slot | Sequence[Slot]
+    label: str
+    shop: Shop
+    anyway: bool
+
+
+@dataclass(frozen=True, eq=False)
+class MadeStrip:
+    """A strip with the plane of its curve, and how far that left the drawn one, mm."""
+
+    strip: Strip
+    frame: Frame
+    deviation: float = 0.0
+
+
+def make_strip_on(
+    path: Any, sheet: Sheet | str | None = None, *, workplane: Any = None, **asked: Any
+) -> MadeStrip:
+    """The strip that `StripSpec` makes of a path; equal requests share it.
+
+    Parameters
+    ----------
+    path : PlaneCurve, edges and wires of a kernel, a Strip, or a body of one
+        The plane of drawn edges is found; that of a `PlaneCurve` or `Strip` is xy, or `plane`.
+    sheet : Sheet or str
+        None with a strip, which has one.
+    workplane : Frame, or a plane of build123d or CadQuery, optional
+        What the path was drawn on; its side is taken where the path lies in it or beside it.
+    **asked
+        `StripOptions`, and `max_width`.
+
+    Raises
+    ------
+    InputError
+        Edges that are no open, smooth, plane curve, or lie in another plane; options that are not known, or that
+        come too late for a strip that is made; and as `StripSpec.make`.
+    """
+    asked = {name: value for name, value in asked.items() if value is not None}
+    _refuse_unknown(asked)
+    frame = _frame_of(asked.pop("plane")) if "plane" in asked else None
+    if isinstance(path, Strip | StripFacts):
+        late = [*(("sheet",) if sheet is not None else ()), *asked]
+        if late:
+            raise InputError(
+                f"{', '.join(late)} cannot be given for a strip that is made: leave out, or give the curve"
+            )
+        if isinstance(path, Strip):
+            return MadeStrip(path, frame or Frame())
+        return MadeStrip(path.strip, frame or path.frame, path.deviation)
+    if sheet is None:
+        raise InputError(
+            'a curve needs a sheet to be cut from: give a Sheet or the name of one, like "mdf-3"'
+        )
+    for name, kind in (("ends", Tab), ("slots", Slot)):
+        if isinstance(asked.get(name), kind):
+            asked[name] = (asked[name],) * (2 if name == "ends" else 1)
+    if isinstance(path, PlaneCurve):
+        curve, frame = path, frame or Frame()
+    else:
+        drawn_on = None if workplane is None else _frame_of(workplane).axes.T
+        curve, frame = plane_curve(path, frame, turned=drawn_on)
+    strip, deviation = _made(StripSpec(curve, sheet, frame, **asked))
+    for layer in strip.strains:
+        if layer.exceeded:
+            text = next(text for text in strip.warnings if text.startswith("strain"))
+            warnings.warn(text, StripWarning, stacklevel=4)
+            break
+    return MadeStrip(strip, frame, deviation)
+
+
+@lru_cache(maxsize=KEPT_REQUESTS)
+def _made(spec: StripSpec) -> tuple[Strip, float]:
+    """The strip and its deviation."""
+    found = spec.rod_spec.solve()
+    return spec.make(found), found.deviation if isinstance(found, NearestRod) else 0.0
+
+
+def _refuse_unknown(asked: Mapping[str, Any]) -> None:
+    """Names that are no options, with the nearest that is."""
+    known = sorted({"plane", *(field.name for field in fields(StripSpec))} - {"curve", "sheet", "frame"})
+    for name in asked:
+        if name in known:
+            continue
+        if name in OF_STYLES:
+            raise UnknownOptionError(f"{name} is no option of a strip: give {OF_STYLES[name]}")
+        near = get_close_matches(name, known, n=1)
+        hint = f"did you mean {near[0]}?" if near else f"there are {', '.join(known)}"
+        raise UnknownOptionError(f"{name} is no option of a strip: {hint}")
+
+
+def _frame_of(plane: Any) -> Frame:
+    """The frame of a plane of any library."""
+    if isinstance(plane, Frame):
+        return plane
+    for names in (("origin", "x_dir", "y_dir"), ("origin", "xDir", "yDir")):
+        if all(hasattr(plane, name) for name in names):
+            axes: list[Any] = [getattr(plane, name) for name in names]
+            rows = [axis.toTuple() if hasattr(axis, "toTuple") else tuple(axis) for axis in axes]
+            return Frame(*rows)
+    raise InputError(f"plane is {plane!r}: give a Plane of your library, or a Frame")

@@ -1,0 +1,75 @@
+from elastica_cad.mechanics.bending.between_clamps import (
+    ElasticaBetween as ElasticaBetween,
+    elastica_between as elastica_between,
+)
+from elastica_cad.mechanics.bending.bend_forward import bend as bend, bend_path as bend_path
+from elastica_cad.mechanics.loads.gravity import Gravity as Gravity
+from elastica_cad.mechanics.loads.supports import End as End, Supports as Supports
+from elastica_cad.mechanics.loads.weight import PointMass as PointMass, Weight as Weight
+from elastica_cad.mechanics.material.anticlastic import (
+    AnticlasticWidths as AnticlasticWidths,
+    anticlastic_factor as anticlastic_factor,
+    anticlastic_widths as anticlastic_widths,
+)
+from elastica_cad.mechanics.material.cross_sections import (
+    LaminatedSection as LaminatedSection,
+    PerforatedSection as PerforatedSection,
+    PlainSection as PlainSection,
+)
+from elastica_cad.mechanics.material.moment_curvature import (
+    ElasticPlasticLaw as ElasticPlasticLaw,
+    MaterialLaw as MaterialLaw,
+    PlasticLaw as PlasticLaw,
+    PolynomialLaw as PolynomialLaw,
+    TabulatedLaw as TabulatedLaw,
+)
+from elastica_cad.mechanics.material.notches import dead_zone_slope as dead_zone_slope
+from elastica_cad.mechanics.material.section_limits import (
+    LayerStrain as LayerStrain,
+    ScaleRange as ScaleRange,
+)
+from elastica_cad.mechanics.material.sheet import (
+    Sheet as Sheet,
+    load_sheets as load_sheets,
+    sheet_names as sheet_names,
+)
+from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod as DiscreteRod
+from elastica_cad.mechanics.rod.rod_record import Rod as Rod
+from elastica_cad.mechanics.stability.conjugate_points import (
+    conjugate_point as conjugate_point,
+    determinant_gradient as determinant_gradient,
+    stability_determinant as stability_determinant,
+)
+from elastica_cad.mechanics.stability.stability_verdict import Stability as Stability
+from elastica_cad.mechanics.stiffness.optimal_laminate import (
+    Laminate as Laminate,
+    optimal_laminate as optimal_laminate,
+)
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod as optimal_rod
+from elastica_cad.mechanics.studies.calibration import (
+    Calibration as Calibration,
+    calibrate_cantilever as calibrate_cantilever,
+    cantilever_droop as cantilever_droop,
+)
+from elastica_cad.mechanics.studies.imperfection import (
+    Imperfection as Imperfection,
+    perturb_rod as perturb_rod,
+)
+from elastica_cad.mechanics.studies.stability_limit import (
+    StabilityLimit as StabilityLimit,
+    stability_limit as stability_limit,
+)
+from elastica_cad.mechanics.studies.tolerance_study import (
+    ToleranceEffect as ToleranceEffect,
+    ToleranceRanges as ToleranceRanges,
+    ToleranceStudy as ToleranceStudy,
+    tolerance_study as tolerance_study,
+)
+from elastica_cad.mechanics.theorem1.equilibrium_check import (
+    check_equilibrium as check_equilibrium,
+)
+from elastica_cad.mechanics.theorem1.inflection_line import InflectionLine as InflectionLine
+from elastica_cad.mechanics.theorem1.verdict import (
+    EquilibriumCheck as EquilibriumCheck,
+    NotRealizable as NotRealizable,
+)

@@ -1,0 +1,378 @@
+"""Bending forward: from a rod and what is done to its ends to its rest shape."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any, Literal
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.mechanics.bending.bifurcation import is_straight, leave_straight, stretch
+from elastica_cad.mechanics.bending.newton_continuation import Reached, follow, is_balanced, relax
+from elastica_cad.mechanics.loads.arguments import require_supports, whole_number
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.rod.discrete_rod import edge_positions, tangents
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.rod.rod_system import RodState, RodSystem
+
+__all__ = ["as_steps", "bend", "bend_path", "reach", "resample", "state_of", "system_of"]
+
+Keep = Literal["keep"]
+
+COARSE_DEG = 60.0  # between neighbouring edges, above which a shape is rough to the eye
+
+
+def bend(
+    rod: Rod,
+    start: ArrayLike | None = None,
+    end: ArrayLike | None = None,
+    angles: tuple[float | None, float | None] | ArrayLike | None = None,
+    *,
+    gravity: Gravity | Keep | None = "keep",
+    supports: Supports | None = None,
+    force: ArrayLike | None = None,
+    moment: float | tuple[float, float] | None = None,
+    guess: "Rod | ArrayLike | None" = None,
+    side: int | None = None,
+    mode: int = 1,
+    samples: int | None = None,
+    settle: bool = False,
+) -> Rod:
+    """The rest shape of a rod whose ends are moved, turned, loaded or supported anew.
+
+    Newton's method with line search on the discrete rod of paper section 7.1 (with weight), O(n) a step.
+    When the shape asked for is far from the rod's present one, ends, angles and loads are changed in
+    adaptive steps, starting from the present shape (or `guess`), so the answer lies on the same branch of
+    equilibria, stable or not; ask `stability`. Where that branch ends the rod snaps: the answer is then a
+    stable shape found by descending the energy, and `warnings` of the answer says so.
+
+    Parameters
+    ----------
+    rod : Rod
+        From `optimal_rod`, `Rod.straight` or `bend`.
+    start, end : (2,) array_like, optional
+        Positions of the ends, mm; the rod's own unless given. A coordinate that its end leaves free is not
+        used.
+    angles : pair of float, optional
+        Angles of the tangent at the start and the end, rad, counted continuously along the rod (a full
+        loop differs by 2 pi); None, or None in the pair, keeps the rod's own.
+    gravity : Gravity, None or "keep"
+    supports : Supports, optional
+        New supports; the rod's own unless given.
+    force : (2,) array_like, optional
+        Dead force over the least bending stiffness, 1/mm2 (F / B with F in N, B in N mm2), in the
+        direction of x and y; each component acts at the end that leaves this coordinate free. None keeps
+        what the rod carries.
+    moment : float or pair of float, optional
+        Moment over the least bending stiffness, 1/mm, counterclockwise positive, applied at the end whose
+        angle is free (a pair for start and end). None keeps what the rod carries.
+    guess : Rod or array_like, optional
+        Another shape to start from: a rod, or angles at the n nodes or n-1 edges.
+    side : {+1, -1}, optional
+        Where a straight state branches: the side, left (+1) or right of the direction of travel, to which
+        the first bulge goes. A straight rod whose ends are pushed together goes left unless told; one that
+        can stay straight under its dead load stays straight unless told.
+    mode : int
+        Buckling mode to leave the straight state in; modes above 1 are unstable as a rule.
+    samples : int, optional
+        Number of nodes; the rod's own unless given.
+    settle : bool
+        Let an unstable shape go: it snaps to the stable one that descending the energy leads to.
+
+    Returns
+    -------
+    Rod
+        In balance to 1e-10 of its moments, ends in place to 1e-10 of its length. Reactions at the ends:
+        `force[0]`, `force[-1]` (lambda, minus the internal force) and `moment`.
+
+    Raises
+    ------
+    InputError
+        Ends farther apart than the length, loads where nothing can move, wrong shapes.
+    NotConvergedError
+        No equilibrium found; says how far the way led.
+
+    Examples
+    --------
+    >>> arch = bend(Rod.straight(100.0, samples=101), end=(70.0, 0.0))
+    >>> round(float(arch.position[:, 1].max()), 1)
+    31.4
+    """
+    if not isinstance(rod, Rod):
+        raise InputError(
+            f"bend needs a Rod, as optimal_rod or Rod.straight makes one, not {type(rod).__name__}"
+        )
+    ends = rod.position[0], rod.position[-1]
+    start, end = (own if given is None else given for given, own in zip((start, end), ends, strict=True))
+    if samples is not None and samples != rod.s.size:
+        rod = resample(rod, samples)
+    if not (gravity is None or isinstance(gravity, Gravity) or gravity == "keep"):
+        raise InputError(f'gravity must be a Gravity record, None or "keep", not {gravity!r}')
+    if side not in {None, 1, -1}:
+        raise InputError(f"side must be +1 or -1, got {side!r}")
+    whole_number(mode, "mode", 1)
+    wanted = replace(
+        rod,
+        gravity=rod.gravity if isinstance(gravity, str) else gravity,
+        supports=rod.supports if supports is None else require_supports(supports),
+    )
+    system = system_of(wanted, rod, start, end, angles, force=force, moment=moment)
+    state = state_of(rod, system) if guess is None else _guess_state(guess, system)
+    reached = reach(state, side, mode)
+    balanced = reached.arrived and is_balanced(reached.state)
+    if balanced and not (settle and reached.state.discrete.unstable_modes):
+        return replace(reached.state.rod(wanted), warnings=_too_coarse(reached.state))
+    snapped = relax(reached.state)
+    if snapped is None:
+        raise NotConvergedError(
+            f"no rest shape found: {reached.fraction:.1%} of the way from the present shape was possible; "
+            "move the ends in smaller steps, or give a guess nearer to the answer"
+        )
+    warning = f"the rod snaps {reached.fraction:.1%} of the way from its present shape; here it comes to rest"
+    return replace(snapped.rod(wanted), warnings=(warning, *_too_coarse(snapped)))
+
+
+def _too_coarse(state: RodState) -> tuple[str, ...]:
+    turn = float(np.degrees(np.abs(np.diff(state.angles)).max()))
+    if turn < COARSE_DEG:
+        return ()
+    return (f"the rod turns by {turn:.0f} degrees between two nodes: its shape is rough, use more samples",)
+
+
+def bend_path(
+    rod: Rod, path: "ArrayLike | Sequence[Mapping[str, Any]]", *, side: int | None = None, mode: int = 1
+) -> tuple[Rod, ...]:
+    """The family of shapes of a rod whose ends are led along a path (kinetic use, paper section 9.5).
+
+    Parameters
+    ----------
+    rod : Rod
+    path : (k, 2) array_like or sequence of mappings
+        Positions of the end one after the other, mm, or for each step the keywords of `bend` (start, end,
+        angles, gravity, force, moment, supports).
+    side, mode
+        As in `bend`, for the first step.
+
+    Returns
+    -------
+    tuple of Rod
+        One a step; reactions are `force` and `moment` at the first and the last node.
+
+    Raises
+    ------
+    InputError, NotConvergedError
+        As `bend`, naming the step.
+
+    Examples
+    --------
+    >>> rods = bend_path(Rod.straight(100.0, samples=101), [(90.0, 0.0), (80.0, 0.0), (80.0, 10.0)])
+    >>> len(rods)
+    3
+    """
+    rods: list[Rod] = []
+    steps = as_steps(path)
+    for k, step in enumerate(steps):
+        try:
+            rod = bend(rod, **step, side=side if k == 0 else None, mode=mode if k == 0 else 1)
+        except NotConvergedError as error:
+            raise NotConvergedError(f"step {k + 1} of {len(steps)} of the path: {error}") from error
+        rods.append(rod)
+    return tuple(rods)
+
+
+def as_steps(path: "ArrayLike | Sequence[Mapping[str, Any]]") -> list[dict[str, Any]]:
+    """A path as keywords of `bend`: mappings as they are, rows of two numbers as positions of the end."""
+    if isinstance(path, Sequence) and path and all(isinstance(step, Mapping) for step in path):
+        steps = [dict(step) for step in path if isinstance(step, Mapping)]
+        known = {"start", "end", "angles", "gravity", "force", "moment", "supports"}
+        for step in steps:
+            if set(step) - known:
+                raise InputError(
+                    f"unknown entry {sorted(set(step) - known)[0]!r} in a path: "
+                    f"use {', '.join(sorted(known))}"
+                )
+        return steps
+    try:
+        points = np.asarray(path, dtype=float)
+    except (TypeError, ValueError) as error:
+        raise InputError(
+            "a path is a row of (x, y) of the end, or of mappings with keywords of bend"
+        ) from error
+    if points.ndim != 2 or points.shape[1] != 2 or not np.all(np.isfinite(points)):
+        raise InputError(f"a path of end positions must be finite with shape (k, 2), got {points.shape}")
+    return [{"end": point} for point in points]
+
+
+def system_of(
+    rod: Rod,
+    present: Rod,
+    start: ArrayLike | None = None,
+    end: ArrayLike | None = None,
+    angles: "tuple[float | None, float | None] | ArrayLike | None" = None,
+    *,
+    force: ArrayLike | None = None,
+    moment: float | tuple[float, float] | None = None,
+) -> RodSystem:
+    """The equations of `rod` (stiffness, weight, supports); what is not given is kept from `present`."""
+    if rod.s.size < 4:
+        raise InputError(f"a rod of {rod.s.size} nodes cannot be bent: use samples=4 or more")
+    system = RodSystem(
+        stiffness=np.asarray(rod.stiffness), edge_length=rod.length / (rod.s.size - 1), load=rod.nodal_load,
+        natural_curvature=rod.natural_curvature, supports=rod.supports,
+        start=_pair(start, present.position[0], "start"), end=_pair(end, present.position[-1], "end"),
+        end_angles=_end_angles(angles, rod.supports, present), force=_end_force(force, rod.supports,
+        present), moments=_end_moments(moment, rod.supports, present), law=rod.law,
+    )  # fmt: skip
+    apart = float(np.linalg.norm(system.chord))
+    if apart > system.length * (1 + 1e-12):
+        raise InputError(
+            f"the ends are {apart:.6g} mm apart, but the rod is only {system.length:.6g} mm long: "
+            "bring them closer or use a longer rod"
+        )
+    return system
+
+
+def state_of(rod: Rod, system: RodSystem) -> RodState:
+    """Edge angles and reactions of a rod's present shape as a first state of `system`."""
+    extra = (rod.discrete.force - system.given_force).mean(axis=0)
+    return system.state(rod.discrete.angles, extra[list(system.held)])
+
+
+def resample(rod: Rod, samples: int) -> Rod:
+    """The same rod on another number of nodes: stiffness from its profile, the rest interpolated."""
+    whole_number(samples, "samples", 4)
+    s = np.linspace(0.0, rod.length, samples)
+    K = rod.profile(s)
+
+    def at(values: FloatArray) -> FloatArray:
+        return np.asarray(np.interp(s, rod.s, values))
+
+    middles = (s[:-1] + s[1:]) / 2
+    angles = np.interp(middles, (rod.s[:-1] + rod.s[1:]) / 2, rod.discrete.angles)
+    kappa_0 = rod.natural_curvature
+    return replace(
+        rod, s=s, position=edge_positions(rod.position[0], tangents(angles), s[1]), angle=at(rod.angle),
+        curvature=at(rod.curvature), stiffness=K / K.min(), profile=rod.profile.scaled(1 / float(K.min())),
+        moment=at(rod.moment), force=np.column_stack([at(rod.force[:, 0]), at(rod.force[:, 1])]),
+        natural_curvature=at(kappa_0) if isinstance(kappa_0, np.ndarray) and kappa_0.ndim else kappa_0,
+    )  # fmt: skip
+
+
+def reach(state: RodState, side: int | None, mode: int) -> Reached:
+    """Follow from `state` to an equilibrium of its system; leave a straight state where it must or is told to."""
+    system = state.system
+    if system.held and float(np.linalg.norm(system.chord)) > system.length * (1 - 1e-12):
+        taut = stretch(state)
+        if not is_balanced(taut):
+            raise InputError(
+                f"the ends are as far apart as the rod is long ({system.length:.6g} mm), so it must be "
+                "straight, which its end angles or its weight do not allow: bring the ends closer together"
+            )
+        return Reached(taut, 1.0, 0)
+    return leave_straight(state, side, mode) if is_straight(state) else follow(state)
+
+
+def _guess_state(guess: "Rod | ArrayLike", system: RodSystem) -> RodState:
+    """Edge angles from a guess, with the reactions that balance it best."""
+    n = system.edges
+    if isinstance(guess, Rod):
+        edges = guess.discrete.angles
+        at = (np.arange(edges.size) + 0.5) / edges.size
+        edges = np.interp((np.arange(n) + 0.5) / n, at, edges)
+    else:
+        edges = np.asarray(guess, dtype=float)
+        if edges.shape == (n + 1,):
+            edges = (edges[:-1] + edges[1:]) / 2
+        if edges.shape != (n,) or not np.all(np.isfinite(edges)):
+            raise InputError(
+                f"guess must be a Rod or {n + 1} angles at the nodes (or {n} at the edges), got {edges.shape}"
+            )
+    state = system.state(edges)
+    if not system.held:
+        return state
+    rows = state.discrete.constraint_rows
+    reactions = np.linalg.lstsq(rows @ rows.T, -rows @ state.residual.imbalance, rcond=1e-9)[0]
+    return system.state(edges, np.asarray(reactions, dtype=float))
+
+
+def _pair(value: ArrayLike | None, own: FloatArray, name: str) -> FloatArray:
+    if value is None:
+        return np.array(own)
+    pair = np.asarray(value, dtype=float)
+    if pair.shape != (2,) or not np.all(np.isfinite(pair)):
+        raise InputError(f"{name} must be two finite numbers, mm, got {value!r}")
+    return pair
+
+
+def _end_angles(
+    angles: "tuple[float | None, float | None] | ArrayLike | None", supports: Supports, present: Rod
+) -> FloatArray:
+    found = np.array([present.angle[0], present.angle[-1]])
+    if angles is None:
+        return found
+    given = np.atleast_1d(np.asarray(angles, dtype=object))
+    if given.shape != (2,):
+        raise InputError(f"angles must be two numbers, rad, for start and end, got {angles!r}")
+    for i, (value, support, name) in enumerate(zip(given, supports.ends, ("start", "end"), strict=True)):
+        if value is None:
+            continue
+        if not support.angle:
+            raise InputError(
+                f"an angle is given at the {name}, but its support leaves the angle free: give None"
+            )
+        found[i] = float(value)
+    if not np.all(np.isfinite(found)):
+        raise InputError(f"angles must be finite, rad, got {angles!r}")
+    return found
+
+
+def _end_force(force: ArrayLike | None, supports: Supports, present: Rod) -> FloatArray:
+    """Dead force at the ends that are free along x and along y."""
+    both = np.array(supports.transmits_force)
+    if force is not None:
+        given = _pair(force, np.zeros(2), "force")
+        if np.any(both & (given != 0)):
+            axis = "xy"[int(np.argmax(both & (given != 0)))]
+            raise InputError(
+                f"a force along {axis} does nothing: both ends hold {axis}; free one end along {axis}"
+            )
+        return given
+    own = np.zeros(2)
+    before, now = present.supports.ends, supports.ends
+    for i, axis in enumerate("xy"):
+        # lambda at an end is minus what is applied at the last node, and what is applied at the first
+        for node, sign, k in ((0, 1.0, 0), (-1, -1.0, 1)):
+            if not getattr(now[k], axis) and not getattr(before[k], axis):
+                own[i] = sign * present.force[node, i]
+    return own
+
+
+def _end_moments(moment: float | tuple[float, float] | None, supports: Supports, present: Rod) -> FloatArray:
+    """Counterclockwise moments at the ends whose angle is free."""
+    before, now = present.supports.ends, supports.ends
+    free = [not end.angle for end in now]
+    own = np.zeros(2)
+    if moment is None:
+        for k, (node, sign) in enumerate(((0, -1.0), (-1, 1.0))):
+            if free[k] and not before[k].angle:
+                own[k] = sign * present.moment[node]
+        return own
+    given = np.asarray(moment, dtype=float)
+    if given.shape == ():
+        if free == [True, True]:
+            raise InputError("both ends turn freely: give the moments of both, (start, end)")
+        own[free.index(True) if True in free else 0] = float(given)
+    elif given.shape == (2,):
+        own[:] = given
+    else:
+        raise InputError(f"moment must be one number or two (start, end), 1/mm, got {moment!r}")
+    for k, name in enumerate(("start", "end")):
+        if own[k] != 0 and not free[k]:
+            raise InputError(
+                f"a moment at the {name} does nothing: its support holds the angle; free the angle there"
+            )
+    if not np.all(np.isfinite(own)):
+        raise InputError(f"moment must be finite, 1/mm, got {moment!r}")
+    return own

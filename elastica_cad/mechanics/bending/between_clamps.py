@@ -1,0 +1,143 @@
+"""The elastica between two clamps: a strip of given length whose ends are held at two places."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.rod.rod_record import Rod
+
+__all__ = ["ElasticaBetween", "elastica_between"]
+
+SAMPLES = 901  # nodes: the curve through them is longer by the square of their distance, 1e-6 of the length
+DRAWN = 1e-6  # of the length: error of the curve through the nodes
+DEGREE = 5
+
+
+@dataclass(frozen=True, eq=False)
+class ElasticaBetween:
+    """A bent strip between two clamps, and which of the many it is.
+
+    Attributes
+    ----------
+    rod : Rod
+        In balance; `force` and `moment` at its ends are what the clamps bear.
+    side : int
+        +1 where its first bulge lies left of the way from start to end, -1 where right, 0 where it is straight.
+    mode : int
+        The buckling mode in which a straight strip was left; 1 is the stable one.
+    """
+
+    rod: Rod
+    side: int
+    mode: int
+
+    @property
+    def curve(self) -> PlaneCurve:
+        """The shape as a smooth spline of degree 5."""
+        return PlaneCurve.fit(self.rod.position, degree=DEGREE, tolerance=DRAWN * self.rod.length)
+
+    @property
+    def inflections(self) -> int:
+        """How often the bend changes its side."""
+        kappa = self.rod.curvature
+        signs = np.sign(kappa[np.abs(kappa) > 1e-6 * np.abs(kappa).max(initial=0.0)])
+        return int(np.count_nonzero(np.diff(signs)))
+
+    def __str__(self) -> str:
+        way = {1: "bulges to the left", -1: "bulges to the right", 0: "is straight"}[self.side]
+        return f"the strip {way} of its chord, with {self.inflections} inflections (mode {self.mode})"
+
+
+def elastica_between(
+    start: ArrayLike,
+    end: ArrayLike,
+    length: float,
+    *,
+    angles: tuple[float | None, float | None] = (None, None),
+    stiffness: "ArrayLike | Profile" = 1.0,
+    gravity: Gravity | None = None,
+    force: ArrayLike | None = None,
+    side: int = 1,
+    mode: int = 1,
+    samples: int = SAMPLES,
+) -> ElasticaBetween:
+    """The shape of a strip of given length between two points.
+
+    The strip is laid straight from the start towards the end, pushed to its end and then turned to the angles, so
+    that the branch of equilibria is the one by which hands would get there.
+
+    Parameters
+    ----------
+    start, end : (2,) array_like
+        mm.
+    length : float
+        Of the strip, mm: more than the distance of its ends.
+    angles : pair of float or None
+        Of the tangent at both ends, rad; None leaves the strip free to turn there.
+    stiffness : float, (n,) array_like or Profile
+        Of a tapered strip: stiffness at even stations, or over [0, length].
+    gravity : Gravity, optional
+        The strip's own weight.
+    force : (2,) array_like, optional
+        As in `bend`.
+    side : {+1, -1}
+        To which side of the way from start to end the strip bulges first, left or right.
+    mode : int
+        Buckling mode; above 1 the shape is unstable as a rule.
+    samples : int
+        Nodes.
+
+    Raises
+    ------
+    InputError
+        A length that does not reach, ends at one place without angles.
+    NotConvergedError
+        As `bend`.
+
+    Examples
+    --------
+    >>> found = elastica_between((0, 0), (70, 0), 100.0, angles=(0.0, 0.0))
+    >>> round(float(found.rod.position[:, 1].max()), 1), found.side, found.inflections
+    (31.4, 1, 2)
+    """
+    first, last = (np.asarray(point, dtype=float) for point in (start, end))
+    chord = last - first
+    distance = float(np.hypot(*chord))
+    if not (np.isfinite(length) and length > distance > 0):
+        raise InputError(
+            f"a strip of {length:.6g} mm does not bend between ends {distance:.6g} mm apart: make it longer, and "
+            "the ends two places"
+        )
+    if side not in (1, -1):
+        raise InputError(f"side is {side!r}: give 1 for left of the way from start to end, -1 for right")
+    along = float(np.arctan2(chord[1], chord[0]))
+    supports = Supports(*("pinned" if angle is None else "clamped" for angle in angles))
+    rod = Rod.straight(
+        length, stiffness, samples=samples, start=first, angle=along, gravity=None, supports=supports
+    )
+    bent = bend(rod, end=last, side=side, mode=mode)
+    near, far = (None if angle is None else _nearest_turn(angle, along) for angle in angles)
+    if near is not None or far is not None or gravity is not None or force is not None:
+        bent = bend(bent, end=last, angles=(near, far), gravity=gravity, force=force, settle=mode == 1)
+    return ElasticaBetween(bent, _side(bent), mode)
+
+
+def _nearest_turn(angle: float, near: float) -> float:
+    """The angle, or one that differs by whole turns, within half a turn of another."""
+    return near + float(np.remainder(angle - near + np.pi, 2 * np.pi) - np.pi)
+
+
+def _side(rod: Rod) -> int:
+    """Which side of its chord the rod leaves first."""
+    off = rod.position - rod.position[0]
+    chord = off[-1] / np.hypot(*off[-1])
+    heights = off @ np.array([-chord[1], chord[0]])
+    far = np.flatnonzero(np.abs(heights) > 1e-6 * rod.length)
+    return int(np.sign(heights[far[0]])) if far.size else 0

@@ -1,0 +1,52 @@
+"""Checks of arguments that several functions share; each refusal is one sentence."""
+
+import numpy as np
+
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.supports import Supports
+
+__all__ = ["require_curve", "require_gravity", "require_supports", "require_tolerance", "whole_number"]
+
+
+def require_curve(curve: object) -> None:
+    """Refuse what is no `PlaneCurve`."""
+    if not isinstance(curve, PlaneCurve):
+        raise InputError(
+            f"the curve is a {type(curve).__name__}: give a PlaneCurve, as PlaneCurve.fit(points) makes one"
+        )
+
+
+def require_gravity(gravity: object) -> None:
+    """Refuse what is neither a `Gravity` nor None."""
+    if not (gravity is None or isinstance(gravity, Gravity)):
+        raise InputError(
+            f"gravity is {gravity!r}: give a Gravity record, such as sheet.gravity() or Gravity(96.0), or None"
+        )
+
+
+def require_supports(supports: object) -> Supports:
+    """The supports, clamped at both ends for None."""
+    if supports is None:
+        return Supports()
+    if not isinstance(supports, Supports):
+        raise InputError(
+            f'supports is {supports!r}: give a Supports record, such as Supports("clamped", "pinned")'
+        )
+    return supports
+
+
+def require_tolerance(tolerance: object) -> None:
+    """Refuse a tolerance that is negative or no number."""
+    if not (isinstance(tolerance, float | int | np.number) and np.isfinite(tolerance) and tolerance >= 0):
+        raise InputError(
+            f"tolerance is {tolerance!r}: it must be a number, 0 or more, in lengths of the curve"
+        )
+
+
+def whole_number(value: object, name: str, least: int) -> int:
+    """A count of at least `least`; fractions, texts and truth values are none."""
+    if not isinstance(value, int | np.integer) or isinstance(value, bool) or value < least:
+        raise InputError(f"{name} is {value!r}: it must be a whole number, {least} or more")
+    return int(value)

@@ -1,0 +1,72 @@
+"""Weight in physical units, for rods whose weight is not proportional to their stiffness."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.paths.profile import Profile
+
+__all__ = ["PointMass", "Weight"]
+
+STANDARD_GRAVITY_M_S2 = 9.80665  # m/s2
+
+
+@dataclass(frozen=True)
+class PointMass:
+    """A mass hung on the rod: `mass` in g at arc length `at` in mm."""
+
+    at: float
+    mass: float
+
+    def __post_init__(self) -> None:
+        if not (np.isfinite(self.mass) and self.mass >= 0):
+            raise InputError(f"a point mass is {self.mass:g}: it can't be negative, in g")
+
+
+@dataclass(frozen=True, eq=False)
+class Weight:
+    """Weight per length alpha(s) + beta(s) K(s), and point masses.
+
+    Parameters
+    ----------
+    alpha, beta : float or Profile
+        N/mm; `beta` multiplies the dimensionless stiffness K (least value 1).
+    masses : tuple of PointMass
+        For example a lamp holder.
+    own : bool
+        Ask `optimal_rod` to add a plain strip's own weight, B / gravity.length^3, to `beta` once the least
+        bending stiffness B is known; the rod it returns has it there, and `own` is False again.
+    """
+
+    alpha: float | Profile = 0.0
+    beta: float | Profile = 0.0
+    masses: tuple[PointMass, ...] = ()
+    own: bool = False
+
+    def __post_init__(self) -> None:
+        for name in ("alpha", "beta"):
+            value = getattr(self, name)
+            # a profile may dip below 0: alpha + beta K as the tangent of a laminate's law
+            if not isinstance(value, Profile) and not (np.isfinite(value) and value >= 0):
+                raise InputError(f"weight {name} is {value:g}: it can't be negative, in N/mm")
+
+    def lumped(self, s: FloatArray, stiffness: FloatArray, node_lengths: FloatArray) -> FloatArray:
+        """Weight of each node (n,), N; a point mass is shared by its two neighbours."""
+        if self.own:
+            raise InputError(
+                "a strip's own weight has no value before optimal_rod has found it: give beta in N/mm"
+            )
+        at = [value(s) if isinstance(value, Profile) else np.full(s.shape, float(value))
+              for value in (self.alpha, self.beta)]  # fmt: skip
+        weight = node_lengths * (at[0] + at[1] * stiffness)
+        for point in self.masses:
+            if not 0 <= point.at <= s[-1]:
+                raise InputError(f"point mass at {point.at:.6g} mm lies off the rod of {s[-1]:.6g} mm")
+            i = min(int(np.searchsorted(s, point.at, side="right")) - 1, s.size - 2)
+            share = (point.at - s[i]) / (s[i + 1] - s[i])
+            newtons = point.mass * 1e-3 * STANDARD_GRAVITY_M_S2
+            weight[i] += (1 - share) * newtons
+            weight[i + 1] += share * newtons
+        return weight

@@ -1,0 +1,390 @@
+"""Laws between moment and curvature that are not straight lines: M = P(kappa) w kappa (paper, Appendix D)."""
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.mechanics.material.sheet import Sheet
+
+__all__ = ["ElasticPlasticLaw", "MaterialLaw", "PlasticLaw", "PolynomialLaw", "TabulatedLaw"]
+
+_ROUNDING_SHARE = 1e-12
+
+
+class MaterialLaw(ABC):
+    """A moment-curvature law of the unit width, divided by its stiffness at rest.
+
+    The effective curvature m(kappa) = P(kappa) kappa, P even and P(0) = 1, takes the place of kappa - kappa_0
+    wherever Hooke's law has M = K (kappa - kappa_0): M = K m(kappa - kappa_0). Theorem 1 and the linear
+    program hold unchanged as long as m is injective in the range of curvatures that occurs.
+    """
+
+    @property
+    @abstractmethod
+    def injective_limit(self) -> float:
+        """Curvature up to which each moment belongs to one curvature, 1/mm; inf where that is all of them."""
+
+    @property
+    def kinks(self) -> tuple[tuple[float, int], ...]:
+        """Curvatures (positive, 1/mm) where m is not smooth, each with the continuity of m there."""
+        return ()
+
+    @abstractmethod
+    def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
+        """The odd function m (n,), 1/mm, of the change of curvature (n,), 1/mm."""
+
+    @abstractmethod
+    def slope(self, curvature: ArrayLike) -> FloatArray:
+        """dm/dkappa (n,); 1 at rest."""
+
+    @abstractmethod
+    def energy(self, curvature: ArrayLike) -> FloatArray:
+        """Integral of m from rest (n,), 1/mm2: the elastic energy per length over K."""
+
+    def require_injective(self, largest_curvature: float) -> None:
+        """Make sure that each moment up to `largest_curvature` (1/mm) belongs to one curvature.
+
+        Raises
+        ------
+        InputError
+            When it does not; the message says from which curvature on.
+        """
+        limit = self.injective_limit
+        if largest_curvature > limit * (1 + _ROUNDING_SHARE):
+            raise InputError(
+                "the material law is not injective: its moment stops growing at a curvature of "
+                f"{limit:.4g} 1/mm (radius {1 / limit:.4g} mm), but {largest_curvature:.4g} 1/mm occurs; "
+                "draw a gentler curve or use a thinner sheet"
+            )
+
+    def require_design(self, largest_curvature: float) -> None:
+        """Make sure that a strip can be designed for curvatures up to `largest_curvature` (1/mm).
+
+        Raises
+        ------
+        InputError
+            Where the law is not injective.
+        """
+        self.require_injective(largest_curvature)
+
+    def curvature(self, effective: ArrayLike) -> FloatArray:
+        """The inverse of `effective_curvature` (n,) within its injective range, by bisection.
+
+        Raises
+        ------
+        InputError
+            A moment beyond what the law reaches.
+        """
+        m = np.asarray(effective, dtype=float)
+        largest = float(np.abs(m).max(initial=0.0))
+        top = min(largest, self.injective_limit)
+        for _ in range(60):
+            if self.effective_curvature(top) >= largest or top >= self.injective_limit:
+                break
+            top = min(2 * top, self.injective_limit)
+        reached = float(self.effective_curvature(top))
+        if largest > reached * (1 + _ROUNDING_SHARE):
+            raise InputError(
+                f"an effective curvature of {largest:.4g} 1/mm is beyond the {reached:.4g} 1/mm that the "
+                "material law reaches"
+            )
+        low, high = np.zeros(m.shape), np.full(m.shape, top)
+        for _ in range(100):
+            middle = (low + high) / 2
+            small = self.effective_curvature(middle) < np.abs(m)
+            low, high = np.where(small, middle, low), np.where(small, high, middle)
+        return np.asarray(np.sign(m) * (low + high) / 2)
+
+
+@dataclass(frozen=True)
+class PolynomialLaw(MaterialLaw):
+    """Nonlinear elastic: P = 1 + c2 (kappa/kappa_1)^2 + c4 (kappa/kappa_1)^4; c2 > 0 hardens, c2 < 0 softens.
+
+    Parameters
+    ----------
+    quadratic, quartic : float
+        c2 and c4.
+    curvature_scale : float
+        kappa_1, 1/mm, where the coefficients are the relative change of P.
+
+    Examples
+    --------
+    >>> softening = PolynomialLaw(-0.2, curvature_scale=0.02)
+    >>> softening.effective_curvature([0.01, -0.02]).round(6).tolist()
+    [0.0095, -0.016]
+    """
+
+    quadratic: float
+    quartic: float = 0.0
+    curvature_scale: float = 1.0
+
+    def __post_init__(self) -> None:
+        for name in ("quadratic", "quartic"):
+            if not np.isfinite(getattr(self, name)):
+                raise InputError(f"{name} coefficient of the law is {getattr(self, name)}: it must be finite")
+        _require_positive(self.curvature_scale, "curvature scale", "1/mm")
+
+    def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`."""
+        kappa = np.asarray(curvature, dtype=float)
+        t = (kappa / self.curvature_scale) ** 2
+        return np.asarray(kappa * (1 + self.quadratic * t + self.quartic * t**2))
+
+    def slope(self, curvature: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`."""
+        t = (np.asarray(curvature, dtype=float) / self.curvature_scale) ** 2
+        return np.asarray(1 + 3 * self.quadratic * t + 5 * self.quartic * t**2)
+
+    def energy(self, curvature: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`."""
+        kappa = np.asarray(curvature, dtype=float)
+        t = (kappa / self.curvature_scale) ** 2
+        return np.asarray(kappa**2 * (1 / 2 + self.quadratic / 4 * t + self.quartic / 6 * t**2))
+
+    @property
+    def injective_limit(self) -> float:
+        """See `MaterialLaw`; exact: the roots of the slope are those of a quadratic."""
+        roots = np.roots([5 * self.quartic, 3 * self.quadratic, 1.0])
+        real = [float(z.real) for z in roots if z.real > 0 and abs(z.imag) <= _ROUNDING_SHARE * abs(z)]
+        return self.curvature_scale * float(np.sqrt(min(real))) if real else float("inf")
+
+
+@dataclass(frozen=True)
+class PlasticLaw(MaterialLaw):
+    """The paper's ideal plasticity: effective curvature min(|kappa|, kappa_lim) with the sign of kappa.
+
+    It is not injective beyond the limit, where the moment says nothing about the curvature any more: the
+    width comes out as for any law, but how far the strip bends there is up to the history of bending (paper,
+    Appendix D).
+
+    Parameters
+    ----------
+    curvature_limit : float
+        kappa_lim, 1/mm.
+
+    Examples
+    --------
+    >>> PlasticLaw(0.05).effective_curvature([0.02, -0.08]).tolist()
+    [0.02, -0.05]
+    """
+
+    curvature_limit: float
+
+    def __post_init__(self) -> None:
+        _require_positive(self.curvature_limit, "curvature limit", "1/mm")
+
+    @classmethod
+    def of(cls, sheet: Sheet) -> "PlasticLaw":
+        """The law whose limit is the sheet's least cold-bend radius."""
+        return cls(1 / sheet.least_radius)
+
+    def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`."""
+        limit = self.curvature_limit
+        return np.asarray(np.clip(np.asarray(curvature, dtype=float), -limit, limit))
+
+    def slope(self, curvature: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`; 0 beyond the limit."""
+        return np.asarray(np.abs(np.asarray(curvature, dtype=float)) < self.curvature_limit, dtype=float)
+
+    def energy(self, curvature: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`."""
+        kappa = np.abs(np.asarray(curvature, dtype=float))
+        elastic = np.minimum(kappa, self.curvature_limit)
+        return np.asarray(elastic * (kappa - elastic / 2))
+
+    @property
+    def injective_limit(self) -> float:
+        """See `MaterialLaw`."""
+        return self.curvature_limit
+
+    @property
+    def kinks(self) -> tuple[tuple[float, int], ...]:
+        """See `MaterialLaw`."""
+        return ((self.curvature_limit, 0),)
+
+    def require_design(self, largest_curvature: float) -> None:
+        """See `MaterialLaw`; every curvature will do, as in the paper."""
+
+    def permanent_curvature(self, curvature: ArrayLike) -> FloatArray:
+        """What is left when the moment is taken away (n,), 1/mm: the excess beyond the limit."""
+        return np.asarray(np.asarray(curvature, dtype=float) - self.effective_curvature(curvature))
+
+
+@dataclass(frozen=True)
+class ElasticPlasticLaw(MaterialLaw):
+    """A rectangular section whose fibres yield one after the other from the skin inwards.
+
+    m = kappa up to kappa_lim, then kappa_lim (3 - (kappa_lim/kappa)^2) / 2, towards 1.5 kappa_lim: injective,
+    unlike the paper's `PlasticLaw`, as every section keeps an elastic core (Prager and Hodge 1951, section
+    9).
+
+    Parameters
+    ----------
+    curvature_limit : float
+        kappa_lim where the skin begins to yield, 1/mm.
+
+    Examples
+    --------
+    >>> ElasticPlasticLaw(0.05).effective_curvature([0.02, 0.1]).round(6).tolist()
+    [0.02, 0.06875]
+    """
+
+    curvature_limit: float
+
+    def __post_init__(self) -> None:
+        _require_positive(self.curvature_limit, "curvature limit", "1/mm")
+
+    @classmethod
+    def of(cls, sheet: Sheet) -> "ElasticPlasticLaw":
+        """The law whose skin yields at the sheet's largest strain."""
+        return cls(1 / sheet.least_radius)
+
+    def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`."""
+        kappa = np.asarray(curvature, dtype=float)
+        core = self._core(kappa)
+        yielded = np.sign(kappa) * self.curvature_limit * (3 - core**2) / 2
+        return np.where(core < 1, yielded, kappa)
+
+    def slope(self, curvature: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`."""
+        return self._core(np.asarray(curvature, dtype=float)) ** 3
+
+    def energy(self, curvature: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`."""
+        kappa = np.abs(np.asarray(curvature, dtype=float))
+        limit, beyond = self.curvature_limit, np.maximum(kappa, self.curvature_limit)
+        yielded = 1.5 * limit * (beyond - limit) + limit**3 / 2 * (1 / beyond - 1 / limit)
+        return np.asarray(np.minimum(kappa, limit) ** 2 / 2 + yielded)
+
+    @property
+    def injective_limit(self) -> float:
+        """See `MaterialLaw`; infinite."""
+        return float("inf")
+
+    @property
+    def kinks(self) -> tuple[tuple[float, int], ...]:
+        """See `MaterialLaw`."""
+        return ((self.curvature_limit, 1),)
+
+    def permanent_curvature(self, curvature: ArrayLike) -> FloatArray:
+        """What is left when the moment is taken away (n,), 1/mm: unloading follows Hooke's law."""
+        return np.asarray(np.asarray(curvature, dtype=float) - self.effective_curvature(curvature))
+
+    def _core(self, kappa: FloatArray) -> FloatArray:
+        """Part of the thickness that is still elastic."""
+        return self.curvature_limit / np.maximum(np.abs(kappa), self.curvature_limit)
+
+
+@dataclass(frozen=True, eq=False)
+class TabulatedLaw(MaterialLaw):
+    """A measured moment-curvature table, continued oddly and joined by a shape-preserving cubic.
+
+    Parameters
+    ----------
+    curvatures : (m,) array_like
+        Increasing, positive, 1/mm; the point (0, 0) is added.
+    moments : (m,) array_like
+        In any unit; only their ratio to the first slope counts.
+
+    Raises
+    ------
+    InputError
+        Fewer than two points, curvatures that do not increase, values that are not positive.
+
+    Examples
+    --------
+    >>> law = TabulatedLaw([0.01, 0.02, 0.03], [1.0, 1.9, 2.6])
+    >>> bool(law.effective_curvature(0.02) < 0.02)
+    True
+    """
+
+    curvatures: FloatArray
+    moments: FloatArray
+
+    def __post_init__(self) -> None:
+        for name in ("curvatures", "moments"):
+            array = np.array(getattr(self, name), dtype=float)
+            if array.ndim != 1 or array.size < 2 or not np.all(np.isfinite(array)) or np.any(array <= 0):
+                raise InputError(f"the law's {name} must be at least two positive, finite numbers")
+            array.setflags(write=False)
+            object.__setattr__(self, name, array)
+        if self.curvatures.shape != self.moments.shape:
+            raise InputError(
+                f"the law has {self.curvatures.size} curvatures and {self.moments.size} moments: give one "
+                "for each"
+            )
+        if np.any(np.diff(self.curvatures) <= 0):
+            i = int(np.argmin(np.diff(self.curvatures)))
+            raise InputError(
+                f"the law's curvatures must increase: {self.curvatures[i + 1]:g} follows "
+                f"{self.curvatures[i]:g} 1/mm"
+            )
+
+    def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`; beyond the table its last slope goes on."""
+        kappa = np.asarray(curvature, dtype=float)
+        inside, over = self._split(kappa)
+        return np.asarray(np.sign(kappa) * (self._curve(inside) + self._end_slope * over))
+
+    def slope(self, curvature: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`."""
+        return np.asarray(self._curve(self._split(curvature)[0], 1))
+
+    def energy(self, curvature: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`."""
+        inside, over = self._split(curvature)
+        top = self._curve(self.curvatures[-1])
+        return np.asarray(self._curve.antiderivative()(inside) + over * (top + self._end_slope * over / 2))
+
+    @property
+    def injective_limit(self) -> float:
+        """See `MaterialLaw`; the end of the table, or where its moments fall."""
+        falling = np.flatnonzero(np.diff(self.moments) <= 0)
+        return float(self.curvatures[falling[0]] if falling.size else self.curvatures[-1])
+
+    @property
+    def kinks(self) -> tuple[tuple[float, int], ...]:
+        """See `MaterialLaw`; the points of the table."""
+        return tuple((kappa, 1) for kappa in self.curvatures.tolist())
+
+    def require_injective(self, largest_curvature: float) -> None:
+        """See `MaterialLaw`; a curvature beyond the table is refused as well."""
+        if largest_curvature > self.curvatures[-1] * (1 + _ROUNDING_SHARE):
+            raise InputError(
+                f"the law's table ends at a curvature of {self.curvatures[-1]:.4g} 1/mm, but "
+                f"{largest_curvature:.4g} 1/mm occurs: measure further or draw a gentler curve"
+            )
+        super().require_injective(largest_curvature)
+
+    def _split(self, curvature: ArrayLike) -> tuple[FloatArray, FloatArray]:
+        """The part of |kappa| within the table, and the part beyond it."""
+        kappa = np.abs(np.asarray(curvature, dtype=float))
+        inside = np.minimum(kappa, self.curvatures[-1])
+        return inside, kappa - inside
+
+    @cached_property
+    def _curve(self) -> Any:
+        """m over kappa >= 0, exactly 0 and of slope 1 at rest."""
+        from scipy.interpolate import PchipInterpolator, PPoly
+
+        x = np.concatenate([-self.curvatures[::-1], [0.0], self.curvatures])
+        y = np.concatenate([-self.moments[::-1], [0.0], self.moments])
+        odd = PchipInterpolator(x, y)
+        half = self.curvatures.size
+        return PPoly(odd.c[:, half:] / float(odd(0.0, 1)), odd.x[half:])
+
+    @property
+    def _end_slope(self) -> float:
+        return float(self._curve(self.curvatures[-1], 1))
+
+
+def _require_positive(value: float, name: str, unit: str) -> None:
+    if not (np.isfinite(value) and value > 0):
+        raise InputError(f"the law's {name} is {value}: it must be positive, in {unit}")

@@ -1,0 +1,108 @@
+"""What a cross-section may bear and hold: strains against limits, scales that can be built."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError
+
+__all__ = ["LIMIT_SLACK", "LayerStrain", "ScaleRange", "positive"]
+
+LIMIT_SLACK = 1e-9
+"""Relative slack on limits that a design may touch."""
+
+
+@dataclass(frozen=True, eq=False)
+class LayerStrain:
+    """Strain of the outermost fibre of one layer.
+
+    Attributes
+    ----------
+    name : str
+        The sheet.
+    strain : (n,) array
+        Distance from the neutral axis times |kappa - kappa_0|; 0 where the layer is missing.
+    limit : float
+        What the sheet bears.
+    """
+
+    name: str
+    strain: FloatArray
+    limit: float
+
+    @property
+    def largest(self) -> float:
+        """The largest strain along the strip."""
+        return float(self.strain.max())
+
+    @property
+    def station(self) -> int:
+        """Index of the largest strain."""
+        return int(np.argmax(self.strain))
+
+    @property
+    def exceeded(self) -> bool:
+        """True when the layer is bent beyond its limit."""
+        return self.largest > self.limit * (1 + LIMIT_SLACK)
+
+
+@dataclass(frozen=True)
+class ScaleRange:
+    """Scales c for which E I = c K can be built inside a given outer width (paper, section 8.1).
+
+    Attributes
+    ----------
+    lowest, highest : float
+        max c_min and min c_max over the stations, N mm2 (with min K = 1, c is the least bending stiffness).
+    lowest_at, highest_at : int
+        Stations that decide them.
+    """
+
+    lowest: float
+    highest: float
+    lowest_at: int
+    highest_at: int
+
+    @classmethod
+    def of(cls, least: ArrayLike, most: ArrayLike, stiffness: ArrayLike) -> "ScaleRange":
+        """The range from the least and most E I (n,), N mm2, that each station can have, and K (n,)."""
+        K = positive(stiffness, "stiffness")
+        c_min, c_max = np.broadcast_arrays(
+            np.asarray(least, dtype=float) / K, np.asarray(most, dtype=float) / K
+        )
+        low, high = int(np.argmax(c_min)), int(np.argmin(c_max))
+        return cls(float(c_min.flat[low]), float(c_max.flat[high]), low, high)
+
+    @property
+    def feasible(self) -> bool:
+        """Can the stiffness be built at all?"""
+        return self.lowest <= self.highest * (1 + LIMIT_SLACK)
+
+    @property
+    def scale(self) -> float:
+        """The paper's choice c = min c_max: as much added material as the outer width takes.
+
+        Raises
+        ------
+        InputError
+            When nothing fits; the message says which stations disagree.
+        """
+        if not self.feasible:
+            raise InputError(
+                f"no scale fits: station {self.lowest_at} needs E I of at least {self.lowest:.4g} N mm2 per "
+                f"unit of stiffness and station {self.highest_at} takes at most {self.highest:.4g}; widen "
+                f"the strip at station {self.highest_at}, narrow it at station {self.lowest_at} or lower the "
+                "stiffness ratio"
+            )
+        return self.highest
+
+
+def positive(values: ArrayLike, name: str) -> FloatArray:
+    """The values (n,) as an array; refused with their station where one is not positive and finite."""
+    array = np.asarray(values, dtype=float)
+    good = np.isfinite(array) & (array > 0)
+    if not good.all():
+        i = int(np.argmin(good))
+        raise InputError(f"{name} is {array.flat[i]:.6g} at station {i}: it must be positive")
+    return array

@@ -1,0 +1,353 @@
+"""Sheets that strips are cut from: thickness, elasticity, weight, strain limit and kerf."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from difflib import get_close_matches
+from math import isfinite
+from pathlib import Path
+from typing import Any, Literal, TypeAlias, get_args
+
+from elastica_cad.errors import InputError
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
+from elastica_cad.mechanics.material.sheet_library import built_in_figures
+
+__all__ = ["Grain", "Range", "Sheet", "load_sheets", "sheet_names", "sheets_from_table"]
+
+Grain: TypeAlias = Literal["along", "across", "none"]
+Range: TypeAlias = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """A sheet material at one thickness; all numbers hold along the strip.
+
+    Parameters
+    ----------
+    name : str
+        What the sheet is called in reports and file names.
+    thickness : float
+        h, mm.
+    youngs_modulus : float
+        E in bending along the strip, MPa (N/mm2).
+    density : float
+        rho, kg/m3.
+    max_strain : float
+        Largest skin strain to be borne for long, dimensionless (0.01 = 1 %).
+    kerf : float
+        Width of material that the laser takes away, mm; 0 when not known.
+    poisson_ratio : float
+        nu, dimensionless.
+    grain : "along", "across" or "none"
+        How the strip lies to the (face) grain for which the numbers hold; "none" for sheets without grain.
+    kind : str
+        Family of materials, for example "plywood".
+    source : str
+        Where the numbers come from.
+    thickness_range, youngs_modulus_range, density_range, max_strain_range, kerf_range : (low, high), optional
+        What is found in practice, in the number's own unit; without it the number is taken as certain.
+    least_width : float, optional
+        Narrowest strip or tongue that can be cut and lifted out, mm; without it a rule of thumb speaks (`Shop`).
+
+    Raises
+    ------
+    InputError
+        A number that no sheet can have, or a range that does not hold its number.
+
+    Examples
+    --------
+    >>> ply = Sheet("my-ply", thickness=0.8, youngs_modulus=9250.0, density=680.0, max_strain=0.008)
+    >>> ply.least_radius
+    50.0
+    >>> round(Sheet.named("card-200gsm").elasto_gravity_length, 1)
+    96.0
+    """
+
+    name: str
+    thickness: float
+    youngs_modulus: float
+    density: float
+    max_strain: float
+    kerf: float = 0.0
+    poisson_ratio: float = 0.3
+    grain: Grain = "none"
+    kind: str = ""
+    source: str = ""
+    thickness_range: Range | None = None
+    youngs_modulus_range: Range | None = None
+    density_range: Range | None = None
+    max_strain_range: Range | None = None
+    kerf_range: Range | None = None
+    least_width: float | None = None
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.name, str) or not self.name.strip():
+            raise InputError(f"a sheet needs a name, got {self.name!r}")
+        for field_name, unit in _UNITS.items():
+            value = _number(getattr(self, field_name), f"sheet {self.name!r}: {field_name}")
+            if value < 0 or (value == 0 and field_name != "kerf"):
+                least = "zero or positive" if field_name == "kerf" else "positive"
+                raise InputError(
+                    f"sheet {self.name!r}: {field_name} is {value:g}; it must be {least}, in {unit}"
+                )
+            object.__setattr__(self, field_name, value)
+            self._check_range(field_name, value)
+        nu = _number(self.poisson_ratio, f"sheet {self.name!r}: poisson_ratio")
+        if not 0 <= nu < 1:
+            raise InputError(f"sheet {self.name!r}: poisson_ratio is {nu:g}; it must lie between 0 and 1")
+        object.__setattr__(self, "poisson_ratio", nu)
+        if self.least_width is not None:
+            narrowest = _number(self.least_width, f"sheet {self.name!r}: least_width")
+            if not narrowest > 0:
+                raise InputError(
+                    f"sheet {self.name!r}: least_width is {narrowest:g}; it must be positive, in mm"
+                )
+        if self.grain not in get_args(Grain):
+            raise InputError(
+                f"sheet {self.name!r}: grain is {self.grain!r}; use one of {', '.join(get_args(Grain))}"
+            )
+
+    def _check_range(self, field_name: str, value: float) -> None:
+        given = getattr(self, f"{field_name}_range")
+        if given is None:
+            return
+        where = f"sheet {self.name!r}: {field_name}_range"
+        if not isinstance(given, list | tuple) or len(given) != 2:
+            raise InputError(f"{where} is {given!r}; it must be two numbers, lowest and highest")
+        low, high = (_number(v, where) for v in given)
+        if not 0 <= low <= value <= high:
+            raise InputError(
+                f"{where} is {low:g} to {high:g}; it must hold {field_name} = {value:g}, lowest first"
+            )
+        object.__setattr__(self, f"{field_name}_range", (low, high))
+
+    @classmethod
+    def named(cls, name: str) -> "Sheet":
+        """The built-in sheet called `name`; `sheet_names` lists them.
+
+        Raises
+        ------
+        InputError
+            Unknown name; the message offers the nearest ones.
+        """
+        figures = built_in_figures()
+        if name in figures:
+            return cls(name, **figures[name])
+        near = get_close_matches(str(name).lower(), figures, n=3, cutoff=0.4)
+        advice = f"did you mean {' or '.join(near)}?" if near else f"known sheets: {', '.join(figures)}"
+        raise InputError(f"unknown sheet {name!r}: {advice}")
+
+    @property
+    def elasto_gravity_length(self) -> float:
+        """(E h^2 / (12 rho g))^(1/3), mm (section 5.1): a much shorter strip does not feel its weight."""
+        weight = self.density * 1e-9 * STANDARD_GRAVITY_M_S2  # N/mm3
+        return float((self.youngs_modulus * self.thickness**2 / (12 * weight)) ** (1 / 3))
+
+    def gravity(self, direction: tuple[float, float] = (0.0, -1.0)) -> Gravity:
+        """Weight of a plain strip of this sheet; `direction` (2,): where things fall in the curve's plane."""
+        return Gravity(self.elasto_gravity_length, direction)
+
+    @property
+    def least_radius(self) -> float:
+        """Smallest radius that the sheet bends to, mm: h / (2 max_strain), the skin being h/2 off centre."""
+        return self.thickness / (2 * self.max_strain)
+
+    def bending_stiffness(self, width: float) -> float:
+        """E h^3 w / 12 of a plain strip of `width` mm, N mm2."""
+        return self.youngs_modulus * self.thickness**3 * width / 12
+
+    def range_of(self, quantity: str) -> Range:
+        """Lowest and highest `quantity` ("youngs_modulus", "thickness", ...); the number twice if certain."""
+        if quantity not in _UNITS:
+            raise InputError(f"a sheet has no range of {quantity!r}: use one of {', '.join(_UNITS)}")
+        given: Range | None = getattr(self, f"{quantity}_range")
+        value = float(getattr(self, quantity))
+        return (value, value) if given is None else given
+
+    def toml(self) -> str:
+        """The sheet as an entry of a sheets file, as `load_sheets` reads it."""
+        lines = [f"[sheets.{_quoted(self.name)}]"]
+        for key, (field_name, _) in _KEYS.items():
+            value = getattr(self, field_name)
+            if value is None or (field_name in ("kind", "source") and not value):
+                continue
+            if isinstance(value, tuple):
+                lines.append(f"{key} = [{value[0]!r}, {value[1]!r}]")
+            else:
+                lines.append(f"{key} = {_quoted(value) if isinstance(value, str) else repr(value)}")
+        return "\n".join(lines) + "\n"
+
+
+def sheet_names() -> list[str]:
+    """Names of the built-in sheets; `Sheet.named(name).source` says where the numbers come from.
+
+    Examples
+    --------
+    >>> "birch-plywood-0.8" in sheet_names()
+    True
+    """
+    return list(built_in_figures())
+
+
+def load_sheets(path: str | Path) -> dict[str, Sheet]:
+    """A user's own sheets from a TOML file.
+
+    The file holds tables ``[sheets.NAME]`` with ``thickness_mm``, ``youngs_modulus_MPa``, ``density_kg_m3``
+    and ``max_strain``, and where known ``kerf_mm``, ``poisson_ratio``, ``grain``, ``kind``, ``source`` and
+    ranges such as ``youngs_modulus_range_MPa = [8200, 10300]``.
+
+    Raises
+    ------
+    InputError
+        No such file, not TOML, an unknown key, a missing or impossible value; file, sheet and key are named.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> figures = "thickness_mm = 0.5\\nyoungs_modulus_MPa = 2700\\ndensity_kg_m3 = 1410\\nmax_strain = 0.03"
+    >>> with TemporaryDirectory() as folder:
+    ...     file = Path(folder, "mine.toml")
+    ...     _ = file.write_text("[sheets.my-pom]\\n" + figures)
+    ...     round(load_sheets(file)["my-pom"].elasto_gravity_length, 1)
+    159.6
+    """
+    import tomllib
+
+    path = Path(path)
+    if path.is_dir():
+        raise InputError(f"{path} is a folder, not a file of sheets: name the TOML file inside it")
+    try:
+        data = tomllib.loads(path.read_bytes().decode("utf-8"))
+    except OSError as error:
+        raise InputError(f"{path} cannot be read: {error.strerror or error}") from error
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise InputError(f"{path} is not a TOML file: {error}") from error
+    for key in data:
+        if key not in ("schema", "sheets"):
+            raise InputError(f"{path}: unknown entry {key!r}; sheets are tables [sheets.NAME]")
+    if data.get("schema", SCHEMA) != SCHEMA:
+        raise InputError(
+            f"{path}: schema {data['schema']!r} is not known; this version reads schema {SCHEMA}"
+        )
+    return sheets_from_table(data.get("sheets", {}), where=str(path))
+
+
+def sheets_from_table(table: object, *, where: str) -> dict[str, Sheet]:
+    """Sheets from the parsed table ``sheets`` of a TOML file; `where` names the file in messages.
+
+    Raises
+    ------
+    InputError
+        As `load_sheets`.
+    """
+    if not isinstance(table, Mapping) or not table:
+        raise InputError(f"{where} holds no sheet: write at least one table [sheets.NAME]")
+    return {name: _sheet_from_entry(name, entry, where) for name, entry in table.items()}
+
+
+def _sheet_from_entry(name: str, entry: object, file: str) -> Sheet:
+    where = f"{file}: sheet {name!r}"
+    if not isinstance(entry, Mapping):
+        raise InputError(f"{where} must be a table [sheets.{name}], got {entry!r}")
+    values: dict[str, Any] = {}
+    for key, value in entry.items():
+        if key not in _KEYS:
+            raise InputError(f"{where}: unknown key {key!r}{_advice(key)}")
+        field_name, kind = _KEYS[key]
+        if kind == "text":
+            if not isinstance(value, str):
+                raise InputError(f"{where}: {key} is {value!r}; it must be text in quotes")
+            values[field_name] = value
+        elif kind == "range":
+            if not isinstance(value, list) or len(value) != 2:
+                raise InputError(f"{where}: {key} is {value!r}; it must be two numbers, [lowest, highest]")
+            values[field_name] = tuple(_plausible(v, key, where) for v in value)
+        else:
+            values[field_name] = _plausible(value, key, where)
+    for key in ("thickness_mm", "youngs_modulus_MPa", "density_kg_m3", "max_strain"):
+        if key not in entry:
+            raise InputError(f"{where}: {key} is missing; give it a number")
+    try:
+        return Sheet(name=name, **values)
+    except InputError as error:
+        raise InputError(f"{file}: {error}") from error
+
+
+def _plausible(value: object, key: str, where: str) -> float:
+    """The number, unless it can only have been meant in another unit."""
+    number = _number(value, f"{where}: {key}")
+    low, high, hint = _PLAUSIBLE.get(key.replace("_range", ""), (float("-inf"), float("inf"), ""))
+    if not low <= number <= high and number > 0:
+        raise InputError(f"{where}: {key} = {number:g} looks like the wrong unit; {hint}")
+    return number
+
+
+def _advice(key: str) -> str:
+    """What was probably meant by an unknown key."""
+    for known in _KEYS:
+        stem = _KEYS[known][0]
+        if key.lower() == known.lower() or (
+            key.lower().startswith(stem) and "range" not in key.removeprefix(stem)
+        ):
+            return f"; write {known}{_PLAUSIBLE[known][2].join((' (', ')')) if known in _PLAUSIBLE else ''}"
+    near = get_close_matches(key, _KEYS, n=1, cutoff=0.5)
+    return f"; did you mean {near[0]}?" if near else f"; known keys are {', '.join(_KEYS)}"
+
+
+def _number(value: Any, where: str) -> float:
+    if isinstance(value, bool | str | bytes) or value is None:
+        raise InputError(f"{where} is {value!r}; it must be a number")
+    try:
+        number = float(value)
+    except (TypeError, ValueError) as error:
+        raise InputError(f"{where} is {value!r}; it must be a number") from error
+    if not isfinite(number):
+        raise InputError(f"{where} is {number}; it must be a finite number")
+    return number
+
+
+def _quoted(text: str) -> str:
+    """A TOML basic string."""
+    import json
+
+    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
+
+
+SCHEMA = 1
+
+_UNITS = {
+    "thickness": "mm",
+    "youngs_modulus": "MPa",
+    "density": "kg/m3",
+    "max_strain": "parts of the length (0.01 = 1 %)",
+    "kerf": "mm",
+}
+
+# key in the file -> (field, kind)
+_KEYS: dict[str, tuple[str, str]] = {
+    "thickness_mm": ("thickness", "number"),
+    "youngs_modulus_MPa": ("youngs_modulus", "number"),
+    "density_kg_m3": ("density", "number"),
+    "max_strain": ("max_strain", "number"),
+    "kerf_mm": ("kerf", "number"),
+    "poisson_ratio": ("poisson_ratio", "number"),
+    "grain": ("grain", "text"),
+    "kind": ("kind", "text"),
+    "source": ("source", "text"),
+    "thickness_range_mm": ("thickness_range", "range"),
+    "youngs_modulus_range_MPa": ("youngs_modulus_range", "range"),
+    "density_range_kg_m3": ("density_range", "range"),
+    "max_strain_range": ("max_strain_range", "range"),
+    "kerf_range_mm": ("kerf_range", "range"),
+    "least_width_mm": ("least_width", "number"),
+}
+
+# key -> (lowest, highest that any sheet has, what the unit is)
+_PLAUSIBLE: dict[str, tuple[float, float, str]] = {
+    "thickness_mm": (1e-3, 1e3, "millimetres: 0.8 for a 0.8 mm sheet"),
+    "youngs_modulus_MPa": (0.1, 1.5e6, "N/mm2: 9000 for 9 GPa"),
+    "density_kg_m3": (5.0, 25000.0, "kg/m3: 680 for 0.68 g/cm3"),
+    "max_strain": (1e-6, 0.4, "a fraction: 0.008 for 0.8 %"),
+    "kerf_mm": (0.0, 20.0, "millimetres: 0.15 for a fine laser"),
+    "least_width_mm": (1e-2, 1e3, "millimetres: 3 for plywood"),
+}

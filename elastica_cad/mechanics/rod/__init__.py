@@ -1,0 +1,1 @@
+"""The rod as a record and as discrete equations."""

@@ -1,0 +1,297 @@
+"""Tridiagonal matrices bordered by a few rows: solves, inertia and lowest modes, all O(n) (LAPACK)."""
+
+import math
+from functools import lru_cache
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import NotConvergedError
+
+__all__ = [
+    "constrained_inertia",
+    "count_negative",
+    "lowest_constrained",
+    "orthonormal_rows",
+    "small_solution",
+    "solve_bordered",
+    "solve_tridiagonal",
+]
+
+RANK_TOLERANCE = 1e-9  # rows closer to dependent than this (relative) are one: a straight rod has rank 1
+MOST_STEPS = 240  # of Lanczos iteration, which takes a few dozen
+_SMOOTH = 10  # polynomials among which a lowest mode is sought first
+_ROUGH = 40  # edges, below which ten polynomials are no smooth modes
+_REFINEMENTS = 8  # Rayleigh quotients: each triples the digits
+_UNTHREADED = 5000  # entries, up to which BLAS starts no threads
+
+
+def solve_tridiagonal(diagonal: FloatArray, off: FloatArray, right: FloatArray) -> FloatArray:
+    """Solve the symmetric tridiagonal system with pivoting; `right` is (n,) or (n, k)."""
+    from scipy.linalg.lapack import dgtsv
+
+    if diagonal.size == 1:
+        return np.asarray(right / diagonal[0])
+    solution, info = dgtsv(off, diagonal, off, right)[-2:]
+    if info != 0:
+        nudge = np.spacing(np.abs(diagonal).max())
+        solution, info = dgtsv(off, diagonal + nudge, off, right)[-2:]
+    if info != 0:
+        raise NotConvergedError("the rod's stiffness matrix is singular: its shape is not isolated")
+    return np.asarray(solution)
+
+
+def solve_bordered(
+    diagonal: FloatArray,
+    off: FloatArray,
+    rows: FloatArray,
+    *,
+    right: FloatArray,
+    below: FloatArray,
+    columns: FloatArray | None = None,
+) -> tuple[FloatArray, FloatArray]:
+    """Solve [[A, columns], [rows, 0]] (x, y) = (right, below) with A symmetric tridiagonal.
+
+    Parameters
+    ----------
+    rows : (k, n) array
+    right : (n,) array
+    below : (k,) array
+    columns : (n, k) array, optional
+        The transposed rows unless given.
+
+    Returns
+    -------
+    x : (n,) array
+    y : (k,) array
+        Dependent rows are solved in the least-squares sense with the least y.
+    """
+    k = below.size
+    if k == 0:
+        return solve_tridiagonal(diagonal, off, right), np.zeros(0)
+    both = np.empty((right.size, k + 1), order="F")
+    both[:, 0] = right
+    both[:, 1:] = rows.T if columns is None else columns
+    solved = solve_tridiagonal(diagonal, off, both).T
+    products = np.array([_along(solved, row) for row in rows])
+    schur, gap = products[:, 1:], products[:, 0] - below
+    y = small_solution(schur, gap)
+    return solved[0] - _combined(y, solved[1:]), y
+
+
+def orthonormal_rows(rows: FloatArray) -> FloatArray:
+    """An orthonormal basis (r, n) of the span of `rows` (k, n), rank found."""
+    basis: list[FloatArray] = []
+    for row in rows:
+        size = _norm(row)
+        if size == 0:
+            continue
+        rest = row / size
+        for _ in range(2):
+            for q in basis:
+                rest = rest - q.dot(rest) * q
+        left = _norm(rest)
+        if left > RANK_TOLERANCE:
+            basis.append(rest / left)
+    return np.array(basis).reshape(len(basis), rows.shape[1])
+
+
+def count_negative(diagonal: FloatArray, off: FloatArray, shift: float = 0.0) -> int:
+    """Number of eigenvalues at or below `shift` of the symmetric tridiagonal matrix (Sturm count)."""
+    from scipy.linalg.lapack import dstebz
+
+    if diagonal.size == 1:
+        return int(diagonal[0] <= shift)
+    reach = _reach(diagonal, off)
+    if shift < -reach:
+        return 0
+    count, _, _, _, info = dstebz(
+        diagonal, off, 1, -2 * reach - 1, shift, 1, 1, 8 * reach + 8 + abs(shift), b"E"
+    )
+    if info != 0:
+        raise NotConvergedError("the Sturm count of the rod's second variation failed: its entries overflow")
+    return int(count)
+
+
+def constrained_inertia(diagonal: FloatArray, off: FloatArray, rows: FloatArray, shift: float = 0.0) -> int:
+    """Number of eigenvalues below `shift` of the tridiagonal matrix A on the null space of `rows` (k, n).
+
+    Sylvester's law on the bordered matrix: neg = neg(A - shift) + pos(S) - rank, S = C (A - shift)^-1 C^t.
+    """
+    return _inertia(diagonal, off, orthonormal_rows(rows), shift)
+
+
+def _inertia(diagonal: FloatArray, off: FloatArray, basis: FloatArray, shift: float) -> int:
+    negative = count_negative(diagonal, off, shift)
+    if basis.shape[0] == 0:
+        return negative
+    solved = solve_tridiagonal(diagonal - shift, off, basis.T).T
+    schur = np.array([_along(solved, row) for row in basis])
+    positive = int(np.count_nonzero(np.linalg.eigvalsh((schur + schur.T) / 2) > 0))
+    return negative + positive - int(basis.shape[0])
+
+
+def lowest_constrained(
+    diagonal: FloatArray, off: FloatArray, rows: FloatArray, count: int = 1
+) -> tuple[FloatArray, FloatArray]:
+    """Lowest eigenpairs of the symmetric tridiagonal matrix A on the null space of `rows` (k, n).
+
+    The lowest mode alone is sought among smooth ones, refined by Rayleigh quotients, and proved the lowest by
+    the inertia just below it; several modes, or a rough one, by shifted inverse Lanczos iteration, every step
+    one positive definite tridiagonal solve: O(n).
+
+    Returns
+    -------
+    values : (count,) array
+    vectors : (count, n) array
+        Orthonormal, orthogonal to `rows`.
+    """
+    from scipy.linalg.lapack import dpttrf, dpttrs, dstebz
+
+    n = diagonal.size
+    basis = orthonormal_rows(rows)
+    rank = basis.shape[0]
+    if n - rank < count:
+        raise NotConvergedError(f"a rod of {n} edges has fewer than {count} free modes: use more samples")
+    if n <= 6:
+        return _dense(diagonal, off, basis, count)
+    reach = _reach(diagonal, off)
+    if count == 1 and n >= _ROUGH:
+        found = _smooth_mode(diagonal, off, basis, reach)
+        if found is not None:
+            return found
+    tolerance = 0.01 * reach / n**2
+    last = min(n, rank + count)
+    lowest = dstebz(diagonal, off, 2, 0.0, 0.0, 1, last, tolerance, b"E")[1]
+    step = 0.3 * (lowest[last - 1] - lowest[0]) + 10 * tolerance
+    shift = lowest[0] - step
+    d, e, info = dpttrf(diagonal - shift, off)
+    while info != 0 and shift > -2 * reach - step:  # a shift too close by rounding: go further down
+        step *= 2
+        shift -= step
+        d, e, info = dpttrf(diagonal - shift, off)
+    if info != 0:
+        raise NotConvergedError("no lower bound of the rod's second variation: its entries are not finite")
+    solved = np.ascontiguousarray(dpttrs(d, e, basis.T)[0].T) if rank else basis
+    inner = np.linalg.inv([_along(solved, row) for row in basis]) if rank else np.zeros((0, 0))
+
+    most = min(MOST_STEPS, n - rank)
+    V = np.zeros((most + 1, n))
+    start = _START[np.arange(n) % _START.size] + np.linspace(0.5, 1.5, n)
+    start = start - _combined(_along(basis, start), basis)
+    V[0] = start / _norm(start)
+    alpha, beta = np.zeros(most), np.zeros(most)
+    for j in range(most):
+        x = dpttrs(d, e, V[j])[0]
+        if rank:
+            x = x - _combined(inner @ _along(basis, x), solved)
+            x -= _combined(_along(basis, x), basis)
+        alpha[j] = _along(V[j : j + 1], x)[0]
+        for _ in range(2):
+            x -= _combined(_along(V[: j + 1], x), V[: j + 1])
+        beta[j] = _norm(x)
+        exhausted = j + 1 == most or beta[j] <= 1e-15 * alpha[0]
+        if exhausted or (j >= 8 + 2 * count and j % 3 == 0):
+            theta, S = np.linalg.eigh(np.diag(alpha[: j + 1]) + np.diag(beta[:j], 1) + np.diag(beta[:j], -1))
+            wanted = slice(-1, -count - 1, -1)
+            left = np.abs(beta[j] * S[-1, wanted])
+            if exhausted or np.all(left < 1e-12 * theta[wanted]):
+                vectors = S[:, wanted].T @ V[: j + 1]
+                return shift + 1 / theta[wanted], vectors
+        V[j + 1] = x / beta[j]
+    raise NotConvergedError("the lowest mode of the rod was not found")
+
+
+def _smooth_mode(
+    diagonal: FloatArray, off: FloatArray, basis: FloatArray, reach: float
+) -> tuple[FloatArray, FloatArray] | None:
+    """The lowest eigenpair by Rayleigh quotient iteration (cubic) from the best polynomial; None if not sure."""
+    n, k = diagonal.size, basis.shape[0]
+    V = _polynomials(n)
+    turned = diagonal[:, None] * V
+    turned[1:] += off[:, None] * V[:-1]
+    turned[:-1] += off[:, None] * V[1:]
+    energy = V.T @ turned
+    free = np.eye(_SMOOTH)
+    if k:
+        free = np.linalg.qr((basis @ V).T, mode="complete")[0][:, k:]
+    values, modes = np.linalg.eigh(free.T @ energy @ free)
+    value, x = float(values[0]), V @ (free @ modes[:, 0])
+    scale = abs(value) + reach / n**2
+    right = np.empty((n, k + 1), order="F")
+    right[:, 1:] = basis.T
+    for _ in range(_REFINEMENTS):
+        right[:, 0] = x
+        solved = solve_tridiagonal(diagonal - value, off, right).T
+        x = solved[0]
+        if k:
+            schur = np.array([_along(solved, row) for row in basis])
+            x = x - _combined(small_solution(schur[:, 1:], schur[:, 0]), solved[1:])
+            x -= _combined(_along(basis, x), basis)
+        size = _norm(x)
+        if not (np.isfinite(size) and size > 0):
+            return None
+        x /= size
+        change = float(_along(x[None], right[:, 0])[0]) / size
+        value += change
+        if abs(change) < 1e-5 * scale:
+            below = value - max(1e-9 / n**2, 64 * np.finfo(float).eps) * reach
+            sure = _inertia(diagonal, off, basis, below) == 0
+            return (np.array([value]), x[None]) if sure else None
+    return None
+
+
+@lru_cache(maxsize=16)
+def _polynomials(n: int) -> FloatArray:
+    """Orthonormal polynomials (n, _SMOOTH) on n equal steps."""
+    powers = np.polynomial.legendre.legvander(np.linspace(-1, 1, n), _SMOOTH - 1)
+    return np.asarray(np.linalg.qr(powers)[0])
+
+
+def _dense(
+    diagonal: FloatArray, off: FloatArray, basis: FloatArray, count: int
+) -> tuple[FloatArray, FloatArray]:
+    full = np.diag(diagonal) + np.diag(off, 1) + np.diag(off, -1)
+    free = (
+        np.linalg.svd(basis, full_matrices=True)[2][basis.shape[0] :] if basis.size else np.eye(diagonal.size)
+    )
+    values, vectors = np.linalg.eigh(free @ full @ free.T)
+    return values[:count], (free.T @ vectors[:, :count]).T
+
+
+def _reach(diagonal: FloatArray, off: FloatArray) -> float:
+    return float(np.abs(diagonal).max() + 2 * np.abs(off).max(initial=0.0))
+
+
+def small_solution(matrix: FloatArray, right: FloatArray) -> FloatArray:
+    """Solution of a small system, in the least-squares sense where it is singular."""
+    if right.size == 2:  # the usual case, ten times faster than a general solver
+        (a, b), (c, d) = matrix.tolist()
+        determinant = a * d - b * c
+        if abs(determinant) > 1e-12 * (abs(a * d) + abs(b * c)):
+            x, y = right.tolist()
+            return np.array([(d * x - b * y) / determinant, (a * y - c * x) / determinant])
+    return np.asarray(np.linalg.lstsq(matrix, right, rcond=1e-14)[0], dtype=float)
+
+
+# BLAS is faster up to the size at which it starts threads, which cost more than these products
+def _along(rows: FloatArray, vector: FloatArray) -> FloatArray:
+    if rows.size <= _UNTHREADED:
+        return np.asarray(rows.dot(vector))
+    return np.asarray(np.einsum("kn,n->k", rows, vector))
+
+
+def _combined(factors: FloatArray, rows: FloatArray) -> FloatArray:
+    if rows.size <= _UNTHREADED:
+        return np.asarray(factors.dot(rows))
+    return np.asarray(np.einsum("k,kn->n", factors, rows))
+
+
+def _norm(vector: FloatArray) -> float:
+    if vector.size <= _UNTHREADED:
+        return math.sqrt(vector.dot(vector))
+    return math.sqrt(np.einsum("n,n->", vector, vector))
+
+
+# a start without symmetry, the same in every run: it has a part along every mode
+_START = np.array([0.31, -0.27, 0.83, 0.12, -0.55, 0.71, 0.44, -0.93, 0.08, 0.62, -0.38])

@@ -1,0 +1,291 @@
+"""The discrete rod of paper section 7.1 with weight: nodes 0..n, edges 1..n.
+
+Angles, forces and modes live on edges, stiffness, moments and loads on nodes. alpha_0 and alpha_{n+1} are
+the angles of fictitious edges that the supports hold. An angle that an end leaves free drops that end's
+node from the energy: the moment there is given (zero unless a moment is applied).
+"""
+
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.rod.banded_matrices import constrained_inertia, lowest_constrained, small_solution
+
+__all__ = [
+    "DiscreteRod",
+    "Margin",
+    "MarginDerivatives",
+    "bending_moments",
+    "edge_forces",
+    "edge_positions",
+    "node_weights",
+    "tangents",
+]
+
+
+def tangents(angles: FloatArray) -> FloatArray:
+    """Unit tangents T(alpha) = (cos alpha, sin alpha), (n, 2)."""
+    T = np.empty((angles.size, 2))
+    np.cos(angles, out=T[:, 0])
+    np.sin(angles, out=T[:, 1])
+    return T
+
+
+def node_weights(edge_length: float | FloatArray, edges: int) -> FloatArray:
+    """Voronoi lengths w (n+1,): half the sum of the incident edge lengths, mm."""
+    lengths = np.broadcast_to(np.asarray(edge_length, dtype=float), (edges,))
+    w = np.zeros(edges + 1)
+    w[:-1] += lengths / 2
+    w[1:] += lengths / 2
+    return w
+
+
+def edge_positions(start: FloatArray, tangents: FloatArray, edge_length: float | FloatArray) -> FloatArray:
+    """Nodes gamma (n+1, 2) of the chain of edges along `tangents` (n, 2) that leaves `start`, mm."""
+    position = np.empty((tangents.shape[0] + 1, 2))
+    position[0] = start
+    np.cumsum(np.reshape(edge_length, (-1, 1)) * tangents, axis=0, out=position[1:])
+    position[1:] += start
+    return position
+
+
+def edge_forces(first: FloatArray, load: FloatArray) -> FloatArray:
+    """lambda of every edge (n, 2), 1/mm2, from that of the first and the nodal loads (n+1, 2).
+
+    lambda_{i+1} = lambda_i + q_i: with weight q_i = -w_i K_i e this is b_{i+1} = b_i - w_i K_i R^t e.
+    """
+    force = np.empty((load.shape[0] - 1, 2))
+    force[0] = first
+    np.cumsum(load[1:-1], axis=0, out=force[1:])
+    force[1:] += first
+    return force
+
+
+def bending_moments(
+    stiffness: FloatArray,
+    angles: FloatArray,
+    w: FloatArray,
+    *,
+    ends: tuple[float | None, float | None],
+    natural_curvature: float | FloatArray = 0.0,
+    end_moments: tuple[float, float] = (0.0, 0.0),
+) -> FloatArray:
+    """Moments M_i = K_i ((alpha_{i+1} - alpha_i) / w_i - kappa_0) of all nodes (n+1,), 1/mm.
+
+    Parameters
+    ----------
+    ends : pair of float or None
+        Angles alpha_0 and alpha_{n+1} held by the supports; None where the angle is free.
+    end_moments : pair of float
+        Moments M_0 and M_n where the angle is free.
+    """
+    M = np.empty(stiffness.size)
+    M[1:-1] = np.diff(angles)
+    M[0] = angles[0] - (angles[0] if ends[0] is None else ends[0])
+    M[-1] = (angles[-1] if ends[1] is None else ends[1]) - angles[-1]
+    M /= w
+    M -= natural_curvature
+    M *= stiffness
+    if ends[0] is None:
+        M[0] = end_moments[0]
+    if ends[1] is None:
+        M[-1] = end_moments[1]
+    return M
+
+
+@dataclass(frozen=True, eq=False)
+class Margin:
+    """Lowest eigenvalue of the second variation on the tangent space of the end constraints.
+
+    Attributes
+    ----------
+    value : float
+        The eigenvalue of h -> int K h'^2 - <lambda, gamma'> h^2 against int h^2, times length^2.
+    mode : (n,) array
+        The edge values of its mode h, int h^2 = 1, so 1/sqrt(mm).
+    multipliers : (2,) array
+        nu of H v - mu W v = C^t nu, for x and y; zero for a coordinate that is not held at both ends.
+    """
+
+    value: float
+    mode: FloatArray
+    multipliers: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class MarginDerivatives:
+    """Partial derivatives of the margin.
+
+    Attributes
+    ----------
+    stiffness : (n+1,) array
+        With respect to the nodal K.
+    force : (n, 2) array
+        With respect to each edge's lambda, mm2.
+    angles : (n,) array
+        With respect to each edge's angle.
+    length : float
+        With respect to the total length (all edges in proportion, K, angles and lambda kept), 1/mm.
+    """
+
+    stiffness: FloatArray
+    force: FloatArray
+    angles: FloatArray
+    length: float
+
+
+@dataclass(frozen=True, eq=False)
+class DiscreteRod:
+    """One shape of a discrete rod with its forces; what follows from it is computed once, when first asked for.
+
+    Attributes
+    ----------
+    stiffness : (n+1,) array
+        K at the nodes; dM/dkappa where the material does not follow Hooke's law.
+    angles : (n,) array
+        Edge angles, rad.
+    force : (n, 2) or (2,) array
+        lambda of the edges, 1/mm2 (minus the usual internal force).
+    edge_length : float or (n,) array
+        mm.
+    supports : Supports
+        Clamped at both ends unless given.
+    start : (2,) array
+        Position of the first node, mm.
+
+    Examples
+    --------
+    A straight rod without load: its margin is that of the lowest sine of mean zero.
+
+    >>> rod = DiscreteRod(np.ones(201), np.zeros(200), np.zeros(2), 0.5)
+    >>> round(rod.margin.value / np.pi**2, 3), rod.unstable_modes
+    (4.0, 0)
+    """
+
+    stiffness: FloatArray
+    angles: FloatArray
+    force: FloatArray
+    edge_length: float | FloatArray
+    supports: Supports = field(default_factory=Supports)
+    start: FloatArray = field(default_factory=lambda: np.zeros(2))
+
+    @cached_property
+    def edge_lengths(self) -> FloatArray:
+        """Length of every edge (n,), mm."""
+        return np.full(self.angles.size, self.edge_length, dtype=float)
+
+    @cached_property
+    def node_lengths(self) -> FloatArray:
+        """Voronoi lengths w (n+1,) of the nodes, mm."""
+        return node_weights(self.edge_length, self.angles.size)
+
+    @cached_property
+    def tangents(self) -> FloatArray:
+        """Unit tangents T of the edges (n, 2)."""
+        return tangents(self.angles)
+
+    @cached_property
+    def position(self) -> FloatArray:
+        """Nodes (n+1, 2), mm."""
+        return edge_positions(self.start, self.tangents, self.edge_length)
+
+    @cached_property
+    def pull(self) -> FloatArray:
+        """<lambda, T> of the edges (n,), 1/mm2: minus the axial force."""
+        return np.asarray(self.force[..., 0] * self.tangents[:, 0] + self.force[..., 1] * self.tangents[:, 1])
+
+    @cached_property
+    def shear(self) -> FloatArray:
+        """<b, T> of the edges (n,), 1/mm2: the slope of the moment, b = R^t lambda."""
+        return np.asarray(self.force[..., 1] * self.tangents[:, 0] - self.force[..., 0] * self.tangents[:, 1])
+
+    @cached_property
+    def held(self) -> tuple[int, ...]:
+        """The coordinates (0: x, 1: y) that both ends hold."""
+        return tuple(i for i, both in enumerate(self.supports.transmits_force) if both)
+
+    @property
+    def held_angles(self) -> tuple[bool, bool]:
+        """Whether the start and the end hold the tangent."""
+        start, end = self.supports.ends
+        return start.angle, end.angle
+
+    @cached_property
+    def hessian(self) -> tuple[FloatArray, FloatArray]:
+        """Tridiagonal Hessian H of the energy in the edge angles: diagonal (n,), off-diagonal (n-1,), 1/mm.
+
+        h^t H h = sum_i K_i (h_{i+1} - h_i)^2 / w_i - sum_i l_i <lambda_i, T_i> h_i^2, with h_0 = h_{n+1} = 0
+        where the angle is held; the end node's term drops where it is free.
+        """
+        spring = self.stiffness / self.node_lengths
+        self._drop_free(spring)
+        return spring[:-1] + spring[1:] - self.edge_length * self.pull, -spring[1:-1]
+
+    @cached_property
+    def constraint_rows(self) -> FloatArray:
+        """Rows C (p, n), mm, of d(gamma_l - gamma_0) = C d(alpha), for the coordinates held at both ends.
+
+        C = l_i (-sin alpha_i, cos alpha_i).
+        """
+        sides = (-1, self.tangents[:, 1]), (1, self.tangents[:, 0])
+        rows = [sign * self.edge_length * side for sign, side in (sides[i] for i in self.held)]
+        return np.array(rows).reshape(len(rows), self.angles.size)
+
+    @cached_property
+    def unstable_modes(self) -> int:
+        """Number of unstable modes: the inertia of the Hessian on the constraints."""
+        return constrained_inertia(*self.hessian, self.constraint_rows)
+
+    @cached_property
+    def margin(self) -> Margin:
+        """Stability margin, O(n); positive means stable."""
+        lengths, rows = self.edge_lengths, self.constraint_rows
+        diagonal, off = self.hessian
+        root = np.sqrt(lengths)
+        values, vectors = lowest_constrained(diagonal / lengths, off / (root[:-1] * root[1:]), rows / root)
+        v = vectors[0] / root
+        v = v if v[np.argmax(np.abs(v))] > 0 else -v
+        nu = np.zeros(2)
+        if self.held:
+            left = diagonal * v - values[0] * lengths * v
+            left[1:] += off * v[:-1]
+            left[:-1] += off * v[1:]
+            per_length = rows / lengths
+            nu[list(self.held)] = small_solution(
+                np.einsum("in,jn->ij", per_length, rows), np.einsum("in,n->i", per_length, left)
+            )
+        return Margin(float(values[0] * lengths.sum() ** 2), v, nu)
+
+    @cached_property
+    def margin_derivatives(self) -> MarginDerivatives:
+        """d(mu) = v^t dH v - mu v^t dW v - 2 nu^t dC v, with v^t W v = 1 and C v = 0."""
+        v, nu, lengths = self.margin.mode, self.margin.multipliers, self.edge_lengths
+        total = float(lengths.sum())
+        square = total**2 * lengths * v**2
+        per_stiffness = total**2 * np.diff(v, prepend=0.0, append=0.0) ** 2 / self.node_lengths
+        self._drop_free(per_stiffness)
+        per_force = -square[:, None] * self.tangents
+        per_angle = -square * self.shear + 2 * total**2 * lengths * v * (self.tangents @ nu)
+        per_length = 2 / total * float(np.sum(per_force * self.force))
+        return MarginDerivatives(per_stiffness, per_force, per_angle, per_length)
+
+    def moment_imbalance(self, moments: FloatArray) -> FloatArray:
+        """M_{i-1} - M_i + l_i <b_i, T_i> of every edge (n,), 1/mm: the energy's gradient in the edge angles."""
+        return np.asarray(moments[:-1] - moments[1:] + self.edge_length * self.shear)
+
+    def reversed(self) -> "DiscreteRod":
+        """The same rod run through from its end."""
+        force = np.broadcast_to(self.force, self.tangents.shape)
+        return DiscreteRod(
+            self.stiffness[::-1], self.angles[::-1] + np.pi, -force[::-1], self.edge_lengths[::-1],
+            self.supports.reversed(), self.position[-1],
+        )  # fmt: skip
+
+    def _drop_free(self, per_node: FloatArray) -> None:
+        """Zero at the end nodes whose angle is free."""
+        for node, held in zip((0, -1), self.held_angles, strict=True):
+            if not held:
+                per_node[node] = 0.0

@@ -1,0 +1,249 @@
+"""The stiffness of least ratio on a curve, without weight, with its own, and with weights in newtons."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2, Weight
+from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
+from elastica_cad.mechanics.stiffness.moment_conditions import (
+    NO_GAIN_SHARE,
+    SMOOTHING_SHARE,
+    BalancedStiffness,
+    ConditionedRows,
+)
+from elastica_cad.mechanics.stiffness.moment_rows import LineLoad, moment_rows
+from elastica_cad.mechanics.stiffness.quadrature_panels import Panels, cut_into_panels
+from elastica_cad.mechanics.stiffness.smoothest_stiffness import largest_number
+from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
+
+__all__ = ["BalancedStiffness", "balance_with_weight", "balance_without_weight"]
+
+ROUGH = 1e-9
+"""Last Legendre coefficients of K in a panel, relative to K, that call for smaller panels."""
+
+REFINEMENTS = 6
+
+SMOOTH = 4
+"""Continuous derivatives of K from which on a knot of the load needs no edge of a panel."""
+
+
+def balance_without_weight(
+    check: EquilibriumCheck,
+    supports: Supports,
+    natural_curvature: float,
+    *,
+    law: MaterialLaw | None = None,
+    nodes: FloatArray | None = None,
+) -> BalancedStiffness:
+    """Eq. 4 on the continuous curve, or with its ratio judged at the parameters `nodes` only."""
+    cuts, kinks = _law_places(check, natural_curvature, law)
+    panels = _panels(check, natural_curvature, law, cuts)
+    problem = ConditionedRows(check, supports, panels, moment_rows(panels), nodes)
+    state = problem.least(problem.homogeneous(3), smooth=False)
+    return replace(problem.balance(problem.steadied(state)), kinks=kinks)
+
+
+def balance_with_weight(
+    check: EquilibriumCheck,
+    supports: Supports,
+    natural_curvature: float,
+    gravity: Gravity,
+    *,
+    law: MaterialLaw | None = None,
+    weight: Weight | None = None,
+    bending_stiffness: float | None = None,
+    nodes: FloatArray | None = None,
+) -> BalancedStiffness:
+    """Eq. 6 on the continuous curve, with weight proportional to the stiffness, or in newtons."""
+    cuts, kinks = _law_places(check, natural_curvature, law)
+    load_cuts, load_kinks = _load_places(check, weight)
+    cuts, kinks = [*cuts, *load_cuts], [*kinks, *load_kinks]
+    panels = _panels(check, natural_curvature, law, cuts)
+    if weight is None or weight.own:
+        cuts = [*cuts, *_heavy_cuts(panels, gravity)]
+        panels = _panels(check, natural_curvature, law, cuts)
+    tau = None if bending_stiffness is None else 1 / bending_stiffness
+    for _ in range(REFINEMENTS):
+        load = _Load(check, supports, panels, gravity, weight, nodes)
+        if weight is None:
+            problem = load.against(0.0)
+            balance = problem.balance(problem.least(problem.homogeneous(3)))
+        else:
+            tau = _least_compliance(load, weight) if tau is None else tau
+            problem = load.against(tau)
+            balance = problem.balance(problem.least(problem.at_compliance(tau)))
+        rough = balance.stiffness.unresolved(ROUGH)
+        if not rough.any():
+            break
+        cuts = [*cuts, *((panels.edges[1:] + panels.edges[:-1]) / 2)[rough]]
+        panels = _panels(check, natural_curvature, law, cuts)
+    if weight is None or tau is None:
+        return replace(balance, kinks=kinks)
+    beta = _raised(weight.beta, gravity.length**-3 / tau) if weight.own else weight.beta
+    carried = replace(weight, beta=beta, own=False)
+    return replace(balance, bending_stiffness=1 / tau, weight=carried, kinks=kinks)
+
+
+@dataclass(frozen=True, eq=False)
+class _Load:
+    """A curve cut into panels, with the weight it is to carry."""
+
+    check: EquilibriumCheck
+    supports: Supports
+    panels: Panels
+    gravity: Gravity
+    weight: Weight | None
+    nodes: FloatArray | None
+
+    def against(self, tau: float) -> "ConditionedRows":
+        """The problem with weights in newtons set against B = 1 / tau."""
+        panels, weight = self.panels, self.weight
+        proportional = self.gravity.length**-3
+        own = np.full(panels.t.shape, proportional if weight is None or weight.own else 0.0)
+        dead, points = np.zeros(panels.t.shape), np.zeros(panels.count + 1)
+        if weight is not None:
+            own += _along(weight.beta, panels.s) * tau
+            dead = _along(weight.alpha, panels.s)
+            for mass in weight.masses:
+                points[int(np.abs(panels.edge_s - mass.at).argmin())] += (
+                    mass.mass * 1e-3 * STANDARD_GRAVITY_M_S2
+                )
+        load = LineLoad(-np.asarray(self.gravity.direction), own, dead, points)
+        rows = moment_rows(panels, load)
+        if not np.all(np.isfinite(rows.stiffness)):
+            reason = (
+                "The weight is far too much for the stiffness (a gravity length of "
+                f"{self.gravity.length:.4g} mm on a curve of {self.check.length:.4g} mm): use a lighter or "
+                "stiffer sheet, or look at the units (200 gsm card: 96 mm)."
+            )
+            raise NotRealizable(replace(self.check, realizable=False, reasons=(reason,)))
+        return ConditionedRows(self.check, self.supports, panels, rows, self.nodes)
+
+
+def _least_compliance(load: _Load, weight: Weight) -> float:
+    """tau = 1 / B of least ratio; where lighter is always better, the largest within 1 % of the best."""
+    if isinstance(weight.beta, Profile) or weight.beta:
+        return _searched_compliance(load, weight)
+    problem = load.against(1.0)
+    if problem.scale.size == 3:
+        raise InputError(
+            "the weight is proportional to the stiffness, so every bending stiffness will do: leave "
+            "`weight` out, or give bending_stiffness"
+        )
+    light, numbers = problem.ratio(problem.homogeneous(3)), problem.homogeneous(4)
+    heavy = problem.ratio(numbers)
+    if heavy is None:
+        problem.refuse(numbers.family)
+    tau = float((numbers.basis @ heavy[0])[3])
+    if light is None or heavy[1] < light[1] * (1 - NO_GAIN_SHARE):
+        return tau
+    rows, _ = numbers.family.dense
+    return largest_number(rows, numbers.basis[3], light[1] * (1 + SMOOTHING_SHARE))
+
+
+def _searched_compliance(load: _Load, weight: Weight) -> float:
+    """The same where an own weight in newtons makes tau enter twice: by search along tau."""
+    from scipy.optimize import brentq, minimize_scalar
+
+    def ratio(logarithm: float) -> float:
+        tau = float(np.exp(logarithm))
+        try:
+            problem = load.against(tau)
+            found = problem.ratio(problem.at_compliance(tau))
+        except NotRealizable:
+            return np.inf
+        return np.inf if found is None else found[1]
+
+    s = np.linspace(0.0, load.check.length, 101)
+    newtons = float(replace(weight, own=False).lumped(s, np.ones(101), np.full(101, s[1])).sum())
+    weightless = load.against(0.0)
+    light = weightless.ratio(weightless.homogeneous(3))
+    bent = float(np.abs(weightless.panels.curvature).max())
+    trial = np.log(bent / (newtons * load.check.length)) + np.linspace(-8.0, 4.0, 25)
+    ratios = np.array([ratio(x) for x in trial])
+    best = int(ratios.argmin())
+    if not np.isfinite(ratios[best]):
+        weightless.refuse(None)
+    if light is None or ratios[best] < light[1] * (1 - NO_GAIN_SHARE):
+        bounds = (trial[max(best - 1, 0)], trial[min(best + 1, 24)])
+        found = minimize_scalar(ratio, bounds=bounds, method="bounded", options={"xatol": 1e-6})
+        return float(np.exp(found.x if found.fun <= ratios[best] else trial[best]))
+    limit = light[1] * (1 + SMOOTHING_SHARE)
+    within = int(np.flatnonzero(ratios <= limit)[-1])
+    if within == 24:
+        return float(np.exp(trial[-1]))
+    low, high = trial[within], trial[within + 1]
+    return float(np.exp(brentq(lambda x: min(ratio(x), 2 * limit) - limit, low, high, xtol=1e-6)))
+
+
+def _panels(
+    check: EquilibriumCheck, natural_curvature: float, law: MaterialLaw | None, cuts: Sequence[float]
+) -> Panels:
+    zeros = [z.t for z in check.zeros]
+    return cut_into_panels(check.curve, zeros, cuts=cuts, natural_curvature=natural_curvature, law=law)
+
+
+def _heavy_cuts(panels: Panels, gravity: Gravity) -> FloatArray:
+    """Parameters at which to cut panels longer than sqrt(kappa l_eg^3), on which a heavy K varies."""
+    steep = np.sqrt(gravity.length**-3 / np.abs(panels.curvature).max(axis=1))
+    parts = np.clip(np.ceil(np.diff(panels.edge_s) * steep / 2), 1, 50).astype(int)
+    edges = panels.edges
+    inner = [np.linspace(a, b, n + 1)[1:-1] for a, b, n in zip(edges[:-1], edges[1:], parts, strict=True)]
+    return np.concatenate(inner)
+
+
+def _law_places(
+    check: EquilibriumCheck, natural_curvature: float, law: MaterialLaw | None
+) -> tuple[list[float], list[tuple[float, int]]]:
+    """Parameters at which the material law is not smooth, and the kinks (s, continuity) of K there."""
+    found = [
+        (place, continuity)
+        for curvature, continuity in (() if law is None else law.kinks)
+        for side in (-curvature, curvature)
+        for place in check.curve.curvature_equals(natural_curvature + side)
+    ]
+    return [place.t for place, _ in found], [(place.s, continuity) for place, continuity in found]
+
+
+def _load_places(
+    check: EquilibriumCheck, weight: Weight | None
+) -> tuple[list[float], list[tuple[float, int]]]:
+    """Parameters at which panels must end, and kinks (s, continuity) of the stiffness that the load makes."""
+    if weight is None:
+        return [], []
+    length = check.length
+    kinks: list[tuple[float, int]] = []
+    for mass in weight.masses:
+        if not (np.isfinite(mass.mass) and 0 <= mass.at <= length):
+            raise InputError(
+                f"point mass of {mass.mass:.6g} g at {mass.at:.6g} mm does not lie on the curve of "
+                f"{length:.6g} mm"
+            )
+        kinks.append((mass.at, 0))
+    for part in (weight.alpha, weight.beta):
+        if isinstance(part, Profile):
+            if not np.isclose(part.length, length, rtol=1e-6):
+                raise InputError(f"a weight profile is {part.length:.6g} mm long, the curve {length:.6g} mm")
+            # the moment is twice an integral of the load
+            knots, times = np.unique(part.knots, return_counts=True)
+            smooth = part.degree - times + 2
+            kinks += [(float(s), int(c)) for s, c in zip(knots, smooth, strict=True) if c < SMOOTH]
+    kinks = [(s, c) for s, c in kinks if 0 < s < length]
+    return [float(t) for t in check.curve.parameter(np.array([s for s, _ in kinks]))], kinks
+
+
+def _raised(value: float | Profile, step: float) -> float | Profile:
+    if isinstance(value, Profile):
+        return Profile(value.knots, value.coefficients + step, value.degree)
+    return value + step
+
+
+def _along(value: float | Profile, s: FloatArray) -> FloatArray:
+    return value(s) if isinstance(value, Profile) else np.full(s.shape, float(value))

@@ -1,0 +1,196 @@
+"""The rod that a laminate makes: its weight depends on the backing, and the backing on the rod."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.loads.weight import PointMass, Weight
+from elastica_cad.mechanics.material.cross_sections import LaminatedSection
+from elastica_cad.mechanics.material.section_limits import ScaleRange
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+
+__all__ = ["Laminate", "optimal_laminate"]
+
+_SETTLED_SHARE = 1e-5
+"""Relative change from round to round that ends them."""
+
+_MOST_ROUNDS = 30
+"""Optimal rods before the search for a laminate is given up."""
+
+_STATIONS = 81  # of the weight law, a cubic spline in between
+_DENSE = 2001  # at which the backing must fit
+
+
+@dataclass(frozen=True, eq=False)
+class Laminate:
+    """A rod and the layers that make it.
+
+    Attributes
+    ----------
+    rod : Rod
+        Its `bending_stiffness` is the scale c, N mm2: E I = c K.
+    section : LaminatedSection
+    base_width, backing_width : (n,) array
+        w1 and w2 at the nodes of the rod, mm.
+    range : ScaleRange
+        Scales that could be built with this K; c is its upper end.
+    rounds : int
+        Optimal rods that were needed; 1 without weight.
+    """
+
+    rod: Rod
+    section: LaminatedSection
+    base_width: FloatArray
+    backing_width: FloatArray
+    range: ScaleRange
+    rounds: int
+
+
+def optimal_laminate(
+    curve: PlaneCurve,
+    section: LaminatedSection,
+    base_width: "float | Profile",
+    *,
+    direction: ArrayLike | None = None,
+    supports: Supports | None = None,
+    samples: int | None = None,
+    least_backing: float = 0.0,
+    masses: tuple[PointMass, ...] = (),
+) -> Laminate:
+    """The rod of least ratio on a curve, and the backing that gives a base of given width its stiffness.
+
+    The weight is that of both layers, linear in w2 and so not in K (paper, section 8.1, footnote 4): the
+    weight law is set tangent to the true one at the last K and scale, until both stay.
+
+    Parameters
+    ----------
+    curve : PlaneCurve
+    section : LaminatedSection
+    base_width : float or Profile
+        w1 along the curve, mm.
+    direction : (2,) array_like, optional
+        Where things fall in the plane of the curve; without it the strip is weightless.
+    supports, samples
+        As in `optimal_rod`.
+    least_backing : float
+        Narrowest backing that can be cut and glued, mm.
+    masses : tuple of PointMass
+        Hung on the strip.
+
+    Returns
+    -------
+    Laminate
+
+    Raises
+    ------
+    NotRealizable
+        As `optimal_rod`.
+    InputError
+        The stiffness does not fit into the width; says which thickness ratio would do.
+    NotConvergedError
+        Weight and stiffness do not settle.
+
+    Examples
+    --------
+    >>> from elastica_cad.mechanics.material.sheet import Sheet
+    >>> card = Sheet.named("card-200gsm")
+    >>> arch = PlaneCurve.ellipse((0, 0), (75, 60), start=0, end=3.1416)
+    >>> laminate = optimal_laminate(arch, LaminatedSection(card, card), 20.0, direction=(0, -1))
+    >>> round(float(laminate.backing_width.max()), 6)
+    20.0
+    """
+    s_end = curve.length
+    if isinstance(base_width, Profile) and not np.isclose(base_width.length, s_end, rtol=1e-6):
+        raise InputError(
+            f"the base width is given over {base_width.length:.6g} mm, the curve is {s_end:.6g} mm long"
+        )
+    gravity = None if direction is None else _filled(section, direction)
+    rod = optimal_rod(curve, gravity, supports, samples=samples)
+    w1 = _along(base_width, rod.s)
+    stations = np.linspace(0.0, rod.length, _STATIONS)
+    everywhere = np.union1d(np.linspace(0.0, rod.length, _DENSE), rod.s)
+    if isinstance(base_width, Profile):
+        everywhere = np.union1d(everywhere, np.clip(base_width.knots, 0.0, rod.length))
+    widths = _along(base_width, everywhere)
+
+    def built(rod: Rod, scale: float, rounds: int) -> Laminate:
+        K = np.asarray(rod.stiffness)
+        return Laminate(
+            rod=replace(rod, bending_stiffness=scale),
+            section=section,
+            base_width=w1,
+            backing_width=section.backing_width(w1, scale * K),
+            range=section.scale_range(w1, K, least_backing=least_backing),
+            rounds=rounds,
+        )
+
+    scale = _scale(section, widths, _stiffness(rod, everywhere), least_backing)
+    if gravity is None:
+        return built(rod, scale, 1)
+    history: list[float] = []
+    change, least = np.inf, 1.0  # a smoothed stiffness may have a least value above the 1 that was asked for
+    for rounds in range(2, _MOST_ROUNDS):
+        asked = scale / least
+        K = least * _stiffness(rod, stations)
+        weight = section.weight(stations, _along(base_width, stations), K, asked)
+        loaded = Weight(weight.alpha, weight.beta, masses)
+        found = optimal_rod(curve, gravity, supports, samples=samples, weight=loaded, bending_stiffness=asked)
+        change = float(np.abs(found.stiffness / rod.stiffness - 1).max())
+        rod, got = found, found.bending_stiffness or asked
+        least = got / asked
+        scale = _scale(section, widths, _stiffness(rod, everywhere), least_backing)
+        if change < _SETTLED_SHARE and abs(scale / got - 1) < _SETTLED_SHARE:
+            return built(rod, scale, rounds)
+        history.append(np.log(scale))
+        if len(history) == 3:
+            scale = float(np.exp(_extrapolated(*history)))
+            history.clear()
+    raise NotConvergedError(
+        f"weight and stiffness of the laminate do not settle (the stiffness still moves by {change:.2g}): "
+        "the strip is too heavy for this curve; use stiffer or thinner sheets, or support it"
+    )
+
+
+def _along(width: float | Profile, s: FloatArray) -> FloatArray:
+    return width(s) if isinstance(width, Profile) else np.full(s.shape, float(width))
+
+
+def _extrapolated(first: float, second: float, third: float) -> float:
+    """Aitken's limit of a sequence that closes in by the same factor each time; else the last one."""
+    step, before = third - second, second - first
+    if before == 0 or not -0.9 < step / before < 0.9:
+        return third
+    return third + step**2 / (before - step)
+
+
+def _stiffness(rod: Rod, s: FloatArray) -> FloatArray:
+    """K from the profile, whose own small error must not fall below the least value."""
+    return np.maximum(rod.profile(s), 1.0)
+
+
+def _filled(section: LaminatedSection, direction: ArrayLike) -> Gravity:
+    """Gravity of the laminate with two full layers, to begin with."""
+    length = section.bending_stiffness(1.0, 1.0) / section.weight_per_length(1.0, 1.0)
+    x, y = np.asarray(direction, dtype=float)
+    return Gravity(float(length ** (1 / 3)), (float(x), float(y)))
+
+
+def _scale(
+    section: LaminatedSection, base_width: FloatArray, stiffness: FloatArray, least_backing: float
+) -> float:
+    found = section.scale_range(base_width, stiffness, least_backing=least_backing)
+    if not found.feasible:
+        ratio = section.thickness_ratio(base_width, stiffness, least_backing=least_backing)
+        raise InputError(
+            "the laminate cannot be as soft in one place and as stiff in another as the curve needs: with "
+            f"the backing {1 / ratio:.3g} times as thick as the base (now "
+            f"{section.backing.thickness / section.base.thickness:.3g} times) or more it could"
+        )
+    return found.scale

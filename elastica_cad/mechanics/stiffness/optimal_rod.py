@@ -1,0 +1,266 @@
+"""From a drawn curve to the rod of least stiffness ratio that rests in it."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.mechanics.loads.arguments import (
+    require_curve,
+    require_gravity,
+    require_supports,
+    whole_number,
+)
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.loads.weight import Weight
+from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
+from elastica_cad.mechanics.rod.node_counts import DEFAULT_SAMPLES
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stiffness.moment_conditions import BalancedStiffness
+from elastica_cad.mechanics.stiffness.optimal_balance import balance_with_weight, balance_without_weight
+from elastica_cad.mechanics.stiffness.quadrature_panels import values_at
+from elastica_cad.mechanics.stiffness.stiffness_profile import stiffness_profile
+from elastica_cad.mechanics.theorem1.equilibrium_check import (
+    AT_END_SHARE,
+    check_equilibrium,
+    examine_curvature,
+)
+from elastica_cad.mechanics.theorem1.inflection_line import InflectionLine
+from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable, figure
+
+__all__ = ["optimal_rod"]
+
+_LAW_SAMPLES = 2001
+
+
+def optimal_rod(
+    curve: PlaneCurve,
+    gravity: Gravity | None = None,
+    supports: Supports | None = None,
+    natural_curvature: float = 0.0,
+    samples: int | None = None,
+    *,
+    weight: Weight | None = None,
+    bending_stiffness: float | None = None,
+    law: MaterialLaw | None = None,
+    tolerance: float = 1e-4,
+) -> Rod:
+    """The rod whose rest shape is the curve, with the least possible ratio of largest to least stiffness.
+
+    Parameters
+    ----------
+    gravity : Gravity, optional
+        Weight proportional to the stiffness, as of a plain strip; its direction serves for `weight` too.
+    supports : Supports
+        Clamped at both ends unless given.
+    natural_curvature : float
+        kappa_0, 1/mm.
+    samples : int, optional
+        Nodes of the rod, and the only places where its ratio is judged. Unless given, the ratio is that of
+        the continuous curve and the rod has 601 nodes.
+    weight : Weight, optional
+        Weight in newtons instead of a proportional one; with `own=True` the strip's own weight, which is
+        B / gravity.length^3 per length and stiffness, is added to it.
+    bending_stiffness : float, optional
+        Lower bound B of the bending stiffness E I, N mm2, that the weight in newtons is set against. Unless
+        given it is solved for: that of least ratio, or where the ratio only falls with growing B, the least B
+        whose ratio is within 1 % of the weightless one.
+    law : MaterialLaw, optional
+        Nonlinear material: its effective curvature takes the place of kappa - kappa_0 (Appendix D).
+    tolerance : float
+        Inflections this near to one line, in lengths of the curve, are moved onto it; `Rod.moved` tells how
+        far the curve moved, and `Rod.shape` is the moved curve.
+
+    Returns
+    -------
+    Rod
+        Least nodal stiffness 1. Under weight, where inflections leave a choice, the smoothest stiffness
+        within 1 % of the least ratio is taken (section 5.3).
+
+    Raises
+    ------
+    NotRealizable
+        No admissible stiffness exists; `check` of the error says why and where.
+    InputError
+        Options that do not fit together, a closed or kinked curve.
+
+    References
+    ----------
+    Paper, Eqs. 4 to 6 and section 5.3.
+
+    Examples
+    --------
+    >>> import math
+    >>> arch = PlaneCurve.ellipse((0, 0), (200, 100), start=0, end=math.pi)
+    >>> round(optimal_rod(arch).ratio, 4)
+    1.5699
+    """
+    require_curve(curve)
+    require_gravity(gravity)
+    supports = require_supports(supports)
+    _check_options(gravity, samples, weight, bending_stiffness)
+    if gravity is None:
+        check = check_equilibrium(curve, supports, natural_curvature, tolerance=tolerance)
+    else:
+        check = examine_curvature(curve, supports, natural_curvature)
+    if gravity is not None and not check.any_stiffness:
+        _require_load_at_free_end(check, supports, weight)
+    if not check.realizable:
+        raise NotRealizable(check)
+    if law is not None:
+        law.require_design(
+            float(np.abs(check.curve.sample(_LAW_SAMPLES).curvature - natural_curvature).max())
+        )
+    problem = _Problem(check, gravity, supports, natural_curvature, samples, weight, bending_stiffness, law)
+    if check.any_stiffness:
+        return _unbent_rod(problem)
+    nodes = None if samples is None else check.curve.parameter(_stations(problem))
+    if gravity is None:
+        balance = balance_without_weight(check, supports, natural_curvature, law=law, nodes=nodes)
+    else:
+        balance = balance_with_weight(
+            check,
+            supports,
+            natural_curvature,
+            gravity,
+            law=law,
+            weight=weight,
+            bending_stiffness=bending_stiffness,
+            nodes=nodes,
+        )
+    return _bent_rod(problem, balance)
+
+
+@dataclass(frozen=True, eq=False)
+class _Problem:
+    check: EquilibriumCheck
+    gravity: Gravity | None
+    supports: Supports
+    natural_curvature: float
+    samples: int | None
+    weight: Weight | None
+    bending_stiffness: float | None
+    law: MaterialLaw | None
+
+
+def _check_options(
+    gravity: Gravity | None, samples: int | None, weight: Weight | None, bending_stiffness: float | None
+) -> None:
+    if samples is not None:
+        whole_number(samples, "samples", 3)
+    if weight is not None and gravity is None:
+        raise InputError("a weight in newtons needs gravity too: pass gravity=Gravity(...) for its direction")
+    if bending_stiffness is not None:
+        if weight is None:
+            raise InputError(
+                "bending_stiffness is for rods with a weight in newtons: pass weight=Weight(...) as well"
+            )
+        if not (np.isfinite(bending_stiffness) and bending_stiffness > 0):
+            raise InputError(f"bending stiffness is {bending_stiffness}: it must be positive, in N mm2")
+
+
+def _require_load_at_free_end(check: EquilibriumCheck, supports: Supports, weight: Weight | None) -> None:
+    """Refuse an end that neither a support nor a mass holds: what the curve does there is not for drawing.
+
+    With u the distance from it and W the weight beyond, K kappa = integral of W cos(alpha) du. Both vanish at
+    u = 0, and where the weight is the strip's own, K stays finite and positive only for kappa = cos(alpha)
+    u^2 / (2 l_eg^3) + ...
+    """
+    masses = () if weight is None else weight.masses
+    for name, support, s in zip(("start", "end"), supports.ends, (0.0, check.length), strict=True):
+        hung = any(mass.mass > 0 and abs(mass.at - s) <= AT_END_SHARE * check.length for mass in masses)
+        if support.x or support.y or support.angle or hung:
+            continue
+        reason = (
+            f"The {name} (at {figure(s)} mm) is free and carries the weight of the strip only, so moment and "
+            "force run out together: the curvature would have to vanish there with its slope, and grow just as "
+            "this sheet's weight asks (kappa = cos(angle) u^2 / (2 l^3) at the distance u, l being the "
+            "gravity's length), which no drawn curve does. nearest_rod finds the nearest curve that hangs so; "
+            "bend(Rod.straight(...)) shows how a given strip hangs; or hang a mass on this end."
+        )
+        raise NotRealizable(replace(check, realizable=False, reasons=(reason,)))
+
+
+def _stations(problem: _Problem) -> FloatArray:
+    return np.linspace(0.0, problem.check.curve.length, problem.samples or DEFAULT_SAMPLES)
+
+
+def _unbent_rod(problem: _Problem) -> Rod:
+    """A curve of the natural curvature throughout: no moment; under weight it must hang or stand upright."""
+    curve, check = problem.check.curve, problem.check
+    nodes = curve.at(_stations(problem))
+    force = np.zeros_like(nodes.position)
+    n = nodes.s.size
+    rod = Rod(
+        s=nodes.s, position=nodes.position, angle=nodes.angle, curvature=nodes.curvature,
+        stiffness=np.ones(n), moment=np.zeros(n), force=force, profile=Profile.interpolate(nodes.s[[0, -1]],
+        np.ones(2)), gravity=problem.gravity, supports=problem.supports,
+        natural_curvature=problem.natural_curvature, weight=problem.weight, law=problem.law,
+        bending_stiffness=problem.bending_stiffness, shape=curve, check=check, warnings=check.warnings,
+    )  # fmt: skip
+    if problem.gravity is None:
+        return rod
+    down = np.asarray(problem.gravity.direction)
+    chord = nodes.position[-1] - nodes.position[0]
+    sideways = abs(chord[0] * down[1] - chord[1] * down[0]) / np.hypot(*chord)
+    if problem.natural_curvature or sideways > 1e-9:
+        reason = "Under its weight an unbent strip sags, unless it is upright: draw the shape it may hang in."
+        refused = replace(check, realizable=False, any_stiffness=False, reasons=(reason,))
+        raise NotRealizable(refused)
+    if problem.weight is not None and problem.bending_stiffness is None:
+        raise InputError(
+            "an upright straight strip takes any stiffness: give bending_stiffness for its weight"
+        )
+    # lambda grows by the load; the end that holds the strip upright carries all
+    load = rod.nodal_load
+    force = np.cumsum(load, axis=0) - load / 2
+    force[0], force[-1] = 0.0, load.sum(axis=0)
+    lower = problem.supports.ends[1]
+    return replace(rod, force=force if lower.x and lower.y else force - load.sum(axis=0))
+
+
+def _bent_rod(problem: _Problem, balance: BalancedStiffness) -> Rod:
+    check, curve, panels = problem.check, problem.check.curve, balance.panels
+    nodes = curve.at(_stations(problem))
+    panel, x = panels.locate(nodes.t)
+    K, moment, b = values_at((balance.stiffness, balance.moment, balance.force), panel, x)
+    least = float(K.min())
+    if least <= 0:
+        raise NotRealizable(check)
+    K, moment, b = K / least, moment / least, b / least
+    size = np.abs(moment).max()
+    change = nodes.curvature - problem.natural_curvature
+    effective = change if problem.law is None else problem.law.effective_curvature(change)
+    residual = float(np.abs(K * effective - moment).max() / size)
+    warnings = list(check.warnings)
+    if check.moved:
+        warnings.append(
+            f"The curve was moved by at most {check.moved:.3g} mm to bring its inflections onto one line."
+        )
+    if problem.gravity is None and check.zeros and np.hypot(*b[0]) > 0:
+        check = replace(check, line=_moment_line(moment[0], b[0], nodes.position[0]))
+    weight = balance.weight
+    if weight is not None:
+        # beta K stays what it is when K is divided by its least value
+        own = weight.beta.scaled(least) if isinstance(weight.beta, Profile) else weight.beta * least
+        weight = replace(weight, beta=own)
+    return Rod(
+        s=nodes.s, position=nodes.position, angle=nodes.angle, curvature=nodes.curvature, stiffness=K,
+        moment=moment, force=np.column_stack([-b[:, 1], b[:, 0]]),
+        profile=stiffness_profile(check, balance, 1 / least),
+        gravity=problem.gravity, supports=problem.supports, natural_curvature=problem.natural_curvature,
+        residual=residual, weight=weight, law=problem.law,
+        bending_stiffness=None if balance.bending_stiffness is None else balance.bending_stiffness * least,
+        shape=curve, check=check, warnings=tuple(warnings), moved=check.moved,
+    )  # fmt: skip
+
+
+def _moment_line(moment: float, b: FloatArray, position: FloatArray) -> InflectionLine:
+    """The line on which M = moment + <b, x - position> vanishes."""
+    size = np.hypot(*b)
+    foot = position - b * moment / size**2
+    return InflectionLine((float(foot[0]), float(foot[1])), (float(b[1] / size), float(-b[0] / size)))

@@ -1,0 +1,300 @@
+"""A curve cut into panels with Gauss nodes: quotients and integrals along it to near rounding error."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, fields, replace
+from functools import cached_property
+from typing import Self
+
+import numpy as np
+
+from elastica_cad._types import BoolArray, FloatArray, IntArray
+from elastica_cad.geometry.curves.curve_derivatives import curvature, curvature_slope
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.polynomials.chebyshev import chebyshev
+from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
+
+__all__ = [
+    "LEFT",
+    "NODES",
+    "RIGHT",
+    "SLOPES",
+    "TO_COEFFICIENTS",
+    "VANDER",
+    "WEIGHTS",
+    "PanelFunction",
+    "Panels",
+    "cut_into_panels",
+    "locate_in_panels",
+    "values_at",
+]
+
+ORDER = 12
+MAX_PANELS = 4000
+RESOLVED = 1e-11
+NOISE = 1e-6
+
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(ORDER)
+_DEGREES = np.arange(ORDER)
+VANDER = np.polynomial.legendre.legvander(NODES, ORDER - 1)
+TO_COEFFICIENTS = (VANDER * WEIGHTS[:, None]).T * (_DEGREES + 0.5)[:, None]
+
+
+def _antiderivatives() -> tuple[FloatArray, FloatArray]:
+    """Matrices (p, p) that integrate nodal values from -1 to each node, and from each node to 1."""
+    longer = np.polynomial.legendre.legvander(NODES, ORDER)
+    primitive = np.empty((ORDER, ORDER))
+    primitive[:, 0] = NODES + 1
+    for n in range(1, ORDER):
+        primitive[:, n] = (longer[:, n + 1] - longer[:, n - 1]) / (2 * n + 1)
+    left = primitive @ TO_COEFFICIENTS
+    return left, WEIGHTS - left
+
+
+LEFT, RIGHT = _antiderivatives()
+_CHEBYSHEV_TO_LEGENDRE = np.linalg.solve(chebyshev(NODES, ORDER).T, VANDER)
+SLOPES = np.append(np.polynomial.legendre.legder(np.eye(ORDER)), np.zeros((1, ORDER)), axis=0)
+"""Legendre coefficients of the derivative from those of a function."""
+
+
+def locate_in_panels(edges: FloatArray, places: FloatArray) -> tuple[IntArray, FloatArray]:
+    """Between which edges (N + 1,) places (n,) lie, and where there, from -1 to 1."""
+    panel = np.searchsorted(edges[1:-1], places, side="right")
+    start, end = edges[panel], edges[panel + 1]
+    return panel, np.minimum(np.maximum((2 * places - start - end) / (end - start), -1.0), 1.0)
+
+
+@dataclass(frozen=True, eq=False)
+class Panels:
+    """N panels with p Gauss nodes each; no node lies on a knot or a zero of the curvature.
+
+    Attributes
+    ----------
+    edges, edge_s : (N + 1,) arrays
+        Parameters and arc lengths (mm) of the panel ends.
+    edge_position : (N + 1, 2) array
+        mm.
+    zero_left, zero_right : (N,) bool arrays
+        Does the curvature vanish at this end of the panel? Never at both.
+    t, s, curvature : (N, p) arrays
+        Parameters, arc lengths and kappa - kappa_0 at the nodes; beside a zero integrated from it, so that
+        the relative accuracy is kept.
+    stretch : (N, p) array
+        ds/dx, where x in [-1, 1] runs over the panel.
+    from_left, from_right : (N, p, 2) arrays
+        Position less that of the panel's left, right end, mm.
+    """
+
+    edges: FloatArray
+    edge_s: FloatArray
+    edge_position: FloatArray
+    zero_left: BoolArray
+    zero_right: BoolArray
+    t: FloatArray
+    s: FloatArray
+    curvature: FloatArray
+    stretch: FloatArray
+    from_left: FloatArray
+    from_right: FloatArray
+
+    @property
+    def count(self) -> int:
+        """Number of panels."""
+        return len(self.t)
+
+    def locate(self, t: FloatArray) -> tuple[IntArray, FloatArray]:
+        """Panel numbers and places x in [-1, 1] of parameters `t` (n,)."""
+        return locate_in_panels(self.edges, t)
+
+    def arc_length(self, panel: IntArray, x: FloatArray) -> FloatArray:
+        """Arc lengths of places x in panels, mm."""
+        return np.asarray(PanelFunction.through(self.s).at(panel, x))
+
+
+@dataclass(frozen=True, eq=False)
+class PanelFunction:
+    """A piecewise polynomial: Legendre coefficients (N, p, ...) over the panels."""
+
+    coefficients: FloatArray
+
+    @classmethod
+    def through(cls, values: FloatArray) -> "PanelFunction":
+        """The interpolant of nodal values (N, p, ...)."""
+        return cls(np.einsum("ij,nj...->ni...", TO_COEFFICIENTS, values))
+
+    def at(self, panel: IntArray, x: FloatArray) -> FloatArray:
+        """Values (n, ...) at places x (n,) of panels (n,)."""
+        return values_at((self,), panel, x)[0]
+
+    def in_every_panel(self, x: FloatArray) -> FloatArray:
+        """Values (N, k, ...) at the same places x (k,) of every panel."""
+        return np.asarray(np.einsum("ki,ni...->nk...", _legendre(x), self.coefficients))
+
+    def slopes_at(self, panel: IntArray, x: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """First and second derivatives with respect to x (n, ...)."""
+        both = self._slopes.at(panel, x)
+        return both[..., 0], both[..., 1]
+
+    @cached_property
+    def _slopes(self) -> "PanelFunction":
+        first = np.einsum("ij,nj...->ni...", SLOPES, self.coefficients)
+        return PanelFunction(np.stack([first, np.einsum("ij,nj...->ni...", SLOPES, first)], axis=-1))
+
+    def unresolved(self, tolerance: float) -> BoolArray:
+        """Panels (N,) whose last coefficients exceed `tolerance` times the largest one."""
+        size = np.abs(self.coefficients)
+        return np.asarray(size[:, -2:].max(axis=1) > tolerance * size.max(axis=1))
+
+    def combined(self, numbers: FloatArray) -> "PanelFunction":
+        """The last axis contracted with `numbers`."""
+        return PanelFunction(self.coefficients @ numbers)
+
+
+def values_at(functions: Sequence[PanelFunction], panel: IntArray, x: FloatArray) -> list[FloatArray]:
+    """Values (n, ...) of each function at places x (n,) of panels (n,)."""
+    basis = _legendre(x)
+    return [np.asarray(np.einsum("ni,ni...->n...", basis, f.coefficients[panel])) for f in functions]
+
+
+def _legendre(x: FloatArray) -> FloatArray:
+    """Values (n, p) of the Legendre polynomials at x (n,)."""
+    return np.asarray(chebyshev(x, ORDER).T @ _CHEBYSHEV_TO_LEGENDRE)
+
+
+def cut_into_panels(
+    curve: PlaneCurve,
+    zeros: Sequence[float],
+    *,
+    cuts: Sequence[float] = (),
+    natural_curvature: float = 0.0,
+    law: MaterialLaw | None = None,
+    tolerance: float = RESOLVED,
+) -> Panels:
+    """Panels that resolve the curve, and any moment over its curvature.
+
+    A panel is cut into 2, 4 or 8 until the Legendre coefficients of the speed and of (t - zero)/(kappa -
+    kappa_0) have died away.
+
+    Parameters
+    ----------
+    zeros : sequence of float
+        Parameters where kappa - kappa_0 vanishes: they become panel ends.
+    cuts : sequence of float
+        Further parameters that must be panel ends, such as places of point masses.
+    law : MaterialLaw, optional
+        Its effective curvature stands for kappa - kappa_0; where it is not smooth there should be cuts.
+    tolerance : float
+        Size of the last coefficients relative to the function.
+    """
+    low, high = curve.domain
+    close = 1e-10 * (high - low)
+    fixed = np.array([low, *sorted(z for z in zeros if low + close < z < high - close), high])
+    others = [t for t in (*(b.t for b in curve.breaks), *cuts) if np.abs(fixed - t).min() > close]
+    edges = np.unique(np.concatenate([fixed, others]))
+    edges = edges[np.concatenate([[True], np.diff(edges) > close])]
+    flags = np.array([any(abs(z - e) <= close for z in zeros) for e in edges])
+    cut = _Cut(edges[:-1], edges[1:], flags[:-1], flags[1:], np.full(edges.size - 1, np.inf))
+    cut = cut.into(np.where(cut.zero_left & cut.zero_right, 2, 1))
+    done: list[_Nodes] = []
+    while cut.left.size:
+        found, tail = _evaluated(curve, cut, natural_curvature, law)
+        parts = _parts(tail, tolerance)
+        # where cutting no longer helps, the rest is rounding noise
+        settled = (tail <= tolerance) | ((tail < NOISE) & (tail > 0.3 * cut.tail))
+        settled |= cut.right - cut.left < 1e-7 * (high - low)
+        if sum(len(nodes.t) for nodes in done) + cut.left.size + parts[~settled].sum() > MAX_PANELS:
+            settled[:] = True
+        done.append(found.chosen(settled))
+        cut = replace(cut, tail=tail).chosen(~settled).into(parts[~settled])
+    return _panels(curve, done)
+
+
+@dataclass(frozen=True, eq=False)
+class _Columns:
+    """Arrays with one entry a panel."""
+
+    def chosen(self, which: BoolArray | IntArray) -> Self:
+        """Some of the panels."""
+        return replace(self, **{f.name: getattr(self, f.name)[which] for f in fields(self)})
+
+
+@dataclass(frozen=True, eq=False)
+class _Cut(_Columns):
+    """Panels before they are evaluated; `tail` is how badly the panel they come from was resolved."""
+
+    left: FloatArray
+    right: FloatArray
+    zero_left: BoolArray
+    zero_right: BoolArray
+    tail: FloatArray
+
+    def into(self, parts: IntArray) -> "_Cut":
+        """Every panel cut into its number of equal parts."""
+        whole = self.chosen(np.repeat(np.arange(parts.size), parts))
+        count = np.repeat(parts, parts)
+        part = np.arange(count.size) - np.repeat(np.cumsum(parts) - parts, parts)
+        width, first, last = whole.right - whole.left, part == 0, part == count - 1
+        return _Cut(
+            whole.left + width * (part / count),
+            np.where(last, whole.right, whole.left + width * ((part + 1) / count)),
+            whole.zero_left & first,
+            whole.zero_right & last,
+            whole.tail,
+        )
+
+
+def _parts(tail: FloatArray, tolerance: float) -> IntArray:
+    """How many parts a panel needs, 2, 4 or 8: halving divides the last coefficient by 2^p or so."""
+    halvings = np.ceil(np.log2(np.nan_to_num(tail, nan=1.0, posinf=1.0) / tolerance) / ORDER)
+    return np.asarray(2 ** np.minimum(np.maximum(halvings, 1), 3), dtype=int)
+
+
+@dataclass(frozen=True, eq=False)
+class _Nodes(_Columns):
+    """Panels evaluated at their Gauss nodes: fields as of `Panels`, `velocity` (N, p, 2) by x."""
+
+    left: FloatArray
+    zero_left: BoolArray
+    zero_right: BoolArray
+    t: FloatArray
+    velocity: FloatArray
+    stretch: FloatArray
+    curvature: FloatArray
+
+
+def _evaluated(
+    curve: PlaneCurve, cut: _Cut, kappa_0: float, law: MaterialLaw | None
+) -> tuple[_Nodes, FloatArray]:
+    """The panels at their nodes, and how much of each is unresolved."""
+    half = (cut.right - cut.left)[:, None] / 2
+    t = cut.left[:, None] + half * (1 + NODES)
+    beside = cut.zero_left | cut.zero_right
+    _, d1, d2, *d3 = curve.derivatives(t.ravel(), 3 if beside.any() else 2)
+    velocity = d1.reshape(*t.shape, 2) * half[..., None]
+    stretch = np.hypot(velocity[..., 0], velocity[..., 1])
+    kappa = curvature(d1, d2).reshape(t.shape) - kappa_0
+    if d3:
+        growth = (curvature_slope(d1, d2, d3[0]).reshape(t.shape) * stretch)[beside]
+        kappa[beside] = np.where(cut.zero_left[beside, None], growth @ LEFT.T, -(growth @ RIGHT.T))
+    if law is not None:
+        kappa = law.effective_curvature(kappa)
+    to_zero = np.where(cut.zero_left[:, None], 1 + NODES, np.where(cut.zero_right[:, None], NODES - 1, 1.0))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        functions = np.stack([stretch, to_zero / kappa])
+        tails = np.abs(functions @ TO_COEFFICIENTS[-2:].T).max(axis=-1) / np.abs(functions).max(axis=-1)
+    nodes = _Nodes(cut.left, cut.zero_left, cut.zero_right, t, velocity, stretch, kappa)
+    return nodes, np.asarray(tails.max(axis=0))
+
+
+def _panels(curve: PlaneCurve, parts: list[_Nodes]) -> Panels:
+    """One chain of panels from loose ones."""
+    nodes = _Nodes(*(np.concatenate([getattr(p, f.name) for p in parts]) for f in fields(_Nodes)))
+    nodes = nodes.chosen(np.argsort(nodes.left))
+    edges = np.append(nodes.left, curve.domain[1])
+    edge_s = np.concatenate([[0.0], np.cumsum(nodes.stretch @ WEIGHTS)])
+    return Panels(
+        edges=edges, edge_s=edge_s, edge_position=curve.evaluate(edges),
+        zero_left=nodes.zero_left, zero_right=nodes.zero_right, t=nodes.t,
+        s=edge_s[:-1, None] + nodes.stretch @ LEFT.T, curvature=nodes.curvature, stretch=nodes.stretch,
+        from_left=np.einsum("ij,njk->nik", LEFT, nodes.velocity),
+        from_right=-np.einsum("ij,njk->nik", RIGHT, nodes.velocity),
+    )  # fmt: skip

@@ -1,0 +1,220 @@
+"""All stiffness profiles that balance a drawn curve, and the one of least ratio on the continuous curve."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from elastica_cad._types import FloatArray, IntArray
+from elastica_cad.mechanics.stiffness.minimax_lp import (
+    MAX_ROUNDS,
+    MinimaxProgram,
+    MinimaxSolution,
+    Solver,
+    minimax_ratio,
+    start_rows,
+    unsettled,
+)
+from elastica_cad.mechanics.stiffness.quadrature_panels import SLOPES, VANDER, WEIGHTS, PanelFunction, Panels
+from elastica_cad.mechanics.stiffness.smoothest_stiffness import least_variation
+
+__all__ = ["StiffnessFamily", "dense_places", "extreme_places", "find_violations", "least_ratio", "smoothest"]
+
+
+def _lobatto(parts: int) -> FloatArray:
+    """Places (parts + 1,) from -1 to 1, closer towards the ends."""
+    inner = np.cos(np.pi * (np.arange(1, parts)[::-1] / parts))
+    return np.concatenate([[-1.0], inner, [1.0]])
+
+
+DENSE = _lobatto(24)
+"""Places in each panel at which bounds are first watched."""
+
+BOUNDED = 1e-7
+"""Relative excess over its bounds that a smooth stiffness may have: the accuracy of its linear program."""
+
+
+@dataclass(frozen=True, eq=False)
+class StiffnessFamily:
+    """K = rows @ y + offset with d free numbers y, as piecewise polynomials over panels.
+
+    Attributes
+    ----------
+    panels : Panels
+    rows : PanelFunction
+        Coefficients (N, p, d).
+    offset : PanelFunction or None
+        Coefficients (N, p); None when K is homogeneous in y.
+    side_rows : (k, d) array or None
+        Conditions side_rows @ y >= 0.
+    """
+
+    panels: Panels
+    rows: PanelFunction
+    offset: PanelFunction | None = None
+    side_rows: FloatArray | None = None
+
+    @property
+    def freedom(self) -> int:
+        """Number of free numbers."""
+        return int(self.rows.coefficients.shape[2])
+
+    def at(self, panel: IntArray, x: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Rows (n, d) and offsets (n,) at places x (n,) of panels (n,)."""
+        offset = np.zeros(len(x)) if self.offset is None else self.offset.at(panel, x)
+        return self.rows.at(panel, x), offset
+
+    @cached_property
+    def dense(self) -> tuple[FloatArray, FloatArray]:
+        """Rows and offsets at `dense_places`."""
+        rows = self.rows.in_every_panel(DENSE).reshape(self.panels.count * DENSE.size, self.freedom)
+        if self.offset is None:
+            return rows, np.zeros(len(rows))
+        return rows, self.offset.in_every_panel(DENSE).ravel()
+
+    def extremes(self, y: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Rows and offsets where K of the numbers y has its extremes."""
+        return self.at(*extreme_places(self.stiffness(y)))
+
+    def stiffness(self, y: FloatArray) -> PanelFunction:
+        """K of the numbers y."""
+        K = self.rows.combined(y)
+        return K if self.offset is None else PanelFunction(K.coefficients + self.offset.coefficients)
+
+
+def dense_places(panels: Panels, parts: int | None = None) -> tuple[IntArray, FloatArray]:
+    """Panel numbers and places x of a dense sampling, panel ends included; in so many parts a panel."""
+    x = DENSE if parts is None else _lobatto(parts)
+    return np.repeat(np.arange(panels.count), x.size), np.tile(x, panels.count)
+
+
+def least_ratio(
+    family: StiffnessFamily,
+    places: tuple[IntArray, FloatArray] | None = None,
+    *,
+    solver: Solver = "auto",
+    tolerance: float = 1e-9,
+) -> tuple[FloatArray, float] | None:
+    """The numbers y of least R, or None where no stiffness is positive everywhere.
+
+    Unless `places` (panel, x) fix the samples, R is judged on the continuous curve: extremes of K between the
+    samples are found on its polynomials and join the program until R moves by less than `tolerance`.
+    """
+    if places is not None:
+        solution = _sampled(family, *family.at(*places), solver)
+    elif family.freedom == 0 or (family.freedom == 1 and family.offset is None):
+        # no number, or one that only scales K: the extremes stay where they are
+        rows, offset = family.dense
+        more, more_offset = family.extremes(np.ones(family.freedom))
+        solution = _sampled(
+            family, np.concatenate([rows, more]), np.concatenate([offset, more_offset]), solver
+        )
+    else:
+        return _continuous_ratio(family, solver, tolerance)
+    return None if solution is None else (solution.x, solution.ratio)
+
+
+def _sampled(
+    family: StiffnessFamily, rows: FloatArray, offset: FloatArray, solver: Solver
+) -> MinimaxSolution | None:
+    return minimax_ratio(rows, offset=offset, side_rows=family.side_rows, solver=solver)
+
+
+def _continuous_ratio(
+    family: StiffnessFamily, solver: Solver, tolerance: float
+) -> tuple[FloatArray, float] | None:
+    """The least R, all local extremes that exceed it being added in each round."""
+    rows, offset = family.dense
+    program = MinimaxProgram(rows, side_rows=family.side_rows, solver=solver)
+    first = start_rows(len(rows))
+    rows, offset = rows[first], offset[first]
+    low = high = np.ones(len(rows), dtype=bool)
+    for _ in range(MAX_ROUNDS):
+        program.demand(rows[low], offset[low], rows[high], offset[high])
+        answer = program.solve()
+        if answer is None:
+            return None
+        y, ratio = answer
+        rows, offset = family.extremes(y)
+        values = rows @ y + offset
+        low, high = values < 1 - tolerance, values > ratio * (1 + tolerance)
+        if not (low.any() or high.any()):
+            return y, float(max(values.max() / min(1.0, values.min()), ratio))
+    raise unsettled(ratio)
+
+
+def smoothest(family: StiffnessFamily, ratio: float) -> FloatArray:
+    """The numbers y of least total variation of K' with K between 1 and `ratio` (paper, section 5.3)."""
+    panels = family.panels
+    count, order = panels.t.shape
+    # d/ds = d/dx / stretch, twice; jumps of K' at the panel ends count too
+    columns = family.rows.coefficients
+    if family.offset is not None:
+        columns = np.concatenate([columns, family.offset.coefficients[..., None]], axis=2)
+    slope = np.einsum("ij,njm->nim", VANDER @ SLOPES, columns) / panels.stretch[..., None]
+    slopes = PanelFunction.through(slope)
+    bend = np.einsum("ij,njm->nim", VANDER @ SLOPES, slopes.coefficients) * WEIGHTS[:, None]
+    at_ends = slopes.in_every_panel(np.array([-1.0, 1.0]))
+    jumps = at_ends[1:, 0] - at_ends[:-1, 1]
+    bends = np.concatenate([bend.reshape(count * order, -1), jumps])
+    d = family.freedom
+    bend_offset = bends[:, d] if family.offset is not None else np.zeros(len(bends))
+    rows, offset = family.dense
+    first = start_rows(len(rows))
+    rows, offset = rows[first], offset[first]
+    for _ in range(MAX_ROUNDS):
+        y = least_variation(rows, offset, bends[:, :d], bend_offset, ratio)
+        more, more_offset = family.extremes(y)
+        K = more @ y + more_offset
+        if K.min() >= 1 - BOUNDED and K.max() <= ratio * (1 + BOUNDED):
+            return y
+        rows, offset = np.concatenate([rows, more]), np.concatenate([offset, more_offset])
+    raise unsettled(ratio)
+
+
+def find_violations(family: StiffnessFamily) -> FloatArray:
+    """Arc lengths (k,), mm, that no choice of the numbers can make positive together.
+
+    Where one number is free these are the stretches of the lesser sign; otherwise the samples that hold the
+    largest possible least value of K down.
+    """
+    from scipy.optimize import linprog
+
+    panel, x = dense_places(family.panels)
+    rows, offset = family.dense
+    s = family.panels.arc_length(panel, x)
+    d = family.freedom
+    if d == 0:
+        return np.asarray(s[offset <= 0])
+    size = np.maximum(np.abs(rows).max(axis=1), 1e-300)
+    if d == 1 and family.offset is None:
+        sign = rows[:, 0] > 0
+        return np.asarray(s[sign != (sign.mean() >= 0.5)])
+    scaled = rows / size[:, None]
+    matrix = np.column_stack([-scaled, np.ones(len(s))])
+    bounds = [(-1.0, 1.0)] * d + [(None, None)]
+    result = linprog(np.append(np.zeros(d), -1.0), matrix, offset / size, bounds=bounds, method="highs")
+    if result.status != 0:
+        return np.zeros(0)
+    return np.asarray(s[np.abs(result.ineqlin.marginals) > 1e-9])
+
+
+def extreme_places(K: PanelFunction, steps: int = 3) -> tuple[IntArray, FloatArray]:
+    """Places of the local extremes of K near its largest and least value, by Newton's method from samples."""
+    table = K.in_every_panel(DENSE)
+    extreme = np.zeros_like(table, dtype=bool)
+    middle, before, after = table[:, 1:-1], table[:, :-2], table[:, 2:]
+    extreme[:, 1:-1] = ((middle >= before) & (middle >= after)) | ((middle <= before) & (middle <= after))
+    low, high = table.min(), table.max()
+    band = 0.05 * (high - low)
+    near = extreme & ((table > high - band) | (table < low + band))
+    # the worst samples stay in, ends of panels among them
+    near.flat[[table.argmin(), table.argmax()]] = True
+    panel, place = np.nonzero(near)
+    start = x = DENSE[place]
+    lower, upper = np.maximum(start - 0.15, -1.0), np.minimum(start + 0.15, 1.0)
+    for _ in range(steps):
+        slope, curvature = K.slopes_at(panel, x)
+        step = np.divide(-slope, curvature, out=np.zeros_like(x), where=curvature != 0)
+        x = np.minimum(np.maximum(x + step, lower), upper)
+    return np.concatenate([panel, panel]), np.concatenate([start, x])

@@ -1,0 +1,137 @@
+"""The stiffness of a drawn curve as a spline of arc length, of which its outline will be made."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.mechanics.stiffness.moment_conditions import BalancedStiffness
+from elastica_cad.mechanics.stiffness.quadrature_panels import NODES, SLOPES, PanelFunction, locate_in_panels
+from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
+
+__all__ = ["stiffness_profile"]
+
+TOLERANCE = 1e-6
+"""Error of the stiffness profile, relative to its largest value; its extremes are exact."""
+
+STEP_LENGTH = 1e-5
+"""A step of the stiffness is spread over this part of the length, so that the outline stays one edge."""
+
+CELLS = 8
+"""Parts of a panel in which the density of knots is taken as constant."""
+
+BEST_CUBIC = 1 / 720
+"""Error of the best cubic spline over h^4 times the fourth derivative: the largest of B_4 / 4!, a Bernoulli
+polynomial."""
+
+SPARE = 0.07
+"""Part of the tolerance that the first knots aim at: a second fit would cost more than the knots it saves."""
+
+
+def stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale: float) -> Profile:
+    """K times `scale` as a cubic spline of arc length.
+
+    K has two derivatives less than the curve, and one less again in an inflection at a knot; a kink stays a
+    kink. A step is spread over a ramp.
+    """
+    curve = check.curve
+    length = curve.length
+    zeros = np.array([z.s for z in check.zeros])
+    breaks: list[tuple[float, int]] = list(balance.kinks)
+    steps: list[float] = []
+    for knot in curve.breaks:
+        at_zero = zeros.size > 0 and np.abs(zeros - knot.s).min() < 1e-9 * length
+        continuity = knot.continuity - 2 - int(at_zero)
+        if continuity < 0:
+            steps.append(knot.s)
+        else:
+            breaks.append((knot.s, continuity))
+    K = _AlongArc.of(curve, balance, scale)
+    half = STEP_LENGTH * length / 2
+    feet = [s + side * half for s in steps for side in (-1, 1)]
+    # fitted apart, or the ramp, which weighs nothing, would have to take over its neighbours' errors
+    breaks += [(s, -1) for s in feet]
+
+    def stiffness(s: FloatArray) -> FloatArray:
+        values = K(s)
+        for step in steps:
+            inside = np.abs(s - step) < half
+            if inside.any():
+                foot = np.array([step - half, step + half])
+                values[inside] = np.interp(s[inside], foot, K(foot))
+        return values
+
+    tolerance = TOLERANCE * K.largest
+    knots = K.knots([s for s, _ in breaks], SPARE * tolerance)
+    fitted = Profile.fit(stiffness, length, breaks=breaks, knots=knots, tolerance=tolerance)
+    for i, foot in enumerate(feet):
+        fitted = _joined(fitted, foot, keep_left=i % 2 == 0)
+    return _with_extremes(fitted, stiffness(np.array(fitted.extreme_places)), tolerance)
+
+
+@dataclass(frozen=True, eq=False)
+class _AlongArc:
+    """K on the panels of a balance, as Legendre series in arc length; `edges` (N + 1,) are in mm."""
+
+    edges: FloatArray
+    series: PanelFunction
+
+    @classmethod
+    def of(cls, curve: PlaneCurve, balance: BalancedStiffness, scale: float) -> "_AlongArc":
+        panels = balance.panels
+        s = panels.edge_s[:-1, None] + np.diff(panels.edge_s)[:, None] * (1 + NODES) / 2
+        t = curve.parameter(s)
+        values = balance.stiffness.at(*panels.locate(t.ravel())) * scale
+        return cls(panels.edge_s, PanelFunction.through(values.reshape(t.shape)))
+
+    def __call__(self, s: FloatArray) -> FloatArray:
+        return self.series.at(*locate_in_panels(self.edges, s))
+
+    @property
+    def largest(self) -> float:
+        """The largest of K, nearly."""
+        return float(self.series.in_every_panel(np.linspace(-1, 1, CELLS + 1)).max())
+
+    def knots(self, breaks: Sequence[float], tolerance: float) -> FloatArray:
+        """Knots between the breaks with which a cubic spline errs by `tolerance` everywhere.
+
+        Their distance h is that where `BEST_CUBIC` h^4 K'''' is the tolerance.
+        """
+        middles = (2 * np.arange(CELLS) + 1) / CELLS - 1
+        width = np.diff(self.edges)
+        fourth = PanelFunction(
+            np.einsum("ij,nj->ni", np.linalg.matrix_power(SLOPES, 4), self.series.coefficients)
+        ).in_every_panel(middles)
+        # both by the panel's own x, from -1 to 1
+        count = (np.abs(fourth) * BEST_CUBIC / tolerance) ** 0.25 * 2 / CELLS
+        reached = np.append(0.0, np.cumsum(count))
+        s = np.append(
+            (self.edges[:-1, None] + width[:, None] * np.arange(CELLS) / CELLS).ravel(), self.edges[-1]
+        )
+        stops = np.unique([self.edges[0], *breaks, self.edges[-1]])
+        at = np.interp(stops, s, reached)
+        wanted = [np.linspace(a, b, int(np.ceil(b - a)) + 1)[1:-1] for a, b in pairwise(at)]
+        return np.asarray(np.interp(np.concatenate(wanted), reached, s))
+
+
+def _with_extremes(profile: Profile, exact: FloatArray, tolerance: float) -> Profile:
+    """The profile stretched a little so that its extremes are `exact`, the stiffness where it has them.
+
+    The stiffness is stationary there, so the places need not be exact.
+    """
+    low, high = profile.extremes
+    if high - low <= tolerance:
+        return profile
+    stretched = exact[0] + (profile.coefficients - low) * ((exact[1] - exact[0]) / (high - low))
+    return Profile(profile.knots, stretched, profile.degree)
+
+
+def _joined(profile: Profile, place: float, *, keep_left: bool) -> Profile:
+    """The profile with the gap at `place` closed: both sides get the value of the one kept."""
+    first = int(np.searchsorted(profile.knots, place - 1e-9 * profile.length))
+    coefficients = np.delete(profile.coefficients, first if keep_left else first - 1)
+    return Profile(np.delete(profile.knots, first), coefficients, profile.degree)

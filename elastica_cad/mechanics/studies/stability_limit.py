@@ -1,0 +1,349 @@
+"""How far can a rest shape be pushed before it snaps or buckles?"""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Literal, TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.mechanics.bending.bend_forward import as_steps, reach, state_of, system_of
+from elastica_cad.mechanics.bending.bifurcation import is_straight
+from elastica_cad.mechanics.bending.newton_continuation import correct, relax
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.weight import PointMass, Weight
+from elastica_cad.mechanics.rod.discrete_rod import Margin
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.rod.rod_system import RodState, RodSystem, Step
+
+__all__ = ["StabilityLimit", "stability_limit"]
+
+PathStep: TypeAlias = "float | ArrayLike | Mapping[str, Any]"
+Path: TypeAlias = "Callable[[float], PathStep] | ArrayLike | Sequence[Mapping[str, Any]]"
+
+LARGEST_TURN_RAD = 0.3  # of an edge in one step along the path
+FIRST_STEPS = 16  # steps a leg of the path is tried in at first
+RESOLUTION_SHARE = 1e-9  # of the path
+PUSH_RAD = 0.02  # along the critical mode, to see where the rod comes to rest
+
+
+@dataclass(frozen=True, eq=False)
+class StabilityLimit:
+    """Where a stable rod becomes unstable on a path of end positions or loads.
+
+    Attributes
+    ----------
+    parameter : float or None
+        Place on the path at which stability is lost: t of a function, otherwise the number of steps done
+        (2.25 is a quarter of the way from the second step to the third; 0 is the rod as given). None:
+        stable all along.
+    at : dict
+        What was asked there, as in the path: keywords of `bend`, {"end": ...} or {"load": factor}.
+    kind : {"snap", "bifurcation"} or None
+        "snap": the branch of equilibria turns back, the rod jumps. "bifurcation": the shape goes on to exist,
+        but the rod gives way sideways from it.
+    before : Rod
+        The last stable shape (at the end of the path when `parameter` is None).
+    after : Rod or None
+        The stable shape in which the rod comes to rest just beyond; None when none was found.
+    parameters, margins : (k,) arrays
+        The stable states visited.
+    """
+
+    parameter: float | None
+    at: dict[str, Any]
+    kind: Literal["snap", "bifurcation"] | None
+    before: Rod
+    after: Rod | None
+    parameters: FloatArray
+    margins: FloatArray
+
+
+def stability_limit(rod: Rod, path: Path, *, side: int | None = None) -> StabilityLimit:
+    """The end displacement or load factor that makes a stable rod unstable.
+
+    The branch of equilibria is followed from the rod's present shape in adaptive steps, and the place
+    where the lowest eigenvalue (the margin of `stability`) comes to zero is bisected.
+
+    Parameters
+    ----------
+    rod : Rod
+        In equilibrium and stable; a straight rod may be pushed together.
+    path : function or sequence
+        What happens to the rod: positions of its end (k, 2), mm; load factors (k,), which multiply the
+        weight, dead forces and moments that it carries; or mappings with keywords of `bend`. In a sequence
+        the rod is led from its present state from entry to entry in straight lines; a function of t in [0,
+        1] gives one such entry.
+    side : {+1, -1}, optional
+        To which side a straight rod is pushed out of its line (see `bend`).
+
+    Returns
+    -------
+    StabilityLimit
+
+    Raises
+    ------
+    InputError
+        The rod is unstable from the start, or the path is no path.
+    NotConvergedError
+        The start of the path is not reached.
+
+    Examples
+    --------
+    An upright column of its own weight buckles at w L^3 / (E I) = 7.837.
+
+    >>> from elastica_cad.mechanics.loads.gravity import Gravity
+
+    >>> from elastica_cad.mechanics.rod.rod_record import Rod
+
+    >>> from elastica_cad.mechanics.loads.supports import Supports
+    >>> column = Rod.straight(
+    ...     100.0, angle=np.pi / 2, supports=Supports("clamped", "free"), gravity=Gravity(100.0)
+    ... )
+    >>> limit = stability_limit(column, [20.0])
+    >>> limit.kind, round(limit.at["load"], 2)
+    ('bifurcation', 7.84)
+    """
+    course = _Course.of(rod, path)
+    t, state = _first_state(course, rod, side)
+    margin = state.discrete.margin
+    if margin.value <= 0:
+        raise InputError(
+            f"the rod is unstable from the start of the path (margin {margin.value:.3g}): "
+            "start from a stable shape"
+        )
+    visited = [(t, margin.value)]
+    step = course.end / max(FIRST_STEPS * course.legs, 1)
+    while t < course.end:
+        t_next = course.clipped(t, step)
+        found = _advance(course.system(t_next), state)
+        if found is not None and (after := found.discrete.margin).value <= 0:
+            crossing = _bisected(course, (t, state, margin), (t_next, found, after))
+            t, state, margin = crossing[0]
+            visited.append((t, margin.value))
+            if crossing[1]:
+                return _lost(course, t, state, visited)
+            step = (t_next - t) / 8
+            continue
+        if found is None:
+            step = (t_next - t) / 2
+            if step < RESOLUTION_SHARE * course.end:
+                return _lost(course, t, state, visited)
+            continue
+        t, state, margin = t_next, found, after
+        visited.append((t, margin.value))
+        step = min(2 * step, course.end / (FIRST_STEPS * course.legs))
+    history = np.array(visited)
+    return StabilityLimit(
+        None, course.asked(t), None, state.rod(course.loaded(t)), None, history[:, 0], history[:, 1]
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class _Course:
+    """A path as a function from its parameter to the equations of the rod."""
+
+    base: Rod
+    asked: Callable[[float], dict[str, Any]]
+    legs: int
+    end: float
+
+    @classmethod
+    def of(cls, rod: Rod, path: Path) -> "_Course":
+        if callable(path):
+            function = path
+            return cls(rod, lambda t: _entry(function(t)), 1, 1.0)
+        entries = _entries(path)
+        names = {name for entry in entries for name in entry}
+        own = _present(rod, names)
+        stops = [own]
+        for entry in entries:
+            stops.append({**stops[-1], **entry})
+        legs = len(entries)
+
+        def asked(t: float) -> dict[str, Any]:
+            k = min(int(t), legs - 1)
+            return {name: _between(stops[k][name], stops[k + 1][name], t - k, name) for name in own}
+
+        return cls(rod, asked, legs, float(legs))
+
+    def clipped(self, t: float, step: float) -> float:
+        """The next parameter, stopping at the corners of the path."""
+        corner = min(np.floor(t / self.end * self.legs + 1e-9) + 1, self.legs) * self.end / self.legs
+        return float(corner if t + step >= corner * (1 - 1e-12) else t + step)
+
+    def around(self, t: float) -> tuple[float, float]:
+        """A piece of the path about t that turns no corner."""
+        reach_t = 1e-3 * self.end
+        a = max(t - reach_t, float(np.floor(t / self.end * self.legs)) * self.end / self.legs)
+        return a, min(a + 2 * reach_t, self.end)
+
+    def loaded(self, t: float) -> Rod:
+        """The rod with the weight that it carries at t."""
+        asked = self.asked(t)
+        rod = self.base
+        if "gravity" in asked:
+            rod = replace(rod, gravity=asked["gravity"])
+        return _weighing(rod, asked["load"]) if "load" in asked else rod
+
+    def system(self, t: float) -> RodSystem:
+        asked = self.asked(t)
+        ends = {name: asked[name] for name in ("start", "end", "angles", "force", "moment") if name in asked}
+        system = system_of(self.loaded(t), self.base, **ends)
+        factor = asked.get("load", 1.0)
+        return replace(system, force=factor * system.force, moments=factor * system.moments)
+
+
+def _first_state(course: _Course, rod: Rod, side: int | None) -> tuple[float, RodState]:
+    """Equilibrium at the start of the path, or a little further where a straight rod has to bend first."""
+    for t in (0.0, 1e-3 * course.end):
+        reached = reach(state_of(rod, course.system(t)), side if t > 0 else None, 1)
+        if not reached.arrived:
+            raise NotConvergedError(
+                f"the start of the path was not reached: {reached.fraction:.1%} of the way"
+            )
+        if (
+            not is_straight(reached.state)
+            or correct(reached.state.under(course.system(1e-3 * course.end))) is not None
+        ):
+            return t, reached.state
+    return t, reached.state
+
+
+def _advance(system: RodSystem, state: RodState) -> RodState | None:
+    found = correct(state.under(system), turn=LARGEST_TURN_RAD)
+    return None if found is None else found[0]
+
+
+Visit: TypeAlias = tuple[float, RodState, Margin]
+
+
+def _bisected(course: _Course, low: Visit, high: Visit) -> tuple[Visit, bool]:
+    """The last stable state before a change of sign of the margin, and whether the margin goes to zero there.
+
+    Next to a fold a step may land on the unstable branch beside; then the margin jumps instead.
+    """
+    start = low[2].value
+    ends = [start, high[2].value]
+    weight = [1.0, 1.0]
+    while high[0] - low[0] > RESOLUTION_SHARE * course.end:
+        a, b = weight[0] * ends[0], weight[1] * ends[1]
+        share = np.clip(a / (a - b), 0.01, 0.99) if a > b else 0.5
+        t = low[0] + float(share) * (high[0] - low[0])
+        found = _advance(course.system(t), low[1])
+        if found is None:
+            if t - low[0] < RESOLUTION_SHARE * course.end:
+                break
+            high, ends[1], weight = (t, low[1], low[2]), -abs(ends[0]), [1.0, 1.0]
+            continue
+        margin = found.discrete.margin
+        if margin.value > 0:
+            low, ends[0] = (t, found, margin), margin.value
+            weight = [1.0, weight[1] / 2]
+        else:
+            high, ends[1] = (t, found, margin), margin.value
+            weight = [weight[0] / 2, 1.0]
+        if abs(margin.value) < 1e-12 * max(abs(ends[0]), 1.0):
+            break
+    return low, low[2].value < 1e-6 * max(start, 1.0)
+
+
+def _lost(course: _Course, t: float, state: RodState, visited: list[tuple[float, float]]) -> StabilityLimit:
+    """The record of a loss of stability next to t."""
+    kind = _kind(course, t, state)
+    beyond = min(t + 1e-4 * course.end, course.end)
+    mode = state.discrete.margin.mode
+    push = Step(PUSH_RAD * mode / np.abs(mode).max(), np.zeros_like(state.reactions))
+    rest = relax(state.moved(push).under(course.system(beyond)))
+    history = np.array(visited)
+    before, after = state.rod(course.loaded(t)), None if rest is None else rest.rod(course.loaded(beyond))
+    return StabilityLimit(t, course.asked(t), kind, before, after, history[:, 0], history[:, 1])
+
+
+def _kind(course: _Course, t: float, state: RodState) -> Literal["snap", "bifurcation"]:
+    """At a fold the load works on the critical mode; at a bifurcation it does not."""
+    margin, norm = state.discrete.margin, np.linalg.norm
+    a, b = course.around(t)
+    before, after = (state.under(course.system(end)).residual for end in (a, b))
+    imbalance, miss = after.imbalance - before.imbalance, after.miss - before.miss
+    nu = margin.multipliers[list(state.system.held)]
+    work = float(margin.mode @ imbalance - nu @ miss)
+    size = float(norm(margin.mode) * norm(imbalance) + norm(nu) * norm(miss))
+    rounding = 1e-8 * (b - a) * state.scale * float(norm(margin.mode, 1))
+    return "snap" if abs(work) > 1e-3 * size + rounding else "bifurcation"
+
+
+def _entries(path: Any) -> list[dict[str, Any]]:
+    if isinstance(path, Sequence) and path and all(isinstance(entry, Mapping) for entry in path):
+        steps = as_steps(path)
+        if any("supports" in step for step in steps):
+            raise InputError("supports cannot change along a path: bend the rod with the new supports first")
+        return steps
+    values = np.asarray(path, dtype=float)
+    if values.ndim == 1 and values.size:
+        return [_entry(value) for value in values]
+    return as_steps(values)
+
+
+def _entry(step: Any) -> dict[str, Any]:
+    """One entry of a path: a load factor, a position of the end, or keywords of `bend`."""
+    if isinstance(step, Mapping):
+        load = {"load": float(step["load"])} if "load" in step else {}
+        rest = {name: value for name, value in step.items() if name != "load"}
+        return {**as_steps([rest])[0], **load} if rest else load
+    value = np.asarray(step, dtype=float)
+    if value.ndim == 0:
+        if not (np.isfinite(value) and value >= 0):
+            raise InputError(f"load factors must be finite and not negative, got {value}")
+        return {"load": float(value)}
+    return as_steps(value[None])[0]
+
+
+def _present(rod: Rod, names: set[str]) -> dict[str, Any]:
+    """What the rod is subject to now, for the names that a path changes."""
+    system = system_of(rod, rod)
+    if "load" in names and not (np.any(system.load) or np.any(system.force) or np.any(system.moments)):
+        raise InputError("a path of load factors needs a rod that carries weight, a dead force or a moment")
+    present: dict[str, Any] = {
+        "start": system.start, "end": system.end, "gravity": rod.gravity, "force": system.force,
+        "angles": system.held_angles,
+        "moment": tuple(system.moments), "load": 1.0,
+    }  # fmt: skip
+    return {name: present[name] for name in names}
+
+
+def _between(a: Any, b: Any, u: float, name: str) -> Any:
+    """The value a share u of the way from a to b."""
+    if name == "gravity":
+        zero = np.zeros(2)
+        e = (1 - u) * (zero if a is None else a.e) + u * (zero if b is None else b.e)
+        size = float(np.hypot(*e))
+        return None if size == 0 else Gravity(size ** (-1 / 3), (-e[0], -e[1]))
+    if name == "angles":
+        return tuple(
+            None if x is None else (1 - u) * x + u * (x if y is None else y)
+            for x, y in zip(a, b, strict=True)
+        )
+    if name == "moment" and np.ndim(b) == 0:
+        b = tuple(float(b) if x != 0 or k == 1 else 0.0 for k, x in enumerate(a))
+    if name == "load":
+        return float((1 - u) * a + u * b)
+    return (1 - u) * np.asarray(a, dtype=float) + u * np.asarray(b, dtype=float)
+
+
+def _weighing(rod: Rod, factor: float) -> Rod:
+    """The rod with `factor` times its weight."""
+    if rod.gravity is None or factor == 1.0:
+        return rod
+    if rod.weight is None:
+        return replace(rod, gravity=rod.gravity.scaled(factor) if factor > 0 else None)
+    law = rod.weight
+    alpha, beta = _times(law.alpha, factor), _times(law.beta, factor)
+    masses = tuple(PointMass(point.at, factor * point.mass) for point in law.masses)
+    return replace(rod, weight=Weight(alpha, beta, masses))
+
+
+def _times(value: float | Profile, factor: float) -> float | Profile:
+    return value.scaled(factor) if isinstance(value, Profile) else factor * value

@@ -1,0 +1,344 @@
+"""Robustness: how far a rod strays when sheet, cut and clamps are not as designed (paper, Fig. 15)."""
+
+from collections.abc import Sequence
+from concurrent.futures import Executor
+from dataclasses import dataclass, replace
+from itertools import product
+from typing import NamedTuple
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.mechanics.material.sheet import Range, Sheet
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.studies.imperfection import Imperfection, least_width, perturb_rod
+
+__all__ = ["ToleranceEffect", "ToleranceRanges", "ToleranceStudy", "tolerance_study"]
+
+_CHUNK = 16  # bends that one task of an executor does
+
+
+@dataclass(frozen=True)
+class ToleranceRanges:
+    """Lowest and highest value of everything that may vary; see `Imperfection` for the meaning.
+
+    Parameters
+    ----------
+    stiffness_range : (low, high)
+        Factors m on K - 1.
+    youngs_modulus, density, thickness : (low, high)
+        Factors on the sheet's numbers.
+    angle : (low, high)
+        rad, for each end on its own.
+    yield_curvature : (low, high)
+        1/mm, for the thickness as designed.
+    width_loss : (low, high)
+        mm.
+
+    Raises
+    ------
+    InputError
+        A range with its ends exchanged, or factors that are not positive.
+    """
+
+    stiffness_range: Range = (0.9, 1.1)
+    youngs_modulus: Range = (0.9, 1.1)
+    density: Range = (0.95, 1.05)
+    thickness: Range = (0.95, 1.05)
+    angle: Range = (-0.035, 0.035)
+    yield_curvature: Range = (np.inf, np.inf)
+    width_loss: Range = (0.0, 0.0)
+
+    def __post_init__(self) -> None:
+        for name in (
+            "stiffness_range",
+            "youngs_modulus",
+            "density",
+            "thickness",
+            "angle",
+            "yield_curvature",
+            "width_loss",
+        ):
+            low, high = getattr(self, name)
+            if not low <= high:
+                raise InputError(f"range of {name} is {low:g} to {high:g}: give the lowest first")
+            if name not in {"angle", "width_loss"} and low <= 0:
+                raise InputError(f"range of {name} begins at {low:g}: it must be positive")
+            if name in {"angle", "width_loss"} and not np.isfinite([low, high]).all():
+                raise InputError(f"range of {name} is {low:g} to {high:g}: it must be finite")
+
+    @classmethod
+    def of(
+        cls, sheet: Sheet, *, stiffness_range: Range = (0.9, 1.1), angle: Range = (-0.035, 0.035)
+    ) -> "ToleranceRanges":
+        """The ranges that the sheet's source gives; what is taken as certain there does not vary.
+
+        Parameters
+        ----------
+        sheet : Sheet
+            Its kerf is taken as corrected for: only the deviation from it counts.
+        stiffness_range, angle : (low, high)
+            What a sheet says nothing about.
+        """
+
+        def factors(quantity: str) -> Range:
+            low, high = sheet.range_of(quantity)
+            value = float(getattr(sheet, quantity))
+            return low / value, high / value
+
+        low_strain, high_strain = sheet.range_of("max_strain")
+        low_kerf, high_kerf = sheet.range_of("kerf")
+        return cls(
+            stiffness_range=stiffness_range,
+            youngs_modulus=factors("youngs_modulus"),
+            density=factors("density"),
+            thickness=factors("thickness"),
+            angle=angle,
+            yield_curvature=(2 * low_strain / sheet.thickness, 2 * high_strain / sheet.thickness),
+            width_loss=(low_kerf - sheet.kerf, high_kerf - sheet.kerf),
+        )
+
+
+@dataclass(frozen=True)
+class ToleranceEffect:
+    """What one cause, or all together, do to the shape.
+
+    Attributes
+    ----------
+    name : str
+    worst : float
+        Largest deviation found, mm: of the samples, and for a single cause of its extreme values too.
+    percentile_95 : float
+        95 % of the samples stay below it, mm.
+    samples, failed, snapped : int
+        Bends made; how many of them found no rest shape, which are in neither number above; and how many
+        snapped to another shape far from the design, which are in both.
+    """
+
+    name: str
+    worst: float
+    percentile_95: float
+    samples: int
+    failed: int
+    snapped: int
+
+
+@dataclass(frozen=True)
+class ToleranceStudy:
+    """Deviations by cause and all together; `str` of it is a table.
+
+    Attributes
+    ----------
+    effects : tuple of ToleranceEffect
+        Stiffness range, weight, end angles, plasticity, thickness, kerf: each alone.
+    combined : ToleranceEffect
+        All at once.
+    seed : int
+    """
+
+    effects: tuple[ToleranceEffect, ...]
+    combined: ToleranceEffect
+    seed: int
+
+    def __getitem__(self, name: str) -> ToleranceEffect:
+        """The effect called `name`."""
+        for effect in (*self.effects, self.combined):
+            if effect.name == name:
+                return effect
+        raise InputError(
+            f"no effect is called {name!r}: use one of "
+            f"{', '.join(e.name for e in (*self.effects, self.combined))}"
+        )
+
+    @property
+    def failed(self) -> int:
+        """Bends that found no rest shape, of all."""
+        return sum(effect.failed for effect in (*self.effects, self.combined))
+
+    def __str__(self) -> str:
+        """One line a cause: worst and 95 % deviation, mm."""
+        lines = [f"{'deviation, mm':<18}{'95 %':>9}{'worst':>9}"]
+        for effect in (*self.effects, self.combined):
+            line = f"{effect.name:<18}{effect.percentile_95:>9.3f}{effect.worst:>9.3f}"
+            if effect.failed:
+                line += f"   {effect.failed} of {effect.samples} found no rest shape"
+            if effect.snapped:
+                line += f"   {effect.snapped} of {effect.samples} snapped"
+            lines.append(line)
+        return "\n".join(lines)
+
+
+def tolerance_study(
+    rod: Rod,
+    *,
+    sheet: Sheet | None = None,
+    ranges: ToleranceRanges | None = None,
+    max_width: float | None = None,
+    samples: int = 100,
+    seed: int = 0,
+    executor: Executor | None = None,
+) -> ToleranceStudy:
+    """How far the bent strip strays from `rod` when things vary within their ranges (paper, 8.2, Fig. 15).
+
+    Monte Carlo with uniform distributions: each cause alone, then all together. A deviation is the largest
+    distance between a node of the varied rod and the same node of the design.
+
+    Parameters
+    ----------
+    rod : Rod
+        The design, in balance.
+    sheet : Sheet, optional
+        Ranges are taken from it.
+    ranges : ToleranceRanges, optional
+        Ranges given by hand; they come before those of `sheet`.
+    max_width : float, optional
+        Width of the widest place, mm; without it the kerf is left out.
+    samples : int
+        Bends for each cause.
+    seed : int
+        Same seed, same numbers, with whatever executor.
+    executor : concurrent.futures.Executor, optional
+        Threads or processes that share the bends.
+
+    Returns
+    -------
+    ToleranceStudy
+
+    Raises
+    ------
+    InputError
+        No samples, a loss of width that leaves nothing.
+
+    Examples
+    --------
+    >>> from elastica_cad.mechanics.bending.bend_forward import bend
+    >>> rod = bend(Rod.straight(100.0, [1, 2, 1], samples=41), end=(70.0, 0.0))
+    >>> study = tolerance_study(rod, samples=8)
+    >>> study["end angles"].worst > study["end angles"].percentile_95 > 0
+    True
+    >>> study["weight"].worst
+    0.0
+    """
+    if samples < 1 or samples != int(samples):
+        raise InputError(f"samples is {samples}: give a whole number from 1")
+    found = ranges or (ToleranceRanges.of(sheet) if sheet is not None else ToleranceRanges())
+    if max_width is None:
+        found = replace(found, width_loss=(0.0, 0.0))
+    elif found.width_loss[1] > 0:
+        least_width(rod, max_width, found.width_loss[1])
+    rng = np.random.default_rng(seed)
+    drawn = {name: _drawn(found, name, rng, samples) for name in _CAUSES}
+    combined = [_merged([drawn[name][i] for name in _CAUSES]) for i in range(samples)]
+    groups = [(name, drawn[name], _extremes(found, name)) for name in _CAUSES] + [("combined", combined, [])]
+    todo = [v for _, inner, outer in groups for v in (*inner, *outer)]
+    outcomes = _run(rod, todo, max_width, executor)
+    effects, first = [], 0
+    for name, inner, outer in groups:
+        middle, last = first + len(inner), first + len(inner) + len(outer)
+        effects.append(_effect(name, outcomes[first:middle], outcomes[middle:last]))
+        first = last
+    return ToleranceStudy(tuple(effects[:-1]), effects[-1], seed)
+
+
+class _Outcome(NamedTuple):
+    """Deviation, mm, None where no rest shape was found; did the rod snap on the way?"""
+
+    deviation: float | None
+    snapped: bool
+
+
+# cause -> fields of Imperfection that it changes, with the range each is drawn from
+_CAUSES: dict[str, dict[str, str]] = {
+    "stiffness range": {"stiffness_range": "stiffness_range"},
+    "weight": {"youngs_modulus": "youngs_modulus", "density": "density"},
+    "end angles": {"start_angle": "angle", "end_angle": "angle"},
+    "plasticity": {"yield_curvature": "yield_curvature"},
+    "thickness": {"thickness": "thickness"},
+    "kerf": {"width_loss": "width_loss"},
+}
+
+
+def _drawn(ranges: ToleranceRanges, cause: str, rng: np.random.Generator, samples: int) -> list[Imperfection]:
+    fields = _CAUSES[cause]
+    share = rng.random((samples, len(fields)))
+    columns = [_between(getattr(ranges, source), share[:, i]) for i, source in enumerate(fields.values())]
+    return [Imperfection(**dict(zip(fields, map(float, row), strict=True))) for row in np.transpose(columns)]
+
+
+def _between(limits: Range, share: FloatArray) -> FloatArray:
+    low, high = limits
+    return np.full(share.shape, low) if low == high else low + (high - low) * share
+
+
+def _extremes(ranges: ToleranceRanges, cause: str) -> list[Imperfection]:
+    """Every corner of the ranges of one cause."""
+    fields = _CAUSES[cause]
+    corners = product(*(getattr(ranges, source) for source in fields.values()))
+    return [Imperfection(**dict(zip(fields, corner, strict=True))) for corner in dict.fromkeys(corners)]
+
+
+def _merged(parts: Sequence[Imperfection]) -> Imperfection:
+    merged: dict[str, float] = {}
+    for part, fields in zip(parts, _CAUSES.values(), strict=True):
+        merged.update({field: getattr(part, field) for field in fields})
+    return Imperfection(**merged)
+
+
+def _run(
+    rod: Rod, todo: list[Imperfection], max_width: float | None, executor: Executor | None
+) -> list[_Outcome]:
+    """What comes of each imperfection; the same one is bent once."""
+    different = list(dict.fromkeys(_reduced(rod, v) for v in todo))
+    chunks = [different[i : i + _CHUNK] for i in range(0, len(different), _CHUNK)]
+    if executor is None:
+        answers = [_outcomes(rod, chunk, max_width) for chunk in chunks]
+    else:
+        n = len(chunks)
+        answers = list(executor.map(_outcomes, [rod] * n, chunks, [max_width] * n))
+    known = dict(zip(different, (one for chunk in answers for one in chunk), strict=True))
+    return [known[_reduced(rod, v)] for v in todo]
+
+
+def _reduced(rod: Rod, v: Imperfection) -> Imperfection:
+    """The imperfection without what this rod cannot feel."""
+    if rod.gravity is None:
+        v = replace(v, youngs_modulus=1.0, density=1.0)
+    largest = float(np.abs(rod.curvature - rod.natural_curvature).max())
+    if largest <= v.yield_curvature / v.thickness:
+        v = replace(v, yield_curvature=np.inf)
+        if rod.gravity is None:
+            v = replace(v, thickness=1.0)
+    a, b = rod.supports.ends
+    return replace(
+        v, start_angle=v.start_angle if a.angle else 0.0, end_angle=v.end_angle if b.angle else 0.0
+    )
+
+
+def _outcomes(rod: Rod, imperfections: Sequence[Imperfection], max_width: float | None) -> list[_Outcome]:
+    found = []
+    for imperfection in imperfections:
+        if imperfection == Imperfection():
+            found.append(_Outcome(0.0, False))
+            continue
+        try:
+            bent = perturb_rod(rod, imperfection, max_width=max_width)
+        except NotConvergedError:
+            found.append(_Outcome(None, False))
+        else:
+            deviation = float(np.hypot(*(bent.position - rod.position).T).max())
+            found.append(_Outcome(deviation, bent.warnings != rod.warnings))
+    return found
+
+
+def _effect(name: str, inner: Sequence[_Outcome], outer: Sequence[_Outcome]) -> ToleranceEffect:
+    good = np.array([one.deviation for one in inner if one.deviation is not None])
+    every = np.array([one.deviation for one in (*inner, *outer) if one.deviation is not None])
+    return ToleranceEffect(
+        name=name,
+        worst=float(every.max()) if every.size else float("nan"),
+        percentile_95=float(np.percentile(good, 95)) if good.size else float("nan"),
+        samples=len(inner) + len(outer),
+        failed=len(inner) + len(outer) - every.size,
+        snapped=sum(one.snapped for one in (*inner, *outer)),
+    )

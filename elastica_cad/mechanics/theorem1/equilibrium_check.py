@@ -1,0 +1,411 @@
+"""Theorem 1: can a flat strip take the drawn curve, and if not, where and why not."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.geometry.curves.curve_records import CurvatureZero, TangentBreak
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads.arguments import require_curve, require_supports, require_tolerance
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.theorem1.inflection_line import (
+    find_separating_line,
+    fit_inflection_line,
+    line_meetings,
+)
+from elastica_cad.mechanics.theorem1.project_inflections import project_inflections
+from elastica_cad.mechanics.theorem1.verdict import (
+    EquilibriumCheck,
+    NotRealizable,
+    count,
+    figure,
+    listed,
+    places,
+)
+
+__all__ = ["EquilibriumCheck", "NotRealizable", "check_equilibrium", "examine_curvature", "require_bendable"]
+
+AT_END_SHARE = 1e-7
+"""A zero of the curvature nearer to an end than this, in lengths of the curve, is the end's."""
+
+PINNED_SHARE = 1e-6
+"""Curvature at a pinned end, relative to the largest, that counts as none."""
+
+
+def check_equilibrium(
+    curve: PlaneCurve,
+    supports: Supports | None = None,
+    natural_curvature: float = 0.0,
+    *,
+    tolerance: float = 1e-4,
+) -> EquilibriumCheck:
+    """Decide whether a flat strip of some admissible width can rest in this curve, without weight.
+
+    Condition (1): a line meets the curve in the zeros of its curvature, in nothing else, and is tangent in
+    none. Condition (2): the curvature changes sign in each of them with a finite slope. A pinned end must
+    have no curvature, which puts it on the line too; an end free to slide along x (y) makes the line vertical
+    (horizontal); ends that carry no force at all allow no line. A natural curvature is taken off the
+    curvature.
+
+    Parameters
+    ----------
+    supports : Supports
+        Clamped at both ends unless given.
+    natural_curvature : float
+        kappa_0, 1/mm.
+    tolerance : float
+        Inflections that lie this near to one line, in lengths of the curve, are moved onto it (`moved`,
+        `curve`).
+
+    Raises
+    ------
+    InputError
+        A closed curve, or one with corners.
+
+    References
+    ----------
+    Paper, Theorem 1 and section 4.3.
+
+    Examples
+    --------
+    >>> wave = PlaneCurve.spline([(0, 0), (40, 60), (80, -60), (120, 0)], degree=3)
+    >>> check = check_equilibrium(wave)
+    >>> check.realizable, len(check.inflections)
+    (True, 1)
+    """
+    require_tolerance(tolerance)
+    supports = require_supports(supports)
+    check = examine_curvature(curve, supports, natural_curvature)
+    if check.any_stiffness or not check.zeros:
+        return check
+    force_x, force_y = supports.transmits_force
+    if not (force_x or force_y):
+        reason = (
+            "No force can act between its ends, so the moment is constant and the curve must bend one way "
+            f"only; it has {count(check.zeros)}, {places(z.s for z in check.zeros)}: hold both ends in x "
+            "or in y."
+        )
+        return _refused(check, reason)
+    normal = None if force_x and force_y else np.array([1.0, 0.0] if force_y else [0.0, 1.0])
+    if len(check.zeros) == 1 and normal is None:
+        return _with_one_zero(check)
+    return _with_line(check, normal, supports, natural_curvature, tolerance)
+
+
+def examine_curvature(
+    curve: PlaneCurve, supports: Supports, natural_curvature: float = 0.0
+) -> EquilibriumCheck:
+    """Everything of `check_equilibrium` but the line: zeros of kappa - kappa_0, jumps, straight pieces,
+    kinks.
+
+    With weight there is no line (paper, section 5), but these conditions stay. The same errors are raised.
+    """
+    require_curve(curve)
+    if not (isinstance(natural_curvature, float | int | np.number) and np.isfinite(natural_curvature)):
+        raise InputError(f"natural curvature is {natural_curvature!r}: it must be a finite number, in 1/mm")
+    require_bendable(curve)
+    largest = _largest(curve, natural_curvature)
+    zeros = _zeros_of(curve, supports, natural_curvature, largest)
+    flats = [z for z in zeros if z.kind == "flat"]
+    jumps = tuple(z.s for z in zeros if z.kind == "jump")
+    touches = [z.s for z in zeros if z.kind == "touch"]
+    points = tuple(z for z in zeros if z.kind in ("crossing", "end"))
+    check = EquilibriumCheck(
+        realizable=True,
+        reasons=(),
+        warnings=(),
+        length=curve.length,
+        curve=curve,
+        inflections=tuple((z.s + z.s_end) / 2 for z in zeros if z.changes_sign),
+        jumps=jumps,
+        flats=tuple((z.s, z.s_end) for z in flats),
+        zeros=points,
+    )
+    if (
+        flats
+        and flats[0].s <= AT_END_SHARE * curve.length
+        and flats[0].s_end >= (1 - AT_END_SHARE) * curve.length
+    ):
+        return replace(check, any_stiffness=True, warnings=_self_crossing(curve), zeros=())
+    gentle = [z.s for z in points if _slope(curve, z) <= PINNED_SHARE * largest / curve.length]
+    reasons = [
+        *_pinned_reasons(curve, supports, natural_curvature, points),
+        *_flat_reasons(curve, flats, natural_curvature, largest),
+        *_jump_reasons(jumps),
+        *_touch_reasons(sorted([*touches, *gentle])),
+    ]
+    return replace(
+        check,
+        realizable=not reasons,
+        reasons=tuple(reasons),
+        warnings=(*_width_warnings(curve, jumps), *_self_crossing(curve)),
+        curvature_touches=tuple(sorted([*touches, *gentle])),
+    )
+
+
+def _with_one_zero(check: EquilibriumCheck) -> EquilibriumCheck:
+    """One zero, any direction: is there a line through it that meets the curve nowhere else?"""
+    zero = check.zeros[0]
+    found = find_separating_line(check.curve, zero, zero.after or -zero.before)
+    checked = replace(check, line=found.line, off_line=((zero.s, 0.0),))
+    if found.line is not None:
+        return checked
+    near = tuple(s for s in found.places if abs(s - zero.s) > AT_END_SHARE * check.length)
+    reason = (
+        f"Every line through the inflection at {zero.s:.4g} mm meets the curve again or touches it there "
+        f"(the curve is in the way {places(near, 'near')}): wind the curve less, or support the strip "
+        "between."
+    )
+    return _refused(replace(checked, crossings=near), reason)
+
+
+def _with_line(
+    check: EquilibriumCheck,
+    normal: FloatArray | None,
+    supports: Supports,
+    natural_curvature: float,
+    tolerance: float,
+) -> EquilibriumCheck:
+    """Two or more zeros, or a line of given direction: there is one line to look at."""
+    line = fit_inflection_line(_positions(check), normal)
+    distance = line.distance(_positions(check))
+    off_line = tuple((z.s, float(d)) for z, d in zip(check.zeros, distance, strict=True))
+    check = replace(check, line=line, off_line=off_line)
+    largest = float(np.abs(distance).max())
+    if largest > tolerance * check.length:
+        return _refused(check, _off_line_reason(check, normal, tolerance * check.length))
+    if largest > 1e-10 * check.length and check.realizable:
+        try:
+            moved = project_inflections(
+                check.curve, check.zeros, normal=normal, natural_curvature=natural_curvature
+            )
+        except NotConvergedError:
+            return _refused(check, _off_line_reason(check, normal, 0.0))
+        again = examine_curvature(moved, supports, natural_curvature)
+        line = fit_inflection_line(_positions(again), normal)
+        check = replace(again, line=line, off_line=off_line, moved=_largest_move(check.curve, moved))
+    meetings = line_meetings(check.curve, line, check.zeros)
+    if not meetings:
+        return check
+    crossings = tuple(m.s for m in meetings if m.kind == "crossing")
+    tangents = tuple(m.s for m in meetings if m.kind == "tangent")
+    touches = tuple(m.s for m in meetings if m.kind == "touch")
+    name = (
+        "the line through its inflections"
+        if normal is None
+        else f"the {_kind_of(normal)}line that the supports ask for"
+    )
+    parts = [
+        *([f"crosses the curve {places(crossings)}"] if crossings else []),
+        *([f"touches the curve {places(touches)}"] if touches else []),
+        *([f"is tangent to the curve in the inflection {places(tangents)}"] if tangents else []),
+    ]
+    reason = (
+        f"{name[0].upper()}{name[1:]} {' and '.join(parts)}, where the moment would vanish or change sign "
+        "and the curvature does not: move the curve off the line there, or support the strip between there "
+        "and the inflections beside it."
+    )
+    return _refused(replace(check, crossings=crossings, touches=(*touches, *tangents)), reason)
+
+
+def _off_line_reason(check: EquilibriumCheck, normal: FloatArray | None, allowed: float) -> str:
+    small = f" (at most {allowed:.2g} mm is put right without asking)" if allowed else ""
+    return (
+        f"Its inflections do not lie on one {_kind_of(normal)}line: those "
+        f"{places(s for s, _ in check.off_line)} are {listed(f'{abs(d):.3g}' for _, d in check.off_line)} "
+        f"mm off the nearest one{small}. Move them onto one line, or support the strip between them."
+    )
+
+
+def _refused(check: EquilibriumCheck, reason: str) -> EquilibriumCheck:
+    return replace(check, realizable=False, reasons=(*check.reasons, reason))
+
+
+def require_bendable(curve: PlaneCurve) -> None:
+    """Refuse what no strip can follow, whatever holds it: a closed curve, a corner.
+
+    Raises
+    ------
+    InputError
+        The message says where, and what to do.
+    """
+    corners = curve.tangent_breaks
+    if corners:
+        raise InputError(_corner_sentence(curve, corners))
+    if curve.is_closed:
+        raise InputError(
+            "the curve is closed: a strip has two ends; leave a gap between them, or cut the curve in pieces"
+        )
+
+
+def _corner_sentence(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
+    """What is wrong with corners, and whether the digits of a file may have made them."""
+    drawn = curve.provenance
+    maybe = {} if drawn is None else {turn.t: turn for turn in drawn.undecided}
+    if drawn is not None and all(corner.t in maybe for corner in corners):
+        turn = max((maybe[corner.t] for corner in corners), key=lambda one: one.angle)
+        return (
+            f"undecided at this precision: the curve turns by {np.degrees(turn.angle):.2g} degrees at "
+            f"{drawn.shown(curve.evaluate(np.array(turn.t)))}, {places(c.s for c in corners)} along it, "
+            "and the digits "
+            f"of the file alone can turn its handle of {turn.handle:.3g} mm by "
+            f"{np.degrees(turn.bound):.2g}: save it "
+            "with more decimals, or make the node smooth with longer handles"
+        )
+    at = f" ({drawn.shown(curve.evaluate(np.array(corners[0].t)))})" if drawn is not None else ""
+    sharpest = max(np.degrees(abs(corner.angle)) for corner in corners)
+    return (
+        f"the curve has a corner {places(c.s for c in corners)}{at}, of {sharpest:.3g} degrees: a strip "
+        "bends without "
+        "kinks; round it, or draw two curves"
+    )
+
+
+def _zeros_of(
+    curve: PlaneCurve, supports: Supports, natural_curvature: float, largest: float
+) -> tuple[CurvatureZero, ...]:
+    """Zeros of kappa - kappa_0, those next to an end put there; a pinned end may keep a trace."""
+    low, high = curve.domain
+    length, near = curve.length, AT_END_SHARE * curve.length
+    found: list[CurvatureZero] = []
+    ends: dict[bool, CurvatureZero] = {}
+    for zero in curve.curvature_equals(natural_curvature):
+        at_start, at_end = zero.s_end <= near, zero.s >= length - near
+        if zero.kind == "flat" or not (at_start or at_end):
+            found.append(zero)
+        else:
+            ends[at_end] = zero
+    for is_end, support in enumerate(supports.ends):
+        t = high if is_end else low
+        kappa = float(curve.curvature_at(np.array(t))) - natural_curvature
+        pinned = not support.angle and abs(kappa) <= PINNED_SHARE * largest
+        if bool(is_end) in ends or (pinned and not any(z.t <= t <= z.t_end for z in found)):
+            slope = int(np.sign(curve.curvature_slope_at(np.array(t))))
+            sign = (0, slope) if not is_end else (-slope, 0)
+            s = length if is_end else 0.0
+            found.append(CurvatureZero(s, t, "end", s, t, *sign))
+    return tuple(sorted(found, key=lambda z: z.s))
+
+
+def _largest(curve: PlaneCurve, natural_curvature: float) -> float:
+    """Largest |kappa - kappa_0|, nearly: the size against which others are small."""
+    kappa = curve.curvature_at(np.linspace(*curve.domain, 401))
+    return float(np.abs(kappa - natural_curvature).max())
+
+
+def _slope(curve: PlaneCurve, zero: CurvatureZero) -> float:
+    """Least one-sided |d kappa / ds| at a zero."""
+    t = np.array(zero.t)
+    low, high = curve.domain
+    sides = [side for side, inside in ((True, zero.t > low), (False, zero.t < high)) if inside]
+    return min(abs(float(curve.curvature_slope_at(t, left=side))) for side in sides)
+
+
+def _pinned_reasons(
+    curve: PlaneCurve, supports: Supports, natural_curvature: float, zeros: Sequence[CurvatureZero]
+) -> Iterable[str]:
+    for name, support, t, s in zip(
+        ("start", "end"), supports.ends, curve.domain, (0.0, curve.length), strict=True
+    ):
+        if support.angle or any(z.kind == "end" and z.t == t for z in zeros):
+            continue
+        kappa = float(curve.curvature_at(np.array(t)))
+        over = f" less the natural {natural_curvature:.4g}" if natural_curvature else ""
+        yield (
+            f"The {name} (at {s:.4g} mm) is free to turn, so the curve must have no curvature there; it has "
+            f"{kappa:.4g} 1/mm{over}: clamp this end, or let the curvature run out to zero."
+        )
+
+
+def _flat_reasons(
+    curve: PlaneCurve, flats: Sequence[CurvatureZero], natural_curvature: float, largest: float
+) -> Iterable[str]:
+    for flat in flats:
+        joints = [joint for joint in ((flat.s, flat.t, True), (flat.s_end, flat.t_end, False))
+                  if AT_END_SHARE * curve.length < joint[0] < (1 - AT_END_SHARE) * curve.length]  # fmt: skip
+        what = "has exactly the natural curvature" if natural_curvature else "is straight"
+        opening = (
+            f"The piece from {figure(flat.s)} to {flat.s_end:.4g} mm {what} and joined to a bent one, so "
+            "the stiffness would have to go to 0 at the joint"
+        )
+        if any(_is_gentle(curve, t, natural_curvature, largest, left=left) for _, t, left in joints):
+            yield f"{opening}, whatever supports the strip there: bend the piece a little."
+        else:
+            yield (
+                f"{opening}: support the strip {places(s for s, _, _ in joints)}, or bend the piece a little."
+            )
+
+
+def _is_gentle(curve: PlaneCurve, t: float, natural_curvature: float, largest: float, *, left: bool) -> bool:
+    """Does kappa - kappa_0 leave zero at t without a slope, so that no strip takes the bent piece alone?"""
+    at = np.array(t)
+    kappa = abs(float(curve.curvature_at(at, left=left)) - natural_curvature)
+    slope = abs(float(curve.curvature_slope_at(at, left=left)))
+    return kappa <= PINNED_SHARE * largest and slope <= PINNED_SHARE * largest / curve.length
+
+
+def _jump_reasons(jumps: Sequence[float]) -> Iterable[str]:
+    if jumps:
+        yield (
+            f"The bending is reversed by a jump of the curvature {places(jumps)}, where the stiffness would "
+            "have to go to 0: support the strip there, or let the curvature pass through zero smoothly "
+            "(smooth = 0.1, or --smooth 0.1, does that within 0.1 mm)."
+        )
+
+
+def _touch_reasons(touches: Sequence[float]) -> Iterable[str]:
+    if touches:
+        yield (
+            f"The curvature runs out to zero {places(touches)} without a clear change of sign, where the "
+            "stiffness would have to be infinite or zero, whatever supports the strip: bend the curve a "
+            "little more there, or reverse its bending at a clear rate."
+        )
+
+
+def _width_warnings(curve: PlaneCurve, jumps: Sequence[float]) -> Iterable[str]:
+    steps = [b.s for b in curve.breaks if b.continuity == 1 and b.s not in jumps]
+    kinks = [b.s for b in curve.breaks if b.continuity == 2]
+    if steps:
+        yield (
+            f"The width of the strip steps {places(steps)}, where the curvature jumps: smooth = 0.1, or "
+            "--smooth 0.1, makes it a fair curve of degree 4 within 0.1 mm."
+        )
+    if kinks:
+        advice = (
+            "smooth = 0.1, or --smooth 0.1, makes it a fair curve of degree 4 within 0.1 mm"
+            if curve.degree < 4
+            else "do not repeat the knot there"
+        )
+        yield (
+            f"The width of the strip has a kink {places(kinks)}, where the slope of the curvature jumps: "
+            f"{advice}."
+        )
+
+
+def _self_crossing(curve: PlaneCurve) -> tuple[str, ...]:
+    pairs = curve.self_intersections()
+    if not pairs.size:
+        return ()
+    where = listed(f"{first:.4g} and {second:.4g}" for first, second in pairs)
+    return (
+        f"The curve crosses itself (at {where} mm): two parts of the strip must pass side by side there.",
+    )
+
+
+def _positions(check: EquilibriumCheck) -> FloatArray:
+    return np.asarray(check.curve.evaluate(np.array([z.t for z in check.zeros])))
+
+
+def _largest_move(before: PlaneCurve, after: PlaneCurve) -> float:
+    """Largest distance of points of the same parameter, mm."""
+    t = np.linspace(*before.domain, 1001)
+    return float(np.hypot(*np.moveaxis(np.asarray(after.evaluate(t)) - before.evaluate(t), -1, 0)).max())
+
+
+def _kind_of(normal: FloatArray | None) -> str:
+    if normal is None:
+        return ""
+    return "vertical " if normal[0] else "horizontal "

@@ -1,0 +1,139 @@
+"""The verdict on a curve as a record, and how it is put into words."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from html import escape
+from typing import Any
+
+from elastica_cad.errors import ElasticaError
+from elastica_cad.geometry.curves.curve_records import CurvatureZero
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.theorem1.inflection_line import InflectionLine
+
+__all__ = ["EquilibriumCheck", "NotRealizable", "count", "figure", "listed", "places"]
+
+
+@dataclass(frozen=True, eq=False)
+class EquilibriumCheck:
+    """Verdict of Theorem 1 on a curve; `str()` of it is advice to a designer.
+
+    Attributes
+    ----------
+    realizable : bool
+        Can a flat strip take this curve?
+    reasons : tuple of str
+        Why not; empty when realizable.
+    warnings : tuple of str
+        What the designer should know all the same.
+    length : float
+        mm.
+    any_stiffness : bool
+        The curve is straight (or has the natural curvature throughout): every stiffness will do.
+    inflections : tuple of float
+        Arc lengths, mm, where kappa - kappa_0 changes sign.
+    line : InflectionLine or None
+        The inflection line; for a single inflection the middle one of those that will do; None where none is
+        needed.
+    off_line : tuple of (float, float)
+        Arc length of every point that the line must pass, and its distance from it, mm.
+    crossings, touches : tuple of float
+        Arc lengths, mm, where the line crosses or touches the curve and must not.
+    curvature_touches, jumps : tuple of float
+        Arc lengths, mm, where kappa - kappa_0 touches zero without changing sign or changes it too gently,
+        and where its sign changes by a jump.
+    flats : tuple of (float, float)
+        Straight pieces from, to, mm.
+    moved : float
+        Largest move, mm, of the curve by which its inflections were brought onto one line.
+    curve : PlaneCurve
+        The curve that this check speaks of: the drawn one, or the moved one.
+    zeros : tuple of CurvatureZero
+        All zeros of kappa - kappa_0 of `curve` at which the moment must vanish.
+    """
+
+    realizable: bool
+    reasons: tuple[str, ...]
+    warnings: tuple[str, ...]
+    length: float
+    curve: PlaneCurve = field(repr=False)
+    any_stiffness: bool = False
+    inflections: tuple[float, ...] = ()
+    line: InflectionLine | None = None
+    off_line: tuple[tuple[float, float], ...] = ()
+    crossings: tuple[float, ...] = ()
+    touches: tuple[float, ...] = ()
+    curvature_touches: tuple[float, ...] = ()
+    jumps: tuple[float, ...] = ()
+    flats: tuple[tuple[float, float], ...] = ()
+    moved: float = 0.0
+    zeros: tuple[CurvatureZero, ...] = field(default=(), repr=False)
+
+    def __str__(self) -> str:
+        if not self.realizable:
+            opening = f"A flat strip cannot take this curve of {self.length:.4g} mm."
+        elif self.any_stiffness:
+            opening = f"A strip of any width takes this curve of {self.length:.4g} mm: it is not bent."
+        elif self.inflections:
+            opening = (
+                f"A flat strip can take this curve of {self.length:.4g} mm; it has "
+                f"{count(self.inflections)}, {places(self.inflections)}."
+            )
+        else:
+            opening = f"A flat strip can take this curve of {self.length:.4g} mm; it has no inflections."
+        return " ".join([opening, *self.reasons, *self.warnings])
+
+    def _repr_html_(self) -> str:
+        return f"<p><b>{'yes' if self.realizable else 'no'}</b>: {escape(str(self))}</p>"
+
+    def as_dict(self) -> dict[str, Any]:
+        """Numbers, texts and lists for a report."""
+        return {
+            "realizable": self.realizable,
+            "any_stiffness": self.any_stiffness,
+            "reasons": list(self.reasons),
+            "warnings": list(self.warnings),
+            "length": self.length,
+            "inflections": list(self.inflections),
+            "line": self.line.as_dict() if self.line else None,
+            "off_line": [list(pair) for pair in self.off_line],
+            "crossings": list(self.crossings),
+            "touches": list(self.touches),
+            "curvature_touches": list(self.curvature_touches),
+            "jumps": list(self.jumps),
+            "flats": [list(pair) for pair in self.flats],
+            "moved": self.moved,
+        }
+
+
+class NotRealizable(ElasticaError, ValueError):  # noqa: N818 - a fixed public name
+    """No admissible stiffness makes the curve a rest shape; `check` tells why and where."""
+
+    def __init__(self, check: EquilibriumCheck) -> None:
+        self.check = check
+        super().__init__(str(check))
+
+    def __reduce__(self) -> tuple[type["NotRealizable"], tuple[EquilibriumCheck]]:
+        return NotRealizable, (self.check,)
+
+
+def count(zeros: Sequence[object]) -> str:
+    """For example "2 inflections"."""
+    return f"{len(zeros)} inflection{'s' if len(zeros) > 1 else ''}"
+
+
+def places(s: Iterable[float], word: str = "at") -> str:
+    """For example "at 12 and 34.5 mm"."""
+    return f"{word} {listed(figure(x) for x in s)} mm"
+
+
+def figure(x: float) -> str:
+    """Four figures, and no traces of rounding instead of 0."""
+    return f"{round(x, 6):.4g}"
+
+
+def listed(items: Iterable[str], most: int = 6) -> str:
+    """Texts joined by commas and "and"; no more than `most` of them."""
+    texts = list(items)
+    if len(texts) > most:
+        return ", ".join(texts[:most]) + f" and {len(texts) - most} more"
+    return " and ".join([", ".join(texts[:-1]), texts[-1]]) if len(texts) > 1 else "".join(texts)

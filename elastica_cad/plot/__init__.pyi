@@ -1,0 +1,10 @@
+from elastica_cad.plot.canvas import save_figure as save_figure
+from elastica_cad.plot.strip_pictures import (
+    drawing as drawing,
+    rod as rod,
+    strip as strip,
+    strip_sheet as strip_sheet,
+)
+from elastica_cad.plot.model_pictures import bodies as bodies, model as model
+from elastica_cad.plot.travel_sheet import travel as travel
+from elastica_cad.plot.template_pages import save_template as save_template

@@ -1,0 +1,288 @@
+"""A strip on one page: its curve, its stiffness, its flat pattern; and drawings in the colours of their layers."""
+
+from textwrap import fill
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.fabrication.drawings.drawing import Drawing
+from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Figure, new_figure
+
+__all__ = ["drawing", "paint_flat", "rod", "strip", "strip_sheet"]
+
+Axes: TypeAlias = Any
+
+COMB, LINE, FAINT, WISH = "#2f6db3", "#c2452d", "#8a8f98", "#e0962b"
+LAYER_COLORS = {"CUT_OUTER": "#c2452d", "CUT_INNER": "#2f6db3", "ENGRAVE": INK, "MARK": "#3a8f4d"}
+SMOOTH_MM = 0.02
+"""How closely polylines follow splines in pictures: less than a printed dot."""
+
+
+def rod(rod: Rod, *, wish: PlaneCurve | None = None) -> Figure:
+    """The bent rod with its curvature comb and inflection line, and its stiffness along the strip.
+
+    `wish` is drawn beside it where the rod is the nearest one to a curve that was asked for.
+    """
+    tall = _curve_height(rod, wish)
+    figure = new_figure(tall + 2.4)
+    above, below = figure.subplots(2, 1, height_ratios=[tall, 2.2])
+    _draw_curve(above, rod, wish)
+    _draw_stiffness(below, rod)
+    return figure
+
+
+def strip(strip: Strip) -> Figure:
+    """The flat strip with its dimensions."""
+    figure = new_figure(_flat_height(strip) + 0.4)
+    _draw_flat(figure.subplots(), strip)
+    return figure
+
+
+def drawing(drawing: Drawing) -> Figure:
+    """A drawing in the colours of its layers."""
+    low, high = drawing.bounds
+    size = np.maximum(high - low, 1e-9)
+    figure = new_figure(float(np.clip(WIDTH_INCHES * size[1] / size[0], 1.6, 11.0)) + 0.8)
+    axes = figure.subplots()
+    shown: list[str] = []
+    for item in drawing.strokes:
+        label = None if item.layer in shown else item.layer
+        shown.append(item.layer)
+        x, y = _points(item.path).T
+        axes.plot(x, y, color=LAYER_COLORS[item.layer], linewidth=0.9, label=label)
+    _plain_axes(axes, f"{drawing.name}: {size[0]:.1f} by {size[1]:.1f} mm")
+    _legend_above(axes)
+    return figure
+
+
+def strip_sheet(strip: Strip, *, wish: PlaneCurve | None = None) -> Figure:
+    """One page about a strip: its curve, its stiffness, its flat pattern.
+
+    Parameters
+    ----------
+    strip : Strip
+    wish : PlaneCurve, optional
+        The curve that was asked for, where the rod is the nearest one that can be made.
+    """
+    tall, flat = _curve_height(strip.rod, wish), _flat_height(strip)
+    figure = new_figure(tall + flat + 3.3)
+    axes = figure.subplots(3, 1, height_ratios=[tall, 2.2, flat])
+    sheet = strip.sheet
+    facts = f"{sheet.name}, {sheet.thickness:g} mm thick, {strip.mass:.3g} g"
+    strain = f"largest strain {100 * strip.max_strain:.2f} %, {100 * strip.strain_limit:.2f} % allowed"
+    figure.suptitle(f"{fill(strip.label or 'Strip', 90)}\n{facts}; {strain}", fontsize=11, color=INK)
+    _draw_curve(axes[0], strip.rod, wish)
+    _draw_stiffness(axes[1], strip.rod)
+    _draw_flat(axes[2], strip)
+    (start, _), (end, _) = strip.outline.bounds
+    margin = 0.04 * (end - start)
+    for below in axes[1:]:
+        below.set_xlim(start - margin, end + margin)
+    return figure
+
+
+def _draw_curve(axes: Axes, rod: Rod, wish: PlaneCurve | None) -> None:
+    position, kappa = rod.position, rod.curvature
+    normal = np.column_stack([-np.sin(rod.angle), np.cos(rod.angle)])
+    tips = position - kappa[:, None] * normal * _comb_scale(rod)
+    step = max(1, len(position) // 100)
+    teeth = np.stack([position, tips, np.full_like(tips, np.nan)], axis=1)[::step].reshape(-1, 2)
+    axes.plot(*teeth.T, color=COMB, linewidth=0.5, alpha=0.6)
+    axes.plot(*tips.T, color=COMB, linewidth=0.8, label="curvature comb")
+    if wish is not None:
+        axes.plot(
+            *wish.sample(600).position.T,
+            color=FAINT,
+            linewidth=1.4,
+            linestyle=(0, (4, 2)),
+            label="drawn curve",
+        )
+    axes.plot(*position.T, color=INK, linewidth=2.2, label="strip")
+    turns = _inflections(rod)
+    if len(turns):
+        axes.plot(
+            *turns.T, "o", color=LINE, markersize=6, label="inflection" if len(turns) == 1 else "inflections"
+        )
+    line = _inflection_line(rod)
+    if line is not None:
+        low, high = axes.dataLim.min, axes.dataLim.max
+        reach = 0.04 * float(np.max(high - low))
+        ends = _clipped(*line, low - reach, high + reach)
+        if ends is not None:
+            axes.plot(*ends.T, color=LINE, linewidth=1.0, linestyle="--", label="inflection line")
+    _widen(axes)
+    _plain_axes(axes, f"Bent: {rod.length:.1f} mm along the curve")
+    _legend_above(axes)
+
+
+def _widen(axes: Axes) -> None:
+    """Give a curve that is nearly straight some room across, for its axis to be read."""
+    size, middle = axes.dataLim.size, axes.dataLim.min + axes.dataLim.size / 2
+    least = 0.55 * np.maximum(size, 0.3 * size.max())
+    axes.set_xlim(middle[0] - least[0], middle[0] + least[0])
+    axes.set_ylim(middle[1] - least[1], middle[1] + least[1])
+
+
+def _draw_stiffness(axes: Axes, rod: Rod) -> None:
+    s = np.linspace(0.0, rod.length, 1201)
+    K = rod.profile(s)
+    axes.plot(s, K, color=INK, linewidth=1.6)
+    axes.fill_between(s, 0, K, color=COMB, alpha=0.12, linewidth=0)
+    axes.set_xlim(0, rod.length)
+    axes.set_ylim(0, 1.12 * K.max())
+    axes.set_xlabel("arc length from the start of the free part (mm)")
+    axes.set_ylabel("stiffness K")
+    axes.set_title(f"Stiffness: largest over smallest {rod.ratio:.3f}", fontsize=10, loc="left", color=INK)
+    axes.grid(visible=True, color="#e3e5e8", linewidth=0.6)
+    _quiet(axes)
+
+
+def _draw_flat(axes: Axes, strip: Strip) -> None:
+    paint_flat(axes, strip)
+    (left, bottom), (right, top) = strip.outline.bounds
+    length = right - left
+    unit = 0.012 * length
+    axes.plot([0, 0, np.nan, strip.rod.length, strip.rod.length],
+              [bottom, top, np.nan, bottom, top], color=FAINT, linewidth=0.8, linestyle=":")  # fmt: skip
+    above, below = top + 1.6 * unit, bottom - 1.2 * unit
+    _dimension(axes, (left, above), (right, above), f"{length:.2f} mm in all, {strip.rod.length:.2f} mm free")
+    for x in _width_stations(strip):
+        w = float(strip.width(x))
+        axes.plot([x, x], [-w / 2, w / 2], color=LINE, linewidth=0.9)
+        axes.text(x, below, f"{w:.2f}", ha="center", va="top", fontsize=9, color=LINE)
+    axes.set_xlim(left - 0.04 * length, right + 0.04 * length)
+    axes.set_ylim(bottom - 5.0 * unit, top + 5.2 * unit)
+    axes.set_aspect("equal")
+    axes.set_xticks([])
+    axes.set_yticks([])
+    for side in axes.spines.values():
+        side.set_visible(False)
+    low, high = strip.width.extremes
+    axes.set_title(
+        f"Flat: {low:.2f} to {high:.2f} mm wide, widths in mm below", fontsize=10, loc="left", color=INK
+    )
+
+
+def paint_flat(axes: Axes, strip: Strip, shift: tuple[float, float] = (0.0, 0.0)) -> None:
+    """The cut pattern in the colours of its sheets, a backing seen through, moved by `shift` mm."""
+    from matplotlib.patches import PathPatch
+    from matplotlib.path import Path as Outline
+
+    for layer in strip.layers:
+        # what runs against the outline is left out of the filling
+        holes = [hole if hole.area < 0 else hole.reversed() for hole in layer.holes]
+        loops = [Outline(_points(loop) + shift, closed=True) for loop in (layer.outline, *holes)]
+        axes.add_patch(
+            PathPatch(
+                Outline.make_compound_path(*loops),
+                facecolor=sheet_color(layer.sheet),
+                edgecolor=INK,
+                linewidth=1.0,
+                alpha=None if layer is strip.layers[0] else 0.6,
+            )
+        )
+
+
+def _dimension(axes: Axes, start: tuple[float, float], end: tuple[float, float], text: str) -> None:
+    arrow = {"arrowstyle": "<->", "color": FAINT, "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0}
+    axes.annotate("", start, end, arrowprops=arrow)
+    middle = ((start[0] + end[0]) / 2, start[1])
+    above = {"xytext": (0, 3), "textcoords": "offset points", "ha": "center", "va": "bottom"}
+    axes.annotate(text, middle, fontsize=9, color=INK, **above)
+
+
+def _width_stations(strip: Strip) -> list[float]:
+    """Widest and narrowest place, the ends, then the quarters, as far as their labels keep apart."""
+    length = strip.rod.length
+    s = np.linspace(0.0, length, 801)
+    w = strip.width(s)
+    wanted = [s[int(np.argmax(w))], s[int(np.argmin(w))], 0.0, length, length / 2, length / 4, 3 * length / 4]
+    kept: list[float] = []
+    for x in map(float, wanted):
+        if all(abs(x - other) > 0.08 * length for other in kept):
+            kept.append(x)
+    return sorted(kept)
+
+
+def _inflections(rod: Rod) -> FloatArray:
+    """Points (k, 2) where the curvature changes sign."""
+    if rod.shape is not None:
+        return np.asarray(rod.shape.at(rod.shape.inflections).position, dtype=float).reshape(-1, 2)
+    kappa = rod.curvature
+    i = np.flatnonzero(kappa[:-1] * kappa[1:] < 0)
+    u = (kappa[i] / (kappa[i] - kappa[i + 1]))[:, None]
+    return np.asarray(rod.position[i] * (1 - u) + rod.position[i + 1] * u, dtype=float)
+
+
+def _inflection_line(rod: Rod) -> tuple[FloatArray, FloatArray] | None:
+    """Point and direction of the line on which the moment vanishes (Eq. 3); with weight there is none."""
+    size = float(np.linalg.norm(rod.force[0]))
+    if rod.gravity is not None or size == 0.0:
+        return None
+    direction = rod.force[0] / size
+    gradient = np.array([direction[1], -direction[0]])  # b = R^t lambda
+    return rod.position[0] - gradient * rod.moment[0] / size, direction
+
+
+def _clipped(
+    point: FloatArray, direction: FloatArray, low: FloatArray, high: FloatArray
+) -> FloatArray | None:
+    """The part (2, 2) of a line inside a box, or None."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        t = np.sort(np.array([low - point, high - point]) / direction, axis=0)
+    inside = np.all((direction != 0) | ((low <= point) & (point <= high)))
+    first, last = (
+        np.nanmax(np.where(direction != 0, t[0], -np.inf)),
+        np.nanmin(np.where(direction != 0, t[1], np.inf)),
+    )
+    return (
+        np.array([point + first * direction, point + last * direction]) if inside and first < last else None
+    )
+
+
+def _comb_scale(rod: Rod) -> float:
+    """mm drawn for 1/mm of curvature."""
+    largest = float(np.abs(rod.curvature).max())
+    extent = float(np.ptp(rod.position, axis=0).max())
+    return 0.16 * extent / largest if largest > 0 else 0.0
+
+
+def _curve_height(rod: Rod, wish: PlaneCurve | None) -> float:
+    points = rod.position if wish is None else np.concatenate([rod.position, wish.sample(200).position])
+    width, height = np.ptp(points, axis=0) + 0.35 * float(np.ptp(points, axis=0).max())
+    return float(np.clip(WIDTH_INCHES * height / width, 2.4, 6.5))
+
+
+def _flat_height(strip: Strip) -> float:
+    (left, bottom), (right, top) = strip.outline.bounds
+    return float(np.clip(WIDTH_INCHES * ((top - bottom) / (right - left) + 0.13), 1.5, 5.0))
+
+
+def _points(path: Path) -> FloatArray:
+    points = path.points(SMOOTH_MM)
+    return np.concatenate([points, points[:1]]) if path.closed else points
+
+
+def _plain_axes(axes: Axes, title: str) -> None:
+    axes.set_aspect("equal")
+    axes.set_xlabel("x (mm)")
+    axes.set_ylabel("y (mm)")
+    axes.set_title(title, fontsize=10, loc="left", color=INK, pad=22)
+    _quiet(axes)
+
+
+def _quiet(axes: Axes) -> None:
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.tick_params(labelsize=9)
+
+
+def _legend_above(axes: Axes) -> None:
+    axes.legend(
+        fontsize=9, frameon=False, loc="lower left", bbox_to_anchor=(-0.01, 1.0), ncols=5, borderpad=0.1
+    )

@@ -1,0 +1,198 @@
+"""Paper templates: a drawing at full size as PDF, in tiles of a home printer's paper with marks to join them by."""
+
+from dataclasses import dataclass
+from io import BytesIO
+from os import PathLike
+from typing import Any
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError, MissingDependencyError
+from elastica_cad.fabrication.drawings.drawing import Drawing
+from elastica_cad.formats.file_access.atomic_write import write_atomically
+from elastica_cad.plot.canvas import INK
+from elastica_cad.plot.strip_pictures import LAYER_COLORS
+
+__all__ = ["PAPERS", "Tiling", "save_template", "tile_drawing"]
+
+PAPERS = {
+    "A4": (210.0, 297.0), "A3": (297.0, 420.0), "A2": (420.0, 594.0), "A1": (594.0, 841.0), "A0": (841.0, 1189.0),
+    "letter": (215.9, 279.4), "tabloid": (279.4, 431.8),
+}  # fmt: skip
+"""Width and height, mm (ISO 216; ANSI Y14.1)."""
+
+MARGIN_MM = 10.0  # what home printers leave white
+OVERLAP_MM = 10.0  # of neighbouring tiles, for glue
+CHORD_MM = 0.01  # how closely lines follow splines: a fifth of a printer's dot at 600 dpi
+MM_PER_INCH = 25.4
+CROSS_MM = 4.0  # arms of a registration mark
+RULER_MM = 100.0  # of the bar that shows whether the printer scaled
+POINTS_PER_MM = 72 / MM_PER_INCH
+MOST_TILES = 400
+
+
+@dataclass(frozen=True, eq=False)
+class Tiling:
+    """How a drawing lies on pages.
+
+    Attributes
+    ----------
+    page : (float, float)
+        Width and height of the paper as it is used, mm.
+    origins : (k, 2) array
+        Lower left corner of each printed tile in the drawing, mm.
+    names : tuple of str
+        "A1" is the lower left tile; letters count to the right, numbers upwards.
+    size : (float, float)
+        Of the printed part of a page, mm.
+    """
+
+    page: tuple[float, float]
+    origins: FloatArray
+    names: tuple[str, ...]
+    size: tuple[float, float]
+
+
+def tile_drawing(drawing: Drawing, paper: str = "A4", *, overlap: float = OVERLAP_MM) -> Tiling:
+    """Tiles that cover a drawing, upright or across, whichever needs fewer pages; empty ones are left out.
+
+    Raises
+    ------
+    InputError
+        Unknown paper, an overlap that leaves nothing, or more than 400 pages.
+
+    Examples
+    --------
+    >>> from elastica_cad.fabrication.drawings.drawing import LayeredPath
+    >>> from elastica_cad.geometry.paths.path import Path
+    >>> long = Drawing("long", [LayeredPath("CUT_OUTER", Path.rectangle(400, 20))])
+    >>> tile_drawing(long).names
+    ('A1', 'B1')
+    """
+    if paper not in PAPERS:
+        raise InputError(f"unknown paper {paper!r}: use one of {', '.join(PAPERS)}")
+    if not 0 <= overlap < 0.5 * (PAPERS[paper][0] - 2 * MARGIN_MM):
+        raise InputError(f"the overlap is {overlap:g} mm: give 0 mm or more, and less than half a page")
+    ways = [_tiles(drawing, page, overlap) for page in (PAPERS[paper], PAPERS[paper][::-1])]
+    return min(ways, key=lambda way: len(way.names))
+
+
+def _tiles(drawing: Drawing, page: tuple[float, float], overlap: float) -> Tiling:
+    low, high = drawing.bounds
+    size = np.array(page) - 2 * MARGIN_MM
+    step = size - overlap
+    counts = np.maximum(1, np.ceil((high - low - overlap) / step - 1e-9)).astype(int)
+    if counts.prod() > MOST_TILES:
+        raise InputError(f"{drawing.name} needs {counts.prod()} pages of this paper: print larger paper")
+    start = (low + high) / 2 - (size + (counts - 1) * step) / 2
+    lines = [item.path.points(1.0) for item in drawing.strokes]
+    ends = [np.concatenate([line, line[:1]]) if item.path.closed else line
+            for item, line in zip(drawing.strokes, lines, strict=True)]  # fmt: skip
+    segments = np.concatenate([np.column_stack([line[:-1], line[1:]]) for line in ends])
+    origins, names = [], []
+    for row in range(counts[1]):
+        for column in range(counts[0]):
+            corner = start + (column, row) * step
+            if _enters(segments, corner, corner + size):
+                origins.append(corner)
+                names.append(f"{_letters(column)}{row + 1}")
+    return Tiling(page, np.array(origins), tuple(names), (float(size[0]), float(size[1])))
+
+
+def _enters(segments: FloatArray, low: FloatArray, high: FloatArray) -> bool:
+    """Does a chord (x, y, x, y) reach into the box?"""
+    inside = np.minimum(segments[:, :2], segments[:, 2:]), np.maximum(segments[:, :2], segments[:, 2:])
+    return bool(np.any(np.all((inside[0] < high) & (inside[1] > low), axis=1)))
+
+
+def _letters(index: int) -> str:
+    """A, B, ... Z, AA, AB, ..."""
+    text = ""
+    while True:
+        text = chr(ord("A") + index % 26) + text
+        index = index // 26 - 1
+        if index < 0:
+            return text
+
+
+def save_template(
+    drawing: Drawing,
+    path: str | PathLike[str],
+    *,
+    paper: str = "A4",
+    overlap: float = OVERLAP_MM,
+    force: bool = False,
+) -> Tiling:
+    """Write a drawing 1:1 as PDF, a page a tile, with registration marks, page names and a bar to measure.
+
+    Lines follow splines to 0.01 mm. Crosses stand where tiles join: lay the crosses of neighbours on each other.
+
+    Parameters
+    ----------
+    drawing : Drawing
+        mm.
+    path : path-like
+    paper : str
+        One of `PAPERS`.
+    overlap : float
+        Of neighbouring tiles, mm.
+    force : bool
+        Overwrite a file of that name.
+
+    Returns
+    -------
+    Tiling
+
+    Raises
+    ------
+    InputError
+        As `tile_drawing`, or the file exists.
+    MissingDependencyError
+        matplotlib is not installed.
+    """
+    try:
+        from matplotlib.backends.backend_pdf import PdfPages
+        from matplotlib.figure import Figure
+    except ImportError as error:
+        raise MissingDependencyError("PDF templates need matplotlib: pip install matplotlib") from error
+    tiling = tile_drawing(drawing, paper, overlap=overlap)
+    stream = BytesIO()
+    with PdfPages(stream, metadata={"CreationDate": None, "Title": drawing.name}) as pages:
+        for k, name in enumerate(tiling.names):
+            page: Any = Figure(figsize=(tiling.page[0] / MM_PER_INCH, tiling.page[1] / MM_PER_INCH))
+            _draw_page(page, drawing, tiling, k, overlap, f"{drawing.name}   page {name}   print at 100 %")
+            pages.savefig(page)
+    write_atomically(path, stream.getvalue(), force=force)
+    return tiling
+
+
+def _draw_page(figure: Any, drawing: Drawing, tiling: Tiling, k: int, overlap: float, title: str) -> None:
+    """One tile: its axes are the page itself, in mm of the drawing."""
+    low = tiling.origins[k]
+    high = low + tiling.size
+    axes = figure.add_axes((0, 0, 1, 1))
+    axes.set_axis_off()
+    axes.set_xlim(low[0] - MARGIN_MM, low[0] - MARGIN_MM + tiling.page[0])
+    axes.set_ylim(low[1] - MARGIN_MM, low[1] - MARGIN_MM + tiling.page[1])
+    from matplotlib.patches import Rectangle
+
+    window = Rectangle((low[0], low[1]), *tiling.size, transform=axes.transData)
+    for item in drawing.strokes:
+        points = item.path.points(CHORD_MM)
+        points = np.concatenate([points, points[:1]]) if item.path.closed else points
+        axes.plot(*points.T, color=LAYER_COLORS[item.layer], linewidth=0.6, solid_capstyle="butt")[
+            0
+        ].set_clip_path(window)
+    for x in (low[0] + overlap / 2, high[0] - overlap / 2):
+        for y in (low[1] + overlap / 2, high[1] - overlap / 2):
+            for dx, dy in ((CROSS_MM, 0.0), (0.0, CROSS_MM)):
+                axes.plot([x - dx, x + dx], [y - dy, y + dy], color=INK, linewidth=0.4)
+    height = 3.0 * POINTS_PER_MM
+    axes.text(low[0], low[1] - 0.7 * MARGIN_MM, title, fontsize=height, color=INK)
+    if k == 0:
+        x, y = high[0] - RULER_MM, low[1] - 0.5 * MARGIN_MM
+        axes.plot([x, x + RULER_MM], [y, y], color=INK, linewidth=0.8)
+        for end in (x, x + RULER_MM):
+            axes.plot([end, end], [y - 1.5, y + 1.5], color=INK, linewidth=0.8)
+        axes.text(x + RULER_MM / 2, y + 0.8, "100 mm", fontsize=0.8 * height, color=INK, ha="center")

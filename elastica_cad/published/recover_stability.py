@@ -1,0 +1,135 @@
+"""An unstable drawn curve made stable by moving its control points (paper, section 6.4, Algorithm 2)."""
+
+from dataclasses import dataclass
+from enum import Enum
+
+import numpy as np
+
+from elastica_cad.errors import InputError
+from elastica_cad.forming.equilibrium_curve import BothEnds, kept
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.point_distance import largest_deviation
+from elastica_cad.published.control_points import Bounds, Iterate, Route, move_within
+
+__all__ = ["RecoveredStability", "RecoveryStatus", "recover_stability"]
+
+
+class RecoveryStatus(Enum):
+    """How `recover_stability` ended."""
+
+    STABLE = "The curve is stable with the margin asked for, within the stiffness ratio."
+    BARELY_STABLE = (
+        "The curve is stable, but not with the margin asked for: allow a larger stiffness ratio, or give up "
+        "the tangents or the length."
+    )
+    UNSTABLE = (
+        "The curve cannot be made stable by small moves of its control points: allow a larger stiffness ratio, "
+        "give up the tangents or the length, or support the strip in between."
+    )
+    TOO_STIFF = (
+        "The stiffness ratio cannot be brought within its limit by small moves of the control points: allow a "
+        "larger one, or give up the tangents or the length."
+    )
+    OUT_OF_STEPS = "The steps were used up on the way: allow more of them."
+
+
+@dataclass(frozen=True, eq=False)
+class RecoveredStability:
+    """What `recover_stability` found.
+
+    Attributes
+    ----------
+    curve : PlaneCurve
+        Same knots, control points moved; a strip can take it.
+    margin : float
+        Stability margin, as `stability` has it: positive means stable.
+    ratio : float
+        R = max K / min K of the continuous curve.
+    deviation : float
+        Largest distance of its points from the drawn curve, mm.
+    status : RecoveryStatus
+    iterations : int
+        Steps tried.
+    history : tuple of Iterate
+        Ratio, margin and distance of the start and of every accepted step.
+    """
+
+    curve: PlaneCurve
+    margin: float
+    ratio: float
+    deviation: float
+    status: RecoveryStatus
+    iterations: int
+    history: tuple[Iterate, ...]
+
+
+def recover_stability(
+    curve: PlaneCurve,
+    *,
+    R_max: float = 3.0,
+    margin: float = 5.0,
+    ends: BothEnds = True,
+    tangents: BothEnds = True,
+    length: bool = True,
+    max_steps: int = 100,
+) -> RecoveredStability:
+    """Move the control points until the rest shape is stable, and the curve little else.
+
+    The data flow of Algorithm 2, from control points to the stiffness and the force, to stability, without
+    any forward simulation; every curve on the way is an equilibrium. The paper pushes the conjugate point
+    past the end; here the lowest eigenvalue of the second variation rises to `margin`, which is smooth
+    through the threshold, and the ratio is held by its true maximum and minimum.
+
+    Parameters
+    ----------
+    curve : PlaneCurve
+        One that a strip can take, or nearly so: inflections off the line are brought onto one first.
+    R_max : float
+        Largest stiffness ratio, at least 1; it keeps the inflections from becoming flat points.
+    margin : float
+        Least stability margin; 0 is the border of stability, 5 is safely stable.
+    ends, tangents : bool or (bool, bool)
+        Do end points and end tangents stay as they are drawn? Both, or (start, end).
+    length : bool
+        Does the arc length stay?
+
+    Raises
+    ------
+    NotRealizable
+        The drawn curve is far from all curves that a strip can take: use `nearest_rod` or `split`.
+    InputError
+        A ratio below 1, a margin that is no number, a straight, closed or kinked curve.
+
+    References
+    ----------
+    Paper, section 6.4.
+
+    Examples
+    --------
+    >>> arch = PlaneCurve.spline([(0, 0), (0, 90), (50, 120), (100, 90), (100, 0)], degree=4)
+    >>> recover_stability(arch).status.name
+    'STABLE'
+    """
+    if not (np.isfinite(R_max) and R_max >= 1):
+        raise InputError(f"R_max is {R_max}: max K / min K cannot be below 1; plain strips allow 2 to 4")
+    if not np.isfinite(margin):
+        raise InputError(f"margin is {margin}: it must be a number; 0 is the border of stability, try 5")
+    if max_steps < 1:
+        raise InputError(f"max_steps is {max_steps}: allow at least one step")
+    constraints = kept(curve, ends=ends, tangents=tangents, length=length)
+    route = move_within(curve, Bounds(float(R_max), float(margin)), constraints, max_steps=max_steps)
+    state = route.state
+    return RecoveredStability(
+        state.curve, state.margin, state.ratio, largest_deviation(curve, state.curve), _status(route, R_max),
+        route.iterations, route.history,
+    )  # fmt: skip
+
+
+def _status(route: Route, R_max: float) -> RecoveryStatus:
+    if route.within:
+        return RecoveryStatus.STABLE
+    if not route.settled:
+        return RecoveryStatus.OUT_OF_STEPS
+    if route.state.ratio > R_max:
+        return RecoveryStatus.TOO_STIFF
+    return RecoveryStatus.BARELY_STABLE if route.state.margin > 0 else RecoveryStatus.UNSTABLE

@@ -1,0 +1,143 @@
+"""Eqs. 4 and 6 of the paper at given samples, with all rows, in three numbers."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.stiffness.minimax_lp import Solver, minimax_ratio
+
+__all__ = ["SampledStiffness", "sampled_rows", "sampled_stiffness"]
+
+
+@dataclass(frozen=True, eq=False)
+class SampledStiffness:
+    """Optimal stiffness at given samples.
+
+    Attributes
+    ----------
+    stiffness : (n,) array
+        K, least value 1.
+    ratio : float
+        R.
+    a : float
+    b : (2,) array
+        The numbers of Eqs. 3 and 5: moment and force at the last sample, seen from the origin, 1/mm and
+        1/mm2.
+    """
+
+    stiffness: FloatArray
+    ratio: float
+    a: float
+    b: FloatArray
+
+
+def sampled_stiffness(
+    position: ArrayLike,
+    curvature: ArrayLike,
+    weights: ArrayLike | None = None,
+    *,
+    gravity: Gravity | None = None,
+    solver: Solver = "auto",
+) -> SampledStiffness | None:
+    """The linear program of Eq. 4, or with gravity of Eq. 6, at exactly these samples.
+
+    `optimal_rod` solves the same problem on the continuous curve; this is the discrete one, sample for
+    sample.
+
+    Parameters
+    ----------
+    position : (n, 2) array_like
+        mm.
+    curvature : (n,) array_like
+        kappa (less kappa_0), 1/mm, nowhere zero.
+    weights : (n,) array_like, optional
+        Voronoi lengths of the samples, mm; needed with gravity.
+
+    Returns
+    -------
+    SampledStiffness or None
+        None when no admissible stiffness exists.
+
+    Raises
+    ------
+    InputError
+        Shapes that do not fit, a sample on an inflection, gravity without weights.
+
+    References
+    ----------
+    Paper, Eqs. 4 and 6.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> u = np.linspace(0, np.pi, 100)
+    >>> position = np.column_stack([0.5 * np.cos(u), np.sin(u)])
+    >>> curvature = 0.5 / (0.25 * np.sin(u) ** 2 + np.cos(u) ** 2) ** 1.5
+    >>> round(sampled_stiffness(position, curvature).ratio, 4)
+    3.2984
+    """
+    position, curvature = np.asarray(position, dtype=float), np.asarray(curvature, dtype=float)
+    n = curvature.size
+    if position.shape != (n, 2) or curvature.shape != (n,) or n < 2:
+        raise InputError(
+            f"samples need positions (n, 2) and curvatures (n,), got {position.shape} and {curvature.shape}"
+        )
+    if not (np.all(np.isfinite(position)) and np.all(np.isfinite(curvature)) and np.all(curvature != 0)):
+        raise InputError(
+            "sample positions must be finite and curvatures not zero: keep samples off the inflections"
+        )
+    centre = (position.max(axis=0) + position.min(axis=0)) / 2
+    if gravity is None:
+        rows = sampled_rows(position - centre, curvature)
+    else:
+        if weights is None:
+            raise InputError(
+                "with gravity the samples need weights: the length of curve (mm) that each stands for"
+            )
+        rows = sampled_rows(position - centre, curvature, np.asarray(weights, dtype=float), gravity.e)
+    solution = minimax_ratio(rows, solver=solver)
+    if solution is None:
+        return None
+    least = solution.values.min()
+    a, *b = solution.x / least
+    force = np.array(b)
+    return SampledStiffness(
+        stiffness=solution.values / least,
+        ratio=float(solution.values.max() / least),
+        a=float(a - force @ centre),
+        b=force,
+    )
+
+
+def sampled_rows(
+    position: FloatArray,
+    curvature: FloatArray,
+    weights: FloatArray | None = None,
+    e: FloatArray | None = None,
+) -> FloatArray:
+    """Rows (n, 3) with K = rows @ (a, b_x, b_y), at given samples.
+
+    In Eq. 6 the own terms of F_i and G_i cancel: K_i kappa_i = a + <b, gamma_i> + <R^t e, gamma_i> F_{i+1} -
+    G_{i+1}, with F_i = F_{i+1} + w_i K_i and G_i = G_{i+1} + w_i <R^t e, gamma_i> K_i. Run backwards this is
+    one banded triangular system with three right-hand sides.
+    """
+    affine = np.column_stack([np.ones(len(position)), position])
+    if weights is None or e is None:
+        return affine / curvature[:, None]
+    from scipy.linalg import solve_banded
+
+    n = curvature.size
+    g = (position @ np.array([e[1], -e[0]]))[::-1]
+    w, kappa = weights[::-1], curvature[::-1]
+    # unknowns K_n, F_n, G_n, K_{n-1}, ...; band[d, j] is the entry d rows below the diagonal of column j
+    band = np.zeros((4, 3 * n))
+    band[0, 0::3], band[0, 1::3], band[0, 2::3] = kappa, 1.0, 1.0
+    band[1, 0::3], band[2, 0::3] = -w, -w * g
+    band[2, 1:-3:3], band[1, 2:-3:3] = -g[1:], 1.0
+    band[3, 1::3], band[3, 2::3] = -1.0, -1.0
+    known = np.zeros((3 * n, 3))
+    known[0::3] = affine[::-1]
+    return np.asarray(solve_banded((3, 0), band, known)[0::3][::-1])

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""Commands about a curve: watch it live, check it, find the nearest one, pull it, cut it out of a body."""
+
+from typing import Any
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from freecad.elastica_wb.commands.command import Command, answers, show_panel
+from freecad.elastica_wb.commands.selection import (
+    chosen_curves,
+    chosen_sketch,
+    is_curve_chosen,
+)
+from freecad.elastica_wb.curves.plane_sections import chosen_bodies, is_path
+from freecad.elastica_wb.live import observers
+from freecad.elastica_wb.live.sketches import edited_sketch
+from freecad.elastica_wb.panels.curves.check import CheckPanel
+from freecad.elastica_wb.panels.curves.nearest import NearestPanel
+from freecad.elastica_wb.panels.curves.projective import ProjectivePanel
+from freecad.elastica_wb.panels.curves.section import SectionPanel
+
+__all__ = ["CheckCommand", "NearestCommand", "ProjectiveCommand", "SectionCommand"]
+
+
+class CurveCommand(Command):
+    """A command that needs a curve."""
+
+    in_sketch = True
+
+    def has_subject(self) -> bool:
+        """A curve is selected, or its sketch is open."""
+        return App.ActiveDocument is not None and is_curve_chosen()
+
+
+class CheckCommand(CurveCommand):
+    """Can it be bent? The answer in words, and the overlay on the curve."""
+
+    name = "Elastica_Check"
+    text = "Check curve"
+    tip = "Say whether a flat strip can take the selected curve, and if not why and where"
+    shortcut = "Y, C"
+
+    def run(self) -> None:
+        """In the sketcher the overlay comes on; elsewhere a panel tells the whole answer."""
+        (source, edges), *_ = chosen_curves()
+        if edited_sketch() is source:
+            observers.switch(source, on=True)
+            return
+        show_panel(CheckPanel, source, edges)
+
+
+class NearestCommand(CurveCommand):
+    """The curve nearest to a sketch that a strip can take, within limits."""
+
+    name = "Elastica_Nearest"
+    text = "Nearest curve to sketch"
+    tip = "Find the curve nearest to the selected sketch that can be bent within limits"
+    shortcut = "Y, N"
+
+    def run(self) -> None:
+        """Open the panel."""
+        show_panel(NearestPanel, chosen_sketch())
+
+
+class ProjectiveCommand(CurveCommand):
+    """Four handles about a curve; what could be bent still can."""
+
+    name = "Elastica_Projective"
+    text = "Projective edit"
+    tip = "Pull the selected sketch's curve by four handles: lines stay lines, a curve that can be bent stays one"
+    shortcut = "Y, P"
+
+    def run(self) -> None:
+        """Open the panel."""
+        show_panel(ProjectivePanel, chosen_sketch())
+
+
+class SectionCommand(Command):
+    """Plane sections of a body or a mesh, as curves for strips."""
+
+    name = "Elastica_Section"
+    text = "Section into curves"
+    tip = "Cut the selected body, surface or mesh by planes into smooth curves that strips can follow"
+
+    def has_subject(self) -> bool:
+        """Something to cut is selected."""
+        return answers(_bodies_and_path)
+
+    def run(self) -> None:
+        """Open the panel."""
+        show_panel(SectionPanel, *_bodies_and_path())
+
+
+def _bodies_and_path() -> tuple[list[Any], Any]:
+    """Bodies to cut; a sketch, a wire or edges selected too are the path that planes stand across."""
+    paths, others = [], []
+    for choice in Gui.Selection.getSelectionEx():
+        edges = tuple(name for name in choice.SubElementNames if name.startswith("Edge"))
+        if edges or is_path(choice.Object):
+            paths.append((choice.Object, edges))
+        else:
+            others.append(choice.Object)
+    if not others:  # edges of the body itself
+        others = [obj for obj, edges in paths if edges]
+    return chosen_bodies(others), paths[0] if paths else None

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""Interlock, end fixtures and base plate, nest."""
+
+import FreeCAD as App
+from freecad.elastica_wb.commands.command import Command, answers, show_panel, undo_step
+from freecad.elastica_wb.commands.selection import chosen_sources, chosen_strips
+from freecad.elastica_wb.features import flat, model, nest
+from freecad.elastica_wb.panels.feature_panels import panel_of
+from freecad.elastica_wb.panels.fixtures import FixturesPanel
+
+__all__ = ["FixturesCommand", "InterlockCommand", "NestCommand"]
+
+
+class InterlockCommand(Command):
+    """Slots where strips cross, so that they slide into each other."""
+
+    name = "Elastica_Interlock"
+    text = "Interlock selected strips"
+    tip = "Put the selected strips together to a model and cut slots where they cross"
+    shortcut = "Y, I"
+
+    def has_subject(self) -> bool:
+        """Two strips or more are selected."""
+        return answers(chosen_strips, least=2)
+
+    def run(self) -> None:
+        """Make the model, hide the single strips, open the panel."""
+        strips = chosen_strips(least=2)
+        App.ActiveDocument.openTransaction(self.text)
+        made = model.create(App.ActiveDocument, strips)
+        for strip in strips:
+            strip.Visibility = False
+        for part in flat.flats_of(strips):
+            part.Model = made
+        App.ActiveDocument.recompute()
+        show_panel(panel_of, made)
+
+
+class FixturesCommand(Command):
+    """Printed blocks for the ends, or one slotted plate for all."""
+
+    name = "Elastica_Fixtures"
+    text = "End fixtures and base plate"
+    tip = "Make printed blocks that hold the ends of the selected strips or model, or one slotted base plate"
+
+    def has_subject(self) -> bool:
+        """There is something to be cut."""
+        return answers(chosen_sources)
+
+    def run(self) -> None:
+        """Open the panel."""
+        show_panel(FixturesPanel, chosen_sources())
+
+
+class NestCommand(Command):
+    """All parts on sheets."""
+
+    name = "Elastica_Nest"
+    text = "Nest on sheets"
+    tip = "Lay everything that must be cut for the selected strips, models and base plates on sheets"
+
+    def has_subject(self) -> bool:
+        """There is something to be cut."""
+        return answers(chosen_sources)
+
+    def run(self) -> None:
+        """Make the nest in front of everything."""
+        document = App.ActiveDocument
+        sources = chosen_sources()
+        with undo_step(document, self.text):
+            made = nest.create(document, sources)
+            boxes = [
+                obj.Shape.BoundBox for obj in document.Objects if hasattr(obj, "Shape") and obj is not made
+            ]
+            lowest = min((box.YMin for box in boxes if box.isValid()), default=0.0)
+            made.Placement.Base = App.Vector(0, lowest - made.SheetHeight.Value - 50.0, 0)
+            document.recompute()

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""What is selected, and which sketch is open."""
+
+from typing import Any
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from freecad.elastica_wb.curves.sketch_curves import is_sketch
+from freecad.elastica_wb.features.baseplate import is_base_plate
+from freecad.elastica_wb.features.flat import is_flat
+from freecad.elastica_wb.features.model import is_model
+from freecad.elastica_wb.features.strip import is_strip
+from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.live.sketches import edited_sketch, followers
+
+from elastica_cad.errors import InputError
+
+__all__ = [
+    "chosen_curves",
+    "chosen_sketch",
+    "chosen_sources",
+    "chosen_strips",
+    "is_curve_chosen",
+]
+
+
+OPEN = ("Edge", "Wire", "Compound")  # kinds of shapes that may be a curve
+
+
+def chosen_curves() -> list[tuple[Any, tuple[str, ...]]]:
+    """The selected sketches and edges, each with the names of its edges.
+
+    Raises
+    ------
+    InputError
+        Nothing of that kind is selected.
+    """
+    found = []
+    for choice in Gui.Selection.getSelectionEx():
+        edges = tuple(name for name in choice.SubElementNames if name.startswith("Edge"))
+        if is_sketch(choice.Object):
+            found.append((choice.Object, ()))
+        elif edges:
+            found.append((choice.Object, edges))
+        elif hasattr(choice.Object, "Shape") and not choice.Object.Shape.Faces and choice.Object.Shape.Edges:
+            found.append((choice.Object, ()))
+    if not found:
+        found = [(sketch, ()) for sketch in (edited_sketch() or _only_sketch(),) if sketch is not None]
+    if not found:
+        raise InputError(tr("Select a sketch with a spline, or an edge of an object, first."))
+    return found
+
+
+def is_curve_chosen() -> bool:
+    """Could `chosen_curves` answer? A quick look, without shapes."""
+    if edited_sketch() is not None or _only_sketch() is not None:
+        return True
+    return any(
+        is_sketch(choice.Object)
+        or any(name.startswith("Edge") for name in choice.SubElementNames)
+        or (choice.Object.isDerivedFrom("Part::Feature") and _may_be_open(choice.Object.Shape))
+        for choice in Gui.Selection.getSelectionEx()
+    )
+
+
+def _may_be_open(shape: Any) -> bool:
+    return not shape.isNull() and shape.ShapeType in OPEN
+
+
+def _only_sketch() -> Any:
+    """With nothing selected, the only sketch of the document that no strip follows yet."""
+    if Gui.Selection.hasSelection() or App.ActiveDocument is None:
+        return None
+    free = [obj for obj in App.ActiveDocument.findObjects("Sketcher::SketchObject") if not followers(obj)]
+    return free[0] if len(free) == 1 else None
+
+
+def chosen_sketch() -> Any:
+    """The selected or edited sketch.
+
+    Raises
+    ------
+    InputError
+        Something else is selected, or nothing.
+    """
+    (source, edges), *_ = chosen_curves()
+    if edges or not is_sketch(source):
+        raise InputError(tr("Select a sketch with a spline first."))
+    return source
+
+
+def chosen_sources() -> list[Any]:
+    """The selected strips, models and base plates; where none is selected, all that is not part of another."""
+    found = [obj for obj in Gui.Selection.getSelection() if is_model(obj) or is_base_plate(obj)]
+    if not any(is_strip(obj) or is_flat(obj) for obj in Gui.Selection.getSelection()) and not found:
+        found = [obj for obj in App.ActiveDocument.Objects if is_model(obj) or is_base_plate(obj)]
+    return found or chosen_strips()
+
+
+def chosen_strips(*, least: int = 1) -> list[Any]:
+    """The selected strips, through their flat parts and links too; the only strip of a document by itself.
+
+    Raises
+    ------
+    InputError
+        Fewer than `least` of them.
+    """
+    found: list[Any] = []
+    for obj in Gui.Selection.getSelection():
+        source = obj.LinkedObject if obj.TypeId == "App::Link" else obj
+        strip = source.Strip if is_flat(source) else source
+        if is_strip(strip) and strip not in found:
+            found.append(strip)
+    everything = [obj for obj in App.ActiveDocument.Objects if is_strip(obj)]
+    if not found and least == 1 and len(everything) == 1:
+        found = everything
+    if len(found) < least:
+        wanted = tr("Select a strip first.") if least == 1 else tr("Select two strips or more first.")
+        raise InputError(wanted)
+    return found

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""Commands about strips: make them, change their style, bend them, vary them."""
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from freecad.elastica_wb.commands.command import Command, answers, show_panel
+from freecad.elastica_wb.commands.selection import (
+    chosen_curves,
+    chosen_strips,
+    is_curve_chosen,
+)
+from freecad.elastica_wb.features import flat, strip
+from freecad.elastica_wb.live.sketches import edited_sketch
+from freecad.elastica_wb.panels.bend import BendPanel
+from freecad.elastica_wb.panels.feature_panels import panel_of
+from freecad.elastica_wb.panels.tolerance import TolerancePanel
+
+__all__ = ["BendCommand", "LaminateCommand", "PerforateCommand", "StripCommand", "ToleranceCommand"]
+
+
+class OnStrips(Command):
+    """A command that needs a strip."""
+
+    in_sketch = True
+
+    def has_subject(self) -> bool:
+        """A strip is selected, or it is the only one."""
+        return answers(chosen_strips)
+
+
+class StripCommand(Command):
+    """The bent strip on the curve and its flat twin, then the panel to choose sheet and widths."""
+
+    name = "Elastica_Strip"
+    text = "Strip from sketch"
+    tip = "Make the flat strip that bends into the selected spline: the bent part and, linked to it, the flat one"
+    shortcut = "Y, S"
+    in_sketch = True
+
+    def has_subject(self) -> bool:
+        """A curve is selected, or its sketch is open."""
+        return App.ActiveDocument is not None and is_curve_chosen()
+
+    def run(self) -> None:
+        """One strip for every selected curve; the panel of the last one stays open."""
+        curves = chosen_curves()
+        document = App.ActiveDocument
+        if edited_sketch() is not None:
+            Gui.ActiveDocument.resetEdit()
+        document.openTransaction("Strip from sketch")
+        for source, edges in curves:
+            made = strip.create(document, source, edges)
+            flat.create(document, made)
+        document.recompute()
+        for source, _ in curves:
+            source.Visibility = True
+        show_panel(panel_of, made)
+
+
+class PerforateCommand(OnStrips):
+    """The strip keeps one width; holes make it as soft as it must be."""
+
+    name = "Elastica_Perforate"
+    text = "Perforate"
+    tip = "Give the selected strips an even width and let holes make them as soft as they must be"
+
+    def run(self) -> None:
+        """Change the style, then the panel to choose widths and holes."""
+        strips = chosen_strips()
+        App.ActiveDocument.openTransaction(self.text)
+        for chosen in strips:
+            chosen.Style = "Perforated"
+        App.ActiveDocument.recompute()
+        show_panel(panel_of, strips[-1])
+
+
+class LaminateCommand(OnStrips):
+    """The strip keeps one width; a narrower one glued on makes it as stiff as it must be."""
+
+    name = "Elastica_Laminate"
+    text = "Laminate"
+    tip = "Give the selected strips an even width and glue narrower strips on that make them stiff enough"
+
+    def run(self) -> None:
+        """Change the style, add the flat part of the backing, then the panel."""
+        strips = chosen_strips()
+        App.ActiveDocument.openTransaction(self.text)
+        for chosen in strips:
+            chosen.Style = "Laminated"
+            flat.create(App.ActiveDocument, chosen, "Backing")
+        App.ActiveDocument.recompute()
+        show_panel(panel_of, strips[-1])
+
+
+class BendCommand(OnStrips):
+    """Move or turn an end and watch the strip follow."""
+
+    name = "Elastica_Bend"
+    text = "Bend forward"
+    tip = "Move or turn the ends of the selected strip and watch it take its new rest shape"
+    shortcut = "Y, B"
+
+    def run(self) -> None:
+        """Open the panel."""
+        show_panel(BendPanel, chosen_strips()[0])
+
+
+class ToleranceCommand(OnStrips):
+    """How far the strip strays when sheet, cut and clamps are not as designed."""
+
+    name = "Elastica_Tolerance"
+    text = "Tolerance study"
+    tip = "Find how far the bent strip strays when sheet, cut and clamps vary within their ranges"
+
+    def run(self) -> None:
+        """Open the panel."""
+        show_panel(TolerancePanel, chosen_strips()[0])

@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""Commands of the workshop: coupons, cutting files, sheets."""
+
+import FreeCAD as App
+from freecad.elastica_wb.commands.command import Command, answers, show_panel
+from freecad.elastica_wb.commands.selection import chosen_sources
+from freecad.elastica_wb.panels.coupon import CouponPanel
+from freecad.elastica_wb.panels.export import ExportPanel
+from freecad.elastica_wb.panels.sheets import SheetsPanel
+
+__all__ = [
+    "CouponCommand",
+    "ExportCommand",
+    "SheetsCommand",
+]
+
+
+class CouponCommand(Command):
+    """A strip to cut, hang over an edge and measure; the readings make a sheet of your own."""
+
+    name = "Elastica_Coupon"
+    text = "Coupon and calibrate"
+    tip = "Make a test strip to hang over an edge, and turn its measured droop into a sheet of your own"
+
+    def run(self) -> None:
+        """Open the panel."""
+        show_panel(CouponPanel, App.ActiveDocument)
+
+
+class ExportCommand(Command):
+    """DXF, SVG, STEP and a cut list."""
+
+    name = "Elastica_Export"
+    text = "Export cutting files"
+    tip = "Write DXF, SVG and STEP files, nest and cut list of the selected strips, models and base plates"
+    shortcut = "Y, X"
+    in_sketch = True
+
+    def has_subject(self) -> bool:
+        """There is something to be cut."""
+        return answers(chosen_sources)
+
+    def run(self) -> None:
+        """Open the panel."""
+        show_panel(ExportPanel, chosen_sources())
+
+
+class SheetsCommand(Command):
+    """Look at the built-in sheets, keep your own."""
+
+    name = "Elastica_Sheets"
+    text = "Sheet library"
+    tip = "Look at the sheets that are known, with their sources, and keep your own"
+    in_sketch = True
+
+    def has_subject(self) -> bool:
+        """The library belongs to the user, not to a document."""
+        return True
+
+    def run(self) -> None:
+        """Open the panel."""
+        show_panel(SheetsPanel)

@@ -1,0 +1,314 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""Plane sections of bodies, surfaces and meshes as smooth curves, each in a sketch that strips can follow."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import Any
+
+import FreeCAD as App
+import numpy as np
+import Part
+from freecad.elastica_wb.curves.sketch_curves import container, placement_of
+from freecad.elastica_wb.host.progress import Step, go_on, patiently
+from freecad.elastica_wb.shapes.part_shapes import spline_geometry
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.formats.curve_files.chains import chained
+from elastica_cad.formats.curve_files.edges import Edge
+from elastica_cad.forming.plane_sections.cutting_planes import parallel_planes, planes_along, radial_planes
+from elastica_cad.forming.plane_sections.mesh_sections import mesh_sections
+from elastica_cad.forming.plane_sections.section_curves import SectionCurve, section_curves
+from elastica_cad.forming.plane_sections.section_lines import PlaneSection, SectionLine, collect_section
+from elastica_cad.geometry.frame import Frame
+
+__all__ = [
+    "AXES",
+    "CLOSED",
+    "FAMILIES",
+    "Family",
+    "box_of",
+    "chosen_bodies",
+    "curves_of",
+    "cut",
+    "is_path",
+    "path_points",
+    "section_sketches",
+]
+
+AXES = {"X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
+FAMILIES = ("parallel", "about an axis", "along a path")
+CLOSED = ("left out", "left and right", "above and below")
+
+SECTION_POINTS = 240  # along a wire of a section, and for each of its edges a quarter of that
+PATH_POINTS = 400  # planes along a path stand across it to a fraction of a degree
+JOIN_MM = 1e-4  # OpenCASCADE's sections leave gaps of up to 1e-5 mm between faces
+
+STOPPED = "nothing was changed; take fewer planes, or try again"
+
+
+@dataclass(frozen=True, eq=False)
+class Family:
+    """Planes that an object is cut by.
+
+    Parameters
+    ----------
+    kind : str
+        One of `FAMILIES`.
+    count : int
+    axis : str
+        Parallel planes stand across it, radial half planes about it.
+    through : (3,) sequence, optional
+        A point of the axis of radial planes, mm; the middle of the object unless given.
+    sweep : float
+        Angle that radial planes are spread over, degrees.
+    path : (n, 3) array, optional
+        Points that planes stand across, mm.
+    """
+
+    kind: str = "parallel"
+    count: int = 5
+    axis: str = "X"
+    through: Sequence[float] | None = None
+    sweep: float = 360.0
+    path: FloatArray | None = None
+
+    @property
+    def half(self) -> bool:
+        """Are they half planes, that end at an axis?"""
+        return self.kind == "about an axis"
+
+    def planes(self, box: Any) -> list[tuple[str, Frame]]:
+        """Name and plane of each, for an object in a bounding box.
+
+        Raises
+        ------
+        InputError
+            No such axis or family, no planes, no path.
+        """
+        if self.kind not in FAMILIES or self.axis not in AXES or self.count < 1:
+            raise InputError("choose a family, an axis (X, Y or Z) and one plane or more")
+        axis, middle = AXES[self.axis], np.array(tuple(box.Center))
+        if self.kind == "parallel":
+            low, high = (getattr(box, f"{self.axis}{side}") for side in ("Min", "Max"))
+            places = low + (high - low) * (np.arange(self.count) + 0.5) / self.count
+            up = (0.0, 1.0, 0.0) if self.axis == "Z" else (0.0, 0.0, 1.0)
+            frames = parallel_planes((0.0, 0.0, 0.0), axis, places, up=up)
+            return [(f"{self.axis} = {v:.4g} mm", frame) for v, frame in zip(places, frames, strict=True)]
+        if self.half:
+            whole = self.sweep >= 360
+            turns = np.linspace(0.0, self.sweep, self.count, endpoint=not whole)
+            point = middle if self.through is None else self.through
+            zero = (0.0, 1.0, 0.0) if self.axis == "X" else (1.0, 0.0, 0.0)
+            frames = radial_planes(point, axis, np.radians(turns), zero=zero)
+            return [(f"{v:.4g}°", frame) for v, frame in zip(turns, frames, strict=True)]
+        if self.path is None:
+            raise InputError("choose a path: a sketch or a wire that the planes stand across")
+        along = np.abs(self.path[-1] - self.path[0])
+        up = (0.0, 1.0, 0.0) if along[2] > 0.9 * np.linalg.norm(along) else (0.0, 0.0, 1.0)
+        frames = planes_along(self.path, self.count, up=up)
+        length = float(np.linalg.norm(np.diff(self.path, axis=0), axis=1).sum())
+        places = length * (np.arange(self.count) + 0.5) / self.count
+        return [(f"{v:.4g} mm along the path", frame) for v, frame in zip(places, frames, strict=True)]
+
+
+def chosen_bodies(objects: Iterable[Any]) -> list[Any]:
+    """The objects with faces or triangles.
+
+    Raises
+    ------
+    InputError
+        There is none.
+    """
+    found = [obj for obj in objects if _has_triangles(obj) or _shape(obj).Faces]
+    if not found:
+        raise InputError("select a body, a surface or a mesh to cut")
+    return found
+
+
+def is_path(obj: Any) -> bool:
+    """Can planes stand across this object? It has edges and no faces."""
+    shape = _shape(obj)
+    return bool(shape.Edges) and not shape.Faces
+
+
+def path_points(source: Any, names: Iterable[str] = ()) -> FloatArray:
+    """Points (n, 3) in the document along the edges of an object that follow each other.
+
+    Raises
+    ------
+    InputError
+        No edges, or edges in several chains.
+    """
+    shape = _shape(source)
+    edges = [shape.getElement(name) for name in names] or shape.Edges
+    chains = Part.sortEdges(edges) if edges else []
+    if len(chains) != 1:
+        raise InputError(f"{source.Label} has {len(chains)} chains of edges: a path is one")
+    return np.array([tuple(p) for p in Part.Wire(chains[0]).discretize(Number=PATH_POINTS)])
+
+
+def box_of(source: Any) -> Any:
+    """Bounding box in the document."""
+    mesh = _mesh(source)
+    if mesh is None:
+        return _shape(source).BoundBox
+    box = App.BoundBox()
+    for point in mesh[0][[*np.argmin(mesh[0], axis=0), *np.argmax(mesh[0], axis=0)]]:
+        box.add(App.Vector(*point.tolist()))
+    return box
+
+
+def cut(source: Any, family: Family, step: Step | None = None) -> list[PlaneSection]:
+    """What the planes of a family cut out of a body, a surface or a mesh, in document coordinates.
+
+    Raises
+    ------
+    InputError
+        A mesh that is none, a family without planes.
+    NotConvergedError
+        `step`, told how many planes are done, said no.
+    """
+    planes = family.planes(box_of(source))
+    mesh = _mesh(source)
+    if mesh is not None:
+        frames = [frame for _, frame in planes]
+        found = list(patiently("Cutting the mesh", _mesh_sections, mesh, frames, family.half))
+    else:
+        shape, found = _shape(source), []
+        for i, (_, frame) in enumerate(planes):
+            go_on(step, i, STOPPED)
+            found.append(_shape_section(shape, frame, f"section {i + 1}", family.half))
+    return [_called(section, source.Label, place) for section, (place, _) in zip(found, planes, strict=True)]
+
+
+def curves_of(
+    sections: Iterable[PlaneSection],
+    *,
+    tolerance: float = 0.05,
+    waves: float = 0.0,
+    closed: str = CLOSED[0],
+    step: Step | None = None,
+) -> tuple[list[SectionCurve], list[str]]:
+    """A smooth curve for every open line, and a sentence for everything that gave none."""
+    curves: list[SectionCurve] = []
+    remarks: list[str] = []
+    for i, section in enumerate(sections):
+        go_on(step, i, STOPPED)
+        lines = [part for line in section.lines for part in _opened(line, closed)]
+        made, said = section_curves(
+            [replace(section, lines=tuple(lines))], tolerance=tolerance, wavelength=waves
+        )
+        curves += made
+        remarks += said
+    return curves, remarks
+
+
+def section_sketches(document: Any, source: Any, curves: Sequence[SectionCurve]) -> list[Any]:
+    """A sketch for every curve, several of them in a group."""
+    sketches = []
+    for found in curves:
+        sketch = document.addObject("Sketcher::SketchObject", "Section")
+        sketch.Label = found.name
+        sketch.Placement = placement_of(found.frame)
+        number = sketch.addGeometry(spline_geometry(found.curve), False)
+        sketch.exposeInternalGeometry(number)
+        sketches.append(sketch)
+    if len(sketches) > 1:
+        group = document.addObject("App::DocumentObjectGroup", "Curves")
+        group.Label = f"{source.Label} curves"
+        group.Group = sketches
+    return sketches
+
+
+def _shape(obj: Any) -> Part.Shape:
+    """The shape of an object or a link in the document."""
+    shape = Part.getShape(obj)
+    if not shape.isNull():
+        shape.Placement = container(obj) * shape.Placement
+    return shape
+
+
+def _mesh(obj: Any) -> tuple[FloatArray, Any] | None:
+    """Vertices in the document and triangles of a mesh or a link to one; None for anything else."""
+    source = _meshed(obj)
+    if source is None:
+        return None
+    own, faces = _arrays(source.Document.Name, source.Name, *_state(source))
+    place = container(obj) * obj.Placement
+    if source is not obj and getattr(obj, "LinkTransform", False):
+        place = place * source.Placement
+    matrix = (place * source.Placement.inverse()).toMatrix()
+    rows = np.array(matrix.A, dtype=float).reshape(4, 4)
+    return own @ rows[:3, :3].T + rows[:3, 3], faces
+
+
+def _state(source: Any) -> tuple[float, ...]:
+    """What tells a mesh from the one that it was."""
+    mesh = source.Mesh
+    return (mesh.CountPoints, mesh.CountFacets, mesh.Area, mesh.Volume, *source.Placement.toMatrix().A)
+
+
+@lru_cache(maxsize=4)
+def _arrays(document: str, name: str, *_state: float) -> tuple[FloatArray, Any]:
+    """Vertices and triangles as arrays: FreeCAD gives them one by one, which takes a second for a million."""
+    points, faces = App.getDocument(document).getObject(name).Mesh.Topology
+    vertices = np.array([tuple(p) for p in points]).reshape(-1, 3)
+    return vertices, np.array(faces, dtype=int).reshape(-1, 3)
+
+
+def _meshed(obj: Any) -> Any:
+    """The mesh object itself, behind a link too; None for anything else."""
+    source = obj.getLinkedObject() if hasattr(obj, "getLinkedObject") else obj
+    return source if source is not None and source.isDerivedFrom("Mesh::Feature") else None
+
+
+def _has_triangles(obj: Any) -> bool:
+    source = _meshed(obj)
+    return source is not None and source.Mesh.CountFacets > 0
+
+
+def _mesh_sections(
+    mesh: tuple[FloatArray, Any], frames: Sequence[Frame], half: bool
+) -> tuple[PlaneSection, ...]:
+    return mesh_sections(*mesh, frames, half=half)
+
+
+def _shape_section(shape: Part.Shape, frame: Frame, name: str, half: bool) -> PlaneSection:
+    """As `mesh_sections` answers, for a shape."""
+    wires = shape.slice(App.Vector(*frame.z_axis), float(frame.z_axis @ frame.origin))
+    pieces = []
+    for wire in wires:
+        count = max(SECTION_POINTS, SECTION_POINTS // 4 * len(wire.Edges))
+        points = np.array([tuple(p) for p in wire.discretize(Number=count)])
+        if wire.isClosed():
+            points[-1] = points[0]
+        pieces.append(points)
+    closed = [p for p in pieces if np.all(p[0] == p[-1])]
+    runs = chained([(Edge.polyline(p),) for p in pieces if not np.all(p[0] == p[-1])], JOIN_MM)
+    whole = closed + [np.concatenate([run[0].points, *(e.points[1:] for e in run[1:])]) for run in runs]
+    flat = [frame.local(points)[:, :2] for points in whole]
+    return collect_section(name, frame, flat, half=half, apart=JOIN_MM)
+
+
+def _opened(line: SectionLine, closed: str) -> tuple[SectionLine, ...]:
+    """A closed line in two halves, where that is asked for."""
+    if not line.is_closed or closed == CLOSED[0]:
+        return (line,)
+    middle = (line.points.min(axis=0) + line.points.max(axis=0)) / 2
+    across = line.frame.x_axis if closed == CLOSED[1] else line.frame.y_axis
+    return line.split_by(line.frame.point(middle), across)
+
+
+def _called(section: PlaneSection, label: str, place: str) -> PlaneSection:
+    """The section under a name that says of what it is and where."""
+    old, name = section.name, f"{label}, {section.name} ({place})"
+    lines = tuple(replace(line, name=line.name.replace(old, name, 1)) for line in section.lines)
+    reports = tuple(
+        report.replace(old, name, 1) if report.startswith(old) else f"{label}: {report}"
+        for report in section.reports
+    )
+    return replace(section, name=name, lines=lines, reports=reports)

@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""The curve that a feature follows: found in a sketch or an object, with the plane it lies in."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import FreeCAD as App
+import numpy as np
+import Part
+from freecad.elastica_wb.shapes.part_shapes import plane_curve, spline_geometry
+
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.frame import Frame
+
+__all__ = [
+    "DrawnCurve",
+    "container",
+    "curve_into",
+    "drawn_curve",
+    "frame_of",
+    "is_blank",
+    "is_sketch",
+    "placement_of",
+    "sketch_curve",
+]
+
+SKETCH = "Sketcher::SketchObject"
+
+
+@dataclass(frozen=True, eq=False)
+class DrawnCurve:
+    """A curve, its plane in the follower's own container, and the same plane in the whole document."""
+
+    curve: PlaneCurve
+    placement: App.Placement
+    world: App.Placement
+
+
+def drawn_curve(link: Any, follower: Any = None) -> DrawnCurve:
+    """The curve behind a link (object, names of edges), seen from where `follower` stands.
+
+    Raises
+    ------
+    InputError
+        No link, nothing to follow in it, or what `shapes.plane_curve` refuses.
+    """
+    source, names = link if isinstance(link, tuple) else (link, ())
+    if source is None:
+        raise InputError("the curve is missing: choose a sketch or an edge in the property Curve")
+    edges = [name for name in names if name]
+    if is_sketch(source) and not edges:
+        curve, place = sketch_curve(source), source.Placement
+    else:
+        curve, frame = plane_curve(_edges(source, edges))
+        place = placement_of(frame)
+    world = container(source) * place
+    return DrawnCurve(curve, container(follower).inverse() * world, world)
+
+
+def sketch_curve(sketch: Any, geometry: list[Any] | None = None) -> PlaneCurve:
+    """The only curve of a sketch in its own x and y; `geometry` replaces what the sketch holds."""
+    everything = list(sketch.Geometry) if geometry is None else geometry
+    drawn = [
+        g for i, g in enumerate(everything) if not isinstance(g, Part.Point) and not sketch.getConstruction(i)
+    ]
+    if not drawn:
+        raise InputError(f"{sketch.Label} {_why_empty(sketch)}: draw a spline in it")
+    curve, frame = plane_curve(drawn)
+    if abs(frame.z_axis[2] - 1) > 1e-12:
+        raise InputError(f"{sketch.Label} is not plane")
+    return curve
+
+
+def is_blank(sketch: Any) -> bool:
+    """Is there nothing in a sketch that could be a curve?"""
+    geometry = enumerate(sketch.Geometry)
+    return all(isinstance(g, Part.Point) or sketch.getConstruction(i) for i, g in geometry)
+
+
+def is_sketch(source: Any) -> bool:
+    """Is this object a sketch?"""
+    return bool(source.isDerivedFrom(SKETCH))
+
+
+def frame_of(placement: App.Placement) -> Frame:
+    """The plane z = 0 of a placement."""
+    x, y = (placement.Rotation.multVec(App.Vector(*axis)) for axis in ((1, 0, 0), (0, 1, 0)))
+    return Frame(tuple(placement.Base), tuple(x), tuple(y))
+
+
+def placement_of(frame: Frame) -> App.Placement:
+    """The placement whose z = 0 is the plane of a frame."""
+    matrix = np.eye(4)
+    matrix[:3, :3], matrix[:3, 3] = frame.axes.T, frame.origin
+    return App.Placement(App.Matrix(*matrix.ravel().tolist()))
+
+
+def _why_empty(sketch: Any) -> str:
+    if sketch.Geometry:
+        return "has construction geometry and points only"
+    return "has external geometry only" if sketch.ExternalGeometry else "is empty"
+
+
+def _edges(source: Any, names: list[str]) -> list[Part.Edge]:
+    shape = Part.getShape(source)  # of a link too, which has its own place
+    if shape.isNull():
+        raise InputError(f"{source.Label} has no shape: choose a sketch, an edge or a wire")
+    if not names:
+        if shape.Faces:
+            raise InputError(f"{source.Label} has many edges: choose the ones that the strip is to follow")
+        return list(shape.Edges)
+    found = []
+    for name in names:
+        try:
+            element = shape.getElement(name)
+        except (ValueError, IndexError, Part.OCCError) as error:
+            raise InputError(f"{source.Label} has no {name} any more: choose the curve anew") from error
+        found.extend(element.Edges)
+    return found
+
+
+def container(obj: Any) -> App.Placement:
+    """Where the container of an object lies in the whole document; links have no such method of their own."""
+    group = None if obj is None else obj.getParentGeoFeatureGroup()
+    return App.Placement() if group is None else group.getGlobalPlacement()
+
+
+def curve_into(sketch: Any, curve: PlaneCurve) -> None:
+    """Replace everything drawn in a sketch by one spline with poles to drag; construction geometry stays."""
+    for i in reversed(range(len(sketch.Geometry))):
+        if not sketch.getConstruction(i):
+            sketch.delGeometry(i)
+    for i in reversed(range(len(sketch.Geometry))):
+        # what FreeCAD left of the old spline's poles and knots
+        if sketch.Geometry[i].TypeId in ("Part::GeomCircle", "Part::GeomPoint") and not _held(sketch, i):
+            sketch.delGeometry(i)
+    number = sketch.addGeometry(spline_geometry(curve), False)
+    sketch.exposeInternalGeometry(number)
+
+
+def _held(sketch: Any, number: int) -> bool:
+    """Does a constraint of the user speak of this geometry?"""
+    return any(
+        number in (c.First, c.Second, c.Third) and c.Type not in ("Weight", "Equal")
+        for c in sketch.Constraints
+    )

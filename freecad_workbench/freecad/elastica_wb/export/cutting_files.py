@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""Cutting files of what is in a document: DXF, SVG, STEP, nest and cut list, together or not at all."""
+
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import FreeCAD as App
+from freecad.elastica_wb.curves.sketch_curves import drawn_curve, frame_of
+from freecad.elastica_wb.export.plain_dxf import write_cut
+from freecad.elastica_wb.features.baseplate import is_base_plate, plate_of
+from freecad.elastica_wb.features.model import is_model, model_of
+from freecad.elastica_wb.features.strip import is_strip, strip_of
+from freecad.elastica_wb.host.progress import Step, go_on
+from freecad.elastica_wb.solving.strip_cache import bent_shape, flat_shape
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
+from elastica_cad.fabrication.sheets.cut_list import cut_list
+from elastica_cad.fabrication.sheets.nesting import nest_pieces
+from elastica_cad.fabrication.sheets.pieces import Piece
+from elastica_cad.fabrication.solids.strip_solids import FlatSolid, frame_beside
+from elastica_cad.formats.file_access.file_transaction import files_together
+from elastica_cad.kernel.step_text import canonical_step
+
+__all__ = ["KINDS", "pieces_of", "write_cutting_files"]
+
+HEADER = re.compile(rb"FILE_NAME\(\s*'[^']*'\s*,\s*'[^']*'")
+
+KINDS = ("dxf", "svg", "step", "csv", "nest")
+
+
+def pieces_of(sources: Iterable[Any]) -> list[Piece]:
+    """What must be cut for strips, models and base plates; strips of a model that is there too count once.
+
+    Raises
+    ------
+    InputError
+        None of these among the sources, or one of them in error.
+    """
+    sources = list(sources)
+    in_models = [strip for model in sources if is_model(model) for strip in model.Strips]
+    pieces: list[Piece] = []
+    for obj in sources:
+        if is_model(obj):
+            pieces += model_of(obj).pieces
+        elif is_base_plate(obj):
+            pieces.append(replace(plate_of(obj).piece, name=obj.Label))
+        elif is_strip(obj) and obj not in in_models:
+            pieces += _strip_pieces(obj)
+    if not pieces:
+        raise InputError("there is nothing to cut: select strips, models or base plates")
+    names = [piece.name for piece in pieces]
+    return [
+        replace(piece, name=f"{piece.name}-{names[:i].count(piece.name) + 1}")
+        if piece.name in names[:i]
+        else piece
+        for i, piece in enumerate(pieces)
+    ]
+
+
+def write_cutting_files(
+    sources: Sequence[Any],
+    folder: str | Path,
+    *,
+    kinds: Iterable[str] = KINDS,
+    sheet_size: tuple[float, float] = (600.0, 400.0),
+    kerf: float = 0.0,
+    curves: str = "spline",
+    tolerance: float = 0.02,
+    version: str = "R2010",
+    force: bool = False,
+    step: Step | None = None,
+) -> list[Path]:
+    """Write the files of strips, models and base plates into a folder.
+
+    `step` is told how many of the files are written, and says whether to go on; else there are none.
+
+    Raises
+    ------
+    InputError
+        Nothing to write, files that are there already (without `force`), a strip in error, a piece larger than
+        the sheet.
+    NotConvergedError
+        `step` said no.
+    """
+    kinds, pieces = list(kinds), pieces_of(sources)
+    if not kinds:
+        raise InputError("there is nothing to write: choose kinds of files")
+    drawings = {piece.file_stem: piece.drawing for piece in pieces}
+    if "nest" in kinds:
+        drawings |= {sheet.name: sheet for sheet in nest_pieces(pieces, sheet_size=sheet_size)}
+    flat = [kind for kind in ("dxf", "svg") if kind in kinds]
+    bodies = [obj for obj in sources if is_strip(obj) or is_model(obj)] if "step" in kinds else []
+    names = [f"{stem}.{kind}" for stem in drawings for kind in flat] + [f"{obj.Label}.step" for obj in bodies]
+    names += ["cut-list.csv"] if "csv" in kinds else []
+    options = {"kerf": kerf, "curves": curves, "tolerance": tolerance, "version": version}
+    with files_together(folder, names, force=force) as workshop:
+        for done, (stem, drawing) in enumerate(drawings.items()):
+            go_on(step, done, "no file was written")
+            named = replace(drawing, name=stem)
+            if "dxf" in kinds:
+                write_cut(named, workshop / f"{stem}.dxf", **options)
+            if "svg" in kinds:
+                write_cut(named, workshop / f"{stem}.svg", **options)
+        for done, obj in enumerate(bodies, len(drawings)):
+            go_on(step, done, "no file was written")
+            _write_step(obj, workshop / f"{obj.Label}.step")
+        if "csv" in kinds:
+            files = {piece.name: f"{piece.file_stem}.{flat[0] if flat else 'dxf'}" for piece in pieces}
+            (workshop / "cut-list.csv").write_text(cut_list(pieces, files).csv, encoding="utf-8")
+    return [Path(folder) / name for name in names]
+
+
+def _strip_pieces(obj: Any) -> list[Piece]:
+    strip, name = strip_of(obj), obj.EngravedText or obj.Label
+    names = (name, f"{name}-backing")
+    return [
+        Piece(called, replace(drawing, name=called), layer.sheet, obj.Quantity)
+        for called, drawing, layer in zip(names, strip.drawings(), strip.layers, strict=False)
+    ]
+
+
+def _write_step(obj: Any, path: Path) -> None:
+    """A strip's flat part and its bent one standing on its curve, or a model's bodies; named and coloured."""
+    import Import
+
+    document = App.newDocument("ElasticaExport", hidden=True, temp=True)
+    try:
+        objects = []
+        for name, shape, placement, sheet in _bodies(obj):
+            body = document.addObject("Part::Feature", "Body")
+            body.Label = name
+            body.Shape = shape
+            body.Placement = placement
+            if App.GuiUp and body.ViewObject is not None:
+                body.ViewObject.ShapeColor = sheet_color(sheet)
+            objects.append(body)
+        document.recompute()
+        Import.export(objects, str(path))
+        path.write_bytes(_lasting(path))
+    finally:
+        App.closeDocument(document.Name)
+
+
+def _lasting(path: Path) -> bytes:
+    """The same bytes for the same design: a name and no time instead of a temporary folder and today's."""
+    name = f"FILE_NAME('{path.stem}','2000-01-01T00:00:00'".encode("ascii", "replace")
+    return canonical_step(HEADER.sub(lambda _: name, path.read_bytes(), count=1))
+
+
+def _bodies(obj: Any) -> list[tuple[str, Any, App.Placement, Any]]:
+    if is_model(obj):
+        model = model_of(obj)
+        return [
+            (model.name_of(i), solid, obj.getGlobalPlacement(), strip.sheet)
+            for i, (strip, solid) in enumerate(zip(model.strips, obj.Shape.childShapes(), strict=True))
+        ]
+    strip, name = strip_of(obj), obj.EngravedText or obj.Label
+    world = drawn_curve(obj.Curve, obj).world
+    lying = FlatSolid.layers(strip, frame_beside(strip, frame_of(world)))
+    flat = [
+        (f"{name} {word}", flat_shape(strip, i), _at(lying[i].frame.origin), layer.sheet)
+        for i, (word, layer) in enumerate(zip(("flat", "backing"), strip.layers, strict=False))
+    ]
+    return [*flat, (f"{name} bent", bent_shape(strip), world, strip.sheet)]
+
+
+def _at(origin: Any) -> App.Placement:
+    """Shifted there, not turned."""
+    return App.Placement(App.Vector(*origin), App.Rotation())

@@ -1,0 +1,195 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""What the properties of a strip ask for, as the core's request."""
+
+from dataclasses import replace
+from typing import Any
+
+from freecad.elastica_wb.curves.sketch_curves import DrawnCurve, frame_of
+from freecad.elastica_wb.features.strip_properties import PROPERTIES
+from freecad.elastica_wb.host.sheet_store import sheet_called
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.makeability.shop import LEAST_LIGAMENT_MM, Shop
+from elastica_cad.fabrication.strip.lamination import Laminated
+from elastica_cad.fabrication.strip.perforation import Perforated
+from elastica_cad.fabrication.strip.styles import PLAIN, Style
+from elastica_cad.fabrication.strip.tabs import Hole, Tab
+from elastica_cad.fabrication.strip_spec import AskedGravity, StripSpec
+from elastica_cad.formats.design_files.strip_records import (
+    parse_line,
+    parse_lines,
+    read_keep_out,
+    read_loads,
+    read_mass,
+    read_slot,
+    read_stiffness_bounds,
+    read_tab,
+)
+from elastica_cad.forming.limits import Keep, Limits
+from elastica_cad.forming.rod_spec import RodSpec
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.loads.weight import PointMass, Weight
+from elastica_cad.mechanics.material.sheet import Sheet
+
+__all__ = ["nearest_spec_of", "spec_of"]
+
+LONGEST_MM, THINNEST_MM = 1e6, 1e-3  # a kilometre; thinner than any foil
+MOST_SAMPLES = 20000  # a second's work
+BOTH_ENDS = {"both": True, "start": (True, False), "end": (False, True), "none": False}
+
+
+def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
+    """What the properties ask for; what belongs to another style, or to the nearest curve only, is left out.
+
+    Raises
+    ------
+    InputError
+        Numbers that no strip has: a slip of the keyboard, or another unit.
+    """
+    _refuse_slips(obj, drawn)
+    sheet, nearest = _sheet(obj), obj.Follow == "Nearest"
+    width = obj.MaxWidth.Value if obj.Style == "Plain" else obj.MaterialWidth.Value
+    return StripSpec(
+        drawn.curve,
+        sheet,
+        frame_of(drawn.world),
+        max_width=width or None,
+        min_width=obj.MinWidth.Value or None,
+        style=_style(obj),
+        limits=_limits(obj, sheet) if nearest else None,
+        keep=_keep(obj) if nearest else None,
+        gravity=_gravity(obj, drawn),
+        loads=_loads(obj),
+        supports=Supports(obj.StartSupport, obj.EndSupport),
+        natural_curvature=obj.NaturalCurvature,
+        samples=None if nearest else obj.Samples or None,
+        ends=_ends(obj),
+        slots=parse_lines(obj.Slots, "Slots", read_slot),
+        label=obj.EngravedText,
+        shop=_shop(obj),
+        anyway=obj.Anyway,
+    )
+
+
+def nearest_spec_of(obj: Any, drawn: DrawnCurve) -> RodSpec:
+    """The rod nearest to the curve within the limits, also where the strip is to follow its curve exactly."""
+    sheet, supports = _sheet(obj), Supports(obj.StartSupport, obj.EndSupport)
+    plain = StripSpec(drawn.curve, sheet, frame_of(drawn.world), max_width=1.0, gravity=_gravity(obj, drawn))
+    return RodSpec(drawn.curve, plain.gravity_in_plane, supports, limits=_limits(obj, sheet), keep=_keep(obj))
+
+
+def _refuse_slips(obj: Any, drawn: DrawnCurve) -> None:
+    lengths = {p.name: getattr(obj, p.name).Value for p in PROPERTIES if p.kind == "Length" and not p.result}
+    for name, value in (lengths | {"the length of the curve": drawn.curve.length}).items():
+        if value > LONGEST_MM:
+            raise InputError(f"{name} is {value:.4g} mm, more than a kilometre: is its unit right?")
+    if 0 < lengths["Thickness"] < THINNEST_MM:
+        raise InputError(
+            f"the thickness of the sheet is {lengths['Thickness']:.4g} mm, less than any foil's: is its unit right?"
+        )
+    if obj.Samples > MOST_SAMPLES:
+        raise InputError(f"{obj.Samples} samples are asked for: {MOST_SAMPLES} are the most, 0 chooses")
+
+
+def _sheet(obj: Any) -> Sheet:
+    """The sheet as measured; its range then speaks of another sheet and is left out."""
+    sheet, thickness = sheet_called(obj.Sheet, obj.SheetData), obj.Thickness.Value
+    if sheet.thickness == thickness:
+        return sheet
+    return replace(sheet, thickness=thickness, thickness_range=None)
+
+
+def _shop(obj: Any) -> Shop:
+    """Limits of the workshop; ligaments are as fine as the style is told to make them."""
+    ligament = obj.LeastLigament.Value if obj.Style == "Perforated" else LEAST_LIGAMENT_MM
+    return Shop(least_width=obj.LeastWidth.Value or None, least_ligament=ligament)
+
+
+def _style(obj: Any) -> Style:
+    if obj.Style == "Perforated":
+        return Perforated(
+            width=obj.OuterWidth.Value,
+            columns=obj.Columns,
+            rows=obj.Rows or None,
+            hole_ratio=obj.HoleRatio,
+            least_ligament=obj.LeastLigament.Value,
+            least_hole=obj.LeastHole.Value,
+            corner_radius=obj.HoleRadius.Value,
+            sides=obj.HoleSides,
+        )
+    if obj.Style == "Laminated":
+        return Laminated(
+            width=obj.OuterWidth.Value,
+            backing=sheet_called(obj.Backing, obj.BackingData),
+            least_backing=obj.LeastBacking.Value,
+            dots=obj.Dots.Value,
+        )
+    return PLAIN
+
+
+def _gravity(obj: Any, drawn: DrawnCurve) -> AskedGravity:
+    """Where the strip's weight falls in space."""
+    if not obj.Gravity:
+        return None
+    direction = tuple(obj.GravityDirection)
+    if not any(direction):
+        raise InputError("the direction of gravity is zero: give a vector such as (0, 0, -1)")
+    if not obj.GravityLength.Value:
+        return direction
+    plane = frame_of(drawn.world)
+    return Gravity.in_plane(obj.GravityLength.Value, direction, plane.x_axis, plane.y_axis)
+
+
+def _loads(obj: Any) -> tuple[PointMass, ...] | Weight:
+    if obj.WeightLaw:
+        return parse_line(f"loads = {{{obj.WeightLaw}}}", "WeightLaw", read_loads)
+    return parse_lines(obj.Loads, "Loads", read_mass)
+
+
+def _limits(obj: Any, sheet: Sheet) -> Limits:
+    lengths, widths = (
+        (obj.LeastLength.Value, obj.MostLength.Value),
+        (obj.LeastWidth.Value, obj.MostWidth.Value),
+    )
+    bounds = obj.StiffnessBounds
+    return Limits(
+        ratio=obj.RatioLimit or None,
+        margin=obj.MarginLimit if obj.LimitMargin else None,
+        curvature=obj.CurvatureLimit or None,
+        sheet=sheet if obj.LimitStrain else None,
+        strain=obj.StrainLimit / 100 or None if obj.LimitStrain else None,
+        length=lengths if lengths[1] else None,
+        width=widths if widths[1] else None,
+        keep_out=parse_lines(obj.KeepOut, "KeepOut", read_keep_out),
+        stiffness_bounds=parse_line(bounds, "StiffnessBounds", read_stiffness_bounds) if bounds else None,
+    )
+
+
+def _keep(obj: Any) -> Keep:
+    line = tuple(obj.InflectionLine)
+    return Keep(
+        ends=BOTH_ENDS[obj.KeepEnds],
+        tangents=BOTH_ENDS[obj.TangentEnds] if obj.KeepTangents else False,
+        length=obj.KeepLength,
+        symmetry=None if obj.KeepSymmetry == "none" else obj.KeepSymmetry,
+        points=tuple(obj.KeepPoints),
+        line=(line[:2], line[2:]) if line else obj.KeepLine or None,
+    )
+
+
+def _ends(obj: Any) -> tuple[Tab, Tab]:
+    tabs = []
+    for side in ("Start", "End"):
+        keys = getattr(obj, f"{side}TabKeys")
+        length = getattr(obj, f"{side}Tab").Value
+        tabs.append(parse_line(keys, f"{side}TabKeys", read_tab) if keys else _tab(obj, length))
+    return tabs[0], tabs[1]
+
+
+def _tab(obj: Any, length: float) -> Tab:
+    hole = obj.TabHole.Value
+    holes = (Hole(length / 2, hole),) if hole and length else ()
+    return Tab(length, corner_radius=obj.TabRadius.Value if length else 0.0, holes=holes)

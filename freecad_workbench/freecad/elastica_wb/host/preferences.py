@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""The user's preferences, with the values that hold until he changes them."""
+
+from typing import Any
+
+import FreeCAD as App
+
+__all__ = ["CHOICES", "DEFAULTS", "PATH", "default_sheet", "get", "put"]
+
+PATH = "User parameter:BaseApp/Preferences/Mod/Elastica"
+
+DEFAULTS: dict[str, Any] = {
+    "DefaultSheet": "birch-plywood-0.8",
+    "MaxWidth": 30.0,
+    "TabLength": 10.0,
+    "Kerf": 0.0,
+    "Clearance": 0.1,
+    "DxfVersion": "R2010",
+    "Curves": "spline",
+    "Tolerance": 0.02,
+    "LiveMode": True,
+    "LiveNearest": True,
+    "ExportFolder": "",
+}
+"""Name of every preference and what holds until it is changed; the type is the default's."""
+
+CHOICES = {
+    "DxfVersion": ("R2010", "R12", "R2000", "R2004", "R2007", "R2013", "R2018"),
+    "Curves": ("spline", "arc", "polyline"),
+}
+"""What can be chosen, in the order of the preferences page: FreeCAD keeps the number of the choice."""
+
+
+def get(name: str) -> Any:
+    """The value of a preference."""
+    default, group = DEFAULTS[name], App.ParamGet(PATH)
+    if name in CHOICES:
+        number = group.GetInt(name, CHOICES[name].index(default))
+        return CHOICES[name][number] if 0 <= number < len(CHOICES[name]) else default
+    if isinstance(default, bool):
+        return group.GetBool(name, default)
+    return group.GetFloat(name, default) if isinstance(default, float) else group.GetString(name, default)
+
+
+def put(name: str, value: Any) -> None:
+    """Change a preference."""
+    group = App.ParamGet(PATH)
+    if name in CHOICES:
+        group.SetInt(name, CHOICES[name].index(value))
+    elif isinstance(DEFAULTS[name], bool):
+        group.SetBool(name, bool(value))
+    elif isinstance(DEFAULTS[name], float):
+        group.SetFloat(name, float(value))
+    else:
+        group.SetString(name, str(value))
+
+
+def default_sheet() -> str:
+    """The sheet that new strips are made of; a known one even when the preference names none."""
+    from freecad.elastica_wb.host.sheet_store import sheet_list
+
+    name = get("DefaultSheet")
+    return name if name in sheet_list() else DEFAULTS["DefaultSheet"]

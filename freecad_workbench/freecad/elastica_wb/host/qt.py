@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""Qt as this FreeCAD has it: 0.20's PySide has no QtWidgets of its own; and the widgets below its views."""
+
+import gc
+from typing import Any
+
+from PySide import QtCore, QtGui
+
+try:
+    from PySide import QtWidgets
+except ImportError:
+    from PySide2 import QtWidgets
+
+__all__ = ["QtCore", "QtGui", "QtWidgets", "surface_of"]
+
+
+def surface_of(view: Any) -> Any | None:
+    """The widget that a 3D view is drawn on; None where PySide still holds the one of a closed view for it.
+
+    Qt may put a new view where a closed one lay in memory, and PySide then hands out the old wrapper for as long as
+    something refers to that. Circles of references that nobody needs any more are taken away first.
+    """
+    for attempt in (1, 2):
+        try:
+            surface = view.graphicsView()
+            surface.viewport()
+        except RuntimeError:
+            if attempt == 1:
+                gc.collect()
+        else:
+            return surface
+    return None

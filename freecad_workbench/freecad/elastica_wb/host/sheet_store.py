@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""The sheets that a user can choose: the built-in ones and his own, kept in a TOML file."""
+
+from collections.abc import Iterable
+from functools import lru_cache
+from pathlib import Path
+
+import FreeCAD as App
+
+from elastica_cad.errors import InputError
+from elastica_cad.formats.file_access.atomic_write import write_atomically
+from elastica_cad.mechanics.material.sheet import Sheet, load_sheets, sheet_names, sheets_from_table
+
+__all__ = [
+    "own_sheets",
+    "own_sheets_file",
+    "save_own_sheets",
+    "sheet_called",
+    "sheet_from_text",
+    "sheet_list",
+]
+
+
+def own_sheets_file() -> Path:
+    """Where the user's sheets are kept."""
+    return Path(App.getUserAppDataDir()) / "elastica-sheets.toml"
+
+
+def own_sheets() -> dict[str, Sheet]:
+    """The user's sheets by name; an unreadable file is told in the report view and counts as empty."""
+    try:
+        state = own_sheets_file().stat()
+    except OSError:
+        return {}
+    return dict(_read(own_sheets_file(), state.st_mtime_ns, state.st_size))
+
+
+@lru_cache(maxsize=1)
+def _read(path: Path, *_state: int) -> dict[str, Sheet]:
+    """The file as it is in this state; it is asked for at every recompute."""
+    try:
+        return dict(load_sheets(path))
+    except InputError as error:
+        App.Console.PrintWarning(f"Elastica: {error}\n")
+        return {}
+
+
+def save_own_sheets(sheets: Iterable[Sheet]) -> None:
+    """Write the user's sheets, all of them."""
+    text = "\n".join(sheet.toml() for sheet in sheets)
+    path = own_sheets_file()
+    if not text:
+        path.unlink(missing_ok=True)
+        return
+    path.parent.mkdir(parents=True, exist_ok=True)
+    write_atomically(path, text.encode(), force=True)
+
+
+def sheet_list() -> list[str]:
+    """All names, the user's own first."""
+    own = list(own_sheets())
+    return own + [name for name in sheet_names() if name not in own]
+
+
+def sheet_called(name: str, kept: str = "") -> Sheet:
+    """The sheet of that name; where it is not in the library, the one kept (as TOML) in the document."""
+    own = own_sheets()
+    if name in own:
+        return own[name]
+    if name in sheet_names():
+        return Sheet.named(name)
+    if kept:
+        return sheet_from_text(name, kept)
+    raise InputError(
+        f"there is no sheet called {name!r} here: choose another one, or add it to the sheet library"
+    )
+
+
+def sheet_from_text(name: str, text: str) -> Sheet:
+    """The sheet of that name in a TOML text."""
+    import tomllib
+
+    try:
+        return sheets_from_table(tomllib.loads(text)["sheets"], where="this document")[name]
+    except (tomllib.TOMLDecodeError, KeyError) as error:
+        raise InputError(
+            f"the sheet {name!r} kept in this document cannot be read: choose another one"
+        ) from error

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""Sentences for the user, in windows that stop nobody."""
+
+from pathlib import Path
+from typing import Any
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from freecad.elastica_wb.host.qt import QtCore, QtGui, QtWidgets
+from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.host.user_units import worded
+
+__all__ = ["tell", "tell_files"]
+
+STATUS_MS = 20_000  # that a sentence stays in the status bar: long enough to be read after a look at the view
+MOST_FILES = 12  # named in a window
+
+_told: list[Any] = []
+
+
+def tell(sentence: str) -> None:
+    """A sentence in the report view, the status bar and a window that stops nobody."""
+    sentence = worded(sentence)
+    App.Console.PrintError(f"Elastica: {sentence}\n")
+    Gui.getMainWindow().statusBar().showMessage(sentence, STATUS_MS)
+    _show(sentence)
+
+
+def tell_files(files: list[Path]) -> None:
+    """Which files were written, with a button that opens their folder."""
+    folder = files[0].parent
+    names = [file.name for file in files[:MOST_FILES]] + ["..."] * (len(files) > MOST_FILES)
+    heading = f"{tr('Written to')} {folder}:"
+    App.Console.PrintMessage(f"Elastica: {heading} {', '.join(file.name for file in files)}\n")
+    box = _show("\n".join([heading, *names]))
+    button = box.addButton(tr("Open folder"), QtWidgets.QMessageBox.ActionRole)
+    button.setObjectName("openFolder")
+    address = QtCore.QUrl.fromLocalFile(str(folder))
+    button.clicked.connect(lambda: QtGui.QDesktopServices.openUrl(address))
+
+
+def _show(words: str) -> Any:
+    box = QtWidgets.QMessageBox(Gui.getMainWindow())
+    box.setObjectName("ElasticaTold")
+    box.setIcon(QtWidgets.QMessageBox.Information)
+    box.setWindowTitle("Elastica")
+    box.setText(words)
+    box.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+    box.setStandardButtons(QtWidgets.QMessageBox.Ok)
+    box.setModal(False)
+    box.show()
+    _told[:] = [box]
+    return box

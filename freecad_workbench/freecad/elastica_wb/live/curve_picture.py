@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""What the overlay shows of a curve, as plain points in the plane of the sketch: no window needed."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.live.verdict import Answer, Verdict, quick_answer
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import ElasticaError
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip_spec import StripSpec
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium, examine_curvature
+from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
+
+__all__ = ["Picture", "comb_scale", "curve_picture", "width_lines"]
+
+TEETH = 161  # of the comb: as smooth as a screen shows it
+COMB_HEIGHT = 0.2  # of the curve's extent
+LINE_MARGIN = 0.15  # of the curve's extent, by which the inflection line sticks out
+ON_LINE = 1e-4  # of the length: what `check_equilibrium` puts right by itself
+
+
+@dataclass(frozen=True, eq=False)
+class Picture:
+    """Lines and marks of the overlay, mm in the sketch's plane.
+
+    Attributes
+    ----------
+    comb : tuple of (n, 2) arrays
+        Curvature comb: its rim, then its teeth.
+    line : (2, 2) array or None
+        The inflection line inside the neighbourhood of the curve.
+    on_line, off_line : (k, 2) arrays
+        Inflections on the line and off it.
+    distances : tuple of ((x, y), text)
+        How far those off it are.
+    crossings : (k, 2) array
+        Where the line meets the curve and must not.
+    realizable : bool or None
+        None where only the solver can tell (with weight).
+    answer : Answer
+        The verdict, as far as it is known at once.
+    """
+
+    comb: tuple[FloatArray, ...]
+    line: FloatArray | None
+    on_line: FloatArray
+    off_line: FloatArray
+    distances: tuple[tuple[tuple[float, float], str], ...]
+    crossings: FloatArray
+    realizable: bool | None
+    answer: Answer
+
+
+def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None) -> Picture:
+    """What is known of a curve held and loaded as `spec` says; `scale` is the comb's, mm for 1/mm."""
+    samples = curve.sample(TEETH)
+    comb = _comb(samples.position, samples.angle, samples.curvature, scale or comb_scale(curve))
+    try:
+        if spec.gravity_in_plane is None:
+            check = check_equilibrium(curve, spec.supports, spec.natural_curvature)
+        else:
+            check = examine_curvature(curve, spec.supports, spec.natural_curvature)
+    except ElasticaError as error:
+        nothing = np.zeros((0, 2))
+        return Picture(
+            comb, None, nothing, nothing, (), nothing, False, Answer(Verdict.CANNOT, tr("cannot"), str(error))
+        )
+    realizable = None if spec.gravity_in_plane is not None and check.realizable else check.realizable
+    places = dict(check.off_line) or dict.fromkeys(check.inflections, 0.0)
+    good = [s for s, d in places.items() if abs(d) <= ON_LINE * check.length]
+    bad = [s for s in places if s not in good]
+    off = _at(curve, bad)
+    texts = tuple(
+        ((float(x), float(y)), f"{abs(places[s]):.3g} mm") for s, (x, y) in zip(bad, off, strict=True)
+    )
+    return Picture(
+        comb=comb,
+        line=None if check.line is None else _inside(check, samples.position),
+        on_line=_at(curve, good),
+        off_line=off,
+        distances=texts,
+        crossings=_at(curve, (*check.crossings, *check.touches)),
+        realizable=realizable,
+        answer=quick_answer(samples, spec, check),
+    )
+
+
+def comb_scale(curve: PlaneCurve) -> float:
+    """mm that the comb draws for a curvature of 1/mm."""
+    samples = curve.sample(TEETH)
+    largest = float(np.abs(samples.curvature).max())
+    extent = float(np.ptp(samples.position, axis=0).max())
+    return COMB_HEIGHT * extent / largest if largest > 1e-12 / extent else 0.0
+
+
+def width_lines(strip: Strip, count: int = 161) -> tuple[FloatArray, ...]:
+    """Both edges of the strip, laid flat into the plane along its curve."""
+    samples = strip.rod.curve.sample(count)
+    aside = np.column_stack([-np.sin(samples.angle), np.cos(samples.angle)])
+    half = strip.width(samples.s * (strip.width.length / samples.s[-1]))[:, None] / 2
+    return samples.position + half * aside, samples.position - half * aside
+
+
+def _comb(
+    position: FloatArray, angle: FloatArray, curvature: FloatArray, scale: float
+) -> tuple[FloatArray, ...]:
+    """On the outer side of the bend, as FreeCAD's own combs are."""
+    tips = position - scale * curvature[:, None] * np.column_stack([-np.sin(angle), np.cos(angle)])
+    return tips, *np.stack([position, tips], axis=1)
+
+
+def _at(curve: PlaneCurve, places: Sequence[float]) -> FloatArray:
+    if not len(places):
+        return np.zeros((0, 2))
+    return np.asarray(curve.at(np.array(places)).position)
+
+
+def _inside(check: EquilibriumCheck, points: FloatArray) -> FloatArray:
+    """The piece of the inflection line along the curve, a little longer than the curve's shadow on it."""
+    along, start = np.asarray(check.line.direction), np.asarray(check.line.point)
+    shadow = (points - start) @ along
+    margin = LINE_MARGIN * float(np.ptp(points, axis=0).max())
+    return start + np.array([[shadow.min() - margin], [shadow.max() + margin]]) * along

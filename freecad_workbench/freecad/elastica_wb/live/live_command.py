@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""The switch of live feedback. FreeCAD learns of it at its start, so that it works in every workbench."""
+
+from typing import Any
+
+import FreeCADGui as Gui
+from freecad.elastica_wb.host.resources import icon
+from freecad.elastica_wb.live import observers, sketches
+
+__all__ = ["NAME", "LiveCommand", "LiveManipulator", "register"]
+
+NAME = "Elastica_Live"
+
+
+class LiveCommand:
+    """Turns the overlay of the open sketch on and off; the sketch remembers."""
+
+    name = NAME
+    text = "Live feedback"
+    tip = "Show over the open sketch whether a flat strip can take its curve, while it is drawn and dragged"
+    shortcut = "Y, L"
+
+    def GetResources(self) -> dict[str, Any]:
+        """Icon, words and keys."""
+        return {
+            "Pixmap": icon(self.name),
+            "MenuText": self.text,
+            "ToolTip": self.tip,
+            "StatusTip": self.tip,
+            "WhatsThis": self.name,
+            "Accel": self.shortcut,
+            "CmdType": "ForEdit",
+            "Checkable": False,  # checkable, and not checked
+        }
+
+    def IsActive(self) -> bool:
+        """A sketch is open."""
+        return sketches.edited_sketch() is not None
+
+    def Activated(self, _index: int = 0) -> None:
+        """On where it is off, and the other way round."""
+        sketch = sketches.edited_sketch()
+        if sketch is not None:
+            observers.switch(sketch, on=not observers.is_on(sketch))
+
+
+class LiveManipulator:
+    """Puts the switch beside the tools of an open sketch (FreeCAD 1.0 and later)."""
+
+    def modifyToolBars(self) -> list[dict[str, str]]:
+        """Before the command that shows the section of a sketch."""
+        return [{"insert": NAME, "toolItem": "Sketcher_ViewSection"}]
+
+    def modifyMenuBar(self) -> list[dict[str, str]]:
+        """In the menu of the sketcher too."""
+        return [{"append": NAME, "menuItem": "Sketcher_ViewSection"}]
+
+
+def register() -> None:
+    """Make FreeCAD know the switch, and keep it in step with the overlay."""
+    if NAME not in Gui.listCommands():
+        Gui.addCommand(NAME, LiveCommand())
+    sketches.listeners.append(_show_state)
+    if hasattr(Gui, "addWorkbenchManipulator"):
+        Gui.addWorkbenchManipulator(LiveManipulator())
+
+
+def _show_state(on: bool) -> None:
+    command = Gui.Command.get(NAME)
+    for action in command.getAction() if command is not None else []:
+        action.blockSignals(True)  # the state is shown, not asked for
+        action.setChecked(on)
+        action.blockSignals(False)

@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""Watches sketches from FreeCAD's start on; what is slow to import waits until it is needed."""
+
+from typing import Any
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from freecad.elastica_wb.host.lifetime import lives
+from freecad.elastica_wb.host.qt import QtCore
+from freecad.elastica_wb.live.sketches import (
+    edited_sketch,
+    followers,
+    is_sketch,
+    is_strip,
+    recompute,
+    remember,
+    wants_overlay,
+)
+
+__all__ = ["install", "is_on", "start_if_wanted", "switch"]
+
+WORKBENCH = "ElasticaWorkbench"
+_installed: list[Any] = []
+
+
+def install() -> None:
+    """Begin to watch."""
+    if not _installed:
+        _installed.extend([Edits(), Changes()])
+        Gui.addDocumentObserver(_installed[0])
+        App.addDocumentObserver(_installed[1])
+
+
+def is_on(sketch: Any) -> bool:
+    """Does this sketch show its overlay now?"""
+    session = _session()
+    return session is not None and session.sketch is sketch
+
+
+def switch(sketch: Any, *, on: bool) -> None:
+    """Turn the overlay of an open sketch on or off, and let the sketch remember."""
+    from freecad.elastica_wb.live import session
+
+    remember(sketch, on)
+    session.start(sketch) if on else session.stop()
+
+
+def start_if_wanted(sketch: Any) -> None:
+    """The overlay of a sketch that is open and wants it."""
+    if lives(sketch) and edited_sketch() is sketch and wants_overlay(sketch):
+        from freecad.elastica_wb.live import session
+
+        session.start(sketch)
+
+
+class Edits:
+    """Beginning and end of edits."""
+
+    def slotInEdit(self, provider: Any) -> None:
+        """A sketch is opened; the sketcher draws its points after this signal."""
+        sketch = getattr(provider, "Object", None)
+        if is_sketch(sketch) and wants_overlay(sketch):
+            QtCore.QTimer.singleShot(0, lambda: start_if_wanted(sketch))
+
+    def slotResetEdit(self, provider: Any) -> None:
+        """It is closed."""
+        session = _session()
+        if session is not None and getattr(provider, "Object", None) is session.sketch:
+            sketch = session.sketch
+            _stop()
+            QtCore.QTimer.singleShot(0, lambda: _hide_failed(sketch))
+
+    def slotDeletedDocument(self, document: Any) -> None:
+        """The document goes, and its view with it."""
+        session = _session()
+        if session is not None and session.sketch.Document.Name == document.Document.Name:
+            _stop()
+
+
+class Changes:
+    """New sketches, released mouse buttons, undo, redo."""
+
+    def __init__(self) -> None:
+        self._pending = False
+        self._changed: set[tuple[str, str]] = set()
+
+    def slotCreatedObject(self, obj: Any) -> None:
+        """A sketch made from this workbench has the overlay."""
+        if is_sketch(obj) and not obj.Document.Restoring and not obj.Document.Transacting and _here():
+            remember(obj, True)
+
+    def slotChangedObject(self, obj: Any, name: str) -> None:
+        """The mouse was released, or something else changed the sketch."""
+        if obj.Document.Transacting:
+            self._changed.add((obj.Document.Name, obj.Name))
+        session = _session()
+        if session is not None and obj is session.sketch and name == "Geometry":
+            self._soon()
+
+    def slotUndoDocument(self, document: Any) -> None:
+        """Shapes that were computed after the step is closed are not undone with it."""
+        self._after_undo(document)
+
+    def slotRedoDocument(self, document: Any) -> None:
+        """As after undo."""
+        self._after_undo(document)
+
+    def slotDeletedObject(self, obj: Any) -> None:
+        """The sketch with the overlay is deleted."""
+        session = _session()
+        if session is not None and obj is session.sketch:
+            _stop()
+
+    def _after_undo(self, document: Any) -> None:
+        changed = {name for place, name in self._changed if place == document.Name}
+        self._changed.clear()
+        strips = [obj for obj in document.Objects if is_strip(obj)] if changed else []
+        if strips:
+            QtCore.QTimer.singleShot(0, lambda: recompute(_stale(strips, changed)))
+        if _session() is not None:
+            self._soon()
+
+    def _soon(self) -> None:
+        if not self._pending:
+            self._pending = True
+            QtCore.QTimer.singleShot(0, self._refresh)
+
+    def _refresh(self) -> None:
+        self._pending = False
+        session = _session()
+        if session is not None:
+            session.refresh()
+            recompute(followers(session.sketch))
+
+
+def _here() -> bool:
+    """Is this the workbench that the user is in?"""
+    return bool(App.GuiUp) and Gui.activeWorkbench().name() == WORKBENCH
+
+
+def _session() -> Any:
+    """The overlay that runs now; without ever importing it."""
+    import sys
+
+    module = sys.modules.get("freecad.elastica_wb.live.session")
+    return None if module is None else module.session()
+
+
+def _stop() -> None:
+    from freecad.elastica_wb.live import session
+
+    session.stop()
+
+
+def _hide_failed(sketch: Any) -> None:
+    """Strips whose shape is not that of their curve any more."""
+    if not lives(sketch):
+        return
+    from freecad.elastica_wb.features.strip import hide_failed
+
+    hide_failed(followers(sketch))
+
+
+def _stale(strips: list[Any], changed: set[str]) -> list[Any]:
+    """Those whose shape was not made from what they ask for now."""
+    from freecad.elastica_wb.features.strip import is_stale
+
+    return [strip for strip in strips if lives(strip) and is_stale(strip, changed)]

@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""The overlay in the 3D view: a few Coin nodes whose points are replaced, never rebuilt."""
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import numpy as np
+from freecad.elastica_wb.host.user_units import worded
+from freecad.elastica_wb.live.curve_picture import Picture
+from freecad.elastica_wb.live.verdict import Verdict
+from pivy import coin
+
+from elastica_cad._types import FloatArray
+
+__all__ = ["Overlay"]
+
+LIFT_MM = 0.02  # above the sketch's own lines
+DASHED = 0xF0F0
+COLORS = {
+    "comb": (0.13, 0.49, 0.83),
+    "line": (0.71, 0.42, 0.05),
+    "nearest": (0.62, 0.35, 0.85),
+    "width": (0.66, 0.44, 0.20),
+    Verdict.CAN: (0.08, 0.53, 0.24),
+    Verdict.BREAKS: (0.78, 0.36, 0.0),
+    Verdict.CANNOT: (0.85, 0.18, 0.18),
+    Verdict.NOTHING: (0.42, 0.42, 0.45),
+}
+"""Red, green, blue; of middle lightness, so that they stand out from light backgrounds and from dark ones."""
+
+
+class Overlay:
+    """Everything that is shown over one sketch."""
+
+    def __init__(self, view: Any, placement: Any) -> None:
+        self._scene = view.getSceneGraph()
+        self.root = coin.SoSeparator()
+        self.root.setName("ElasticaOverlay")
+        self.root.renderCaching = coin.SoSeparator.OFF
+        plain = coin.SoLightModel()
+        plain.model = coin.SoLightModel.BASE_COLOR
+        pick = coin.SoPickStyle()
+        pick.style = coin.SoPickStyle.UNPICKABLE
+        depth = coin.SoDepthBuffer()
+        depth.test = False
+        place = coin.SoMatrixTransform()
+        rows = np.array(placement.toMatrix().A, dtype=float).reshape(4, 4).T
+        place.matrix.setValue(*rows.ravel().tolist())
+        for node in (pick, plain, depth, place):
+            self.root.addChild(node)
+        self._comb = self._lines(COLORS["comb"], 1.0)
+        self._width = self._lines(COLORS["width"], 2.0)
+        self._line = self._lines(COLORS["line"], 2.0)
+        self._nearest = self._lines(COLORS["nearest"], 3.0, DASHED)
+        self._good = self._marks(COLORS[Verdict.CAN], coin.SoMarkerSet.CIRCLE_FILLED_9_9)
+        self._bad = self._marks(COLORS[Verdict.CANNOT], coin.SoMarkerSet.CIRCLE_FILLED_9_9)
+        self._crossings = self._marks(COLORS[Verdict.CANNOT], coin.SoMarkerSet.DIAMOND_FILLED_9_9)
+        self._texts = coin.SoSeparator()
+        self.root.addChild(self._texts)
+        self._scene.addChild(self.root)
+
+    def show(self, picture: Picture) -> None:
+        """Curvature, inflections and line of a curve."""
+        self._comb.set(picture.comb)
+        self._line.set([] if picture.line is None else [picture.line])
+        self._line.color(COLORS[Verdict.CAN] if picture.realizable else COLORS["line"])
+        self._good.set([picture.on_line])
+        self._bad.set([picture.off_line])
+        self._crossings.set([picture.crossings])
+        self._write(picture.distances)
+
+    def clear(self) -> None:
+        """Show nothing."""
+        for part in (
+            self._comb,
+            self._width,
+            self._line,
+            self._nearest,
+            self._good,
+            self._bad,
+            self._crossings,
+        ):
+            part.set([])
+        self._write(())
+
+    def show_width(self, edges: Sequence[FloatArray]) -> None:
+        """Both edges of the strip; none hides them."""
+        self._width.set(edges)
+
+    def show_nearest(self, points: FloatArray | None) -> None:
+        """The nearest curve that can be bent; None hides it."""
+        self._nearest.set([] if points is None else [points])
+
+    def shown(self) -> dict[str, int]:
+        """How many points each part shows: for tests and for the curious."""
+        parts = {
+            "comb": self._comb, "width": self._width, "line": self._line, "nearest": self._nearest,
+            "on line": self._good, "off line": self._bad, "crossings": self._crossings,
+        }  # fmt: skip
+        return {name: part.count for name, part in parts.items()}
+
+    def remove(self) -> None:
+        """Take everything off the view."""
+        self._scene.removeChild(self.root)
+
+    def _lines(self, color: tuple[float, float, float], width: float, pattern: int = 0xFFFF) -> "_Points":
+        style = coin.SoDrawStyle()
+        style.lineWidth, style.linePattern = width, pattern
+        return _Points(self.root, color, style, coin.SoLineSet())
+
+    def _marks(self, color: tuple[float, float, float], marker: int) -> "_Points":
+        shape = coin.SoMarkerSet()
+        shape.markerIndex.setValue(marker)
+        return _Points(self.root, color, None, shape)
+
+    def _write(self, texts: Iterable[tuple[tuple[float, float], str]]) -> None:
+        self._texts.removeAllChildren()
+        for (x, y), words in texts:
+            part, color, place = coin.SoSeparator(), coin.SoBaseColor(), coin.SoTranslation()
+            color.rgb = COLORS[Verdict.BREAKS]
+            place.translation = (x, y, LIFT_MM)
+            text, font = coin.SoText2(), coin.SoFont()
+            font.size = 14.0
+            text.string = f"  {worded(words)}"
+            for node in (color, place, font, text):
+                part.addChild(node)
+            self._texts.addChild(part)
+
+
+class _Points:
+    """Lines or marks of one colour."""
+
+    def __init__(self, root: Any, color: tuple[float, float, float], style: Any, shape: Any) -> None:
+        self._shape, self._points, self._color = shape, coin.SoCoordinate3(), coin.SoBaseColor()
+        self._group = coin.SoSeparator()
+        self.count = 0
+        self._color.rgb = color
+        for node in (self._color, style, self._points, shape):
+            if node is not None:
+                self._group.addChild(node)
+        root.addChild(self._group)
+        self.set([])
+
+    def color(self, color: tuple[float, float, float]) -> None:
+        self._color.rgb = color
+
+    def set(self, pieces: Sequence[FloatArray]) -> None:
+        """Replace the points; each piece is one line."""
+        pieces = [piece for piece in pieces if len(piece)]
+        self.count = sum(map(len, pieces))
+        rows = np.zeros((self.count, 3))
+        rows[:, 2] = LIFT_MM
+        if pieces:
+            rows[:, :2] = np.concatenate(pieces)
+        self._points.point.setNum(self.count)
+        if pieces:
+            self._points.point.setValues(0, self.count, rows.tolist())
+        if isinstance(self._shape, coin.SoLineSet):
+            lengths = [len(piece) for piece in pieces]
+            self._shape.numVertices.setNum(len(lengths))
+            if lengths:
+                self._shape.numVertices.setValues(0, len(lengths), lengths)
+            else:
+                self._shape.numVertices.setValues(0, 1, [0])
+        else:
+            self._shape.numPoints = self.count

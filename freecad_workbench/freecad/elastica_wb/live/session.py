@@ -1,0 +1,283 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""Live feedback: while a sketch is open, its overlay follows every move of the mouse."""
+
+import time
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from freecad.elastica_wb.curves.sketch_curves import curve_into, drawn_curve, is_blank, sketch_curve
+from freecad.elastica_wb.features.strip_request import nearest_spec_of, spec_of
+from freecad.elastica_wb.host import preferences
+from freecad.elastica_wb.host.progress import begun
+from freecad.elastica_wb.host.qt import QtCore
+from freecad.elastica_wb.host.refusal import FAILURES, explained
+from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.host.sheet_store import sheet_called
+from freecad.elastica_wb.host.user_units import worded
+from freecad.elastica_wb.live import sketches
+from freecad.elastica_wb.live.curve_picture import comb_scale, curve_picture, width_lines
+from freecad.elastica_wb.live.overlay import Overlay
+from freecad.elastica_wb.live.sketch_drag import Dragged
+from freecad.elastica_wb.live.verdict import Answer, Verdict, refusal_answer, strip_answer
+from freecad.elastica_wb.live.verdict_card import VerdictCard
+from freecad.elastica_wb.solving.strip_cache import find_nearest_now, solve_strip
+from pivy import coin
+
+from elastica_cad.fabrication.strip_spec import StripSpec
+from elastica_cad.forming.limits import Limits
+from elastica_cad.forming.nearest.nearest_record import NearestRod
+from elastica_cad.forming.rod_spec import RodSpec
+
+__all__ = ["Session", "session", "start", "stop"]
+
+FREE_RATIO = 10.0  # of a strip without limits of its own: about what can be cut
+REST_MS = 40  # without a move, after which the slower answers are computed
+PEEK_MS = 60  # between looks whether the nearest curve was found
+STATUS_MS = 20_000  # that the advice stays in the status bar
+SKETCHER = "User parameter:BaseApp/Preferences/Mod/Sketcher/General"
+OWN_COMB = "BSplineCombVisible"
+
+_session: "Session | None" = None
+
+
+class Session:
+    """The overlay of one sketch, from the beginning of its edit to the end."""
+
+    def __init__(self, sketch: Any, view: Any) -> None:
+        self.sketch = sketch
+        self.overlay = Overlay(view, sketch.getGlobalPlacement())
+        self.card = VerdictCard(view, self.use_nearest)
+        self.times: list[float] = []
+        self.moves = 0
+        self.sentence = ""
+        self.near: NearestRod | None = None
+        self._scale: float | None = None
+        self._asks: StripSpec | None = None
+        self._allows: RodSpec | None = None
+        self._curve: Any = None
+        self._sensor: Any = None
+        self._node: Any = None
+        self._dragged: Dragged | None = None
+        self._soon = _timer(self._follow, 0)
+        self._rest = _timer(self._finish, REST_MS)
+        self._asked: Any = None
+        self._answer = _timer(self._look, PEEK_MS)
+        self._comb = _OwnComb()
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Show the sketch as it is in the document."""
+        self._soon.stop()
+        self._scale = self._asks = None
+        self._attach()
+        self._read()
+        self._show(None)
+
+    def close(self) -> None:
+        """End of the edit."""
+        for timer in (self._soon, self._rest, self._answer):
+            timer.stop()
+        if self._sensor is not None:
+            self._sensor.detach()
+        self.overlay.remove()
+        self.card.remove()
+        self._comb.restore()
+
+    def use_nearest(self) -> None:
+        """Draw the nearest curve in place of the one that is refused, in one undo step."""
+        if self.near is None:
+            return
+        document, near = self.sketch.Document, self.near
+        document.openTransaction(tr("Use the nearest curve"))
+        curve_into(self.sketch, near.curve)
+        document.commitTransaction()
+        App.closeActiveTransaction(False)
+        self.sketch.solve()
+        self.refresh()
+
+    def _attach(self) -> None:
+        """Watch the points that the sketcher draws; with new geometry some releases draw others."""
+        if self._sensor is not None:
+            self._sensor.detach()
+        self._sensor = self._node = None
+        root = coin.SoNode.getByName("Sketch_EditRoot")
+        if root is None:
+            return
+        search = coin.SoSearchAction()
+        search.setName("PointsCoordinate0")
+        search.setSearchingAll(True)
+        search.apply(root)
+        if search.getPath() is None:
+            return
+        self._node = search.getPath().getTail()
+        self._sensor = coin.SoFieldSensor(self._moved, None)
+        self._sensor.attach(self._node.point)
+
+    def _read(self) -> None:
+        """What the points mean; they were drawn for the geometry of now."""
+        self._dragged = Dragged(self.sketch, self._points()) if self._node is not None else None
+
+    def _points(self) -> list[Any]:
+        field = self._node.point
+        return [field[i].getValue() for i in range(field.getNum())]
+
+    def _moved(self, *_: Any) -> None:
+        self.moves += 1
+        if not self._soon.isActive():
+            self._soon.start()
+
+    def _follow(self) -> None:
+        """One frame: however many moves there were since the last one."""
+        if self._dragged is not None and self._dragged.usable:
+            points = self._points()
+            try:
+                self._show(self._dragged.geometry(points))
+            except IndexError:  # the sketch has lost points: a release will tell
+                self._dragged = None
+
+    def _show(self, geometry: list[Any] | None) -> None:
+        began = time.thread_time()  # what we cost, whatever else the machine does
+        self._rest.stop()
+        self._answer.stop()
+        self._forget_nearest()
+        try:
+            self._curve = sketch_curve(self.sketch, geometry)
+            spec = self._spec()
+            if self._scale is None:
+                self._scale = comb_scale(self._curve)
+            picture = curve_picture(self._curve, spec, self._scale)
+        except FAILURES as error:
+            self._curve = None
+            self.overlay.clear()
+            answer = refusal_answer(explained(error))
+            if is_blank(self.sketch):
+                answer = Answer(Verdict.NOTHING, tr("no curve yet"), answer.sentence)
+            self._say(answer)
+            return
+        self.overlay.show(picture)
+        if picture.realizable is False:
+            self.overlay.show_width(())
+        self._say(picture.answer)
+        self.times.append(time.thread_time() - began)
+        self._rest.start()
+
+    def _finish(self) -> None:
+        """The mouse rests: widths."""
+        if self._curve is None:
+            return
+        try:
+            spec = self._spec().changed(curve=self._curve, limits=None, keep=None)
+            strip = solve_strip(spec)
+        except FAILURES as error:
+            self.overlay.show_width(())
+            self._say(refusal_answer(explained(error)))
+            if preferences.get("LiveNearest"):
+                self._ask()
+            return
+        self.overlay.show_width(width_lines(strip))
+        answer = strip_answer(strip)
+        self._say(answer)
+        if answer.verdict is not Verdict.CAN and preferences.get("LiveNearest"):
+            self._ask()
+
+    def _ask(self) -> None:
+        """Search the nearest curve beside the window; an answer to an older question is not waited for."""
+        if self._asked is None or self._asked.done():
+            self._asked_for = self._curve
+            self._asked = begun(find_nearest_now, replace(self._allows, curve=self._curve))
+        self._answer.start()
+
+    def _look(self) -> None:
+        """Is the answer there?"""
+        if not self._asked.done():
+            self._answer.start()
+        elif self._asked_for is not self._curve:
+            self._finish()
+        elif self._asked.exception() is None and self._asked.result().met:
+            self.near = near = self._asked.result()
+            self.overlay.show_nearest(near.rod.position)
+            told = f"{tr('The nearest curve is')} {near.deviation:.3g} mm {tr('away')}."
+            self._say(replace(self.card.answer, sentence=f"{self.card.answer.sentence} {told}"))
+            self.card.offer(nearest=True)
+
+    def _forget_nearest(self) -> None:
+        if self.near is not None:
+            self.near = None
+            self.card.offer(nearest=False)
+            self.overlay.show_nearest(None)
+
+    def _spec(self) -> StripSpec:
+        """What the strip of this sketch is asked for; it cannot change while the mouse is down."""
+        if self._asks is None:
+            sheet = sheet_called(preferences.default_sheet())
+            asks = StripSpec(self._curve, sheet, max_width=preferences.get("MaxWidth"))
+            allows = RodSpec(self._curve, limits=Limits(ratio=FREE_RATIO, sheet=sheet))
+            for strip in sketches.followers(self.sketch):
+                drawn = drawn_curve(strip.Curve, strip)
+                asks, allows = spec_of(strip, drawn), nearest_spec_of(strip, drawn)
+            self._asks, self._allows = asks, allows
+        return self._asks
+
+    def _say(self, answer: Answer) -> None:
+        self.sentence = worded(answer.sentence)
+        self.card.show(answer, self.sentence)
+        Gui.getMainWindow().statusBar().showMessage(self.sentence, STATUS_MS)
+
+
+class _OwnComb:
+    """FreeCAD's own curvature comb is off while ours is shown."""
+
+    def __init__(self) -> None:
+        self._group = App.ParamGet(SKETCHER)
+        self._was = self._group.GetBool(OWN_COMB, True)
+        if self._was:
+            self._group.SetBool(OWN_COMB, False)
+
+    def restore(self) -> None:
+        """As the user had it."""
+        if self._was:
+            self._group.SetBool(OWN_COMB, True)
+
+
+def session() -> Session | None:
+    """The session that runs now."""
+    return _session
+
+
+def start(sketch: Any) -> Session | None:
+    """Show the overlay of a sketch, in edit or not."""
+    global _session  # noqa: PLW0603 - one view shows one overlay
+    stop()
+    view = Gui.getDocument(sketch.Document.Name).activeView()
+    if view is None or not hasattr(view, "getSceneGraph"):
+        return None
+    _session = Session(sketch, view)
+    _tell_listeners(True)
+    return _session
+
+
+def stop() -> None:
+    """Take the overlay off."""
+    global _session  # noqa: PLW0603
+    if _session is not None:
+        _session.close()
+        _session = None
+        _tell_listeners(False)
+
+
+def _tell_listeners(on: bool) -> None:
+    for listener in sketches.listeners:
+        listener(on)
+
+
+def _timer(work: Callable[[], None], wait: int) -> Any:
+    timer = QtCore.QTimer()
+    timer.setSingleShot(True)
+    timer.setInterval(wait)
+    timer.timeout.connect(work)
+    return timer

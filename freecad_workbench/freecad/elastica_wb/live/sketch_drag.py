@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""A sketch while a point of it is dragged: its geometry, read off the points that the sketcher draws.
+
+FreeCAD tells nobody about a drag before the mouse is released; but the sketcher draws all points anew.
+"""
+
+from collections.abc import Sequence
+from typing import Any
+
+import FreeCAD as App
+import Part
+
+__all__ = ["Dragged"]
+
+NEAR = 1e-4  # of a place: the points are drawn in single precision
+SOLVED_MM = 1e-2  # the sketcher's solver leaves circles this far from the poles that they stand for
+
+POINTS = {
+    "Part::GeomPoint": 1,
+    "Part::GeomLineSegment": 2,
+    "Part::GeomCircle": 1,
+    "Part::GeomEllipse": 1,
+    "Part::GeomArcOfCircle": 3,
+    "Part::GeomArcOfEllipse": 3,
+    "Part::GeomArcOfHyperbola": 3,
+    "Part::GeomArcOfParabola": 3,
+    "Part::GeomBSplineCurve": 2,
+}
+"""How many points the sketcher draws for each kind of geometry, in the order of the sketch."""
+
+
+class Dragged:
+    """Rebuilds the geometry of a sketch from its drawn points.
+
+    `usable` is False where the points do not follow the order known here, or where a pole is not shown as a
+    point and so could move unseen; then only a released mouse tells.
+    """
+
+    def __init__(self, sketch: Any, points: Sequence[Sequence[float]]) -> None:
+        self._geometry = list(sketch.Geometry)
+        self._construction = [sketch.getConstruction(i) for i in range(len(self._geometry))]
+        counts = [POINTS.get(g.TypeId, -1) for g in self._geometry]
+        self.usable = False
+        if -1 in counts:
+            return
+        self._first = [sum(counts[:i]) for i in range(len(counts))]
+        self._poles = {
+            i: self._pole_circles(i)
+            for i, g in enumerate(self._geometry)
+            if isinstance(g, Part.BSplineCurve) and not self._construction[i]
+        }
+        if any(None in circles for circles in self._poles.values()):
+            return
+        for shift in (1, 0):  # 1.1 leaves the origin out
+            if sum(counts) + shift <= len(points) and self._fits(points, shift):
+                self.usable, self._shift = True, shift
+                return
+
+    def geometry(self, points: Sequence[Sequence[float]]) -> list[Any]:
+        """The sketch's geometry with its points where they are drawn now."""
+        moved = list(self._geometry)
+        for i, geometry in enumerate(self._geometry):
+            if self._construction[i]:
+                continue
+            if i in self._poles:
+                moved[i] = geometry.copy()
+                for k, circle in enumerate(self._poles[i], start=1):
+                    moved[i].setPole(k, self._drawn(points, circle, 0))
+            elif isinstance(geometry, Part.LineSegment):
+                moved[i] = Part.LineSegment(*(self._drawn(points, i, k) for k in (0, 1)))
+            elif isinstance(geometry, Part.ArcOfCircle):
+                moved[i] = self._arc(points, i)
+        return moved
+
+    def _drawn(self, points: Sequence[Sequence[float]], geometry: int, number: int) -> App.Vector:
+        x, y = points[self._shift + self._first[geometry] + number][:2]
+        return App.Vector(x, y, 0)
+
+    def _arc(self, points: Sequence[Sequence[float]], i: int) -> Any:
+        start, end, center = (self._drawn(points, i, k) for k in (0, 1, 2))
+        circle = Part.Circle(center, App.Vector(0, 0, 1), start.distanceToPoint(center))
+        first, last = circle.parameter(start), circle.parameter(end)
+        return Part.ArcOfCircle(circle, first, last if last > first else last + 6.283185307179586)
+
+    def _pole_circles(self, spline: int) -> list[int | None]:
+        """For each pole the number of the construction circle that shows it."""
+        shown: list[int | None] = []
+        taken: set[int] = set()
+        for pole in self._geometry[spline].getPoles():
+            circles = {
+                g.Center.distanceToPoint(pole): i
+                for i, g in enumerate(self._geometry)
+                if self._construction[i] and i not in taken and isinstance(g, Part.Circle)
+            }
+            near = min(circles, default=SOLVED_MM)
+            found = circles[near] if near < SOLVED_MM else None
+            shown.append(found)
+            if found is not None:
+                taken.add(found)
+        return shown
+
+    def _fits(self, points: Sequence[Sequence[float]], shift: int) -> bool:
+        """Do the drawn points lie where the geometry is at rest?"""
+        for i, circles in self._poles.items():
+            for pole, circle in zip(self._geometry[i].getPoles(), circles, strict=True):
+                x, y = points[shift + self._first[circle]][:2]
+                if abs(x - pole.x) + abs(y - pole.y) > NEAR * (1 + pole.Length):
+                    return False
+        return True

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""Sketches and the overlay: which is open, who follows it, what it remembers."""
+
+from collections.abc import Callable
+from typing import Any
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from freecad.elastica_wb.host import preferences
+from freecad.elastica_wb.host.lifetime import lives
+from freecad.elastica_wb.host.qt import QtCore
+
+__all__ = [
+    "MEMORY",
+    "edited_sketch",
+    "followers",
+    "is_sketch",
+    "is_strip",
+    "listeners",
+    "recompute",
+    "remember",
+    "wants_overlay",
+]
+
+MEMORY = "ElasticaLive"
+"""Property of a sketch that remembers whether it has the overlay."""
+
+STRIPS = "freecad.elastica_wb.features.strip"
+AGAIN_MS = 20  # until a document that recomputes is asked again: its progress bar lets timers run
+
+listeners: list[Callable[[bool], None]] = []
+"""Told whether there is an overlay now."""
+
+
+def is_sketch(obj: Any) -> bool:
+    """Is this object a sketch?"""
+    return obj is not None and bool(obj.isDerivedFrom("Sketcher::SketchObject"))
+
+
+def edited_sketch() -> Any:
+    """The sketch that is open for editing, or None."""
+    provider = Gui.ActiveDocument.getInEdit() if Gui.ActiveDocument else None
+    source = getattr(provider, "Object", None)
+    return source if is_sketch(source) else None
+
+
+def followers(sketch: Any) -> list[Any]:
+    """The strips that follow a sketch."""
+    return [obj for obj in sketch.InList if is_strip(obj) and obj.Curve and obj.Curve[0] is sketch]
+
+
+def remember(sketch: Any, on: bool) -> None:
+    """Keep in the sketch whether it wants the overlay."""
+    if MEMORY not in sketch.PropertiesList:
+        words = App.Qt.translate("App::Property", "Show live feedback while this sketch is open")
+        sketch.addProperty("App::PropertyBool", MEMORY, "Elastica", words, 8)  # no reason for a recompute
+    setattr(sketch, MEMORY, on)
+
+
+def wants_overlay(sketch: Any) -> bool:
+    """What the sketch remembers; else those that strips follow have it, and no others."""
+    if not preferences.get("LiveMode"):
+        return False
+    if MEMORY in sketch.PropertiesList:
+        return bool(getattr(sketch, MEMORY))
+    return bool(followers(sketch))
+
+
+def recompute(strips: list[Any]) -> None:
+    """Strips and what hangs on them, nothing else."""
+    alive = [strip for strip in strips if lives(strip)]
+    if not alive:
+        return
+    document = alive[0].Document
+    if document.Recomputing:
+        QtCore.QTimer.singleShot(AGAIN_MS, lambda: recompute(alive))
+        return
+    for strip in alive:
+        strip.touch()
+    document.recompute(alive)
+
+
+def is_strip(obj: Any) -> bool:
+    """Is this object a strip? Asked without importing what makes them."""
+    return type(getattr(obj, "Proxy", None)).__module__ == STRIPS

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""The panel of a check: the whole answer in words, the overlay on the curve."""
+
+from typing import Any
+
+from freecad.elastica_wb.curves.sketch_curves import drawn_curve, is_sketch
+from freecad.elastica_wb.host import preferences
+from freecad.elastica_wb.host.refusal import FAILURES, explained
+from freecad.elastica_wb.host.sheet_store import sheet_called
+from freecad.elastica_wb.live import session as live
+from freecad.elastica_wb.live.verdict import sentence_of
+from freecad.elastica_wb.panels.panel import Panel
+from freecad.elastica_wb.solving.strip_cache import solve_strip
+
+from elastica_cad.errors import ElasticaError
+from elastica_cad.fabrication.strip_spec import StripSpec
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+
+__all__ = ["CheckPanel"]
+
+
+class CheckPanel(Panel):
+    """Changes nothing; Close takes the overlay away."""
+
+    file = "check"
+    icon_name = "Elastica_Check"
+    only_tells = True
+
+    def __init__(self, source: Any, edges: tuple[str, ...]) -> None:
+        super().__init__()
+        self.check = None
+        try:
+            curve = drawn_curve((source, edges)).curve
+            self.check = check_equilibrium(curve)
+        except FAILURES as error:
+            self.tell(str(explained(error)))
+            return
+        words = [str(self.check)]
+        if self.check.realizable:
+            sheet = sheet_called(preferences.default_sheet())
+            try:
+                spec = StripSpec(curve, sheet, max_width=preferences.get("MaxWidth"))
+                words.append(sentence_of(solve_strip(spec)))
+            except ElasticaError as error:
+                words.append(str(error))
+        self.tell("\n\n".join(words))
+        if is_sketch(source) and not edges:
+            live.start(source)

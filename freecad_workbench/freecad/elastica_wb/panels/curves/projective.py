@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""The panel of the projective edit: four handles about a curve, the pulled curve and its verdict at once."""
+
+from typing import Any
+
+import numpy as np
+from freecad.elastica_wb.curves.projective_sketch import box_around, evened, lost_constraints
+from freecad.elastica_wb.curves.sketch_curves import curve_into, sketch_curve
+from freecad.elastica_wb.host import preferences
+from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.host.sheet_store import sheet_called
+from freecad.elastica_wb.live.verdict import sentence_of
+from freecad.elastica_wb.panels.panel import Panel, active_view
+from freecad.elastica_wb.panels.widgets.fields import set_value
+from freecad.elastica_wb.preview.preview_lines import Preview
+from freecad.elastica_wb.solving.strip_cache import solve_strip
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import ElasticaError
+from elastica_cad.fabrication.strip_spec import StripSpec
+from elastica_cad.geometry.curves.projective_maps import four_point_map
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+
+__all__ = ["ProjectivePanel"]
+
+FIELDS = [f"{axis}{number}" for number in (1, 2, 3, 4) for axis in "xy"]
+
+
+class ProjectivePanel(Panel):
+    """OK writes poles and weights into the sketch, in one undo step."""
+
+    file = "projective"
+    icon_name = "Elastica_Projective"
+    step = "Projective edit"
+
+    def __init__(self, sketch: Any) -> None:
+        self.drawn = sketch_curve(sketch)
+        super().__init__(sketch.Document, [sketch])
+        self.sketch = sketch
+        self.curve = self.drawn
+        self.corners = box_around(self.drawn)
+        self.handles: FloatArray = self.corners
+        self.lost = lost_constraints(sketch)
+        self.preview = None
+        view = active_view()
+        if view is not None:
+            self.preview = Preview(view, sketch.getGlobalPlacement())
+            self.preview.add_handles(self.corners, self.dragged)
+        self.watch(*FIELDS)
+        self.form.reset.clicked.connect(self.reset)
+        self.reset()
+
+    def reset(self, *_: Any) -> None:
+        """The handles back to the box around the drawn curve."""
+        self._fill(self.corners)
+        self._safely_changed()
+
+    def dragged(self, number: int, place: tuple[float, float]) -> None:
+        """A handle was pulled: show the curve now, the strip it makes when the mouse rests."""
+        places = self.handles.copy()
+        places[number] = place
+        self._fill(places)
+        try:
+            self.pull()
+        except ElasticaError as error:
+            self.tell(str(error))
+            return
+        self.soon()
+
+    def changed(self) -> None:
+        """Take what was typed, pull the curve, and say what strip it makes."""
+        self._typed()
+        self.pull()
+        sheet = sheet_called(preferences.default_sheet())
+        try:
+            spec = StripSpec(self.curve, sheet, max_width=preferences.get("MaxWidth"))
+            self.tell(f"{sentence_of(solve_strip(spec))}{self._warning()}")
+        except ElasticaError as error:
+            self.tell(f"{sentence_of(error)}{self._warning()}")
+
+    def pull(self) -> None:
+        """The curve as the handles pull it, and whether it can be bent."""
+        self._draw()
+        same = np.array_equal(self.handles, self.corners)
+        pulled = self.drawn if same else self.drawn.transformed(four_point_map(self.corners, self.handles))
+        self.curve = pulled
+        self._draw()
+        self.tell(f"{sentence_of(check_equilibrium(self.curve))}{self._warning()}")
+
+    def finished(self) -> None:
+        """Write the curve into the sketch."""
+        self._timer.stop()
+        self._typed()
+        self.pull()
+        if self.curve is not self.drawn:
+            curve_into(self.sketch, evened(self.curve))
+
+    def closed(self) -> None:
+        """Take the preview off the view."""
+        if self.preview is not None:
+            self.preview.remove()
+            self.preview = None
+
+    def _draw(self) -> None:
+        if self.preview is not None:
+            around = self.handles[[0, 1, 2, 3, 0]]
+            self.preview.show(self.drawn.sample(201).position, self.curve.sample(201).position, around)
+
+    def _fill(self, places: FloatArray) -> None:
+        """Show places in the widgets, which round them."""
+        self.handles, self._shown = places, []
+        for name, value in zip(FIELDS, places.ravel(), strict=True):
+            widget = getattr(self.form, name)
+            set_value(widget, float(value))
+            self._shown.append(self.value(name))
+        if self.preview is not None and not self.preview.handles.is_held:
+            self.preview.handles.put(places)
+
+    def _typed(self) -> None:
+        """Numbers that differ from what is shown were typed; the others stay as exact as they are."""
+        values = [self.value(name) for name in FIELDS]
+        places = np.where(np.array(values) == self._shown, self.handles.ravel(), values)
+        self._fill(places.reshape(4, 2))
+
+    def _warning(self) -> str:
+        if not self.lost or self.curve is self.drawn:
+            return ""
+        return f"\n{tr('Constraints on the drawn curve that OK takes away')}: {self.lost}"

@@ -1,0 +1,234 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""What the panels of the features show, and how."""
+
+from typing import Any
+
+from freecad.elastica_wb.features.baseplate import BasePlateFeature
+from freecad.elastica_wb.features.fixtures import FixturesFeature
+from freecad.elastica_wb.features.flat import FlatFeature
+from freecad.elastica_wb.features.model import ModelFeature
+from freecad.elastica_wb.features.nest import NestFeature
+from freecad.elastica_wb.features.strip_properties import PROPERTIES
+from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.panels.property_panel import Layout, PropertyPanel, Told
+
+__all__ = ["LAYOUTS", "panel_of"]
+
+
+def QT_TRANSLATE_NOOP(_context: str, words: str) -> str:
+    """Words that are translated where they are shown."""
+    return words
+
+
+def _strip_numbers(obj: Any) -> Told:
+    return (
+        (tr("Length"), f"{obj.Length.Value:.2f} mm"),
+        (tr("Narrowest place"), f"{obj.NarrowestWidth.Value:.2f} mm"),
+        (tr("Stiffness ratio"), f"{obj.Ratio:.3g}"),
+        (tr("Largest strain"), f"{obj.LargestStrain:.2f} % ({obj.StrainUse} %)"),
+        (tr("Stability margin"), f"{obj.Margin:.3g}"),
+        (tr("Mass"), f"{obj.Mass:.3g} g"),
+    )
+
+
+def _is_plain(obj: Any) -> bool:
+    return bool(obj.Style == "Plain")
+
+
+def _is_even(obj: Any) -> bool:
+    return bool(obj.Style != "Plain")
+
+
+def _is_perforated(obj: Any) -> bool:
+    return bool(obj.Style == "Perforated")
+
+
+def _is_laminated(obj: Any) -> bool:
+    return bool(obj.Style == "Laminated")
+
+
+def _is_nearest(obj: Any) -> bool:
+    return bool(obj.Follow == "Nearest")
+
+
+def _has_tabs(obj: Any) -> bool:
+    return bool(obj.StartTab.Value or obj.EndTab.Value)
+
+
+def _is_interlocked(obj: Any) -> bool:
+    return bool(obj.Interlock)
+
+
+STRIP = Layout(
+    QT_TRANSLATE_NOOP("Elastica", "Strip"),
+    "Elastica_Strip",
+    "Edit strip",
+    (
+        (
+            QT_TRANSLATE_NOOP("Elastica", "Sheet and width"),
+            (
+                ("Sheet", QT_TRANSLATE_NOOP("Elastica", "Sheet")),
+                ("Thickness", QT_TRANSLATE_NOOP("Elastica", "Thickness")),
+                ("MaxWidth", QT_TRANSLATE_NOOP("Elastica", "Largest width")),
+                ("MinWidth", QT_TRANSLATE_NOOP("Elastica", "Least width")),
+            ),
+        ),
+        (
+            QT_TRANSLATE_NOOP("Elastica", "Style"),
+            (
+                ("Style", QT_TRANSLATE_NOOP("Elastica", "Style")),
+                ("OuterWidth", QT_TRANSLATE_NOOP("Elastica", "Outer width")),
+                ("Columns", QT_TRANSLATE_NOOP("Elastica", "Columns of holes")),
+                ("Rows", QT_TRANSLATE_NOOP("Elastica", "Rows of holes (0 = chosen)")),
+                ("Backing", QT_TRANSLATE_NOOP("Elastica", "Backing")),
+                ("Form", QT_TRANSLATE_NOOP("Elastica", "Shape shown")),
+            ),
+        ),
+        (
+            QT_TRANSLATE_NOOP("Elastica", "Nearest curve"),
+            (
+                ("Follow", QT_TRANSLATE_NOOP("Elastica", "Follow the curve")),
+                ("RatioLimit", QT_TRANSLATE_NOOP("Elastica", "Largest stiffness ratio")),
+                ("MarginLimit", QT_TRANSLATE_NOOP("Elastica", "Least stability margin")),
+                ("StrainLimit", QT_TRANSLATE_NOOP("Elastica", "Largest strain, % (0 = sheet)")),
+                ("KeepTangents", QT_TRANSLATE_NOOP("Elastica", "Keep end tangents")),
+                ("KeepLength", QT_TRANSLATE_NOOP("Elastica", "Keep the length")),
+            ),
+        ),
+        (
+            QT_TRANSLATE_NOOP("Elastica", "Ends and weight"),
+            (
+                ("StartSupport", QT_TRANSLATE_NOOP("Elastica", "Start is held")),
+                ("EndSupport", QT_TRANSLATE_NOOP("Elastica", "End is held")),
+                ("Gravity", QT_TRANSLATE_NOOP("Elastica", "Carries its weight")),
+                ("StartTab", QT_TRANSLATE_NOOP("Elastica", "Tab at the start")),
+                ("EndTab", QT_TRANSLATE_NOOP("Elastica", "Tab at the end")),
+                ("TabRadius", QT_TRANSLATE_NOOP("Elastica", "Rounding of tabs")),
+                ("TabHole", QT_TRANSLATE_NOOP("Elastica", "Hole in tabs")),
+                ("EngravedText", QT_TRANSLATE_NOOP("Elastica", "Engraved text")),
+                ("Quantity", QT_TRANSLATE_NOOP("Elastica", "Quantity")),
+            ),
+        ),
+    ),
+    PROPERTIES,
+    {
+        "MaxWidth": _is_plain,
+        "OuterWidth": _is_even,
+        "Columns": _is_perforated,
+        "Rows": _is_perforated,
+        "Backing": _is_laminated,
+        "TabRadius": _has_tabs,
+        "TabHole": _has_tabs,
+        **dict.fromkeys(
+            ("RatioLimit", "MarginLimit", "StrainLimit", "KeepTangents", "KeepLength"), _is_nearest
+        ),
+    },
+    "Curve",
+    _strip_numbers,
+)
+
+MODEL = Layout(
+    QT_TRANSLATE_NOOP("Elastica", "Model"),
+    "Elastica_Interlock",
+    "Edit model",
+    (
+        (
+            QT_TRANSLATE_NOOP("Elastica", "Slots"),
+            (
+                ("Interlock", QT_TRANSLATE_NOOP("Elastica", "Cut slots where strips cross")),
+                ("Clearance", QT_TRANSLATE_NOOP("Elastica", "Clearance")),
+                ("Fit", QT_TRANSLATE_NOOP("Elastica", "Width of slots")),
+                ("Relief", QT_TRANSLATE_NOOP("Elastica", "Inner ends of slots")),
+            ),
+        ),
+    ),
+    ModelFeature.properties,
+    dict.fromkeys(("Clearance", "Fit", "Relief"), _is_interlocked),
+    told=lambda obj: ((tr("Joints"), str(obj.Joints)),),
+)
+
+FLAT = Layout(
+    QT_TRANSLATE_NOOP("Elastica", "Flat part"),
+    "Elastica_Flat",
+    "Edit flat part",
+    (
+        (
+            QT_TRANSLATE_NOOP("Elastica", "Flat part"),
+            (("Layer", QT_TRANSLATE_NOOP("Elastica", "Layer")),),
+        ),
+    ),
+    FlatFeature.properties,
+)
+
+FIXTURES = Layout(
+    QT_TRANSLATE_NOOP("Elastica", "End fixtures"),
+    "Elastica_Fixtures",
+    "Edit fixtures",
+    (
+        (
+            QT_TRANSLATE_NOOP("Elastica", "Printed blocks"),
+            (
+                ("Clearance", QT_TRANSLATE_NOOP("Elastica", "Clearance")),
+                ("Wall", QT_TRANSLATE_NOOP("Elastica", "Wall")),
+                ("Foot", QT_TRANSLATE_NOOP("Elastica", "Foot (0 = none)")),
+                ("FootHeight", QT_TRANSLATE_NOOP("Elastica", "Height of the foot")),
+                ("Screw", QT_TRANSLATE_NOOP("Elastica", "Screw holes (0 = none)")),
+            ),
+        ),
+    ),
+    FixturesFeature.properties,
+    {name: lambda obj: bool(obj.Foot.Value) for name in ("FootHeight", "Screw")},
+)
+
+BASE_PLATE = Layout(
+    QT_TRANSLATE_NOOP("Elastica", "Base plate"),
+    "Elastica_Fixtures",
+    "Edit base plate",
+    (
+        (
+            QT_TRANSLATE_NOOP("Elastica", "Base plate"),
+            (
+                ("Sheet", QT_TRANSLATE_NOOP("Elastica", "Sheet")),
+                ("Play", QT_TRANSLATE_NOOP("Elastica", "Play beside tabs")),
+                ("Clearance", QT_TRANSLATE_NOOP("Elastica", "Clearance")),
+                ("Border", QT_TRANSLATE_NOOP("Elastica", "Border")),
+                ("Outline", QT_TRANSLATE_NOOP("Elastica", "Outline")),
+            ),
+        ),
+    ),
+    BasePlateFeature.properties,
+)
+
+NEST = Layout(
+    QT_TRANSLATE_NOOP("Elastica", "Nest on sheets"),
+    "Elastica_Nest",
+    "Edit nest",
+    (
+        (
+            QT_TRANSLATE_NOOP("Elastica", "Sheets"),
+            (
+                ("SheetWidth", QT_TRANSLATE_NOOP("Elastica", "Sheet width")),
+                ("SheetHeight", QT_TRANSLATE_NOOP("Elastica", "Sheet height")),
+                ("Margin", QT_TRANSLATE_NOOP("Elastica", "Distance between parts")),
+            ),
+        ),
+    ),
+    NestFeature.properties,
+    told=lambda obj: ((tr("Sheets"), str(obj.Sheets)),),
+)
+
+LAYOUTS = {
+    "Strip": STRIP,
+    "Model": MODEL,
+    "Flat": FLAT,
+    "Fixtures": FIXTURES,
+    "BasePlate": BASE_PLATE,
+    "Nest": NEST,
+}
+
+
+def panel_of(obj: Any) -> PropertyPanel:
+    """The panel of a feature."""
+    return PropertyPanel(obj, LAYOUTS[type(obj.Proxy).__name__.removesuffix("Feature")])

@@ -1,0 +1,234 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""What all task panels share: a form, one undo step from opening to OK, numbers a moment after a change."""
+
+import gc
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from freecad.elastica_wb.host.lifetime import document_lives, lives
+from freecad.elastica_wb.host.qt import QtCore, QtWidgets
+from freecad.elastica_wb.host.refusal import FAILURES, explained
+from freecad.elastica_wb.host.resources import icon, load_panel, quantities_of, tr
+from freecad.elastica_wb.host.user_units import worded
+from freecad.elastica_wb.live import session as live
+from freecad.elastica_wb.panels.widgets.fields import calm, set_value, signal_of, value_of
+
+from elastica_cad.errors import InputError
+
+__all__ = ["Panel", "active_view", "placement_of_strip", "progress"]
+
+PAUSE_MS = 60  # ms after the last key before anything is computed
+
+
+class Panel:
+    """A task panel; `changed` is called a moment after the user touches a widget."""
+
+    file = ""
+    icon_name = "Elastica"
+    step = ""
+    only_tells = False
+    preview: Any = None
+    opened: "Panel | None" = None
+
+    def __init__(self, document: Any = None, subjects: Iterable[Any] = ()) -> None:
+        """`document` is changed, `subjects` are the objects that the panel cannot do without."""
+        Panel.opened = self
+        self.subjects = list(subjects)
+        _watch_documents()
+        self.form = self.make_form()
+        calm(self.form)
+        self.form.setWindowIcon(_qicon(self.icon_name))
+        self.document = document
+        self._timer = QtCore.QTimer(self.form)
+        self._timer.setSingleShot(True)
+        self._timer.setInterval(PAUSE_MS)
+        self._timer.timeout.connect(self._safely_changed)
+        if document is not None and self.step and not document.HasPendingTransaction:
+            document.openTransaction(self.step)
+
+    def make_form(self) -> Any:
+        """The widgets; what the panel tells stands on top, where it is seen without scrolling."""
+        form = load_panel(self.file)
+        for name, value in quantities_of(self.file).items():
+            set_value(getattr(form, name), value)
+        form.layout().removeWidget(form.message)
+        form.layout().insertWidget(0, form.message)
+        return form
+
+    def value(self, name: str) -> Any:
+        """What a widget shows; lengths in mm."""
+        return value_of(getattr(self.form, name))
+
+    def accept(self) -> bool:
+        """OK: everything since the opening is one undo step."""
+        try:
+            self._all_there()
+            self.finished()
+        except FAILURES as error:
+            self.tell(str(explained(error)))
+            return False
+        if self.document is not None:
+            self.document.recompute()
+            # a document that was not changed leaves the step open in FreeCAD, for changes of others to fall into
+            self.document.commitTransaction()
+            App.closeActiveTransaction(False)
+        self._close()
+        return True
+
+    def reject(self) -> bool:
+        """Cancel: everything as it was."""
+        self._timer.stop()
+        if self.document is not None and document_lives(self.document):
+            self.document.abortTransaction()
+            App.closeActiveTransaction(True)
+            self.document.recompute()
+        self._close()
+        return True
+
+    def abandon(self) -> None:
+        """Its document was closed: nothing is left to be changed, nor a view to be tidied."""
+        if self.form is None:
+            return
+        App.closeActiveTransaction(True)
+        Gui.Control.closeDialog()
+        self.form = None
+        gc.collect()
+
+    def getStandardButtons(self) -> int:
+        """OK and Cancel, or for a panel that only tells something Close."""
+        kinds = QtWidgets.QDialogButtonBox
+        wanted = [kinds.Close] if self.only_tells else [kinds.Ok, kinds.Cancel]
+        return sum(int(getattr(button, "value", button)) for button in wanted)
+
+    def isAllowedAlterSelection(self) -> bool:
+        """The user may select while the panel is open."""
+        return True
+
+    def isAllowedAlterView(self) -> bool:
+        """The user may look around."""
+        return True
+
+    def changed(self) -> None:
+        """Show what the widgets ask for."""
+
+    def finished(self) -> None:
+        """The user said OK; raise to stay open."""
+
+    def closed(self) -> None:
+        """Take previews away."""
+
+    def let_go(self) -> None:
+        """The document is about to be closed: keep nothing of it."""
+
+    def tell(self, sentence: str) -> None:
+        """A sentence in the panel, worded in mm."""
+        self.form.message.setText(worded(sentence))
+
+    def watch(self, *names: str) -> None:
+        """Call `changed` after the user touches one of these widgets."""
+        for name in names:
+            signal_of(getattr(self.form, name)).connect(self.soon)
+
+    def soon(self, *_: Any) -> None:
+        """Call `changed` after a pause."""
+        self._timer.start()
+
+    def now(self) -> None:
+        """Do what waits, now."""
+        if self._timer.isActive():
+            self._timer.stop()
+            self._safely_changed()
+
+    @staticmethod
+    def is_there(subject: Any) -> bool:
+        """Is an object still in its document?"""
+        return lives(subject)
+
+    def _all_there(self) -> None:
+        """Raises where the user deleted what the panel works on."""
+        if not all(map(self.is_there, self.subjects)):
+            raise InputError(tr("what this panel works on was deleted: press Cancel"))
+
+    def _safely_changed(self) -> None:
+        try:
+            self._all_there()
+            self.changed()
+        except FAILURES as error:
+            self.tell(str(explained(error)))
+
+    def _close(self) -> None:
+        self._timer.stop()
+        self.closed()
+        live.stop()
+        if Gui.ActiveDocument is not None:
+            Gui.ActiveDocument.resetEdit()
+        Gui.Control.closeDialog()
+        # FreeCAD deletes the widgets; a Python face of one that lives on (signals hold their widget in a circle)
+        # would be taken for the next widget at its address
+        self.form = None
+        gc.collect()
+
+
+class _Documents:
+    """Closes the panel of a document that is closed."""
+
+    def slotDeletedDocument(self, document: Any) -> None:
+        panel = Panel.opened
+        if panel is not None and panel.form is not None and panel.document is document:
+            panel._timer.stop()
+            panel.let_go()
+            panel.document, panel.preview = None, None
+            # the document still stands with one foot in memory: an undo now would end FreeCAD
+            QtCore.QTimer.singleShot(0, panel.abandon)
+
+
+_documents: list[_Documents] = []
+
+
+def _watch_documents() -> None:
+    if not _documents:
+        _documents.append(_Documents())
+        App.addDocumentObserver(_documents[0])
+
+
+def _qicon(name: str) -> Any:
+    from freecad.elastica_wb.host.qt import QtGui
+
+    return QtGui.QIcon(icon(name))
+
+
+@contextmanager
+def progress(title: str, count: int) -> Iterator[Callable[[int], bool]]:
+    """A progress bar with a cancel button; the function it gives is told how much is done, False: stop."""
+    bar = QtWidgets.QProgressDialog(title, None, 0, count, Gui.getMainWindow())
+    bar.setCancelButtonText(tr("Cancel"))
+    bar.setMinimumDuration(500)
+
+    def step(done: int) -> bool:
+        bar.setValue(done)
+        QtWidgets.QApplication.processEvents()
+        return not bar.wasCanceled()
+
+    try:
+        yield step
+    finally:
+        bar.close()
+        bar.deleteLater()
+
+
+def active_view() -> Any:
+    """The 3D view, or None where something else is in front."""
+    view = Gui.ActiveDocument.activeView() if Gui.ActiveDocument else None
+    return view if hasattr(view, "getSceneGraph") else None
+
+
+def placement_of_strip(obj: Any) -> App.Placement:
+    """Where the plane of a strip's curve lies in the document."""
+    from freecad.elastica_wb.curves.sketch_curves import drawn_curve
+
+    return drawn_curve(obj.Curve, obj).world

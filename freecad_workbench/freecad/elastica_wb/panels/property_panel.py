@@ -1,0 +1,247 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""The panel of a feature: a widget for each property, in both directions."""
+
+import gc
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from freecad.elastica_wb.features.property_table import Property
+from freecad.elastica_wb.host.qt import QtCore, QtWidgets
+from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.host.user_units import worded
+from freecad.elastica_wb.panels.panel import Panel
+from freecad.elastica_wb.panels.widgets.fields import field_for, set_value, signal_of, value_of
+
+__all__ = ["Layout", "PropertyPanel"]
+
+Told = tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True)
+class Layout:
+    """What the panel of a kind of feature shows.
+
+    Attributes
+    ----------
+    title, icon_name, step : str
+    groups : tuple of (title, rows)
+        A row is the name of a property and its label.
+    table : tuple of Property
+        Says what the properties mean.
+    applies : mapping
+        From a property to a question: does it count for this object? It is hidden where not.
+    source : str
+        Property with the curve, that can be picked anew; empty for none.
+    told : callable
+        Numbers below the message: label and value.
+    """
+
+    title: str
+    icon_name: str
+    step: str
+    groups: tuple[tuple[str, tuple[tuple[str, str], ...]], ...]
+    table: tuple[Property, ...]
+    applies: Mapping[str, Callable[[Any], bool]] = field(default_factory=dict)
+    source: str = ""
+    told: Callable[[Any], Told] = lambda _: ()
+
+
+class PropertyPanel(Panel):
+    """Edits the properties of one feature, with its numbers and its shape following.
+
+    A widget writes its own property and nothing else; what is changed elsewhere meanwhile is shown.
+    """
+
+    def __init__(self, obj: Any, layout: Layout) -> None:
+        self.object, self.layout = obj, layout
+        self.icon_name, self.step = layout.icon_name, layout.step
+        self.fields: dict[str, Any] = {}
+        self.rows: dict[str, tuple[Any, Any]] = {}
+        self._touched: dict[str, None] = {}
+        self._writing = False
+        super().__init__(obj.Document, [obj])
+        for name, widget in self.fields.items():
+            signal_of(widget).connect(lambda *_, name=name: self._touch(name))
+        self._refresh = QtCore.QTimer(self.form)
+        self._refresh.setSingleShot(True)
+        self._refresh.setInterval(0)
+        self._refresh.timeout.connect(self._show)
+        App.addDocumentObserver(self)
+        self._show()
+
+    def make_form(self) -> Any:
+        """Message and numbers on top, then the groups of properties."""
+        form = QtWidgets.QWidget()
+        form.setWindowTitle(tr(self.layout.title))
+        outer = QtWidgets.QVBoxLayout(form)
+        form.message, form.numbers = QtWidgets.QLabel(), QtWidgets.QLabel()
+        form.message.setWordWrap(True)
+        form.message.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+        outer.addWidget(form.message)
+        form.useNearest = QtWidgets.QPushButton(tr("Use the nearest curve"))
+        form.useNearest.setObjectName("useNearest")
+        form.useNearest.clicked.connect(self._use_nearest)
+        form.useNearest.hide()
+        outer.addWidget(form.useNearest)
+        outer.addWidget(form.numbers)
+        if self.layout.source:
+            outer.addLayout(self._source_row(form))
+        helps = {entry.name: entry.translated_help for entry in self.layout.table}
+        for title, rows in self.layout.groups:
+            box = QtWidgets.QGroupBox(tr(title))
+            grid = QtWidgets.QFormLayout(box)
+            grid.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
+            for name, words in rows:
+                widget, label = field_for(self.object, name), QtWidgets.QLabel(tr(words))
+                for part in (widget, label):
+                    part.setToolTip(helps[name])
+                grid.addRow(label, widget)
+                self.fields[name], self.rows[name] = widget, (label, widget)
+                setattr(form, name, widget)
+                set_value(widget, _plain(getattr(self.object, name)))
+            outer.addWidget(box)
+        outer.addStretch(1)
+        return form
+
+    def changed(self) -> None:
+        """What was touched goes into its properties, then the document is recomputed."""
+        self._writing = True
+        try:
+            bound = {path for path, *_ in self.object.ExpressionEngine}
+            for name in [name for name in self._touched if name not in bound]:
+                value = value_of(self.fields[name])
+                if _plain(getattr(self.object, name)) != value:
+                    setattr(self.object, name, value)
+        finally:
+            self._touched.clear()
+            self._writing = False
+        self.document.recompute()
+        self._show()
+
+    def finished(self) -> None:
+        """Nothing may wait."""
+        self.now()
+
+    def closed(self) -> None:
+        """Watch the document no longer; boxes that are bound to an object must not outlive it."""
+        App.removeDocumentObserver(self)
+        self._stop_picking()
+        self._refresh.stop()
+        for name in list(self.fields):
+            self.fields.pop(name).setParent(None)
+            delattr(self.form, name)
+        self.rows.clear()
+        gc.collect()
+
+    def let_go(self) -> None:
+        """The document is about to be closed."""
+        self.closed()
+
+    def slotChangedObject(self, obj: Any, name: str) -> None:
+        """A property was changed: by the property editor, an expression, undo, or the recompute."""
+        if self.form is None or obj is not self.object:
+            return
+        if name in self.fields and name not in self._touched and not self._writing:
+            self._refill(name)
+        self._refresh.start()
+
+    def addSelection(self, document: str, name: str, element: str, _place: Any) -> None:
+        """The user picks another curve."""
+        source = App.getDocument(document).getObject(name)
+        if source is None or source is self.object or not hasattr(source, "Shape"):
+            return
+        edges = [element] if element.startswith("Edge") and "Sketch" not in source.TypeId else []
+        setattr(self.object, self.layout.source, (source, edges))
+        self._stop_picking()
+        self.document.recompute()
+        self._show()
+
+    def _touch(self, name: str) -> None:
+        self._touched[name] = None
+        self.soon()
+
+    def _refill(self, name: str) -> None:
+        widget = self.fields[name]
+        if isinstance(widget, QtWidgets.QComboBox):
+            items = self.object.getEnumerationsOfProperty(name)
+            if [widget.itemText(i) for i in range(widget.count())] != items:
+                blocked = widget.blockSignals(True)
+                widget.clear()
+                widget.addItems(items)
+                widget.blockSignals(blocked)
+        set_value(widget, _plain(getattr(self.object, name)))
+
+    def _show(self) -> None:
+        if self.form is None or not self._lives():
+            return
+        obj, layout = self.object, self.layout
+        for name, widgets in self.rows.items():
+            counts = layout.applies[name](obj) if name in layout.applies else True
+            for widget in widgets:
+                widget.setVisible(counts)
+        failed = "Invalid" in obj.State
+        told = () if failed else layout.told(obj)
+        rows = "".join(f"<tr><td>{name}&nbsp;&nbsp;</td><td><b>{value}</b></td></tr>" for name, value in told)
+        self.form.numbers.setText(worded(f"<table>{rows}</table>") if rows else "")
+        self.form.numbers.setVisible(bool(rows))
+        self.form.useNearest.setVisible(failed and getattr(obj, "Follow", "") == "Exactly")
+        self.tell(self._words())
+        if layout.source:
+            source, edges = getattr(obj, layout.source) or (None, ())
+            self.form.source.setText(" ".join([source.Label, *edges]) if source is not None else tr("none"))
+
+    def _words(self) -> str:
+        obj = self.object
+        if hasattr(obj, "Verdict"):
+            return " ".join([obj.Verdict, *obj.Reasons])
+        if "Invalid" in obj.State:
+            return str(obj.getStatusString())
+        return "\n".join(getattr(obj, "Reports", []))
+
+    def _lives(self) -> bool:
+        return all(self.is_there(subject) for subject in self.subjects)
+
+    def _use_nearest(self, *_: Any) -> None:
+        self.object.Follow = "Nearest"
+        self.document.recompute()
+        self._show()
+
+    def _source_row(self, form: Any) -> Any:
+        row = QtWidgets.QHBoxLayout()
+        form.source = QtWidgets.QLabel()
+        form.pick = QtWidgets.QPushButton(tr("Pick another curve"))
+        form.pick.setObjectName("pick")
+        form.pick.setCheckable(True)
+        form.pick.setToolTip(tr("Then click a sketch or an edge, in the view or in the tree"))
+        form.pick.toggled.connect(self._picking)
+        form.source.setWordWrap(True)
+        for widget in (QtWidgets.QLabel(tr("Curve")), form.source):
+            row.addWidget(widget)
+        row.setStretch(1, 1)
+        rows = QtWidgets.QVBoxLayout()
+        rows.addLayout(row)
+        rows.addWidget(form.pick)
+        return rows
+
+    def _picking(self, wanted: bool) -> None:
+        Gui.Selection.removeObserver(self)
+        if wanted:
+            Gui.Selection.clearSelection()
+            Gui.Selection.addObserver(self)
+            source = getattr(self.object, self.layout.source)[0]
+            source.Visibility = True
+
+    def _stop_picking(self) -> None:
+        Gui.Selection.removeObserver(self)
+        if self.form is not None and self.layout.source:
+            set_value(self.form.pick, False)
+
+
+def _plain(value: Any) -> Any:
+    """The number of a quantity, everything else as it is."""
+    return getattr(value, "Value", value)

@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""Widgets of panels: their values, what they send, FreeCAD's boxes for quantities, no change by a passing wheel."""
+
+from functools import cache
+from typing import Any
+
+import FreeCADGui as Gui
+from freecad.elastica_wb.host.qt import QtCore, QtWidgets
+
+__all__ = ["calm", "field_for", "set_value", "signal_of", "value_of"]
+
+LARGEST = 1e9  # of numbers without a limit of their own
+WHOLE = 1_000_000
+NARROWEST_PX = 105  # in which a length with its unit can be read
+TRIES = 10
+
+_aside: list[Any] = []
+
+EXACT, SHOWN = "exactValue", "shownValue"  # what was set, and what the box made of it
+UNITS = {"App::PropertyLength": "mm", "App::PropertyDistance": "mm", "App::PropertyAngle": "deg"}
+
+
+def field_for(obj: Any, name: str) -> Any:
+    """A widget that shows a property of an object."""
+    kind = obj.getTypeIdOfProperty(name)
+    if kind in UNITS or kind == "App::PropertyFloat":
+        box = _quantity_box()
+        box.setProperty("unit", UNITS.get(kind, ""))
+        box.setProperty("minimum", 0.0 if kind == "App::PropertyLength" else -LARGEST)
+        box.setProperty("maximum", LARGEST)
+        Gui.ExpressionBinding(box).bind(obj, name)
+    elif kind == "App::PropertyInteger":
+        box = QtWidgets.QSpinBox()
+        box.setRange(0, WHOLE)
+    elif kind == "App::PropertyBool":
+        box = QtWidgets.QCheckBox()
+    elif kind == "App::PropertyEnumeration":
+        box = QtWidgets.QComboBox()
+        box.addItems(obj.getEnumerationsOfProperty(name))
+    else:
+        box = QtWidgets.QLineEdit()
+    box.setObjectName(name)
+    return box
+
+
+def value_of(widget: Any) -> Any:
+    """What a widget shows; lengths in mm."""
+    if isinstance(widget, QtWidgets.QComboBox):
+        return widget.currentText()
+    if isinstance(widget, QtWidgets.QAbstractButton):
+        return widget.isChecked()
+    if isinstance(widget, QtWidgets.QLineEdit):
+        return widget.text()
+    if _is_quantity(widget):
+        shown, exact = float(widget.property("rawValue")), widget.property(EXACT)
+        # FreeCAD's box keeps what it shows: a hundredth of an inch of a kerf of 0.2 mm
+        return float(exact) if exact is not None and shown == widget.property(SHOWN) else shown
+    return widget.value()
+
+
+def set_value(widget: Any, value: Any) -> None:
+    """Show a value without telling anybody."""
+    blocked = widget.blockSignals(True)
+    if isinstance(widget, QtWidgets.QComboBox):
+        widget.setCurrentText(value)
+    elif isinstance(widget, QtWidgets.QAbstractButton):
+        widget.setChecked(value)
+    elif isinstance(widget, QtWidgets.QLineEdit):
+        widget.setText(value)
+    elif _is_quantity(widget):
+        widget.setProperty("rawValue", float(value))
+        widget.setProperty(EXACT, float(value))
+        widget.setProperty(SHOWN, float(widget.property("rawValue")))
+    else:
+        widget.setValue(value)
+    widget.blockSignals(blocked)
+
+
+def signal_of(widget: Any) -> Any:
+    """What a widget sends when its value changes."""
+    if isinstance(widget, QtWidgets.QComboBox):
+        return widget.currentIndexChanged
+    if isinstance(widget, QtWidgets.QLineEdit):
+        return widget.textEdited
+    if isinstance(widget, QtWidgets.QAbstractButton):
+        return widget.toggled
+    return widget.valueChanged
+
+
+def calm(form: Any) -> None:
+    """Boxes and lists leave the wheel to the panel until they are clicked."""
+    keeper = _Wheel(form)
+    for kind in (QtWidgets.QAbstractSpinBox, QtWidgets.QComboBox):
+        for widget in form.findChildren(kind):
+            widget.setFocusPolicy(QtCore.Qt.StrongFocus)
+            widget.installEventFilter(keeper)
+            if isinstance(widget, QtWidgets.QAbstractSpinBox):
+                widget.setKeyboardTracking(False)
+                widget.setMinimumWidth(NARROWEST_PX)
+
+
+@cache
+def _loader() -> Any:
+    """Makes FreeCAD's own widgets; PySide takes them for its children, so it lives as long as any of them."""
+    return Gui.UiLoader()
+
+
+def _quantity_box() -> Any:
+    """FreeCAD's box for quantities.
+
+    PySide may take the Python face of a deleted widget for a new one at the same address: such a box is put aside,
+    where it keeps its address, and another one is made.
+    """
+    for _ in range(TRIES):
+        box = _loader().createWidget("Gui::QuantitySpinBox")
+        try:
+            box.text()
+        except (RuntimeError, AttributeError):
+            _aside.append(box)
+        else:
+            break
+    return box
+
+
+def _is_quantity(widget: Any) -> bool:
+    return str(widget.metaObject().className()) in ("Gui::QuantitySpinBox", "Gui::PrefQuantitySpinBox")
+
+
+class _Wheel(QtCore.QObject):
+    """Lets the wheel through to the scroll area of a panel."""
+
+    def eventFilter(self, widget: Any, event: Any) -> bool:
+        """A wheel over a widget that has no focus is not for it."""
+        if event.type() == QtCore.QEvent.Wheel and not widget.hasFocus():
+            event.ignore()
+            return True
+        return False

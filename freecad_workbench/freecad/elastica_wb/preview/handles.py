@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""Points in the 3D view that a mouse drags within a plane; as large on every screen, however far the view is."""
+
+from collections.abc import Callable
+from contextlib import suppress
+from typing import Any
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import numpy as np
+from freecad.elastica_wb.host.qt import QtCore, surface_of
+from pivy import coin
+
+from elastica_cad._types import ArrayLike, FloatArray
+
+__all__ = ["Handles"]
+
+REACH_PX = 12  # px around a handle in which the mouse takes it
+SIZE_PX = 13  # px
+REST, HELD = (0.1, 0.45, 0.95), (1.0, 0.8, 0.1)
+EDGE_ON_SINE = 1e-6  # of the angle under which a plane is seen: below it no place is under the mouse
+
+Place = tuple[float, float]
+
+
+class Handles:
+    """Handles at places (n, 2) of a plane; `moved` is told the number of the dragged one and where it is.
+
+    It is told at most as often as it can answer: what the mouse did meanwhile is left out.
+    """
+
+    def __init__(
+        self, view: Any, placement: Any, places: ArrayLike, moved: Callable[[int, Place], None]
+    ) -> None:
+        self._view, self._placement, self._moved = view, placement, moved
+        self._scene = view.getSceneGraph()
+        self._held: int | None = None
+        self._soon = QtCore.QTimer()
+        self._soon.setSingleShot(True)
+        self._soon.setInterval(0)
+        self._soon.timeout.connect(self._tell)
+        self.root = coin.SoSeparator()
+        self.root.setName("ElasticaHandles")
+        light, pick, depth = coin.SoLightModel(), coin.SoPickStyle(), coin.SoDepthBuffer()
+        light.model, pick.style = coin.SoLightModel.BASE_COLOR, coin.SoPickStyle.UNPICKABLE
+        depth.test = False
+        self._color, self._points, marks = coin.SoBaseColor(), coin.SoCoordinate3(), coin.SoMarkerSet()
+        self._color.rgb = REST
+        marks.markerIndex.setValue(Gui.getMarkerIndex("CIRCLE_FILLED", SIZE_PX))
+        for node in (light, pick, depth, plane_node(placement), self._color, self._points, marks):
+            self.root.addChild(node)
+        self._scene.addChild(self.root)
+        self._mouse = _Mouse(view, self._pressed, self._dragged, self._released)
+        self.put(places)
+
+    def put(self, places: ArrayLike) -> None:
+        """Show the handles at other places (n, 2)."""
+        self.places: FloatArray = np.array(places, dtype=float)
+        rows = np.column_stack([self.places, np.zeros(len(self.places))])
+        self._points.point.setNum(len(rows))
+        self._points.point.setValues(0, len(rows), rows.tolist())
+
+    @property
+    def is_held(self) -> bool:
+        """Is one of them being dragged?"""
+        return self._held is not None
+
+    def on_screen(self) -> list[tuple[float, float]]:
+        """Pixels of the view at which they are, from its lower left corner."""
+        spots = []
+        for x, y in self.places:
+            px, py = self._view.getPointOnScreen(self._placement.multVec(App.Vector(x, y, 0)))
+            spots.append((float(px), float(py)))
+        return spots
+
+    def remove(self) -> None:
+        """Take them off the view."""
+        self._soon.stop()
+        self._mouse.leave()
+        self._scene.removeChild(self.root)
+
+    def _pressed(self, pixel: FloatArray) -> bool:
+        away = np.hypot(*(np.array(self.on_screen()) - pixel).T)
+        self._held = int(np.argmin(away)) if away.min() <= REACH_PX else None
+        self._color.rgb = REST if self._held is None else HELD
+        return self._held is not None
+
+    def _dragged(self, pixel: FloatArray) -> bool:
+        if self._held is None:
+            return False
+        place = self._in_plane(pixel)
+        if place is not None:
+            moved = self.places.copy()
+            moved[self._held] = place
+            self.put(moved)
+            if not self._soon.isActive():
+                self._soon.start()
+        return True
+
+    def _released(self, _pixel: FloatArray) -> bool:
+        if self._held is None:
+            return False
+        self._soon.stop()
+        self._tell()
+        self._held = None
+        self._color.rgb = REST
+        return True
+
+    def _tell(self) -> None:
+        if self._held is not None:
+            x, y = self.places[self._held]
+            self._moved(self._held, (float(x), float(y)))
+
+    def _in_plane(self, pixel: FloatArray) -> FloatArray | None:
+        """The place under a pixel; None where the plane is seen edge on."""
+        back = self._placement.inverse()
+        start, end = (
+            np.array(tuple(back.multVec(p))) for p in self._view.projectPointToLine(*map(int, pixel))
+        )
+        way = end - start
+        if abs(way[2]) <= EDGE_ON_SINE * np.linalg.norm(way):
+            return None
+        return np.asarray((start - way * (start[2] / way[2]))[:2])
+
+
+def plane_node(placement: Any) -> Any:
+    """A Coin node that carries x and y into a plane."""
+    node = coin.SoMatrixTransform()
+    rows = np.array(placement.toMatrix().A, dtype=float).reshape(4, 4).T
+    node.matrix.setValue(*rows.ravel().tolist())
+    return node
+
+
+class _Mouse(QtCore.QObject):
+    """The left mouse button over a view, before FreeCAD turns the view or selects something by it.
+
+    Every style of navigation has its own use for that button, and some take it before the scene is asked.
+    """
+
+    def __init__(self, view: Any, *answers: Callable[[FloatArray], bool]) -> None:
+        super().__init__()
+        surface = surface_of(view)
+        self._view, self._widget = view, None if surface is None else surface.viewport()
+        kinds = QtCore.QEvent
+        self._answers = dict(
+            zip((kinds.MouseButtonPress, kinds.MouseMove, kinds.MouseButtonRelease), answers, strict=True)
+        )
+        if self._widget is not None:  # else the handles are seen, and the panel's numbers move them
+            self._widget.installEventFilter(self)
+
+    def leave(self) -> None:
+        """Watch no longer; the view may be closed already."""
+        with suppress(RuntimeError):
+            if self._widget is not None:
+                self._widget.removeEventFilter(self)
+        # a wrapper kept beyond its view stands in the way of the next view's
+        self._widget = self._view = None
+
+    def eventFilter(self, _widget: Any, event: Any) -> bool:
+        """Was the event for a handle? Then nobody else gets it."""
+        answer = self._answers.get(event.type())
+        if answer is None:
+            return False
+        button = QtCore.Qt.LeftButton
+        if event.button() != button and not event.buttons() & button:
+            return False
+        width, height = self._view.getSize()
+        x, y = event.pos().x() / self._widget.width(), event.pos().y() / self._widget.height()
+        return answer(np.array([x * width, (1 - y) * height]))

@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""Boundary records as OpenCASCADE's binary BREP: FreeCAD's Part can't build faces with given edges in (u, v).
+
+The bytes hold what the record holds, bit for bit; nothing is projected, fitted or sewn.
+"""
+
+from collections.abc import Iterable, Sequence
+from struct import pack
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.fabrication.solids.boundary_records import (
+    Boundary,
+    CylinderSurface,
+    Edge,
+    PlacedSegment,
+    PlaneSurface,
+    SpaceCurve,
+    SpaceSurface,
+    StraightTrace,
+    Surface,
+    trace_turn,
+)
+from elastica_cad.fabrication.solids.pattern_strips import on_segment
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
+
+__all__ = ["brep_bytes"]
+
+EDGE_TOLERANCE_MM = 1e-7  # mm: OpenCASCADE's own tolerance of edges and faces
+VERTEX_TOLERANCE_MM = 1e-6  # mm: gap that records may have between edges
+
+_HEAD = b"\nOpen CASCADE Topology V3 (c)\n"  # the first that says where edges end in (u, v)
+_SOLID, _SHELL, _FACE, _WIRE, _EDGE, _VERTEX = range(2, 8)
+_LINE, _CIRCLE, _SPLINE_CURVE = 1, 2, 7
+_PLANE, _CYLINDER, _EXTRUSION, _SPLINE_SURFACE = 1, 2, 6, 9
+_KNOT = np.dtype([("place", "<f8"), ("count", "<i4")])
+
+# free, modified, checked, orientable, closed, infinite, convex
+_FLAGS = {
+    _VERTEX: (0, 1, 0, 1, 1, 0, 1),
+    _EDGE: (0, 1, 0, 1, 0, 0, 0),
+    _WIRE: (0, 1, 0, 1, 1, 0, 0),
+    _FACE: (0, 1, 0, 1, 0, 0, 0),
+    _SHELL: (0, 1, 0, 1, 0, 0, 0),
+    _SOLID: (1, 1, 0, 0, 0, 0, 0),
+}
+
+
+def brep_bytes(boundary: Boundary) -> bytes:
+    """A closed boundary as a solid, an open one as a shell."""
+    tables = _Tables()
+    vertices = [
+        tables.shape(_VERTEX, pack("<4dB", VERTEX_TOLERANCE_MM, *point, 0)) for point in boundary.vertices
+    ]
+    traces: list[list[bytes]] = [[] for _ in boundary.edges]
+    surfaces = [_added(tables.surfaces, _surface(face.surface)) for face in boundary.faces]
+    for face, surface in zip(boundary.faces, surfaces, strict=True):
+        for use in (use for loop in face.loops for use in loop if use.trace is not None):
+            edge, turn = boundary.edges[use.edge], trace_turn(face.surface)
+            number = _added(tables.traces, _trace(use.trace, turn))
+            limits = edge.first, edge.last
+            ends = _trace_ends(use.trace, *limits) @ turn.T
+            traces[use.edge].append(pack("<B3i6d", 2, number, surface, 0, *limits, *ends.ravel().tolist()))
+    edges = [
+        tables.edge(edge, (vertices[edge.start], vertices[edge.end]), rows)
+        for edge, rows in zip(boundary.edges, traces, strict=True)
+    ]
+    faces = []
+    for face, surface in zip(boundary.faces, surfaces, strict=True):
+        wires = [
+            tables.shape(_WIRE, b"", [(edges[use.edge], use.forward) for use in loop]) for loop in face.loops
+        ]
+        head = pack("<?d2iB", False, EDGE_TOLERANCE_MM, surface, 0, 1)
+        faces.append((tables.shape(_FACE, head, [(wire, True) for wire in wires]), face.outward))
+    closed = boundary.is_closed
+    whole = tables.shape(_SHELL, b"", faces, closed=closed)
+    if closed:
+        whole = tables.shape(_SOLID, b"", [(whole, True)])
+    return tables.written(whole)
+
+
+class _Tables:
+    """The numbered tables of a BREP."""
+
+    def __init__(self) -> None:
+        self.traces: list[bytes] = []
+        self.curves: list[bytes] = []
+        self.surfaces: list[bytes] = []
+        self.shapes: list[tuple[bytes, Sequence[tuple[int, bool]]]] = []
+
+    def shape(
+        self, kind: int, geometry: bytes, parts: Sequence[tuple[int, bool]] = (), *, closed: bool = False
+    ) -> int:
+        """Number of a new shape made of earlier ones, each with its orientation."""
+        flags = list(_FLAGS[kind])
+        flags[4] |= closed
+        self.shapes.append((bytes([kind]) + geometry + bytes(flags), parts))
+        return len(self.shapes)
+
+    def edge(self, edge: Edge, ends: tuple[int, int], traces: Iterable[bytes]) -> int:
+        number = _added(self.curves, _curve(edge.curve))
+        head = pack("<d3?B2i2d", EDGE_TOLERANCE_MM, True, True, False, 1, number, 0, edge.first, edge.last)
+        return self.shape(_EDGE, b"".join([head, *traces, b"\0"]), [(ends[0], True), (ends[1], False)])
+
+    def written(self, whole: int) -> bytes:
+        """All tables; shapes name each other from the last one backwards."""
+        count = len(self.shapes)
+        shapes = [
+            head + b"".join(pack("<B2i", not forward, count - number + 1, 0) for number, forward in parts)
+            for head, parts in self.shapes
+        ]
+        tables = (
+            (b"Locations", []),
+            (b"Curve2ds", self.traces),
+            (b"Curves", self.curves),
+            (b"Polygon3D", []),
+            (b"PolygonOnTriangulations", []),
+            (b"Surfaces", self.surfaces),
+            (b"Triangulations", []),
+            (b"\nTShapes", [row + b"*" for row in shapes]),
+        )
+        rows = [b"%s %d\n%s" % (name, len(table), b"".join(table)) for name, table in tables]
+        return b"".join([_HEAD, *rows, pack("<3i", whole, 0, 0)])
+
+
+def _added(table: list[bytes], row: bytes) -> int:
+    table.append(row)
+    return len(table)
+
+
+def _reals(*groups: Iterable[float]) -> bytes:
+    return b"".join(np.asarray(group, dtype="<f8").tobytes() for group in groups)
+
+
+def _knots(knots: FloatArray) -> tuple[int, bytes]:
+    """Number of distinct knots, and each with its multiplicity."""
+    runs = np.concatenate([[0], np.flatnonzero(knots[1:] != knots[:-1]) + 1, [knots.size]])
+    rows = np.empty(runs.size - 1, dtype=_KNOT)
+    rows["place"], rows["count"] = knots[runs[:-1]], runs[1:] - runs[:-1]
+    return rows.size, rows.tobytes()
+
+
+def _axes(frame: Frame) -> bytes:
+    return _reals(frame.origin, frame.z_axis, frame.x_axis, frame.y_axis)
+
+
+def _spline(knots: FloatArray, degree: int, points: FloatArray, weights: FloatArray | None = None) -> bytes:
+    rows = points if weights is None else np.column_stack([points, weights])
+    count, written = _knots(knots)
+    head = pack("<B2?H2i", _SPLINE_CURVE, weights is not None, False, degree, len(rows), count)
+    return head + _reals(rows) + written
+
+
+def _curve(curve: SpaceCurve | PlacedSegment) -> bytes:
+    if isinstance(curve, SpaceCurve):
+        return _spline(curve.knots, curve.degree, curve.control_points)
+    segment, frame = curve.segment, curve.frame
+    if isinstance(segment, Line):
+        return bytes([_LINE]) + _reals(frame.point(segment.start), frame.direction(_along(segment)))
+    if isinstance(segment, Arc):
+        center = Frame(frame.point(segment.center), frame.x_axis, frame.y_axis)
+        return bytes([_CIRCLE]) + _axes(center) + _reals([segment.radius])
+    return _placed(segment.curve, frame.point(segment.curve.control_points))
+
+
+def _along(line: Line) -> FloatArray:
+    return (line.end - line.start) / line.length
+
+
+def _placed(curve: PlaneCurve, points: FloatArray) -> bytes:
+    return _spline(curve.knots, curve.degree, points, curve.weights)
+
+
+def _surface(surface: Surface) -> bytes:
+    if isinstance(surface, PlaneSurface):
+        return bytes([_PLANE]) + _axes(surface.frame)
+    if isinstance(surface, CylinderSurface):
+        return bytes([_CYLINDER]) + _axes(surface.frame) + _reals([surface.radius])
+    if not isinstance(surface, SpaceSurface):
+        return bytes([_EXTRUSION]) + _reals(surface.profile.frame.z_axis) + _curve(surface.profile)
+    surface = surface.turned()
+    (u_count, u), (v_count, v) = map(_knots, surface.knots)
+    counts = *surface.degree, *surface.control_points.shape[:2], u_count, v_count
+    return pack("<B4?2H4i", _SPLINE_SURFACE, *[False] * 4, *counts) + _reals(surface.control_points) + u + v
+
+
+def _trace(trace: StraightTrace | Segment, turn: FloatArray) -> bytes:
+    if isinstance(trace, StraightTrace):
+        return bytes([_LINE]) + _reals(turn @ trace.origin, turn @ trace.direction)
+    if isinstance(trace, Line):
+        return bytes([_LINE]) + _reals(turn @ trace.start, turn @ _along(trace))
+    if isinstance(trace, Arc):
+        return bytes([_CIRCLE]) + _reals(turn @ trace.center, *turn.T, [trace.radius])
+    return _placed(trace.curve, trace.curve.control_points @ turn.T)
+
+
+def _trace_ends(trace: StraightTrace | Segment, first: float, last: float) -> FloatArray:
+    """Where an edge begins and where it ends, (2, 2)."""
+    if isinstance(trace, StraightTrace):
+        return np.array(trace.origin) + np.outer((first, last), trace.direction)
+    if isinstance(trace, Spline) and (first, last) == trace.curve.domain:
+        return np.array([trace.start, trace.end])
+    return on_segment(trace, np.array((first, last)))

@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""Kernel-neutral records as shapes of FreeCAD's Part, and its edges as plane curves."""
+
+import os
+import tempfile
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import FreeCAD as App
+import numpy as np
+import Part
+from freecad.elastica_wb.shapes.binary_brep import brep_bytes
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.solids.prisms import PrismSolid
+from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
+from elastica_cad.formats.curve_files.edges import Edge
+from elastica_cad.formats.curve_files.placed_curve import placed_curve
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.segments import Arc, Line, Segment
+
+__all__ = ["make_edge", "make_face", "make_solid", "make_wire", "plane_curve", "spline_geometry"]
+
+OFFSET_TOLERANCE_MM = 1e-6  # mm: curves that are no NURBS are followed this closely
+
+
+def make_wire(path: Path, frame: Frame | None = None) -> Part.Wire:
+    """A path as a wire in the plane of `frame` (the xy plane unless told)."""
+    return Part.Wire([make_edge(segment, frame) for segment in path.segments])
+
+
+def make_edge(segment: Segment, frame: Frame | None = None) -> Part.Edge:
+    """A line, an arc or a spline as an edge."""
+    frame = frame or Frame()
+    if isinstance(segment, Line):
+        return Part.LineSegment(*(_vector(frame.point(p)) for p in (segment.start, segment.end))).toShape()
+    if isinstance(segment, Arc):
+        normal = frame.z_axis if segment.sweep > 0 else -frame.z_axis
+        circle = Part.Circle(_vector(frame.point(segment.center)), _vector(normal), segment.radius)
+        # a Part.Circle chooses its own x axis: points instead of angles say where the arc runs
+        ends = (circle.parameter(_vector(frame.point(p))) for p in (segment.start, segment.end))
+        first, last = (float(t) for t in ends)
+        if abs(segment.sweep) >= 2 * np.pi - 1e-12:
+            return circle.toShape()
+        return Part.Edge(circle, first, last if last > first else last + 2 * np.pi)
+    return spline_geometry(segment.curve, frame).toShape()
+
+
+def spline_geometry(curve: PlaneCurve, frame: Frame | None = None) -> Part.BSplineCurve:
+    """A plane curve as Part geometry with the same poles, knots and weights."""
+    spline = Part.BSplineCurve()
+    knots, counts = np.unique(curve.knots, return_counts=True)
+    points = [App.Vector(*p) for p in (frame or Frame()).point(curve.control_points).tolist()]
+    weights = [1.0] * len(points) if curve.weights is None else curve.weights.tolist()
+    spline.buildFromPolesMultsKnots(points, counts.tolist(), knots.tolist(), False, curve.degree, weights)
+    return spline
+
+
+def make_face(outline: Path, holes: Sequence[Path] = (), frame: Frame | None = None) -> Part.Face:
+    """A plane face with holes."""
+    frame = frame or Frame()
+    outer = make_wire(outline if outline.area > 0 else outline.reversed(), frame)
+    inner = [make_wire(hole.reversed() if hole.area > 0 else hole, frame) for hole in holes]
+    return Part.Face([outer, *inner])
+
+
+def make_solid(record: FlatSolid | BentSolid | PrismSolid) -> Part.Shape:
+    """A record as a solid."""
+    if isinstance(record, PrismSolid):
+        first, *rest = (make_solid(prism) for prism in record.added)
+        whole = first.multiFuse(rest) if rest else first
+        holes = [make_solid(prism) for prism in record.removed]
+        return whole.cut(holes) if holes else whole
+    if isinstance(record, FlatSolid):
+        face = make_face(record.outline, record.holes, record.frame)
+        return face.extrude(_vector(record.frame.z_axis * record.thickness))
+    return _read(brep_bytes(record.boundary))
+
+
+def _read(brep: bytes) -> Part.Shape:
+    """The shape of a binary BREP, which FreeCAD only takes from a file."""
+    shape = Part.Shape()
+    try:
+        handle, name = tempfile.mkstemp(suffix=".bin", dir=_folder())
+        try:
+            with os.fdopen(handle, "wb") as file:
+                file.write(brep)
+            shape.importBinary(name)
+        finally:
+            os.unlink(name)
+    except OSError as error:
+        raise InputError(
+            f"the shape cannot pass through a temporary file ({error}): make that folder writable, with room in it"
+        ) from error
+    return shape
+
+
+def _folder() -> str:
+    """Where files may lie for a moment: FreeCAD on Windows only opens names in ASCII."""
+    usual = tempfile.gettempdir()
+    return usual if os.name != "nt" or usual.isascii() else os.environ["PROGRAMDATA"]
+
+
+def plane_curve(drawn: Iterable[Any]) -> tuple[PlaneCurve, Frame]:
+    """The curve that edges or Part geometry make end to end, and the plane it lies in.
+
+    Direction and axes are as in `elastica_cad.formats.placed.placed_curve`.
+
+    Raises
+    ------
+    InputError
+        Nothing drawn, a closed curve, several curves, corners, or edges that are not plane.
+    """
+    edges = [_drawn_edge(item) for item in drawn]
+    if not edges:
+        raise InputError("there is no curve: draw a spline for the strip to follow")
+    return placed_curve(edges)
+
+
+def _drawn_edge(item: Any) -> Edge:
+    """An edge of a shape, or a curve of a sketch, as an exact NURBS in space."""
+    if isinstance(item, Part.Edge):
+        if item.Degenerated:
+            raise InputError("an edge is degenerate: it has no curve in space; choose another edge")
+        edge = _spline_edge(_as_spline(item.Curve, *item.ParameterRange))
+        return edge.reversed() if item.Orientation == "Reversed" else edge
+    return _spline_edge(_as_spline(item, item.FirstParameter, item.LastParameter))
+
+
+def _as_spline(curve: Any, first: float, last: float) -> Any:
+    if isinstance(curve, Part.BSplineCurve):
+        whole = abs(first - curve.FirstParameter) + abs(last - curve.LastParameter) < 1e-12 * (last - first)
+        if whole and not curve.isPeriodic():
+            return curve
+        spline = curve.copy()
+        if spline.isPeriodic():
+            spline.setNotPeriodic()
+        if not whole:
+            spline.segment(first, last)
+        return spline
+    if not (abs(first) < 1e100 and abs(last) < 1e100):
+        raise InputError("an edge runs on to infinity: trim it")
+    if isinstance(curve, Part.OffsetCurve):
+        return curve.approximateBSpline(OFFSET_TOLERANCE_MM, 1000, 9)
+    return curve.toBSpline(first, last)
+
+
+def _spline_edge(spline: Any) -> Edge:
+    points = np.array([tuple(p) for p in spline.getPoles()])
+    weights = np.array(spline.getWeights()) if spline.isRational() else None
+    return Edge(np.repeat(spline.getKnots(), spline.getMultiplicities()), points, spline.Degree, weights)
+
+
+def _vector(point: Sequence[float]) -> App.Vector:
+    return App.Vector(*map(float, point))

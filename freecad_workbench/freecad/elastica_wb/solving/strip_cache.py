@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""From what a user asks for to a strip: solved once for equal requests, whoever asks."""
+
+from dataclasses import replace
+from typing import Any
+
+import Part
+from freecad.elastica_wb.host.progress import patiently
+from freecad.elastica_wb.shapes.part_shapes import make_solid
+from freecad.elastica_wb.solving.growing_cache import growing_cache
+
+from elastica_cad.errors import ElasticaError, MissingDependencyError
+from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip_spec import StripSpec
+from elastica_cad.forming.nearest.nearest_record import NearestRod
+from elastica_cad.forming.rod_spec import RodSpec
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
+
+__all__ = ["bent_shape", "find_nearest", "find_nearest_now", "flat_shape", "judged", "solve_strip"]
+
+MANY_HOLES = 100
+SEARCHING = "Searching the nearest curve"
+
+
+def solve_strip(spec: StripSpec) -> Strip:
+    """The strip that is asked for.
+
+    Raises
+    ------
+    ElasticaError
+        With the core's own sentence: what is wrong, where, what to do.
+    """
+    try:
+        # a search that fails takes longer still, for its advice
+        return patiently(SEARCHING, _strip, spec.in_plane) if spec.may_change else _strip(spec.in_plane)
+    except ImportError as error:
+        raise MissingDependencyError(
+            f"{error.name or 'a library'} is not installed in this FreeCAD: strips need numpy and scipy"
+        ) from error
+
+
+def find_nearest_now(asked: RodSpec) -> NearestRod:
+    """As `find_nearest`, for threads of their own: no progress bar."""
+    return _found(asked)
+
+
+def find_nearest(asked: RodSpec) -> NearestRod:
+    """The nearest rod to a curve that may change."""
+    return patiently(SEARCHING, _found, asked)
+
+
+def judged(rod: Rod) -> Stability | None:
+    """Its stability, None where it cannot be decided."""
+    try:
+        return _stability(rod)
+    except ElasticaError:
+        return None
+
+
+@growing_cache
+def bent_shape(strip: Strip) -> Part.Shape:
+    """The strip bent, its curve in the xy plane; of a laminate both layers."""
+    # thousands of holes take seconds: then the records are made beside the window, with a bar that can be cancelled
+    many = len(strip.holes) > MANY_HOLES
+    layers = patiently("Bending the strip", _bent, strip) if many else _bent(strip)
+    solids = [make_solid(layer) for layer in layers]
+    return solids[0] if len(solids) == 1 else Part.Compound(solids)
+
+
+@growing_cache
+def _bent(strip: Strip) -> tuple[BentSolid, ...]:
+    layers = BentSolid.layers(strip)
+    for layer in layers:
+        _ = layer.boundary
+    return layers
+
+
+@growing_cache
+def flat_shape(strip: Strip, layer: int = 0) -> Part.Shape:
+    """One layer of the strip as cut, lying on the xy plane."""
+    return make_solid(replace(FlatSolid.layers(strip)[layer], frame=Frame()))
+
+
+@growing_cache
+def _found(asked: RodSpec) -> Any:
+    """A rod, or the nearest one where the curve may change."""
+    return asked.solve()
+
+
+@growing_cache
+def _strip(spec: StripSpec) -> Strip:
+    return spec.make(_found(spec.rod_spec))
+
+
+@growing_cache
+def _stability(rod: Rod) -> Stability:
+    return stability(rod)

@@ -1,0 +1,1610 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" sourcelanguage="en">
+<context>
+    <name>App::Property</name>
+    <message>
+        <source>The strips, in the order of assembly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut slots where strips cross</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Added to the width of every slot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slots as the angle asks for, or as in the paper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inner ends of the slots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Later strips are pushed on from here; zero leaves it open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many slots fit into each other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was found on the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The strip whose flat part this is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of a laminated strip the base, or the backing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model whose slots it gets; none for a strip by itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sketch, or edges of an object, that the strip follows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the shape is: the strip as bent, or as cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Material the strip is cut from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thickness of the sheet; measure yours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sheet's numbers, so that the file opens anywhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width of the widest place; 0 leaves it to MinWidth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width of the narrowest place, or a limit for it; 0 for none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Narrowest strip, tab or tongue that the workshop can make; 0 for what the sheet takes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make a strip that cannot be cut or handled, and say so</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Most of ligaments or backing, summed across; 0 for what fits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How stiffness becomes material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width of the outline, perforated or laminated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Holes side by side in a perforated strip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Holes one after the other; 0 chooses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest share of the width that holes take</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Narrowest ligament between holes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Widest place of the narrowest hole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rounding of the holes' corners</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the sides of holes are made of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sheet that is glued on in a laminated strip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The backing's numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Narrowest backing of a laminated strip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Holes in the tabs that align the layers; 0 for none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What holds the start of the curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What holds the end of the curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Does the strip carry its own weight?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Direction in space in which things fall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Elasto-gravity length; 0 takes the sheet's</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Masses hung on the strip: at = 90, mass = 3 (mm, g)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All weight in newtons: alpha = 0.001, own = true</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Curvature of the strip before bending, 1/mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nodes of the rod; 0 chooses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Follow the curve exactly, or the nearest one within limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest stiffness ratio; 0 for none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least stability margin; 5 is safely stable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest strain in percent; 0 takes the sheet's</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Does MarginLimit count?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Does the strain limit count?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest curvature, 1/mm; 0 for none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least length; counts with MostLength</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest length; 0 for no limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least width; counts with MostWidth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest width, which bounds the ratio; 0 for none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ground and boxes: point = [0, 0], normal = [0, 1]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Along the strip: lower = 1.5, upper = [2, 3, 2]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which ends stay where they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the tangents of both ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whose tangents KeepTangents keeps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirror image or half turn that stays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Places along the curve that it still passes, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep inflections on the curve's inflection line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two points of another line: x, y, x, y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of the tab at the start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of the tab at the end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rounding of the tabs' corners</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diameter of a hole in the middle of each tab; 0 for none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first tab in full: length = 12, chamfer = 2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The last tab in full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slots: at = 40, width = 1.2, side = 'lower'</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Text engraved on the strip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many of it are cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Can a flat strip take the curve?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Why not, and what else to know</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest stiffness over least stiffness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stability margin; positive means that it stays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where along the strip stability is lost; 0 where it is not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest strain, in percent of what the sheet bears</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest strain of the skin, in percent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest distance from the drawn curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of the free part along the curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width of the narrowest place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mass in grams</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hidden until the curve can be bent again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tells the request that the shape was made from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the curve moves with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A model, or strips, whose tabs go through it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the plate is cut from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sheet's numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Room beside a tab on either side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Added to the width of the slots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least distance of slots from the edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The outline around all slots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A model, or strips, whose ends are held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Room around the tab</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least thickness around the pocket</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the foot sticks out on either side; 0 for none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of the foot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diameter of the screw holes in the foot; 0 for none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Strips, models and base plates to be cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width of a sheet, along its grain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of a sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least distance between parts and from the edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many sheets are needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show live feedback while this sketch is open</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Elastica</name>
+    <message>
+        <source>Save the coupon</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>type the readings first: overhang = droop, in mm, such as 120 = 14.5, 150 = 31</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Longest overhang of the coupon</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wrote</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kept as</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder for the files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DXF files are of version R12 here, curves as arcs: the library ezdxf is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose a folder for the files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tick the box for it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ranges are those of the sheet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>worst</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bending varied strips</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what this panel works on was deleted: press Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tick what is to be made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use the nearest curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pick another curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Then click a sketch or an edge, in the view or in the tree</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move or turn an end: type numbers, or drag one of the handles in the view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>does not stay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bent further</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>margin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Strip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flat part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End fixtures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Base plate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nest on sheets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Narrowest place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stiffness ratio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest strain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stability margin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sheet and width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Style</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nearest curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ends and weight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Printed blocks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sheets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outer width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Columns of holes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rows of holes (0 = chosen)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Backing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shape shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Follow the curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest stiffness ratio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least stability margin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest strain, % (0 = sheet)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep end tangents</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start is held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End is held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Carries its weight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tab at the start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tab at the end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rounding of tabs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hole in tabs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Engraved text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut slots where strips cross</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width of slots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inner ends of slots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Foot (0 = none)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of the foot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Screw holes (0 = none)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play beside tabs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Border</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sheet width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sheet height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance between parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Built-in sheets stay: keep yours under another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>least radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>elasto-gravity length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cutting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the path was deleted: choose another one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closed ones</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Making curves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the planes miss the object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Constraints on the drawn curve that OK takes away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no curve was found: change the limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nearest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Held away by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Written to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>curvature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the strip laid flat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>inflections on their line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>can</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too short for its width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>would break</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no curve yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The nearest curve is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a sketch with a spline, or an edge of an object, first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a sketch with a spline first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a strip first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select two strips or more first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ElasticaBend</name>
+    <message>
+        <source>Bend forward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start of the strip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End of the strip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ElasticaCheck</name>
+    <message>
+        <source>Check curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ElasticaCoupon</name>
+    <message>
+        <source>Coupon and calibrate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coupon</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make the coupon</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write its cutting file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Readings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Overhang = droop, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>120 = 14.5, 150 = 31</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ElasticaExport</name>
+    <message>
+        <source>Export cutting files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DXF</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SVG</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>STEP, flat and bent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut list (CSV)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nest on sheets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sheet width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sheet height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DXF version</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kerf</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tolerance of arcs and polylines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Browse...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Overwrite files that exist</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ElasticaFixtures</name>
+    <message>
+        <source>End fixtures and base plate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Printed blocks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make blocks for the ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Room around the tab</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Foot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Screw holes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Base plate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make a slotted plate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of its upper face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Room beside the tab</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clearance of slots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Border</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ElasticaNearest</name>
+    <message>
+        <source>Nearest curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest stiffness ratio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Must stay by itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least stability margin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep within the sheet's strain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End tangents</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace the spline in the sketch</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ElasticaPreferences</name>
+    <message>
+        <source>General</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New strips</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tab length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cutting files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kerf</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clearance of slots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DXF version</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tolerance of arcs and polylines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>While a sketch is edited</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show curvature, inflections and their line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the nearest curve that can be bent</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ElasticaProjective</name>
+    <message>
+        <source>Projective edit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Handles (x, y)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1, lower left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>2, lower right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3, upper right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>4, upper left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the handles back</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ElasticaSection</name>
+    <message>
+        <source>Section into curves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Planes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Family</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>parallel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>about an axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>along a path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of planes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axis through x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sweep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closed sections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>are left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>are split left and right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>are split above and below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take out waves shorter than</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tolerance of the curves</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ElasticaSheets</name>
+    <message>
+        <source>Sheet library</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Young's modulus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest strain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kerf</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Poisson's ratio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep as my sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove my sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ElasticaTolerance</name>
+    <message>
+        <source>Tolerance study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bends for each cause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Bend</name>
+    <message>
+        <source>Bend forward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move or turn the ends of the selected strip and watch it take its new rest shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Check</name>
+    <message>
+        <source>Check curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Say whether a flat strip can take the selected curve, and if not why and where</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Coupon</name>
+    <message>
+        <source>Coupon and calibrate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make a test strip to hang over an edge, and turn its measured droop into a sheet of your own</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Export</name>
+    <message>
+        <source>Export cutting files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write DXF, SVG and STEP files, nest and cut list of the selected strips, models and base plates</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Fixtures</name>
+    <message>
+        <source>End fixtures and base plate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make printed blocks that hold the ends of the selected strips or model, or one slotted base plate</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Interlock</name>
+    <message>
+        <source>Interlock selected strips</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the selected strips together to a model and cut slots where they cross</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Laminate</name>
+    <message>
+        <source>Laminate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the selected strips an even width and glue narrower strips on that make them stiff enough</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Live</name>
+    <message>
+        <source>Live feedback</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show over the open sketch whether a flat strip can take its curve, while it is drawn and dragged</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Nearest</name>
+    <message>
+        <source>Nearest curve to sketch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find the curve nearest to the selected sketch that can be bent within limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Nest</name>
+    <message>
+        <source>Nest on sheets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lay everything that must be cut for the selected strips, models and base plates on sheets</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Perforate</name>
+    <message>
+        <source>Perforate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the selected strips an even width and let holes make them as soft as they must be</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Projective</name>
+    <message>
+        <source>Projective edit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pull the selected sketch's curve by four handles: lines stay lines, a curve that can be bent stays one</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Section</name>
+    <message>
+        <source>Section into curves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut the selected body, surface or mesh by planes into smooth curves that strips can follow</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Sheets</name>
+    <message>
+        <source>Sheet library</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the sheets that are known, with their sources, and keep your own</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Strip</name>
+    <message>
+        <source>Strip from sketch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make the flat strip that bends into the selected spline: the bent part and, linked to it, the flat one</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Tolerance</name>
+    <message>
+        <source>Tolerance study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find how far the bent strip strays when sheet, cut and clamps vary within their ranges</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Workbench</name>
+    <message>
+        <source>Elastica</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flat strips that bend into drawn curves</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,65 @@
+"""The curve between two clamps as a line object and an edge, and strips that are made on it."""
+
+import numpy as np
+import pytest
+
+from elastica_cad.errors import InputError
+
+
+@pytest.mark.build123d
+class TestBuild123d:
+    def test_length_ends_and_tangents(self):
+        from elastica_cad.build123d import Elastica
+
+        line = Elastica((0, 0), (60, 20), 110, angles=(60, -80))
+        assert line.length == pytest.approx(110, abs=1e-3)
+        assert tuple(line @ 1)[:2] == pytest.approx((60, 20), abs=1e-3)
+        for u, angle in ((0, 60), (1, -80)):
+            tangent = line % u
+            assert np.degrees(np.arctan2(tangent.Y, tangent.X)) == pytest.approx(angle, abs=0.1)
+        assert line.branch.side == 1
+
+    def test_in_a_sketch_and_on_another_plane(self):
+        import build123d as bd
+
+        from elastica_cad.build123d import Elastica
+
+        with bd.BuildSketch() as sketch:
+            with bd.BuildLine():
+                arch = Elastica((0, 0), (70, 0), 100)
+                bd.Line(arch @ 1, arch @ 0)
+            bd.make_face()
+        assert sketch.sketch.area > 1000
+        with bd.BuildLine(bd.Plane.XZ) as upright:
+            Elastica((0, 0), (70, 0), 100)
+        box = upright.line.bounding_box()
+        assert pytest.approx(0, abs=1e-6) == box.size.Y
+        assert box.max.Z > 25
+
+    def test_a_strip_of_even_width_takes_it(self):
+        from elastica_cad.build123d import BentStrip, Elastica
+
+        line = Elastica((0, 0), (160, 0), 220, angles=(40, -40))
+        strip = BentStrip(line, "card-200gsm", max_width=20).strip
+        low, high = strip.width.extremes
+        assert high / low < 1.02
+
+    def test_refused(self):
+        from elastica_cad.build123d import Elastica
+
+        with pytest.raises(InputError, match="longer"):
+            Elastica((0, 0), (70, 0), 60)
+        with pytest.raises(InputError, match="without z"):
+            Elastica((0, 0, 1), (70, 0, 0), 100)
+
+
+@pytest.mark.cadquery
+def test_cadquery_edge():
+    import cadquery as cq
+
+    from elastica_cad.cadquery import bent_strip, elastica
+
+    edge = elastica((0, 0), (160, 0), 220, angles=(40, -40), side=1)
+    assert isinstance(edge, cq.Edge)
+    assert edge.Length() == pytest.approx(220, abs=1e-3)
+    assert bent_strip(edge, "card-200gsm", max_width=20).isValid()

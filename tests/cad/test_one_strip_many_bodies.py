@@ -1,0 +1,224 @@
+"""A strip is solved once: from one body come all others, through copies, moves and turns; options by name."""
+
+from dataclasses import fields
+
+import pytest
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.strip.lamination import Laminated
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip.tabs import Hole, Tab
+from elastica_cad.fabrication.strip_spec import StripSpec
+from elastica_cad.forming.limits import Limits
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.kernel.strip_on_path import StripOptions, StripWarning
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+
+CURVE = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
+SHEET = "birch-plywood-0.8"
+OPTIONS = {"max_width": 30, "ends": (Tab(12, holes=(Hole(6, 3.2),)), Tab(12)), "label": "A1"}
+
+
+def test_options_are_those_of_the_request():
+    asked = {field.name for field in fields(StripSpec)} - {"curve", "sheet", "frame", "max_width"}
+    assert set(StripOptions.__annotations__) == asked | {"plane"}
+
+
+@pytest.mark.build123d
+class TestBuild123d:
+    @pytest.fixture
+    def rib(self):
+        from elastica_cad.build123d import BentStrip
+
+        return BentStrip(CURVE, SHEET, **OPTIONS)
+
+    def test_all_bodies_of_one(self, rib):
+        from elastica_cad.build123d import BentStrip, EndFixture, FlatStrip, StripOutline
+
+        assert isinstance(rib.flat, FlatStrip)
+        assert isinstance(rib.outline, StripOutline)
+        assert isinstance(rib.fixture("end"), EndFixture)
+        assert isinstance(rib.flat.bent(), BentStrip)
+        for body in (rib.flat, rib.outline, rib.fixture("start"), rib.flat.bent(), FlatStrip(rib.strip)):
+            assert body.strip is rib.strip
+        assert rib.flat.volume == pytest.approx(rib.strip.area * 0.8, rel=1e-4)
+
+    def test_equal_requests_share_their_solve(self, rib):
+        from elastica_cad.build123d import BentStrip, FlatStrip
+
+        assert FlatStrip(CURVE, SHEET, **OPTIONS).strip is rib.strip
+        assert BentStrip(CURVE, SHEET, **{**OPTIONS, "max_width": 29}).strip is not rib.strip
+
+    def test_in_its_place(self, rib):
+        import build123d as bd
+
+        place = bd.Location((5, -7, 11), (20, 30, 40))
+        moved = place * rib
+        placed = moved.placed
+        wanted = place * bd.Plane.XY
+        assert placed.frame.origin == pytest.approx(tuple(wanted.origin), abs=1e-9)
+        assert placed.frame.z_axis == pytest.approx(tuple(wanted.z_dir), abs=1e-9)
+        (part,) = Model([placed]).placed
+        assert part.strip is rib.strip
+        block = moved.fixture("start")
+        assert (
+            pytest.approx(moved.joints["start"].location.position.X, abs=1e-6)
+            == block.joints["tab"].location.position.X
+        )
+        again = bd.Location((1, 0, 0)) * moved.bent()
+        assert (again.center() - moved.center()).length == pytest.approx(1, abs=1e-6)
+
+    def test_laminate(self):
+        from elastica_cad.build123d import BentStrip
+
+        base = Sheet.named(SHEET)
+        style = Laminated(width=24.0, backing=Sheet.named("hdf-1.5"), least_backing=0.2)
+        rib = BentStrip(CURVE, base, style=style, label="L")
+        assert [layer.label for layer in rib.layers] == ["L", "L backing"]
+        assert tuple(rib.layers[0].color) != tuple(rib.layers[1].color)
+        assert rib.backing.label == "L backing"
+        with pytest.raises(InputError, match="no backing"):
+            _ = BentStrip(CURVE, SHEET, **OPTIONS).backing
+
+    def test_bent_further(self, rib):
+        near = rib.bent(end=(140.0, 0.0))
+        assert pytest.approx(140, abs=1e-4) == near.joints["end"].location.position.X
+        assert near.volume == pytest.approx(rib.volume, rel=1e-4)
+        assert near.strip.rod.length == pytest.approx(rib.rod.length)
+
+    def test_one_strip_a_chain(self):
+        import build123d as bd
+
+        from elastica_cad.build123d import BentStrip, elastic_strip
+
+        with bd.BuildPart() as part:
+            with bd.BuildLine():
+                bd.Spline((0, 0), (40, 40), (90, 50), (140, 0))
+                bd.Spline((0, 90), (40, 130), (90, 140), (140, 90))
+            strips = elastic_strip(sheet=SHEET, max_width=20, form="bent")
+        assert [type(strip) for strip in strips] == [BentStrip] * 2
+        assert len(part.part.solids()) == 2
+
+    def test_deviation(self):
+        from elastica_cad.build123d import BentStrip
+
+        moved = BentStrip(CURVE, SHEET, max_width=30, limits=Limits(ratio=1.2))
+        assert moved.deviation > 0.01
+        assert BentStrip(CURVE, SHEET, max_width=30).deviation == 0
+
+    def test_too_much_strain_is_warned_of(self):
+        from elastica_cad.build123d import FlatStrip
+
+        with pytest.warns(StripWarning, match="thinner sheet") as told:
+            FlatStrip(PlaneCurve.arc((0, 0), 20, 0, 2), SHEET, max_width=10)
+        assert told[0].filename == __file__
+
+
+@pytest.mark.cadquery
+class TestCadQuery:
+    @pytest.fixture
+    def rib(self):
+        from elastica_cad.cadquery import bent_strip
+
+        return bent_strip(CURVE, SHEET, **OPTIONS)
+
+    def test_all_bodies_of_one(self, rib):
+        from elastica_cad.cadquery import flat_strip, strip_outline
+
+        for body in (rib.flat, rib.outline, rib.fixture("start"), rib.flat.bent(), flat_strip(rib.strip)):
+            assert body.strip is rib.strip
+        assert strip_outline(CURVE, SHEET, **OPTIONS).strip is rib.strip
+        assert rib.bent(end=(140.0, 0.0)).joints["end"].toTuple()[0][0] == pytest.approx(140, abs=1e-4)
+        assert rib.label == "A1"
+        assert rib.color.toTuple()[:3] == pytest.approx((0.85, 0.70, 0.48))
+
+    @pytest.mark.parametrize(
+        "change",
+        [
+            lambda s: s.copy(),
+            lambda s: s.translate((1, 2, 3)),
+            lambda s: s.rotate((0, 0, 0), (0, 0, 1), 30),
+            lambda s: s.mirror("XZ"),
+            lambda s: s.clean(),
+            lambda s: s.moved(x=5),
+            lambda s: s.translate((1, 2, 3)).moved(x=5).rotate((0, 0, 0), (1, 1, 0), 50),
+        ],
+        ids=["copy", "translate", "rotate", "mirror", "clean", "moved", "all"],
+    )
+    def test_stays_a_strip(self, rib, change):
+        import cadquery as cq
+
+        made = change(rib)
+        assert type(made) is type(rib)
+        assert made.strip is rib.strip
+        assert (made.label, made.color.toTuple()) == (rib.label, rib.color.toTuple())
+        for end in ("start", "end"):
+            face = made.end_face(end)
+            assert face.geomType() == "PLANE"
+            tip = made.joints[end] * cq.Location((12, 0, 0))
+            assert (face.Center() - cq.Vector(*tip.toTuple()[0])).Length < 1e-6
+
+    def test_in_its_place(self, rib):
+        frame = rib.translate((1, 2, 3)).rotate((0, 0, 0), (1, 0, 0), 90).placed.frame
+        assert frame.origin == pytest.approx((1, -3, 2), abs=1e-9)
+        assert frame.z_axis == pytest.approx((0, -1, 0), abs=1e-9)
+
+    def test_a_strip_at_each_point_and_for_each_chain(self):
+        import cadquery as cq
+
+        from elastica_cad.cadquery import register
+
+        register()
+        drawn = cq.Workplane().spline([(0, 0), (40, 40), (90, 50), (140, 0)])
+        many = drawn.pushPoints([(0, 0), (0, 60), (0, 120)]).elasticStrip(SHEET, max_width=20)
+        assert sorted(round(body.Center().y) for body in many.vals()) == [0, 60, 120]
+        drawn = cq.Workplane().spline([(0, 0), (40, 40), (90, 50), (140, 0)])
+        two = drawn.moveTo(0, 90).spline([(40, 130), (90, 140), (140, 90)], includeCurrent=True)
+        assert len(two.elasticStrip(SHEET, max_width=20, form="bent").vals()) == 2
+
+
+def made_by(library):
+    import importlib
+
+    module = importlib.import_module(f"elastica_cad.{library}")
+    return module.BentStrip if library == "build123d" else module.bent_strip
+
+
+@pytest.mark.parametrize(
+    "library",
+    [
+        pytest.param("build123d", marks=pytest.mark.build123d),
+        pytest.param("cadquery", marks=pytest.mark.cadquery),
+    ],
+)
+class TestOptions:
+    def test_one_tab_and_one_slot(self, library):
+        body = made_by(library)(CURVE, SHEET, max_width=30, ends=Tab(5), slots=Slot(80, 1.2, 4))
+        assert body.strip.ends == (Tab(5), Tab(5))
+        assert len(body.strip.slots) == 1
+
+    @pytest.mark.parametrize(
+        ("options", "says"),
+        [
+            ({"slot": 3}, "did you mean slots"),
+            ({"backing": "pom-0.5"}, r"style=Laminated\(width=\.\.\., backing=\.\.\.\)"),
+            ({"widht": 3}, "widht is no option"),
+            ({"slots": 3}, "slots"),
+            ({"ends": 5}, "ends"),
+        ],
+    )
+    def test_one_sentence(self, library, options, says):
+        with pytest.raises(InputError, match=says):
+            made_by(library)(CURVE, SHEET, max_width=30, **options)
+
+    def test_a_strip_has_its_options(self, library):
+        strip = Strip(optimal_rod(CURVE), Sheet.named(SHEET), max_width=30)
+        with pytest.raises(
+            InputError, match="sheet, max_width, label cannot be given for a strip that is made"
+        ):
+            made_by(library)(strip, SHEET, max_width=20, label="B")
+        with pytest.raises(InputError, match="needs a sheet"):
+            made_by(library)(CURVE, max_width=20)

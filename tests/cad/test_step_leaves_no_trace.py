@@ -1,0 +1,65 @@
+"""Writing and reading STEP changes nothing for whoever uses OpenCASCADE after us, and says who wrote the file."""
+
+import re
+
+import numpy as np
+import pytest
+from OCP.Bnd import Bnd_Box
+from OCP.BRepBndLib import BRepBndLib
+from OCP.Interface import Interface_Static
+from OCP.Message import Message, Message_Gravity
+from OCP.STEPControl import STEPControl_Writer
+from OCP.TopoDS import TopoDS_Iterator
+
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.kernel.step_files import read_step_shape, write_strip_step
+
+NAMES = ("write.step.schema", "write.step.unit", "write.step.product.name", "xstep.cascade.unit")
+
+
+def state():
+    get = getattr(Interface_Static, "CVal_s", None) or Interface_Static.CVal
+    messenger = getattr(Message, "DefaultMessenger_s", None) or Message.DefaultMessenger
+    return [get(name) for name in NAMES], [p.GetTraceLevel() for p in messenger().Printers()]
+
+
+def test_settings_and_messages_stay(arch_strip, tmp_path):
+    STEPControl_Writer()
+    messenger = getattr(Message, "DefaultMessenger_s", None) or Message.DefaultMessenger
+    for printer in messenger().Printers():
+        printer.SetTraceLevel(Message_Gravity.Message_Warning)
+    put = getattr(Interface_Static, "SetCVal_s", None) or Interface_Static.SetCVal
+    put("write.step.unit", "INCH")
+    before = state()
+    assert before[0][1] == "INCH"
+    try:
+        write_strip_step(arch_strip, tmp_path / "a.step")
+        read_step_shape(tmp_path / "a.step")
+        assert state() == before
+        assert "SI_UNIT(.MILLI.,.METRE.)" in (tmp_path / "a.step").read_text()
+    finally:
+        put("write.step.unit", "MM")
+
+
+def test_names(arch_strip, tmp_path):
+    write_strip_step(arch_strip, tmp_path / "a.step")
+    text = (tmp_path / "a.step").read_text()
+    assert "Author" not in text
+    assert "Open CASCADE" not in text
+    assert "'elastica_cad'" in text[:600]
+    products = set(re.findall(r"PRODUCT\('([^']*)'", text))
+    assert products == {"arch", "arch flat", "arch bent"}
+
+
+@pytest.mark.parametrize("frame", [Frame(), Frame((5, 5, 5), (0, 1, 0), (0, 0, 1))])
+def test_flat_lies_beside_bent(arch_strip, tmp_path, frame):
+    write_strip_step(arch_strip, tmp_path / "a.step", frame=frame)
+    read = read_step_shape(tmp_path / "a.step")
+    walk, boxes = TopoDS_Iterator(read), []
+    while walk.More():
+        box = Bnd_Box()
+        (getattr(BRepBndLib, "Add_s", None) or BRepBndLib.Add)(walk.Value(), box)
+        boxes.append([[c.X(), c.Y(), c.Z()] for c in (box.CornerMin(), box.CornerMax())])
+        walk.Next()
+    (a_low, a_high), (b_low, b_high) = np.array(boxes)
+    assert np.any(a_high < b_low - 5) or np.any(b_high < a_low - 5)

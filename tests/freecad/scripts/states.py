@@ -1,0 +1,205 @@
+"""Every button in every state is grey or does something that is seen; undo in a large document; double clicks."""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+import time
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from inside import (
+    ARCH,
+    OUT,
+    QtWidgets,
+    answers,
+    choose,
+    click,
+    dialog_button,
+    is_grey,
+    panel,
+    picture,
+    run,
+    sketch,
+    told,
+    toolbar_button,
+    wait,
+    window,
+)
+
+answers["trouble"], answers["grey"], answers["pressed"] = [], {}, 0
+
+
+def report():
+    view = Gui.getMainWindow().findChild(QtWidgets.QTextEdit, "Report view")
+    return view.toPlainText() if view is not None else ""
+
+
+def put_away():
+    """Close what the button opened."""
+    from freecad.elastica_wb.host import telling
+
+    for box in telling._told:
+        box.close()
+    if Gui.Control.activeDialog():
+        for kind in ("Cancel", "Close"):
+            button = dialog_button(kind)
+            if button is not None:
+                click(button)
+                break
+    wait(100)
+    if Gui.ActiveDocument is not None and Gui.ActiveDocument.getInEdit() is not None:
+        Gui.ActiveDocument.resetEdit()
+    if Gui.Control.activeDialog():
+        Gui.Control.closeDialog()
+
+
+def press_all(state, prepare):
+    """Press every button that is not grey by the mouse; something must be seen of each."""
+    from freecad.elastica_wb import commands
+    from freecad.elastica_wb.live import session as live
+
+    names = [name for bar in commands.TOOLBARS.values() for name in bar if name.startswith("Elastica")]
+    grey = []
+    for name in names:
+        document = App.newDocument("State")
+        document.UndoMode = 1
+        Gui.activateWorkbench("ElasticaWorkbench")
+        prepare(document)
+        Gui.activateWorkbench("ElasticaWorkbench")
+        wait(150)
+        if is_grey(name):
+            grey.append(name)
+        else:
+            seen, before = len(report()), (len(document.Objects), live.session() is not None)
+            click(toolbar_button(name))
+            wait(350)
+            answers["pressed"] += 1
+            after = (len(document.Objects), live.session() is not None)
+            if not (Gui.Control.activeDialog() or told() or after != before):
+                answers["trouble"].append(f"{name} in {state}: nothing is seen")
+            if "Traceback" in report()[seen:] or "Error:" in report()[seen:]:
+                answers["trouble"].append(f"{name} in {state}: {report()[seen:][-600:]}")
+        put_away()
+        App.closeDocument(document.Name)
+    answers["grey"][state] = grey
+
+
+def strip_in(document):
+    from freecad.elastica_wb.features import flat, strip
+
+    made = strip.create(document, sketch(document, ARCH))
+    flat.create(document, made)
+    document.recompute()
+    return made
+
+
+def nothing(document):
+    Gui.Selection.clearSelection()
+
+
+def a_sketch(document):
+    choose(sketch(document, ARCH))
+
+
+def an_open_sketch(document):
+    drawn = sketch(document, ARCH)
+    Gui.Selection.clearSelection()
+    Gui.ActiveDocument.setEdit(drawn.Name)
+    wait(300)
+
+
+def a_strip(document):
+    choose(strip_in(document))
+
+
+def a_model(document):
+    from freecad.elastica_wb.features import model
+
+    made = model.create(document, [strip_in(document)])
+    document.recompute()
+    choose(made)
+
+
+def foreign(document):
+    choose(document.addObject("Part::Box", "Box"), document.addObject("Spreadsheet::Sheet", "Cells"))
+    document.recompute()
+
+
+def many_strips():
+    """Undo in a document with many strips recomputes those that changed, and only those."""
+    from freecad.elastica_wb import make_strip
+    from freecad.elastica_wb.features.strip import StripFeature
+
+    document = App.newDocument("Many")
+    document.UndoMode = 1
+    strips = [
+        make_strip(sketch(document, [(x + 3 * (i % 4), y) for x, y in ARCH], name=f"Drawn{i}", poles=False))
+        for i in range(40)
+    ]
+    box = document.addObject("Part::Box", "Box")
+    document.recompute()
+    made = []
+    usual = StripFeature.execute
+
+    def counted(self, obj):
+        made.append(obj.Name)
+        usual(self, obj)
+
+    StripFeature.execute = counted
+    document.openTransaction("Move")
+    box.Placement.Base.x = 50
+    document.commitTransaction()
+    document.recompute()
+    began = time.perf_counter()
+    document.undo()
+    wait(1)
+    answers["undo of a box"] = [made[:], time.perf_counter() - began]
+    document.openTransaction("Draw")
+    curve = strips[3].Curve[0].Geometry[0]
+    curve.setPole(3, App.Vector(70, 95, 0))
+    strips[3].Curve[0].delGeometry(0)
+    strips[3].Curve[0].addGeometry(curve, False)
+    document.commitTransaction()
+    document.recompute()
+    ratio = strips[3].Ratio
+    made.clear()
+    document.undo()
+    wait(300)
+    answers["undo of a curve"] = [sorted(set(made)), strips[3].Ratio != ratio]
+    StripFeature.execute = usual
+    App.closeDocument(document.Name)
+
+
+def double_clicks():
+    """A double click in the tree edits every feature."""
+    document = App.openDocument(str(Path(__file__).parents[1] / "data" / "every-feature-0.1.FCStd"))
+    wait(500)
+    titles = {}
+    for obj in document.Objects:
+        if getattr(obj, "Proxy", None) is None:
+            continue
+        obj.ViewObject.Proxy.doubleClicked(obj.ViewObject)
+        wait(60)
+        titles[type(obj.Proxy).__name__] = panel().form.windowTitle()
+        click(dialog_button("Cancel"))
+        wait(60)
+    answers["edited"] = titles
+    App.closeDocument(document.Name)
+
+
+def work():
+    from freecad.elastica_wb.host import preferences
+
+    window()
+    Gui.activateWorkbench("ElasticaWorkbench")
+    preferences.put("ExportFolder", str(OUT))
+    for prepare in (nothing, a_sketch, an_open_sketch, a_strip, a_model, foreign):
+        press_all(prepare.__name__, prepare)
+    picture("states.png")
+    many_strips()
+    double_clicks()
+
+
+run(work)

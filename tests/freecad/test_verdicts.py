@@ -1,0 +1,133 @@
+"""Three verdicts, DXF without ezdxf, caches that grow, strips that follow their body."""
+
+from io import StringIO
+
+import ezdxf
+import FreeCAD as App
+import numpy as np
+import pytest
+from freecad.elastica_wb.export.plain_dxf import plain_dxf
+from freecad.elastica_wb.features import strip
+from freecad.elastica_wb.live.curve_picture import curve_picture
+from freecad.elastica_wb.live.verdict import Verdict, refusal_answer, strip_answer
+from freecad.elastica_wb.solving.growing_cache import LEAST, growing_cache
+from freecad.elastica_wb.solving.strip_cache import solve_strip
+
+from elastica_cad.errors import ElasticaError
+from elastica_cad.fabrication.strip_spec import StripSpec
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+
+ARCH = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]
+BAD = [(0, 0), (40, 60), (80, -60), (120, 20), (160, 30), (180, 0)]
+
+
+def asked(points, **options):
+    return StripSpec(PlaneCurve.spline(points), "birch-plywood-0.8", **{"max_width": 30.0} | options)
+
+
+def test_what_can_be_made_is_said_so():
+    spec = asked(ARCH)
+    assert curve_picture(spec.curve, spec).answer.verdict is Verdict.CAN
+    assert strip_answer(solve_strip(spec)).verdict is Verdict.CAN
+
+
+def test_strain_beyond_the_sheet_breaks_at_once():
+    spec = asked([(0.5 * x, 0.5 * y) for x, y in ARCH], max_width=15.0)
+    quick = curve_picture(spec.curve, spec).answer
+    assert quick.verdict is Verdict.BREAKS
+    percent = float(quick.words.split(": ")[1].removesuffix(" %"))
+    assert percent > 100
+    assert "would break" in quick.sentence
+    slow = strip_answer(solve_strip(spec))
+    assert slow.verdict is Verdict.BREAKS
+    assert float(slow.words.split(": ")[1].removesuffix(" %")) == pytest.approx(percent, abs=3)
+
+
+def test_a_sketch_too_small_for_its_strip_is_told():
+    spec = asked([(0.02 * x, 0.02 * y) for x, y in ARCH])
+    answer = curve_picture(spec.curve, spec).answer
+    assert answer.verdict is Verdict.BREAKS
+    assert "30 mm wide" in answer.sentence
+    assert "mm long" in answer.sentence
+
+
+def test_what_cannot_be_bent_and_what_cannot_be_made():
+    spec = asked(BAD)
+    assert curve_picture(spec.curve, spec).answer.verdict is Verdict.CANNOT
+    with pytest.raises(ElasticaError) as refused:
+        solve_strip(spec)
+    assert refusal_answer(refused.value).verdict is Verdict.CANNOT
+    with pytest.raises(ElasticaError) as narrow:
+        solve_strip(asked(ARCH, min_width=29.9))
+    assert refusal_answer(narrow.value).verdict is Verdict.BREAKS
+
+
+def test_dxf_without_ezdxf():
+    made = solve_strip(asked(ARCH, label="A1"))
+    document = ezdxf.read(StringIO(plain_dxf(made.drawing())))
+    assert document.dxfversion == "AC1009"
+    lines = list(document.modelspace().query("POLYLINE"))
+    outer = [line for line in lines if line.dxf.layer == "CUT_OUTER"]
+    assert len(outer) == 1
+    assert outer[0].is_closed
+    assert {line.dxf.layer for line in lines} == {"CUT_OUTER", "ENGRAVE", "MARK"}
+    points = np.array([tuple(p)[:2] for p in outer[0].points()])
+    box = made.outline.bounds
+    assert points.min(axis=0) == pytest.approx(box[0], abs=0.05)
+    assert points.max(axis=0) == pytest.approx(box[1], abs=0.05)
+
+
+def test_caches_grow_with_the_documents(document):
+    calls = []
+    ask = growing_cache(lambda number: calls.append(number) or number)
+    for _ in range(LEAST):
+        document.addObject("App::FeaturePython", "One")
+    for turn in range(2):
+        for number in range(2 * LEAST):
+            assert ask(number) == number
+        assert len(calls) == 2 * LEAST, turn
+
+
+def test_a_strip_beside_a_body_follows_it(document, sketch):
+    body = document.addObject("PartDesign::Body", "Body")
+    body.addObject(sketch)
+    outside = document.addObject("App::Part", "Elsewhere")
+    feature = strip.create(document, sketch)
+    document.recompute()
+    free = strip.create(document, sketch)
+    if free.getParentGeoFeatureGroup() is not None:
+        free.getParentGeoFeatureGroup().removeObject(free)
+    free.Curve = (sketch, [])
+    outside.addObject(free)
+    document.recompute()
+    assert free.Containers == [body]
+    before = free.Placement.Base.z
+    body.Placement.Base = App.Vector(0, 0, 40)
+    document.recompute()
+    assert free.Placement.Base.z == pytest.approx(before + 40)
+    assert feature.State == ["Up-to-date"]
+
+
+def test_mirrored_in_a_body(document, sketch):
+    body = document.addObject("PartDesign::Body", "Body")
+    body.addObject(sketch)
+    feature = strip.create(document, sketch)
+    document.recompute()
+    volume = body.Shape.Volume
+    plane = next(one for one in body.Origin.OutList if one.Name.startswith("YZ"))
+    twin = document.addObject("PartDesign::Mirrored", "Mirrored")
+    body.addObject(twin)
+    twin.Originals, twin.MirrorPlane = [feature], (plane, [""])
+    body.Tip = twin
+    document.recompute()
+    assert twin.State == ["Up-to-date"], twin.getStatusString()
+    assert twin.Shape.isValid()
+    assert volume < body.Shape.Volume <= 2 * volume * (1 + 1e-6)
+
+
+def test_strain_use_is_not_capped(document, drawn):
+    feature = strip.create(document, drawn([(0.5 * x, 0.5 * y) for x, y in ARCH]))
+    feature.MaxWidth = 15
+    document.recompute()
+    assert feature.State == ["Up-to-date"], feature.getStatusString()
+    assert feature.StrainUse > 100

@@ -1,0 +1,83 @@
+"""How the modules import each other: from every statement, at the top, inside functions and for types."""
+
+import ast
+import tomllib
+from collections import Counter, defaultdict
+from pathlib import Path
+
+import pytest
+
+pytestmark = pytest.mark.core
+
+ROOT = Path(__file__).resolve().parents[2]
+MOST_IN_A_FOLDER = 13
+
+
+def floor(name):
+    return name.split(".")[1]
+
+
+def test_circles_and_dots_are_understood(plan):
+    assert plan.circles({"a": {"b"}, "b": {"c"}, "c": {"b"}, "d": {"a"}}) == [("b", "c")]
+    node = ast.parse("from ..rod import x").body[0]
+    assert plan.absolute(node, "p.mechanics.bending.bend", False) == "p.mechanics.rod"
+    assert plan.absolute(node, "p.mechanics.bending", True) == "p.mechanics.rod"
+
+
+def test_every_import_of_the_house_leads_to_a_module(plan, modules):
+    """A module that was moved and is still asked for at its old place, in a function that no test enters."""
+    lost = [
+        f"{name}: {home}"
+        for name, file in modules.items()
+        for home, _ in plan.imported(name, file)
+        if home.startswith(tuple(plan.ROOTS)) and home not in modules
+    ]
+    assert lost == []
+
+
+def test_no_module_reaches_itself(plan, imports):
+    assert plan.circles(imports) == []
+
+
+def test_a_folder_fits_a_screen(modules):
+    counts = Counter(file.parent for file in modules.values() if file.name != "__init__.py")
+    crowded = {str(k.relative_to(ROOT)): n for k, n in counts.items() if n > MOST_IN_A_FOLDER}
+    assert crowded == {}
+
+
+def test_a_name_is_on_one_floor_only(modules):
+    homes = defaultdict(set)
+    for name, file in modules.items():
+        if name.startswith("elastica_cad.") and file.name != "__init__.py":
+            homes[name.rpartition(".")[2]].add(name)
+    assert [found for found in homes.values() if len({floor(name) for name in found}) > 1] == []
+
+
+def test_the_papers_own_routes_are_used_by_nobody(imports):
+    package = "elastica_cad.published"
+    users = {
+        name: target
+        for name, targets in imports.items()
+        for target in targets
+        if target.startswith(package) and not name.startswith(package)
+    }
+    assert users == {}
+
+
+def test_imports_go_to_the_module_that_defines(modules, imports):
+    """No module of the package enters by a front door (`__init__`): doors are for users."""
+    doors = {name for name, file in modules.items() if file.with_suffix(".pyi").exists()}
+    users = {name: sorted(targets & doors) for name, targets in imports.items() if targets & doors}
+    assert users == {}
+
+
+def test_every_floor_with_rooms_has_a_contract(plan):
+    """The layers contract names the sub-packages of each floor, so that no arrow runs back up inside it."""
+    contracts = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["importlinter"]["contracts"]
+    layered = {container for contract in contracts for container in contract.get("containers", ())}
+    floors = {
+        "elastica_cad." + folder.name
+        for folder in plan.ROOTS["elastica_cad"].iterdir()
+        if folder.is_dir() and any(folder.glob("*/*.py"))
+    }
+    assert floors <= layered

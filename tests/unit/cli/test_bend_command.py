@@ -1,0 +1,65 @@
+"""`elastica bend` as a user meets it: ends that are led, a strip that buckles, messages."""
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+import elastica_cad as ec
+from elastica_cad.cli.commands import elastica
+from elastica_cad.formats.curve_files.json_curves import curves_json
+
+
+def run(*arguments):
+    return CliRunner().invoke(elastica, [str(argument) for argument in arguments])
+
+
+@pytest.fixture
+def drawn(tmp_path):
+    path = tmp_path / "bow.json"
+    path.write_text(curves_json([ec.PlaneCurve.ellipse((0, 0), (200.0, 100.0), 0.0, 0.2, 2.9)]))
+    return path
+
+
+def test_bend_leads_the_ends(drawn, tmp_path):
+    result = run(
+        "bend", drawn, "--from", 180, 0, "--to", -170, 30, "--end-angle", 250, "--steps", 3, "-o", tmp_path
+    )
+    assert result.exit_code == 0, result.output
+    shapes = ec.read_curves(tmp_path / "bow-bent.json")
+    assert len(shapes) == 3
+    table = np.loadtxt(tmp_path / "bow-bent.csv", delimiter=",", skiprows=1)
+    last = table[table[:, 0] == 3]
+    assert last[[0, -1], 2:4] == pytest.approx(np.array([[180, 0], [-170, 30]]), abs=1e-5)
+    assert last[-1, 4] == pytest.approx(np.radians(250), abs=1e-5)
+    rod = ec.optimal_rod(ec.read_curves(drawn)[0])
+    bent = ec.bend(rod, (180, 0), (-170, 30), (None, np.radians(250)))
+    assert last[:, 2:4] == pytest.approx(bent.position, abs=1e-4)
+    assert last[:, 6] == pytest.approx(rod.stiffness, abs=1e-5)
+    assert result.output.count("stable, margin") == 3
+
+
+def test_a_straight_strip_buckles_to_the_side_asked_for(tmp_path):
+    arguments = ("bend", "--straight", 100, "--to", 70, 0, "--hold-start", "pinned", "--hold-end", "pinned")
+    for side, sign in (("left", 1), ("right", -1)):
+        assert run(*arguments, "--side", side, "-o", tmp_path / side).exit_code == 0
+        table = np.loadtxt(tmp_path / side / "straight-bent.csv", delimiter=",", skiprows=1)
+        peak = table[np.argmax(np.abs(table[:, 3])), 3]
+        assert sign * peak > 30
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ((), "name a CURVE"),
+        (("--straight", 100, "--to", 200, 0), "the ends are 200 mm apart"),
+        (("--straight", 100, "--gravity"), "--gravity needs to know the material"),
+        (("--straight", 100, "--hold-start", "free", "--hold-end", "free"), "the rod is free to fly"),
+        (("--straight", -1), "rod length is -1"),
+        (("none.dxf",), "cannot be read"),
+    ],
+)
+def test_bend_refuses_in_words(arguments, message, tmp_path):
+    result = run("bend", *arguments, "-o", tmp_path)
+    assert result.exit_code == 2
+    assert message in result.stderr
+    assert list(tmp_path.iterdir()) == []

@@ -1,0 +1,132 @@
+"""Drawings at the command line: which curve, through a pipe, made fair, and refused with the place as drawn."""
+
+import json
+import subprocess
+import sys
+
+import pytest
+
+pytest.importorskip("click")
+pytest.importorskip("svgelements")
+
+BODY = """
+<g inkscape:groupmode="layer" inkscape:label="Cut">
+<path id="arch" d="M 20.00,150.00 C 20.00,100.00 60.32,50.11 120.00,50.00
+ C 170.00,49.93 220.00,80.00 220.00,150.00"/>
+<path id="corner" d="M 0,0 C 10,10 20,20 30,20 C 30,30 40,40 50,40"/></g>
+<g inkscape:groupmode="layer" inkscape:label="Notes"><path id="bow" d="M 0,250 C 20,290 80,290 100,250"/>
+<text>hello</text></g>"""
+
+
+@pytest.fixture
+def drawing(tmp_path):
+    names = 'xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"'
+    path = tmp_path / "drawn.svg"
+    path.write_text(f'<svg {names} width="300mm" height="300mm" viewBox="0 0 300 300">{BODY}</svg>')
+    return path
+
+
+def elastica(*words, stdin=None):
+    command = [sys.executable, "-c", "from elastica_cad.cli import main; main()", *map(str, words)]
+    return subprocess.run(command, capture_output=True, input=stdin, check=False)
+
+
+def test_every_curve_is_judged_for_itself(drawing):
+    done = elastica("check", drawing)
+    said, told = done.stdout.decode(), done.stderr.decode()
+    assert done.returncode == 2
+    assert "curve 1 (arch, layer Cut) of 3:\nA flat strip can take this curve" in said
+    assert "curve 3 (bow, layer Notes) of 3:\nA flat strip can take this curve" in said
+    assert "curve 2 (corner, layer Cut) of 3: the curve has a corner" in told
+    assert "(30, 20) mm" in told  # y down, as in the drawing
+    assert "left out, for they are no curves: 1 text" in told
+
+
+@pytest.mark.parametrize("choice", [("--curve", "bow"), ("--curve", "3"), ("--layer", "Notes")])
+def test_a_curve_is_chosen_by_number_id_or_layer(drawing, choice):
+    answers = json.loads(elastica("check", drawing, *choice, "--json").stdout)
+    assert [one["realizable"] for one in answers] == [True]
+
+
+def test_a_choice_that_is_not_there_is_told_with_those_that_are(drawing):
+    done = elastica("check", drawing, "--curve", "nix")
+    assert done.returncode == 2
+    assert b"nix is not among them" in done.stderr
+    assert b"1 (arch, layer Cut), 2 (corner, layer Cut), 3 (bow, layer Notes)" in done.stderr
+
+
+def test_a_drawing_comes_through_a_pipe(drawing):
+    done = elastica("check", "-", "--curve", "bow", stdin=drawing.read_bytes())
+    assert done.returncode == 0
+    assert b"can take this curve" in done.stdout
+    assert b"standard input is empty" in elastica("check", "-", stdin=b"").stderr
+    points = b"0, 0\n10, 8\n20, 12\n30, 13\n40, 12\n50, 8\n60, 0\n"
+    assert elastica("check", "-", stdin=points).returncode == 0
+
+
+def test_a_strip_for_every_curve_and_none_spoils_the_others(drawing, tmp_path):
+    out = tmp_path / "out"
+    wishes = ("--sheet", "birch-plywood-0.8", "--max-width", 30, "-o", out)
+    done = elastica("strip", drawing, "--all", *wishes)
+    assert done.returncode == 1
+    assert {"drawn-1.dxf", "drawn-3.dxf"} <= {path.name for path in out.iterdir()}
+    assert not (out / "drawn-2.dxf").exists()
+    assert b"curve 2 (corner, layer Cut):" in done.stderr
+    assert b"1 of 3 curves made no strip" in done.stderr
+
+
+def test_pen_curves_are_faired_told_and_left_alone_when_asked(drawing, tmp_path):
+    ratios = {}
+    for smooth in (None, 0, 1.5):
+        out = tmp_path / f"out{smooth}"
+        words = (
+            "strip",
+            drawing,
+            "--curve",
+            "arch",
+            "--sheet",
+            "birch-plywood-0.8",
+            "--max-width",
+            30,
+            "-o",
+            out,
+        )
+        done = elastica(*words, *(() if smooth is None else ("--smooth", smooth)))
+        assert done.returncode == 0, done.stderr
+        report = json.loads((out / "drawn-arch.json").read_text())
+        ratios[smooth] = report["ratio"]
+        moved = report["smoothing"]["moved"]
+        if smooth == 0:
+            assert moved == 0
+            assert b"The width of the strip steps" in done.stderr
+            assert b"--smooth 0.1" in done.stderr
+        else:
+            assert 0 < moved <= (smooth or 0.1)
+            assert report["smoothing"]["ratio_as_drawn"] == pytest.approx(ratios.get(0, 1.557), rel=1e-3)
+            assert f"{moved:.2g} mm from the drawn curve at most".encode() in done.stderr
+            assert b"The width of the strip steps" not in done.stderr
+    assert ratios[1.5] < ratios[None] < ratios[0]
+
+
+@pytest.mark.parametrize(("words", "sentence"), [
+    (("--max-width", "1e200"), b"--max-width is 1e+200"), (("--max-width", "30", "--smooth", "-1"), b"--smooth"),
+    (("--max-width", "30", "--smooth", "nan"), b"nan or infinite"), (("--max-width", "inf"), b"nan or infinite"),
+    (("--max-width", "30", "--samples", "9" * 20), b"at most 1e+09"),
+])  # fmt: skip
+def test_numbers_at_the_edge_are_refused_in_a_sentence(drawing, words, sentence):
+    done = elastica("strip", drawing, "--curve", "arch", "--sheet", "birch-plywood-0.8", *words)
+    assert done.returncode == 2
+    assert sentence in done.stderr
+    assert done.stderr.strip().count(b"\n") <= 1
+
+
+def test_a_design_file_chooses_by_id_and_layer_and_smooths(drawing, tmp_path):
+    design = tmp_path / "design.toml"
+    design.write_text(
+        'schema = 1\nsheet = "birch-plywood-0.8"\nmax_width = 30\nsmooth = 0.3\n'
+        '[[strips]]\nlabel = "A"\ncurve = { file = "drawn.svg", id = "arch" }\n'
+        '[[strips]]\nlabel = "B"\ncurve = { file = "drawn.svg", layer = "Notes" }\nsmooth = 0\n'
+        "origin = [0, 90, 0]\n"
+    )
+    done = elastica("model", design, "-o", tmp_path / "out", "--no-step", "--no-pictures")
+    assert done.returncode == 0, done.stderr

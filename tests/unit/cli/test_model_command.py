@@ -1,0 +1,212 @@
+"""`elastica model` as a user meets it: one folder of files, messages, exit codes."""
+
+import json
+
+import pytest
+from click.testing import CliRunner
+
+import elastica_cad as ec
+from elastica_cad.cli.commands import elastica
+from elastica_cad.formats.curve_files.json_curves import curves_json
+from elastica_cad.formats.design_files.design_file import read_design
+
+DESIGN = """
+schema = 1
+name = "kit"
+sheet = "birch-plywood-0.8"
+max_width = 24
+
+[[strips]]
+count = 2
+label = "K{i}"
+origin = [0, "100 * i", 0]
+curve.ellipse = { semi_axes = [150, 100], start = "0.1", end = "pi - 0.1" }
+
+[base]
+sheet = "mdf-3"
+height = 10
+
+[fixtures]
+wall = 3
+
+[cut]
+kerf = "sheet"
+version = "R12"
+"""
+
+
+def run(*arguments):
+    return CliRunner().invoke(elastica, [str(argument) for argument in arguments])
+
+
+@pytest.fixture
+def design(tmp_path):
+    path = tmp_path / "kit.toml"
+    path.write_text(DESIGN)
+    return path
+
+
+def test_a_model_becomes_one_folder(design, tmp_path):
+    out = tmp_path / "out"
+    result = run("model", design, "-o", out)
+    assert result.exit_code == 0, result.output
+    assert "kit: 2 strips (2 different), 0 joints; 3 pieces" in result.output
+    names = {path.name for path in out.iterdir()}
+    assert {
+        "kit.png",
+        "kit.json",
+        "kit-cut-list.csv",
+        "kit-cut-list.txt",
+        "K1_birch-plywood-0.8_0.8mm_x1.svg",
+    } <= names
+    assert {"K1_birch-plywood-0.8_0.8mm_x1.mm.dxf", "kit-nest-1-birch-plywood-0.8.mm.dxf"} <= names
+    report = json.loads((out / "kit.json").read_text())
+    assert set(report["files"]) == names
+    assert "kit-base_mdf-3_3mm_x1.mm.dxf" in (out / "kit-cut-list.txt").read_text()
+    if "kit.step" in names:
+        text = (out / "kit.step").read_text()
+        assert all(f"'{name}'" in text for name in ("K1", "K2", "base", "fixture K1:1", "fixture K2:2"))
+
+
+def test_the_same_design_gives_the_same_files(design, tmp_path):
+    for folder in ("one", "two"):
+        assert run("model", design, "-o", tmp_path / folder, "--no-step", "--no-pictures").exit_code == 0
+    for path in (tmp_path / "one").iterdir():
+        assert path.read_bytes() == (tmp_path / "two" / path.name).read_bytes()
+
+
+def test_nothing_is_left_of_a_model_that_fails(design, tmp_path):
+    out = tmp_path / "out"
+    design.write_text(DESIGN.replace("max_width = 24", "max_width = 24\nnest.sheet_size = [300, 200]"))
+    result = run("model", design, "-o", out)
+    assert result.exit_code == 2
+    assert "K1: " in result.stderr
+    assert "is larger than a sheet of 300 by 200 mm" in result.stderr
+    assert not out.exists()
+    out.mkdir()
+    taken = out / "kit.json"
+    taken.write_text("mine")
+    design.write_text(DESIGN)
+    assert "exists already" in run("model", design, "-o", out, "--no-step").stderr
+    assert [path.name for path in out.iterdir()] == ["kit.json"]
+    assert taken.read_text() == "mine"
+
+
+def test_bad_designs_are_one_sentence(design):
+    design.write_text(DESIGN.replace("150, 100", '"os.system(1)", 100'))
+    result = run("model", design)
+    assert result.exit_code == 2
+    assert result.stderr.count("\n") == 1
+    assert "strips[1], i = 1 (K1): curve: ellipse: semi_axes[1]" in result.stderr
+
+
+def test_a_design_that_cannot_be_bent_exits_with_1(design):
+    wave = '{ x = "50 * t", y = "40 * sin(t) + 6 * t ** 1.6", t = [0.1, 7.8] }'
+    ellipse = next(line for line in DESIGN.splitlines() if line.startswith("curve.ellipse"))
+    design.write_text(DESIGN.replace(ellipse, f"curve = {wave}"))
+    result = run("model", design)
+    assert result.exit_code == 1
+    assert result.stderr.startswith("Not realizable: K1: ")
+
+
+def test_file_names_suit_every_system(design, tmp_path):
+    own = '[sheets."felt 1/2"]\nthickness_mm = 1\nyoungs_modulus_MPa = 20\ndensity_kg_m3 = 300\nmax_strain = 0.1\n'
+    text = (
+        DESIGN.replace('"kit"', '"my kit/2"')
+        .replace('"birch-plywood-0.8"', '"felt 1/2"')
+        .replace('"sheet"', "0")
+    )
+    design.write_text(text.replace('"K{i}"', '"K/{i}"') + own)
+    result = run("model", design, "-o", tmp_path / "out", "--no-step", "--no-pictures")
+    assert result.exit_code == 0, result.output
+    names = {path.name for path in (tmp_path / "out").iterdir()}
+    assert {"my-kit-2.json", "my-kit-2-nest-1-felt-1-2.svg", "K-1_felt-1-2_1mm_x1.svg"} <= names
+    second = "\n[[strips]]\nlabel = 'k1'\ncurve.ellipse = { semi_axes = [150, 100], start = 0.1, end = 2 }\n"
+    design.write_text(DESIGN + second)
+    assert (
+        "k1: another part would be written to k1_birch" in run("model", design, "-o", tmp_path / "no").stderr
+    )
+
+
+@pytest.fixture
+def drawn(tmp_path):
+    path = tmp_path / "bow.json"
+    path.write_text(curves_json([ec.PlaneCurve.ellipse((0, 0), (200.0, 100.0), 0.0, 0.2, 2.9)]))
+    return path
+
+
+CROSSED = """
+schema = 1
+name = "crossed"
+sheet = "birch-plywood-0.8"
+max_width = 24
+interlock = { clearance = 0.1 }
+cut.holding = { width = 0.4, spacing = 200 }
+nest = { sheet_size = [600, 300], margin = 1 }
+
+[[strips]]
+label = "A"
+curve.ellipse = { semi_axes = [150, 100], start = "0.1", end = "pi - 0.1" }
+
+[[strips]]
+label = "B"
+origin = [100, 0, 0]
+curve.ellipse = { semi_axes = [140, 99], start = "0.1", end = "pi - 0.1" }
+"""
+
+
+@pytest.fixture
+def crossed(tmp_path):
+    path = tmp_path / "crossed.toml"
+    path.write_text(CROSSED)
+    return path
+
+
+def test_what_slots_do_is_told(crossed, tmp_path):
+    out = tmp_path / "out"
+    result = run("model", crossed, "-o", out, "--no-step", "--no-pictures")
+    assert result.exit_code == 0, result.output
+    assert "weakest at its slots" in result.output
+    parts = {part["name"]: part for part in json.loads((out / "crossed.json").read_text())["parts"]}
+    for effect in (parts["A"]["slot_effect"], parts["B"]["slot_effect"]):
+        assert 0.4 < effect["least_stiffness"] < 0.6  # cut half way
+        assert 0 < effect["deviation"] < 5
+    model = read_design(crossed, ec.read_curves).model()
+    assert parts["A"]["slot_effect"]["at"] == pytest.approx(model.slot_effects()[0].at, abs=1e-3)
+
+
+def test_the_sheets_alone(crossed, tmp_path):
+    out = tmp_path / "out"
+    quick = ("--no-step", "--no-pictures", "--no-parts", "--no-effects")
+    result = run("model", crossed, "-o", out, *quick)
+    assert result.exit_code == 0, result.output
+    assert "weakest" not in result.output
+    sheet = "crossed-nest-1-birch-plywood-0.8"
+    ends = ("-cut-list.csv", "-cut-list.txt", ".json")
+    assert {path.name for path in out.iterdir()} == {
+        f"{sheet}.dxf", f"{sheet}.svg", *(f"crossed{end}" for end in ends)
+    }  # fmt: skip
+    assert (out / "crossed-cut-list.csv").read_text().count(f"{sheet}.dxf") == 2
+    report = json.loads((out / "crossed.json").read_text())
+    assert "slot_effect" not in report["parts"][0]
+
+
+def test_bridges_hold_the_parts(crossed, drawn, tmp_path):
+    """Open cuts on the outer layer."""
+    import ezdxf
+
+    for given, width in (((), 0.4), (("--holding", 1.5), 1.5)):
+        out = tmp_path / f"out{width}"
+        result = run("model", crossed, "-o", out, "--no-step", "--no-pictures", "--no-effects", *given)
+        assert result.exit_code == 0, result.output
+        (part,) = out.glob("A_*.dxf")
+        cuts = [e for e in ezdxf.readfile(part).modelspace() if e.dxf.layer == "CUT_OUTER"]
+        assert cuts
+        assert not any(cut.dxftype() == "LWPOLYLINE" and cut.closed for cut in cuts)
+    sizes = ("--sheet", "birch-plywood-0.8", "--max-width", 24)
+    whole = run("strip", drawn, *sizes, "-o", tmp_path / "whole")
+    held = run("strip", drawn, *sizes, "--holding", 0.5, "-o", tmp_path / "held")
+    assert (whole.exit_code, held.exit_code) == (0, 0), held.output
+    first, second = ((tmp_path / name / f"{drawn.stem}.svg").read_text() for name in ("whole", "held"))
+    assert first.count("Z") > second.count("Z") == 0
+    assert run("strip", drawn, *sizes, "--holding", -1, "-o", tmp_path).exit_code == 2

@@ -1,0 +1,36 @@
+"""`elastica new KIND`: every file it writes runs as it is."""
+
+import json
+import subprocess
+import sys
+
+import pytest
+
+KINDS = ("arch", "lamp", "pavilion", "revolution", "sections")
+
+
+def typed(*words, cwd):
+    return subprocess.run(
+        [sys.executable, "-m", "elastica_cad", *words], cwd=cwd, capture_output=True, text=True, check=False
+    )
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_written_and_made(kind, tmp_path):
+    wrote = typed("new", kind, cwd=tmp_path)
+    assert wrote.returncode == 0, wrote.stderr
+    next_command = wrote.stdout.splitlines()[-1].removeprefix("next: elastica ").split()
+    made = typed(*next_command, "--no-step", "--no-pictures", "--no-effects", cwd=tmp_path)
+    assert made.returncode == 0, made.stderr
+    report = json.loads((tmp_path / f"{kind}-kit" / f"{kind}.json").read_text())
+    assert report["name"] == kind
+    assert list((tmp_path / f"{kind}-kit").glob("*nest*.dxf"))
+
+
+def test_nothing_is_overwritten_unasked(tmp_path):
+    assert typed("new", "arch", cwd=tmp_path).returncode == 0
+    (tmp_path / "arch.toml").write_text("mine")
+    again = typed("new", "arch", cwd=tmp_path)
+    assert again.returncode == 2
+    assert "exists already" in again.stderr
+    assert (tmp_path / "arch.toml").read_text() == "mine"

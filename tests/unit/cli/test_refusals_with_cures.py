@@ -1,0 +1,90 @@
+"""A refusal ends with a command that works, and the command is run as it is printed."""
+
+import re
+import shlex
+import subprocess
+import sys
+
+import pytest
+
+import elastica_cad as ec
+from elastica_cad.formats import write_curves
+
+CURVES = {
+    "wave": [(0, 0), (20, 50), (50, -40), (80, 55), (110, -30), (140, 0)],  # no strip takes it
+    "tall": [(0, 0), (30, 120), (70, 130), (120, 60), (150, 0)],  # one does, with a neck of 2.3 mm
+}
+
+
+def typed(words, cwd):
+    return subprocess.run(
+        [sys.executable, "-m", "elastica_cad", *words], cwd=cwd, capture_output=True, text=True, check=False
+    )
+
+
+@pytest.mark.parametrize("name", CURVES)
+def test_the_command_that_is_told_works(name, tmp_path):
+    write_curves([ec.PlaneCurve.spline(CURVES[name], degree=4)], tmp_path / f"{name}.dxf")
+    words = f"strip {name}.dxf --sheet birch-plywood-0.8 --max-width 12 -o out".split()
+    refused = typed(words, tmp_path)
+    assert refused.returncode in (1, 2)
+    assert not (tmp_path / "out").exists()
+    (command, said) = re.search(r"This works: `elastica ([^`]*)` (.*)", refused.stderr).groups()
+    made = typed(shlex.split(command), tmp_path)
+    assert made.returncode == 0, made.stderr
+    far = float(re.search(r"to within ([0-9.]+) mm", said)[1])
+    assert far == pytest.approx(float(re.search(r"drawn curve ([0-9.]+) mm", made.stdout)[1]), rel=0.05)
+    report = (tmp_path / "out" / f"{name}.json").read_text()
+    assert "max_strain" in report
+
+
+def test_a_wider_strip_is_told_where_the_sheet_asks_for_one(tmp_path):
+    """No nearer curve helps 2 mm of a sheet that needs 3: the width typed is outweighed by the one that is told."""
+    write_curves([ec.PlaneCurve.spline(CURVES["tall"], degree=4)], tmp_path / "tall.dxf")
+    refused = typed(
+        ["strip", "tall.dxf", "--sheet", "birch-plywood-0.8", "--max-width", "2", "-o", "out"], tmp_path
+    )
+    assert refused.returncode == 2
+    assert "mm wide at" in refused.stderr
+    (command,) = re.findall(r"This works: `elastica ([^`]*)`", refused.stderr)
+    assert "--max-width 4" in command
+    made = typed(shlex.split(command), tmp_path)
+    assert made.returncode == 0, made.stderr
+
+
+def test_a_neck_is_written_anyway_and_said(tmp_path):
+    write_curves([ec.PlaneCurve.spline(CURVES["tall"], degree=4)], tmp_path / "tall.dxf")
+    words = [
+        "strip",
+        "tall.dxf",
+        "--sheet",
+        "birch-plywood-0.8",
+        "--max-width",
+        "12",
+        "--anyway",
+        "-o",
+        "out",
+    ]
+    made = typed(words, tmp_path)
+    assert made.returncode == 0, made.stderr
+    assert "made anyway: tall: only 2.3 mm wide" in made.stderr
+    assert "made anyway" in (tmp_path / "out" / "tall.json").read_text()
+
+
+def test_the_margin_comes_with_a_word(tmp_path):
+    write_curves([ec.PlaneCurve.spline(CURVES["tall"], degree=4)], tmp_path / "tall.dxf")
+    made = typed(
+        ["strip", "tall.dxf", "--sheet", "birch-plywood-0.8", "--max-width", "30", "-o", "out"], tmp_path
+    )
+    assert re.search(r"stable, margin [0-9.]+ \((low|ample)\): it stays", made.stdout)
+
+
+def test_a_long_thin_arch_is_refused(tmp_path):
+    arch = [(0, 0), (1500, 1900), (3500, 2000), (6000, 0)]
+    write_curves([ec.PlaneCurve.spline(arch, degree=3)], tmp_path / "long.dxf")
+    refused = typed(
+        ["strip", "long.dxf", "--sheet", "birch-plywood-0.8", "--max-width", "3.6", "-o", "out"], tmp_path
+    )
+    assert refused.returncode == 2
+    assert "larger than the stock" in refused.stderr
+    assert not (tmp_path / "out").exists()

@@ -1,0 +1,235 @@
+"""The command line as a user meets it: files, messages, exit codes."""
+
+import json
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import elastica_cad as ec
+from elastica_cad.formats.curve_files.json_curves import curves_json
+
+
+def elastica(*arguments, cwd=None):
+    code = "from elastica_cad.cli import main; main()"
+    return subprocess.run(
+        [sys.executable, "-c", code, *map(str, arguments)],
+        cwd=cwd,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+@pytest.fixture
+def drawn(tmp_path):
+    path = tmp_path / "bow.json"
+    path.write_text(curves_json([ec.PlaneCurve.ellipse((0, 0), (200.0, 100.0), 0.0, 0.2, 2.9)]))
+    return path
+
+
+@pytest.fixture
+def impossible(tmp_path):
+    """A wave whose outer inflections leave the line of the inner one."""
+    x = np.linspace(0, 2.5 * np.pi, 200)
+    path = tmp_path / "wave.csv"
+    np.savetxt(path, np.column_stack([50 * x, 40 * np.sin(x) + 6 * x**1.6]), delimiter=",")
+    return path
+
+
+def test_strip_writes_every_file_and_a_report(drawn, tmp_path):
+    out = tmp_path / "out"
+    result = elastica("strip", drawn, "--sheet", "birch-plywood-0.8", "--max-width", 40, "-o", out)
+    assert result.returncode == 0, result.stderr
+    report = json.loads((out / "bow.json").read_text())
+    assert report["schema"] == "elastica-report/1"
+    assert report["width"]["largest"] == pytest.approx(40.0)
+    assert report["ratio"] == pytest.approx(report["width"]["largest"] / report["width"]["least"])
+    for suffix in ("dxf", "svg", "json", "png", "step"):
+        assert (out / f"bow.{suffix}").stat().st_size > 1000
+        assert f"bow.{suffix}" in result.stdout
+
+
+def test_nothing_is_overwritten_without_force(drawn, tmp_path):
+    arguments = ("strip", drawn, "--sheet", "card-200gsm", "--max-width", 40, "-o", tmp_path / "out")
+    assert elastica(*arguments).returncode == 0
+    before = {p.name: p.read_bytes() for p in (tmp_path / "out").iterdir()}
+    again = elastica(*arguments)
+    assert again.returncode == 2
+    assert "overwritten (--force" in again.stderr
+    assert {p.name: p.read_bytes() for p in (tmp_path / "out").iterdir()} == before
+    assert elastica(*arguments, "--force").returncode == 0
+    after = {p.name: p.read_bytes() for p in (tmp_path / "out").iterdir()}
+    assert after["bow.dxf"] == before["bow.dxf"]
+    assert after["bow.svg"] == before["bow.svg"]
+    assert after["bow.json"] == before["bow.json"]
+
+
+def test_the_drawing_itself_is_never_overwritten(drawn):
+    before = drawn.read_bytes()
+    arguments = ("strip", drawn, "--sheet", "card-200gsm", "--max-width", 40, "-o", drawn.parent)
+    for force in ((), ("--force",)):
+        result = elastica(*arguments, *force)
+        assert result.returncode == 2
+        assert "bow.json holds the drawn curve" in result.stderr
+    assert [p.name for p in drawn.parent.iterdir()] == ["bow.json"]
+    assert drawn.read_bytes() == before
+
+
+def test_not_realizable_is_exit_code_1_with_advice_and_no_files(impossible, tmp_path):
+    result = elastica(
+        "strip", impossible, "--sheet", "card-200gsm", "--max-width", 40, "-o", tmp_path / "out"
+    )
+    assert result.returncode == 1
+    assert "mm" in result.stderr
+    assert "Traceback" not in result.stderr
+    assert not (tmp_path / "out").exists() or not list((tmp_path / "out").iterdir())
+    assert elastica("check", impossible).returncode == 1
+
+
+def test_strain_warns_and_strict_makes_it_an_exit_code(tmp_path):
+    path = tmp_path / "tight.json"
+    path.write_text(curves_json([ec.PlaneCurve.arc((0, 0), 20.0, 0.0, 2.0)]))
+    arguments = (
+        "strip",
+        path,
+        "--sheet",
+        "birch-plywood-0.8",
+        "--max-width",
+        20,
+        "-o",
+        tmp_path / "out",
+        "--label",
+        "T",
+    )
+    loose = elastica(*arguments, "--force")
+    assert loose.returncode == 0
+    assert "strain" in loose.stderr
+    assert elastica(*arguments, "--force", "--strict").returncode == 1
+
+
+def test_kerf_widens_the_part_by_the_kerf_in_all(drawn, tmp_path):
+    import ezdxf
+    from ezdxf import bbox
+
+    sizes = []
+    for kerf in ("0", "0.2"):
+        out = tmp_path / f"kerf{kerf}"
+        done = elastica(
+            "strip", drawn, "--sheet", "card-200gsm", "--max-width", 40, "--kerf", kerf, "-o", out
+        )
+        assert done.returncode == 0, done.stderr
+        cut = ezdxf.readfile(out / "bow.dxf").modelspace().query('*[layer=="CUT_OUTER"]')
+        box = bbox.extents(cut)
+        sizes.append([box.size.x, box.size.y])
+    assert np.subtract(*reversed(sizes)) == pytest.approx([0.2, 0.2], abs=2e-3)
+
+
+def test_sheets_lists_names_and_sources():
+    assert "birch-plywood-0.8" in elastica("sheets").stdout
+    assert "AC 43.13" in elastica("sheets", "birch-plywood-0.8").stdout
+
+
+@pytest.mark.parametrize("command", [(), ("check",), ("strip",), ("sheets",)])
+def test_help_teaches(command):
+    result = elastica(*command, "--help")
+    assert result.returncode == 0
+    assert "Usage:" in result.stdout
+
+
+BAD = {
+    "missing.dxf": None,
+    "empty.dxf": b"",
+    "empty.csv": b"",
+    "nan.csv": b"0,0\n1,nan\n2,1\n3,0\n4,1\n",
+    "few.csv": b"0,0\n",
+    "same.csv": b"1,1\n1,1\n1,1\n1,1\n1,1\n",
+    "words.txt": b"hello world\n",
+    "bad.json": b"{",
+    "other.json": b'{"schema": "something"}',
+    "unknown.xyz": b"1 2 3",
+    "plain.svg": b"<svg xmlns='http://www.w3.org/2000/svg' width='10mm' height='10mm'/>",
+    "broken.svg": b"<svg",
+    "corner.csv": b"0,0\n50,30\n100,0\n",
+    "ring.svg": b"<svg xmlns='http://www.w3.org/2000/svg' width='99mm' height='99mm'><circle r='9'/></svg>",
+}
+
+
+@pytest.mark.parametrize("name", BAD)
+def test_bad_files_get_one_sentence_that_names_them(name, tmp_path):
+    path = tmp_path / name
+    if BAD[name] is not None:
+        path.write_bytes(BAD[name])
+    result = elastica("strip", path, "--sheet", "card-200gsm", "--max-width", 20, "-o", tmp_path / "out")
+    assert result.returncode == 2, result.stdout
+    assert name in result.stderr
+    assert "Traceback" not in result.stderr
+    assert not (tmp_path / "out").exists()
+
+
+def test_the_curve_at_fault_is_named_by_its_number(tmp_path):
+    path = tmp_path / "several.json"
+    arc, ring = (ec.PlaneCurve.arc((0, 0), 100.0, 0.0, end) for end in (2.0, 2 * np.pi))
+    path.write_text(curves_json([arc, ring]))
+    options = ("--sheet", "card-200gsm", "--max-width", 20, "-o", tmp_path)
+    asked = elastica("check", path)
+    assert asked.returncode == 2
+    assert "several.json, curve 2 of 2: the curve is closed" in asked.stderr
+    assert elastica("strip", path, "--curve", 1, *options).returncode == 0
+    assert "curve 2 of 2" in elastica("strip", path, "--curve", 2, *options).stderr
+
+
+def test_names_of_any_language(tmp_path):
+    folder = tmp_path / "Träger und Bögen"
+    folder.mkdir()
+    path = folder / "Öse 字.json"
+    path.write_text(curves_json([ec.PlaneCurve.arc((0, 0), 100.0, 0.0, 2.0)]))
+    out = folder / "für Säge"
+    result = elastica("strip", path, "--sheet", "card-200gsm", "--max-width", 20, "-o", out)
+    assert result.returncode == 0, result.stderr
+    assert result.stdout.startswith("Ose _: ")
+    assert (out / "Öse 字.dxf").stat().st_size > 1000
+
+
+def test_folder_unknown_sheet_and_bad_numbers(drawn, tmp_path):
+    good = ("--sheet", "card-200gsm", "--max-width", "20", "-o", tmp_path / "out")
+    cases = [
+        (("strip", tmp_path, *good), tmp_path.name),
+        (("strip", drawn, "--sheet", "card-200gms", "--max-width", 20), "card-200gsm"),
+        (("strip", drawn, "--sheet", "card-200gsm"), "--max-width"),
+        (("strip", drawn, *good, "--kerf", "wide"), "kerf"),
+        (("strip", drawn, *good, "--max-width", "-3"), "positive"),
+        (("strip", drawn, *good, "--tab", "-3"), "tab"),
+        (("strip", drawn, *good, "--curve", "7"), "7"),
+        (("strip", drawn, *good, "--dxf-version", "R99"), "R99"),
+        (("strip", drawn, *good, "--tolerance", "0"), "tolerance"),
+        (
+            ("strip", drawn, *good, "--tolerance", "1e-12", "--curves", "polyline"),
+            "no machine cuts so finely",
+        ),
+        (("strip", drawn, *good, "--keep-length"), "add --nearest"),
+        (("strip", drawn, *good, "--nearest", "--samples", "99"), "--samples"),
+    ]
+    for arguments, words in cases:
+        result = elastica(*arguments)
+        assert result.returncode == 2, (arguments, result.stdout)
+        assert words in result.stderr, result.stderr
+        assert "Traceback" not in result.stderr
+        assert not (tmp_path / "out").exists(), arguments
+
+
+def test_folder_that_nobody_may_write(drawn):
+    """Not even root may make files in /proc."""
+    result = elastica("strip", drawn, "--sheet", "card-200gsm", "--max-width", 20, "-o", "/proc/strips")
+    assert result.returncode == 2
+    assert "/proc/strips" in result.stderr
+    assert "Traceback" not in result.stderr
+
+
+def test_output_folder_that_is_a_file(drawn, tmp_path):
+    (tmp_path / "file").write_text("x")
+    result = elastica("strip", drawn, "--sheet", "card-200gsm", "--max-width", 20, "-o", tmp_path / "file")
+    assert result.returncode == 2
+    assert "file" in result.stderr
+    assert "Traceback" not in result.stderr

@@ -1,0 +1,191 @@
+"""Blocks and plates that hold tabs: right place, right angle, right size, nothing that meets."""
+
+import numpy as np
+import pytest
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.holders.base_plate import base_plate
+from elastica_cad.fabrication.holders.end_fixtures import EndFixture, end_fixtures
+from elastica_cad.fabrication.holders.placed_tab import PlacedTab
+from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip.tabs import Hole, Tab
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+
+PLY = Sheet.named("birch-plywood-0.8")
+MDF = Sheet.named("mdf-3")
+UPRIGHT = Frame((0, 0, 0), (1, 0, 0), (0, 0, 1))
+
+
+@pytest.fixture(scope="module")
+def arch():
+    rod = optimal_rod(PlaneCurve.ellipse((0, 0), (100.0, 60.0), 0.0, 0.3, np.pi - 0.3))
+    return Strip(
+        rod, PLY, max_width=24.0, ends=(Tab(14), Tab(12, width=16, holes=(Hole(6, 3.0),))), label="A"
+    )
+
+
+def standing(strip, *angles, radius=300.0):
+    """Strips on a circle, in upright planes through the axis, their feet on z = 0."""
+    lowest = strip.rod.position[0, 1]
+    places = []
+    for v in angles:
+        out = np.array([np.cos(v), np.sin(v), 0.0])
+        places.append(Placed(strip, radius * out - (0, 0, lowest), out, (0, 0, 1)))
+    return Model(places, name="ring")
+
+
+def test_tabs_go_on_straight(arch):
+    for end, k in (("start", 0), ("end", -1)):
+        tab = PlacedTab.of(arch, end, UPRIGHT)
+        x, y = arch.rod.position[k]
+        assert tab.frame.origin == pytest.approx([x, 0, y])
+        way = 1 if end == "end" else -1
+        v = arch.rod.angle[k]
+        assert tab.frame.x_axis == pytest.approx([way * np.cos(v), 0, way * np.sin(v)], abs=1e-12)
+        assert tab.frame.x_axis[2] < 0
+    assert (tab.length, tab.width, tab.thickness, tab.name) == (12, 16, 0.8, "A:2")
+
+
+def test_the_pocket_is_the_tab_and_its_clearance(arch):
+    block = EndFixture.of(arch, "end", UPRIGHT, clearance=0.2).solid
+    pocket = block.removed[0]
+    low, high = pocket.outline.bounds
+    assert high[0] == pytest.approx(12 + 0.2)
+    assert (low[1], high[1]) == pytest.approx((-0.6, 0.6))
+    assert pocket.thickness == pytest.approx(16 + 0.4)
+    middle = pocket.frame.point(((low + high) / 2).tolist()) + pocket.frame.z_axis * pocket.thickness / 2
+    tab = PlacedTab.of(arch, "end", UPRIGHT)
+    assert tab.frame.local(middle)[1:] == pytest.approx([0, 0], abs=1e-9)
+    assert block.joints["tab"] is not None
+
+
+def test_holes_of_the_tab_go_through_the_block(arch):
+    tab = PlacedTab.of(arch, "end", UPRIGHT)
+    clamp = EndFixture.of(arch, "end", UPRIGHT).solid.removed[1]
+    axis = tab.frame.local(clamp.frame.point(clamp.outline.segments[0].center))
+    assert axis[:2] == pytest.approx([6, 0])
+    assert axis[2] < -5
+    assert axis[2] + clamp.thickness > 5
+
+
+def test_the_foot_stands_on_the_floor(arch):
+    floor = Frame((0, 0, -40.0))
+    fixture = EndFixture.of(arch, "start", UPRIGHT, floor=floor)
+    heights = [prism.frame.point(prism.outline.points(1e-3))[:, 2].min() for prism in fixture.solid.added]
+    assert heights == pytest.approx([-40.0, -40.0])
+    drills = [p for p in fixture.solid.removed if abs(p.frame.z_axis[2]) > 1 - 1e-9 and p.thickness == 6.0]
+    assert len(drills) == 2
+    for drill in drills:
+        assert drill.frame.origin[2] == pytest.approx(-41.0)
+        assert drill.frame.z_axis[2] == pytest.approx(1.0)
+
+
+def test_all_fixtures_of_a_model_share_the_floor(arch):
+    fixtures = end_fixtures(standing(arch, 0.0, 1.0).placed)
+    assert [f.number for f in fixtures] == ["A:1", "A:2", "A:1", "A:2"]
+    ground = fixtures[0].floor
+    assert all(f.floor is ground for f in fixtures)
+    assert min(f.lowest for f in fixtures) == pytest.approx(0.0, abs=1e-9)
+
+
+def test_leaning_strips_stand_square_to_their_tabs(arch):
+    leaning = Model([Placed(arch, (0, 0, 0), (1, 0, 0), (0, np.cos(0.4), np.sin(0.4)))])
+    fixtures = leaning.fixtures(foot=8, screw=3)
+    assert all(f.floor is None and f.lowest == pytest.approx(0.0, abs=1e-9) for f in fixtures)
+    with pytest.raises(InputError, match=r"fixture A:1: the plane of the strip leans .* degrees"):
+        leaning.fixtures(floor=Frame((0, 0, -500)))
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"floor": Frame()}, r"fixture A:1: the block reaches .* mm below the floor"),
+        ({"clearance": -1}, "clearance is -1"),
+        ({"wall": 0}, "wall is 0"),
+        ({"screw": 30}, "a screw of 30 mm does not fit"),
+        ({"end": "middle"}, "not 'middle'"),
+    ],
+)
+def test_impossible_blocks_are_refused(arch, options, message):
+    with pytest.raises(InputError, match=message):
+        EndFixture.of(arch, options.pop("end", "start"), UPRIGHT, **options)
+
+
+def test_no_tab_no_fixture(arch):
+    bare = Strip(arch.rod, PLY, max_width=24.0, ends=(Tab(0), Tab(10)), label="B")
+    with pytest.raises(InputError, match="fixture B:1: the strip has no tab"):
+        EndFixture.of(bare, "start")
+    assert [f.number for f in end_fixtures([Placed(bare)])] == ["B:2"]
+
+
+def slab_corners(tab, depth):
+    """Where the tab's four long edges meet a plane `depth` mm under the plate's upper face, z = 0."""
+    origins, way = tab.edges, tab.frame.x_axis
+    return (origins + np.outer((-depth - origins[:, 2]) / way[2], way))[:, :2]
+
+
+@pytest.mark.parametrize("shape", ["hull", "rectangle"])
+def test_every_tab_goes_through_its_slot(arch, shape, check_drawing):
+    import shapely
+
+    model = standing(arch, 0.0, 0.4, 0.8)
+    base = model.base_plate(MDF, play=0.3, clearance=0.1, shape=shape)
+    assert [slot.name for slot in base.slots] == ["A:1", "A:2"] * 3
+    outline = shapely.Polygon(base.outline.points(1e-3))
+    for i, placed in enumerate(model.placed):
+        for k, end in enumerate(("start", "end")):
+            slot = base.slots[2 * i + k]
+            hole = shapely.Polygon(slot.corners)
+            tab = PlacedTab.of(placed.strip, end, placed.frame)
+            phi = np.arcsin(-tab.frame.x_axis[2])
+            width = tab.thickness / np.sin(phi) + MDF.thickness / np.tan(phi) + 0.1
+            assert slot.size == pytest.approx((tab.width + 0.6, width))
+            for depth in (0.0, 1.5, 3.0):
+                assert hole.covers(shapely.MultiPoint(slab_corners(tab, depth)))
+            assert outline.exterior.distance(hole) >= 12 - 2e-3  # the polyline of a rounded corner
+    assert base.solid.frame.origin[2] == -3.0
+    assert base.solid.area == pytest.approx(base.piece.area)
+    check_drawing(base.drawing)
+
+
+def test_labels_keep_off_the_slots(arch):
+    import shapely
+
+    from elastica_cad.fabrication.drawings.lettering import text_strokes
+
+    base = standing(arch, *np.linspace(0, 6, 16)).base_plate(MDF)
+    slots = shapely.MultiPolygon([shapely.Polygon(slot.corners) for slot in base.slots])
+    for text in base.drawing.texts:
+        for stroke in text_strokes(text):
+            assert shapely.LineString(stroke.points(0.05)).distance(slots) > 0.8
+
+
+def test_least_slot_width_and_height_of_the_plate(arch):
+    model = standing(arch, 0.0)
+    assert model.base_plate(MDF, slot_width=9.0).slots[0].size[1] == pytest.approx(9.0)
+    with pytest.raises(InputError, match="no tab of the model goes through the plate"):
+        base_plate(model.placed, MDF, frame=Frame((0, 0, -50)))
+
+
+def test_slots_that_meet_are_named(arch):
+    close = standing(arch, 0.0, 0.03)
+    with pytest.raises(InputError, match=r"base: the slots of A:1 and A:1 come closer than 1 mm near \("):
+        close.base_plate(MDF)
+
+
+def test_flat_tabs_are_named():
+    low = optimal_rod(PlaneCurve.ellipse((0, 0), (100.0, 12.0), 0.0, 0.9, np.pi - 0.9))
+    model = standing(Strip(low, PLY, max_width=20.0, label="flat"), 0.0)
+    with pytest.raises(InputError, match=r"base: the tab of flat:1 leans to .* degrees from the plate"):
+        model.base_plate(MDF)
+
+
+@pytest.mark.parametrize("bad", [{"play": -1}, {"border": np.nan}, {"shape": "round"}])
+def test_impossible_plates_are_refused(arch, bad):
+    with pytest.raises(InputError, match="base: "):
+        standing(arch, 0.0).base_plate(MDF, **bad)

@@ -1,0 +1,115 @@
+"""The flat part: widths, outline, tabs, strain, mass and reactions."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import elastica_cad as ec
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.strip.tabs import Hole
+
+pytestmark = pytest.mark.core
+CARD = ec.Sheet.named("card-200gsm")
+
+
+def tapered(length=100.0):
+    s = np.linspace(0.0, length, 201)
+    return ec.Rod.straight(length, 1 + (s / length) ** 2)
+
+
+def test_width_is_proportional_to_stiffness():
+    rod = tapered()
+    strip = ec.Strip(rod, CARD, max_width=20.0)
+    assert strip.width(rod.s) == pytest.approx(10.0 * rod.stiffness, rel=1e-9)
+    assert ec.Strip(rod, CARD, min_width=7.0).width(0.0) == pytest.approx(7.0)
+
+
+def test_outline_is_one_closed_anticlockwise_loop_with_two_splines():
+    strip = ec.Strip(
+        tapered(), CARD, max_width=20.0, ends=(ec.Tab(5), ec.Tab(8, width=6.0, corner_radius=1.0))
+    )
+    outline = strip.outline
+    assert outline.closed
+    assert sum(type(segment).__name__ == "Spline" for segment in outline.segments) == 2
+    for here, following in zip(outline.segments, (*outline.segments[1:], outline.segments[0]), strict=True):
+        assert here.end == pytest.approx(following.start, abs=1e-9)
+    free = 10.0 * 100 * (1 + 1 / 3)
+    assert outline.area == pytest.approx(free + 5 * 10 + 8 * 6 - (2 - np.pi / 2), rel=1e-9)
+
+
+def test_holes_and_mass():
+    tab = ec.Tab(10, holes=(Hole(5, 3.0),))
+    strip = ec.Strip(ec.Rod.straight(100.0), CARD, max_width=20.0, ends=(tab, tab))
+    assert len(strip.holes) == 2
+    centres = sorted(float(np.mean(hole.bounds, axis=0)[0]) for hole in strip.holes)
+    assert centres == pytest.approx([-5.0, 105.0])
+    area = 120 * 20 - 2 * np.pi * 1.5**2
+    assert strip.mass == pytest.approx(area * CARD.thickness * CARD.density * 1e-6)
+
+
+def test_strain_of_an_arc_is_half_thickness_over_radius():
+    strip = ec.Strip(ec.optimal_rod(ec.PlaneCurve.arc((0, 0), 50.0, 0.0, 2.0)), CARD, max_width=20.0)
+    assert strip.max_strain == pytest.approx(CARD.thickness / 2 / 50.0)
+
+
+def test_strain_counts_from_what_each_node_keeps():
+    """A strip that was bent beyond its limit has a natural curvature of its own at each node."""
+    drawn = ec.optimal_rod(ec.PlaneCurve.ellipse((0, 0), (60, 40), start=-0.5, end=1.0), samples=801)
+    half = replace(drawn, natural_curvature=drawn.curvature / 2)
+    fresh, kept = (ec.Strip(rod, CARD, max_width=20) for rod in (drawn, half))
+    assert kept.max_strain == pytest.approx(fresh.max_strain / 2, rel=1e-4)
+    assert kept.max_strain_at == pytest.approx(fresh.max_strain_at, abs=drawn.s[1])
+
+
+def test_strain_beyond_the_limit_warns_with_place_and_radius():
+    ply = ec.Sheet.named("birch-plywood-0.8")
+    strip = ec.Strip(ec.optimal_rod(ec.PlaneCurve.arc((0, 0), 20.0, 0.0, 2.0)), ply, max_width=10.0)
+    (text,) = strip.warnings
+    assert "20.0 mm" in text
+    assert ply.name in text
+
+
+def test_reactions_balance():
+    """Without weight the supports' forces and moments cancel (statics, computed from end positions only)."""
+    curve = ec.PlaneCurve.ellipse((0, 0), (200.0, 100.0), 0.0, 0.1, 2.8)
+    rod = ec.optimal_rod(curve)
+    r = ec.Strip(rod, CARD, max_width=20.0).reactions()
+    assert r.start_force + r.end_force == pytest.approx([0, 0], abs=1e-12)
+    arm = rod.position[-1] - rod.position[0]
+    torque = r.start_moment + r.end_moment + arm[0] * r.end_force[1] - arm[1] * r.end_force[0]
+    assert torque == pytest.approx(0.0, abs=1e-6 * abs(r.end_moment))
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        ({}, "max_width or min_width"),
+        ({"max_width": 0.0}, "positive"),
+        ({"max_width": float("nan")}, "positive"),
+        ({"max_width": 10.0, "min_width": 9.0}, "below min_width"),
+        ({"max_width": 10.0, "ends": (ec.Tab(5, corner_radius=6.0), ec.Tab(5))}, "corners"),
+        ({"max_width": 10.0, "ends": (ec.Tab(5, holes=(Hole(2.5, 4.9),)), ec.Tab(5))}, None),
+    ],
+)
+def test_bad_sizes_are_refused_in_one_sentence(options, words):
+    if words is None:
+        with pytest.raises(InputError, match="breaks the edge"):
+            _ = ec.Strip(ec.Rod.straight(100.0), CARD, max_width=4.0, ends=options["ends"]).holes
+        return
+    with pytest.raises(InputError, match=words):
+        _ = ec.Strip(tapered(), CARD, **options).outline
+
+
+def test_hole_that_leaves_its_tab_is_refused():
+    with pytest.raises(InputError, match="does not fit"):
+        ec.Tab(5, holes=(Hole(1.0, 3.0),))
+
+
+def test_as_built_is_bent_on_finer_nodes_than_the_design():
+    """A design on too few nodes balances on them, but not between."""
+    points = [(0, 40), (9, 92), (92, 172), (188, -14), (308, -14), (368, 112), (451, 60), (460, 26)]
+    limits = ec.Limits(ratio=3.0, margin=5.0)
+    rod = ec.nearest_rod(ec.PlaneCurve.spline(points), limits, gravity=CARD.gravity(), samples=101).rod
+    assert np.abs(ec.bend(rod).position - rod.position).max() < 1e-3
+    assert ec.Strip(rod, CARD, max_width=17.4).deviation_as_built > 0.1

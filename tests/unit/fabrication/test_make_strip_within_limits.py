@@ -1,0 +1,39 @@
+"""Strips whose curve may change to meet limits (needs HiGHS)."""
+
+from dataclasses import replace
+
+import pytest
+
+from elastica_cad.errors import NotConvergedError
+from elastica_cad.fabrication.strip_spec import make_strip
+from elastica_cad.forming.limits import Keep, Limits
+from elastica_cad.forming.nearest.nearest_rod import nearest_rod
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.theorem1.verdict import NotRealizable
+
+ARCH = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
+WAVE = PlaneCurve.spline([(0, 0), (20, 50), (50, -40), (80, 55), (110, -30), (140, 0)], degree=4)
+
+
+def test_limits_allow_the_curve_to_move():
+    with pytest.raises(NotRealizable):
+        make_strip(WAVE, "card-200gsm", max_width=20)
+    strip = make_strip(WAVE, "card-200gsm", max_width=20, limits=Limits(ratio=4.0))
+    assert strip.rod.ratio <= 4.0 * (1 + 1e-6)
+    assert strip.rod.position[0] == pytest.approx(WAVE.sample(2).position[0], abs=1e-3)
+
+
+def test_keep_alone_asks_for_the_nearest_rod_too():
+    assert make_strip(ARCH, "card-200gsm", max_width=20, keep=Keep(ends=True)).rod.curve is not ARCH
+
+
+def test_limits_that_no_rod_meets():
+    """A strip this straight cannot span an arch whose ends must keep their steep tangents: say what would help."""
+    limits, keep = Limits(curvature=1e-3), Keep(ends=True, tangents=True)
+    with pytest.raises(NotConvergedError) as refused:
+        make_strip(ARCH, "card-200gsm", max_width=20, limits=limits, keep=keep)
+    card = Sheet.named("card-200gsm")  # whose strain and least width are kept too
+    implied = replace(limits, sheet=card, ratio=20 / card.least_width)
+    assert str(refused.value) == str(nearest_rod(ARCH, implied, keep))
+    assert "radius" in str(refused.value)

@@ -1,0 +1,96 @@
+"""Parts that no workshop can cut or handle are found, each with its place, its size and the cure."""
+
+import numpy as np
+import pytest
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.makeability.faults import find_plate_faults, find_slot_faults, find_strip_faults
+from elastica_cad.fabrication.makeability.shop import Shop
+from elastica_cad.fabrication.makeability.thin_places import find_thin_places
+from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.strip.perforation import Perforated
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip.tabs import Hole, Tab
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.rod.rod_record import Rod
+
+pytestmark = pytest.mark.core
+
+PLYWOOD = Sheet.named("birch-plywood-0.8")
+
+
+def strip(stiffness=(2, 2, 2), length=200.0, **options):
+    return Strip(Rod.straight(length, list(stiffness)), PLYWOOD, **({"max_width": 20.0} | options))
+
+
+def test_a_sound_strip_has_no_faults():
+    assert find_strip_faults(strip()) == ()
+
+
+def test_the_neck_of_half_a_millimetre_is_named_with_its_place():
+    (fault,) = find_strip_faults(strip((40, 1, 40), max_width=20.4, label="A1"))
+    assert fault.part == "A1"
+    assert "only 0.513 mm wide at" in fault.what
+    assert "3 mm are needed in birch-plywood-0.8" in fault.what
+    assert "max_width" in fault.cure
+
+
+def test_the_neck_lies_where_the_width_is_least():
+    rod = Rod.straight(200.0, 1 + 3 * np.abs(np.linspace(-1, 1, 301)))
+    (place,) = find_thin_places([Strip(rod, PLYWOOD, max_width=8.0).outline], [], 3.0)
+    assert place.width == pytest.approx(2.0, abs=0.03)
+    assert place.x == pytest.approx(100.0, abs=1.0)
+
+
+def test_a_slot_that_leaves_a_neck():
+    assert find_strip_faults(strip(slots=(Slot(100.0, 1.0, depth=16.0),))) == ()  # 4 mm are left
+    (fault,) = find_strip_faults(strip(slots=(Slot(100.0, 1.0, depth=18.0),)))
+    assert "only 2 mm wide" in fault.what
+
+
+def test_a_hole_near_the_edge_of_a_tab():
+    fault, *_ = find_strip_faults(strip(ends=(Tab(20, holes=(Hole(10, 15.0),)), Tab(12))))
+    assert "only 2.51 mm wide" in fault.what
+
+
+def test_wide_corners_are_no_necks():
+    triangle = Path.polygon([(0, 0), (40, 0), (20, 30)])
+    assert find_thin_places([triangle], [], 3.0) == ()
+    needle = Path.polygon([(0, 0), (40, 0), (40, 6)])
+    assert find_thin_places([needle], [], 3.0)
+
+
+def test_bridges_of_plates_have_a_limit_of_their_own():
+    plate = Path.rectangle(100, 60)
+    slots = [Path.rectangle(26, 12, corner=(10, 10)), Path.rectangle(26, 12, corner=(37, 10))]
+    (fault,) = find_plate_faults("ring", Sheet.named("mdf-3"), plate, slots)
+    assert "only 1 mm wide" in fault.what
+    assert find_plate_faults("ring", Sheet.named("mdf-3"), plate, slots, Shop(least_bridge=0.9)) == ()
+
+
+def test_slots_far_wider_than_what_goes_through():
+    (fault,) = find_slot_faults("ring", 0.8, [("A", 2.0), ("B", 12.0)])
+    assert "the slot for B is 12 mm wide for a tab of 0.8 mm" in str(fault)
+    assert find_slot_faults("ring", 0.8, [("A", 2.0)]) == ()
+
+
+def test_longer_than_the_stock_and_too_slender():
+    faults = find_strip_faults(strip(length=8000.0, max_width=3.6))
+    assert any("larger than the stock of 3050 x 1525 mm" in fault.what for fault in faults)
+    assert any("too slender to handle" in fault.what for fault in faults)
+    assert find_strip_faults(strip(length=900.0), Shop(stock=(600, 400)))
+
+
+def test_ligaments_are_judged_by_their_own_limit():
+    style = Perforated(width=24.0, columns=2, rows=4, least_ligament=0.5)
+    holed = Strip(Rod.straight(120.0, [1, 2, 1]), Sheet.named("card-200gsm"), style=style)
+    assert find_strip_faults(holed) == ()
+    (fault,) = find_strip_faults(holed, Shop(least_ligament=0.8))
+    assert "0.8 mm are needed" in fault.what
+
+
+@pytest.mark.parametrize("limits", [{"least_width": 0.0}, {"least_bridge": np.nan}, {"stock": (600, -1)}])
+def test_limits_that_make_no_sense(limits):
+    with pytest.raises(InputError):
+        Shop(**limits)

@@ -1,0 +1,163 @@
+"""Sheets with nested pieces: nothing closer than the margin, grain kept, nothing lost; the cut list."""
+
+import csv
+import io
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import shapely
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, Drawing, LayeredPath
+from elastica_cad.fabrication.drawings.kerf import compensate_kerf
+from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.sheets.cut_list import cut_list
+from elastica_cad.fabrication.sheets.nesting import nest_pieces
+from elastica_cad.fabrication.sheets.pieces import Piece
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.rod.rod_record import Rod
+
+CARD = Sheet.named("card-200gsm")
+MDF = Sheet("board", 3.0, 3000.0, 700.0, 0.01, kerf=0.16)  # no grain
+PLY_ACROSS = Sheet("ply-across", 1.0, 5000.0, 700.0, 0.01, grain="across")
+
+
+def plate(name, width, height, sheet=MDF, count=1):
+    hole = Path.circle((width / 2 - 7, height / 2 + 9), min(width, height) / 4)
+    paths = [
+        LayeredPath(CUT_INNER, hole),
+        LayeredPath(CUT_OUTER, Path.rectangle(width, height, corner=(-7, 9))),
+    ]
+    return Piece(name, Drawing(name, paths), sheet, count)
+
+
+def outlines(drawing):
+    return [shapely.Polygon(path.points(1e-3)) for path in drawing.on(CUT_OUTER)]
+
+
+def assert_margin_kept(nest, margin):
+    shapes = outlines(nest)
+    tree = shapely.STRtree(shapes)
+    first, second = tree.query(shapes, predicate="dwithin", distance=margin - 1e-6)
+    assert np.all(first == second)
+    low = np.min([shape.bounds[:2] for shape in shapes], axis=0)
+    high = np.max([shape.bounds[2:] for shape in shapes], axis=0)
+    assert np.all(low >= margin - 1e-6)
+    assert np.all(high <= np.array(nest.sheet_size) - margin + 1e-6)
+
+
+@pytest.mark.parametrize("margin", [0.0, 1.5, 6.0])
+@pytest.mark.parametrize("seed", range(4))
+def test_margin_is_kept_and_nothing_is_lost(margin, seed):
+    rng = np.random.default_rng(seed)
+    sheets = [MDF, CARD, PLY_ACROSS]
+    pieces = [
+        plate(f"p{i}", *rng.uniform(20, 180, 2), sheet=sheets[i % 3], count=int(rng.integers(1, 4)))
+        for i in range(24)
+    ]
+    nests = nest_pieces(pieces, sheet_size=(400, 300), margin=margin)
+    laid = [name for nest in nests for name in nest.pieces]
+    assert sorted(laid) == sorted(name for piece in pieces for name in [piece.name] * piece.count)
+    for nest in nests:
+        assert_margin_kept(nest, margin)
+        assert {p.sheet for p in pieces if p.name in nest.pieces} == {nest.sheet}
+        assert len(nest.on(CUT_OUTER)) == len(nest.on(CUT_INNER)) == len(nest.pieces)
+        assert nest.filled <= nest.used <= 400 * 300
+
+
+@pytest.mark.parametrize(("kerf", "burnt"), [(0.3, 0.3), (None, MDF.kerf), (-0.2, -0.2)])
+def test_the_margin_holds_between_the_cuts_as_they_run(kerf, burnt):
+    pieces = [plate(f"p{i}", 30 + 7 * i, 20 + 3 * i, sheet=MDF, count=3) for i in range(5)]
+    for nest in nest_pieces(pieces, sheet_size=(200, 150), margin=1.0, kerf=kerf):
+        cut = compensate_kerf(nest, burnt)
+        assert_margin_kept(replace(nest, paths=cut.paths), 1.0)
+
+
+def test_rows_are_well_filled():
+    """Equal plates that fill rows exactly leave nothing over."""
+    nests = nest_pieces([plate("a", 98, 48, count=24)], sheet_size=(402, 302), margin=2)
+    assert len(nests) == 1
+    assert nests[0].counts == {"a": 24}
+    assert nests[0].filled == pytest.approx(nests[0].used)
+
+
+def test_the_better_side_is_chosen():
+    """Long strips of a sheet without grain go along the short side where more of them fit."""
+    strips = plate("s", 358, 45, count=12)
+    assert len(nest_pieces([strips], sheet_size=(600, 400), margin=2)) == 1
+
+
+@pytest.mark.parametrize(("sheet", "along_x"), [(CARD, True), (PLY_ACROSS, False)])
+def test_grain_runs_along_the_sheet(sheet, along_x):
+    (nest,) = nest_pieces([plate("g", 120, 30, sheet, count=5)], sheet_size=(300, 300), margin=1)
+    sizes = np.array([np.ptp(path.bounds, axis=0) for path in nest.on(CUT_OUTER)])
+    assert np.all((sizes[:, 0] > sizes[:, 1]) == along_x)
+
+
+def test_parts_larger_than_the_sheet_are_named():
+    pieces = [plate("small", 20, 20), plate("beam", 700, 20)]
+    with pytest.raises(InputError, match=r"beam: 700\.0 by 20\.0 mm is larger than a sheet of 600 by 400"):
+        nest_pieces(pieces)
+    with pytest.raises(InputError, match=r"plank: 500\.0 by 30\.0 mm .* with the grain across"):
+        nest_pieces([plate("plank", 500, 30, PLY_ACROSS)], sheet_size=(600, 400))
+    nest_pieces([plate("plank", 500, 30)], sheet_size=(400, 600))
+
+
+@pytest.mark.parametrize("bad", [{"sheet_size": (0, 400)}, {"sheet_size": (np.nan, 1)}, {"margin": -1}])
+def test_impossible_sheets_are_refused(bad):
+    with pytest.raises(InputError, match="sheet size is"):
+        nest_pieces([plate("a", 10, 10)], **bad)
+
+
+def test_pieces_need_something_to_cut_out():
+    with pytest.raises(InputError, match="empty: there is no closed outer cut"):
+        Piece("empty", Drawing("empty", []), MDF)
+    with pytest.raises(InputError, match="count must be 1"):
+        plate("a", 1, 1, count=0)
+
+
+def strip(label, ratio=2.0):
+    return Strip(Rod.straight(120.0, [1.0, ratio, 1.0]), CARD, max_width=20.0, label=label)
+
+
+def test_nests_pass_the_file_checks(check_drawing):
+    model = Model([Placed(strip("A")), Placed(strip("B", 3.0)), Placed(strip("A"))], name="kit")
+    (nest,) = model.nest(sheet_size=(300, 200), margin=2, others=[plate("bar", 40, 10, CARD)])
+    assert nest.counts == {"A": 2, "B": 1, "bar": 1}
+    assert nest.name == "kit-nest-1-card-200gsm"
+    assert_margin_kept(nest, 2)
+    check_drawing(nest)
+
+
+def test_cut_list_tells_sizes_and_sums():
+    model = Model([Placed(strip("A")), Placed(strip("B", 3.0)), Placed(strip("A"))])
+    listed = model.cut_list()
+    rows = list(csv.DictReader(io.StringIO(listed.csv)))
+    assert [(row["part"], int(row["count"])) for row in rows] == [("A", 2), ("B", 1)]
+    assert float(rows[0]["length_mm"]) == pytest.approx(140.0)
+    assert float(rows[0]["width_mm"]) == pytest.approx(20.0)
+    assert rows[0]["file"] == "A_card-200gsm_0.2mm_x2.dxf"
+    a = strip("A")
+    assert float(rows[0]["cut_length_mm"]) == pytest.approx(a.outline.length, abs=0.06)
+    assert float(rows[0]["mass_g"]) == pytest.approx(a.mass, abs=6e-4)
+    assert listed.mass == pytest.approx(2 * a.mass + strip("B", 3.0).mass)
+    assert listed.count == 3
+    assert "in all" in str(listed)
+    assert str(listed).count("\n") == 6
+
+
+def test_different_parts_with_one_label_are_numbered():
+    model = Model([Placed(strip("A")), Placed(strip("A", 3.0)), Placed(strip("A-2", 1.5))])
+    names = [piece.name for piece in model.pieces]
+    assert names == ["A", "A-3", "A-2"]
+    assert model.pieces[1].drawing.texts[0].text == "A-3"
+
+
+def test_file_names_hold_no_odd_letters():
+    piece = Piece("P 1/2: top", plate("x", 10, 10).drawing, MDF, 3)
+    assert piece.file_stem == "P-1-2-top_board_3mm_x3"
+    assert cut_list([piece]).rows[0].file == f"{piece.file_stem}.dxf"

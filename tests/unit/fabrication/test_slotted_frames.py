@@ -1,0 +1,133 @@
+"""A frame of rails and ribs: tabs through rails, tongues in slots, nothing that collides."""
+
+import numpy as np
+import pytest
+import shapely
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.holders.placed_tab import PlacedTab
+from elastica_cad.fabrication.holders.slotted_frame import slotted_frame
+from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip.tabs import Tab
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+
+PLY = Sheet.named("birch-plywood-0.8")
+MDF = Sheet.named("mdf-3")
+
+
+def arch(label, *, span=100.0, start=-0.3, tab=20.0):
+    rod = optimal_rod(PlaneCurve.ellipse((0, 0), (span, 60.0), 0.0, start, np.pi - start))
+    return Strip(rod, PLY, max_width=16.0, ends=(Tab(tab), Tab(tab)), label=label)
+
+
+def row(*spans, **options):
+    places = [
+        Placed(arch(f"H{i}", span=span, **options), (0, 45.0 * i, 0), (1, 0, 0), (0, 0, 1))
+        for i, span in enumerate(spans, start=1)
+    ]
+    return Model(places, name="row")
+
+
+@pytest.fixture(scope="module", params=["flat", "tilted"])
+def model(request):
+    """Arches side by side; their tabs point down, or outward so that the rails lie at an angle."""
+    return row(100, 96, 92, 96, 100) if request.param == "flat" else row(*[100] * 5, start=0.9)
+
+
+@pytest.fixture(scope="module")
+def frame(model):
+    return model.slotted_frame(MDF, ribs=4, border=7)
+
+
+def test_every_tab_has_a_slot_in_its_rail(model, frame):
+    for rail, end in zip(frame.rails, ("start", "end"), strict=True):
+        slots = {slot.name: shapely.Polygon(slot.corners) for slot in rail.slots}
+        for placed in model.placed:
+            tab = PlacedTab.of(placed.strip, end, placed.frame)
+            edges, step = rail.frame.local(tab.edges), rail.frame.axes @ tab.frame.x_axis
+            for z in (0.0, -3.0):
+                through = edges + np.outer((z - edges[:, 2]) / step[2], step)
+                assert slots[tab.name].covers(shapely.MultiPoint(through[:, :2]))
+            assert rail.frame.local(tab.tip)[2] < -3.0
+
+
+def test_tongues_fill_their_slots(frame):
+    assert [rib.name for rib in frame.ribs] == ["rib-1", "rib-2", "rib-3", "rib-4"]
+    for rib in frame.ribs:
+        loop = rib.frame.point(rib.outline.points(1e-3))
+        for rail in frame.rails:
+            assert abs(rib.frame.z_axis @ rail.frame.z_axis) < 1e-9
+            (slot,) = [slot for slot in rail.slots if slot.name == rib.name]
+            assert slot.size == pytest.approx((12.6, 3.1))
+            local = rail.frame.local(loop)
+            top = local[np.abs(local[:, 2]) < 1e-6][:, :2]
+            hole = shapely.Polygon(slot.corners).buffer(1e-6)
+            inside = top[[hole.covers(shapely.Point(p)) for p in top]]
+            assert len(inside) == 2
+            assert np.hypot(*(inside[1] - inside[0])) == pytest.approx(12.0)
+            beside = local[np.abs(local[:, 2] + 3.0) < 1e-6]
+            assert len(beside) >= 3
+
+
+def test_slots_keep_apart_and_inside(frame, check_drawing):
+    for rail in frame.rails:
+        slots = [shapely.Polygon(slot.corners) for slot in rail.slots]
+        first, second = shapely.STRtree(slots).query(slots, predicate="dwithin", distance=2.9)
+        assert np.all(first == second)
+        edge = shapely.Polygon(rail.outline.points(1e-3)).exterior
+        assert min(edge.distance(slot) for slot in slots) > 7 - 2e-3
+    for piece in frame.pieces:
+        check_drawing(piece.drawing)
+        outline = shapely.Polygon(piece.drawing.on("CUT_OUTER")[0].points(1e-3))
+        for item in piece.drawing.strokes:
+            assert outline.buffer(1e-3).covers(shapely.LineString(item.path.points(1e-2)))
+
+
+def test_nothing_collides(model, frame):
+    from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
+    from OCP.BRepGProp import BRepGProp
+    from OCP.GProp import GProp_GProps
+
+    from elastica_cad.fabrication.solids.strip_solids import BentSolid
+    from elastica_cad.kernel.occt import make_solid
+
+    plates = [make_solid(solid) for _, solid in frame.solids]
+    bent = [make_solid(BentSolid.of(p.strip, p.frame)) for p in model.placed]
+    for i, plate in enumerate(plates):
+        for other in plates[i + 1 :] + bent:
+            mass = GProp_GProps()
+            BRepGProp.VolumeProperties_s(BRepAlgoAPI_Common(plate, other).Shape(), mass)
+            assert abs(mass.Mass()) < 1e-6
+
+
+def test_two_strips_make_a_frame_and_one_does_too():
+    assert len(slotted_frame(row(100, 90).placed, MDF).ribs) == 3
+    assert len(slotted_frame(row(100).placed, MDF).ribs) == 2
+
+
+def test_frames_turn_with_the_model(model, frame):
+    turn = Frame((0, 0, 0), (0.6, 0.8, 0), (0, 0, 1)).axes
+    moved = Model([placed.moved(turn, (1.0, 2.0, 3.0)) for placed in model.placed])
+    again = moved.slotted_frame(MDF, ribs=4, border=7)
+    assert [p.area for p in again.pieces] == pytest.approx([p.area for p in frame.pieces])
+
+
+@pytest.mark.parametrize(
+    ("model", "options", "message"),
+    [
+        (row(100, 96), {"ribs": 1}, "a frame of 1 ribs"),
+        (row(100, 96), {"depth": 0}, "frame depth is 0"),
+        (row(100, 96, tab=1), {}, "rail-start: the tab of H1:1 ends 0 mm in front of the rail or within it"),
+        (Model([Placed(arch("A")), Placed(arch("B"), (0, 0, 200), (-1, 0, 0), (0, -1, 0))]), {},
+         "rail-start: the tabs point in too many directions"),
+        (Model([Placed(arch("A")), Placed(arch("B"), (0, 0, 3))]), {}, "the slots of A:1 and B:1 come closer"),
+    ],
+)  # fmt: skip
+def test_frames_refuse_in_words(model, options, message):
+    with pytest.raises(InputError, match=message):
+        model.slotted_frame(MDF, **options)

@@ -1,0 +1,134 @@
+"""Models: equal parts, patterns, moved strips."""
+
+import numpy as np
+import pytest
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.strip.perforation import Perforated
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip.tabs import Hole, Tab
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+
+pytestmark = pytest.mark.core
+
+CARD = Sheet.named("card-200gsm")
+CURVE = PlaneCurve.spline([(0, 0), (10, 60), (70, 80), (120, 60), (150, 0)])
+ROD = optimal_rod(CURVE)
+
+
+def strip(**options):
+    return Strip(ROD, CARD, **{"max_width": 20, **options})
+
+
+def mirror_image(**options):
+    flipped = CURVE.transformed(np.diag([-1.0, 1.0, 1.0])).reversed()
+    return Strip(optimal_rod(flipped), CARD, **{"max_width": 20, **options})
+
+
+def counts(*strips):
+    return [part.count for part in Model([Placed(s) for s in strips]).parts]
+
+
+def test_equal_strips_are_cut_once():
+    """Equal when made twice, turned about, turned over; different in label, sheet, slots or size."""
+    assert counts(strip(), strip(), mirror_image()) == [3]
+    assert counts(strip(), strip(label="B"), strip(label="B")) == [1, 2]
+    assert counts(strip(), Strip(ROD, Sheet.named("birch-plywood-0.8"), max_width=20)) == [1, 1]
+    assert counts(strip(), strip(max_width=20.001)) == [1, 1]
+    slot = Slot(40, 1, 4)
+    assert counts(strip(slots=(slot,)), strip(slots=(slot.mirrored(),)), strip()) == [2, 1]
+    assert counts(strip(slots=(slot,)), strip(slots=(Slot(41, 1, 4),))) == [1, 1]
+    assert counts(strip(slots=(Slot(40, 1, 4, mate="A"),)), strip(slots=(Slot(40, 1, 4, mate="B"),))) == [
+        1,
+        1,
+    ]
+
+
+def test_slots_of_a_part_turned_about():
+    there = strip(slots=(Slot(40, 1, 4),))
+    back = mirror_image(slots=(Slot(ROD.length - 40, 1, 4),))
+    same_side = mirror_image(slots=(Slot(ROD.length - 40, 1, 4, side="lower"),))
+    assert counts(there, back, same_side) == [3]
+    assert counts(there, mirror_image(slots=(Slot(40, 1, 4),))) == [1, 1]
+
+
+def test_holes_are_compared():
+    ends = (Tab(10, holes=(Hole(5, 2, 2),)), Tab(10))
+    over = (Tab(10, holes=(Hole(5, 2, -2),)), Tab(10))
+    other = (Tab(10, holes=(Hole(5, 2, 1),)), Tab(10))
+    assert counts(strip(ends=ends), strip(ends=over), strip(ends=other), strip()) == [2, 1, 1]
+    style = Perforated(columns=2, rows=3, width=30)
+    assert counts(
+        strip(style=style), strip(style=style), strip(style=Perforated(columns=2, rows=4, width=30))
+    ) == [2, 1]
+
+
+def test_names_and_members():
+    model = Model([Placed(strip()), Placed(strip(label="X")), Placed(strip())], name="three")
+    assert [(part.name, part.members, part.count) for part in model.parts] == [
+        ("strip 1", (0, 2), 2),
+        ("X", (1,), 1),
+    ]
+    assert model.name_of(2) == "strip 3"
+
+
+def test_patterns_carry_a_count():
+    """The Shell: a third of ten strips, mirrored, then three times around: 60 strips, 10 different."""
+    tenth = [Placed(strip(max_width=15 + i, label=f"S{i}"), (0, 20 * i, 0)) for i in range(10)]
+    shell = Model(tenth).mirrored((0, -20, 0), (0, 1, 0)).rotated(3, point=(0, -300, 0))
+    assert len(shell.placed) == 60
+    assert [part.count for part in shell.parts] == [6] * 10
+    assert len(Model(tenth).mirrored((0, 0, 0), (0, 1, 0), keep=False).placed) == 10
+    row = Model(tenth[:1]).repeated(5, (0, 30, 0))
+    np.testing.assert_allclose([p.origin for p in row.placed], [[0, 30 * i, 0] for i in range(5)])
+
+
+def test_rotation_and_mirror_in_space():
+    placed = Placed(strip(slots=(Slot(40, 1, 4),)), (10, 0, 0), (1, 0, 0), (0, 0, 1))
+    quarter = Model([placed]).rotated(4).placed[1]
+    np.testing.assert_allclose(quarter.frame.point((1, 2, 3)), [3, 11, 2], atol=1e-12)
+    np.testing.assert_allclose(placed.frame.point((1, 2, 3)), [11, -3, 2], atol=1e-12)
+    image = Model([placed]).mirrored((0, 5, 0), (0, 2, 0), keep=False).placed[0]
+    # y of the flat pattern changes its sign, so does the ruling: points land on their mirror images
+    np.testing.assert_allclose(image.frame.point((1, 2, -3)), [11, 13, 2], atol=1e-12)
+    assert image.strip.slots[0].side == "lower"
+    np.testing.assert_allclose(np.cross(image.x_axis, image.y_axis), image.frame.z_axis)
+
+
+def test_patterns_after_slots_stay_one_part():
+    def tilted(x, y, angle):
+        return (np.cos(angle), np.sin(angle), 0.0)
+
+    flat = Strip(optimal_rod(CURVE), CARD, max_width=20, label="A")
+    other = Strip(optimal_rod(PlaneCurve.line((0, 0), (120, 0))), CARD, max_width=20, label="B")
+    model = Model(
+        [
+            Placed(flat, (0, 0, 0), (1, 0, 0), (0, 1, 0)),
+            Placed(other, (30, 30, 0), tilted(0, 0, 0.5), (-np.sin(0.5), np.cos(0.5), 0)),
+        ]
+    )
+    slotted = model.interlock()
+    assert slotted.joints
+    many = slotted.mirrored((0, 0, 200), (0, 0, 1)).rotated(3, point=(500, 0, 0))
+    assert [part.count for part in many.parts] == [6, 6]
+
+
+def test_bad_models():
+    with pytest.raises(InputError, match="no strips"):
+        Model([])
+    with pytest.raises(InputError, match="right angles"):
+        Placed(strip(), x_axis=(1, 0, 0), y_axis=(1, 1, 0))
+    with pytest.raises(InputError, match="rotation or mirror"):
+        Placed(strip()).moved(np.diag([1, 1, 2]))
+    model = Model([Placed(strip())])
+    with pytest.raises(InputError, match="mirror needs"):
+        model.mirrored((0, 0, 0), (0, 0, 0))
+    with pytest.raises(InputError, match="count of 1 or more"):
+        model.rotated(0)
+    with pytest.raises(InputError, match="1 time or more"):
+        model.repeated(0, (1, 0, 0))

@@ -1,0 +1,81 @@
+"""Tabs with T-slots and tapers: exact areas, sound files, bodies that hold the screw."""
+
+import numpy as np
+import pytest
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.holders.end_fixtures import EndFixture
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip.tabs import Hole, Tab, TSlot
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.rod.rod_record import Rod
+
+PLY = Sheet.named("birch-plywood-3")
+
+
+def strip(tab, width=30.0):
+    return Strip(Rod.straight(100.0), PLY, max_width=width, ends=(tab, tab), label="T")
+
+
+@pytest.mark.parametrize("rim", [{}, {"corner_radius": 3.0}, {"chamfer": 3.0}, {"taper": 4.0}])
+@pytest.mark.parametrize("deep", [6.6, 12.0])
+def test_a_t_slot_takes_its_area_away(rim, deep, check_drawing):
+    slot = TSlot(deep)
+    plain, cut = strip(Tab(20, **rim)), strip(Tab(20, t_slot=slot, **rim))
+    gone = deep * 3.2 + (5.6 - 3.2) * 2.6
+    assert plain.area - cut.area == pytest.approx(2 * gone)
+    assert cut.outline.area > 0
+    check_drawing(cut.drawing())
+
+
+def test_a_taper_makes_a_trapezium():
+    assert strip(Tab(10, taper=4)).area == pytest.approx(30 * 100 + 2 * 10 * (30 + 22) / 2)
+
+
+def test_the_slot_lies_in_the_middle_of_the_edge():
+    outline = strip(Tab(20, t_slot=TSlot(12, screw=4.0, nut=(7.0, 3.2), wall=5.0))).outline
+    corners = {tuple(np.round(segment.start, 9)) for segment in outline.segments}
+    for sign in (-1, 1):
+        for x, y in ((20, 2), (15, 2), (15, 3.5), (11.8, 3.5), (11.8, 2), (8, 2)):
+            assert (100.0 + x, sign * float(y)) in corners
+            assert (-float(x), sign * float(y)) in corners
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (lambda: TSlot(-1), "needs positive sizes"),
+        (lambda: TSlot(10, nut=(3.0, 2.0)), "held by nothing"),
+        (lambda: TSlot(5), "ends before its nut is in, at 6.6 mm"),
+        (lambda: Tab(10, t_slot=TSlot(10)), "does not fit a tab of 10 mm"),
+        (lambda: Tab(10, taper=2, chamfer=1), "neither corner radius nor chamfer"),
+        (lambda: Tab(10, taper=-2), "tab taper is -2"),
+        (
+            lambda: strip(Tab(20, t_slot=TSlot(12)), width=5.0).outline,
+            "wider than the tab's outer edge of 5 mm",
+        ),
+        (lambda: strip(Tab(10, taper=15)).outline, "a taper of 15 mm leaves nothing"),
+        (lambda: strip(Tab(20, t_slot=TSlot(12), holes=(Hole(10, 3),))).holes, "meets its T-slot"),
+    ],
+)
+def test_what_does_not_fit_is_refused(make, message):
+    with pytest.raises(InputError, match=message):
+        make()
+
+
+def test_holes_beside_or_behind_the_slot_stay():
+    tab = Tab(20, t_slot=TSlot(10), holes=(Hole(5, 3), Hole(14, 3, 8)))
+    assert len(strip(tab).holes) == 4
+
+
+def test_the_screw_goes_through_the_wall_of_the_block():
+    fixture = EndFixture.of(strip(Tab(20, t_slot=TSlot(12))), "end")
+    round_ones = [
+        prism
+        for prism in fixture.solid.removed
+        if prism.outline.segments[0].length == pytest.approx(3.2 * np.pi)
+    ]
+    (drill,) = round_ones
+    assert drill.frame.origin == pytest.approx(fixture.tab.tip)
+    assert drill.frame.z_axis == pytest.approx(fixture.tab.frame.x_axis)
+    assert drill.thickness > fixture.clearance + fixture.wall

@@ -1,0 +1,95 @@
+import errno
+import os
+
+import pytest
+
+from elastica_cad.errors import InputError
+from elastica_cad.formats.file_access.atomic_write import write_atomically
+
+pytestmark = pytest.mark.core
+
+
+def test_bytes_or_a_writer(tmp_path):
+    assert write_atomically(tmp_path / "a.txt", b"one").read_bytes() == b"one"
+    assert write_atomically(str(tmp_path / "b.txt"), lambda file: file.write(b"two")).read_bytes() == b"two"
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["a.txt", "b.txt"]
+
+
+def test_nothing_is_overwritten_unless_allowed(tmp_path):
+    path = tmp_path / "a.txt"
+    path.write_text("old")
+    with pytest.raises(InputError, match=r"a\.txt exists already.*force"):
+        write_atomically(path, b"new")
+    assert path.read_text() == "old"
+    write_atomically(path, b"new", force=True)
+    assert path.read_text() == "new"
+
+
+def test_folders_are_no_files(tmp_path):
+    with pytest.raises(InputError, match="is a folder: give the name of a file"):
+        write_atomically(tmp_path, b"x", force=True)
+    with pytest.raises(InputError, match=r"no folder .*missing; create it"):
+        write_atomically(tmp_path / "missing" / "a.txt", b"x")
+    (tmp_path / "plain").write_text("")
+    with pytest.raises(InputError, match="no folder"):
+        write_atomically(tmp_path / "plain" / "a.txt", b"x")
+
+
+def test_a_writer_that_fails_leaves_the_old_file(tmp_path):
+    path = tmp_path / "a.txt"
+    path.write_text("old")
+
+    def broken(file):
+        file.write(b"half")
+        raise KeyError("broken")
+
+    with pytest.raises(KeyError):
+        write_atomically(path, broken, force=True)
+    assert [p.name for p in tmp_path.iterdir()] == ["a.txt"]
+    assert path.read_text() == "old"
+
+
+@pytest.mark.parametrize(
+    ("code", "reason"),
+    [(errno.EACCES, "no permission"), (errno.ENOSPC, "No space left"), (errno.EROFS, "Read-only")],
+)
+def test_what_the_system_refuses_is_said(tmp_path, monkeypatch, code, reason):
+    def refuse(*_):
+        raise OSError(code, os.strerror(code))
+
+    monkeypatch.setattr(os, "replace", refuse)
+    with pytest.raises(InputError, match=f"a.txt can't be written: {reason}"):
+        write_atomically(tmp_path / "a.txt", b"x")
+    assert not list(tmp_path.iterdir())
+
+
+def test_read_only_files_stay(tmp_path, monkeypatch):
+    path = tmp_path / "a.txt"
+    path.write_text("old")
+    path.chmod(0o444)
+    # a superuser may write anything: ask as others would
+    monkeypatch.setattr(
+        os, "access", lambda file, mode: not (mode & os.W_OK) or bool(os.stat(file).st_mode & 0o200)
+    )
+    with pytest.raises(InputError, match="no permission to change that file"):
+        write_atomically(path, b"new", force=True)
+    assert path.read_text() == "old"
+
+
+def test_links_are_followed(tmp_path):
+    real = tmp_path / "real.txt"
+    real.write_text("old")
+    link = tmp_path / "link.txt"
+    link.symlink_to(real)
+    write_atomically(link, b"new", force=True)
+    assert link.is_symlink()
+    assert real.read_text() == "new"
+
+
+def test_permissions_follow_the_users_mask(tmp_path):
+    before = os.umask(0o027)
+    try:
+        path = write_atomically(tmp_path / "a.txt", b"x")
+    finally:
+        os.umask(before)
+    assert path.stat().st_mode & 0o777 == 0o640

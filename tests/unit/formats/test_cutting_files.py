@@ -1,0 +1,252 @@
+import subprocess
+import sys
+from xml.etree import ElementTree
+
+import ezdxf
+import numpy as np
+import pytest
+import svgelements
+
+from elastica_cad.errors import InputError, MissingDependencyError
+from elastica_cad.fabrication.drawings.drawing import (
+    CUT_INNER,
+    CUT_OUTER,
+    ENGRAVE,
+    MARK,
+    Drawing,
+    LayeredPath,
+)
+from elastica_cad.fabrication.drawings.lettering import Text
+from elastica_cad.formats.drawing_files.curve_style import CURVES
+from elastica_cad.formats.drawing_files.dxf_drawing import DXF_VERSIONS, dxf_bytes
+from elastica_cad.formats.drawing_files.layers import layer_styles
+from elastica_cad.formats.drawing_files.svg_drawing import svg_bytes
+from elastica_cad.formats.drawing_files.write_drawing import write_drawing
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.segments import Arc, Line, Spline
+
+
+def waved(degree=3):
+    """An outline with two splines, lines and a rounded end."""
+    low = PlaneCurve.spline([(0, -6), (30, -14), (60, -3), (90, -12), (110, -5), (120, -5)], degree)
+    high = PlaneCurve(low.knots, low.control_points * (1, -1), degree).reversed()
+    end = Arc((120, 0), 5, -np.pi / 2, np.pi / 2)
+    return Path([Spline(low), end, Spline(high), Line((0, 6), (0, -6))], closed=True)
+
+
+def drawing(degree=3):
+    return Drawing(
+        "waved <strip> & co",
+        [
+            LayeredPath(CUT_OUTER, waved(degree)),
+            LayeredPath(CUT_INNER, Path.circle((110, 0), 2)),
+            LayeredPath(MARK, Path([Line((10, -2), (10, 2))])),
+            LayeredPath(
+                CUT_INNER, Path.polyline([(60, -1), (70, -1), (70, 1), (60, 1)], [0, 1, 0, 1], closed=True)
+            ),
+            LayeredPath(CUT_INNER, Path([Spline(PlaneCurve.ellipse((30, 0), (6, 2)))], closed=True)),
+            LayeredPath(ENGRAVE, Path([Spline(PlaneCurve.spline([(80, 0), (84, 3), (88, -3), (92, 0)], 3))])),
+        ],
+        [Text((40, -2), "A1: 0.8 mm", 4.0)],
+    )
+
+
+@pytest.mark.parametrize(
+    ("version", "curves"),
+    [
+        *((version, "spline") for version in DXF_VERSIONS),
+        *((v, c) for v in ("R12", "R2010") for c in CURVES[1:]),
+    ],
+)
+def test_every_version_and_curve_mode_is_sound(check_drawing, version, curves):
+    check_drawing(drawing(), version=version, curves=curves, tolerance=0.005)
+
+
+@pytest.mark.parametrize("degree", [3, 5])
+def test_default_files_are_exact(check_drawing_file, tmp_path, degree):
+    drawn = {item.layer: item.path for item in drawing(degree).strokes}
+    for suffix in ("dxf", "svg"):
+        curves = check_drawing_file(write_drawing(drawing(degree), tmp_path / f"strip.{suffix}"))
+        loop = next(curve for curve in curves if curve.layer == CUT_OUTER)
+        slack = 5e-6 if degree == 3 else 1e-3
+        assert loop.area == pytest.approx(drawn[CUT_OUTER].area, rel=slack)
+        assert loop.length == pytest.approx(drawn[CUT_OUTER].length, rel=slack)
+
+
+def test_one_entity_a_loop_where_there_is_one(tmp_path):
+    path = write_drawing(drawing(), tmp_path / "strip.dxf")
+    kinds = [e.dxftype() for e in ezdxf.readfile(path).modelspace() if e.dxf.layer.startswith("CUT")]
+    assert kinds == ["CIRCLE", "LWPOLYLINE", "SPLINE", "SPLINE", "ARC", "SPLINE", "LINE"]
+    path = write_drawing(drawing(), tmp_path / "arcs.dxf", curves="arc")
+    space = ezdxf.readfile(path).modelspace()
+    assert [e.dxftype() for e in space.query("*[layer=='CUT_OUTER']")] == ["LWPOLYLINE"]
+    path = write_drawing(drawing(), tmp_path / "old.dxf", version="R12")
+    space = ezdxf.readfile(path).modelspace()
+    # OpenSCAD reads no POLYLINE of R12: loops are chains there, open strokes stay whole
+    assert {e.dxftype() for e in space.query("*[layer=='CUT_OUTER']")} == {"LINE", "ARC"}
+    assert {e.dxftype() for e in space} == {"CIRCLE", "LINE", "ARC", "POLYLINE"}
+
+
+def test_loop_of_several_entities_is_a_group(tmp_path):
+    document = ezdxf.readfile(write_drawing(drawing(), tmp_path / "strip.dxf"))
+    ((name, group),) = document.groups
+    assert name == "LOOP_1"
+    assert sorted(e.dxftype() for e in group) == ["ARC", "LINE", "SPLINE", "SPLINE"]
+
+
+def test_splines_keep_their_knots(tmp_path):
+    document = ezdxf.readfile(write_drawing(drawing(), tmp_path / "strip.dxf"))
+    spline = document.modelspace().query("SPLINE[layer=='CUT_OUTER']").first
+    curve = waved().segments[0].curve
+    assert np.array(spline.knots) == pytest.approx(curve.knots, abs=1e-15)
+    assert np.array(list(spline.control_points))[:, :2] == pytest.approx(curve.control_points, abs=1e-13)
+
+
+def test_units_and_view(tmp_path):
+    document = ezdxf.readfile(write_drawing(drawing(), tmp_path / "strip.dxf"))
+    assert document.dxfversion == "AC1024"
+    assert document.header["$INSUNITS"] == 4
+    assert np.array(document.header["$EXTMAX"])[:2] == pytest.approx(drawing().bounds[1])
+    old = dxf_bytes(drawing(), version="R12")
+    assert old.startswith(b"999\nall lengths in mm\n")
+    assert b"INSUNITS" not in old
+
+
+@pytest.mark.parametrize("version", ["R12", "R2000", "R2010"])
+def test_layers_can_be_renamed_and_coloured(tmp_path, version):
+    layers = {"CUT_OUTER": "Cut", "ENGRAVE": ("Raster", "#ff8000")}
+    path = write_drawing(drawing(), tmp_path / "strip.dxf", layers=layers, version=version)
+    document = ezdxf.readfile(path)
+    assert {e.dxf.layer for e in document.modelspace()} == {"Cut", "CUT_INNER", "Raster", "MARK"}
+    assert document.layers.get("Cut").color == 1
+    assert document.layers.get("CUT_INNER").color == 5
+    assert document.layers.get("Raster").color == 30
+    if version == "R2010":
+        assert document.layers.get("Raster").rgb == (255, 128, 0)
+    root = ElementTree.parse(write_drawing(drawing(), tmp_path / "strip.svg", layers=layers)).getroot()
+    groups = root.findall("{http://www.w3.org/2000/svg}g")
+    assert [g.get("id") for g in groups] == ["Raster", "MARK", "CUT_INNER", "Cut"]
+    assert groups[0].get("stroke") == "#ff8000"
+
+
+def test_svg_is_in_mm_and_upright(tmp_path):
+    part = Path.polygon([(100, 50), (140, 50), (100, 70)])
+    path = write_drawing(Drawing("wedge", [LayeredPath(CUT_OUTER, part)]), tmp_path / "wedge.svg")
+    root = ElementTree.parse(path).getroot()
+    assert (root.get("width"), root.get("height"), root.get("viewBox")) == ("42mm", "22mm", "0 0 42 22")
+    image = svgelements.SVG.parse(path, ppi=25.4)
+    assert (image.width, image.height) == pytest.approx((42, 22))
+    (shape,) = [e for e in image.elements() if isinstance(e, svgelements.Path)]
+    assert shape.bbox() == pytest.approx((1, 1, 41, 21))
+    # y grows downward on the screen: the right angle stays at the lower left
+    assert tuple(shape.first_point) == pytest.approx((1, 21), rel=1e-5)
+
+
+def test_svg_arcs_and_beziers_are_exact(tmp_path):
+    text = svg_bytes(drawing()).decode()
+    assert "A5 5 0 0 0 " in text
+    assert text.count("C") > 3
+    assert "<title>waved &lt;strip&gt; &amp; co</title>" in text
+    turned = svg_bytes(Drawing("r", [LayeredPath(CUT_OUTER, Path.circle((0, 0), 5).reversed())])).decode()
+    assert turned.count("A5 5 0 0 1 ") == 2
+
+
+def test_same_drawing_same_bytes_in_another_process(tmp_path):
+    code = (
+        "import sys, hashlib, numpy as np\n"
+        "from elastica_cad.geometry import *\n"
+        "from elastica_cad.fabrication import *\n"
+        "from elastica_cad.formats import *\n"
+        "curve = PlaneCurve.spline([(0, 0), (9, 5), (20, -3), (30, 0)], 3)\n"
+        "loop = Path([Spline(curve), Line((30, 0), (0, 0))], closed=True)\n"
+        "d = Drawing('x', [LayeredPath('CUT_OUTER', loop)], [Text((0, 0), 'B2', 3.0)])\n"
+        "print([hashlib.sha256(f(d)).hexdigest() for f in (dxf_bytes, svg_bytes)])\n"
+    )
+    runs = {
+        subprocess.run(
+            [sys.executable, "-c", code],
+            env={"PYTHONHASHSEED": seed, "PYTHONPATH": ":".join(filter(None, sys.path))},
+            capture_output=True,
+            text=True,
+            check=True,
+        ).stdout
+        for seed in ("1", "2", "3", "4")
+    }
+    assert len(runs) == 1
+
+
+def test_ezdxf_is_left_as_it_was():
+    before = ezdxf.options.write_fixed_meta_data_for_testing
+    dxf_bytes(drawing())
+    assert ezdxf.options.write_fixed_meta_data_for_testing == before
+    assert not before
+
+
+@pytest.mark.parametrize("suffix", ["dxf", "svg"])
+def test_kerf_is_taken_on_writing(check_drawing_file, tmp_path, suffix):
+    plain = check_drawing_file(write_drawing(drawing(), tmp_path / f"a.{suffix}"))
+    cut = check_drawing_file(write_drawing(drawing(), tmp_path / f"b.{suffix}", kerf=0.2))
+    loops = [(a, b) for a, b in zip(plain, cut, strict=True) if a.layer in (CUT_OUTER, CUT_INNER)]
+    assert len(loops) == 4
+    for before, after in loops:
+        side = 0.1 if before.layer == CUT_OUTER else -0.1
+        assert after.area - before.area == pytest.approx(side * before.length, abs=0.05)
+    engraved = [(a, b) for a, b in zip(plain, cut, strict=True) if a.layer == ENGRAVE]
+    assert all(a.length == pytest.approx(b.length, abs=1e-5) for a, b in engraved)
+
+
+@pytest.mark.parametrize("curves", ["arc", "polyline"])
+@pytest.mark.parametrize("tolerance", [0.2, 0.01])
+def test_tolerance_is_kept_in_the_file(check_drawing_file, tmp_path, curves, tolerance):
+    path = write_drawing(drawing(), tmp_path / "strip.dxf", curves=curves, tolerance=tolerance)
+    loop = next(c for c in check_drawing_file(path) if c.layer == CUT_OUTER)
+    fine = np.concatenate([s.at(np.linspace(0, 1, 201)) for s in waved().segments])
+    a, d = loop.points[:-1], np.diff(loop.points, axis=0)
+    worst = 0.0
+    for p in np.array_split(fine, 10):
+        u = np.clip(((p[:, None] - a) * d).sum(axis=2) / np.maximum((d**2).sum(axis=1), 1e-300), 0, 1)
+        off = a + u[..., None] * d - p[:, None]
+        worst = max(worst, np.hypot(off[..., 0], off[..., 1]).min(axis=1).max())
+    assert worst <= tolerance
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"curves": "bezier"}, "curves is 'bezier': use one of spline, arc, polyline"),
+        ({"version": "R14"}, "no DXF version 'R14'"),
+        ({"tolerance": 0.0, "curves": "arc"}, "tolerance is 0"),
+        ({"layers": {"CUT": "x"}}, "no layer 'CUT' to rename"),
+        ({"layers": {"MARK": "a/b"}}, "'a/b' is no name for a layer"),
+        ({"layers": {"MARK": ("a", "red")}}, "'red' is no colour"),
+        ({"layers": {"MARK": "engrave"}}, "two layers have the same name"),
+        ({"layers": {"MARK": "my marks"}, "version": "R12"}, "R12 takes no layer named 'my marks'"),
+        ({"kerf": 20.0}, "kerf of 20 mm is too wide"),
+        ({"kerf": np.nan}, "kerf is nan"),
+    ],
+)
+def test_bad_options_are_refused_and_leave_no_file(tmp_path, options, message):
+    with pytest.raises(InputError, match=message):
+        write_drawing(drawing(), tmp_path / "strip.dxf", **options)
+    assert not list(tmp_path.iterdir())
+
+
+def test_empty_drawings_and_unknown_suffixes_are_refused(tmp_path):
+    with pytest.raises(InputError, match="'void' is empty"):
+        write_drawing(Drawing("void"), tmp_path / "void.svg")
+    with pytest.raises(InputError, match=r"\.dxf or \.svg"):
+        write_drawing(drawing(), tmp_path / "strip.pdf")
+    assert not list(tmp_path.iterdir())
+
+
+def test_without_ezdxf_one_sentence_says_so(monkeypatch, tmp_path):
+    monkeypatch.setitem(sys.modules, "ezdxf", None)
+    with pytest.raises(MissingDependencyError, match="writing DXF needs ezdxf: pip install ezdxf"):
+        write_drawing(drawing(), tmp_path / "strip.dxf")
+    assert not list(tmp_path.iterdir())
+    assert write_drawing(drawing(), tmp_path / "strip.svg").exists()
+
+
+def test_standard_styles():
+    assert layer_styles()["CUT_OUTER"].rgb == (255, 0, 0)

@@ -1,0 +1,313 @@
+"""Design files: what they mean, and one clear sentence for each thing that is wrong in them."""
+
+import numpy as np
+import pytest
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.strip.lamination import Laminated
+from elastica_cad.fabrication.strip.perforation import Perforated
+from elastica_cad.files import read_curves
+from elastica_cad.formats.curve_files.json_curves import write_json_curves
+from elastica_cad.formats.design_files.design_file import read_design
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.theorem1.verdict import NotRealizable
+
+ARC = "curve.ellipse = { semi_axes = [90, 60], start = 0.2, end = 2.9 }"
+HEAD = 'schema = 1\nsheet = "card-200gsm"\nmax_width = 20\n'
+
+
+@pytest.fixture
+def read(tmp_path):
+    def of(text):
+        path = tmp_path / "design.toml"
+        path.write_text(text)
+        return read_design(path, read_curves)
+
+    return of
+
+
+def test_defaults_stand_for_all_strips_and_can_be_changed(read):
+    design = read(
+        HEAD + f"ends.length = 8\n[[strips]]\n{ARC}\n[[strips]]\n{ARC}\n"
+        'sheet = "birch-plywood-0.8"\nmax_width = "2 * 15"\nends = [{ length = 5 }, { length = 7, width = 9 }]\n'
+    )
+    first, second = design.model().strips
+    assert (first.sheet.name, first.max_width, [tab.length for tab in first.ends]) == (
+        "card-200gsm",
+        20,
+        [8, 8],
+    )
+    assert second.sheet.name == "birch-plywood-0.8"
+    assert second.max_width == 30
+    assert [(tab.length, tab.width) for tab in second.ends] == [(5, None), (7, 9)]
+    assert (first.label, second.label, design.name) == ("S1", "S2", "design")
+
+
+def test_counted_strips_have_formulae_of_their_own(read):
+    design = read(
+        HEAD + '[let]\nradius = 100\nturn = "30 * degrees"\n[[strips]]\ncount = 3\nlabel = "R{i}"\n'
+        'let = { v = "turn * (i - 1)" }\norigin = ["radius * cos(v)", "radius * sin(v)", 5]\n'
+        'x_axis = ["cos(v)", "sin(v)", 0]\ncurve.ellipse = { semi_axes = ["50 + 5 * i", 40], end = "pi" }\n'
+    )
+    assert [entry.label for entry in design.entries] == ["R1", "R2", "R3"]
+    third = design.entries[2]
+    assert third.frame.origin == pytest.approx([50, 100 * np.sin(np.pi / 3), 5])
+    assert third.curve.evaluate(third.curve.domain[0]) == pytest.approx([65, 0])
+
+
+def test_an_ellipse_above_the_ground_ends_on_it(read):
+    design = read(
+        HEAD
+        + "[[strips]]\ncurve.ellipse = { center = [3, 20], semi_axes = [75, 112.5], rotation = 0.7, above = 1 }\n"
+    )
+    (entry,) = design.entries
+    ends = entry.curve.evaluate(np.array(entry.curve.domain))
+    assert ends[:, 1] == pytest.approx([1, 1], abs=1e-9)
+    inside = entry.curve.sample(101).position[1:-1]
+    assert inside[:, 1].min() > 1
+    c, s = np.cos(0.7), np.sin(0.7)
+    x, y = ((inside - (3, 20)) @ np.array([[c, -s], [s, c]])).T
+    assert (x / 75) ** 2 + (y / 112.5) ** 2 == pytest.approx(np.ones(99))
+
+
+def test_curves_from_formulae_follow_them(read):
+    design = read(
+        HEAD
+        + '[[strips]]\nlet.r = 40\ncurve = { x = "r * cos(t)", y = "r * sin(t) + where(t < 1, 0, (t - 1)**3)", '
+        't = [0.1, "pi - 0.2"], breaks = [[1, 2]] }\n'
+    )
+    (entry,) = design.entries
+    t = np.linspace(0.1, np.pi - 0.2, 400)
+    truth = np.column_stack([40 * np.cos(t), 40 * np.sin(t) + np.where(t < 1, 0, (t - 1) ** 3)])
+    assert np.abs(entry.curve.evaluate(t) - truth).max() < 1e-5
+
+
+def test_curves_from_files_and_control_points(read, tmp_path):
+    arc = PlaneCurve.arc((0, 0), 50, 0.2, 2.0)
+    write_json_curves([arc, PlaneCurve.arc((0, 0), 60, 0.2, 2.0)], tmp_path / "two.json")
+    write_json_curves([arc], tmp_path / "one.json")
+    design = read(
+        HEAD + '[[strips]]\ncurve = "one.json"\n[[strips]]\ncurve = { file = "two.json", number = 2 }\n'
+        '[[strips]]\ncurve = { spline = [[0, 0], [20, "15 * 2"], [50, 40], [80, 30], [100, 0]] }\n'
+    )
+    lengths = [entry.curve.length for entry in design.entries]
+    assert lengths[:2] == pytest.approx([90, 108])
+    assert design.entries[2].curve.degree == 4
+
+
+def test_gravity_falls_in_space(read):
+    design = read(
+        HEAD + f"gravity = true\n[[strips]]\n{ARC}\n[[strips]]\ny_axis = [0, 1, 0]\n{ARC}\n"
+        f"[[strips]]\ngravity = [0, 1, 0]\ny_axis = [0, 1, 0]\n{ARC}\n"
+        f'[[strips]]\ny_axis = [0, "sin(30 * degrees)", "cos(30 * degrees)"]\n{ARC}\n'
+    )
+    upright, lying, sideways, leaning = (entry.spec.gravity_in_plane for entry in design.entries)
+    assert upright.direction == (0, -1)
+    assert lying is None
+    assert sideways.direction == (0, 1)
+    assert leaning.e == pytest.approx(upright.e * np.cos(np.pi / 6))
+
+
+def test_limits_make_a_nearest_rod(read):
+    wave = "spline = [[0, 0], [40, 90], [80, 20], [120, -70], [170, 0], [200, 60]]"
+    hill = 'x = "50 * t", y = "40 * sin(t) + 6 * t ** 1.6", t = [0.1, 7.8]'
+    with pytest.raises(NotRealizable, match=r"^hill: "):
+        read(HEAD + f'[[strips]]\nlabel = "hill"\ncurve = {{ {hill} }}\n').model()
+    text = HEAD + f"limits = {{ ratio = 3.0 }}\nkeep = {{ ends = true }}\n[[strips]]\ncurve = {{ {wave} }}\n"
+    (strip,) = read(text).model().strips
+    assert strip.rod.ratio <= 3.0 + 1e-6
+
+
+def test_styles(read):
+    design = read(
+        HEAD.replace("max_width = 20\n", "")
+        + f'[[strips]]\nstyle = {{ kind = "perforated", width = 24, columns = 2 }}\n{ARC}\n'
+        f'[[strips]]\nstyle = {{ kind = "laminated", width = 20, backing = "card-200gsm" }}\n{ARC}\n'
+        "[[strips]]\ngravity = true\n"
+        f'style = {{ kind = "laminated", width = 20, backing = "card-200gsm" }}\n{ARC}\n'
+    )
+    model = design.model()
+    kinds = [type(strip.style) for strip in model.strips]
+    assert kinds == [Perforated, Laminated, Laminated]
+    assert [piece.name for piece in model.pieces] == ["S1", "S2", "S2-backing", "S3", "S3-backing"]
+    assert model.strips[2].rod.ratio != pytest.approx(model.strips[1].rod.ratio, rel=1e-3)
+
+
+def test_patterns_are_cut_once(read):
+    design = read(
+        HEAD + f"[[strips]]\n{ARC}\norigin = [200, 0, 0]\n"
+        "[[patterns]]\nrotate = { count = 5 }\n[[patterns]]\nrepeat = { count = 2, step = [0, 0, 100] }\n"
+        "[[patterns]]\nmirror = { point = [1000, 0, 0], normal = [1, 0, 0] }\n"
+    )
+    model = design.model()
+    assert len(model.placed) == 20
+    assert [piece.count for piece in model.pieces] == [20]
+
+
+def test_own_sheets_extras_and_base(read):
+    sheet = (
+        "[sheets.felt]\nthickness_mm = 1\nyoungs_modulus_MPa = 20\ndensity_kg_m3 = 300\nmax_strain = 0.1\n"
+    )
+    design = read(
+        HEAD.replace("card-200gsm", "felt") + "nest.sheet_size = [500, 300]\n"
+        f"[[strips]]\n{ARC}\n{sheet}[extras]\ncoupon = true\nreference_bar = 80\n"
+        '[base]\nsheet = "mdf-3"\nheight = 11\nsheet_size = [900, 400]\n[cut]\nkerf = "sheet"\n'
+    )
+    assert design.entries[0].sheet.name == "felt"
+    assert [piece.name for piece in design.kit.extras(design.model())] == ["coupon", "reference-bar"]
+    assert design.kit.cutting.kerf is None
+    assert design.kit.nesting.sheet_size == (500, 300)
+    base = design.kit.base_plate(design.model())
+    assert base.frame.origin[2] == 11
+    assert len(base.slots) == 2
+    assert design.kit.base[2].sheet_size == (900, 400)
+
+
+def test_frames_and_fixtures(read):
+    design = read(
+        HEAD
+        + f"ends.length = 16\n[[strips]]\ncount = 3\nlabel = 'F{{i}}'\norigin = [0, '50 * i', 0]\n{ARC}\n"
+        "[frame]\nsheet = 'mdf-3'\nribs = 2\ndepth = 15\n[fixtures]\nwall = 3\nfloor = -60\n"
+    )
+    model = design.model()
+    frame = design.kit.slotted_frame(model)
+    assert [piece.name for piece in frame.pieces] == ["rail-start", "rail-end", "rib-1", "rib-2"]
+    assert design.kit.base_plate(model) is None
+    fixtures = model.fixtures(**design.kit.fixtures)
+    assert [fixture.number for fixture in fixtures] == ["F1:1", "F1:2", "F2:1", "F2:2", "F3:1", "F3:2"]
+    assert all(fixture.wall == 3 and fixture.floor.origin[2] == -60 for fixture in fixtures)
+
+
+def test_equal_curves_are_solved_once(read):
+    design = read(
+        HEAD
+        + "[[strips]]\ncount = 6\ncurve.ellipse = { semi_axes = [75, 90], rotation = 'pi * i', above = 5 }\n"
+        'label = "E{i}"\n'
+    )
+    done = []
+    strips = design.model(done.append).strips
+    assert done == ["E1", "E2", "E3", "E4", "E5", "E6"]
+    assert len({id(strip.rod) for strip in strips}) == 1
+    assert [strip.label for strip in strips] == done
+
+
+BAD = {
+    "schema = 2": "schema is 2; this version reads schema = 1",
+    "schema = 1\nshet = 1": "unknown key 'shet'; did you mean sheet",
+    "schema = 1\nstrips = 3": "strips must be a list of tables",
+    "schema = 1": "has no strips",
+    "schema = 1\n[[strips]]\ncolour = 1": r"strips\[1\]: unknown key 'colour'",
+    "schema = 1\n[[strips]]\ncurve = 'x.dxf'": r"\(S1\): sheet is missing",
+    HEAD + "[[strips]]": r"strips\[1\] \(S1\): curve is missing",
+    HEAD + "[[strips]]\nlabel = 'A7'\ncurve = 'none.dxf'": r"\(A7\): curve: there is no file .*none\.dxf",
+    HEAD + "[[strips]]\ncurve = { x = 't', y = 't * radius', t = [0, 1] }": "unknown name 'radius' at letter 5",
+    HEAD + "[[strips]]\ncurve = { x = 't', y = 'open(t)', t = [0, 1] }": "unknown function 'open' at letter 1",
+    HEAD + "[[strips]]\ncurve = { x = 't', t = [0, 1] }": "curve: y: '' is no formula",
+    HEAD + "[[strips]]\ncurve = { x = 't', y = '0', t = [1, 0] }": "it must be a range",
+    HEAD + "[[strips]]\ncurve = {}": "must hold one of file, x",
+    HEAD + "[[strips]]\ncurve.ellipse = { semi_axes = [1, 2], above = 3 }": "the ellipse lies between y = -2 and 2",
+    HEAD + "[[strips]]\ncount = 2.5\n" + ARC: "count is 2.5: it must be a whole number",
+    HEAD + "[[strips]]\ncount = 2\nlabel = 'A'\n" + ARC: "two strips are labelled 'A'",
+    HEAD + "[[strips]]\nx_axis = [0, 0, 1]\n" + ARC: r"strips\[1\] \(S1\): frame x_axis and y_axis",
+    HEAD + "[[strips]]\norigin = [0, 0]\n" + ARC: "origin is .* it must be 3 numbers",
+    HEAD + "gravity = 'down'\n[[strips]]\n" + ARC: "gravity is 'down': it must be 3 numbers",
+    HEAD + "supports = ['nailed', 'pinned']\n[[strips]]\n" + ARC: "supports: unknown end support 'nailed'",
+    HEAD + "style.kind = 'woven'\n[[strips]]\n" + ARC: "kind is 'woven': use one of plain",
+    HEAD + "limits.ratio = 0.5\n[[strips]]\n" + ARC: "limits: limit ratio=0.5",
+    HEAD + "ends.length = -1\n[[strips]]\n" + ARC: "ends: tab length is -1",
+    HEAD + "let.a-b = 1\n[[strips]]\n" + ARC: "'a-b' is no name",
+    HEAD + "base.sheet = 'stone'\n[[strips]]\n" + ARC: "base: sheet: unknown sheet 'stone'",
+    HEAD + "[[patterns]]\nspin = 1\n[[strips]]\n" + ARC: "unknown key 'spin'",
+    HEAD + "cut.version = 'R99'\n[[strips]]\n" + ARC: "version is 'R99': use one of R12",
+    "a = [": "is no TOML file",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("text", BAD)
+def test_bad_designs_are_told_in_one_sentence(read, text):
+    with pytest.raises(InputError, match=BAD[text]) as caught:
+        read(text)
+    assert "design.toml" in str(caught.value)
+    assert "\n" not in str(caught.value)
+
+
+def test_missing_designs_are_told(tmp_path):
+    with pytest.raises(InputError, match="cannot be read"):
+        read_design(tmp_path / "none.toml", read_curves)
+
+
+def test_faults_of_a_strip_name_it(read):
+    with pytest.raises(InputError, match=r"^thin: .*min_width"):
+        read(HEAD + f"min_width = 19.9\n[[strips]]\nlabel = 'thin'\n{ARC}\n").model()
+
+
+DOME = 'sections = { mesh = "dome.obj", tolerance = 0.2, '
+
+
+@pytest.fixture
+def dome(tmp_path):
+    """A half ellipsoid of 100, 100 and 80 mm, as triangles."""
+    up, around = np.meshgrid(np.linspace(0, np.pi / 2, 41), np.linspace(0, 2 * np.pi, 81), indexing="ij")
+    points = np.stack(
+        [100 * np.cos(up) * np.cos(around), 100 * np.cos(up) * np.sin(around), 80 * np.sin(up)], -1
+    )
+    points[:, -1], points[-1] = points[:, 0], (0, 0, 80)  # the seam and the top close
+    corner = (np.arange(40)[:, None] * 81 + np.arange(80)).ravel()
+    faces = np.stack([corner, corner + 1, corner + 82, corner + 81], -1) + 1
+    lines = [f"v {x} {y} {z}" for x, y, z in points.reshape(-1, 3)] + [
+        f"f {a} {b} {c} {d}" for a, b, c, d in faces
+    ]
+    (tmp_path / "dome.obj").write_text("\n".join(lines))
+
+
+def test_sections_of_a_mesh_become_strips(dome, read):
+    head = HEAD + 'limits = { ratio = 20 }\nlet.span = "2 * 30"\n[[strips]]\nlabel = "D{i}"\n'
+    design = read(head + DOME + 'parallel = { normal = [0, 1, 0], offsets = ["-span", 0, "span", 150] } }\n')
+    assert [entry.label for entry in design.entries] == ["D1", "D2", "D3"]
+    assert any("section 4" in text and "misses" in text for text in design.reports)
+    for entry, y in zip(design.entries, (-60, 0, 60), strict=True):
+        places = entry.frame.point(entry.curve.sample(50).position)
+        assert places[:, 1] == pytest.approx(np.full(50, y))
+        off = (places[:, 0] ** 2 + y**2) / 100**2 + (places[:, 2] / 80) ** 2
+        assert off == pytest.approx(np.ones(50), abs=0.01)
+    around = read(
+        head + DOME + 'scale = 0.5, radial = { count = 3 } }\nlet.half = "i / 2"\nmax_width = "9 + half"\n'
+    )
+    assert [entry.spec.max_width for entry in around.entries] == [9.5, 10, 10.5]
+    assert around.entries[1].frame.x_axis == pytest.approx([-0.5, np.sqrt(3) / 2, 0])
+    assert around.entries[0].curve.length == pytest.approx(141.8 / 2, rel=0.01)
+    bow = read(head + DOME + "along = { path = [[-40, 0, 0], [40, 0, 0]], count = 2, ends = true } }\n")
+    assert [entry.frame.origin[0] for entry in bow.entries] == pytest.approx([-40, 40])
+    model = read(head + DOME + "parallel = { normal = [0, 1, 0], offsets = [0, 150] } }\n").model()
+    assert len(model.placed) == 1
+    assert any("misses" in text for text in model.reports)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "message"),
+    [
+        ('sections = { mesh = "none.obj", radial = {} }', "there is no file"),
+        ('sections = { mesh = "dome.obj" }', "must hold one of radial, parallel, along"),
+        (DOME + "radial = { axis = [0, 0, 0] } }", r"sections: axis"),
+        (DOME + "parallel = { normal = [0, 0, 1], offsets = [] } }", "at least one"),
+        (DOME + "parallel = { normal = [0, 1, 0], offsets = [500] } }", "no plane gives a strip: .*misses"),
+        (DOME + "parallel = { normal = [0, 0, 1], offsets = [20], up = [0, 1, 0] } }", "closed"),
+        (DOME + "scale = 0, radial = {} }", "must be positive"),
+        (DOME + "radial = {} }\ncount = 3", "count means nothing beside sections"),
+        (DOME + "radial = { cuont = 3 } }", "did you mean count"),
+        (
+            DOME + "parallel = { normal = [0, 1, 0], count = 1e9 } }",
+            "count is 1000000000: 1000 planes are the most",
+        ),
+    ],
+)
+def test_sections_refuse_in_words(dome, read, wrong, message):
+    with pytest.raises(InputError, match=message):
+        read(HEAD + "[[strips]]\n" + wrong + "\n")
+
+
+@pytest.mark.parametrize("wrong", ['origin = ["radius", 0, 0]', "ends = { length = 'radius' }"])
+def test_the_place_is_named_once(read, wrong):
+    with pytest.raises(InputError) as refused:
+        read(HEAD + f"[[strips]]\n{wrong}\n{ARC}\n")
+    assert str(refused.value).count("strips[1]") == 1

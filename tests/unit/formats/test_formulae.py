@@ -1,0 +1,85 @@
+"""Formulae: arithmetic and nothing else."""
+
+import numpy as np
+import pytest
+
+from elastica_cad.errors import InputError
+from elastica_cad.formats.design_files.formulae import CONSTANTS, FUNCTIONS, Formula
+
+pytestmark = pytest.mark.core
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("1 + 2 * 3", 7.0),
+        ("-2 ** 2", -4.0),
+        ("(1 - x) / 4 % 2", -0.25 % 2),
+        ("60 * degrees", np.pi / 3),
+        ("atan2(x, 1) + hypot(3, 4)", np.arctan2(2, 1) + 5),
+        ("where(x < 3, x ** 0.5, 1 / 0)", 2**0.5),
+        ("min(x, 1) + max(x, 1) + floor(2.7) + sign(-3)", 4.0),
+        ("where(x >= 2, 1, 0)", 1.0),
+    ],
+)
+def test_arithmetic(text, value):
+    assert Formula(text)(x=2.0) == pytest.approx(value, rel=1e-15)
+
+
+def test_arrays_are_computed_element_by_element():
+    t = np.linspace(0, 6, 50)
+    spiral = Formula("t * where(t < 3, cos(t), sin(t)) + a")
+    assert np.array_equal(spiral({"a": 1.0}, t=t), t * np.where(t < 3, np.cos(t), np.sin(t)) + 1.0)
+    assert spiral.names == {"t", "a"}
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("__import__('os').system('true')", "letter 1: only numbers, names"),
+        ("__import__('os')", "unknown function '__import__' at letter 1"),
+        ("eval(x)", "unknown function 'eval' at letter 1"),
+        ("2 * sinn(x)", "unknown function 'sinn' at letter 5 of '2 \\* sinn\\(x\\)'; did you mean sin"),
+        ("2 * radius", "unknown name 'radius' at letter 5"),
+        ("x.real", "letter 1: only numbers"),
+        ("[x][0]", "only numbers"),
+        ("x if x else 1", "only numbers"),
+        ("lambda: x", "only numbers"),
+        ("'a' * 3", "'a' is no number"),
+        ("True", "True is no number"),
+        ("1j", "is no number"),
+        ("x ^ 2", r"write \*\* for powers"),
+        ("x // 2", "this operator is not known"),
+        ("sin", "sin is a function and needs its arguments"),
+        ("sin(1, 2)", "sin takes 1 argument"),
+        ("where(x, 1)", "where takes 3 arguments"),
+        ("sin(x=1)", "only numbers"),
+        ("sin(*x)", "letter 5: only numbers"),
+        ("1 < x < 3", "only numbers"),
+        ("x and 1", "only numbers"),
+        ("(y := 1)", "only numbers"),
+        ("1 +", "is no formula: it breaks off"),
+        ("", "is no formula"),
+        ("x; x", "is no formula: it breaks off at letter 2"),
+        ("1 / 0", "gives no finite number"),
+        ("sqrt(-x)", "gives no finite number"),
+        ("9 ** 9 ** 9 ** 9", "gives no finite number"),
+        ("9" * 400, r"numbers reach to 1e\+300"),
+        ("-" * 500 + "1", "nested too deeply"),
+        ("(" * 500 + "1", "is no formula"),
+        ("1 + " * 1000 + "1", "4001 letters is too long"),
+        ("\x00", "is no formula"),
+    ],
+)
+def test_whatever_is_no_arithmetic_is_refused(text, message):
+    with pytest.raises(InputError, match=message) as caught:
+        Formula(text, "design.toml: strips[3]: x")(x=2.0)
+    assert str(caught.value).startswith("design.toml: strips[3]: x")
+    assert "\n" not in str(caught.value)
+
+
+def test_names_of_functions_and_constants_do_not_clash():
+    assert not set(CONSTANTS) & set(FUNCTIONS)
+    for name, (function, count) in FUNCTIONS.items():
+        arguments = ", ".join(["0.5"] * count)
+        assert Formula(f"{name}({arguments})")() == pytest.approx(float(function(*[0.5] * count)))

@@ -1,0 +1,71 @@
+"""Mesh files: units, wrong files, what is missing."""
+
+import sys
+
+import numpy as np
+import pytest
+
+from elastica_cad.errors import InputError, MissingDependencyError
+from elastica_cad.formats.surface_files.mesh_files import read_mesh
+
+TENT = "v 0 0 0\nv 90 0 0\nv 90 90 50\nv 0 90 50\nf 1 2 3 4\n"
+STL = (
+    "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 40 0 0\nvertex 0 40 0\nendloop\nendfacet\n"
+    "endsolid s\n"
+)
+PLY = (
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+    "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n40 0 0\n0 40 0\n3 0 1 2\n"
+)
+
+
+def written(folder, name, text):
+    file = folder / name
+    file.write_text(text)
+    return file
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "faces"), [("a.obj", TENT, 2), ("a.stl", STL, 1), ("a.PLY", PLY, 1)]
+)
+def test_three_formats(tmp_path, name, text, faces):
+    mesh = read_mesh(written(tmp_path, name, text))
+    assert len(mesh.faces) == faces
+    assert np.ptp(mesh.vertices[:, 0]) in (90, 40)
+
+
+def test_metres_are_asked_for(tmp_path):
+    small = TENT.replace("90", "0.9").replace("50", "0.5")
+    file = written(tmp_path, "tent.obj", small)
+    with pytest.raises(InputError, match=r"tent\.obj: measures 1\.37 .* --unit m .*\(m: 1367 mm\)"):
+        read_mesh(file)
+    with pytest.raises(
+        InputError, match=r"measures 13\.7 .*\(cm: 136\.7 mm, in: 347\.3 mm, m: 1\.367e\+04 mm\)"
+    ):
+        read_mesh(file, scale=10)
+    with pytest.raises(InputError, match=r"scale of .* must be positive"):
+        read_mesh(file, scale=0)
+    assert np.ptp(read_mesh(file, unit="m").vertices[:, 0]) == pytest.approx(900)
+    with pytest.raises(InputError, match="unknown unit"):
+        read_mesh(file, unit="furlong")
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "words"),
+    [
+        ("a.off", TENT, "no mesh known"),
+        ("a.obj", "v 0 0 0\nv 1 0 0\n", "a.obj"),
+        ("a.stl", "nonsense", "a.stl"),
+        ("a.ply", "ply\nnonsense", "a.ply"),
+        ("a.obj", "", "empty"),
+    ],
+)
+def test_wrong_files(tmp_path, name, text, words):
+    with pytest.raises(InputError, match=words):
+        read_mesh(written(tmp_path, name, text))
+
+
+def test_without_trimesh(tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "trimesh", None)
+    with pytest.raises(MissingDependencyError, match=r"elastica-cad\[mesh\]"):
+        read_mesh(written(tmp_path, "a.obj", TENT))

@@ -1,0 +1,139 @@
+import numpy as np
+import pytest
+
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.formats.curve_files.point_files import read_csv_curves, read_text_curves
+
+pytestmark = pytest.mark.core
+
+V = np.linspace(0, 1.5, 40)
+ARC = np.column_stack([100 * np.cos(V), 100 * np.sin(V)])
+
+
+@pytest.fixture
+def csv(tmp_path):
+    def read(text, **options):
+        path = tmp_path / "points.csv"
+        path.write_bytes(text if isinstance(text, bytes) else text.encode("utf-8"))
+        return read_csv_curves(path, **options)
+
+    return read
+
+
+def rows(points=ARC, separator=",", end="\n"):
+    return end.join(separator.join(f"{v:.9g}" for v in row) for row in points) + end
+
+
+@pytest.mark.parametrize("text", [
+    rows(), rows(separator=", "), rows(separator=";"), rows(separator="\t"), rows(separator="   "),
+    "x,y\n" + rows(), rows(end="\r\n"),
+    "# measured\nx (mm); y (mm)\n" + rows(separator=" ; ").replace(".", ","),
+    "\ufeff" + rows(), rows().encode("utf-16"), rows().replace("\n", ",\n"),
+    "\n\n" + rows() + "\n\n# end\n",
+    rows(np.column_stack([ARC, np.full(40, 7.0)])), "\n".join(f"{x:e} {y:E}" for x, y in ARC),
+])  # fmt: skip
+def test_points_are_read_in_any_common_dress(csv, text):
+    (curve,) = csv(text, fit_tolerance=1e-3)
+    assert curve.degree == 4
+    assert curve.length == pytest.approx(150.0, abs=1e-2)
+    ends = curve.evaluate(np.array(curve.domain))
+    assert ends == pytest.approx(ARC[[0, -1]], abs=1e-5)
+    dense = curve.sample(4001).position
+    assert max(np.hypot(*(dense - p).T).min() for p in ARC) < 0.03
+
+
+def test_blank_rows_part_curves_and_points_in_line_are_straight(csv):
+    fitted, straight = csv(rows() + "\n\n0,0\n10,10\n30,30\n30,30\n")
+    assert fitted.length == pytest.approx(150.0, abs=0.05)
+    assert straight.is_straight
+    assert straight.length == pytest.approx(30 * np.sqrt(2))
+
+
+def test_unit_scales_points(csv):
+    (curve,) = csv("0,0\n3,4\n", unit="in")
+    assert curve.length == pytest.approx(127.0)
+    with pytest.raises(InputError, match=r"points\.csv: unknown unit 'parsec'"):
+        csv("0,0\n3,4\n", unit="parsec")
+
+
+def test_corners_are_kept(csv):
+    (curve,) = csv("0,0\n50,0\n100,0\n100,40\n100,80\n")
+    assert curve.length == pytest.approx(180.0)
+    assert [c.s for c in curve.tangent_breaks] == pytest.approx([100.0])
+
+
+@pytest.mark.parametrize(("text", "words"), [
+    ("1,2\n3,nan\n5,6\n", r"row 2 is not finite \(3, nan\)"),
+    ("1,2\ninf,4\n", "row 2 is not finite"),
+    ("x,y\n1,2\n3,four\n", "row 3 has 'four' where a number is needed"),
+    ("1,2\n\n# note\n3\n", "row 4 has 1 columns"),
+    ("1,2,3,4\n", "row 1 has 4 columns"),
+    ("1,2,0\n3,4,1\n", "the third column runs over 1"),
+    ("x,y\n", "there are no points"),
+    ("x,y\na,b\n1,2\n", "row 2 has 'a'"),
+    ("  \n\n", "there are no points"),
+    ("5,5\n", "two different points"),
+    ("5,5\n5,5\n5,5\n", "two different points"),
+    (b"\xff\xff\x00\xd8", "not a text file"),
+    (b"\xff\xfe\x00", "not a text file"),
+])  # fmt: skip
+def test_bad_points_get_one_sentence_with_file_and_row(csv, text, words):
+    with pytest.raises(InputError, match=rf"points\.csv: .*{words}") as caught:
+        csv(text)
+    assert "\n" not in str(caught.value)
+
+
+def test_points_that_no_smooth_curve_follows(csv):
+    noise = np.random.default_rng(7).normal(scale=0.1, size=300)
+    points = np.column_stack([np.linspace(0, 200, 300), noise])
+    with pytest.raises(NotConvergedError, match=r"points\.csv: the points scatter by 0\.\d+ mm") as caught:
+        csv(rows(points))
+    assert "tolerance of 0.05 mm" in str(caught.value)
+    (curve,) = csv(rows(points), fit_tolerance=0.5)
+    assert curve.length == pytest.approx(200, rel=0.02)
+
+
+@pytest.fixture
+def text(tmp_path):
+    def read(content, **options):
+        path = tmp_path / "spline.txt"
+        path.write_text(content, encoding="utf-8")
+        return read_text_curves(path, **options)
+
+    return read
+
+
+def test_control_points_make_the_uniform_unclamped_spline(text):
+    from scipy.interpolate import BSpline
+
+    points = np.array([(0, 0), (1, 2), (3, 1), (4, 4), (6, 0), (7, 7)], dtype=float)
+    (curve,) = text("4 6\n" + rows(points, " "))
+    assert np.array_equal(curve.knots, np.arange(-4.0, 7.0))
+    assert curve.domain == (0.0, 2.0)
+    t = np.linspace(0, 2, 21)
+    assert curve.evaluate(t) == pytest.approx(BSpline(np.arange(-4.0, 7.0), points, 4)(t))
+    (inches,) = text("4 6\n" + rows(points, " "), unit="in")
+    assert inches.length == pytest.approx(25.4 * curve.length)
+
+
+def test_published_spline(reference_data):
+    (curve,) = read_text_curves(reference_data / "hafner" / "spline_infl_simple.txt")
+    assert curve.degree == 4
+    assert len(curve.control_points) == 22
+    assert len(curve.inflections) == 3
+
+
+@pytest.mark.parametrize(("content", "words"), [
+    ("1.0 2.0\n3 4\n", r"line 1 is '1.0 2.0'; .*measured points belong into a \.csv file"),
+    ("4 3\n0 0\n1 1\n", "line 1 announces 3 control points, but 2 lines follow"),
+    ("4 3\n0 0\n1 1\n2 0\n", "too few for degree 4"),
+    ("1 2\n0 0\n1 1\n", "degree of 2 or more"),
+    ("2 3\n0 0\n1 x\n2 0\n", "row 3 has 'x'"),
+    ("2 3\n0 0\n1 nan\n2 0\n", "row 3 is not finite"),
+    ("2 3\n1 1\n1 1\n1 1\n", "coincide"),
+    ("\n\n", "there are no numbers in it"),
+])  # fmt: skip
+def test_bad_control_point_files(text, content, words):
+    with pytest.raises(InputError, match=rf"spline\.txt: .*{words}") as caught:
+        text(content)
+    assert "\n" not in str(caught.value)

@@ -1,0 +1,98 @@
+"""Surfaces of revolution in design files: a meridian by points, by a curve, by its constants."""
+
+import numpy as np
+import pytest
+
+import elastica_cad as ec
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.formats.design_files.design_file import read_design
+from elastica_cad.kit import kit_of
+
+HEAD = 'schema = 1\nname = "vase"\nsheet = "card-200gsm"\n'
+POINTS = "points = [[70, 0], [125, 55], [90, 115], [75, '100 + 40']]"
+
+
+@pytest.fixture
+def read(tmp_path):
+    def written(text):
+        path = tmp_path / "vase.toml"
+        path.write_text(HEAD + text)
+        return read_design(path, ec.read_curves)
+
+    return written
+
+
+def test_points_become_strips_and_rings(read):
+    design = read(f"[revolution]\n{POINTS}\nstrips = 20\nrings = 'mdf-3'\n")
+    assert design.reports == ()
+    model = design.model()
+    assert len(model.placed) == 20
+    assert len(model.parts) == 1
+    wanted = ec.meridian_through([(70, 0), (125, 55), (90, 115), (75, 140)])
+    assert model.strips[0].rod.length == pytest.approx(wanted.curve.length)
+    assert [plate.name for plate in model.plates] == ["ring-start", "ring-end"]
+    pieces = kit_of(model, design.kit).pieces
+    assert [(piece.name, piece.count) for piece in pieces] == [
+        ("strip 1", 20),
+        ("ring-start", 1),
+        ("ring-end", 1),
+    ]
+
+
+def test_constants_and_other_strips_beside_it(read):
+    """A globe of 80 mm: x kappa = x / 80; a strip of its own stands inside."""
+    text = (
+        "[revolution]\na = 0\nb = ['1 / 80', 0]\nstart = [80, 0]\nangle = 'pi / 2'\nlength = 400\nring = 35\n"
+        "strips = 8\nends = { length = 5 }\n"
+        "[[strips]]\nmax_width = 10\ncurve.ellipse = { semi_axes = [40, 40], start = 0.3, end = 2.8 }\n"
+        "[extras]\ncoupon = true\n"
+    )
+    design = read(text)
+    model = design.model()
+    assert len(model.placed) == 9
+    assert model.plates == ()
+    globe = model.strips[0]
+    assert np.hypot(*globe.rod.position.T) == pytest.approx(80, abs=1e-4)
+    assert globe.ends[0].length == 5
+    assert len(design.kit.extras(model)) == 1
+
+
+def test_a_profile_says_how_far_it_was_left(read, tmp_path):
+    x = np.linspace(0, np.pi, 40)
+    drawn = ec.PlaneCurve.fit(np.column_stack([50 + 15 * np.sin(2 * x), 60 * x / np.pi]))
+    ec.write_curves([drawn], tmp_path / "profile.json")
+    design = read("[revolution]\ncurve = 'profile.json'\nstrips = 12\n")
+    (told,) = design.reports
+    assert told.startswith("the meridian is ")
+    assert design.model().reports == design.reports
+    assert 0.1 < design.revolution.meridian.deviation < 3
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        ("strips = 20", "revolution must hold one of points, curve, or a, b"),
+        (f"{POINTS}\na = 3", "must hold one of points"),
+        ("a = 3", r"revolution: b is None: it must be 2 numbers"),
+        ("points = 3", "points must be a list of points"),
+        ("points = [[1, 2], [3, 4]]", "revolution: a meridian is sought through three points"),
+        ("points = [[70, 0], [-125, 55], [90, 115]]", "revolution: point 2 at"),
+        (f"{POINTS}\nring = 500", "revolution: ring=500"),
+        (f"{POINTS}\nrings = 'gold'", "revolution: rings: unknown sheet 'gold'"),
+        (f"{POINTS}\nstrip = 3", "did you mean strips"),
+    ],
+)
+def test_what_makes_no_surface_is_told(read, text, sentence):
+    with pytest.raises(InputError, match=sentence) as refused:
+        read(f"[revolution]\n{text}\n")
+    assert "vase.toml" in str(refused.value)
+
+
+def test_counts_and_hopeless_points(read):
+    for count in (2, 5000):
+        with pytest.raises(InputError, match=f"strips={count}: .* 3 strips or more, 1000 at most"):
+            read(f"[revolution]\n{POINTS}\nstrips = {count}\n").model()
+    with pytest.raises(NotConvergedError, match=r"vase\.toml: revolution: no meridian"):
+        read("[revolution]\npoints = [[50, 0], [60, 50], [50, 1e-6], [60, 51]]\n")
+    with pytest.raises(InputError, match="has no strips"):
+        read("")

@@ -1,0 +1,194 @@
+import sys
+
+import numpy as np
+import pytest
+
+from elastica_cad.errors import InputError, MissingDependencyError
+from elastica_cad.formats.svg_files.svg_curves import read_svg_curves
+
+PX = 25.4 / 96
+
+
+@pytest.fixture
+def svg(tmp_path):
+    """A function that writes a drawing and reads its curves back."""
+
+    def read(body, head='width="200mm" height="100mm" viewBox="0 0 200 100"', **options):
+        path = tmp_path / "drawn.svg"
+        path.write_text(f'<svg xmlns="http://www.w3.org/2000/svg" {head}>{body}</svg>', encoding="utf-8")
+        return read_svg_curves(path, **options)
+
+    return read
+
+
+def path(d, **attributes):
+    return f'<path d="{d}" {" ".join(f"{k}={v!r}" for k, v in attributes.items())}/>'
+
+
+def test_cubic_is_exact_and_up_is_up(svg):
+    (curve,) = svg(path("M 10 20 C 30 80 60 -10 90 40"))
+    assert curve.degree == 3
+    assert curve.control_points == pytest.approx(np.array([(10, -20), (30, -80), (60, 10), (90, -40)]))
+
+
+def test_all_commands_absolute_and_relative_make_the_same_curve(svg):
+    absolute = "M 10,10 L 20 10 H 40 V 30 C 40 50 60 50 60 30 S 80 10 80 30 Q 80 50 95 50 T 110 30 "
+    absolute += "A 15 10 20 0 1 130 35"
+    relative = "m10,10l10,0h20v20c0 20 20 20 20 0s20-20 20 0q0 20 15 20t15-20a15 10 20 01 20 5"
+    (one,), (other,) = svg(path(absolute)), svg(path(relative))
+    assert one.degree == 3
+    assert other.length == pytest.approx(one.length, rel=1e-12)
+    assert other.sample(50).position == pytest.approx(one.sample(50).position, abs=1e-9)
+    at = np.array([b.t for b in one.breaks])
+    joints = one.evaluate(at)
+    for joint in [(20, -10), (40, -10), (40, -30), (60, -30), (80, -30), (95, -50), (110, -30)]:
+        assert np.hypot(*(joints - joint).T).min() < 1e-12
+    assert one.evaluate(one.domain[1]) == pytest.approx((130, -35))
+
+
+def svg_arc(start, end, radii, rotation, flags, *, count=200):
+    """Points on an arc by the formulae of the SVG standard, appendix B.2.4."""
+    large, sweep = flags
+    c, s = np.cos(rotation), np.sin(rotation)
+    half = np.array([[c, s], [-s, c]]) @ ((np.array(start) - end) / 2)
+    rx, ry = np.abs(radii) * max(1.0, np.hypot(half[0] / radii[0], half[1] / radii[1]))
+    rest = max(0.0, 1 / ((half[0] / rx) ** 2 + (half[1] / ry) ** 2) - 1)
+    centre = (1 if large != sweep else -1) * np.sqrt(rest) * np.array([rx * half[1] / ry, -ry * half[0] / rx])
+    first = np.arctan2((half[1] - centre[1]) / ry, (half[0] - centre[0]) / rx)
+    last = np.arctan2((-half[1] - centre[1]) / ry, (-half[0] - centre[0]) / rx)
+    turn = (last - first) % (2 * np.pi) if sweep else -((first - last) % (2 * np.pi))
+    t = first + np.linspace(0, turn, count)
+    local = centre + np.column_stack([rx * np.cos(t), ry * np.sin(t)])
+    return local @ np.array([[c, s], [-s, c]]) + (np.array(start) + end) / 2
+
+
+@pytest.mark.parametrize("flags", [(0, 0), (0, 1), (1, 0), (1, 1)])
+@pytest.mark.parametrize(("radii", "turned"), [((30, 30), 0), ((40, 25), 35), ((3, 2), 70), ((20, 60), -120)])
+def test_arcs_follow_the_standard(svg, flags, radii, turned):
+    (curve,) = svg(path(f"M 20 30 A {radii[0]} {radii[1]} {turned} {flags[0]} {flags[1]} 60 45"))
+    expected = svg_arc((20, 30), (60, 45), radii, np.radians(turned), flags) * (1, -1)
+    steps = np.hypot(*np.diff(expected, axis=0).T)
+    assert curve.length == pytest.approx(steps.sum(), rel=1e-4)
+    assert curve.evaluate(np.array(curve.domain)) == pytest.approx(expected[[0, -1]], abs=1e-10)
+    dense = curve.sample(20001).position
+    gaps = [np.hypot(*(dense - p).T).min() for p in expected]
+    assert max(gaps) < curve.length / 20000
+
+
+@pytest.mark.parametrize("shift", [0, 1e4])
+def test_half_turn_is_exact(svg, shift):
+    (curve,) = svg(path(f"M {shift} 0 A 30 30 0 0 1 {shift + 60} 0"))
+    assert np.abs(np.hypot(*(curve.sample(99).position - (shift + 30, 0)).T) - 30).max() < 1e-9
+    assert curve.at(np.array([15 * np.pi])).position[0] == pytest.approx((shift + 30, 30))
+
+
+def test_transforms_apply_to_arcs_exactly(svg):
+    inner = f'<g transform="scale(2 0.5)">{path("M 20 0 A 20 20 0 0 1 0 20")}</g>'
+    body = f'<g transform="translate(10,5) skewX(30)">{inner}</g>'
+    (curve,) = svg(body)
+    x, y = (curve.sample(99).position * (1, -1) - (10, 5)).T
+    x = (x - np.tan(np.radians(30)) * y) / 2
+    assert np.abs(np.hypot(x, 2 * y) - 20).max() < 1e-9
+
+
+@pytest.mark.parametrize(("head", "mm"), [
+    ('width="200mm" height="100mm" viewBox="0 0 200 100"', 1.0),
+    ('width="10in" height="5in" viewBox="0 0 100 50"', 2.54),
+    ('width="96px" height="96px" viewBox="0 0 96 96"', PX),
+    ('width="20cm" viewBox="-50,-50,400,100"', 0.5),
+    ('width="100%" height="100%" viewBox="0 0 200 100"', PX),
+    ('viewBox="0 0 200 100"', PX),
+    ("", PX),
+    ('width="400mm" height="100mm" viewBox="0 0 200 100"', 1.0),
+    ('width="400mm" height="100mm" viewBox="0 0 200 100" preserveAspectRatio="xMidYMid slice"', 2.0),
+])  # fmt: skip
+def test_size_of_the_drawing_gives_the_unit(svg, head, mm):
+    (curve,) = svg(path("M 30 20 Q 60 80 90 20"), head)
+    assert curve.control_points == pytest.approx(mm * np.array([(30, -20), (60, -80), (90, -20)]))
+
+
+def test_unlike_scales_and_given_unit(svg):
+    head = 'width="400mm" height="100mm" viewBox="0 0 200 100" preserveAspectRatio="none"'
+    (curve,) = svg(path("M 30 20 Q 60 80 90 20"), head)
+    assert curve.control_points == pytest.approx(np.array([(60, -20), (120, -80), (180, -20)]))
+    (curve,) = svg(path("M 30 20 Q 60 80 90 20"), head, unit="in")
+    assert curve.control_points == pytest.approx(25.4 * np.array([(30, -20), (60, -80), (90, -20)]))
+
+
+def test_shapes_and_lengths_with_units(svg):
+    circle, ellipse, line, rounded = svg(
+        '<circle cx="40" cy="40" r="10"/><ellipse cx="100" cy="40" rx="20" ry="10"/>'
+        '<line x1="0" y1="0" x2="3mm" y2="4mm"/><rect x="150" y="10" width="30" height="20" rx="5"/>',
+        "",
+    )
+    assert circle.is_closed
+    assert circle.length == pytest.approx(20 * np.pi * PX)
+    assert np.abs(np.hypot(*((ellipse.sample(99).position / PX - (100, -40)) / (20, 10)).T) - 1).max() < 1e-9
+    assert line.length == pytest.approx(5.0, rel=1e-12)
+    assert line.is_straight
+    assert rounded.length == pytest.approx((2 * 20 + 2 * 10 + 10 * np.pi) * PX)
+    assert not rounded.tangent_breaks
+
+
+def test_polyline_is_fitted(svg):
+    v = np.linspace(0, 1.5, 50)
+    points = " ".join(f"{100 * np.cos(a):.4f},{100 * np.sin(a):.4f}" for a in v)
+    for body in (f'<polyline points="{points}"/>', path("M " + points)):
+        (curve,) = svg(body)
+        assert curve.degree == 4
+        assert np.abs(np.hypot(*curve.sample(200).position.T) - 100).max() < 0.06
+
+
+def test_paths_that_meet_are_one_curve(svg):
+    curves = svg(path("M 0 0 C 10 0 20 10 20 20") + path("M 50 60 C 40 60 20 40 20 20.004 m 50 0 l 5 5"))
+    assert [c.degree for c in curves] == [3, 2]
+    assert curves[0].evaluate(np.array(curves[0].domain)) == pytest.approx(np.array([(0, 0), (50, -59.996)]))
+
+
+def test_what_is_not_shown_is_left_out(svg):
+    body = (
+        "<defs>" + path("M 0 0 L 5 5", id="d") + "</defs>" + path("M 0 0 L 7 7", display="none")
+        + '<use href="#d" x="10"/><text>word</text>'
+    )  # fmt: skip
+    (curve,) = svg(body)
+    assert curve.evaluate(np.array(curve.domain)) == pytest.approx(np.array([(10, 0), (15, -5)]))
+
+
+def test_handles_drawn_in_make_straight_lines(svg):
+    (curve,) = svg(path("M 0 0 Q 20 0 20 0 C 20 0 35 0 40 0") + path("M 0 50 C 0 50 90 50 90 50"))[:1]
+    assert curve.is_straight
+    assert curve.length == pytest.approx(40.0)
+
+
+def test_cusp_is_told_with_its_place(svg):
+    with pytest.raises(InputError, match=r"drawn\.svg: the curve has no tangent at \(0, 0\) mm"):
+        svg(path("M 0 0 C 0 0 30 40 60 0"))
+
+
+def test_degenerate_segments_are_passed_over(svg):
+    (curve,) = svg(path("M 0 0 L 0 0 C 0 0 0 0 0 0 A 0 5 0 0 1 10 0 C 10 0 20 0 20 0 Z M 3 3 Z", fill="none"))
+    assert curve.length == pytest.approx(40.0)
+    assert curve.is_closed
+
+
+@pytest.mark.parametrize(("data", "words"), [
+    (b"hello", "is not an SVG file"),
+    (b"<html><body/></html>", "begins with <html>"),
+    (b"<svg><path d='M 0 0 L 1 1'/>", "is not an SVG file"),
+    (b"<svg xmlns='http://www.w3.org/2000/svg'><text>a</text></svg>", "holds no curve"),
+    (b"<svg><path d='M 0 0 L 10 10 L 3'/></svg>", "path data"),
+    (b"\x00\x01\x02", "is not an SVG file"),
+])  # fmt: skip
+def test_other_files_get_one_sentence(tmp_path, data, words):
+    file = tmp_path / "bad.svg"
+    file.write_bytes(data)
+    with pytest.raises(InputError, match=rf"bad\.svg: .*{words}") as caught:
+        read_svg_curves(file)
+    assert "\n" not in str(caught.value)
+
+
+def test_missing_library_is_said_in_one_sentence(svg, tmp_path, monkeypatch):
+    svg(path("M 0 0 L 1 1"))
+    monkeypatch.setitem(sys.modules, "svgelements", None)
+    with pytest.raises(MissingDependencyError, match=r"reading drawn\.svg needs svgelements"):
+        read_svg_curves(tmp_path / "drawn.svg")

@@ -1,0 +1,108 @@
+"""Many curves at once: order, failures, executors that live and die, progress."""
+
+from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
+from multiprocessing import get_context
+
+import numpy as np
+import pytest
+
+from elastica_cad.errors import InputError
+from elastica_cad.forming.limits import Keep, Limits
+from elastica_cad.forming.nearest.many_rods import nearest_rods
+from elastica_cad.forming.nearest.nearest_record import Status
+from elastica_cad.forming.nearest.nearest_rod import nearest_rod
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads.gravity import Gravity
+
+pytestmark = pytest.mark.core
+
+ARCHES = [PlaneCurve.spline([(0, 0), (20, h), (80, h), (100, 0)], degree=3) for h in (40, 60, 80)]
+
+
+class Dying(Executor):
+    """Answers the first task and breaks on the second; refuses the third."""
+
+    def __init__(self):
+        self.seen = 0
+
+    def submit(self, fn, /, *args, **kwargs):
+        self.seen += 1
+        if self.seen > 2:
+            raise RuntimeError("cannot schedule new futures")
+        future = Future()
+        if self.seen == 1:
+            future.set_result(fn(*args, **kwargs))
+        else:
+            future.set_exception(MemoryError("worker killed"))
+        return future
+
+
+def test_one_by_one_as_alone():
+    told = []
+    found = nearest_rods(ARCHES, Limits(ratio=1.3), progress=lambda done, total: told.append((done, total)))
+    assert told == [(1, 3), (2, 3), (3, 3)]
+    for near, curve in zip(found, ARCHES, strict=True):
+        assert near.target is curve
+        np.testing.assert_array_equal(near.rod.position, nearest_rod(curve, Limits(ratio=1.3)).rod.position)
+
+
+@pytest.mark.parametrize(
+    "pool",
+    [lambda: ThreadPoolExecutor(2), lambda: ProcessPoolExecutor(2, mp_context=get_context("spawn"))],
+    ids=["threads", "processes"],
+)
+def test_pools_answer_in_order(pool):
+    told = []
+    with pool() as executor:
+        found = nearest_rods(
+            ARCHES, Limits(ratio=1.3), executor=executor, progress=lambda done, total: told.append(done)
+        )
+    assert told == [1, 2, 3]
+    alone = nearest_rods(ARCHES, Limits(ratio=1.3))
+    for near, other in zip(found, alone, strict=True):
+        np.testing.assert_allclose(near.rod.position, other.rod.position, atol=1e-9)
+        assert near.status is Status.MET
+
+
+def test_one_record_a_curve():
+    found = nearest_rods(
+        ARCHES,
+        [Limits(ratio=r) for r in (1.2, 1.3, 1.4)],
+        [Keep(), Keep(tangents=True), Keep()],
+        [None, None, Gravity(200.0)],
+    )
+    assert [
+        round(near.rod.ratio, 6) <= limit for near, limit in zip(found, (1.2, 1.3, 1.4), strict=True)
+    ] == [True] * 3
+    assert found[2].rod.gravity == Gravity(200.0)
+
+
+def test_a_curve_that_fails_does_not_lose_the_others():
+    found = nearest_rods([ARCHES[0], "no curve", ARCHES[2]], Limits(ratio=1.3))
+    assert [near.status for near in found] == [Status.MET, Status.FAILED, Status.MET]
+    assert "PlaneCurve" in found[1].message
+
+
+def test_executors_that_die_leave_what_they_did():
+    found = nearest_rods(ARCHES, Limits(ratio=1.3), executor=Dying())
+    assert [near.status for near in found] == [Status.MET, Status.FAILED, Status.FAILED]
+    assert "worker killed" in found[1].message
+    assert "run this curve again" in found[2].message
+    executor = ThreadPoolExecutor(1)
+    executor.shutdown()
+    assert all(near.status is Status.FAILED for near in nearest_rods(ARCHES, executor=executor))
+
+
+def test_bad_lists_are_said():
+    with pytest.raises(InputError, match="no curves"):
+        nearest_rods([])
+    with pytest.raises(InputError, match="limits: 2 given for 3"):
+        nearest_rods(ARCHES, [Limits(), Limits()])
+    with pytest.raises(InputError, match="list of curves"):
+        nearest_rods(ARCHES[0])
+    with pytest.raises(InputError, match="executor"):
+        nearest_rods(ARCHES, executor=2)
+    with pytest.raises(InputError, match="no option 'measur'"):
+        nearest_rods(ARCHES, measur="max")
+    with pytest.raises(InputError, match="progress"):
+        nearest_rods(ARCHES, progress=3)

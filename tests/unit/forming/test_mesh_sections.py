@@ -1,0 +1,350 @@
+"""Sections of meshes: places, order, ties at vertices and edges, open and broken meshes."""
+
+import numpy as np
+import pytest
+
+from elastica_cad.errors import InputError
+from elastica_cad.forming.plane_sections.cutting_planes import parallel_planes, planes_along, radial_planes
+from elastica_cad.forming.plane_sections.mesh_sections import mesh_sections
+from elastica_cad.forming.plane_sections.section_curves import (
+    remove_false_inflections,
+    section_curves,
+    smooth_polyline,
+)
+from elastica_cad.forming.plane_sections.section_lines import SectionLine
+from elastica_cad.forming.plane_sections.triangle_mesh import Mesh
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.frame import Frame
+
+pytestmark = pytest.mark.core
+
+
+def grid(x, y, z):
+    """Triangles of a surface given on a grid of (m, n) points."""
+    m, n = x.shape
+    vertices = np.stack([x, y, z], axis=-1).reshape(-1, 3)
+    i = (np.arange(m - 1)[:, None] * n + np.arange(n - 1)).ravel()
+    return vertices, np.concatenate([np.stack([i, i + n, i + n + 1], 1), np.stack([i, i + n + 1, i + 1], 1)])
+
+
+def sphere(radius=50.0, count=40):
+    u, v = np.meshgrid(np.linspace(0, np.pi, count), np.linspace(0, 2 * np.pi, 2 * count), indexing="ij")
+    x, y, z = np.sin(u) * np.cos(v), np.sin(u) * np.sin(v), np.cos(u)
+    x[:, -1], y[:, -1] = x[:, 0], y[:, 0]
+    x[[0, -1]] = y[[0, -1]] = 0.0
+    vertices, faces = grid(radius * x, radius * y, radius * z)
+    return vertices, faces
+
+
+def cube(size=10.0):
+    corners = np.array([(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]) * size
+    quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+    return corners, np.array([(q[0], q[i], q[i + 1]) for q in quads for i in (1, 2)])
+
+
+UPRIGHT = Frame((0, 0, 0), (1, 0, 0), (0, 0, 1))
+
+
+@pytest.mark.parametrize("height", [-40.0, -1e-13, 0.0, 1e-15, 17.3])
+def test_a_sphere_gives_one_circle(height):
+    """Also where a row of vertices lies in the plane, or nearly."""
+    vertices, faces = sphere(count=41)
+    (section,) = mesh_sections(vertices, faces, [Frame((0, 0, height))])
+    line = section.line
+    assert line.is_closed
+    radius = np.hypot(*line.points.T)
+    assert radius.max() <= np.sqrt(2500 - height**2) + 1e-9
+    assert radius.min() > np.sqrt(2500 - height**2) * 0.995
+    steps = np.diff(np.unwrap(np.arctan2(*line.points.T[::-1])))
+    assert np.all(steps > 0)
+    assert steps.sum() == pytest.approx(2 * np.pi)
+
+
+def test_points_lie_on_plane_and_edges():
+    rng = np.random.default_rng(3)
+    vertices, faces = sphere()
+    for normal in rng.normal(size=(20, 3)):
+        (frame,) = parallel_planes(rng.uniform(-20, 20, 3), normal, 0.0)
+        line = mesh_sections(vertices, faces, [frame])[0].line
+        places = line.places
+        assert np.abs(frame.local(places)[:, 2]).max() < 1e-12
+        edges = np.unique(
+            np.sort(np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [0, 2]]]), 1), axis=0
+        )
+        a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
+        step = b - a
+        ok = (step**2).sum(1) > 0
+        a, step = a[ok], step[ok]
+        for place in places[::7]:
+            u = np.clip(((place - a) * step).sum(1) / (step**2).sum(1), 0, 1)
+            assert np.linalg.norm(a + u[:, None] * step - place, axis=1).min() < 1e-9
+
+
+@pytest.mark.parametrize(
+    ("at", "length"), [((5, 0, 0), 40.0), ((0, 0, 0), 40.0), ((10, 0, 0), 40.0), ((5, 5, 5), 40.0)]
+)
+def test_faces_in_the_plane(at, length):
+    """A face in the plane counts with its outline, from either side."""
+    vertices, faces = cube()
+    (frame,) = parallel_planes(at, (1, 0, 0), 0.0)
+    section = mesh_sections(vertices, faces, [frame])[0]
+    assert section.line.length == pytest.approx(length)
+    assert section.line.is_closed
+
+
+def test_plane_through_edges_and_corners():
+    """The diagonal plane of a cube runs along two edges and two face diagonals."""
+    vertices, faces = cube()
+    (frame,) = parallel_planes((0, 0, 0), (1, -1, 0), 0.0)
+    line = mesh_sections(vertices, faces, [frame])[0].line
+    assert line.length == pytest.approx(20 + 20 * np.sqrt(2))
+
+
+def test_a_corner_that_touches_is_no_line():
+    vertices, faces = cube()
+    (frame,) = parallel_planes((0, 0, 0), (1, 1, 1), 0.0)
+    section = mesh_sections(vertices, faces, [frame])[0]
+    assert section.lines == ()
+    assert section.reports[-1].endswith("touches the mesh near (0, 0, 0) mm and cuts nothing: shift it")
+
+
+def test_misses_are_told_and_the_others_go_on():
+    vertices, faces = sphere()
+    sections = mesh_sections(vertices, faces, parallel_planes((0, 0, 0), (0, 1, 0), (-60, 0, 60)))
+    assert [len(s.lines) for s in sections] == [0, 1, 0]
+    assert sections[2].reports == ("section 3 at (0, 60, 0) mm: the plane misses the mesh by 10.05 mm",)
+    with pytest.raises(InputError, match=r"section 3 at .* misses"):
+        _ = sections[2].line
+
+
+def test_open_meshes_run_upwards_and_several_lines_are_told():
+    u, v = np.meshgrid(np.linspace(0, np.pi, 30), np.linspace(0, 30, 5), indexing="ij")
+    vertices, faces = grid(-20 * np.cos(u), v, 20 * np.sin(u) ** 2 + 0.0)
+    vertices[:, 2] += 0.01 * vertices[:, 0]
+    line = mesh_sections(vertices, faces, [Frame((0, 11, 0), (1, 0, 0), (0, 0, 1))])[0].line
+    assert not line.is_closed
+    assert line.points[0] == pytest.approx([-20, -0.2])
+    sections = mesh_sections(vertices, faces, [Frame((0, 0, 10.0))])
+    assert len(sections[0].lines) == 2
+    assert sections[0].reports[0].startswith("the mesh is open along 66 edges (near (")
+    assert "section 1 falls into 2 lines" in sections[0].reports[1]
+
+
+def test_an_edge_of_an_open_mesh_in_the_plane_is_kept():
+    u, v = np.meshgrid(np.linspace(0, np.pi, 30), np.linspace(0, 30, 5), indexing="ij")
+    vertices, faces = grid(-20 * np.cos(u), v, 20 * np.sin(u))
+    for y in (0.0, 30.0):
+        section = mesh_sections(vertices, faces, [Frame((0, y, 0), (1, 0, 0), (0, 0, 1))])[0]
+        assert section.line.length == pytest.approx(20 * np.pi, rel=1e-3)
+        assert "lies in the plane" in section.reports[1]
+
+
+def test_broken_meshes_are_described():
+    vertices, faces = cube()
+    worse = np.concatenate([faces, faces[:1], [[0, 0, 1]], [[0, 1, 7]]])
+    worse[3] = worse[3][::-1]
+    mesh = Mesh(vertices, worse)
+    text = " ".join(mesh.reports)
+    assert len(mesh.faces) == 13
+    for words in (
+        "no area",
+        "there twice",
+        "more than two faces meet",
+        "turned over",
+        "is open along 1 edge ",
+    ):
+        assert words in text
+    repeated = Mesh(vertices[faces].reshape(-1, 3), np.arange(36).reshape(-1, 3))  # as STL files are
+    assert len(repeated.vertices) == 8
+    (section,) = mesh_sections(
+        vertices[faces].reshape(-1, 3), np.arange(36).reshape(-1, 3), [Frame((0, 0, 5))]
+    )
+    assert section.line.is_closed
+
+
+@pytest.mark.parametrize(
+    ("vertices", "faces", "words"),
+    [
+        (np.zeros((3, 2)), [[0, 1, 2]], r"vertices \(n, 3\)"),
+        (np.eye(3), np.zeros((0, 3), int), "no triangles"),
+        (np.eye(3), [[0, 1, 3]], "vertex 3 of 3"),
+        (np.eye(3), [[0.0, 1.0, 2.0]], "whole numbers"),
+        (np.full((3, 3), np.nan), [[0, 1, 2]], "not finite"),
+        (np.zeros((3, 3)), [[0, 1, 2]], "no triangle with an area"),
+    ],
+)
+def test_bad_meshes(vertices, faces, words):
+    with pytest.raises(InputError, match=words):
+        Mesh(vertices, faces)
+
+
+def test_half_planes_about_an_axis():
+    vertices, faces = sphere()
+    planes = radial_planes((0, 0, 0), (0, 0, 1), 2 * np.pi * (np.arange(7) + 0.13) / 7)
+    for section in mesh_sections(vertices, faces, planes, half=True):
+        points = section.line.points
+        assert points[:, 0].min() > -1e-9
+        assert np.diff(points[:, 1]).min() > 0
+        assert points[[0, -1]] == pytest.approx(np.array([[0, -50], [0, 50]]), abs=1e-9)
+
+
+def test_planes_along_a_path():
+    u = np.linspace(0, np.pi / 2, 400)
+    frames = planes_along(np.column_stack([80 * np.cos(u), 80 * np.sin(u), 0 * u]), 9, ends=True)
+    way = np.linspace(0, np.pi / 2, 9)
+    for frame, angle in zip(frames, way, strict=True):
+        assert frame.origin == pytest.approx([80 * np.cos(angle), 80 * np.sin(angle), 0], abs=1e-3)
+        assert np.abs(frame.z_axis @ [-np.sin(angle), np.cos(angle), 0]) == pytest.approx(1, abs=1e-4)
+        assert frame.y_axis @ [0, 0, 1] == pytest.approx(1)
+    for words, arguments in (
+        ("two different points", ([(0, 0, 0)] * 2, 2)),
+        ("one plane at least", ([(0, 0, 0), (1, 0, 0)], 0)),
+        ("right angles to the plane", ([(0, 0, 0), (0, 0, 1)], 2)),
+    ):
+        with pytest.raises(InputError, match=words):
+            planes_along(*arguments)
+
+
+def test_split_at_a_spine_and_at_points():
+    vertices, faces = sphere()
+    line = mesh_sections(vertices, faces, [Frame((0, 1.0, 0), (1, 0, 0), (0, 0, 1))])[0].line
+    left, right = line.split_by((0, 0, 0), (1, 0, 0))
+    for piece in (left, right):
+        assert piece.points[[0, -1], 0] == pytest.approx([0, 0], abs=1e-12)
+    assert left.length + right.length == pytest.approx(line.length)
+    assert left.length == pytest.approx(line.length / 2, rel=1e-3)
+    pieces = line.split_at([(50, 0), (0, 50), (-50, 0)])
+    assert len(pieces) == 3
+    assert sum(p.length for p in pieces) == pytest.approx(line.length)
+    (untouched,) = line.split_by((0, 0, 90), (0, 0, 1))
+    assert untouched is line
+    with pytest.raises(InputError, match="split twice"):
+        left.split_at([left.points[5], left.points[5]])
+    assert len(left.split_at([left.points[5]])) == 2
+
+
+def test_smoothing_halves_a_wave_and_keeps_ends():
+    x = np.linspace(0, 400, 4000)
+    wave = np.column_stack([x, 0.05 * np.sin(2 * np.pi * x / 40)])
+    after = smooth_polyline(wave, 40.0, count=800)
+    inside = (after[:, 0] > 100) & (after[:, 0] < 300)
+    assert np.abs(after[inside, 1]).max() == pytest.approx(0.025, rel=0.02)
+    assert after[[0, -1]] == pytest.approx(wave[[0, -1]])
+
+
+def test_false_inflections_go_and_true_ones_stay():
+    x = np.linspace(-100, 100, 200)
+    rng = np.random.default_rng(1)
+    rough = np.column_stack([x, 30 * np.sin(x / 32) + rng.normal(0, 0.015, x.size)])
+    curve = PlaneCurve.fit(rough[::3], tolerance=0.005)
+    assert curve.inflections.size > 10
+    simple = remove_false_inflections(curve)
+    assert simple.inflections.size == 1
+    assert simple.evaluate(simple.domain[0]) == pytest.approx(curve.evaluate(curve.domain[0]))
+    place = np.abs(simple.at(simple.inflections).position[:, 0]).min()
+    assert place < 4
+    same = PlaneCurve.fit(np.column_stack([x, 30 * np.sin(x / 32)]), tolerance=1e-3)
+    assert remove_false_inflections(same) is same
+
+
+def test_closed_lines_are_refused_and_the_others_go_on():
+    vertices, faces = sphere()
+    sections = mesh_sections(vertices, faces, [UPRIGHT, Frame((0, 500, 0), (1, 0, 0), (0, 0, 1))])
+    curves, reports = section_curves([*sections, *sections[0].line.split_by((0, 0, 0), (1, 0, 0))])
+    assert len(curves) == 2
+    assert any("closed" in text and text.startswith("section 1") for text in reports)
+    assert any("misses" in text for text in reports)
+    for found in curves:
+        assert found.curve.length == pytest.approx(50 * np.pi, rel=2e-3)
+        assert found.deviation < 0.3
+        assert found.removed == 0
+        assert found.curve.degree == 4
+
+
+def test_a_line_in_space():
+    line = SectionLine(np.array([[0.0, 0], [3, 4]]), Frame((1, 2, 3), (0, 1, 0), (0, 0, 1)), "l")
+    assert line.places.tolist() == [[1, 2, 3], [1, 5, 7]]
+    assert line.reversed().points.tolist() == [[3, 4], [0, 0]]
+
+
+def vase(count=60):
+    """A wave of revolution, whose second inflection lies near its rim."""
+    z, u = np.meshgrid(np.linspace(0, 200, count), np.linspace(0, 2 * np.pi, 81), indexing="ij")
+    r = 60 + 25 * np.sin(2 * np.pi * z / 200 + 0.4)
+    return grid(r * np.cos(u), r * np.sin(u), z)
+
+
+def test_a_gentle_end_is_no_scatter():
+    """Its last 16 mm turn by less than 4 degrees, as designed: kept, in words that say so."""
+    sections = mesh_sections(*vase(), radial_planes((0, 0, 0), (0, 0, 1), (0.0, 0.5)), half=True)
+    curves, reports = section_curves(sections)
+    assert len(curves) == 2
+    assert not any("scatter" in text for text in reports)
+    told = [text for text in reports if text.startswith("section 1: from 212")]
+    assert told
+    assert told[0].endswith("is kept")
+    assert curves[0].curve.inflections.size == 2
+
+
+def test_a_curve_far_from_its_section_is_told():
+    t = np.linspace(0, np.pi, 200)
+    arch = SectionLine(100 * np.column_stack([-np.cos(t), np.sin(t)]), UPRIGHT, "arch")
+    near, far = (section_curves([arch], wavelength=wavelength) for wavelength in (20.0, 1e6))
+    assert near[1] == ()
+    assert far[0][0].deviation > 1.0
+    (told,) = far[1]
+    assert told.startswith(f"arch: the curve lies {far[0][0].deviation:.3g} mm off the section at (")
+    assert "waves shorter than 1e+06 mm" in told
+
+
+def test_waves_longer_than_the_line_leave_a_parabola():
+    x = np.linspace(-50, 50, 300)
+    even = smooth_polyline(np.column_stack([x, np.cos(x / 20)]), 1e9)
+    assert np.abs(np.diff(even[:, 1], 3)).max() < 1e-6
+
+
+def test_a_corner_that_cannot_be_followed_is_named():
+    x = np.arange(1200) / 10
+    saw = SectionLine(np.column_stack([x, np.where(np.arange(1200) % 4 < 2, 0.0, 0.1)]), UPRIGHT, "saw")
+    curves, (told,) = section_curves([saw], tolerance=1e-3)
+    assert curves == ()
+    assert told.startswith(
+        "saw: no smooth curve stays within the tolerance of 0.001 mm: the section turns by 45 "
+    )
+    assert "split it at its corners" in told
+
+
+@pytest.mark.parametrize(
+    ("wishes", "words"),
+    [
+        ({"tolerance": "a"}, "tolerance='a': it must be positive"),
+        ({"tolerance": np.nan}, "tolerance=nan"),
+        ({"wavelength": None}, "wavelength=None"),
+        ({"false_turn": np.nan}, "false_turn=nan: it must be an angle"),
+        ({"false_turn": -0.1}, "false_turn=-0.1"),
+    ],
+)
+def test_bad_wishes(wishes, words):
+    with pytest.raises(InputError, match=words):
+        section_curves([], **wishes)
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: planes_along([(0, 0, 0), (9, 0, 0)], 2.5), r"count=2\.5: a path is cut by a whole number"),
+        (lambda: planes_along([(0, 0, 0), (9, 0, 0)], "2"), "count='2'"),
+        (lambda: parallel_planes((0, 0, 0), (0, 1, 0), "abc"), "offsets must be numbers, not 'abc'"),
+        (
+            lambda: parallel_planes((0, 0, 0), (0, 1, 0), [[1, 2]]),
+            r"offsets must be one number or a row.*\(1, 2\)",
+        ),
+        (lambda: radial_planes((0, 0, 0), (0, 0, 1), None), "angles must be"),
+        (lambda: mesh_sections(*cube(), UPRIGHT), "sequence of Frames, not Frame: put one in a list"),
+        (lambda: mesh_sections(*cube(), None), "sequence of Frames, not NoneType"),
+        (lambda: mesh_sections(*cube(), [UPRIGHT, 3]), "sequence of Frames"),
+    ],
+)
+def test_bad_planes(call, words):
+    with pytest.raises(InputError, match=words):
+        call()

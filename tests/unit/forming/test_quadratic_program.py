@@ -1,0 +1,99 @@
+"""The quadratic programs against scipy's general solver and against optimality conditions."""
+
+import numpy as np
+import pytest
+from scipy.optimize import minimize
+
+from elastica_cad.forming.optimizer.quadratic_program import QuadraticProgram, solve_quadratic
+
+pytestmark = pytest.mark.core
+
+
+def program(seed, p=8, m=4, price=50.0):
+    rng = np.random.default_rng(seed)
+    J = rng.normal(size=(2 * p, p)) * np.logspace(0, -2, p)
+    return QuadraticProgram(
+        J.T @ J, rng.normal(size=p), -rng.random(p), rng.random(p), rng.normal(size=(m, p)),
+        0.3 * rng.normal(size=m), np.full(m, price), rng.random(m) < 0.5,
+    )  # fmt: skip
+
+
+def cost(q, x):
+    gap = q.rows @ x - q.right
+    broken = np.where(q.one_sided, np.maximum(-gap, 0), np.abs(gap))
+    return 0.5 * x @ q.hessian @ x + q.gradient @ x + q.price @ broken
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_agrees_with_a_general_solver(seed):
+    q = program(seed)
+    s = solve_quadratic(q)
+    assert s.converged
+    p, m = q.gradient.size, q.right.size
+
+    def smooth(v):
+        return (
+            0.5 * v[:p] @ q.hessian @ v[:p]
+            + q.gradient @ v[:p]
+            + q.price @ v[p : p + m]
+            + q.price @ v[p + m :]
+        )
+
+    rows = np.hstack([q.rows, np.eye(m), -np.eye(m)])
+    kinds = [
+        {"type": kind, "fun": lambda v, pick=pick: rows[pick] @ v - q.right[pick]}
+        for kind, pick in (("ineq", q.one_sided), ("eq", ~q.one_sided))
+        if pick.any()
+    ]
+    bounds = [*zip(q.lower, q.upper, strict=True), *[(0, None)] * (2 * m)]
+    other = minimize(smooth, np.zeros(p + 2 * m), method="SLSQP", bounds=bounds, constraints=kinds,
+                     options={"ftol": 1e-14, "maxiter": 500})  # fmt: skip
+    assert cost(q, s.x) <= other.fun + 1e-6 * (1 + abs(other.fun))
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_conditions_of_optimality(seed):
+    q = program(seed, p=30, m=10)
+    s = solve_quadratic(q)
+    balance = (
+        q.hessian @ s.x + q.gradient - s.row_multipliers @ q.rows - s.lower_multipliers + s.upper_multipliers
+    )
+    scale = np.abs(q.gradient).max()
+    assert np.abs(balance).max() < 1e-7 * scale
+    assert np.all(s.x >= q.lower)
+    assert np.all(s.x <= q.upper)
+    gap = q.rows @ s.x - q.right
+    met = np.where(q.one_sided, gap > -1e-7, np.abs(gap) < 1e-7)
+    at_price = np.abs(np.abs(s.row_multipliers) - q.price) < 1e-4 * q.price
+    assert np.all(met | at_price)
+
+
+def test_a_row_that_cannot_be_met_is_broken_at_its_price():
+    one = np.ones(1)
+    q = QuadraticProgram(np.eye(1), 0 * one, -one, one, np.eye(1), 3 * one, 0.5 * one, one > 2)
+    assert solve_quadratic(q).x[0] == pytest.approx(0.5, abs=1e-6)
+
+
+def test_fixed_unknowns_stay():
+    q = program(3)
+    lower, upper = q.lower.copy(), q.upper.copy()
+    lower[2] = upper[2] = 0.1
+    fixed = QuadraticProgram(q.hessian, q.gradient, lower, upper, q.rows, q.right, q.price, q.one_sided)
+    s = solve_quadratic(fixed)
+    assert s.x[2] == 0.1
+    assert cost(fixed, s.x) >= cost(q, solve_quadratic(q).x) - 1e-9
+
+
+def test_no_rows_at_all():
+    none = np.zeros(0)
+    q = QuadraticProgram(
+        np.diag([1.0, 2.0]),
+        np.array([-3.0, 1.0]),
+        -np.ones(2),
+        np.ones(2),
+        np.zeros((0, 2)),
+        none,
+        none,
+        none > 0,
+    )
+    np.testing.assert_allclose(solve_quadratic(q).x, [1.0, -0.5], atol=1e-8)

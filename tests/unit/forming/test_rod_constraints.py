@@ -1,0 +1,133 @@
+"""Every constraint and measure against finite differences."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from elastica_cad.forming.limits import Box, HalfPlane
+from elastica_cad.forming.nearest import rod_constraints as constraints
+from elastica_cad.forming.nearest.curve_distance import (
+    ClosestDistance,
+    LargestDistance,
+    MeanDistance,
+    measure_deviation,
+)
+from elastica_cad.forming.nearest.nearest_task import spline_basis
+from elastica_cad.forming.nearest.rod_map import StripGrid
+from elastica_cad.forming.nearest.target_curve import TargetCurve
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads.supports import Supports
+
+pytestmark = pytest.mark.core
+
+EDGES = 81
+
+
+@pytest.fixture(scope="module")
+def grid():
+    return StripGrid(spline_basis(np.linspace(0, 1, EDGES + 1), 10), np.array([2.0, 5.0]))
+
+
+@pytest.fixture(scope="module")
+def z(grid):
+    rng = np.random.default_rng(4)
+    u = grid.unknowns
+    z = np.zeros(u.count)
+    z[u.stiffness] = 1 + rng.random(10)
+    z[u.moment], z[u.force] = 3.0, (9.0, -12.0)
+    z[u.position], z[u.angle], z[u.length] = (0.1, -0.1), 0.4, 1.05
+    return z
+
+
+def derivative(function, z, j, h=1e-5):  # rounding and curvature weigh alike
+    e = h * np.eye(z.size)[j]
+    return (function(z + e) - function(z - e)) / (2 * h)
+
+
+CONSTRAINTS = [
+    constraints.EndPosition(target=(0.5, 0.2)),
+    constraints.EndAngle(target=0.3),
+    constraints.EndMoment(scale=2.0),
+    constraints.EndForce(axis=0, scale=3.0),
+    constraints.EndForce(axis=1, scale=3.0),
+    constraints.MarginLimit(5.0),
+    constraints.MarginLimit(-2.0, "margin of a rod with a pinned end"),
+    constraints.CurvatureLimit(4.0),
+    constraints.KeepOut(HalfPlane((0, 10), (0.3, 1)), 100.0, (1.0, 2.0)),
+    constraints.KeepOut(Box((-500, -20), (40, 2)), 100.0, (1.0, 2.0)),
+    constraints.LeastStiffness(),
+    constraints.InflectionLine(point=(0.2, 0.3), direction=(0.6, 0.8), scale=2.0),
+    constraints.MiddleOfMirror(centre=(0.2, 0.1), axis=(0.6, 0.8), angle=0.3, scale=4.0),
+    constraints.MiddleOfTurn(centre=(0.2, 0.1), scale=4.0),
+]
+
+
+@pytest.mark.parametrize("constraint", CONSTRAINTS, ids=lambda c: type(c).__name__)
+def test_rows_are_derivatives(constraint, grid, z):
+    if "pinned" in constraint.name:
+        grid = replace(grid, supports=Supports("clamped", "pinned"))
+    index, rows = constraint.rows(grid.sensitivities(grid.shoot(z)))
+    assert index.size > 0
+    for j in range(z.size):
+        numeric = derivative(lambda q: constraint.values(grid.shoot(q))[index], z, j)
+        np.testing.assert_allclose(rows[:, j], numeric, atol=1e-7 * max(1.0, np.abs(rows).max()))
+
+
+def test_a_point_is_passed_at_its_foot(grid, z):
+    """On the rod the foot does not matter; beside it the row holds for the foot that is found."""
+    rod = grid.shoot(z)
+    constraint = constraints.Through(target=tuple(rod.position[30]), place=30 / EDGES)
+    assert abs(constraint.values(rod)[0]) < 1e-14
+    _, rows = constraint.rows(grid.sensitivities(rod))
+    for j in range(z.size):
+        numeric = derivative(lambda q: constraint.values(grid.shoot(q)), z, j)
+        np.testing.assert_allclose(rows[:, j], numeric, atol=1e-7)
+
+
+@pytest.fixture(scope="module")
+def wish():
+    return TargetCurve.of(PlaneCurve.spline([(0, 0), (30, 50), (60, 45), (80, -10), (130, 0)], degree=4))
+
+
+def test_measures_have_gradients(grid, z, wish):
+    rod = grid.shoot(z)
+    shares = np.full(EDGES + 1, 1 / (EDGES + 1))
+    targets, _ = wish.at(np.linspace(0, 1, EDGES + 1))
+    d = grid.sensitivities(rod)
+    for distance in (MeanDistance(targets, shares), ClosestDistance(wish, shares)):
+        gradient = distance.model(rod, d).gradient
+        for j in range(z.size):
+            numeric = derivative(lambda q, distance=distance: distance.value(grid.shoot(q)), z, j)
+            np.testing.assert_allclose(gradient[j], numeric, atol=2e-7 * max(1, np.abs(gradient).max()))
+
+
+def test_the_largest_distance_is_the_highest_peak(grid, z, wish):
+    rod = grid.shoot(z)
+    distance = LargestDistance(wish, np.ones(EDGES + 1))
+    model = distance.model(rod, grid.sensitivities(rod))
+    top = int(np.argmax(model.peaks))
+    assert model.peaks[top] == pytest.approx(distance.value(rod), rel=1e-12)
+    for j in range(z.size):
+        numeric = derivative(lambda q: distance.value(grid.shoot(q)), z, j)
+        np.testing.assert_allclose(
+            model.peak_rows[top, j], numeric, atol=1e-6 * np.abs(model.peak_rows).max()
+        )
+
+
+def test_a_box_pushes_out_through_its_nearest_side_and_round_its_corners():
+    value, gradient = Box((0, 0), (10, 4)).clearance(
+        np.array([[5.0, 1.0], [5.0, 3.5], [13.0, 8.0], [-2.0, 1.0]])
+    )
+    np.testing.assert_allclose(value, [-1.0, -0.5, 5.0, 2.0])
+    np.testing.assert_allclose(gradient, [[0, -1], [0, 1], [0.6, 0.8], [-1, 0]])
+
+
+def test_feet_are_perpendicular_and_deviation_is_symmetric(wish):
+    s = np.linspace(0.02, 0.98, 40)
+    position, direction = wish.at(s)
+    normal = np.column_stack([-direction[:, 1], direction[:, 0]])
+    points = position + 0.02 * normal
+    np.testing.assert_allclose(wish.feet(points, s + 0.01), s, atol=1e-7)
+    shifted = wish.at(np.linspace(0, 1, 400))[0] + np.array([0.0, 0.01])
+    assert measure_deviation(wish, shifted) == pytest.approx(0.01, rel=0.02)

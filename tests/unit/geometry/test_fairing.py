@@ -1,0 +1,76 @@
+"""Pen curves are made fair within a tolerance that is measured from both sides."""
+
+import numpy as np
+import pytest
+
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.curve_editing.fairing import faired, has_rough_curvature, two_sided_distance
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+
+pytestmark = pytest.mark.core
+
+
+def pen(*points):
+    pieces = (len(points) - 1) // 3
+    knots = np.repeat(np.arange(pieces + 1.0), [4, *[3] * (pieces - 1), 4])
+    return PlaneCurve(knots, points, 3)
+
+
+ARCH = pen((0, 0), (0, 60), (40, 100), (100, 100), (150, 100), (200, 70), (200, 0))
+S_NODE = pen((0, 0), (30, 60), (80, 70), (120, 40), (160, 10), (200, 10), (240, 60))
+
+
+@pytest.mark.parametrize("tolerance", [0.005, 0.02, 0.1, 0.5, 3.0])
+@pytest.mark.parametrize("drawn", [ARCH, S_NODE])
+def test_curvature_and_its_slope_become_continuous_within_the_tolerance(drawn, tolerance):
+    fair = faired(drawn, tolerance)
+    assert 0 < fair.moved <= tolerance
+    dense = drawn.sample(20001).position
+    from_fair = [np.hypot(*(dense - p).T).min() for p in fair.curve.sample(400).position]
+    assert max(from_fair) <= tolerance + drawn.length / 20000
+    assert all(b.continuity >= 3 for b in fair.curve.breaks)
+    assert not has_rough_curvature(fair.curve)
+    ends = np.array([0.0, 1.0])
+    here, there = fair.curve.at(ends * fair.curve.length), drawn.at(ends * drawn.length)
+    assert here.position == pytest.approx(there.position, abs=1e-12)
+    assert here.angle == pytest.approx(there.angle, abs=1e-12)
+
+
+def test_the_width_no_longer_steps_and_the_ratio_falls():
+    drawn = pen((0, 0), (0, 60), (40, 100), (100, 100), (130, 100), (200, 70), (200, 0))
+    before, after = optimal_rod(drawn), optimal_rod(faired(drawn, 0.1).curve)
+    jumps = [np.abs(np.diff(r.curvature)).max() / np.abs(r.curvature).max() for r in (before, after)]
+    assert jumps[0] > 0.1
+    assert jumps[1] < 0.03
+    assert after.ratio < before.ratio
+
+
+def test_bending_that_was_reversed_by_a_jump_can_be_bent_after():
+    assert check_equilibrium(S_NODE).jumps
+    check = check_equilibrium(faired(S_NODE, 0.1).curve)
+    assert check.realizable
+    assert len(check.inflections) == 1
+
+
+def test_a_curve_scaled_is_faired_alike():
+    small = faired(ARCH, 0.1)
+    large = faired(ARCH.transformed(np.diag([1000.0, 1000.0, 1.0])), 100.0)
+    assert large.moved == pytest.approx(1000 * small.moved, rel=1e-3)
+
+
+def test_distance_from_both_sides_sees_what_one_side_misses():
+    line = PlaneCurve.line((0, 0), (100, 0))
+    longer = PlaneCurve.line((0, 0), (103, 0))
+    assert two_sided_distance(line, longer) == pytest.approx(3.0)
+
+
+def test_what_cannot_be_faired_is_told():
+    corner = pen((0, 0), (10, 0), (20, 0), (30, 0), (30, 10), (30, 20), (30, 30))
+    with pytest.raises(InputError, match="corners"):
+        faired(corner, 0.1)
+    with pytest.raises(InputError, match="positive distance"):
+        faired(ARCH, 0.0)
+    with pytest.raises(InputError, match="allow more"):
+        faired(ARCH, 1e-9)

@@ -1,0 +1,64 @@
+"""The strip between two clamps: against the tables of the elastica, and on the side that is asked for."""
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+from scipy.special import ellipe, ellipk
+
+from elastica_cad.errors import InputError
+from elastica_cad.mechanics.bending.between_clamps import elastica_between
+from elastica_cad.mechanics.loads.gravity import Gravity
+
+pytestmark = pytest.mark.core
+
+
+def pinned(distance, length):
+    """Height and end angle of Euler's elastica: distance / length = 2 E / K - 1, height / length = k / K."""
+    k = brentq(lambda k: 2 * ellipe(k * k) / ellipk(k * k) - 1 - distance / length, 1e-6, 0.999)
+    return length * k / ellipk(k * k), 2 * np.arcsin(k)
+
+
+@pytest.mark.parametrize("distance", [95.0, 70.0, 30.0])
+@pytest.mark.parametrize("side", [1, -1])
+def test_pinned_ends(distance, side):
+    height, angle = pinned(distance, 100.0)
+    found = elastica_between((3, 4), (3, 4 + distance), 100.0, side=side)
+    assert found.side == side
+    assert found.inflections == 0
+    assert np.abs(found.rod.position[:, 0] - 3).max() == pytest.approx(height, rel=1e-4)
+    assert abs(found.rod.angle[0] - np.pi / 2) == pytest.approx(angle, rel=1e-4)
+
+
+def test_clamped_ends_are_four_quarters():
+    """Between parallel clamps the elastica is the pinned one of half the length, twice."""
+    height, _ = pinned(35.0, 50.0)
+    found = elastica_between((0, 0), (70, 0), 100.0, angles=(0.0, 0.0))
+    assert found.rod.position[:, 1].max() == pytest.approx(2 * height, rel=2e-4)
+    assert found.inflections == 2
+
+
+def test_angles_length_and_ends():
+    found = elastica_between((0, 0), (60, 20), 110.0, angles=(1.0, -1.4))
+    curve = found.curve
+    assert curve.length == pytest.approx(110, rel=1e-5)
+    ends = curve.sample(2)
+    assert ends.position == pytest.approx(np.array([(0, 0), (60, 20)]), abs=1e-4)
+    assert ends.angle == pytest.approx([1.0, -1.4], abs=1e-3)
+    assert "left" in str(found)
+
+
+def test_taper_and_weight():
+    thin = elastica_between((0, 0), (70, 0), 100.0, stiffness=[1.0, 4.0])
+    top = thin.rod.position[thin.rod.position[:, 1].argmax(), 0]
+    assert top < 30  # the soft end bends
+    heavy = elastica_between((0, 0), (70, 0), 100.0, angles=(0.0, 0.0), gravity=Gravity(40.0, (0, -1)))
+    assert heavy.rod.position[:, 1].max() < 31.4
+
+
+@pytest.mark.parametrize(
+    ("end", "length", "side", "says"),
+    [((70, 0), 60.0, 1, "longer"), ((0, 0), 60.0, 1, "two places"), ((70, 0), 80.0, 2, "side is 2")],
+)
+def test_refused(end, length, side, says):
+    with pytest.raises(InputError, match=says):
+        elastica_between((0, 0), end, length, side=side)

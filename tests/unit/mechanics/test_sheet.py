@@ -1,0 +1,153 @@
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from elastica_cad.errors import InputError
+from elastica_cad.mechanics.material.sheet import _KEYS, Sheet, load_sheets, sheet_names
+
+pytestmark = pytest.mark.core
+
+PLY = {"thickness": 0.8, "youngs_modulus": 9250.0, "density": 680.0, "max_strain": 0.008}
+ENTRY = "thickness_mm = 0.8\nyoungs_modulus_MPa = 9250\ndensity_kg_m3 = 680\nmax_strain = 0.008\n"
+
+
+def written(tmp_path, text):
+    path = tmp_path / "sheets.toml"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def test_card_has_the_length_that_the_authors_measured():
+    card = Sheet.named("card-200gsm")
+    assert card.elasto_gravity_length == pytest.approx(1000 * 8.86e-4 ** (1 / 3), rel=1e-12)
+    assert round(card.elasto_gravity_length, 1) == 96.0
+    assert card.density * card.thickness == pytest.approx(200.0)  # g/m2
+    assert card.least_radius == pytest.approx(20.0)
+
+
+def test_gravity_carries_length_and_direction():
+    gravity = Sheet("ply", **PLY).gravity(direction=(3, -4))
+    h, rho, g, modulus = 0.8e-3, 680.0, 9.80665, 9250e6
+    assert gravity.length == pytest.approx(1e3 * (modulus * h**2 / (12 * rho * g)) ** (1 / 3))
+    assert gravity.direction == pytest.approx((0.6, -0.8))
+    assert Sheet("ply", **PLY).gravity().direction == (0.0, -1.0)
+
+
+def test_stiffness_and_radius():
+    sheet = Sheet("ply", **PLY)
+    assert sheet.bending_stiffness(30.0) == pytest.approx(9250 * 0.8**3 * 30 / 12)
+    assert sheet.least_radius == pytest.approx(50.0)
+
+
+@pytest.mark.parametrize(("thickness", "radius"), [(0.89, 51.0), (1.78, 132.0), (2.54, 218.0), (3.18, 305.0)])
+def test_plywood_follows_the_published_bend_radii(thickness, radius):
+    strains = {Sheet.named(n).thickness: Sheet.named(n).max_strain for n in sheet_names() if "birch" in n}
+    h = np.array(sorted(strains))
+    expected = np.interp(h, [0.89, 1.78, 2.54, 3.18], [0.89 / 102, 1.78 / 264, 2.54 / 436, 3.18 / 610])
+    assert [strains[t] for t in h] == pytest.approx(expected)
+    assert min(strains.values()) < thickness / (2 * radius) + 3e-4 < max(strains.values()) + 6e-4
+
+
+@pytest.mark.parametrize("name", [
+    "birch-plywood-0.8", "card-200gsm", "pom-0.5", "polypropylene-0.8", "petg-0.5", "acrylic-2", "mdf-3",
+    "hdf-1.5", "aluminium-6061-0.5", "spring-steel-0.2", "gfrp-1",
+])  # fmt: skip
+def test_library_holds(name):
+    assert name in sheet_names()
+    assert Sheet.named(name).name == name
+
+
+def test_every_built_in_sheet_states_source_and_ranges():
+    for name in sheet_names():
+        sheet = Sheet.named(name)
+        assert len(sheet.source) > 40
+        assert sheet.kind
+        low, high = sheet.range_of("youngs_modulus")
+        assert low <= sheet.youngs_modulus <= high
+        assert 0.002 < sheet.max_strain < 0.02
+        assert sheet.range_of("max_strain")[0] < sheet.range_of("max_strain")[1]
+        assert sheet.kerf > 0 or "kerf not published" in sheet.source
+        assert (sheet.grain == "along") == (sheet.kind in ("plywood", "card", "composite"))
+
+
+def test_range_of_a_certain_number_is_the_number_twice():
+    assert Sheet("ply", **PLY).range_of("density") == (680.0, 680.0)
+    with pytest.raises(InputError, match="no range of 'colour'"):
+        Sheet("ply", **PLY).range_of("colour")
+
+
+def test_unknown_name_offers_near_ones():
+    with pytest.raises(InputError, match=r"unknown sheet 'birch-ply-0.8': did you mean birch-plywood-0\.8"):
+        Sheet.named("birch-ply-0.8")
+    with pytest.raises(InputError, match="known sheets: card-200gsm"):
+        Sheet.named("zzzz")
+
+
+@pytest.mark.parametrize(("change", "words"), [
+    ({"thickness": 0.0}, "thickness is 0; it must be positive, in mm"),
+    ({"thickness": "0.8"}, "it must be a number"),
+    ({"youngs_modulus": float("nan")}, "youngs_modulus is nan; it must be a finite number"),
+    ({"density": -1.0}, "density is -1; it must be positive, in kg/m3"),
+    ({"max_strain": None}, "max_strain is None"),
+    ({"kerf": -0.1}, "kerf is -0.1; it must be zero or positive"),
+    ({"poisson_ratio": 1.0}, "poisson_ratio is 1"),
+    ({"grain": "sideways"}, "use one of along, across, none"),
+    ({"density_range": (700.0, 800.0)}, "it must hold density = 680"),
+    ({"density_range": (700.0,)}, "two numbers, lowest and highest"),
+    ({"name": " "}, "needs a name"),
+])  # fmt: skip
+def test_impossible_sheets_are_refused(change, words):
+    with pytest.raises(InputError, match=words):
+        Sheet(**({"name": "ply"} | PLY | change))
+
+
+def test_every_field_has_a_key_in_the_file():
+    assert {name for name, _ in _KEYS.values()} == set(Sheet.__dataclass_fields__) - {"name"}
+
+
+def test_sheets_file_round_trip(tmp_path):
+    sheets = [replace(Sheet.named(n), name=f'my "{n}"') for n in sheet_names()]
+    path = written(tmp_path, "schema = 1\n" + "\n".join(s.toml() for s in sheets))
+    assert load_sheets(path) == {s.name: s for s in sheets}
+
+
+def test_least_sheets_file(tmp_path):
+    sheet = load_sheets(written(tmp_path, f"[sheets.mine]\n{ENTRY}"))["mine"]
+    assert sheet == Sheet("mine", **PLY)
+
+
+@pytest.mark.parametrize(("text", "words"), [
+    ("", "holds no sheet"),
+    ("[sheets.mine", "is not a TOML file"),
+    ("[sheet.mine]\n", "unknown entry 'sheet'"),
+    ("schema = 9\n[sheets.mine]\n" + ENTRY, "schema 9 is not known"),
+    ("[sheets]\nmine = 3\n", "sheet 'mine' must be a table"),
+    ("[sheets.mine]\n" + ENTRY + "colour = 3\n", "unknown key 'colour'"),
+    ("[sheets.mine]\n" + ENTRY + "thickness_cm = 0.08\n", r"write thickness_mm \(millimetres"),
+    ("[sheets.mine]\n" + ENTRY + "youngs_modulus_GPa = 9\n", r"_MPa \(N/mm2: 9000 for 9 GPa\)"),
+    ("[sheets.mine]\n" + ENTRY + "poison_ratio = 0.1\n", "did you mean poisson_ratio"),
+    ("[sheets.mine]\n" + ENTRY.replace("9250", "9.25e9"), r"9\.25e\+09 looks like the wrong unit"),
+    ("[sheets.mine]\n" + ENTRY.replace("680", "0.68"), "680 for 0.68 g/cm3"),
+    ("[sheets.mine]\n" + ENTRY.replace("0.008", "0.8"), "a fraction: 0.008 for 0.8 %"),
+    ("[sheets.mine]\n" + ENTRY.replace("0.8", "'0.8'"), "thickness_mm is '0.8'; it must be a number"),
+    ("[sheets.mine]\n" + ENTRY.replace("0.8", "-0.8"), "thickness is -0.8; it must be positive"),
+    ("[sheets.mine]\n" + ENTRY.replace("density_kg_m3 = 680\n", ""), "density_kg_m3 is missing"),
+    ("[sheets.mine]\n" + ENTRY + "source = 3\n", "it must be text in quotes"),
+    ("[sheets.mine]\n" + ENTRY + "density_range_kg_m3 = 3\n", "it must be two numbers"),
+])  # fmt: skip
+def test_bad_sheets_files_get_one_sentence_that_names_the_file(tmp_path, text, words):
+    with pytest.raises(InputError, match=words) as caught:
+        load_sheets(written(tmp_path, text))
+    assert "sheets.toml" in str(caught.value)
+    assert "\n" not in str(caught.value)
+
+
+def test_sheets_file_that_cannot_be_read(tmp_path):
+    with pytest.raises(InputError, match="is a folder"):
+        load_sheets(tmp_path)
+    with pytest.raises(InputError, match=r"none\.toml cannot be read: No such file"):
+        load_sheets(tmp_path / "none.toml")
+    (tmp_path / "b.toml").write_bytes(b"\xff\xfe\x00")
+    with pytest.raises(InputError, match="not a TOML file"):
+        load_sheets(tmp_path / "b.toml")

@@ -1,0 +1,141 @@
+"""The record of stability, and where stable rods are lost."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.loads.weight import PointMass, Weight
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stability.stability_verdict import stability
+from elastica_cad.mechanics.studies.stability_limit import stability_limit
+
+pytestmark = pytest.mark.core
+
+
+def test_straight_rods_have_dependent_constraints():
+    for angle in (0.0, 0.7, np.pi / 2):
+        found = stability(Rod.straight(50.0, angle=angle))
+        assert found.stable
+        assert found.margin == pytest.approx(4 * np.pi**2, rel=1e-4)
+        assert found.conjugate_point is None
+
+
+@pytest.mark.parametrize(("pressure", "negative"), [(39.0, 0), (40.0, 1), (85.0, 2), (160.0, 3)])
+def test_straight_strut_under_pressure(pressure, negative):
+    """Clamped buckling loads 39.48, 80.76, 157.9 (pi^2 times 4, 8.18, 16)."""
+    rod = replace(Rod.straight(1.0, samples=401), force=np.tile([pressure, 0.0], (401, 1)))
+    found = stability(rod)
+    assert found.negative == negative
+    assert found.stable is (negative == 0)
+
+
+def test_record_of_an_unstable_rod():
+    rod = bend(Rod.straight(100.0, samples=201), end=(70.0, 0.0), mode=2)
+    found = stability(rod)
+    assert not found.stable
+    assert not found.borderline
+    assert found.mode.shape == (201,)
+    assert np.abs(found.mode).max() == 1.0
+    assert found.mode[[0, -1]] == pytest.approx([0.0, 0.0])
+    assert 0 < found.conjugate_point < 100
+    assert found.determinant.shape == found.determinant_s.shape == (201,)
+    i = int(np.searchsorted(found.determinant_s, found.conjugate_point))
+    assert found.determinant[i - 2] * found.determinant[i + 1] < 0
+
+
+def test_conjugate_point_from_the_other_end_when_only_the_start_is_clamped():
+    supports = Supports("clamped", "pinned")
+    rod = bend(Rod.straight(1.0, samples=301, supports=supports), end=(0.7, 0.0), mode=2)
+    found = stability(rod)
+    assert found.started_from == "end"
+    assert found.negative == 1
+    mirrored = bend(Rod.straight(1.0, samples=301, supports=supports.reversed()), end=(0.7, 0.0), mode=2)
+    twin = stability(mirrored)
+    assert twin.started_from == "start"
+    assert twin.conjugate_point == pytest.approx(1 - found.conjugate_point, abs=1e-6)
+
+
+def test_pinned_ends_have_no_conjugate_point_to_speak_of():
+    rod = bend(Rod.straight(1.0, samples=101, supports=Supports("pinned", "pinned")), end=(0.7, 0.0), mode=2)
+    found = stability(rod)
+    assert found.started_from is None
+    assert found.conjugate_point is None
+    assert found.determinant.size == 0
+    assert not found.stable
+
+
+def test_unbent_rods_are_refused():
+    rod = bend(Rod.straight(1.0, samples=101), end=(0.7, 0.0)).with_stiffness(np.linspace(1, 5, 101))
+    with pytest.raises(InputError, match="bend it first"):
+        stability(rod)
+
+
+def test_heavy_tension_does_not_upset_the_determinant():
+    """Pulled hard, the Jacobi fields grow by e^50 and Z drowns in rounding: the verdict stands."""
+    rod = Rod.straight(1.0, samples=401, supports=Supports("clamped", "free"))
+    found = stability(bend(rod, gravity=Gravity(0.07)))
+    assert found.stable
+
+
+def test_margin_falls_with_weight_on_top():
+    arch = bend(Rod.straight(1.0, samples=201), end=(0.9, 0.0))
+    margins = [stability(bend(arch, gravity=Gravity(q ** (-1 / 3)))).margin for q in (1.0, 10.0, 40.0)]
+    assert margins[0] > margins[1] > margins[2] > 0
+
+
+class TestLimits:
+    def test_a_lopsided_arch_snaps_through_under_a_lamp(self):
+        rod = Rod.straight(
+            100.0, samples=201, gravity=Gravity(1.0), weight=Weight(masses=(PointMass(45.0, 1.0),)),
+            bending_stiffness=500.0,
+        )  # fmt: skip
+        arch = bend(rod, end=(90.0, 0.0))
+        limit = stability_limit(arch, [200.0])
+        assert limit.kind == "snap"
+        assert stability(limit.before).margin == pytest.approx(0.0, abs=0.05)
+        assert limit.before.residual < 1e-9
+        assert stability(limit.after).stable
+        assert limit.after.position[100, 1] < 0 < limit.before.position[100, 1]
+        near = replace(rod, weight=Weight(masses=(PointMass(45.0, 0.999 * limit.at["load"]),)))
+        held = bend(near, end=(90.0, 0.0), guess=limit.before)
+        assert not held.warnings
+        assert stability(held).stable
+
+    def test_turning_both_clamps_of_an_arch(self):
+        arch = bend(Rod.straight(1.0, samples=201), end=(0.9, 0.0))
+        limit = stability_limit(arch, lambda t: {"angles": (-t, t)})
+        assert limit.kind == "bifurcation"
+        assert limit.at["angles"] == pytest.approx((-limit.parameter, limit.parameter))
+        assert stability(limit.before).stable
+        assert np.all(np.diff(limit.parameters) >= 0)
+        assert limit.margins[0] == pytest.approx(stability(arch).margin)
+
+    def test_stable_all_along(self):
+        arch = bend(Rod.straight(1.0, samples=101), end=(0.9, 0.0))
+        limit = stability_limit(arch, [(0.8, 0.0), (0.6, 0.1), (0.3, 0.1)])
+        assert limit.parameter is None
+        assert limit.kind is None
+        assert limit.before.position[-1] == pytest.approx([0.3, 0.1])
+        assert set(np.round(limit.parameters, 9)) >= {0.0, 1.0, 2.0, 3.0}
+
+    def test_unstable_from_the_start(self):
+        rod = bend(Rod.straight(1.0, samples=101), end=(0.9, 0.0), mode=2)
+        with pytest.raises(InputError, match="unstable from the start"):
+            stability_limit(rod, [(0.5, 0.0)])
+
+    def test_bad_paths(self):
+        arch = bend(Rod.straight(1.0, samples=101), end=(0.9, 0.0))
+        for path, message in (
+            ([2.0], "needs a rod that carries"),
+            ([(1.0, 2.0, 3.0)], "shape"),
+            ([{"supports": Supports()}], "supports cannot change"),
+            ([-1.0], "not negative"),
+            ([(1.3, 0.0)], "apart"),
+        ):
+            with pytest.raises((InputError, NotConvergedError), match=message):
+                stability_limit(arch, path)

@@ -1,0 +1,92 @@
+"""Pictures: nothing overlaps, nothing is cut off, the file is whole."""
+
+from itertools import combinations
+
+import pytest
+
+from elastica_cad import plot
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.makeability.shop import Shop
+from elastica_cad.fabrication.strip.tabs import Hole, Tab
+from elastica_cad.fabrication.strip_spec import make_strip
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.rod.rod_record import Rod
+
+CURVES = {
+    "arch": PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]),
+    "S": PlaneCurve.spline([(0, 0), (50, 60), (100, 10), (150, -40), (200, 20)]),
+    "tall": PlaneCurve.arc((0, 0), 100, -1.4, 1.4),
+    "flat": PlaneCurve.arc((0, -2000), 2000, 1.7, 1.4),
+}
+
+
+def made(name, width=30):
+    label = f"the {name} strip with a rather long name that goes on and on until it is time for another line"
+    ends = (Tab(10, holes=(Hole(5, 3),)), Tab(10))
+    return make_strip(
+        CURVES[name], "birch-plywood-0.8", max_width=width, label=label, ends=ends, shop=Shop(least_width=0.1)
+    )
+
+
+def texts_of(figure):
+    """What is written where, of the texts that are really drawn."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.text import Text
+
+    renderer = FigureCanvasAgg(figure).get_renderer()
+    figure.draw(renderer)
+    drawn, draw = [], Text.draw
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(
+            Text, "draw", lambda text, *args, **kwargs: (drawn.append(text), draw(text, *args, **kwargs))
+        )
+        figure.draw(renderer)
+    shown = [t for t in drawn if t.get_visible() and t.get_text().strip()]
+    return [(t.get_text(), t.get_window_extent(renderer)) for t in shown], figure.bbox
+
+
+def assert_readable(figure):
+    texts, page = texts_of(figure)
+    for (one, a), (two, b) in combinations(texts, 2):
+        apart = a.x1 <= b.x0 or b.x1 <= a.x0 or a.y1 <= b.y0 + 1 or b.y1 <= a.y0 + 1
+        assert apart, f"{one!r} lies on {two!r}"
+    for text, box in texts:
+        assert page.x0 <= box.x0 < box.x1 <= page.x1, f"{text!r} leaves the page"
+        assert page.y0 <= box.y0 < box.y1 <= page.y1, f"{text!r} leaves the page"
+
+
+@pytest.mark.parametrize("name", sorted(CURVES))
+def test_sheet_of_a_strip(name):
+    wish = PlaneCurve.spline([(0, 0), (60, 40), (120, 0)], degree=2)
+    assert_readable(plot.strip_sheet(made(name), wish=wish))
+
+
+@pytest.mark.parametrize("picture", [
+    lambda: plot.rod(made("S").rod),
+    lambda: plot.rod(Rod.straight(100.0)),
+    lambda: plot.strip(made("arch", width=4)),
+    lambda: plot.drawing(made("arch").drawing()),
+])  # fmt: skip
+def test_single_pictures(picture):
+    assert_readable(picture())
+
+
+def test_inflection_line_passes_the_inflection():
+    figure = plot.rod(made("S").rod)
+    lines = {line.get_label(): line.get_xydata() for line in figure.axes[0].lines}
+    (point,), line = lines["inflection"], lines["inflection line"]
+    along = line[1] - line[0]
+    off = (point - line[0])[0] * along[1] - (point - line[0])[1] * along[0]
+    assert off / (along @ along) ** 0.5 == pytest.approx(0, abs=1e-6)
+
+
+def test_png_is_written_whole_and_the_same(tmp_path):
+    for name in ("a", "b"):
+        plot.save_figure(plot.strip_sheet(made("arch")), tmp_path / f"{name}.png", resolution=80)
+    assert (tmp_path / "a.png").read_bytes() == (tmp_path / "b.png").read_bytes()
+    assert (tmp_path / "a.png").read_bytes()[:4] == b"\x89PNG"
+    assert (tmp_path / "a.png").stat().st_size < 200_000
+    with pytest.raises(InputError, match="exists already"):
+        plot.save_figure(plot.strip(made("arch")), tmp_path / "a.png")
+    with pytest.raises(InputError, match="resolution"):
+        plot.save_figure(plot.strip(made("arch")), tmp_path / "c.png", resolution=0)

@@ -1,0 +1,65 @@
+"""What a notebook shows: short words, pictures that a parser reads, tables whose texts are text."""
+
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+
+from elastica_cad.fabrication.drawings.drawing import CUT_OUTER
+from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+
+pytestmark = pytest.mark.core
+
+ARCH = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
+
+
+@pytest.fixture(scope="module")
+def strip():
+    return Strip(optimal_rod(ARCH), Sheet.named("birch-plywood-0.8"), max_width=30.0, label="A<1>")
+
+
+def test_words_are_short(strip):
+    model = Model((Placed(strip),), name="one")
+    for record in (ARCH, strip.rod, strip, strip.drawing(), model):
+        assert len(repr(record)) < 120
+    assert repr(ARCH) == f"<PlaneCurve of degree 4, 5 control points, {ARCH.length:.4g} mm>"
+    assert f"ratio {strip.rod.ratio:.4g}" in repr(strip.rod)
+
+
+def test_pictures_are_sound_and_hold_the_shape(strip):
+    for record in (ARCH, strip.rod, strip, strip.drawing()):
+        root = ElementTree.fromstring(record._repr_svg_())
+        width, height = float(root.get("width")), float(root.get("height"))
+        assert 0 < width <= 640
+        assert 0 < height <= 420
+        paths = root.findall("{http://www.w3.org/2000/svg}path")
+        points = np.array([p.split(",") for path in paths for p in path.get("d").strip("MZ ").split()], float)
+        assert points.min() >= 0
+        assert points[:, 0].max() <= width
+    low, high = strip.drawing().bounds
+    root = ElementTree.fromstring(strip._repr_svg_())
+    shape = (float(root.get("width")) - 16) / (float(root.get("height")) - 16)
+    assert shape == pytest.approx((high - low)[0] / (high - low)[1], rel=0.02)
+    assert len(strip.drawing().on(CUT_OUTER)) == 1
+
+
+def test_a_label_is_text_in_the_table(strip):
+    html = Model((Placed(strip),), name="<script>")._repr_html_()
+    assert "&lt;script&gt;" in html
+    assert "<script>" not in html
+    assert "A&lt;1&gt;" in html
+
+
+def test_tables_have_units_and_physics(strip):
+    rod, table = strip.rod.table(), strip.table()
+    assert {len(column) for column in (*rod.values(), *table.values())} == {strip.rod.s.size}
+    np.testing.assert_allclose(table["moment_Nmm"], strip.bending_stiffness * strip.rod.moment)
+    np.testing.assert_allclose(table["width_mm"], strip.width(strip.rod.s))
+    reactions = strip.reactions()
+    assert -table["force_x_N"][-1] == pytest.approx(reactions.end_force[0])
+    assert table["strain"].max() == pytest.approx(strip.max_strain, rel=1e-3)
