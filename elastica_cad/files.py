@@ -12,7 +12,7 @@ from elastica_cad.formats.curve_files.dxf_curves import read_dxf_drawing
 from elastica_cad.formats.curve_files.json_curves import read_json_drawing
 from elastica_cad.formats.curve_files.point_files import read_csv_drawing, read_text_curves
 from elastica_cad.formats.drawing_files.write_drawing import write_drawing
-from elastica_cad.formats.file_access.source_file import existing_file, millimetres, naming
+from elastica_cad.formats.file_access.source_file import look_up_unit, name_source, require_file
 from elastica_cad.formats.surface_files.file_surface import mesh_surface
 from elastica_cad.formats.svg_files.svg_curves import read_svg_drawing
 from elastica_cad.forming.plane_sections.section_spec import Surface
@@ -77,7 +77,7 @@ def read_curves(
     66.69
     """
     drawn = read_drawing(path, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit)
-    with naming(Path(path)):
+    with name_source(Path(path)):
         return drawn.read()
 
 
@@ -92,7 +92,7 @@ def read_drawing(
 
     Arguments and errors as in `read_curves`; the problem of a single curve is told by that curve.
     """
-    path = existing_file(path)
+    path = require_file(path)
     suffix = path.suffix.lower()
     if suffix == ".dxf":
         return read_dxf_drawing(path, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit)
@@ -122,8 +122,8 @@ def _kernel_drawing(path: Path, unit: str | None) -> DrawnFile:
         from elastica_cad.kernel.step_files import read_step_drawing
     except ImportError as error:
         raise _no_kernel(path) from error
-    with naming(path):
-        return read_step_drawing(path, scale=1.0 if unit is None else millimetres(unit))
+    with name_source(path):
+        return read_step_drawing(path, scale=1.0 if unit is None else look_up_unit(unit))
 
 
 def read_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.0) -> Surface:
@@ -138,14 +138,14 @@ def read_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.
     """
     if Path(path).suffix.lower() not in KERNEL_SUFFIXES:
         return mesh_surface(path, unit=unit, scale=scale)
-    path = existing_file(path)
+    path = require_file(path)
     try:
         from elastica_cad.kernel.shape_sections import shape_surface
         from elastica_cad.kernel.step_files import read_step_shape
     except ImportError as error:
         raise _no_kernel(path) from error
-    with naming(path):
-        return shape_surface(read_step_shape(path), millimetres(unit or "mm") * scale)
+    with name_source(path):
+        return shape_surface(read_step_shape(path), look_up_unit(unit or "mm") * scale)
 
 
 def _no_kernel(path: Path) -> MissingDependencyError:

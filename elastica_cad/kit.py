@@ -20,8 +20,8 @@ from elastica_cad.fabrication.strip.slot_effects import SlotEffect, slot_effect
 from elastica_cad.files import save
 from elastica_cad.formats.design_files.kit_spec import Cutting, KitSpec, Nesting
 from elastica_cad.formats.design_files.strip_table import StripEntry
-from elastica_cad.formats.file_access.file_transaction import files_together
-from elastica_cad.formats.reports.model_report import model_report
+from elastica_cad.formats.file_access.file_transaction import write_together
+from elastica_cad.formats.reports.model_report import report_model
 from elastica_cad.mechanics.material.sheet import Sheet
 
 __all__ = ["Kit", "SavedKit", "kit_of", "left_out", "save_model", "write_kit"]
@@ -160,7 +160,7 @@ def write_kit(
     """
     step, pictures = step and find_spec("OCP") is not None, pictures and find_spec("matplotlib") is not None
     _plan(kit, step=step, pictures=pictures, parts=parts)
-    with files_together(folder, kit.files, force=force) as workshop:
+    with write_together(folder, kit.files, force=force) as workshop:
         for name, (_, write) in kit.files.items():
             write(workshop / name)
             if done is not None:
@@ -297,7 +297,7 @@ def _write_text(path: Path, text: str) -> None:
 def _write_report(kit: Kit, path: Path) -> None:
     kinds = {name: kind for name, (kind, _) in kit.files.items()}
     listed = cut_list(kit.pieces)
-    report = model_report(
+    report = report_model(
         kit.model,
         cut_list=listed,
         nests=kit.nests,

@@ -13,7 +13,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.travel import Travel, bend_strip
 from elastica_cad.formats.curve_files.json_curves import curves_json
-from elastica_cad.formats.file_access.file_transaction import files_together
+from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.forming.rod_spec import RodSpec, accepted_rod
 from elastica_cad.mechanics.bending.bend_forward import bend_path
 from elastica_cad.mechanics.loads.supports import Supports
@@ -178,7 +178,7 @@ def _write_files(
     travelled = f"{name.removesuffix('-bent')}-travel"
     if moved is not None:
         names += [f"{travelled}.csv"] + ([f"{travelled}.png"] if pictures else [])
-    with files_together(output, names, force=force) as workshop:
+    with write_together(output, names, force=force) as workshop:
         header = "shape,s_mm,x_mm,y_mm,angle_rad,curvature_1_per_mm,stiffness"
         rows = [
             np.column_stack([np.full(r.s.size, k), r.s, r.position, r.angle, r.curvature, r.stiffness])

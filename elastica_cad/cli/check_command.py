@@ -16,7 +16,7 @@ from elastica_cad.cli.options import (
 )
 from elastica_cad.errors import ElasticaError
 from elastica_cad.formats.curve_files.drawn_file import DrawnCurve
-from elastica_cad.formats.reports.strip_report import check_report
+from elastica_cad.formats.reports.strip_report import report_check
 from elastica_cad.forming.rounding_verdict import undecided_by_rounding
 from elastica_cad.forming.smoothing import smoothed
 from elastica_cad.mechanics.loads.supports import EndName, Supports
@@ -88,7 +88,7 @@ def _judged(
     smoothing = smoothed(drawn, smooth, supports=supports)
     found = check_equilibrium(smoothing.curve, supports=supports, natural_curvature=natural_curvature)
     doubt = "" if natural_curvature else undecided_by_rounding(drawn, found.realizable, smooth, supports)
-    report = check_report(found)
+    report = report_check(found)
     if doubt:
         report["advice"] = f"{doubt} As it stands: {report['advice']}"
     return report | {"undecided": bool(doubt), "notes": list(smoothing.notes)}, found.realizable

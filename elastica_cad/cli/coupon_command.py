@@ -8,7 +8,7 @@ import click
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.sheets.coupon import coupon_drawing
 from elastica_cad.files import save
-from elastica_cad.formats.file_access.file_transaction import files_together
+from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.studies.calibration import calibrate_cantilever
 
@@ -78,7 +78,7 @@ def coupon(
             raise InputError(f"{option} belongs to a measurement: give --measured OVERHANG DROOP too")
     drawing = coupon_drawing(known, overhang=overhang, width=width, clamp=clamp)
     names = [f"{drawing.name}.dxf", f"{drawing.name}.svg"]
-    with files_together(output, names, force=force) as workshop:
+    with write_together(output, names, force=force) as workshop:
         for file in names:
             save(drawing, workshop / file)
     for file in names:
@@ -107,7 +107,7 @@ def _calibrate(
         name, **limit, kerf=sheet.kerf, poisson_ratio=sheet.poisson_ratio, grain=sheet.grain, kind=sheet.kind
     )
     file = f"{name}.toml"
-    with files_together(output, [file], force=force) as workshop:
+    with write_together(output, [file], force=force) as workshop:
         (workshop / file).write_text(own.toml(), encoding="utf-8")
     click.echo(str(result))
     click.echo(f"(in the list: {sheet.elasto_gravity_length:.2f} mm, E {sheet.youngs_modulus:.0f} MPa)\n")

@@ -6,7 +6,7 @@ from pathlib import Path
 import click
 import numpy as np
 
-from elastica_cad.formats.file_access.file_transaction import files_together
+from elastica_cad.formats.file_access.file_transaction import write_together
 
 __all__ = ["new"]
 
@@ -30,7 +30,7 @@ def new(kind: str, output: Path, force: bool) -> None:
     written = {f"{kind}.toml": text}
     if kind == "sections":
         written["bowl.obj"] = _bowl().encode("ascii")
-    with files_together(output, written, force=force) as folder:
+    with write_together(output, written, force=force) as folder:
         for name, content in written.items():
             (folder / name).write_bytes(content)
     click.echo(f"wrote {' and '.join(str(output / name) for name in written)}")

@@ -10,7 +10,7 @@ from elastica_cad.cli.options import bendable_curves, curve_argument, refuse_odd
 from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.write_curves import write_curves
 from elastica_cad.formats.design_files.reshaping import CORNERS, map_corners
-from elastica_cad.formats.file_access.file_transaction import files_together
+from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.curves.projective_maps import four_point_map
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
@@ -64,7 +64,7 @@ def reshape(
     matrix = _map(drawn, handles, {name: place for name, place in corners.items() if place is not None})
     changed = [one.transformed(matrix) for one in drawn]
     names = [f"{curve.stem}-reshaped.{kind}" for kind in KINDS]
-    with files_together(output, names, force=force) as workshop:
+    with write_together(output, names, force=force) as workshop:
         for name in names:
             write_curves(changed, workshop / name)
     for count, pair in enumerate(zip(drawn, changed, strict=True), start=1):

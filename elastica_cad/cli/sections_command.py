@@ -15,8 +15,8 @@ from elastica_cad.files import read_surface
 from elastica_cad.formats.curve_files.json_curves import curves_json
 from elastica_cad.formats.curve_files.write_curves import write_curves
 from elastica_cad.formats.design_files.write_sections_design import compose_section_design
-from elastica_cad.formats.file_access.file_transaction import files_together
-from elastica_cad.formats.file_access.source_file import existing_file
+from elastica_cad.formats.file_access.file_transaction import write_together
+from elastica_cad.formats.file_access.source_file import require_file
 from elastica_cad.formats.surface_files.file_surface import read_sized_surface
 from elastica_cad.forming.plane_sections.section_curves import AT_CORNERS, SectionCurve
 from elastica_cad.forming.plane_sections.section_spec import (
@@ -116,7 +116,7 @@ def sections(mesh: Path, output: Path, force: bool, sheet: str | None, **chosen:
     refuse_odd_numbers(chosen)
     if sheet is not None:
         Sheet.named(sheet)
-    existing_file(mesh)
+    require_file(mesh)
     named = {key: chosen[key] for key in ("unit", "scale") if chosen[key] is not None}
     family = _family_named(chosen)
     try:
@@ -214,7 +214,7 @@ def _strip_keys(sheet: str, chosen: dict[str, Any]) -> dict[str, Any]:
 
 def _path_points(path: Path) -> list[list[float]]:
     """Rows of three numbers, under a row of three names or none."""
-    text = existing_file(path).read_text(encoding="utf-8", errors="replace")
+    text = require_file(path).read_text(encoding="utf-8", errors="replace")
     rows: list[list[float]] = []
     headed = False
     for number, line in enumerate(text.splitlines(), start=1):
@@ -262,7 +262,7 @@ def _write_files(
     force: bool,
 ) -> list[str]:
     names = [f"{name}.json", f"{name}.dxf"] + ([] if strips is None else [f"{name}.toml"])
-    with files_together(output, names, force=force) as workshop:
+    with write_together(output, names, force=force) as workshop:
         (workshop / names[0]).write_text(curves_json([one.curve for one in curves]), encoding="utf-8")
         write_curves(_side_by_side([one.curve for one in curves]), workshop / names[1])
         if strips is not None:

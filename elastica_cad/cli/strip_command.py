@@ -27,8 +27,8 @@ from elastica_cad.fabrication.drawings.lettering import engravable
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import save
-from elastica_cad.formats.file_access.file_transaction import files_together
-from elastica_cad.formats.reports.strip_report import strip_report
+from elastica_cad.formats.file_access.file_transaction import write_together
+from elastica_cad.formats.reports.strip_report import report_strip
 from elastica_cad.forming.nearest.advice import advise
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.forming.rounding_verdict import undecided_by_rounding
@@ -194,7 +194,7 @@ def _write_files(
         "curves": cut.curves, "tolerance": cut.tolerance,
         "holding": None if cut.holding is None else HoldingTabs(cut.holding),
     }  # fmt: skip
-    with files_together(cut.output, names.values(), force=cut.force) as workshop:
+    with write_together(cut.output, names.values(), force=cut.force) as workshop:
         for layer, drawing, prefix in zip(made.layers, made.drawings(), ("", "backing "), strict=False):
             called, kerf = (
                 replace(drawing, name=f"{name}-{prefix}".rstrip("- ")),
@@ -216,7 +216,7 @@ def _write_files(
             from elastica_cad.kernel.step_files import write_strip_step
 
             write_strip_step(made, workshop / names["step"], frame=frame)
-        report = strip_report(made, name=name, files=names, near=near, stability=verdict, smoothing=smoothing)
+        report = report_strip(made, name=name, files=names, near=near, stability=verdict, smoothing=smoothing)
         (workshop / names["json"]).write_text(json.dumps(report, indent=1) + "\n", encoding="utf-8")
     return written
 

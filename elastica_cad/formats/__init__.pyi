@@ -19,27 +19,27 @@ from elastica_cad.formats.design_files.design_file import Design as Design, read
 from elastica_cad.formats.drawing_files.curve_style import CURVES as CURVES
 from elastica_cad.formats.drawing_files.dxf_drawing import (
     DXF_VERSIONS as DXF_VERSIONS,
-    dxf_bytes as dxf_bytes,
+    encode_dxf as encode_dxf,
     write_dxf as write_dxf,
 )
-from elastica_cad.formats.drawing_files.layers import LayerStyle as LayerStyle, layer_styles as layer_styles
-from elastica_cad.formats.drawing_files.svg_drawing import svg_bytes as svg_bytes, write_svg as write_svg
+from elastica_cad.formats.drawing_files.layers import LayerStyle as LayerStyle, style_layers as style_layers
+from elastica_cad.formats.drawing_files.svg_drawing import encode_svg as encode_svg, write_svg as write_svg
 from elastica_cad.formats.drawing_files.write_drawing import (
     DRAWING_SUFFIXES as DRAWING_SUFFIXES,
     write_drawing as write_drawing,
 )
 from elastica_cad.formats.file_access.atomic_write import (
-    checked_target as checked_target,
+    check_target as check_target,
     write_atomically as write_atomically,
 )
-from elastica_cad.formats.file_access.file_transaction import files_together as files_together
+from elastica_cad.formats.file_access.file_transaction import write_together as write_together
 from elastica_cad.formats.reports.model_report import (
     MODEL_SCHEMA as MODEL_SCHEMA,
-    model_report as model_report,
+    report_model as report_model,
 )
 from elastica_cad.formats.reports.strip_report import (
     REPORT_SCHEMA as REPORT_SCHEMA,
-    check_report as check_report,
-    strip_report as strip_report,
+    report_check as report_check,
+    report_strip as report_strip,
 )
 from elastica_cad.formats.surface_files.mesh_files import read_mesh as read_mesh

@@ -29,7 +29,7 @@ from elastica_cad.formats.curve_files.edges import Edge
 from elastica_cad.formats.curve_files.number_gate import checked_size
 from elastica_cad.formats.curve_files.placed_curve import placed_chain
 from elastica_cad.formats.file_access.atomic_write import write_atomically
-from elastica_cad.formats.file_access.source_file import existing_file, naming
+from elastica_cad.formats.file_access.source_file import name_source, require_file
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.occt import Shape, free_chains, kernel, make_location, make_solid
@@ -198,15 +198,15 @@ def read_step_curves(path: str | PathLike[str]) -> CurveList:
     InputError
         No such file, no STEP file, no free edges in it, or edges that no strip can follow.
     """
-    path = existing_file(Path(path))
-    with naming(path):
+    path = require_file(Path(path))
+    with name_source(path):
         return read_step_drawing(path).read()
 
 
 def read_step_drawing(path: str | PathLike[str], *, scale: float = 1.0) -> DrawnFile:
     """The curves of a STEP (or BREP) file one by one, `scale` times as large; what is no curve is counted."""
-    path = existing_file(Path(path))
-    with naming(path):
+    path = require_file(Path(path))
+    with name_source(path):
         chains, skipped = free_chains(read_step_shape(path))
         if not chains:
             found = f" (found {listed_things(skipped)})" if skipped else ""

@@ -20,7 +20,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 from elastica_cad.published.curve_changes import CurveChanges
 
-__all__ = ["Bounds", "Iterate", "Route", "move_within"]
+__all__ = ["Bounds", "Route", "RouteStep", "move_within"]
 
 _PRICE = 0.1  # of a broken bound, against half the mean square distance in lengths: far above all multipliers
 _ROW_PRICE = 10.0
@@ -64,7 +64,7 @@ class Bounds:
 
 
 @dataclass(frozen=True)
-class Iterate:
+class RouteStep:
     """One accepted curve on the way.
 
     Attributes
@@ -93,7 +93,7 @@ class Route:
         Are the bounds met?
     settled : bool
         False when it ran out of steps.
-    history : tuple of Iterate
+    history : tuple of RouteStep
         The start and every accepted curve.
     iterations : int
         Steps tried.
@@ -102,7 +102,7 @@ class Route:
     state: EquilibriumCurve
     within: bool
     settled: bool
-    history: tuple[Iterate, ...]
+    history: tuple[RouteStep, ...]
     iterations: int
 
 
@@ -120,7 +120,7 @@ def move_within(
     changes = CurveChanges(state, constraints)
     radius, settled, iterations = _RADIUS, False, 0
     distance = _half_square(changes, curve)
-    history = [_iterate(state, distance, bounds)]
+    history = [_route_step(state, distance, bounds)]
     while iterations < max_steps and not settled:
         iterations += 1
         aim = bounds.inside().from_here(state)
@@ -137,7 +137,7 @@ def move_within(
             coarse = moved.ratio > _COARSE * max(state.ratio, bounds.ratio)
             if got > 0.05 * gain and not coarse:
                 state, changes, distance = moved, further, there
-                history.append(_iterate(state, distance, bounds))
+                history.append(_route_step(state, distance, bounds))
                 radius = min(2 * radius, _LARGEST_RADIUS) if got > 0.7 * gain else radius
                 continue
         radius = min(radius, step.size) / 3
@@ -146,9 +146,9 @@ def move_within(
     return Route(state, bounds.broken(state) == 0, settled, tuple(history), iterations)
 
 
-def _iterate(state: EquilibriumCurve, half_square: float, bounds: Bounds) -> Iterate:
+def _route_step(state: EquilibriumCurve, half_square: float, bounds: Bounds) -> RouteStep:
     margin = None if bounds.margin is None else state.margin
-    return Iterate(state.ratio, margin, float(np.sqrt(2 * half_square)) * state.curve.length)
+    return RouteStep(state.ratio, margin, float(np.sqrt(2 * half_square)) * state.curve.length)
 
 
 def _half_square(changes: CurveChanges, wish: PlaneCurve) -> float:

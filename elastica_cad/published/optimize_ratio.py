@@ -9,7 +9,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.forming.equilibrium_curve import BothEnds, kept
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.point_distance import largest_deviation
-from elastica_cad.published.control_points import Bounds, Iterate, move_within
+from elastica_cad.published.control_points import Bounds, RouteStep, move_within
 
 __all__ = ["OptimizedRatio", "RatioStatus", "optimize_ratio"]
 
@@ -40,7 +40,7 @@ class OptimizedRatio:
     status : RatioStatus
     iterations : int
         Steps tried.
-    history : tuple of Iterate
+    history : tuple of RouteStep
         Ratio and distance of the start and of every accepted step.
     """
 
@@ -49,7 +49,7 @@ class OptimizedRatio:
     deviation: float
     status: RatioStatus
     iterations: int
-    history: tuple[Iterate, ...]
+    history: tuple[RouteStep, ...]
 
 
 def optimize_ratio(

@@ -9,7 +9,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.forming.equilibrium_curve import BothEnds, kept
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.point_distance import largest_deviation
-from elastica_cad.published.control_points import Bounds, Iterate, Route, move_within
+from elastica_cad.published.control_points import Bounds, Route, RouteStep, move_within
 
 __all__ = ["RecoveredStability", "RecoveryStatus", "recover_stability"]
 
@@ -50,7 +50,7 @@ class RecoveredStability:
     status : RecoveryStatus
     iterations : int
         Steps tried.
-    history : tuple of Iterate
+    history : tuple of RouteStep
         Ratio, margin and distance of the start and of every accepted step.
     """
 
@@ -60,7 +60,7 @@ class RecoveredStability:
     deviation: float
     status: RecoveryStatus
     iterations: int
-    history: tuple[Iterate, ...]
+    history: tuple[RouteStep, ...]
 
 
 def recover_stability(

@@ -12,8 +12,9 @@ import pytest
 import Sketcher
 from freecad.elastica_wb.curves.projective_sketch import box_around, evened, lost_constraints
 from freecad.elastica_wb.curves.sketch_curves import curve_into, drawn_curve, sketch_curve
-from freecad.elastica_wb.export.cutting_files import KINDS, pieces_of, write_cutting_files
+from freecad.elastica_wb.export.cutting_files import KINDS, write_cutting_files
 from freecad.elastica_wb.features import flat, strip
+from freecad.elastica_wb.features.pieces import pieces_of
 from freecad.elastica_wb.host import sheet_store as library
 from freecad.elastica_wb.live.sketch_drag import Dragged
 from freecad.elastica_wb.shapes.part_shapes import make_edge, make_wire

@@ -2,8 +2,9 @@
 
 import FreeCAD as App
 import pytest
-from freecad.elastica_wb.export.cutting_files import pieces_of, write_cutting_files
+from freecad.elastica_wb.export.cutting_files import write_cutting_files
 from freecad.elastica_wb.features import baseplate, fixtures, flat, model, nest, strip
+from freecad.elastica_wb.features.pieces import pieces_of
 from freecad.elastica_wb.shapes.part_shapes import make_solid
 from freecad.elastica_wb.shapes.prism_blocks import make_block
 

@@ -39,6 +39,13 @@ def test_no_module_reaches_itself(plan, imports):
     assert plan.circles(imports) == []
 
 
+def test_no_room_reaches_itself(plan):
+    """Rooms are the sub-packages of a floor, and single modules beside them; the workbench is one floor."""
+    inside = [f"elastica_cad.{f.name}" for f in plan.ROOTS["elastica_cad"].iterdir() if f.is_dir()]
+    found = {floor: plan.circles(plan.rooms(floor)) for floor in (*plan.ROOTS, *inside)}
+    assert {floor: circles for floor, circles in found.items() if circles} == {}
+
+
 def test_a_folder_fits_a_screen(modules):
     counts = Counter(file.parent for file in modules.values() if file.name != "__init__.py")
     crowded = {str(k.relative_to(ROOT)): n for k, n in counts.items() if n > MOST_IN_A_FOLDER}

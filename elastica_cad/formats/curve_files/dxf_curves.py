@@ -22,7 +22,7 @@ from elastica_cad.formats.curve_files.dxf_text import (
 from elastica_cad.formats.curve_files.edge_plane import flattened
 from elastica_cad.formats.curve_files.edges import Edge, Run, Source
 from elastica_cad.formats.curve_files.number_gate import checked_degree, checked_places, checked_tolerance
-from elastica_cad.formats.file_access.source_file import existing_file, millimetres, naming
+from elastica_cad.formats.file_access.source_file import look_up_unit, name_source, require_file
 from elastica_cad.geometry.curves.provenance import Provenance
 
 if TYPE_CHECKING:
@@ -66,8 +66,8 @@ def read_dxf_curves(
     MissingDependencyError
         ezdxf is not installed.
     """
-    path = existing_file(path)
-    with naming(path):
+    path = require_file(path)
+    with name_source(path):
         return read_dxf_drawing(path, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit).read()
 
 
@@ -79,12 +79,12 @@ def read_dxf_drawing(
     unit: str | None = None,
 ) -> DrawnFile:
     """The curves of a DXF file one by one, with handles and layers; all else as in `read_dxf_curves`."""
-    path = existing_file(path)
-    with naming(path):
+    path = require_file(path)
+    with name_source(path):
         checked_tolerance(tolerance)
         checked_tolerance(fit_tolerance, "tolerance for fitting")
         document = _opened(path)
-        scale = millimetres(unit) if unit else _scale(document)
+        scale = look_up_unit(unit) if unit else _scale(document)
         refuse_many_inserts(document)
         rounding = scale * dxf_rounding(path)
         skipped: Counter[str] = Counter()

@@ -18,7 +18,7 @@ from elastica_cad.formats.curve_files.number_gate import (
     checked_size,
 )
 from elastica_cad.formats.file_access.atomic_write import write_atomically
-from elastica_cad.formats.file_access.source_file import existing_file, millimetres, naming
+from elastica_cad.formats.file_access.source_file import look_up_unit, name_source, require_file
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
 __all__ = [
@@ -62,15 +62,15 @@ def read_json_curves(path: str | Path, *, unit: str | None = None) -> list[Plane
     InputError
         Not JSON, another schema, a missing or bad entry: file and entry are named.
     """
-    path = existing_file(path)
-    with naming(path):
+    path = require_file(path)
+    with name_source(path):
         return read_json_drawing(path, unit=unit).read()
 
 
 def read_json_drawing(path: str | Path, *, unit: str | None = None) -> DrawnFile:
     """The curves of a JSON file one by one; all else as in `read_json_curves`."""
-    path = existing_file(path)
-    with naming(path):
+    path = require_file(path)
+    with name_source(path):
         try:
             data = json.loads(path.read_bytes())
         except (ValueError, RecursionError) as error:  # a whole number of thousands of digits too
@@ -105,7 +105,7 @@ def _scale(data: dict[str, Any], unit: str | None) -> float:
     given = data.get("units", "mm")
     if isinstance(given, dict):
         given = given.get("length", "mm")
-    return millimetres(unit or str(given))
+    return look_up_unit(unit or str(given))
 
 
 def _curve(record: Any, where: str, scale: float) -> PlaneCurve:

@@ -20,7 +20,7 @@ from elastica_cad.formats.curve_files.number_gate import (
     checked_tolerance,
     half_last_place,
 )
-from elastica_cad.formats.file_access.source_file import existing_file, millimetres, naming
+from elastica_cad.formats.file_access.source_file import look_up_unit, name_source, require_file
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.curves.provenance import Provenance
 
@@ -50,8 +50,8 @@ def read_csv_curves(
     InputError
         A row that is not two or three finite numbers, too few points: file and row are named.
     """
-    path = existing_file(path)
-    with naming(path):
+    path = require_file(path)
+    with name_source(path):
         return read_csv_drawing(path, fit_tolerance=fit_tolerance, unit=unit).read()
 
 
@@ -59,9 +59,9 @@ def read_csv_drawing(
     path: str | Path, *, fit_tolerance: float = FIT_TOLERANCE, unit: str | None = None
 ) -> DrawnFile:
     """The curves of a file of measured points one by one; all else as in `read_csv_curves`."""
-    path = existing_file(path)
-    with naming(path):
-        scale = millimetres(unit or "mm")
+    path = require_file(path)
+    with name_source(path):
+        scale = look_up_unit(unit or "mm")
         checked_tolerance(fit_tolerance, "tolerance for fitting")
         text = _text(path)
         blocks = _blocks(text)
@@ -91,9 +91,9 @@ def read_text_curves(path: str | Path, *, unit: str | None = None) -> list[Plane
     InputError
         A first line that does not say degree and count, or other than `count` good points after it.
     """
-    path = existing_file(path)
-    with naming(path):
-        scale = millimetres(unit or "mm")
+    path = require_file(path)
+    with name_source(path):
+        scale = look_up_unit(unit or "mm")
         rows = [(n, line.split()) for n, line in enumerate(_text(path).splitlines(), 1) if line.strip()]
         rows = [(n, row) for n, row in rows if not row[0].startswith("#")]
         if not rows:

@@ -10,7 +10,7 @@ from elastica_cad.formats.curve_files.json_curves import write_json_curves
 from elastica_cad.formats.drawing_files.curve_style import EXACT
 from elastica_cad.formats.drawing_files.dxf_drawing import write_dxf
 from elastica_cad.formats.drawing_files.svg_drawing import write_svg
-from elastica_cad.formats.file_access.atomic_write import checked_target
+from elastica_cad.formats.file_access.atomic_write import check_target
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path as Chain
 from elastica_cad.geometry.paths.segments import Spline
@@ -50,7 +50,7 @@ def write_curves(curves: Sequence[PlaneCurve], path: str | os.PathLike[str], *, 
     'arch.json'
     """
     suffix = Path(path).suffix.lower()
-    checked_target(path, force=force)
+    check_target(path, force=force)
     if not curves:
         raise InputError(f"{path}: there are no curves to write")
     if suffix == ".json":

@@ -55,7 +55,7 @@ from elastica_cad.formats.design_files.strip_table import (
     read_strip,
 )
 from elastica_cad.formats.design_files.tables import Table
-from elastica_cad.formats.file_access.source_file import existing_file
+from elastica_cad.formats.file_access.source_file import require_file
 from elastica_cad.formats.surface_files.file_surface import SurfaceReader, mesh_surface
 from elastica_cad.forming.plane_sections.section_curves import SectionCurve
 from elastica_cad.mechanics.material.sheet import Sheet, load_sheets, sheets_from_table
@@ -166,7 +166,7 @@ def read_design(
     InputError
         No TOML, unknown keys, missing files or values that make no sense: the place in the file is named.
     """
-    path = existing_file(path)
+    path = require_file(path)
     try:
         data = tomllib.loads(path.read_bytes().decode("utf-8"))
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:

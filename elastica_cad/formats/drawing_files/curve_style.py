@@ -5,7 +5,7 @@ from elastica_cad.geometry.paths.biarcs import as_arcs, as_polyline
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.path_cubics import as_cubics
 
-__all__ = ["CURVES", "EXACT", "checked_curves", "shaped"]
+__all__ = ["CURVES", "EXACT", "check_curve_style", "shape_path"]
 
 CURVES = ("spline", "arc", "polyline")
 
@@ -19,14 +19,14 @@ FINEST_MM = 1e-5
 """Finer arcs and polylines would only fill the disk."""
 
 
-def checked_curves(curves: str) -> str:
+def check_curve_style(curves: str) -> str:
     """The mode, refused unless it is one of `CURVES` or `EXACT`."""
     if curves not in (*CURVES, EXACT):
         raise InputError(f"curves is {curves!r}: use one of {', '.join(CURVES)}")
     return curves
 
 
-def shaped(path: Path, curves: str, tolerance: float, *, rational: bool = True) -> Path:
+def shape_path(path: Path, curves: str, tolerance: float, *, rational: bool = True) -> Path:
     """The path as a file holds it: splines of degree 3 at most (`rational` where allowed), arcs, or lines.
 
     With `EXACT` splines of any degree stay, where the file knows weights.

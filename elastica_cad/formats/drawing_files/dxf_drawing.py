@@ -15,9 +15,9 @@ import numpy as np
 
 from elastica_cad.errors import InputError, MissingDependencyError
 from elastica_cad.fabrication.drawings.drawing import LAYERS, Drawing
-from elastica_cad.formats.drawing_files.curve_style import EXACT, checked_curves, shaped
-from elastica_cad.formats.drawing_files.layers import LayerChoice, LayerStyle, layer_styles
-from elastica_cad.formats.file_access.atomic_write import checked_target, write_atomically
+from elastica_cad.formats.drawing_files.curve_style import EXACT, check_curve_style, shape_path
+from elastica_cad.formats.drawing_files.layers import LayerChoice, LayerStyle, style_layers
+from elastica_cad.formats.file_access.atomic_write import check_target, write_atomically
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Segment, Spline
 from elastica_cad.geometry.paths.trim import trim_segment
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from ezdxf.entities.dxfgfx import DXFGraphic
     from ezdxf.layouts.layout import Modelspace
 
-__all__ = ["DXF_VERSIONS", "dxf_bytes", "write_dxf"]
+__all__ = ["DXF_VERSIONS", "encode_dxf", "write_dxf"]
 
 R12 = "AC1009"
 DXF_VERSIONS = ("R12", "R2000", "R2004", "R2007", "R2010", "R2013", "R2018")
@@ -46,7 +46,7 @@ def write_dxf(
     layers: Mapping[str, LayerChoice] | None = None,
     force: bool = False,
 ) -> FilePath:
-    """Write a drawing as DXF; see `dxf_bytes` for the options.
+    """Write a drawing as DXF; see `encode_dxf` for the options.
 
     Parameters
     ----------
@@ -60,12 +60,12 @@ def write_dxf(
     pathlib.Path
         The file written.
     """
-    checked_target(path, force=force)
-    content = dxf_bytes(drawing, curves=curves, tolerance=tolerance, version=version, layers=layers)
+    check_target(path, force=force)
+    content = encode_dxf(drawing, curves=curves, tolerance=tolerance, version=version, layers=layers)
     return write_atomically(path, content, force)
 
 
-def dxf_bytes(
+def encode_dxf(
     drawing: Drawing,
     *,
     curves: str = "spline",
@@ -93,7 +93,7 @@ def dxf_bytes(
     version : str
         One of `DXF_VERSIONS`. R12 has no units in its header; a comment says mm.
     layers : mapping, optional
-        Names and colours, see `layer_styles`.
+        Names and colours, see `style_layers`.
 
     Raises
     ------
@@ -102,10 +102,10 @@ def dxf_bytes(
     MissingDependencyError
         ezdxf is not installed.
     """
-    curves = checked_curves(curves)
+    curves = check_curve_style(curves)
     if version not in DXF_VERSIONS:
         raise InputError(f"there is no DXF version {version!r}: use one of {', '.join(DXF_VERSIONS)}")
-    styles = layer_styles(layers)
+    styles = style_layers(layers)
     if version == "R12":
         _check_old_names(styles)
         curves = "arc" if curves in ("spline", EXACT) else curves
@@ -136,7 +136,7 @@ class _Writer:
             self.path(item.path, {"layer": styles[item.layer].name})
 
     def path(self, path: Path, attributes: dict[str, Any]) -> None:
-        path = shaped(path, self.curves, self.tolerance)
+        path = shape_path(path, self.curves, self.tolerance)
         first = path.segments[0]
         alone = len(path.segments) == 1
         if alone and isinstance(first, Arc) and first.is_circle:

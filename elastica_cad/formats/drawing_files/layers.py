@@ -8,7 +8,7 @@ from typing import TypeAlias
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, LAYERS, MARK
 
-__all__ = ["LayerChoice", "LayerStyle", "layer_styles"]
+__all__ = ["LayerChoice", "LayerStyle", "style_layers"]
 
 
 @dataclass(frozen=True)
@@ -49,7 +49,7 @@ _STANDARD = {
 }
 
 
-def layer_styles(choices: Mapping[str, LayerChoice] | None = None) -> dict[str, LayerStyle]:
+def style_layers(choices: Mapping[str, LayerChoice] | None = None) -> dict[str, LayerStyle]:
     """The style of every layer, the user's choices put over the standard ones.
 
     Parameters
@@ -64,7 +64,7 @@ def layer_styles(choices: Mapping[str, LayerChoice] | None = None) -> dict[str, 
 
     Examples
     --------
-    >>> layer_styles({"ENGRAVE": ("Raster", "#808080")})["ENGRAVE"].name
+    >>> style_layers({"ENGRAVE": ("Raster", "#808080")})["ENGRAVE"].name
     'Raster'
     """
     styles = dict(_STANDARD)

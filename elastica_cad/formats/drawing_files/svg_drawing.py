@@ -9,13 +9,13 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.drawings.drawing import LAYERS, Drawing
-from elastica_cad.formats.drawing_files.curve_style import checked_curves, shaped
-from elastica_cad.formats.drawing_files.layers import LayerChoice, layer_styles
-from elastica_cad.formats.file_access.atomic_write import checked_target, write_atomically
+from elastica_cad.formats.drawing_files.curve_style import check_curve_style, shape_path
+from elastica_cad.formats.drawing_files.layers import LayerChoice, style_layers
+from elastica_cad.formats.file_access.atomic_write import check_target, write_atomically
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
 
-__all__ = ["svg_bytes", "write_svg"]
+__all__ = ["encode_svg", "write_svg"]
 
 _MARGIN_MM = 1.0
 """About the drawing, so that a stroke on its border is seen."""
@@ -33,7 +33,7 @@ def write_svg(
     layers: Mapping[str, LayerChoice] | None = None,
     force: bool = False,
 ) -> FilePath:
-    """Write a drawing as SVG; see `svg_bytes` for the options.
+    """Write a drawing as SVG; see `encode_svg` for the options.
 
     Parameters
     ----------
@@ -47,13 +47,13 @@ def write_svg(
     pathlib.Path
         The file written.
     """
-    checked_target(path, force=force)
+    check_target(path, force=force)
     return write_atomically(
-        path, svg_bytes(drawing, curves=curves, tolerance=tolerance, layers=layers), force
+        path, encode_svg(drawing, curves=curves, tolerance=tolerance, layers=layers), force
     )
 
 
-def svg_bytes(
+def encode_svg(
     drawing: Drawing,
     *,
     curves: str = "spline",
@@ -74,7 +74,7 @@ def svg_bytes(
     tolerance : float
         Largest distance, mm, of a replaced curve from the true one.
     layers : mapping, optional
-        Names and colours, see `layer_styles`.
+        Names and colours, see `style_layers`.
 
     Raises
     ------
@@ -85,11 +85,11 @@ def svg_bytes(
     --------
     >>> from elastica_cad.fabrication.drawings.drawing import CUT_OUTER, LayeredPath
     >>> plate = Drawing("plate", [LayeredPath(CUT_OUTER, Path.rectangle(40, 10))])
-    >>> 'width="42mm" height="12mm"' in svg_bytes(plate).decode()
+    >>> 'width="42mm" height="12mm"' in encode_svg(plate).decode()
     True
     """
-    curves = checked_curves(curves)
-    styles = layer_styles(layers)
+    curves = check_curve_style(curves)
+    styles = style_layers(layers)
     (left, low), (right, high) = drawing.bounds
     sheet = _Sheet(left - _MARGIN_MM, high + _MARGIN_MM)
     width, height = _number(right - left + 2 * _MARGIN_MM), _number(high - low + 2 * _MARGIN_MM)
@@ -111,7 +111,7 @@ def svg_bytes(
             f'fill="none" stroke="{style.color}" stroke-width="{_STROKE_MM:g}">'
         )
         rows.extend(
-            f'<path d="{sheet.data(shaped(path, curves, tolerance, rational=False))}"/>' for path in paths
+            f'<path d="{sheet.data(shape_path(path, curves, tolerance, rational=False))}"/>' for path in paths
         )
         rows.append("</g>")
     rows.append("</svg>\n")

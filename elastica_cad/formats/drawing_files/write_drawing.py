@@ -11,7 +11,7 @@ from elastica_cad.fabrication.drawings.kerf import compensate_kerf
 from elastica_cad.formats.drawing_files.dxf_drawing import write_dxf
 from elastica_cad.formats.drawing_files.layers import LayerChoice
 from elastica_cad.formats.drawing_files.svg_drawing import write_svg
-from elastica_cad.formats.file_access.atomic_write import checked_target
+from elastica_cad.formats.file_access.atomic_write import check_target
 
 __all__ = ["DRAWING_SUFFIXES", "write_drawing"]
 
@@ -69,7 +69,7 @@ def write_drawing(
         DXF without ezdxf.
     """
     suffix = Path(path).suffix.lower()
-    checked_target(path, force=force)
+    check_target(path, force=force)
     if suffix not in DRAWING_SUFFIXES:
         raise InputError(f"{path} can't be written as a drawing: end its name with .dxf or .svg")
     cut = compensate_kerf(drawing, kerf, tolerance=min(tolerance, _KERF_TOLERANCE_MM))

@@ -7,10 +7,10 @@ from typing import BinaryIO
 
 from elastica_cad.errors import InputError
 
-__all__ = ["checked_target", "write_atomically"]
+__all__ = ["check_target", "write_atomically"]
 
 
-def checked_target(path: str | os.PathLike[str], *, force: bool = False) -> Path:
+def check_target(path: str | os.PathLike[str], *, force: bool = False) -> Path:
     """The file to be written, with links followed, refused early where it can't be.
 
     Raises
@@ -54,7 +54,7 @@ def write_atomically(
     Raises
     ------
     InputError
-        As `checked_target`; or there is no permission or no room.
+        As `check_target`; or there is no permission or no room.
 
     Examples
     --------
@@ -63,7 +63,7 @@ def write_atomically(
     ...     write_atomically(folder + "/note.txt", b"done").read_bytes()
     b'done'
     """
-    target = checked_target(path, force=force)
+    target = check_target(path, force=force)
     temporary = target.with_name(f".{target.name}.{os.getpid()}.part")
     try:
         with open(temporary, "wb") as file:

@@ -7,13 +7,13 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from elastica_cad.errors import InputError
-from elastica_cad.formats.file_access.atomic_write import checked_target
+from elastica_cad.formats.file_access.atomic_write import check_target
 
-__all__ = ["files_together"]
+__all__ = ["write_together"]
 
 
 @contextmanager
-def files_together(
+def write_together(
     folder: str | os.PathLike[str], names: Iterable[str], *, force: bool = False
 ) -> Iterator[Path]:
     """A workshop folder whose files move to `folder` only when the whole block has succeeded.
@@ -41,7 +41,7 @@ def files_together(
     --------
     >>> import tempfile
     >>> with tempfile.TemporaryDirectory() as base:
-    ...     with files_together(base + "/out", ["a.txt"]) as workshop:
+    ...     with write_together(base + "/out", ["a.txt"]) as workshop:
     ...         _ = (workshop / "a.txt").write_text("done")
     ...     Path(base, "out", "a.txt").read_text()
     'done'
@@ -51,7 +51,7 @@ def files_together(
         raise InputError(f"{folder} is a file, not a folder: choose another folder for the files")
     if target.is_dir():
         for name in names:
-            checked_target(target / name, force=force)
+            check_target(target / name, force=force)
     ground = next(parent for parent in (target, *target.parents) if parent.is_dir())
     try:
         with TemporaryDirectory(prefix=".elastica-", dir=ground) as workshop:

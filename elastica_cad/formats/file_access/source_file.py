@@ -6,7 +6,7 @@ from pathlib import Path
 
 from elastica_cad.errors import InputError, NotConvergedError
 
-__all__ = ["LARGEST_FILE", "MILLIMETRES", "existing_file", "millimetres", "naming"]
+__all__ = ["LARGEST_FILE", "MILLIMETRES", "look_up_unit", "name_source", "require_file"]
 
 LARGEST_FILE = 256 * 2**20
 """Bytes."""
@@ -24,7 +24,7 @@ MILLIMETRES = {
 }
 
 
-def existing_file(path: str | Path) -> Path:
+def require_file(path: str | Path) -> Path:
     """The path, when a file is there that can be read and holds something.
 
     Raises
@@ -54,7 +54,7 @@ def existing_file(path: str | Path) -> Path:
     return path
 
 
-def millimetres(unit: str) -> float:
+def look_up_unit(unit: str) -> float:
     """Millimetres in one `unit`.
 
     Raises
@@ -68,7 +68,7 @@ def millimetres(unit: str) -> float:
 
 
 @contextmanager
-def naming(path: Path) -> Iterator[None]:
+def name_source(path: Path) -> Iterator[None]:
     """Put the file's name before any complaint about what it holds."""
     try:
         yield

@@ -10,15 +10,15 @@ from elastica_cad.fabrication.sheets.nesting import NestedSheet
 from elastica_cad.fabrication.strip.slot_effects import SlotEffect
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.design_files.strip_table import StripEntry
-from elastica_cad.formats.reports.strip_report import rounded, versions
+from elastica_cad.formats.reports.strip_report import list_versions, round_numbers
 from elastica_cad.geometry.paths.point_distance import largest_deviation
 
-__all__ = ["MODEL_SCHEMA", "model_report"]
+__all__ = ["MODEL_SCHEMA", "report_model"]
 
 MODEL_SCHEMA = "elastica-model/1"
 
 
-def model_report(
+def report_model(
     model: Model,
     *,
     cut_list: CutList,
@@ -46,7 +46,7 @@ def model_report(
     return {
         "schema": MODEL_SCHEMA,
         "name": model.name,
-        "versions": versions(),
+        "versions": list_versions(),
         "units": {"length": "mm", "strain": "1", "mass": "g", "area": "mm2", "angle": "rad"},
         "strips": len(model.placed),
         "parts": [
@@ -62,38 +62,38 @@ def model_report(
         "joints": [
             {
                 "strips": [model.single_name_of(i) for i in joint.members],
-                "angle": rounded(joint.angle),
-                "position": rounded(joint.position),
+                "angle": round_numbers(joint.angle),
+                "position": round_numbers(joint.position),
             }
             for joint in model.joints
         ],
         "sheets": [
             {
                 "drawing": nest.name,
-                "size": rounded(nest.sheet_size),
+                "size": round_numbers(nest.sheet_size),
                 "pieces": nest.counts,
-                "filled": rounded(nest.filled / nest.used),
+                "filled": round_numbers(nest.filled / nest.used),
             }
             for nest in nests
         ],
         "pieces": cut_list.count,
-        "cut_length": rounded(cut_list.cut_length),
-        "mass": rounded(cut_list.mass),
+        "cut_length": round_numbers(cut_list.cut_length),
+        "mass": round_numbers(cut_list.mass),
         "reports": list(model.reports),
         "files": dict(files),
     }
 
 
 def _effect(effect: SlotEffect) -> dict[str, float]:
-    return {name: rounded(value) for name, value in asdict(effect).items()}
+    return {name: round_numbers(value) for name, value in asdict(effect).items()}
 
 
 def _departure(strip: Strip, entry: StripEntry) -> dict[str, Any]:
     """How far the strip's shape is from the curve it was made after, and that from its section, mm."""
     found = strip.rod.curve
-    told: dict[str, Any] = {"deviation": rounded(largest_deviation(entry.curve, found))}
+    told: dict[str, Any] = {"deviation": round_numbers(largest_deviation(entry.curve, found))}
     if entry.section:
-        told |= {"section": entry.section, "curve_off_section": rounded(entry.off_section)}
+        told |= {"section": entry.section, "curve_off_section": round_numbers(entry.off_section)}
     return told
 
 
@@ -101,11 +101,11 @@ def _strip(strip: Strip) -> dict[str, Any]:
     low, high = strip.width.extremes
     return {
         "sheet": strip.sheet.name,
-        "length": rounded(strip.rod.length),
-        "ratio": rounded(strip.rod.ratio),
-        "width": {"least": rounded(low), "largest": rounded(high)},
-        "largest_strain": rounded(strip.max_strain),
-        "mass": rounded(strip.mass),
+        "length": round_numbers(strip.rod.length),
+        "ratio": round_numbers(strip.rod.ratio),
+        "width": {"least": round_numbers(low), "largest": round_numbers(high)},
+        "largest_strain": round_numbers(strip.max_strain),
+        "mass": round_numbers(strip.mass),
         "slots": len(strip.slots),
         "warnings": list(strip.warnings),
     }

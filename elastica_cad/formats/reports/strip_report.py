@@ -12,7 +12,7 @@ from elastica_cad.forming.smoothing import Smoothing
 from elastica_cad.mechanics.stability.stability_verdict import Stability
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
 
-__all__ = ["REPORT_SCHEMA", "check_report", "rounded", "strip_report", "versions"]
+__all__ = ["REPORT_SCHEMA", "list_versions", "report_check", "report_strip", "round_numbers"]
 
 REPORT_SCHEMA = "elastica-report/1"
 _UNITS = {
@@ -27,7 +27,7 @@ _UNITS = {
 }
 
 
-def strip_report(
+def report_strip(
     strip: Strip,
     *,
     name: str,
@@ -63,31 +63,31 @@ def strip_report(
     return {
         "schema": REPORT_SCHEMA,
         "name": name,
-        "versions": versions(),
+        "versions": list_versions(),
         "units": _UNITS,
         "files": files,
         "curve": curve_record(rod.curve),
-        "check": None if rod.check is None else check_report(rod.check),
+        "check": None if rod.check is None else report_check(rod.check),
         "nearest": None if near is None else _nearest_report(near),
         "stability": None
         if stability is None
-        else {"stable": stability.stable, "margin": rounded(stability.margin)},
-        "moved_by_snapping": rounded(rod.moved),
+        else {"stable": stability.stable, "margin": round_numbers(stability.margin)},
+        "moved_by_snapping": round_numbers(rod.moved),
         "smoothing": None if smoothing is None else _smoothing_report(smoothing),
-        "length": rounded(rod.length),
-        "ratio": rounded(rod.ratio),
+        "length": round_numbers(rod.length),
+        "ratio": round_numbers(rod.ratio),
         "residual": rod.residual,
         "gravity": None
         if rod.gravity is None
         else {"length": rod.gravity.length, "direction": list(rod.gravity.direction)},
         "stations": {
-            "s": rounded(s),
-            "stiffness": rounded(rod.profile(s)),
-            "width": rounded(strip.width(s)),
-            "material": rounded(strip.layout.material(s)),
-            "backing": None if backing is None else rounded(backing.width(s)),
+            "s": round_numbers(s),
+            "stiffness": round_numbers(rod.profile(s)),
+            "width": round_numbers(strip.width(s)),
+            "material": round_numbers(strip.layout.material(s)),
+            "backing": None if backing is None else round_numbers(backing.width(s)),
         },
-        "width": {"least": rounded(low), "largest": rounded(high)},
+        "width": {"least": round_numbers(low), "largest": round_numbers(high)},
         "sheet": {
             "name": sheet.name,
             "thickness": sheet.thickness,
@@ -97,20 +97,20 @@ def strip_report(
             "source": sheet.source,
         },
         "strain": {
-            "largest": rounded(strip.max_strain),
-            "at": rounded(strip.max_strain_at),
+            "largest": round_numbers(strip.max_strain),
+            "at": round_numbers(strip.max_strain_at),
             "limit": strip.strain_limit,
         },
-        "mass": rounded(strip.mass),
+        "mass": round_numbers(strip.mass),
         "layers": [
-            {"sheet": layer.sheet.name, "thickness": layer.sheet.thickness, "mass": rounded(layer.mass)}
+            {"sheet": layer.sheet.name, "thickness": layer.sheet.thickness, "mass": round_numbers(layer.mass)}
             for layer in strip.layers
         ],
         "reactions": {
-            "start_force": rounded(reactions.start_force),
-            "start_moment": rounded(reactions.start_moment),
-            "end_force": rounded(reactions.end_force),
-            "end_moment": rounded(reactions.end_moment),
+            "start_force": round_numbers(reactions.start_force),
+            "start_moment": round_numbers(reactions.start_moment),
+            "end_force": round_numbers(reactions.end_force),
+            "end_moment": round_numbers(reactions.end_moment),
         },
         "warnings": list(strip.warnings),
     }
@@ -119,10 +119,10 @@ def strip_report(
 def _smoothing_report(smoothing: Smoothing) -> dict[str, Any]:
     ratio = smoothing.ratio_as_drawn if smoothing.fairing is not None else None
     return {
-        "moved": rounded(smoothing.moved),
-        "allowed": None if smoothing.fairing is None else rounded(smoothing.fairing.tolerance),
-        "ratio_as_drawn": None if ratio is None else rounded(ratio),
-        "healed": rounded(smoothing.healed),
+        "moved": round_numbers(smoothing.moved),
+        "allowed": None if smoothing.fairing is None else round_numbers(smoothing.fairing.tolerance),
+        "ratio_as_drawn": None if ratio is None else round_numbers(ratio),
+        "healed": round_numbers(smoothing.healed),
         "drawn": None if smoothing.fairing is None else curve_record(smoothing.drawn),
     }
 
@@ -133,33 +133,33 @@ def _nearest_report(near: NearestRod) -> dict[str, Any]:
         "status": near.status.name.lower(),
         "message": near.status.value,
         "met": near.met,
-        "deviation": rounded(near.deviation),
+        "deviation": round_numbers(near.deviation),
         "binding": [
-            {"name": one.name, "limit": one.limit, "cost": rounded(one.cost)} for one in near.binding
+            {"name": one.name, "limit": one.limit, "cost": round_numbers(one.cost)} for one in near.binding
         ],
     }
 
 
-def check_report(check: EquilibriumCheck) -> dict[str, Any]:
+def report_check(check: EquilibriumCheck) -> dict[str, Any]:
     """Theorem 1's answer as plain data; places in mm along the curve."""
     return {
         "realizable": check.realizable,
         "reasons": list(check.reasons),
         "warnings": list(check.warnings),
-        "inflections": rounded(check.inflections),
+        "inflections": round_numbers(check.inflections),
         "advice": str(check),
     }
 
 
-def rounded(value: Any) -> Any:
+def round_numbers(value: Any) -> Any:
     """Ten significant digits: more would be noise, and the same design must give the same file."""
     array = np.asarray(value, dtype=float)
     if array.ndim == 0:
         return float(f"{float(array):.10g}")
-    return [rounded(row) for row in array]
+    return [round_numbers(row) for row in array]
 
 
-def versions() -> dict[str, str]:
+def list_versions() -> dict[str, str]:
     """Versions of the packages that a result depends on."""
     found = {}
     for package in ("elastica-cad", "numpy", "scipy", "highspy", "ezdxf"):

@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 
 from elastica_cad.errors import InputError, MissingDependencyError
-from elastica_cad.formats.file_access.source_file import existing_file, millimetres, naming
+from elastica_cad.formats.file_access.source_file import look_up_unit, name_source, require_file
 from elastica_cad.forming.plane_sections.triangle_mesh import Mesh
 
 __all__ = ["MESH_SUFFIXES", "read_mesh"]
@@ -48,7 +48,7 @@ def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) 
     ...     read_mesh(file, unit="cm").faces.shape
     (2, 3)
     """
-    path = existing_file(path)
+    path = require_file(path)
     suffix = path.suffix.lower()
     if suffix not in MESH_SUFFIXES:
         raise InputError(
@@ -56,14 +56,14 @@ def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) 
         )
     if not (np.isfinite(scale) and scale > 0):
         raise InputError(f"the scale of {path} is {scale:g}: it must be positive")
-    factor = millimetres(unit or "mm") * scale
+    factor = look_up_unit(unit or "mm") * scale
     try:
         from trimesh import load
     except ImportError as error:
         raise MissingDependencyError(
             f'reading {path.name} needs trimesh: pip install "elastica-cad[mesh]"'
         ) from error
-    with naming(path):
+    with name_source(path):
         try:
             mesh = load(path, file_type=suffix[1:], force="mesh", process=False)
             vertices, faces = np.array(mesh.vertices, dtype=float), np.array(mesh.faces, dtype=int)
@@ -79,7 +79,7 @@ def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) 
 
 def _asking(size: float) -> str:
     """What to ask of one whose mesh has no likely size in mm."""
-    guesses = {name: size * millimetres(name) for name in GUESSES}
+    guesses = {name: size * look_up_unit(name) for name in GUESSES}
     likely = [name for name, long in guesses.items() if LIKELY_SIZES_MM[0] <= long <= LIKELY_SIZES_MM[1]]
     hint = f" ({', '.join(f'{name}: {guesses[name]:.4g} mm' for name in likely)})" if likely else ""
     unit = likely[-1] if likely else "m"

@@ -21,7 +21,7 @@ from elastica_cad.formats.curve_files.drawn_file import (
 )
 from elastica_cad.formats.curve_files.edges import Edge, Run, Source
 from elastica_cad.formats.curve_files.number_gate import MOST_EDGES, NUMBER, checked_count, checked_tolerance
-from elastica_cad.formats.file_access.source_file import MILLIMETRES, existing_file, millimetres, naming
+from elastica_cad.formats.file_access.source_file import MILLIMETRES, look_up_unit, name_source, require_file
 from elastica_cad.formats.svg_files.path_data import PathData, bezier_edge, path_data
 from elastica_cad.formats.svg_files.svg_tree import LENGTH, MARK, MM, SvgTree, svg_tree
 from elastica_cad.geometry.curves.provenance import Provenance
@@ -63,8 +63,8 @@ def read_svg_curves(
     MissingDependencyError
         svgelements is not installed.
     """
-    path = existing_file(path)
-    with naming(path):
+    path = require_file(path)
+    with name_source(path):
         return read_svg_drawing(path, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit).read()
 
 
@@ -76,12 +76,12 @@ def read_svg_drawing(
     unit: str | None = None,
 ) -> DrawnFile:
     """The curves of an SVG file one by one, with ids and layers; arguments and errors as in `read_svg_curves`."""
-    path = existing_file(path)
-    with naming(path):
+    path = require_file(path)
+    with name_source(path):
         checked_tolerance(tolerance)
         checked_tolerance(fit_tolerance, "tolerance for fitting")
         tree = svg_tree(path)
-        scale = np.full(2, millimetres(unit)) if unit else _scale(tree.root)
+        scale = np.full(2, look_up_unit(unit)) if unit else _scale(tree.root)
         if not (np.all(scale >= _LEAST_UNIT) and np.all(scale <= 1 / _LEAST_UNIT)):
             raise InputError(
                 f"has user units of {scale[0]:.3g} by {scale[1]:.3g} mm: check width, height and viewBox"

@@ -20,7 +20,7 @@ from elastica_cad.mechanics.stiffness.stiffness_family import (
 )
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
 
-__all__ = ["NO_GAIN_SHARE", "SMOOTHING_SHARE", "BalancedStiffness", "ConditionedRows", "Numbers"]
+__all__ = ["NO_GAIN_SHARE", "SMOOTHING_SHARE", "BalancedStiffness", "ConditionedRows", "StateFamily"]
 
 SMOOTHING_SHARE = 0.01
 """How much ratio section 5.3 gives for smoothness."""
@@ -59,7 +59,7 @@ class BalancedStiffness:
 
 
 @dataclass(frozen=True, eq=False)
-class Numbers:
+class StateFamily:
     """A family of stiffnesses: state (M, b_x, b_y, tau) at the curve's end = fixed + basis @ free numbers."""
 
     family: StiffnessFamily
@@ -97,20 +97,20 @@ class ConditionedRows:
             size[3] = 1 / np.abs(self.rows.edge_moment[:, 3]).max()
         return size
 
-    def homogeneous(self, count: int) -> Numbers:
+    def homogeneous(self, count: int) -> StateFamily:
         """All stiffnesses of the first `count` numbers of the state (3: without dead weight)."""
         basis = np.zeros((self.scale.size, count))
         basis[:count] = np.diag(self.scale[:count])
         free, _ = _solutions(self.conditions @ basis, np.zeros(len(self.conditions)))
         basis = basis @ free
         side = basis[3:4] if count == 4 and self.scale.size == 4 else None
-        return Numbers(
+        return StateFamily(
             StiffnessFamily(self.panels, PanelFunction.through(self.rows.stiffness @ basis), side_rows=side),
             basis,
             np.zeros(self.scale.size),
         )
 
-    def at_compliance(self, tau: float) -> Numbers:
+    def at_compliance(self, tau: float) -> StateFamily:
         """All stiffnesses with least bending stiffness 1 / tau."""
         size = self.scale
         if size.size == 3:
@@ -122,13 +122,13 @@ class ConditionedRows:
             self.refuse(None)
         fixed, basis = fixed + basis @ particular, basis @ free
         offset = PanelFunction.through(self.rows.stiffness @ fixed)
-        return Numbers(
+        return StateFamily(
             StiffnessFamily(self.panels, PanelFunction.through(self.rows.stiffness @ basis), offset),
             basis,
             fixed,
         )
 
-    def ratio(self, numbers: Numbers) -> tuple[FloatArray, float] | None:
+    def ratio(self, numbers: StateFamily) -> tuple[FloatArray, float] | None:
         """Free numbers of least ratio, and that ratio."""
         if numbers.family.freedom == 0 and numbers.family.offset is None:
             return None
@@ -154,7 +154,7 @@ class ConditionedRows:
             return state
         return np.array([np.sign(rows[0, 0]), 0.0, 0.0])
 
-    def least(self, numbers: Numbers, *, smooth: bool = True) -> FloatArray:
+    def least(self, numbers: StateFamily, *, smooth: bool = True) -> FloatArray:
         """The state (m,) at the curve's end of the least ratio, smoothed where inflections leave a choice."""
         found = self.ratio(numbers)
         if found is None:

@@ -51,12 +51,19 @@ def _dress(provider: Any, kind: str) -> None:
     views.KINDS[kind](provider)
 
 
+def _panel_of(obj: Any) -> Any:
+    """The panel of a feature; loaded with the first one that opens."""
+    from freecad.elastica_wb.panels.feature_panels import panel_of
+
+    return panel_of(obj)
+
+
 def _begin() -> Any:
     Gui.addLanguagePath(str(RESOURCES / "translations"))
     Gui.updateLocale()
     Gui.addIconPath(str(RESOURCES / "icons"))
     Gui.addPreferencePage(str(RESOURCES / "ui" / "preferences.ui"), "Elastica")
-    view_providers.register(_dress)
+    view_providers.register(_dress, _panel_of)
     observers.install()
     live_command.register()
     workbench = ElasticaWorkbench()

@@ -18,9 +18,9 @@ from elastica_cad.fabrication.drawings.drawing import (
 )
 from elastica_cad.fabrication.drawings.lettering import Text
 from elastica_cad.formats.drawing_files.curve_style import CURVES
-from elastica_cad.formats.drawing_files.dxf_drawing import DXF_VERSIONS, dxf_bytes
-from elastica_cad.formats.drawing_files.layers import layer_styles
-from elastica_cad.formats.drawing_files.svg_drawing import svg_bytes
+from elastica_cad.formats.drawing_files.dxf_drawing import DXF_VERSIONS, encode_dxf
+from elastica_cad.formats.drawing_files.layers import style_layers
+from elastica_cad.formats.drawing_files.svg_drawing import encode_svg
 from elastica_cad.formats.drawing_files.write_drawing import write_drawing
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
@@ -108,7 +108,7 @@ def test_units_and_view(tmp_path):
     assert document.dxfversion == "AC1024"
     assert document.header["$INSUNITS"] == 4
     assert np.array(document.header["$EXTMAX"])[:2] == pytest.approx(drawing().bounds[1])
-    old = dxf_bytes(drawing(), version="R12")
+    old = encode_dxf(drawing(), version="R12")
     assert old.startswith(b"999\nall lengths in mm\n")
     assert b"INSUNITS" not in old
 
@@ -144,11 +144,11 @@ def test_svg_is_in_mm_and_upright(tmp_path):
 
 
 def test_svg_arcs_and_beziers_are_exact(tmp_path):
-    text = svg_bytes(drawing()).decode()
+    text = encode_svg(drawing()).decode()
     assert "A5 5 0 0 0 " in text
     assert text.count("C") > 3
     assert "<title>waved &lt;strip&gt; &amp; co</title>" in text
-    turned = svg_bytes(Drawing("r", [LayeredPath(CUT_OUTER, Path.circle((0, 0), 5).reversed())])).decode()
+    turned = encode_svg(Drawing("r", [LayeredPath(CUT_OUTER, Path.circle((0, 0), 5).reversed())])).decode()
     assert turned.count("A5 5 0 0 1 ") == 2
 
 
@@ -161,7 +161,7 @@ def test_same_drawing_same_bytes_in_another_process(tmp_path):
         "curve = PlaneCurve.spline([(0, 0), (9, 5), (20, -3), (30, 0)], 3)\n"
         "loop = Path([Spline(curve), Line((30, 0), (0, 0))], closed=True)\n"
         "d = Drawing('x', [LayeredPath('CUT_OUTER', loop)], [Text((0, 0), 'B2', 3.0)])\n"
-        "print([hashlib.sha256(f(d)).hexdigest() for f in (dxf_bytes, svg_bytes)])\n"
+        "print([hashlib.sha256(f(d)).hexdigest() for f in (encode_dxf, encode_svg)])\n"
     )
     runs = {
         subprocess.run(
@@ -178,7 +178,7 @@ def test_same_drawing_same_bytes_in_another_process(tmp_path):
 
 def test_ezdxf_is_left_as_it_was():
     before = ezdxf.options.write_fixed_meta_data_for_testing
-    dxf_bytes(drawing())
+    encode_dxf(drawing())
     assert ezdxf.options.write_fixed_meta_data_for_testing == before
     assert not before
 
@@ -249,4 +249,4 @@ def test_without_ezdxf_one_sentence_says_so(monkeypatch, tmp_path):
 
 
 def test_standard_styles():
-    assert layer_styles()["CUT_OUTER"].rgb == (255, 0, 0)
+    assert style_layers()["CUT_OUTER"].rgb == (255, 0, 0)

@@ -12,8 +12,8 @@ from typing import Any
 import FreeCAD as App
 from freecad.elastica_wb.curves.sketch_curves import drawn_curve, frame_of
 from freecad.elastica_wb.export.plain_dxf import write_cut
-from freecad.elastica_wb.features.baseplate import is_base_plate, plate_of
 from freecad.elastica_wb.features.model import is_model, model_of
+from freecad.elastica_wb.features.pieces import pieces_of
 from freecad.elastica_wb.features.strip import is_strip, strip_of
 from freecad.elastica_wb.host.progress import Step, go_on
 from freecad.elastica_wb.solving.strip_cache import bent_shape, flat_shape
@@ -22,45 +22,15 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
 from elastica_cad.fabrication.sheets.cut_list import cut_list
 from elastica_cad.fabrication.sheets.nesting import nest_pieces
-from elastica_cad.fabrication.sheets.pieces import Piece
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid, frame_beside
-from elastica_cad.formats.file_access.file_transaction import files_together
+from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.kernel.step_text import canonical_step
 
-__all__ = ["KINDS", "pieces_of", "write_cutting_files"]
+__all__ = ["KINDS", "write_cutting_files"]
 
 HEADER = re.compile(rb"FILE_NAME\(\s*'[^']*'\s*,\s*'[^']*'")
 
 KINDS = ("dxf", "svg", "step", "csv", "nest")
-
-
-def pieces_of(sources: Iterable[Any]) -> list[Piece]:
-    """What must be cut for strips, models and base plates; strips of a model that is there too count once.
-
-    Raises
-    ------
-    InputError
-        None of these among the sources, or one of them in error.
-    """
-    sources = list(sources)
-    in_models = [strip for model in sources if is_model(model) for strip in model.Strips]
-    pieces: list[Piece] = []
-    for obj in sources:
-        if is_model(obj):
-            pieces += model_of(obj).pieces
-        elif is_base_plate(obj):
-            pieces.append(replace(plate_of(obj).piece, name=obj.Label))
-        elif is_strip(obj) and obj not in in_models:
-            pieces += _strip_pieces(obj)
-    if not pieces:
-        raise InputError("there is nothing to cut: select strips, models or base plates")
-    names = [piece.name for piece in pieces]
-    return [
-        replace(piece, name=f"{piece.name}-{names[:i].count(piece.name) + 1}")
-        if piece.name in names[:i]
-        else piece
-        for i, piece in enumerate(pieces)
-    ]
 
 
 def write_cutting_files(
@@ -99,7 +69,7 @@ def write_cutting_files(
     names = [f"{stem}.{kind}" for stem in drawings for kind in flat] + [f"{obj.Label}.step" for obj in bodies]
     names += ["cut-list.csv"] if "csv" in kinds else []
     options = {"kerf": kerf, "curves": curves, "tolerance": tolerance, "version": version}
-    with files_together(folder, names, force=force) as workshop:
+    with write_together(folder, names, force=force) as workshop:
         for done, (stem, drawing) in enumerate(drawings.items()):
             go_on(step, done, "no file was written")
             named = replace(drawing, name=stem)
@@ -114,15 +84,6 @@ def write_cutting_files(
             files = {piece.name: f"{piece.file_stem}.{flat[0] if flat else 'dxf'}" for piece in pieces}
             (workshop / "cut-list.csv").write_text(cut_list(pieces, files).csv, encoding="utf-8")
     return [Path(folder) / name for name in names]
-
-
-def _strip_pieces(obj: Any) -> list[Piece]:
-    strip, name = strip_of(obj), obj.EngravedText or obj.Label
-    names = (name, f"{name}-backing")
-    return [
-        Piece(called, replace(drawing, name=called), layer.sheet, obj.Quantity)
-        for called, drawing, layer in zip(names, strip.drawings(), strip.layers, strict=False)
-    ]
 
 
 def _write_step(obj: Any, path: Path) -> None:

@@ -11,8 +11,8 @@ import numpy as np
 
 from elastica_cad.fabrication.drawings.drawing import LAYERS, Drawing
 from elastica_cad.fabrication.drawings.kerf import compensate_kerf
-from elastica_cad.formats.drawing_files.curve_style import shaped
-from elastica_cad.formats.drawing_files.layers import LayerStyle, layer_styles
+from elastica_cad.formats.drawing_files.curve_style import shape_path
+from elastica_cad.formats.drawing_files.layers import LayerStyle, style_layers
 from elastica_cad.formats.drawing_files.write_drawing import write_drawing
 from elastica_cad.formats.file_access.atomic_write import write_atomically
 from elastica_cad.geometry.paths.path import Path
@@ -42,7 +42,7 @@ def write_cut(
 
 def plain_dxf(drawing: Drawing, *, curves: str = "arc", tolerance: float = 0.02) -> str:
     """A drawing as the text of a DXF file of version R12, which knows no splines: they become arcs, or lines."""
-    styles = layer_styles()
+    styles = style_layers()
     style = "polyline" if curves == "polyline" else "arc"
     bounds = drawing.bounds
     groups = [
@@ -87,7 +87,7 @@ def _entities(
     drawing: Drawing, styles: Mapping[str, LayerStyle], curves: str, tolerance: float
 ) -> Iterator[Group]:
     for stroke in drawing.strokes:
-        yield from _entity(shaped(stroke.path, curves, tolerance), styles[stroke.layer].name)
+        yield from _entity(shape_path(stroke.path, curves, tolerance), styles[stroke.layer].name)
 
 
 def _entity(path: Path, layer: str) -> Iterator[Group]:

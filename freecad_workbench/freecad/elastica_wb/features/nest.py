@@ -7,6 +7,7 @@ from typing import Any
 
 import FreeCAD as App
 import Part
+from freecad.elastica_wb.features.pieces import pieces_of
 from freecad.elastica_wb.features.property_table import Property, put
 from freecad.elastica_wb.features.proxy import Feature, added
 from freecad.elastica_wb.shapes.part_shapes import make_wire
@@ -31,8 +32,6 @@ class NestFeature(Feature):
 
     def make(self, obj: Any) -> None:
         """Lay the pieces."""
-        from freecad.elastica_wb.export.cutting_files import pieces_of
-
         size = (obj.SheetWidth.Value, obj.SheetHeight.Value)
         sheets = nest_pieces(pieces_of(obj.Sources), sheet_size=size, margin=obj.Margin.Value)
         wires = []

@@ -6,6 +6,7 @@
 from typing import Any
 
 import FreeCADGui as Gui
+from freecad.elastica_wb.host import view_providers
 from freecad.elastica_wb.host.resources import icon
 
 __all__ = ["BasePlateView", "FixturesView", "FlatView", "ModelView", "NestView", "StripView"]
@@ -27,9 +28,7 @@ class _View:
         """Open the panel; FreeCAD's other modes, such as Transform, stay FreeCAD's."""
         if mode != 0:
             return None
-        from freecad.elastica_wb.panels.feature_panels import panel_of
-
-        Gui.Control.showDialog(panel_of(provider.Object))
+        Gui.Control.showDialog(view_providers.panel_of(provider.Object))
         return True
 
     def unsetEdit(self, _provider: Any, mode: int = 0) -> None:

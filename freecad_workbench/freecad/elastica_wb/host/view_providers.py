@@ -1,19 +1,24 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""How features get their view providers: the window, where there is one, registers what makes them."""
+"""How features get their view providers and panels: the window, where there is one, registers what makes them."""
 
 from collections.abc import Callable
 from typing import Any
 
-__all__ = ["dress", "register"]
+__all__ = ["dress", "panel_of", "register"]
 
-_dressers: list[Callable[[Any, str], None]] = []
+_registered: list[tuple[Callable[[Any, str], None], Callable[[Any], Any]]] = []
 
 
-def register(dresser: Callable[[Any, str], None]) -> None:
-    """`dresser(view provider, kind)` is told of every new feature."""
-    _dressers[:] = [dresser]
+def register(dresser: Callable[[Any, str], None], panel: Callable[[Any], Any]) -> None:
+    """`dresser(view provider, kind)` is told of every new feature; `panel(feature)` makes its panel."""
+    _registered[:] = [(dresser, panel)]
+
+
+def panel_of(obj: Any) -> Any:
+    """The panel that edits a feature."""
+    return _registered[0][1](obj)
 
 
 def dress(obj: Any, kind: str) -> None:
@@ -21,5 +26,5 @@ def dress(obj: Any, kind: str) -> None:
 
     A file that freecadcmd wrote holds no view providers.
     """
-    if _dressers and isinstance(getattr(obj.ViewObject, "Proxy", None), (int, type(None))):
-        _dressers[0](obj.ViewObject, kind)
+    if _registered and isinstance(getattr(obj.ViewObject, "Proxy", None), (int, type(None))):
+        _registered[0][0](obj.ViewObject, kind)

@@ -7,7 +7,8 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-from freecad.elastica_wb.export.cutting_files import KINDS, pieces_of, write_cutting_files
+from freecad.elastica_wb.export.cutting_files import KINDS, write_cutting_files
+from freecad.elastica_wb.features.pieces import pieces_of
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.resources import tr
 from freecad.elastica_wb.host.telling import tell_files
