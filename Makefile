@@ -49,7 +49,7 @@ freecad:
 	tests/freecad/setup.sh
 	freecad freecad_workbench/example.py -M "$(CURDIR)"
 
-# Our files in Inkscape, LibreCAD, OpenSCAD and Poppler, as Debian has them.
+# Our files in Inkscape, LibreCAD, OpenSCAD, Poppler and CalculiX, as Debian has them.
 test-programs: $(VENV)/test-installed
 	tests/programs/setup.sh
 	$(BIN)/python -m pytest tests/programs
@@ -57,9 +57,12 @@ test-programs: $(VENV)/test-installed
 benchmark: $(VENV)/test-installed
 	$(BIN)/python -m pytest tests/benchmarks --benchmark-enable --benchmark-only -o addopts="-q --import-mode=importlib"
 
-# What three kernels do to the bodies of thirty curves in five styles: hours; CAMPAIGN="--styles plain" asks for less.
+# Strips bent by finite elements, then what three kernels do to the bodies of thirty curves in five styles: hours;
+# CAMPAIGN="--styles plain" asks less of the kernels.
 CAMPAIGN ?=
 campaign: .venv-campaign/installed
+	tests/programs/setup.sh
+	PYTHONPATH=. .venv-campaign/bin/python -m tests.campaign.finite_elements --out $(OUT)/campaign
 	PYTHONPATH=. .venv-campaign/bin/python tests/campaign/typing_mistakes.py
 	PYTHONPATH=. .venv-campaign/bin/python tests/campaign/solids.py --out $(OUT)/campaign $(CAMPAIGN)
 

@@ -1,0 +1,148 @@
+"""CalculiX (ccx, from Debian): a body led to a pose, let go but for its ends, and asked how it rests and swings."""
+
+import re
+import subprocess
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from tests.campaign.finite_elements.bricks import Bricks
+
+__all__ = ["Answer", "Material", "solve"]
+
+GRAVITY_MM_S2 = 9806.65
+
+RESIDUAL = 1e-7
+"""Of the forces, as a share of their mean: CalculiX asks for 5e-3, which is too coarse for a slender strip."""
+
+
+@dataclass(frozen=True)
+class Material:
+    """E in MPa, nu, density in kg/m3."""
+
+    youngs_modulus: float
+    poisson_ratio: float
+    density: float
+
+    @property
+    def cards(self) -> list[str]:
+        """Its lines in the deck; t, mm, s."""
+        return ["*ELASTIC", f"{self.youngs_modulus:.12g}, {self.poisson_ratio:.12g}",
+                "*DENSITY", f"{self.density * 1e-12:.12g}"]  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class Answer:
+    """Displacements (n, 3), mm, of all nodes at rest; eigenvalues (k,), 1/s2, lowest first, where asked."""
+
+    displacement: np.ndarray
+    eigenvalues: np.ndarray
+
+
+def solve(
+    body: Bricks,
+    materials: Sequence[Material],
+    pose: np.ndarray,
+    held: np.ndarray,
+    folder: Path,
+    *,
+    gravity: Sequence[float] | None = None,
+    modes: int = 0,
+) -> Answer:
+    """The rest shape of a flat body near a pose.
+
+    In the first step every node is put where the pose has it and only slides across; in the second all but the
+    held ones are let go. So no path can snap on the way: what moves is what the pose lacks in balance.
+
+    Parameters
+    ----------
+    materials : sequence of Material
+        Of the layers.
+    pose : (n, 3) array
+        Positions of the nodes, mm.
+    held : (n,) bool array
+        Nodes that stay in their pose.
+    gravity : (gx, gy, gz), optional
+        Direction in which things fall.
+    modes : int
+        How many swings about the rest shape are asked for.
+    """
+    deck = [*_model(body, materials), *_put(body, pose, held, gravity), *_let_go(body, pose, held, gravity)]
+    if modes:
+        deck += ["*STEP, PERTURBATION", "*FREQUENCY", str(modes), "*END STEP"]
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "strip.inp").write_text("\n".join(deck) + "\n")
+    done = subprocess.run(["ccx", "strip"], cwd=folder, capture_output=True, text=True, check=False)
+    if done.returncode or "*ERROR" in done.stdout:
+        raise RuntimeError(f"ccx in {folder}: {done.stdout[-1500:]}")
+    said = (folder / "strip.dat").read_text()
+    return Answer(_displacement(said, len(body.nodes)), _eigenvalues(said))
+
+
+def _model(body: Bricks, materials: Sequence[Material]) -> list[str]:
+    deck = [
+        "*NODE, NSET=ALL",
+        *(f"{i}, {x:.12g}, {y:.12g}, {z:.12g}" for i, (x, y, z) in enumerate(body.nodes, 1)),
+    ]
+    for layer, material in enumerate(materials):
+        deck.append(f"*ELEMENT, TYPE=C3D20R, ELSET=LAYER{layer}")
+        for i in np.flatnonzero(body.layer == layer):
+            row = [int(i) + 1, *(body.bricks[i] + 1)]
+            deck += [", ".join(map(str, row[:11])) + ",", ", ".join(map(str, row[11:]))]
+        deck += ["*ELSET, ELSET=ALL", f"LAYER{layer}", f"*MATERIAL, NAME=M{layer}", *material.cards]
+        deck.append(f"*SOLID SECTION, ELSET=LAYER{layer}, MATERIAL=M{layer}")
+    return deck
+
+
+def _put(body: Bricks, pose: np.ndarray, held: np.ndarray, gravity: Sequence[float] | None) -> list[str]:
+    """The step that puts every node in its pose, free to slide across unless held."""
+    moved = pose - body.nodes
+    placed = [_displaced(i, j, moved) for i in range(len(moved)) for j in (0, 2)]
+    kept = [_displaced(i, 1, moved) for i in np.flatnonzero(held)]
+    begin = ["*STEP, NLGEOM", "*STATIC, DIRECT", "1., 1.", *_strict()]
+    return [*begin, "*BOUNDARY", *placed, *kept, *_weight(gravity), "*END STEP"]
+
+
+def _let_go(body: Bricks, pose: np.ndarray, held: np.ndarray, gravity: Sequence[float] | None) -> list[str]:
+    """The step that keeps the held nodes only."""
+    fixed = [_displaced(i, j, pose - body.nodes) for i in np.flatnonzero(held) for j in range(3)]
+    begin = ["*STEP, NLGEOM, INC=200", "*STATIC", "1., 1., 1e-6", *_strict()]
+    told = ["*NODE PRINT, NSET=ALL", "U", "*NODE FILE", "U", "*END STEP"]
+    return [*begin, "*BOUNDARY, OP=NEW", *fixed, *_weight(gravity), *told]
+
+
+def _displaced(node: int, direction: int, moved: np.ndarray) -> str:
+    return f"{node + 1}, {direction + 1}, {direction + 1}, {moved[node, direction]:.12g}"
+
+
+def _weight(gravity: Sequence[float] | None) -> list[str]:
+    if gravity is None:
+        return []
+    x, y, z = np.asarray(gravity, dtype=float) / np.linalg.norm(gravity)
+    return ["*DLOAD, OP=NEW", f"ALL, GRAV, {GRAVITY_MM_S2}, {x:.12g}, {y:.12g}, {z:.12g}"]
+
+
+def _strict() -> list[str]:
+    """Small residuals, and patience: a strip let go oscillates before it converges."""
+    return ["*CONTROLS, PARAMETERS=FIELD", f"{RESIDUAL:g}, 1e-4, , , {RESIDUAL:g}",
+            "*CONTROLS, PARAMETERS=TIME INCREMENTATION", "30, 40, 9, 60, 30, 4, , 30"]  # fmt: skip
+
+
+def _displacement(said: str, count: int) -> np.ndarray:
+    block = said.split("displacements")[1].split("\n\n")[1]
+    rows = np.array([line.split() for line in block.strip().splitlines()[:count]], dtype=float)
+    found = np.empty((count, 3))
+    found[rows[:, 0].astype(int) - 1] = rows[:, 1:]
+    return found
+
+
+def _eigenvalues(said: str) -> np.ndarray:
+    if "E I G E N V A L U E   O U T P U T" not in said:
+        return np.empty(0)
+    block = said.split("E I G E N V A L U E   O U T P U T")[1].split("P A R T I C I P A T I O N", maxsplit=1)[
+        0
+    ]
+    rows = re.findall(r"^\s+\d+\s+(\S+)\s+\S+\s+\S+\s+\S+\s*$", block, flags=re.MULTILINE)
+    return np.sort(np.array(rows, dtype=float))

@@ -1,0 +1,49 @@
+"""Cut files bent in CalculiX: what leaves the laser, held as designed, takes the drawn curve.
+
+The whole campaign is `make campaign`; `tests/programs/setup.sh` installs ccx from Debian.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import elastica_cad as ec
+from tests.campaign.finite_elements.bent_strip import bend_cut_strip
+from tests.campaign.finite_elements.closed_forms import LENGTH, elastica, uniform_strip
+
+
+def test_a_rectangle_bends_into_the_elastica_of_elliptic_functions(tmp_path):
+    bent = bend_cut_strip(uniform_strip(), tmp_path, size=10.0, curve=elastica(0.8, -1.2, 1.6))
+    assert bent.deviation < 5e-5 * LENGTH
+
+
+def test_a_clamped_strip_swings_as_a_beam(tmp_path):
+    """The square of the lowest frequency is 22.373^2 E h^2 / (12 rho L^4)."""
+    strip = uniform_strip()
+    straight = ec.PlaneCurve.spline([(0, 0), (LENGTH / 2, 0), (LENGTH, 0)], degree=2)
+    found = bend_cut_strip(strip, tmp_path, size=10.0, curve=straight, modes=1).eigenvalues[0]
+    E, h, rho = strip.sheet.youngs_modulus, strip.sheet.thickness, 1e-12 * strip.sheet.density
+    assert found == pytest.approx(22.373285**2 * E * h**2 / (12 * rho * LENGTH**4), rel=1e-3)
+
+
+@pytest.mark.parametrize(("poisson_ratio", "share"), [(0.0, 5e-5), (0.3, 3e-4)])
+def test_a_strip_takes_the_drawn_curve_but_for_its_curl(poisson_ratio, share, tmp_path):
+    curve = ec.PlaneCurve.spline([(0, 0), (40, 80), (110, 100), (190, 50), (240, 0)], degree=4)
+    sheet = replace(ec.Sheet.named("birch-plywood-0.8"), poisson_ratio=poisson_ratio)
+    strip = ec.Strip(ec.optimal_rod(curve), sheet, max_width=30.0)
+    bent = bend_cut_strip(strip, tmp_path, size=6.0, modes=4)
+    assert bent.deviation < share * strip.rod.length
+    assert bent.eigenvalues[0] > 0
+    assert np.ptp(bent.body.nodes[:, 0]) == pytest.approx(strip.rod.length + 20.0, abs=1e-6)  # both tabs
+
+
+def test_a_strip_of_the_wrong_width_strays_as_far_as_its_rod(tmp_path):
+    """A rectangle in place of the strip: off by a hundredth of its length, in both theories alike."""
+    curve = ec.PlaneCurve.spline([(0, 0), (40, 80), (110, 100), (190, 50), (240, 0)], degree=4)
+    rod = ec.optimal_rod(curve)
+    sheet = replace(ec.Sheet.named("birch-plywood-0.8"), poisson_ratio=0.0)
+    wrong = ec.Strip(ec.Rod.straight(rod.length, 1.0), sheet, max_width=24.0)
+    found = bend_cut_strip(wrong, tmp_path, size=8.0, curve=curve).deviation
+    strayed = ec.bend(rod.with_stiffness(np.ones(rod.s.size))).position - rod.position
+    assert found == pytest.approx(np.hypot(*strayed.T).max(), rel=0.01)
