@@ -1,22 +1,20 @@
 """Reading curves from files and saving drawings to them, the format taken from the file name."""
 
-from functools import partial
 from pathlib import Path
 from typing import Any
 
 from elastica_cad.errors import InputError, MissingDependencyError
 from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.formats.curve_files.chains import FIT_TOLERANCE, JOIN_TOLERANCE
-from elastica_cad.formats.curve_files.drawn_file import CurveList, DrawnCurve, DrawnFile
+from elastica_cad.formats.curve_files.drawn_file import CurveList, DrawnFile
 from elastica_cad.formats.curve_files.dxf_curves import read_dxf_drawing
 from elastica_cad.formats.curve_files.json_curves import read_json_drawing
-from elastica_cad.formats.curve_files.point_files import read_csv_drawing, read_text_curves
+from elastica_cad.formats.curve_files.point_files import read_csv_drawing, read_text_drawing
 from elastica_cad.formats.drawing_files.write_drawing import write_drawing
 from elastica_cad.formats.file_access.source_file import look_up_unit, name_source, require_file
 from elastica_cad.formats.surface_files.file_surface import mesh_surface
 from elastica_cad.formats.svg_files.svg_curves import read_svg_drawing
 from elastica_cad.forming.plane_sections.section_spec import Surface
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
 __all__ = ["CURVE_SUFFIXES", "read_curves", "read_drawing", "read_surface", "save"]
 
@@ -76,9 +74,7 @@ def read_curves(
     ...     round(read_curves(file)[0].length, 2)
     66.69
     """
-    drawn = read_drawing(path, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit)
-    with name_source(Path(path)):
-        return drawn.read()
+    return read_drawing(path, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit).read()
 
 
 def read_drawing(
@@ -101,8 +97,7 @@ def read_drawing(
     if suffix == ".csv":
         return read_csv_drawing(path, fit_tolerance=fit_tolerance, unit=unit)
     if suffix == ".txt":
-        curves = read_text_curves(path, unit=unit)
-        return DrawnFile(tuple(DrawnCurve(i, partial(_itself, one)) for i, one in enumerate(curves, start=1)))
+        return read_text_drawing(path, unit=unit)
     if suffix == ".json":
         return read_json_drawing(path, unit=unit)
     if suffix in CURVE_SUFFIXES:
@@ -112,18 +107,13 @@ def read_drawing(
     )
 
 
-def _itself(curve: PlaneCurve) -> PlaneCurve:
-    return curve
-
-
 def _kernel_drawing(path: Path, unit: str | None) -> DrawnFile:
     """Curves of a STEP or BREP file, through the OCCT of an installed kernel."""
     try:
         from elastica_cad.kernel.step_files import read_step_drawing
     except ImportError as error:
         raise _no_kernel(path) from error
-    with name_source(path):
-        return read_step_drawing(path, scale=1.0 if unit is None else look_up_unit(unit))
+    return read_step_drawing(path, scale=1.0 if unit is None else look_up_unit(unit))
 
 
 def read_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.0) -> Surface:

@@ -171,7 +171,7 @@ def drawn_curves(
     if drawing.left_out:
         click.echo(f"{path.name}: {drawing.left_out}", err=True)
     if not drawing.chosen(number, layer):
-        drawing.one(number, layer, str(path), CHOICE)
+        drawing.one(number, layer, CHOICE)
     return drawing
 
 
@@ -198,7 +198,7 @@ def bendable_curves(
 def pick_curve(path: Path, number: str | None, unit: str | None, layer: str | None = None) -> PlaneCurve:
     """The one curve of a file, or the one asked for by its number from 1, its id or its layer."""
     drawing = drawn_curves(path, unit, number, layer)
-    return bendable_curve(path, drawing.one(number, layer, str(path), CHOICE), len(drawing))
+    return bendable_curve(path, drawing.one(number, layer, CHOICE), len(drawing))
 
 
 def refuse_odd_numbers(chosen: Mapping[str, Any]) -> None:

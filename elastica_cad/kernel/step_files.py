@@ -1,6 +1,5 @@
 """STEP files: strips and models written by OpenCASCADE, curves read by it."""
 
-from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -22,14 +21,13 @@ from elastica_cad.formats.curve_files.drawn_file import (
     CurveList,
     DrawnCurve,
     DrawnFile,
-    drawn_file,
-    listed_things,
+    list_things,
 )
 from elastica_cad.formats.curve_files.edges import Edge
 from elastica_cad.formats.curve_files.number_gate import checked_size
 from elastica_cad.formats.curve_files.placed_curve import placed_chain
 from elastica_cad.formats.file_access.atomic_write import write_atomically
-from elastica_cad.formats.file_access.source_file import name_source, require_file
+from elastica_cad.formats.file_access.source_file import name_source
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.occt import Shape, free_chains, kernel, make_location, make_solid
@@ -198,26 +196,21 @@ def read_step_curves(path: str | PathLike[str]) -> CurveList:
     InputError
         No such file, no STEP file, no free edges in it, or edges that no strip can follow.
     """
-    path = require_file(Path(path))
-    with name_source(path):
-        return read_step_drawing(path).read()
+    return read_step_drawing(path).read()
 
 
 def read_step_drawing(path: str | PathLike[str], *, scale: float = 1.0) -> DrawnFile:
     """The curves of a STEP (or BREP) file one by one, `scale` times as large; what is no curve is counted."""
-    path = require_file(Path(path))
-    with name_source(path):
-        chains, skipped = free_chains(read_step_shape(path))
+    with name_source(Path(path)) as file:
+        chains, skipped = free_chains(read_step_shape(file))
         if not chains:
-            found = f" (found {listed_things(skipped)})" if skipped else ""
+            found = f" (found {list_things(skipped)})" if skipped else ""
             raise InputError(
                 "the file holds no free edges or wires: export the curves themselves, not solids or faces"
                 + found
             )
-        return drawn_file(
-            [DrawnCurve(i, partial(_scaled, chain, scale)) for i, chain in enumerate(chains, start=1)],
-            Counter(skipped),
-        )
+        curves = [DrawnCurve(i, partial(_scaled, chain, scale)) for i, chain in enumerate(chains, start=1)]
+        return DrawnFile(file, curves, dict(sorted(skipped.items())))
 
 
 def _scaled(chain: Sequence[Edge], scale: float) -> PlaneCurve:

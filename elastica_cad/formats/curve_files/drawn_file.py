@@ -1,18 +1,19 @@
 """The curves of a file one by one: each is judged for itself, and what is no curve is counted and named."""
 
-from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, partial
+from pathlib import Path
 
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.formats.curve_files.chains import curve_from_run
+from elastica_cad.formats.curve_files.chains import chained, curve_from_run
 from elastica_cad.formats.curve_files.edges import Run, Source
-from elastica_cad.formats.curve_files.number_gate import MOST_CURVES, checked_count
+from elastica_cad.formats.curve_files.number_gate import MOST_CURVES, checked_count, checked_tolerance
+from elastica_cad.formats.file_access.source_file import name_source
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.curves.provenance import Provenance
 
-__all__ = ["CurveList", "DrawnCurve", "DrawnFile", "drawn_curve", "drawn_file", "listed_things"]
+__all__ = ["CurveList", "DrawnCurve", "DrawnFile", "collect_curves", "list_things"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,13 +68,23 @@ class DrawnFile:
 
     Attributes
     ----------
-    curves : tuple of DrawnCurve
-    skipped : dict
+    path : Path
+    curves : sequence of DrawnCurve
+    skipped : mapping
         What was left out, by name, and how often: {"TEXT": 3}.
+
+    Raises
+    ------
+    InputError
+        More curves than are worked on.
     """
 
-    curves: tuple[DrawnCurve, ...]
-    skipped: dict[str, int] = field(default_factory=dict)
+    path: Path
+    curves: Sequence[DrawnCurve]
+    skipped: Mapping[str, int] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        checked_count(len(self.curves), MOST_CURVES, "curves", "leave out what is no strip")
 
     def __iter__(self) -> Iterator[DrawnCurve]:
         return iter(self.curves)
@@ -84,7 +95,7 @@ class DrawnFile:
     @property
     def left_out(self) -> str:
         """What was skipped, as one sentence; empty when nothing was."""
-        return f"left out, for they are no curves: {listed_things(self.skipped)}" if self.skipped else ""
+        return f"left out, for they are no curves: {list_things(self.skipped)}" if self.skipped else ""
 
     @property
     def bad(self) -> tuple[DrawnCurve, ...]:
@@ -99,7 +110,7 @@ class DrawnFile:
             found = named or [one for one in found if str(one.number) == which.strip()]
         return tuple(found)
 
-    def one(self, which: str | None, layer: str | None, file: str, how: str) -> DrawnCurve:
+    def one(self, which: str | None, layer: str | None, how: str) -> DrawnCurve:
         """The one curve that is chosen; `how` says what to choose it by, with {count} for how many there are.
 
         Raises
@@ -113,11 +124,11 @@ class DrawnFile:
         if not found:
             asked = " on layer ".join(word for word in (which or "", layer or "") if word)
             raise InputError(
-                f"{file} holds {len(self.curves)} {plural}, and {asked} is not among them: choose one with {how}; "
-                f"{_known(self.curves)}"
+                f"{self.path} holds {len(self.curves)} {plural}, and {asked} is not among them: choose one with "
+                f"{how}; {_known(self.curves)}"
             )
         if len(found) > 1:
-            raise InputError(f"{file} holds {len(found)} curves: choose one with {how}; {_known(found)}")
+            raise InputError(f"{self.path} holds {len(found)} curves: choose one with {how}; {_known(found)}")
         return found[0]
 
     def read(self) -> "CurveList":
@@ -129,9 +140,10 @@ class DrawnFile:
             When there is none; the first one's problem.
         """
         good = [one for one in self.curves if not one.problem]
-        if not good:
-            return CurveList([self.curves[0].curve], self)  # raises its own error
-        return CurveList([one.curve for one in good], self)
+        with name_source(self.path):
+            return CurveList(
+                [one.curve for one in good or self.curves[:1]], self
+            )  # the first raises its own error
 
 
 class CurveList(list[PlaneCurve]):
@@ -154,35 +166,50 @@ class CurveList(list[PlaneCurve]):
         return (*([self.file.left_out] if self.file.left_out else []), *bad)
 
 
-def drawn_curve(
-    number: int,
-    chain: Run,
+def collect_curves(
+    path: Path,
+    runs: Iterable[Run],
+    skipped: Mapping[str, int],
     *,
+    nothing: str,
     tolerance: float,
     fit_tolerance: float,
     shown: Provenance | None = None,
     flat: Callable[[Run, float], Run] | None = None,
-) -> DrawnCurve:
-    """The curve of a chain of edges; `flat` brings edges in space into their plane."""
+) -> DrawnFile:
+    """The curves of a file that draws runs of edges, joined where their ends meet.
 
-    def make() -> PlaneCurve:
-        plane = chain if flat is None else flat(chain, tolerance)
-        return curve_from_run(plane, tolerance=tolerance, fit_tolerance=fit_tolerance, shown=shown)
-
-    source = chain[0].source or Source()
-    return DrawnCurve(number, make, source.name, source.layer)
-
-
-def drawn_file(curves: Sequence[DrawnCurve], skipped: Counter[str]) -> DrawnFile:
-    """The record of a file, its curves counted.
+    Parameters
+    ----------
+    nothing : str
+        What is said of a file without any.
+    tolerance, fit_tolerance : float
+        Of joints, and of polylines' vertices, mm.
+    flat : callable, optional
+        Brings edges in space into their plane.
 
     Raises
     ------
     InputError
-        More curves than are worked on.
+        No curve, with what was found instead; tolerances that are not positive.
     """
-    checked_count(len(curves), MOST_CURVES, "curves", "leave out what is no strip")
-    return DrawnFile(tuple(curves), dict(sorted(skipped.items())))
+    checked_tolerance(fit_tolerance, "tolerance for fitting")
+    runs = list(runs)
+    chains = chained((run for run in runs if run), tolerance)
+    if not chains:
+        found = dict(sorted(skipped.items())) | ({"of no length": len(runs)} if runs else {})
+        raise InputError(nothing + (f" (found only {list_things(found)})" if found else ""))
+
+    def make(chain: Run) -> PlaneCurve:
+        plane = chain if flat is None else flat(chain, tolerance)
+        return curve_from_run(plane, tolerance=tolerance, fit_tolerance=fit_tolerance, shown=shown)
+
+    sources = [chain[0].source or Source() for chain in chains]
+    curves = [
+        DrawnCurve(number, partial(make, chain), source.name, source.layer)
+        for number, (chain, source) in enumerate(zip(chains, sources, strict=True), start=1)
+    ]
+    return DrawnFile(path, curves, dict(sorted(skipped.items())))
 
 
 _SHOWN = 6  # curves named in a sentence
@@ -200,6 +227,6 @@ def _with_kind(which: str, name: str) -> tuple[str, ...]:
     return (name,) if kind and handle == which else ()
 
 
-def listed_things(counted: dict[str, int]) -> str:
+def list_things(counted: Mapping[str, int]) -> str:
     """For example "2 text, 1 image"."""
     return ", ".join(f"{count} {kind}" for kind, count in counted.items())

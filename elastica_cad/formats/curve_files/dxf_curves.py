@@ -11,8 +11,8 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, MissingDependencyError
-from elastica_cad.formats.curve_files.chains import FIT_TOLERANCE, JOIN_TOLERANCE, chained
-from elastica_cad.formats.curve_files.drawn_file import CurveList, DrawnFile, drawn_curve, drawn_file
+from elastica_cad.formats.curve_files.chains import FIT_TOLERANCE, JOIN_TOLERANCE
+from elastica_cad.formats.curve_files.drawn_file import CurveList, DrawnFile, collect_curves
 from elastica_cad.formats.curve_files.dxf_text import (
     DEEPEST_BLOCK,
     ODDITIES,
@@ -21,8 +21,8 @@ from elastica_cad.formats.curve_files.dxf_text import (
 )
 from elastica_cad.formats.curve_files.edge_plane import flattened
 from elastica_cad.formats.curve_files.edges import Edge, Run, Source
-from elastica_cad.formats.curve_files.number_gate import checked_degree, checked_places, checked_tolerance
-from elastica_cad.formats.file_access.source_file import look_up_unit, name_source, require_file
+from elastica_cad.formats.curve_files.number_gate import checked_degree, checked_places
+from elastica_cad.formats.file_access.source_file import look_up_unit, name_source
 from elastica_cad.geometry.curves.provenance import Provenance
 
 if TYPE_CHECKING:
@@ -66,54 +66,25 @@ def read_dxf_curves(
     MissingDependencyError
         ezdxf is not installed.
     """
-    path = require_file(path)
-    with name_source(path):
-        return read_dxf_drawing(path, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit).read()
+    return read_dxf_drawing(path, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit).read()
 
 
 def read_dxf_drawing(
-    path: str | Path,
-    *,
-    tolerance: float = JOIN_TOLERANCE,
-    fit_tolerance: float = FIT_TOLERANCE,
-    unit: str | None = None,
+    path: str | Path, *, tolerance: float, fit_tolerance: float, unit: str | None
 ) -> DrawnFile:
     """The curves of a DXF file one by one, with handles and layers; all else as in `read_dxf_curves`."""
-    path = require_file(path)
-    with name_source(path):
-        checked_tolerance(tolerance)
-        checked_tolerance(fit_tolerance, "tolerance for fitting")
-        document = _opened(path)
+    with name_source(path) as file:
+        document = _opened(file)
         scale = look_up_unit(unit) if unit else _scale(document)
         refuse_many_inserts(document)
-        rounding = scale * dxf_rounding(path)
+        rounding = scale * dxf_rounding(file)
         skipped: Counter[str] = Counter()
-        runs = list(_runs(document, scale, rounding, skipped))
-        chains = chained((run for run in runs if run), tolerance)
-        if not chains:
-            found = [f"{count} {kind}" for kind, count in sorted(skipped.items())]
-            found += [f"{len(runs)} of no length"] if runs else []
-            raise InputError(
-                "holds no curve in its model space: draw a SPLINE, ARC, ELLIPSE, LINE or polyline there"
-                + (f" (found only {', '.join(found)})" if found else "")
-            )
-        shown = Provenance(
-            place=np.diag([1 / scale, 1 / scale, 1.0]), unit="mm" if scale == 1 else "drawing units"
-        )
-        return drawn_file(
-            [
-                drawn_curve(
-                    number,
-                    chain,
-                    tolerance=tolerance,
-                    fit_tolerance=fit_tolerance,
-                    shown=shown,
-                    flat=flattened,
-                )
-                for number, chain in enumerate(chains, start=1)
-            ],
-            skipped,
-        )
+        place, called = np.diag([1 / scale, 1 / scale, 1.0]), "mm" if scale == 1 else "drawing units"
+        return collect_curves(
+            file, _runs(document, scale, rounding, skipped), skipped, tolerance=tolerance, flat=flattened,
+            nothing="holds no curve in its model space: draw a SPLINE, ARC, ELLIPSE, LINE or polyline there",
+            fit_tolerance=fit_tolerance, shown=Provenance(place=place, unit=called),
+        )  # fmt: skip
 
 
 def _runs(document: "Drawing", scale: float, rounding: float, skipped: Counter[str]) -> Iterator[Run]:

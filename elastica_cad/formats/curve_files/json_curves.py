@@ -1,7 +1,6 @@
 """Curves as JSON, exactly: knots, control points, degree and weights, in mm."""
 
 import json
-from collections import Counter
 from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
@@ -10,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from elastica_cad.errors import InputError
-from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, DrawnFile, drawn_file
+from elastica_cad.formats.curve_files.drawn_file import CurveList, DrawnCurve, DrawnFile
 from elastica_cad.formats.curve_files.number_gate import (
     MOST_PIECES,
     checked_count,
@@ -18,7 +17,7 @@ from elastica_cad.formats.curve_files.number_gate import (
     checked_size,
 )
 from elastica_cad.formats.file_access.atomic_write import write_atomically
-from elastica_cad.formats.file_access.source_file import look_up_unit, name_source, require_file
+from elastica_cad.formats.file_access.source_file import look_up_unit, name_source
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
 __all__ = [
@@ -54,7 +53,7 @@ def write_json_curves(curves: Sequence[PlaneCurve], path: str | Path, *, force: 
     return write_atomically(path, curves_json(curves).encode(), force)
 
 
-def read_json_curves(path: str | Path, *, unit: str | None = None) -> list[PlaneCurve]:
+def read_json_curves(path: str | Path, *, unit: str | None = None) -> CurveList:
     """The curves of a JSON file: one written by `curves_json`, or the report of a strip.
 
     Raises
@@ -62,34 +61,26 @@ def read_json_curves(path: str | Path, *, unit: str | None = None) -> list[Plane
     InputError
         Not JSON, another schema, a missing or bad entry: file and entry are named.
     """
-    path = require_file(path)
-    with name_source(path):
-        return read_json_drawing(path, unit=unit).read()
+    return read_json_drawing(path, unit=unit).read()
 
 
 def read_json_drawing(path: str | Path, *, unit: str | None = None) -> DrawnFile:
     """The curves of a JSON file one by one; all else as in `read_json_curves`."""
-    path = require_file(path)
-    with name_source(path):
+    with name_source(path) as file:
         try:
-            data = json.loads(path.read_bytes())
+            data = json.loads(file.read_bytes())
         except (ValueError, RecursionError) as error:  # a whole number of thousands of digits too
             raise InputError(f"is not JSON ({str(error).partition(';')[0]}): export it anew") from error
         if not isinstance(data, dict):
             raise InputError(f"holds {type(data).__name__}, not a record with the schema {CURVES_SCHEMA!r}")
         scale = _scale(data, unit)
         if "curve" in data:
-            return drawn_file([DrawnCurve(1, partial(_curve, data["curve"], "curve", scale))], Counter())
+            return DrawnFile(file, [DrawnCurve(1, partial(_curve, data["curve"], "curve", scale))])
         curves = data.get("curves")
         if not isinstance(curves, list) or not curves:
             raise InputError("holds no curves: 'curves' must be a list of records")
-        return drawn_file(
-            [
-                DrawnCurve(i, partial(_curve, record, f"curve {i}", scale))
-                for i, record in enumerate(curves, start=1)
-            ],
-            Counter(),
-        )
+        makers = [partial(_curve, record, f"curve {i}", scale) for i, record in enumerate(curves, start=1)]
+        return DrawnFile(file, [DrawnCurve(i, make) for i, make in enumerate(makers, start=1)])
 
 
 def _scale(data: dict[str, Any], unit: str | None) -> float:

@@ -1,7 +1,6 @@
 """Curves from plain numbers: measured points (CSV) and the control points of a uniform spline (text)."""
 
 import re
-from collections import Counter
 from functools import partial
 from pathlib import Path
 
@@ -10,7 +9,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.chains import FIT_TOLERANCE, curve_from_points
-from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, DrawnFile, drawn_file
+from elastica_cad.formats.curve_files.drawn_file import CurveList, DrawnCurve, DrawnFile
 from elastica_cad.formats.curve_files.number_gate import (
     MOST_PIECES,
     NUMBER,
@@ -20,18 +19,18 @@ from elastica_cad.formats.curve_files.number_gate import (
     checked_tolerance,
     half_last_place,
 )
-from elastica_cad.formats.file_access.source_file import look_up_unit, name_source, require_file
+from elastica_cad.formats.file_access.source_file import look_up_unit, name_source
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.curves.provenance import Provenance
 
-__all__ = ["read_csv_curves", "read_csv_drawing", "read_text_curves"]
+__all__ = ["read_csv_curves", "read_csv_drawing", "read_text_curves", "read_text_drawing"]
 
 _DIGITS = 20_000  # numbers whose digits are looked at
 
 
 def read_csv_curves(
     path: str | Path, *, fit_tolerance: float = FIT_TOLERANCE, unit: str | None = None
-) -> list[PlaneCurve]:
+) -> CurveList:
     """Curves fitted to measured points, one "x, y" a row; blank rows part one curve from the next.
 
     Columns are parted by commas, semicolons, tabs or blanks; rows that start with # are remarks, and the
@@ -50,29 +49,19 @@ def read_csv_curves(
     InputError
         A row that is not two or three finite numbers, too few points: file and row are named.
     """
-    path = require_file(path)
-    with name_source(path):
-        return read_csv_drawing(path, fit_tolerance=fit_tolerance, unit=unit).read()
+    return read_csv_drawing(path, fit_tolerance=fit_tolerance, unit=unit).read()
 
 
-def read_csv_drawing(
-    path: str | Path, *, fit_tolerance: float = FIT_TOLERANCE, unit: str | None = None
-) -> DrawnFile:
+def read_csv_drawing(path: str | Path, *, fit_tolerance: float, unit: str | None) -> DrawnFile:
     """The curves of a file of measured points one by one; all else as in `read_csv_curves`."""
-    path = require_file(path)
-    with name_source(path):
+    with name_source(path) as file:
         scale = look_up_unit(unit or "mm")
         checked_tolerance(fit_tolerance, "tolerance for fitting")
-        text = _text(path)
+        text = _text(file)
         blocks = _blocks(text)
         digits = Provenance(rounding=scale * half_last_place(re.findall(NUMBER, text)[:_DIGITS]))
-        return drawn_file(
-            [
-                DrawnCurve(number, partial(_fitted, scale * block, fit_tolerance, digits))
-                for number, block in enumerate(blocks, start=1)
-            ],
-            Counter(),
-        )
+        makers = [partial(_fitted, scale * block, fit_tolerance, digits) for block in blocks]
+        return DrawnFile(file, [DrawnCurve(number, make) for number, make in enumerate(makers, start=1)])
 
 
 def _fitted(points: FloatArray, tolerance: float, digits: Provenance) -> PlaneCurve:
@@ -81,7 +70,7 @@ def _fitted(points: FloatArray, tolerance: float, digits: Provenance) -> PlaneCu
     return curve_from_points(points, tolerance=tolerance).drawn_as(digits)
 
 
-def read_text_curves(path: str | Path, *, unit: str | None = None) -> list[PlaneCurve]:
+def read_text_curves(path: str | Path, *, unit: str | None = None) -> CurveList:
     """The curve of a control point file: first line "degree count", then `count` lines "x y".
 
     Its knots are the whole numbers from -degree to count: a uniform spline, not clamped at its ends.
@@ -91,10 +80,14 @@ def read_text_curves(path: str | Path, *, unit: str | None = None) -> list[Plane
     InputError
         A first line that does not say degree and count, or other than `count` good points after it.
     """
-    path = require_file(path)
-    with name_source(path):
+    return read_text_drawing(path, unit=unit).read()
+
+
+def read_text_drawing(path: str | Path, *, unit: str | None) -> DrawnFile:
+    """What a control point file draws; all else as in `read_text_curves`."""
+    with name_source(path) as file:
         scale = look_up_unit(unit or "mm")
-        rows = [(n, line.split()) for n, line in enumerate(_text(path).splitlines(), 1) if line.strip()]
+        rows = [(n, line.split()) for n, line in enumerate(_text(file).splitlines(), 1) if line.strip()]
         rows = [(n, row) for n, row in rows if not row[0].startswith("#")]
         if not rows:
             raise InputError("there are no numbers in it: the first line must be 'degree count'")
@@ -117,9 +110,9 @@ def read_text_curves(path: str | Path, *, unit: str | None = None) -> list[Plane
         points = np.array([_numbers(row, n, 2) for n, row in rows[1:]]).reshape(-1, 2)
         checked_size(scale * points)
         digits = Provenance(rounding=scale * half_last_place([word for _, row in rows[1:] for word in row]))
-        return [
-            PlaneCurve(np.arange(-degree, count + 1, dtype=float), scale * points, degree, provenance=digits)
-        ]
+        knots = np.arange(-degree, count + 1, dtype=float)
+        curve = PlaneCurve(knots, scale * points, degree, provenance=digits)
+        return DrawnFile(file, [DrawnCurve(1, lambda: curve)])
 
 
 def _text(path: Path) -> str:

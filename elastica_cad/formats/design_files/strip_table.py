@@ -175,7 +175,6 @@ def _from_file(curve: Table, folder: Path, read_curves: CurveReader) -> PlaneCur
             return curves.file.one(
                 curve.text("id") if curve.has("id") else str(number) if curve.has("number") else None,
                 curve.text("layer") if curve.has("layer") else None,
-                path.name,
                 "number = 1 .. {count}, id or layer",
             ).curve
     if number > len(curves) or (len(curves) > 1 and not curve.has("number")):

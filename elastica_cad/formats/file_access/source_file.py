@@ -68,10 +68,11 @@ def look_up_unit(unit: str) -> float:
 
 
 @contextmanager
-def name_source(path: Path) -> Iterator[None]:
-    """Put the file's name before any complaint about what it holds."""
+def name_source(path: str | Path) -> Iterator[Path]:
+    """The path of a file that is there, as `require_file`, put before any complaint about what it holds."""
+    path = require_file(path)
     try:
-        yield
+        yield path
     except (InputError, NotConvergedError) as error:
         message = str(error)
         raise type(error)(message if str(path) in message else f"{path}: {message}") from error

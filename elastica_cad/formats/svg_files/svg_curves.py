@@ -11,17 +11,11 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, MissingDependencyError
-from elastica_cad.formats.curve_files.chains import FIT_TOLERANCE, JOIN_TOLERANCE, chained
-from elastica_cad.formats.curve_files.drawn_file import (
-    CurveList,
-    DrawnFile,
-    drawn_curve,
-    drawn_file,
-    listed_things,
-)
+from elastica_cad.formats.curve_files.chains import FIT_TOLERANCE, JOIN_TOLERANCE
+from elastica_cad.formats.curve_files.drawn_file import CurveList, DrawnFile, collect_curves
 from elastica_cad.formats.curve_files.edges import Edge, Run, Source
-from elastica_cad.formats.curve_files.number_gate import MOST_EDGES, NUMBER, checked_count, checked_tolerance
-from elastica_cad.formats.file_access.source_file import MILLIMETRES, look_up_unit, name_source, require_file
+from elastica_cad.formats.curve_files.number_gate import MOST_EDGES, NUMBER, checked_count
+from elastica_cad.formats.file_access.source_file import MILLIMETRES, look_up_unit, name_source
 from elastica_cad.formats.svg_files.path_data import PathData, bezier_edge, path_data
 from elastica_cad.formats.svg_files.svg_tree import LENGTH, MARK, MM, SvgTree, svg_tree
 from elastica_cad.geometry.curves.provenance import Provenance
@@ -63,49 +57,27 @@ def read_svg_curves(
     MissingDependencyError
         svgelements is not installed.
     """
-    path = require_file(path)
-    with name_source(path):
-        return read_svg_drawing(path, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit).read()
+    return read_svg_drawing(path, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit).read()
 
 
 def read_svg_drawing(
-    path: str | Path,
-    *,
-    tolerance: float = JOIN_TOLERANCE,
-    fit_tolerance: float = FIT_TOLERANCE,
-    unit: str | None = None,
+    path: str | Path, *, tolerance: float, fit_tolerance: float, unit: str | None
 ) -> DrawnFile:
     """The curves of an SVG file one by one, with ids and layers; arguments and errors as in `read_svg_curves`."""
-    path = require_file(path)
-    with name_source(path):
-        checked_tolerance(tolerance)
-        checked_tolerance(fit_tolerance, "tolerance for fitting")
-        tree = svg_tree(path)
+    with name_source(path) as file:
+        tree = svg_tree(file)
         scale = np.full(2, look_up_unit(unit)) if unit else _scale(tree.root)
         if not (np.all(scale >= _LEAST_UNIT) and np.all(scale <= 1 / _LEAST_UNIT)):
             raise InputError(
                 f"has user units of {scale[0]:.3g} by {scale[1]:.3g} mm: check width, height and viewBox"
             )
         to_mm = np.diag(scale * (1.0, -1.0))
-        runs = list(_runs(path, tree, to_mm))
-        chains = chained((run for run in runs if run), tolerance)
-        if not chains:
-            found = f" (found {listed_things(dict(sorted(tree.skipped.items())))})" if tree.skipped else ""
-            raise InputError(
-                "holds no curve: draw a path, line, polyline, circle, ellipse or rectangle that is shown"
-                + found
-            )
-        shown = Provenance(
-            place=np.diag([1 / scale[0], -1 / scale[1], 1.0]),
-            unit="mm" if np.all(scale == 1) else "user units",
-        )
-        return drawn_file(
-            [
-                drawn_curve(number, chain, tolerance=tolerance, fit_tolerance=fit_tolerance, shown=shown)
-                for number, chain in enumerate(chains, start=1)
-            ],
-            tree.skipped,
-        )
+        place = np.diag([1 / scale[0], -1 / scale[1], 1.0])
+        return collect_curves(
+            file, _runs(file, tree, to_mm), tree.skipped, tolerance=tolerance, fit_tolerance=fit_tolerance,
+            nothing="holds no curve: draw a path, line, polyline, circle, ellipse or rectangle that is shown",
+            shown=Provenance(place=place, unit="mm" if np.all(scale == 1) else "user units"),
+        )  # fmt: skip
 
 
 def _scale(root: ElementTree.Element) -> FloatArray:
