@@ -133,15 +133,13 @@ def test_every_command(tmp_path):
     assert found["step volumes"] == pytest.approx(found["volumes"], rel=1e-6)
     assert "exists already" in found["export refused"]
     assert "tick the box" in found["export refused"]
-    assert found["sections"] == 3
     assert found["about an axis"][1]
-    assert "Open lines: 3. Closed ones: 0." in found["lines shown"][0]
-    assert found["lines shown"][1] == 4
-    assert "Closed ones: 5" in found["along a path"]
+    assert "<b>3</b>" in found["curves shown"][0]
+    assert found["curves shown"][1] == 3
     assert "Ball, section 1 (6." in found["closed sections"]
     assert found["halves"] == 11
     assert found["strips of sections"] == [[["Up-to-date"], True]] * 3
-    assert found["bar"] == ["Bending the strip"]
+    assert any(line.startswith("Bending the strip (Escape") for line in found["bar"])
     assert "stopped" in found["cancelled"]
     assert found["usable with nothing"] is False
 
@@ -231,6 +229,22 @@ def test_every_button_in_every_state(tmp_path):
     assert {"Elastica_Strip", "Elastica_Export"} <= set(grey["foreign"])
     assert found["undo of a box"][0] == [], "nothing that was not changed is made anew"
     assert found["undo of a curve"][1]
-    assert set(found["edited"]) == {
-        f"{kind}Feature" for kind in ("Strip", "Model", "Flat", "Fixtures", "BasePlate", "Nest")
-    }
+
+
+def test_what_a_hand_does(tmp_path):
+    found = launching.run_window("hand.py", tmp_path, timeout=400)
+    kinds = ["Strip", "Model", "Flat", "Fixtures", "BasePlate", "Nest", "Bent", "Nearest", "Section"]
+    assert set(found["edited"]) == {f"{kind}Feature" for kind in kinds}
+    assert all(found["edited"].values()), found["edited"]
+    for place in ("tree", "view"):
+        assert "Elastica_Bend" in found[f"menu in the {place}"]
+        assert "Elastica_Export" in found[f"menu in the {place}"]
+        assert found[f"panel from the {place}"] == "Bend forward"
+    assert found["bend of a link"] == found["export of an array"] == "Strip"
+    assert found["array"] == [3, "Up-to-date"]
+    assert found["picked"] == ["Other", "Other", False]
+    assert found["picked, undone"]
+    assert found["refused"] == "cannot"
+    assert found["drawn"] in ("can", "breaks")
+    assert found["nearest, undone"][1] == 6
+    assert found["folder opened"] == str(tmp_path / "files")

@@ -13,6 +13,16 @@ CODE = ROOT / "freecad_workbench" / "freecad" / "elastica_wb"
 RESOURCES = ROOT / "freecad_workbench" / "resources"
 LANGUAGES = ("de", "zh-CN")
 
+LISTS = {
+    line.targets[0].id: ast.literal_eval(line.value)
+    for path in CODE.rglob("*.py")
+    for line in ast.parse(path.read_text(encoding="utf-8")).body
+    if isinstance(line, ast.Assign) and isinstance(line.targets[0], ast.Name) and line.targets[0].id.isupper()
+    if isinstance(line.value, (ast.List, ast.Tuple))
+    and all(isinstance(e, ast.Constant) for e in line.value.elts)
+}
+"""Constants of the code that are lists of words."""
+
 
 def words_of_code():
     """Context and text of all words that are translated, as lupdate reads them; property texts too."""
@@ -27,6 +37,8 @@ def words_of_code():
                     yield tuple(words)
                 elif called == "Property":
                     yield "App::Property", words[3]
+                    if words[0] == "Enumeration":
+                        yield from (("Elastica", choice) for choice in choices_of(node))
             elif isinstance(node, ast.ClassDef):
                 said = {
                     line.targets[0].id: line.value
@@ -37,6 +49,15 @@ def words_of_code():
                     name = getattr(said["name"], "value", "Elastica_Live")
                     yield name, said["text"].value
                     yield name, said["tip"].value
+
+
+def choices_of(entry):
+    """What an enumeration offers: a list there, or the name of one, as panels show it."""
+    for node in ast.walk(entry):
+        if isinstance(node, ast.Constant) and entry.args[4:] and node in ast.walk(entry.args[4]):
+            yield node.value
+        elif isinstance(node, ast.Name) and node.id in LISTS:
+            yield from LISTS[node.id]
 
 
 def words_of_panels():

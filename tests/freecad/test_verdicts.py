@@ -108,21 +108,38 @@ def test_a_strip_beside_a_body_follows_it(document, sketch):
     assert feature.State == ["Up-to-date"]
 
 
-def test_mirrored_in_a_body(document, sketch):
+def mirrored(twin, axes):
+    twin.MirrorPlane = (axes["YZ_Plane"], [""])
+
+
+def in_a_row(twin, axes):
+    twin.Direction, twin.Length, twin.Occurrences = (axes["Z_Axis"], [""]), 40, 3  # 30 mm wide: they touch
+
+
+def about_an_axis(twin, axes):
+    twin.Axis, twin.Angle, twin.Occurrences = (axes["Y_Axis"], [""]), 360, 4
+
+
+@pytest.mark.parametrize(
+    ("kind", "arrange", "count"),
+    [("Mirrored", mirrored, 2), ("LinearPattern", in_a_row, 3), ("PolarPattern", about_an_axis, 4)],
+)
+def test_patterns_in_a_body(document, sketch, kind, arrange, count):
+    """A body is one solid: copies that touch are one with the strip, as with every feature there."""
     body = document.addObject("PartDesign::Body", "Body")
     body.addObject(sketch)
     feature = strip.create(document, sketch)
     document.recompute()
     volume = body.Shape.Volume
-    plane = next(one for one in body.Origin.OutList if one.Name.startswith("YZ"))
-    twin = document.addObject("PartDesign::Mirrored", "Mirrored")
+    twin = document.addObject(f"PartDesign::{kind}", kind)
     body.addObject(twin)
-    twin.Originals, twin.MirrorPlane = [feature], (plane, [""])
+    twin.Originals = [feature]
+    arrange(twin, {one.Role: one for one in body.Origin.OriginFeatures})
     body.Tip = twin
     document.recompute()
     assert twin.State == ["Up-to-date"], twin.getStatusString()
     assert twin.Shape.isValid()
-    assert volume < body.Shape.Volume <= 2 * volume * (1 + 1e-6)
+    assert 1.2 * volume < body.Shape.Volume <= count * volume * (1 + 1e-6)
 
 
 def test_strain_use_is_not_capped(document, drawn):

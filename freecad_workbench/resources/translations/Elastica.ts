@@ -212,10 +212,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Least width; counts with MostWidth</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Largest width, which bounds the ratio; 0 for none</source>
         <translation type="unfinished"></translation>
     </message>
@@ -427,6 +423,94 @@
         <source>Show live feedback while this sketch is open</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Angle that half planes are spread over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bodies, surfaces and meshes that are cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far a curve may be from the section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the curve may be moved to smooth its curvature; 0 follows it as drawn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the curve moves at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the end is moved along x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the end is moved along y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the end is turned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the start is moved along x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the start is moved along y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the start is turned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many curves there are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many planes there are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the planes stand to each other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sketch, wire or edges that planes stand across</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The axis of half planes passes here: x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The axis of half planes passes here: y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The axis of half planes passes here: z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The strip that is bent further</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waves shorter than this are smoothed away; 0 keeps them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What becomes of closed lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What planes stand across, or half planes about</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Elastica</name>
@@ -463,10 +547,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Writing files</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>tick the box for it</source>
         <translation type="unfinished"></translation>
     </message>
@@ -484,14 +564,6 @@
     </message>
     <message>
         <source>Stopped.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Bending varied strips</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Cancel</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -795,35 +867,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Cutting</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the path was deleted: choose another one</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open lines</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Closed ones</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Making curves</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the planes miss the object</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Constraints on the drawn curve that OK takes away</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>no curve was found: change the limits</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -904,6 +948,242 @@
     </message>
     <message>
         <source>Select two strips or more first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axis at x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axis at y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axis at z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closed lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw it into the sketch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Escape stops it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the symmetry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Must not break</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Must stay in its shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Planes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Section into curves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smooth the curve by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smooth waves below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spread over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>curves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sketch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>parallel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>about an axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>along a path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left and right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>above and below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Perforated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Laminated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exactly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nearest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clamped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pinned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>slide-x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>slide-y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>guided</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>spline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>arc</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>square</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hull</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rectangle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make a sketch to edit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make sketches to edit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes this feature's place and follows nothing any more</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1127,57 +1407,6 @@
     </message>
 </context>
 <context>
-    <name>ElasticaNearest</name>
-    <message>
-        <source>Nearest curve</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Limits</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sheet</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Largest stiffness ratio</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Must stay by itself</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Least stability margin</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Keep within the sheet's strain</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Keep</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>End points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>End tangents</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Length</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Replace the spline in the sketch</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>ElasticaPreferences</name>
     <message>
         <source>General</source>
@@ -1264,89 +1493,6 @@
     </message>
     <message>
         <source>Put the handles back</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>ElasticaSection</name>
-    <message>
-        <source>Section into curves</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Planes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Family</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>parallel</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>about an axis</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>along a path</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Across</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Path</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Number of planes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Axis through x</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>y</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>z</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sweep</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Curves</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Closed sections</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>are left out</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>are split left and right</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>are split above and below</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Take out waves shorter than</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Tolerance of the curves</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

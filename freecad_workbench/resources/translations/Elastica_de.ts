@@ -212,10 +212,6 @@
         <translation>Größte Länge; 0 für keine Grenzen</translation>
     </message>
     <message>
-        <source>Least width; counts with MostWidth</source>
-        <translation>Kleinste Breite; zählt mit MostWidth</translation>
-    </message>
-    <message>
         <source>Largest width, which bounds the ratio; 0 for none</source>
         <translation>Größte Breite, die das Verhältnis begrenzt; 0 für keine</translation>
     </message>
@@ -427,6 +423,94 @@
         <source>Show live feedback while this sketch is open</source>
         <translation>Sofortige Rückmeldung zeigen, während diese Skizze offen ist</translation>
     </message>
+    <message>
+        <source>Angle that half planes are spread over</source>
+        <translation>Winkel, über den Halbebenen verteilt sind</translation>
+    </message>
+    <message>
+        <source>Bodies, surfaces and meshes that are cut</source>
+        <translation>Körper, Flächen und Netze, die geschnitten werden</translation>
+    </message>
+    <message>
+        <source>How far a curve may be from the section</source>
+        <translation>Wie weit eine Kurve vom Schnitt abweichen darf</translation>
+    </message>
+    <message>
+        <source>How far the curve may be moved to smooth its curvature; 0 follows it as drawn</source>
+        <translation>Wie weit die Kurve bewegt werden darf, um ihre Krümmung zu glätten; 0 folgt ihr wie gezeichnet</translation>
+    </message>
+    <message>
+        <source>How far the curve moves at most</source>
+        <translation>Wie weit die Kurve sich höchstens bewegt</translation>
+    </message>
+    <message>
+        <source>How far the end is moved along x</source>
+        <translation>Wie weit das Ende entlang x verschoben ist</translation>
+    </message>
+    <message>
+        <source>How far the end is moved along y</source>
+        <translation>Wie weit das Ende entlang y verschoben ist</translation>
+    </message>
+    <message>
+        <source>How far the end is turned</source>
+        <translation>Wie weit das Ende gedreht ist</translation>
+    </message>
+    <message>
+        <source>How far the start is moved along x</source>
+        <translation>Wie weit der Anfang entlang x verschoben ist</translation>
+    </message>
+    <message>
+        <source>How far the start is moved along y</source>
+        <translation>Wie weit der Anfang entlang y verschoben ist</translation>
+    </message>
+    <message>
+        <source>How far the start is turned</source>
+        <translation>Wie weit der Anfang gedreht ist</translation>
+    </message>
+    <message>
+        <source>How many curves there are</source>
+        <translation>Wie viele Kurven es sind</translation>
+    </message>
+    <message>
+        <source>How many planes there are</source>
+        <translation>Wie viele Ebenen es sind</translation>
+    </message>
+    <message>
+        <source>How the planes stand to each other</source>
+        <translation>Wie die Ebenen zueinander stehen</translation>
+    </message>
+    <message>
+        <source>Sketch, wire or edges that planes stand across</source>
+        <translation>Skizze, Draht oder Kanten, zu denen die Ebenen quer stehen</translation>
+    </message>
+    <message>
+        <source>The axis of half planes passes here: x</source>
+        <translation>Hier geht die Achse der Halbebenen durch: x</translation>
+    </message>
+    <message>
+        <source>The axis of half planes passes here: y</source>
+        <translation>Hier geht die Achse der Halbebenen durch: y</translation>
+    </message>
+    <message>
+        <source>The axis of half planes passes here: z</source>
+        <translation>Hier geht die Achse der Halbebenen durch: z</translation>
+    </message>
+    <message>
+        <source>The strip that is bent further</source>
+        <translation>Der Streifen, der weiter gebogen wird</translation>
+    </message>
+    <message>
+        <source>Waves shorter than this are smoothed away; 0 keeps them</source>
+        <translation>Kürzere Wellen als diese werden geglättet; 0 behält sie</translation>
+    </message>
+    <message>
+        <source>What becomes of closed lines</source>
+        <translation>Was aus geschlossenen Linien wird</translation>
+    </message>
+    <message>
+        <source>What planes stand across, or half planes about</source>
+        <translation>Wozu die Ebenen quer stehen, oder worum Halbebenen</translation>
+    </message>
 </context>
 <context>
     <name>Elastica</name>
@@ -463,10 +547,6 @@
         <translation>bitte einen Ordner für die Dateien wählen</translation>
     </message>
     <message>
-        <source>Writing files</source>
-        <translation>Schreibe Dateien</translation>
-    </message>
-    <message>
         <source>tick the box for it</source>
         <translation>das Kästchen dafür ankreuzen</translation>
     </message>
@@ -485,14 +565,6 @@
     <message>
         <source>Stopped.</source>
         <translation>Angehalten.</translation>
-    </message>
-    <message>
-        <source>Bending varied strips</source>
-        <translation>Abgewandelte Streifen werden gebogen</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>what this panel works on was deleted: press Cancel</source>
@@ -652,7 +724,7 @@
     </message>
     <message>
         <source>Backing</source>
-        <translation>Rückseite</translation>
+        <translation>Verstärkung</translation>
     </message>
     <message>
         <source>Shape shown</source>
@@ -795,36 +867,8 @@
         <translation>elasto-gravitative Länge</translation>
     </message>
     <message>
-        <source>Cutting</source>
-        <translation>Schneide</translation>
-    </message>
-    <message>
-        <source>the path was deleted: choose another one</source>
-        <translation>der Pfad wurde gelöscht: einen anderen wählen</translation>
-    </message>
-    <message>
-        <source>Open lines</source>
-        <translation>Offene Linien</translation>
-    </message>
-    <message>
-        <source>Closed ones</source>
-        <translation>Geschlossene</translation>
-    </message>
-    <message>
-        <source>Making curves</source>
-        <translation>Erzeuge Kurven</translation>
-    </message>
-    <message>
-        <source>the planes miss the object</source>
-        <translation>die Ebenen treffen das Objekt nicht</translation>
-    </message>
-    <message>
         <source>Constraints on the drawn curve that OK takes away</source>
         <translation>Bedingungen an der gezeichneten Kurve, die mit OK entfallen</translation>
-    </message>
-    <message>
-        <source>no curve was found: change the limits</source>
-        <translation>keine Kurve gefunden: Grenzen ändern</translation>
     </message>
     <message>
         <source>Largest distance</source>
@@ -905,6 +949,242 @@
     <message>
         <source>Select two strips or more first.</source>
         <translation>Bitte zuerst zwei oder mehr Streifen auswählen.</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Axis at x</source>
+        <translation>Achse bei x</translation>
+    </message>
+    <message>
+        <source>Axis at y</source>
+        <translation>Achse bei y</translation>
+    </message>
+    <message>
+        <source>Axis at z</source>
+        <translation>Achse bei z</translation>
+    </message>
+    <message>
+        <source>Closed lines</source>
+        <translation>Geschlossene Linien</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Draw it into the sketch</source>
+        <translation>In die Skizze zeichnen</translation>
+    </message>
+    <message>
+        <source>Escape stops it</source>
+        <translation>Escape bricht ab</translation>
+    </message>
+    <message>
+        <source>How many</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Beibehalten</translation>
+    </message>
+    <message>
+        <source>Keep the ends</source>
+        <translation>Enden beibehalten</translation>
+    </message>
+    <message>
+        <source>Keep the symmetry</source>
+        <translation>Symmetrie beibehalten</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>Must not break</source>
+        <translation>Darf nicht brechen</translation>
+    </message>
+    <message>
+        <source>Must stay in its shape</source>
+        <translation>Muss in seiner Form bleiben</translation>
+    </message>
+    <message>
+        <source>Planes</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>Section into curves</source>
+        <translation>Schnitt in Kurven</translation>
+    </message>
+    <message>
+        <source>Smooth the curve by</source>
+        <translation>Kurve glätten um</translation>
+    </message>
+    <message>
+        <source>Smooth waves below</source>
+        <translation>Wellen glätten unter</translation>
+    </message>
+    <message>
+        <source>Spread over</source>
+        <translation>Verteilt über</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>curves</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>sketch</source>
+        <translation>Skizze</translation>
+    </message>
+    <message>
+        <source>parallel</source>
+        <translation>parallel</translation>
+    </message>
+    <message>
+        <source>about an axis</source>
+        <translation>um eine Achse</translation>
+    </message>
+    <message>
+        <source>along a path</source>
+        <translation>entlang eines Pfades</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>weglassen</translation>
+    </message>
+    <message>
+        <source>left and right</source>
+        <translation>links und rechts</translation>
+    </message>
+    <message>
+        <source>above and below</source>
+        <translation>oben und unten</translation>
+    </message>
+    <message>
+        <source>Bent</source>
+        <translation>gebogen</translation>
+    </message>
+    <message>
+        <source>Flat</source>
+        <translation>flach</translation>
+    </message>
+    <message>
+        <source>Plain</source>
+        <translation>schlicht</translation>
+    </message>
+    <message>
+        <source>Perforated</source>
+        <translation>gelocht</translation>
+    </message>
+    <message>
+        <source>Laminated</source>
+        <translation>laminiert</translation>
+    </message>
+    <message>
+        <source>Exactly</source>
+        <translation>genau</translation>
+    </message>
+    <message>
+        <source>Nearest</source>
+        <translation>nächste Kurve</translation>
+    </message>
+    <message>
+        <source>clamped</source>
+        <translation>eingespannt</translation>
+    </message>
+    <message>
+        <source>pinned</source>
+        <translation>gelenkig</translation>
+    </message>
+    <message>
+        <source>slide-x</source>
+        <translation>gleitet in x</translation>
+    </message>
+    <message>
+        <source>slide-y</source>
+        <translation>gleitet in y</translation>
+    </message>
+    <message>
+        <source>guided</source>
+        <translation>geführt</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>frei</translation>
+    </message>
+    <message>
+        <source>spline</source>
+        <translation>Spline</translation>
+    </message>
+    <message>
+        <source>arc</source>
+        <translation>Bogen</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>beide</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation>Spiegelung</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>genau</translation>
+    </message>
+    <message>
+        <source>paper</source>
+        <translation>wie im Artikel</translation>
+    </message>
+    <message>
+        <source>square</source>
+        <translation>eckig</translation>
+    </message>
+    <message>
+        <source>round</source>
+        <translation>rund</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Grundlage</translation>
+    </message>
+    <message>
+        <source>hull</source>
+        <translation>Hülle</translation>
+    </message>
+    <message>
+        <source>rectangle</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>Make a sketch to edit</source>
+        <translation>Skizze zum Bearbeiten machen</translation>
+    </message>
+    <message>
+        <source>Make sketches to edit</source>
+        <translation>Skizzen zum Bearbeiten machen</translation>
+    </message>
+    <message>
+        <source>Takes this feature's place and follows nothing any more</source>
+        <translation>Tritt an die Stelle dieses Features und folgt nichts mehr</translation>
     </message>
 </context>
 <context>
@@ -1127,57 +1407,6 @@
     </message>
 </context>
 <context>
-    <name>ElasticaNearest</name>
-    <message>
-        <source>Nearest curve</source>
-        <translation>Nächste Kurve</translation>
-    </message>
-    <message>
-        <source>Limits</source>
-        <translation>Grenzen</translation>
-    </message>
-    <message>
-        <source>Sheet</source>
-        <translation>Platte</translation>
-    </message>
-    <message>
-        <source>Largest stiffness ratio</source>
-        <translation>Größtes Steifigkeitsverhältnis</translation>
-    </message>
-    <message>
-        <source>Must stay by itself</source>
-        <translation>Muss von selbst stehen bleiben</translation>
-    </message>
-    <message>
-        <source>Least stability margin</source>
-        <translation>Kleinste Stabilitätsreserve</translation>
-    </message>
-    <message>
-        <source>Keep within the sheet's strain</source>
-        <translation>Dehnung der Platte einhalten</translation>
-    </message>
-    <message>
-        <source>Keep</source>
-        <translation>Beibehalten</translation>
-    </message>
-    <message>
-        <source>End points</source>
-        <translation>Endpunkte</translation>
-    </message>
-    <message>
-        <source>End tangents</source>
-        <translation>Endtangenten</translation>
-    </message>
-    <message>
-        <source>Length</source>
-        <translation>Länge</translation>
-    </message>
-    <message>
-        <source>Replace the spline in the sketch</source>
-        <translation>Spline in der Skizze ersetzen</translation>
-    </message>
-</context>
-<context>
     <name>ElasticaPreferences</name>
     <message>
         <source>General</source>
@@ -1265,89 +1494,6 @@
     <message>
         <source>Put the handles back</source>
         <translation>Griffe zurücksetzen</translation>
-    </message>
-</context>
-<context>
-    <name>ElasticaSection</name>
-    <message>
-        <source>Section into curves</source>
-        <translation>In Kurven schneiden</translation>
-    </message>
-    <message>
-        <source>Planes</source>
-        <translation>Ebenen</translation>
-    </message>
-    <message>
-        <source>Family</source>
-        <translation>Art</translation>
-    </message>
-    <message>
-        <source>parallel</source>
-        <translation>parallel</translation>
-    </message>
-    <message>
-        <source>about an axis</source>
-        <translation>um eine Achse</translation>
-    </message>
-    <message>
-        <source>along a path</source>
-        <translation>entlang eines Pfads</translation>
-    </message>
-    <message>
-        <source>Across</source>
-        <translation>Quer zu</translation>
-    </message>
-    <message>
-        <source>Path</source>
-        <translation>Pfad</translation>
-    </message>
-    <message>
-        <source>Number of planes</source>
-        <translation>Anzahl der Ebenen</translation>
-    </message>
-    <message>
-        <source>Axis through x</source>
-        <translation>Achse durch x</translation>
-    </message>
-    <message>
-        <source>y</source>
-        <translation>y</translation>
-    </message>
-    <message>
-        <source>z</source>
-        <translation>z</translation>
-    </message>
-    <message>
-        <source>Sweep</source>
-        <translation>Winkelbereich</translation>
-    </message>
-    <message>
-        <source>Curves</source>
-        <translation>Kurven</translation>
-    </message>
-    <message>
-        <source>Closed sections</source>
-        <translation>Geschlossene Schnitte</translation>
-    </message>
-    <message>
-        <source>are left out</source>
-        <translation>weglassen</translation>
-    </message>
-    <message>
-        <source>are split left and right</source>
-        <translation>links und rechts teilen</translation>
-    </message>
-    <message>
-        <source>are split above and below</source>
-        <translation>oben und unten teilen</translation>
-    </message>
-    <message>
-        <source>Take out waves shorter than</source>
-        <translation>Wellen glätten, die kürzer sind als</translation>
-    </message>
-    <message>
-        <source>Tolerance of the curves</source>
-        <translation>Toleranz der Kurven</translation>
     </message>
 </context>
 <context>

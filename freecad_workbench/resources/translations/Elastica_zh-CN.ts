@@ -212,10 +212,6 @@
         <translation>最大长度；0 表示不限</translation>
     </message>
     <message>
-        <source>Least width; counts with MostWidth</source>
-        <translation>最小宽度；与 MostWidth 一起有效</translation>
-    </message>
-    <message>
         <source>Largest width, which bounds the ratio; 0 for none</source>
         <translation>限制刚度比的最大宽度；0 表示无</translation>
     </message>
@@ -427,6 +423,94 @@
         <source>Show live feedback while this sketch is open</source>
         <translation>打开此草图时显示实时反馈</translation>
     </message>
+    <message>
+        <source>Angle that half planes are spread over</source>
+        <translation>半平面所分布的角度</translation>
+    </message>
+    <message>
+        <source>Bodies, surfaces and meshes that are cut</source>
+        <translation>被切割的实体、曲面和网格</translation>
+    </message>
+    <message>
+        <source>How far a curve may be from the section</source>
+        <translation>曲线可偏离截面的距离</translation>
+    </message>
+    <message>
+        <source>How far the curve may be moved to smooth its curvature; 0 follows it as drawn</source>
+        <translation>为使曲率光顺，曲线可移动的距离；0 表示完全按所绘曲线</translation>
+    </message>
+    <message>
+        <source>How far the curve moves at most</source>
+        <translation>曲线移动的最大距离</translation>
+    </message>
+    <message>
+        <source>How far the end is moved along x</source>
+        <translation>终点沿 x 移动的距离</translation>
+    </message>
+    <message>
+        <source>How far the end is moved along y</source>
+        <translation>终点沿 y 移动的距离</translation>
+    </message>
+    <message>
+        <source>How far the end is turned</source>
+        <translation>终点转动的角度</translation>
+    </message>
+    <message>
+        <source>How far the start is moved along x</source>
+        <translation>起点沿 x 移动的距离</translation>
+    </message>
+    <message>
+        <source>How far the start is moved along y</source>
+        <translation>起点沿 y 移动的距离</translation>
+    </message>
+    <message>
+        <source>How far the start is turned</source>
+        <translation>起点转动的角度</translation>
+    </message>
+    <message>
+        <source>How many curves there are</source>
+        <translation>曲线的数量</translation>
+    </message>
+    <message>
+        <source>How many planes there are</source>
+        <translation>平面的数量</translation>
+    </message>
+    <message>
+        <source>How the planes stand to each other</source>
+        <translation>各平面之间的相互位置</translation>
+    </message>
+    <message>
+        <source>Sketch, wire or edges that planes stand across</source>
+        <translation>平面所垂直的草图、线框或边</translation>
+    </message>
+    <message>
+        <source>The axis of half planes passes here: x</source>
+        <translation>半平面的轴通过此处：x</translation>
+    </message>
+    <message>
+        <source>The axis of half planes passes here: y</source>
+        <translation>半平面的轴通过此处：y</translation>
+    </message>
+    <message>
+        <source>The axis of half planes passes here: z</source>
+        <translation>半平面的轴通过此处：z</translation>
+    </message>
+    <message>
+        <source>The strip that is bent further</source>
+        <translation>被继续弯曲的条带</translation>
+    </message>
+    <message>
+        <source>Waves shorter than this are smoothed away; 0 keeps them</source>
+        <translation>短于此值的波纹会被抹平；0 则保留</translation>
+    </message>
+    <message>
+        <source>What becomes of closed lines</source>
+        <translation>如何处理闭合线</translation>
+    </message>
+    <message>
+        <source>What planes stand across, or half planes about</source>
+        <translation>平面所垂直的轴，或半平面所围绕的轴</translation>
+    </message>
 </context>
 <context>
     <name>Elastica</name>
@@ -463,10 +547,6 @@
         <translation>请选择文件夹</translation>
     </message>
     <message>
-        <source>Writing files</source>
-        <translation>正在写入文件</translation>
-    </message>
-    <message>
         <source>tick the box for it</source>
         <translation>请勾选相应的复选框</translation>
     </message>
@@ -485,14 +565,6 @@
     <message>
         <source>Stopped.</source>
         <translation>已停止。</translation>
-    </message>
-    <message>
-        <source>Bending varied strips</source>
-        <translation>正在弯曲变化的条带</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
     </message>
     <message>
         <source>what this panel works on was deleted: press Cancel</source>
@@ -795,36 +867,8 @@
         <translation>弹性重力长度</translation>
     </message>
     <message>
-        <source>Cutting</source>
-        <translation>正在切割</translation>
-    </message>
-    <message>
-        <source>the path was deleted: choose another one</source>
-        <translation>路径已被删除：请选择另一条</translation>
-    </message>
-    <message>
-        <source>Open lines</source>
-        <translation>开放线</translation>
-    </message>
-    <message>
-        <source>Closed ones</source>
-        <translation>闭合线</translation>
-    </message>
-    <message>
-        <source>Making curves</source>
-        <translation>正在生成曲线</translation>
-    </message>
-    <message>
-        <source>the planes miss the object</source>
-        <translation>平面与对象不相交</translation>
-    </message>
-    <message>
         <source>Constraints on the drawn curve that OK takes away</source>
         <translation>点击确定后将移除的曲线约束</translation>
-    </message>
-    <message>
-        <source>no curve was found: change the limits</source>
-        <translation>未找到曲线：请更改限制</translation>
     </message>
     <message>
         <source>Largest distance</source>
@@ -905,6 +949,242 @@
     <message>
         <source>Select two strips or more first.</source>
         <translation>请先选择两个或更多条带。</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>轴</translation>
+    </message>
+    <message>
+        <source>Axis at x</source>
+        <translation>轴的 x</translation>
+    </message>
+    <message>
+        <source>Axis at y</source>
+        <translation>轴的 y</translation>
+    </message>
+    <message>
+        <source>Axis at z</source>
+        <translation>轴的 z</translation>
+    </message>
+    <message>
+        <source>Closed lines</source>
+        <translation>闭合线</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>Draw it into the sketch</source>
+        <translation>绘入草图</translation>
+    </message>
+    <message>
+        <source>Escape stops it</source>
+        <translation>按 Esc 停止</translation>
+    </message>
+    <message>
+        <source>How many</source>
+        <translation>数量</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>保持</translation>
+    </message>
+    <message>
+        <source>Keep the ends</source>
+        <translation>保持端点</translation>
+    </message>
+    <message>
+        <source>Keep the symmetry</source>
+        <translation>保持对称</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>限制</translation>
+    </message>
+    <message>
+        <source>Must not break</source>
+        <translation>不得断裂</translation>
+    </message>
+    <message>
+        <source>Must stay in its shape</source>
+        <translation>必须保持形状</translation>
+    </message>
+    <message>
+        <source>Planes</source>
+        <translation>平面</translation>
+    </message>
+    <message>
+        <source>Section into curves</source>
+        <translation>截切成曲线</translation>
+    </message>
+    <message>
+        <source>Smooth the curve by</source>
+        <translation>曲线光顺量</translation>
+    </message>
+    <message>
+        <source>Smooth waves below</source>
+        <translation>抹平短于此值的波纹</translation>
+    </message>
+    <message>
+        <source>Spread over</source>
+        <translation>分布角度</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>公差</translation>
+    </message>
+    <message>
+        <source>curves</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>sketch</source>
+        <translation>草图</translation>
+    </message>
+    <message>
+        <source>parallel</source>
+        <translation>平行</translation>
+    </message>
+    <message>
+        <source>about an axis</source>
+        <translation>绕轴</translation>
+    </message>
+    <message>
+        <source>along a path</source>
+        <translation>沿路径</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>舍去</translation>
+    </message>
+    <message>
+        <source>left and right</source>
+        <translation>左右两半</translation>
+    </message>
+    <message>
+        <source>above and below</source>
+        <translation>上下两半</translation>
+    </message>
+    <message>
+        <source>Bent</source>
+        <translation>弯曲</translation>
+    </message>
+    <message>
+        <source>Flat</source>
+        <translation>平面</translation>
+    </message>
+    <message>
+        <source>Plain</source>
+        <translation>普通</translation>
+    </message>
+    <message>
+        <source>Perforated</source>
+        <translation>穿孔</translation>
+    </message>
+    <message>
+        <source>Laminated</source>
+        <translation>层压</translation>
+    </message>
+    <message>
+        <source>Exactly</source>
+        <translation>精确</translation>
+    </message>
+    <message>
+        <source>Nearest</source>
+        <translation>最近曲线</translation>
+    </message>
+    <message>
+        <source>clamped</source>
+        <translation>夹紧</translation>
+    </message>
+    <message>
+        <source>pinned</source>
+        <translation>铰接</translation>
+    </message>
+    <message>
+        <source>slide-x</source>
+        <translation>沿 x 滑动</translation>
+    </message>
+    <message>
+        <source>slide-y</source>
+        <translation>沿 y 滑动</translation>
+    </message>
+    <message>
+        <source>guided</source>
+        <translation>导向</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>自由</translation>
+    </message>
+    <message>
+        <source>spline</source>
+        <translation>样条</translation>
+    </message>
+    <message>
+        <source>arc</source>
+        <translation>圆弧</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>两端</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>起点</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>终点</translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation>镜像</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>精确</translation>
+    </message>
+    <message>
+        <source>paper</source>
+        <translation>按论文</translation>
+    </message>
+    <message>
+        <source>square</source>
+        <translation>方形</translation>
+    </message>
+    <message>
+        <source>round</source>
+        <translation>圆形</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>基层</translation>
+    </message>
+    <message>
+        <source>hull</source>
+        <translation>凸包</translation>
+    </message>
+    <message>
+        <source>rectangle</source>
+        <translation>矩形</translation>
+    </message>
+    <message>
+        <source>Make a sketch to edit</source>
+        <translation>生成可编辑的草图</translation>
+    </message>
+    <message>
+        <source>Make sketches to edit</source>
+        <translation>生成可编辑的草图</translation>
+    </message>
+    <message>
+        <source>Takes this feature's place and follows nothing any more</source>
+        <translation>取代此特征，且不再跟随任何对象</translation>
     </message>
 </context>
 <context>
@@ -1127,57 +1407,6 @@
     </message>
 </context>
 <context>
-    <name>ElasticaNearest</name>
-    <message>
-        <source>Nearest curve</source>
-        <translation>最近曲线</translation>
-    </message>
-    <message>
-        <source>Limits</source>
-        <translation>限制</translation>
-    </message>
-    <message>
-        <source>Sheet</source>
-        <translation>板材</translation>
-    </message>
-    <message>
-        <source>Largest stiffness ratio</source>
-        <translation>最大刚度比</translation>
-    </message>
-    <message>
-        <source>Must stay by itself</source>
-        <translation>必须自行保持稳定</translation>
-    </message>
-    <message>
-        <source>Least stability margin</source>
-        <translation>最小稳定裕度</translation>
-    </message>
-    <message>
-        <source>Keep within the sheet's strain</source>
-        <translation>不超过板材应变</translation>
-    </message>
-    <message>
-        <source>Keep</source>
-        <translation>保持</translation>
-    </message>
-    <message>
-        <source>End points</source>
-        <translation>端点</translation>
-    </message>
-    <message>
-        <source>End tangents</source>
-        <translation>端点切线</translation>
-    </message>
-    <message>
-        <source>Length</source>
-        <translation>长度</translation>
-    </message>
-    <message>
-        <source>Replace the spline in the sketch</source>
-        <translation>替换草图中的样条</translation>
-    </message>
-</context>
-<context>
     <name>ElasticaPreferences</name>
     <message>
         <source>General</source>
@@ -1265,89 +1494,6 @@
     <message>
         <source>Put the handles back</source>
         <translation>复位手柄</translation>
-    </message>
-</context>
-<context>
-    <name>ElasticaSection</name>
-    <message>
-        <source>Section into curves</source>
-        <translation>剖切成曲线</translation>
-    </message>
-    <message>
-        <source>Planes</source>
-        <translation>平面</translation>
-    </message>
-    <message>
-        <source>Family</source>
-        <translation>类型</translation>
-    </message>
-    <message>
-        <source>parallel</source>
-        <translation>平行</translation>
-    </message>
-    <message>
-        <source>about an axis</source>
-        <translation>绕轴</translation>
-    </message>
-    <message>
-        <source>along a path</source>
-        <translation>沿路径</translation>
-    </message>
-    <message>
-        <source>Across</source>
-        <translation>垂直于</translation>
-    </message>
-    <message>
-        <source>Path</source>
-        <translation>路径</translation>
-    </message>
-    <message>
-        <source>Number of planes</source>
-        <translation>平面数量</translation>
-    </message>
-    <message>
-        <source>Axis through x</source>
-        <translation>轴通过 x</translation>
-    </message>
-    <message>
-        <source>y</source>
-        <translation>y</translation>
-    </message>
-    <message>
-        <source>z</source>
-        <translation>z</translation>
-    </message>
-    <message>
-        <source>Sweep</source>
-        <translation>角度范围</translation>
-    </message>
-    <message>
-        <source>Curves</source>
-        <translation>曲线</translation>
-    </message>
-    <message>
-        <source>Closed sections</source>
-        <translation>闭合截面</translation>
-    </message>
-    <message>
-        <source>are left out</source>
-        <translation>忽略</translation>
-    </message>
-    <message>
-        <source>are split left and right</source>
-        <translation>左右分割</translation>
-    </message>
-    <message>
-        <source>are split above and below</source>
-        <translation>上下分割</translation>
-    </message>
-    <message>
-        <source>Take out waves shorter than</source>
-        <translation>平滑短于此值的波纹</translation>
-    </message>
-    <message>
-        <source>Tolerance of the curves</source>
-        <translation>曲线公差</translation>
     </message>
 </context>
 <context>

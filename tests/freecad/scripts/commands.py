@@ -5,6 +5,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
 
+import subprocess
 import time
 
 import FreeCAD as App
@@ -19,6 +20,7 @@ from inside import (
     action_of,
     answers,
     choose,
+    click,
     drag,
     fill,
     picture,
@@ -27,6 +29,7 @@ from inside import (
     sketch,
     trigger,
     wait,
+    window,
 )
 
 
@@ -101,41 +104,44 @@ def check_command(drawn):
 
 
 def nearest_command(document, bad):
+    """A feature that follows the sketch; buttons of its panel draw the curve into the sketch instead."""
+    from freecad.elastica_wb.curves.sketch_curves import drawn_curve, sketch_curve
+
+    from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+
     choose(bad)
     count = len(document.Objects)
     panel = open_panel("Elastica_Nearest")
     answers["nearest"] = panel.form.message.text()
     panel.reject()
     assert len(document.Objects) == count
-    choose(bad)
-    panel = open_panel("Elastica_Nearest")
-    panel.accept()
-    wait(200)
-    found = document.getObject("Nearest")
-    assert found is not None
-    assert len(document.Objects) == count + 1
-    from freecad.elastica_wb.curves.sketch_curves import sketch_curve
-
-    from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
-
-    answers["nearest is realizable"] = check_equilibrium(sketch_curve(found)).realizable
     poles = bad.Geometry[0].NbPoles
     choose(bad)
     panel = open_panel("Elastica_Nearest")
-    panel.form.replace.setChecked(True)
-    panel.accept()
     wait(200)
+    click(panel.form.findChild(QtWidgets.QPushButton, "draw_into"))
+    wait(200)
+    assert not Gui.Control.activeDialog()
+    assert len(document.Objects) == count
     answers["replaced"] = (poles, check_equilibrium(sketch_curve(bad)).realizable)
     document.undo()
     wait(200)
     assert bad.Geometry[0].NbPoles == poles
     assert not check_equilibrium(sketch_curve(bad)).realizable
+    choose(bad)
+    panel = open_panel("Elastica_Nearest")
+    panel.accept()
+    wait(200)
+    found = document.getObject("Nearest")
+    assert found.State == ["Up-to-date"], found.getStatusString()
+    assert len(document.Objects) == count + 1
+    answers["nearest is realizable"] = check_equilibrium(drawn_curve((found, ())).curve).realizable
 
 
 def bend_command(document, strip):
     choose(strip)
     panel = open_panel("Elastica_Bend")
-    fill(panel, endX=-15.0)
+    fill(panel, EndX=-15.0)
     wait(500)
     answers["bend"] = panel.form.message.text()
     view = Gui.ActiveDocument.ActiveView
@@ -148,7 +154,7 @@ def bend_command(document, strip):
         12,
         (-4, -3),
         "bend.png",
-        lambda: (tuple(panel.rod.position[-1]), panel.value("endX"), panel.value("endY")),
+        lambda: (tuple(panel.rod.position[-1]), panel.value("EndX"), panel.value("EndY")),
     )
     answers["bend drag"] = places
     answers["bend handles"] = (panel.preview.handles.is_held, len(Gui.Selection.getSelection()) - chosen)
@@ -158,11 +164,11 @@ def bend_command(document, strip):
     drag(panel.rest.position[0], 5, (-4, 0))
     answers["view stays"] = turned == view.getCameraOrientation().Q
     view.setNavigationType("Gui::CADNavigationStyle")
-    answers["start dragged"] = (panel.value("startX"), tuple(panel.rod.position[0]))
-    fill(panel, startX=0.0)
-    fill(panel, startY=0.0)
-    fill(panel, endX=-30.0)
-    fill(panel, endY=5.0)
+    answers["start dragged"] = (panel.value("StartX"), tuple(panel.rod.position[0]))
+    fill(panel, StartX=0.0)
+    fill(panel, StartY=0.0)
+    fill(panel, EndX=-30.0)
+    fill(panel, EndY=5.0)
     wait(400)
     panel.play()
     panel.accept()
@@ -312,21 +318,22 @@ def section_command(document):
     document.recompute()
     choose(barrel)
     panel = open_panel("Elastica_Section")
-    panel.form.family.setCurrentIndex(1)
+    fill(panel, Family="about an axis")
     wait(300)
-    answers["about an axis"] = (panel.form.message.text(), panel.form.sweep.isVisible())
-    panel.form.family.setCurrentIndex(0)
-    fill(panel, count=3)
+    answers["about an axis"] = (panel.form.message.text(), panel.form.Sweep.isVisible())
+    fill(panel, Family="parallel")
+    fill(panel, Count=3)
     wait(300)
-    answers["lines shown"] = (panel.form.message.text(), panel.lines.root.getNumChildren() - 1)
+    answers["curves shown"] = (panel.form.numbers.text(), len(panel.object.Shape.Edges))
     Gui.ActiveDocument.ActiveView.viewIsometric()
     Gui.ActiveDocument.ActiveView.fitAll()
     picture("section-panel.png")
     panel.accept()
     wait(100)
-    made = [o for o in document.Objects if o.Name.startswith("Section")]
-    answers["sections"] = len(made)
-    choose(*made)
+    cuts = document.getObject("Section")
+    Gui.Selection.clearSelection()
+    for name in ("Edge1", "Edge2", "Edge3"):
+        Gui.Selection.addSelection(cuts, name)
     panel = open_panel("Elastica_Strip")
     panel.accept()
     wait(100)
@@ -351,18 +358,17 @@ def mesh_sections_command(document):
     choose(ball, path)
     before = names(document)
     panel = open_panel("Elastica_Section")
-    assert panel.form.family.currentIndex() == 2
-    answers["along a path"] = panel.form.message.text()
-    assert not panel.accept(), "closed sections make no curve"
+    assert panel.value("Family") == "along a path"
     answers["closed sections"] = panel.form.message.text()
     panel.reject()
     assert names(document) == before
     choose(ball, path)
     panel = open_panel("Elastica_Section")
-    panel.form.closed.setCurrentIndex(1)
+    fill(panel, Closed="left and right")
+    wait(300)
     picture("mesh-section-panel.png")
-    assert panel.accept()
-    wait(100)
+    click(panel.form.findChild(QtWidgets.QPushButton, "section_sketches_of"))
+    wait(200)
     answers["halves"] = len(names(document)) - len(before)
     document.undo()
     assert names(document) == before
@@ -393,7 +399,7 @@ def style_commands(document, strip):
 
 
 def long_work():
-    """A strip with a thousand holes takes seconds: a bar shows, and its Cancel leaves a sentence."""
+    """A strip with a thousand holes takes seconds: a bar shows, and Escape leaves a sentence."""
     from freecad.elastica_wb.features import strip
 
     document = App.newDocument("Long")
@@ -401,20 +407,15 @@ def long_work():
     document.recompute()
     volume = made.Shape.Volume
     made.Style, made.Columns, made.Rows = "Perforated", 4, 44
+    key = subprocess.Popen(["sh", "-c", "sleep 1.5; xdotool key Escape"])
     seen = []
-
-    def press():
-        for window in QtWidgets.QApplication.topLevelWidgets():
-            if isinstance(window, QtWidgets.QProgressDialog) and window.isVisible():
-                seen.append(window.labelText())
-                window.cancel()
-
     timer = QtCore.QTimer()
-    timer.timeout.connect(press)
+    timer.timeout.connect(lambda: seen.append(Gui.getMainWindow().statusBar().currentMessage()))
     timer.start(100)
     document.recompute()
     timer.stop()
-    answers["bar"] = sorted(set(seen))
+    key.wait()
+    answers["bar"] = sorted(set(filter(None, seen)))
     answers["cancelled"] = made.getStatusString()
     assert made.Shape.Volume == volume, "the last good shape is kept"
     App.closeDocument(document.Name)
@@ -479,6 +480,7 @@ def model_commands():
 def work():
     from importlib.util import find_spec
 
+    window()
     Gui.activateWorkbench("ElasticaWorkbench")
     from freecad.elastica_wb import commands
 

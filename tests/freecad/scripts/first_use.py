@@ -25,6 +25,7 @@ from inside import (
     run,
     told,
     toolbar_button,
+    trigger,
     wait,
     window,
 )
@@ -70,7 +71,7 @@ def draw():
         if button is not None:
             break
     if button is None:
-        Gui.runCommand("Sketcher_CreateBSpline", 0)  # a tool of FreeCAD's own that its toolbar hides
+        trigger("Sketcher_CreateBSpline")  # a tool of FreeCAD's own that its toolbar hides
     else:
         click(button)
     wait(400)

@@ -257,7 +257,7 @@ def second_view():
     """The view in which a panel shows its handles is closed, the document's other one stays."""
     parts = scene()
     for command in ("Elastica_Bend", "Elastica_Projective", "Elastica_Section", "Elastica_Check"):
-        Gui.runCommand("Std_ViewCreate")
+        trigger("Std_ViewCreate")
         wait(200)
         panel = opened(command, parts)
         area = Gui.getMainWindow().findChild(QtWidgets.QMdiArea)
@@ -282,12 +282,12 @@ def copies():
                 box.accept()
 
     QtCore.QTimer.singleShot(500, agree)
-    Gui.runCommand("Std_Copy")
+    trigger("Std_Copy")
     wait(600)
-    Gui.runCommand("Std_Paste")
+    trigger("Std_Paste")
     wait(300)
     other = App.newDocument("Pasted")
-    Gui.runCommand("Std_Paste")
+    trigger("Std_Paste")
     wait(300)
     for place in (document, other):
         place.recompute()

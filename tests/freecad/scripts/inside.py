@@ -97,6 +97,34 @@ def click(widget, button=1, times=1, at=None):
     mouse("click", "--repeat", times, "--delay", 80, button)
 
 
+def click_view(place, button=1):
+    """A real mouse clicks on a point in space."""
+    x, y = on_screen(*place)
+    mouse("mousemove", x - 2, y - 1, "sleep", 0.2, "mousemove", x, y, "sleep", 0.2, "click", button)
+
+
+def tree_row(obj):
+    """The tree and the row of an object in it, in sight."""
+    main = Gui.getMainWindow()
+    for dock in main.findChildren(QtWidgets.QDockWidget):
+        if any(
+            t.metaObject().className() == "Gui::TreeWidget" for t in dock.findChildren(QtWidgets.QTreeWidget)
+        ):
+            dock.show()
+            wait(100)
+    for bar in main.findChildren(QtWidgets.QTabBar):
+        for i in range(bar.count() if bar.isVisible() else 0):
+            if bar.tabText(i) == "Model":
+                click(bar, at=bar.tabRect(i).center())
+    for tree in (tree for tree in main.findChildren(QtWidgets.QTreeWidget) if tree.isVisible()):
+        tree.expandAll()
+        for item in tree.findItems(obj.Label, QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive, 0):
+            tree.scrollToItem(item)
+            wait(150)
+            return tree, item
+    raise AssertionError(f"{obj.Label} is in no tree")
+
+
 def keys(*names):
     """A real keyboard."""
     mouse("key", "--delay", 40, *names)

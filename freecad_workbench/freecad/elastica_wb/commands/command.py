@@ -13,10 +13,11 @@ from freecad.elastica_wb.host.refusal import FAILURES, explained
 from freecad.elastica_wb.host.resources import icon
 from freecad.elastica_wb.host.telling import tell
 from freecad.elastica_wb.live.sketches import edited_sketch
+from freecad.elastica_wb.panels.feature_panels import panel_of
 
 from elastica_cad.errors import ElasticaError
 
-__all__ = ["Command", "answers", "show_panel", "undo_step"]
+__all__ = ["Command", "answers", "edit_new", "show_panel", "undo_step"]
 
 
 class Command:
@@ -74,6 +75,16 @@ def show_panel(make: Callable[..., Any], *arguments: Any) -> None:
     if edited_sketch() is not None:
         Gui.ActiveDocument.resetEdit()
     Gui.Control.showDialog(make(*arguments))
+
+
+def edit_new(step: str, make: Callable[..., Any], *arguments: Any) -> None:
+    """Make a feature in the open document and edit it: one undo step until OK."""
+    if edited_sketch() is not None:
+        Gui.ActiveDocument.resetEdit()
+    App.ActiveDocument.openTransaction(step)
+    made = make(App.ActiveDocument, *arguments)
+    App.ActiveDocument.recompute()
+    show_panel(panel_of, made)
 
 
 @contextmanager

@@ -7,19 +7,18 @@ from typing import Any
 
 import FreeCAD as App
 import FreeCADGui as Gui
-from freecad.elastica_wb.commands.command import Command, answers, show_panel
+from freecad.elastica_wb.commands.command import Command, answers, edit_new, show_panel
 from freecad.elastica_wb.commands.selection import (
     chosen_curves,
     chosen_sketch,
     is_curve_chosen,
 )
 from freecad.elastica_wb.curves.plane_sections import chosen_bodies, is_path
+from freecad.elastica_wb.features import curves
 from freecad.elastica_wb.live import observers
 from freecad.elastica_wb.live.sketches import edited_sketch
 from freecad.elastica_wb.panels.curves.check import CheckPanel
-from freecad.elastica_wb.panels.curves.nearest import NearestPanel
 from freecad.elastica_wb.panels.curves.projective import ProjectivePanel
-from freecad.elastica_wb.panels.curves.section import SectionPanel
 
 __all__ = ["CheckCommand", "NearestCommand", "ProjectiveCommand", "SectionCommand"]
 
@@ -60,8 +59,9 @@ class NearestCommand(CurveCommand):
     shortcut = "Y, N"
 
     def run(self) -> None:
-        """Open the panel."""
-        show_panel(NearestPanel, chosen_sketch())
+        """Make the curve, open its panel."""
+        (source, edges), *_ = chosen_curves()
+        edit_new(self.text, curves.nearest, source, edges)
 
 
 class ProjectiveCommand(CurveCommand):
@@ -89,8 +89,8 @@ class SectionCommand(Command):
         return answers(_bodies_and_path)
 
     def run(self) -> None:
-        """Open the panel."""
-        show_panel(SectionPanel, *_bodies_and_path())
+        """Make the curves, open their panel."""
+        edit_new(self.text, curves.section, *_bodies_and_path())
 
 
 def _bodies_and_path() -> tuple[list[Any], Any]:

@@ -3,6 +3,7 @@
 
 """What is selected, and which sketch is open."""
 
+from collections.abc import Sequence
 from typing import Any
 
 import FreeCAD as App
@@ -26,11 +27,12 @@ __all__ = [
 ]
 
 
+JOIN_MM = 1e-4  # as edges are joined that a strip follows
 OPEN = ("Edge", "Wire", "Compound")  # kinds of shapes that may be a curve
 
 
 def chosen_curves() -> list[tuple[Any, tuple[str, ...]]]:
-    """The selected sketches and edges, each with the names of its edges.
+    """The selected sketches and chains of edges, each with the names of its edges.
 
     Raises
     ------
@@ -43,14 +45,30 @@ def chosen_curves() -> list[tuple[Any, tuple[str, ...]]]:
         if is_sketch(choice.Object):
             found.append((choice.Object, ()))
         elif edges:
-            found.append((choice.Object, edges))
+            found += [(choice.Object, chain) for chain in _chains(choice.Object, edges)]
         elif hasattr(choice.Object, "Shape") and not choice.Object.Shape.Faces and choice.Object.Shape.Edges:
-            found.append((choice.Object, ()))
+            chains = _chains(choice.Object, [f"Edge{i + 1}" for i in range(len(choice.Object.Shape.Edges))])
+            found += (
+                [(choice.Object, chain) for chain in chains] if len(chains) > 1 else [(choice.Object, ())]
+            )
     if not found:
         found = [(sketch, ()) for sketch in (edited_sketch() or _only_sketch(),) if sketch is not None]
     if not found:
         raise InputError(tr("Select a sketch with a spline, or an edge of an object, first."))
     return found
+
+
+def _chains(source: Any, names: Sequence[str]) -> list[tuple[str, ...]]:
+    """Names of edges, those together that touch each other."""
+    chains: list[tuple[list[str], list[Any]]] = []
+    for name in names:
+        places = [vertex.Point for vertex in source.Shape.getElement(name).Vertexes]
+        chain: tuple[list[str], list[Any]] = ([name], places)
+        for other in [one for one in chains if any(p.isEqual(q, JOIN_MM) for p in places for q in one[1])]:
+            chains.remove(other)
+            chain = (other[0] + chain[0], other[1] + chain[1])
+        chains.append(chain)
+    return [tuple(chain) for chain, _ in chains]
 
 
 def is_curve_chosen() -> bool:

@@ -3,14 +3,13 @@
 
 """One slotted plate for all tabs that stand on it, as a parametric object."""
 
-from typing import Any
+from typing import Any, ClassVar
 
 from freecad.elastica_wb.curves.sketch_curves import frame_of
 from freecad.elastica_wb.features.fixtures import source_model
-from freecad.elastica_wb.features.property_table import Property
 from freecad.elastica_wb.features.proxy import Feature, added
-from freecad.elastica_wb.host import preferences
-from freecad.elastica_wb.host.sheet_store import sheet_called, sheet_list
+from freecad.elastica_wb.host.property_table import Property
+from freecad.elastica_wb.host.sheet_store import sheet_called
 from freecad.elastica_wb.shapes.part_shapes import make_solid
 
 from elastica_cad.fabrication.holders.base_plate import BasePlate
@@ -35,18 +34,7 @@ class BasePlateFeature(Feature):
         ),
     )
 
-    def ensure(self, obj: Any) -> None:
-        """The choice of sheets is that of today."""
-        fresh = "Sheet" not in obj.PropertiesList
-        super().ensure(obj)
-        chosen = preferences.default_sheet() if fresh else obj.Sheet
-        obj.Sheet = list(dict.fromkeys([*sheet_list(), chosen]))
-        obj.Sheet = chosen
-
-    def onChanged(self, obj: Any, name: str) -> None:
-        """The numbers of the chosen sheet are kept in the document."""
-        if name == "Sheet" and "Restore" not in obj.State and "SheetData" in obj.PropertiesList and obj.Sheet:
-            obj.SheetData = sheet_called(obj.Sheet, obj.SheetData).toml()
+    sheets: ClassVar = {"Sheet": "SheetData"}
 
     def make(self, obj: Any) -> None:
         """Cut the slots."""

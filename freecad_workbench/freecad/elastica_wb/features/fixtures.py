@@ -7,9 +7,9 @@ from typing import Any
 
 import Part
 from freecad.elastica_wb.features.model import is_model, model_of, strips_model
-from freecad.elastica_wb.features.property_table import Property
 from freecad.elastica_wb.features.proxy import Feature, added
 from freecad.elastica_wb.host.progress import in_steps
+from freecad.elastica_wb.host.property_table import Property
 from freecad.elastica_wb.shapes.prism_blocks import make_block
 
 from elastica_cad.errors import InputError

@@ -8,9 +8,9 @@ from typing import Any
 
 import FreeCAD as App
 from freecad.elastica_wb.features.model import is_model, model_of
-from freecad.elastica_wb.features.property_table import Property
 from freecad.elastica_wb.features.proxy import Feature
 from freecad.elastica_wb.features.strip import is_strip, strip_of
+from freecad.elastica_wb.host.property_table import Property
 from freecad.elastica_wb.host.view_providers import dress
 from freecad.elastica_wb.solving.strip_cache import flat_shape
 

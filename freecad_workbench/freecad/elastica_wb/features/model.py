@@ -9,11 +9,11 @@ import FreeCAD as App
 import numpy as np
 import Part
 from freecad.elastica_wb.curves.sketch_curves import container, drawn_curve, frame_of, placement_of
-from freecad.elastica_wb.features.property_table import Property, put
 from freecad.elastica_wb.features.proxy import Feature, added
 from freecad.elastica_wb.features.strip import is_strip, strip_of
 from freecad.elastica_wb.host import preferences
-from freecad.elastica_wb.host.progress import patiently
+from freecad.elastica_wb.host.progress import in_background
+from freecad.elastica_wb.host.property_table import Property, put
 from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.solving.growing_cache import growing_cache
 from freecad.elastica_wb.solving.strip_cache import bent_shape
@@ -111,7 +111,7 @@ def strips_model(strips: list[Any], *, name: str, options: tuple[tuple[str, Any]
             raise InputError(f"{obj.Label} is no strip: a model is made of strips")
         world = drawn_curve(obj.Curve, obj).world
         places.append((_labelled(strip_of(obj), obj.EngravedText or obj.Label), _numbers(world)))
-    return patiently("Putting the model together", _model, tuple(places), name, options)
+    return in_background("Putting the model together", _model, tuple(places), name, options)
 
 
 @growing_cache

@@ -8,8 +8,8 @@ from typing import Any
 import FreeCAD as App
 import Part
 from freecad.elastica_wb.features.pieces import pieces_of
-from freecad.elastica_wb.features.property_table import Property, put
 from freecad.elastica_wb.features.proxy import Feature, added
+from freecad.elastica_wb.host.property_table import Property, put
 from freecad.elastica_wb.shapes.part_shapes import make_wire
 
 from elastica_cad.fabrication.sheets.nesting import nest_pieces

@@ -1,22 +1,34 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""What the proxies of all later features share."""
+"""What the proxies of all features share: properties, sheets, curves that move with containers, refusals."""
 
-from collections.abc import Iterable
-from typing import Any
+from collections.abc import Iterable, Mapping
+from contextlib import suppress
+from typing import Any, ClassVar
 
-from freecad.elastica_wb.features.property_table import Property, ensure
+from freecad.elastica_wb.host import preferences
+from freecad.elastica_wb.host.property_table import Property, ensure, put
 from freecad.elastica_wb.host.refusal import FAILURES, explained, refused
+from freecad.elastica_wb.host.sheet_store import sheet_called, sheet_list
 from freecad.elastica_wb.host.view_providers import dress
 
-__all__ = ["Feature", "added"]
+from elastica_cad.errors import ElasticaError, InputError
+
+__all__ = ["CONTAINERS", "Feature", "added", "parents"]
+
+CONTAINERS = Property(
+    "LinkListGlobal", "Containers", "Curve", "What the curve moves with", [], result=True, hidden=True
+)
+"""Containers that move the curve and not the feature: it is made anew where they move."""
 
 
 class Feature:
     """Proxy of a feature; it keeps nothing, everything lives in the properties."""
 
     properties: tuple[Property, ...] = ()
+    sheets: ClassVar[Mapping[str, str]] = {}
+    """Properties that name a sheet, each with the one that keeps its numbers in the document."""
 
     def __init__(self, obj: Any) -> None:
         obj.Proxy = self
@@ -28,19 +40,43 @@ class Feature:
         dress(obj, type(self).__name__.removesuffix("Feature"))
 
     def ensure(self, obj: Any) -> None:
-        """Add what is missing."""
+        """Add what is missing; the choice of sheets is that of today."""
+        known = {name: getattr(obj, name) for name in self.sheets if name in obj.PropertiesList}
         ensure(obj, self.properties)
+        for name in self.sheets:
+            chosen = known.get(name) or preferences.default_sheet()
+            setattr(obj, name, list(dict.fromkeys([*sheet_list(), chosen])))
+            setattr(obj, name, chosen)
+
+    def onChanged(self, obj: Any, name: str) -> None:
+        """A newly chosen sheet brings its thickness, and its numbers into the document."""
+        if "Restore" in obj.State:
+            return
+        if name == "Curve" and CONTAINERS.name in obj.PropertiesList:
+            put(obj, Containers=_containers(obj))
+        kept = self.sheets.get(name)
+        if kept in obj.PropertiesList:
+            with suppress(InputError):  # the next recompute says it
+                sheet = sheet_called(getattr(obj, name), getattr(obj, kept))
+                put(obj, **{kept: sheet.toml()})
+                if name == "Sheet" and "Thickness" in obj.PropertiesList:
+                    put(obj, Thickness=sheet.thickness)
 
     def execute(self, obj: Any) -> None:
         """Make the shape, or fail with a sentence and keep the last good one."""
         try:
             self.make(obj)
         except FAILURES as error:
-            raise refused(obj, explained(error)) from None
+            told = explained(error)
+            self.failed(obj, told)
+            raise refused(obj, told) from None
 
     def make(self, obj: Any) -> None:
         """Set the shape and the results."""
         raise NotImplementedError
+
+    def failed(self, obj: Any, error: ElasticaError) -> None:
+        """Tell in the results what went wrong."""
 
     def dumps(self) -> None:
         """Nothing to save."""
@@ -62,3 +98,18 @@ def added(document: Any, name: str, proxy: type[Feature], sources: Iterable[Any]
         group.addObject(obj)
     dress(obj, name)
     return obj
+
+
+def parents(source: Any) -> list[Any]:
+    """The containers that an object moves with, inside out."""
+    found: list[Any] = []
+    while source is not None:
+        source = source.getParentGeoFeatureGroup()
+        found.append(source)
+    return found[:-1]
+
+
+def _containers(obj: Any) -> list[Any]:
+    source = obj.Curve[0] if obj.Curve else None
+    own = [obj, *parents(obj)]
+    return [one for one in parents(source) if one not in own]

@@ -4,9 +4,10 @@
 """The table of what a strip is asked for, and of what it answers."""
 
 import FreeCAD as App
-from freecad.elastica_wb.features.property_table import Property
+from freecad.elastica_wb.features.proxy import CONTAINERS
+from freecad.elastica_wb.host.property_table import Property
 
-__all__ = ["FORMS", "PROPERTIES"]
+__all__ = ["FORMS", "NEAREST", "PROPERTIES"]
 
 FORMS = ["Bent", "Flat"]
 STYLES = ["Plain", "Perforated", "Laminated"]
@@ -39,6 +40,13 @@ PROPERTIES = (
         "LeastWidth",
         "Width",
         "Narrowest strip, tab or tongue that the workshop can make; 0 for what the sheet takes",
+        0.0,
+    ),
+    Property(
+        "Length",
+        "Smooth",
+        "Curve",
+        "How far the curve may be moved to smooth its curvature; 0 follows it as drawn",
         0.0,
     ),
     Property("Bool", "Anyway", "Width", "Make a strip that cannot be cut or handled, and say so", False),
@@ -92,7 +100,6 @@ PROPERTIES = (
     Property("Float", "CurvatureLimit", "Nearest", "Largest curvature, 1/mm; 0 for none", 0.0),
     Property("Length", "LeastLength", "Nearest", "Least length; counts with MostLength", 0.0),
     Property("Length", "MostLength", "Nearest", "Largest length; 0 for no limits", 0.0),
-    Property("Length", "LeastWidth", "Nearest", "Least width; counts with MostWidth", 0.0),
     Property("Length", "MostWidth", "Nearest", "Largest width, which bounds the ratio; 0 for none", 0.0),
     Property("StringList", "KeepOut", "Nearest", "Ground and boxes: point = [0, 0], normal = [0, 1]", []),
     Property("String", "StiffnessBounds", "Nearest", "Along the strip: lower = 1.5, upper = [2, 3, 2]", ""),
@@ -146,13 +153,25 @@ PROPERTIES = (
         hidden=True,
         transient=True,
     ),
-    Property(
-        "LinkListGlobal",
-        "Containers",
-        "Curve",
-        "What the curve moves with",
-        [],
-        result=True,
-        hidden=True,
-    ),
+    CONTAINERS,
 )
+
+NEAREST = tuple(
+    entry
+    for entry in PROPERTIES
+    if (entry.group in ("Nearest", "Sheet") and entry.name != "Follow")
+    or entry.name
+    in (
+        "Curve",
+        "LeastWidth",
+        "StartSupport",
+        "EndSupport",
+        "Gravity",
+        "GravityDirection",
+        "GravityLength",
+        "Ratio",
+        "Deviation",
+        CONTAINERS.name,
+    )
+)
+"""What a nearest curve by itself is asked for, and answers."""

@@ -69,6 +69,7 @@ def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
         ends=_ends(obj),
         slots=parse_lines(obj.Slots, "Slots", read_slot),
         label=obj.EngravedText,
+        smooth=obj.Smooth.Value or None,
         shop=_shop(obj),
         anyway=obj.Anyway,
     )

@@ -9,7 +9,17 @@ import FreeCADGui as Gui
 from freecad.elastica_wb.host import view_providers
 from freecad.elastica_wb.host.resources import icon
 
-__all__ = ["BasePlateView", "FixturesView", "FlatView", "ModelView", "NestView", "StripView"]
+__all__ = [
+    "BasePlateView",
+    "BentView",
+    "FixturesView",
+    "FlatView",
+    "ModelView",
+    "NearestView",
+    "NestView",
+    "SectionView",
+    "StripView",
+]
 
 
 class _View:
@@ -55,7 +65,7 @@ class _View:
 
 
 class StripView(_View):
-    """The strip; its sketch hangs under it in the tree, ."""
+    """The strip; its sketch hangs under it in the tree."""
 
     icon_name = "Elastica_Strip"
 
@@ -102,8 +112,27 @@ class NestView(_View):
     icon_name = "Elastica_Nest"
 
 
+class NearestView(_View):
+    """The nearest curve."""
+
+    icon_name = "Elastica_Nearest"
+
+
+class BentView(_View):
+    """The curve of a strip bent further."""
+
+    icon_name = "Elastica_Bend"
+
+
+class SectionView(_View):
+    """The curves cut out of bodies."""
+
+    icon_name = "Elastica_Section"
+
+
 KINDS = {
     "Strip": StripView, "Flat": FlatView, "Model": ModelView, "Fixtures": FixturesView,
-    "BasePlate": BasePlateView, "Nest": NestView,
+    "BasePlate": BasePlateView, "Nest": NestView, "Nearest": NearestView, "Bent": BentView,
+    "Section": SectionView,
 }  # fmt: skip
 """The view provider of every kind of feature."""

@@ -1,18 +1,19 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Work that may take long: in a thread of its own, with a progress bar that can be cancelled."""
+"""Work that may take long: FreeCAD's own progress bar, and Escape stops it."""
 
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import contextmanager
 from typing import Any, TypeVar
 
 import FreeCAD as App
 
 from elastica_cad.errors import NotConvergedError
 
-__all__ = ["Step", "begun", "go_on", "in_steps", "patiently"]
+__all__ = ["Step", "begun", "go_on", "in_background", "in_steps", "progress"]
 
 Step = Callable[[int], bool]
 """Told how much is done; says whether to go on."""
@@ -30,13 +31,51 @@ def begun(work: Callable[..., Answer], *arguments: Any) -> "Future[Answer]":
     return _workers.submit(work, *arguments)
 
 
-def patiently(title: str, work: Callable[..., Answer], *arguments: Any) -> Answer:
-    """The answer of work that may take seconds; after half a second the user can cancel.
+@contextmanager
+def progress(title: str, count: int = 0) -> Iterator[Step]:
+    """FreeCAD's progress bar while something of `count` parts is done; its step says False after Escape.
+
+    FreeCAD takes the mouse and the keys meanwhile, here as in a recompute, whose bar this one then is.
+    """
+    if not App.GuiUp:
+        yield lambda _done: True
+        return
+    import FreeCADGui as Gui
+    from freecad.elastica_wb.host.qt import EscapeKey, QtWidgets
+    from freecad.elastica_wb.host.resources import tr
+
+    bar, escape, began = App.Base.ProgressIndicator(), EscapeKey(), time.monotonic()
+    shown = 0
+
+    def step(done: int) -> bool:
+        nonlocal shown
+        while shown < done or not count:
+            bar.next()
+            shown += 1
+            if not count:
+                break
+        if not count or time.monotonic() - began > QUIET_S:
+            Gui.getMainWindow().statusBar().showMessage(f"{tr(title)} ({tr('Escape stops it')})")
+        QtWidgets.QApplication.processEvents()
+        return not escape.pressed
+
+    bar.start(tr(title), count)
+    escape.watch()
+    try:
+        yield step
+    finally:
+        escape.leave()
+        bar.stop()
+        Gui.getMainWindow().statusBar().clearMessage()
+
+
+def in_background(title: str, work: Callable[..., Answer], *arguments: Any) -> Answer:
+    """The answer of work that may take seconds, in a thread of its own; after half a second the user can stop it.
 
     Raises
     ------
     NotConvergedError
-        The user cancelled.
+        The user stopped it.
     """
     if not App.GuiUp:
         return work(*arguments)
@@ -45,28 +84,13 @@ def patiently(title: str, work: Callable[..., Answer], *arguments: Any) -> Answe
     while not future.done() and time.monotonic() < end:
         time.sleep(PULSE_S / 10)
     if not future.done():
-        _wait_with_bar(title, future)
+        with progress(title) as step:
+            while not future.done():
+                time.sleep(PULSE_S)
+                if not step(0):
+                    future.cancel()
+                    raise NotConvergedError(f"{title}: stopped; change the curve or the limits to try again")
     return future.result()
-
-
-def _wait_with_bar(title: str, future: "Future[Any]") -> None:
-    import FreeCADGui as Gui
-    from freecad.elastica_wb.host.qt import QtCore, QtWidgets
-    from freecad.elastica_wb.host.resources import tr
-
-    bar = QtWidgets.QProgressDialog(tr(title), tr("Cancel"), 0, 0, Gui.getMainWindow())
-    bar.setWindowModality(QtCore.Qt.WindowModal)
-    bar.setMinimumDuration(0)
-    bar.show()
-    try:
-        while not future.done():
-            QtWidgets.QApplication.processEvents()
-            time.sleep(PULSE_S)
-            if bar.wasCanceled():
-                future.cancel()
-                raise NotConvergedError(f"{title}: stopped; change the curve or the limits to try again")
-    finally:
-        bar.close()
 
 
 def go_on(step: Step | None, done: int, stopped: str) -> None:
@@ -82,31 +106,16 @@ def go_on(step: Step | None, done: int, stopped: str) -> None:
 
 
 def in_steps(title: str, items: Sequence[Item], work: Callable[[Item], Answer]) -> list[Answer]:
-    """The answers of work on many things, one by one in this thread; after half a second the user can cancel.
+    """The answers of work on many things, one by one in this thread; the user can stop between them.
 
     Raises
     ------
     NotConvergedError
-        The user cancelled.
+        The user stopped it.
     """
-    if not App.GuiUp or len(items) < 2:
-        return [work(item) for item in items]
-    import FreeCADGui as Gui
-    from freecad.elastica_wb.host.qt import QtCore, QtWidgets
-    from freecad.elastica_wb.host.resources import tr
-
-    bar = QtWidgets.QProgressDialog(tr(title), tr("Cancel"), 0, len(items), Gui.getMainWindow())
-    bar.setWindowModality(QtCore.Qt.WindowModal)
-    bar.setMinimumDuration(int(1000 * QUIET_S))
     answers = []
-    try:
+    with progress(title, len(items)) as step:
         for done, item in enumerate(items):
-            bar.setValue(done)
-            QtWidgets.QApplication.processEvents()
-            if bar.wasCanceled():
-                raise NotConvergedError(f"{title}: stopped; recompute to try again")
+            go_on(step, done, "recompute to try again")
             answers.append(work(item))
-    finally:
-        bar.close()
-        bar.deleteLater()
     return answers

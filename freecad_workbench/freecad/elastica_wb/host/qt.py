@@ -13,7 +13,7 @@ try:
 except ImportError:
     from PySide2 import QtWidgets
 
-__all__ = ["QtCore", "QtGui", "QtWidgets", "surface_of"]
+__all__ = ["EscapeKey", "QtCore", "QtGui", "QtWidgets", "surface_of"]
 
 
 def surface_of(view: Any) -> Any | None:
@@ -32,3 +32,23 @@ def surface_of(view: Any) -> Any | None:
         else:
             return surface
     return None
+
+
+class EscapeKey(QtCore.QObject):
+    """Notes that Escape was pressed, whoever has the keyboard."""
+
+    pressed = False
+
+    def watch(self) -> None:
+        """Begin; what came last is asked first."""
+        QtCore.QCoreApplication.instance().installEventFilter(self)
+
+    def leave(self) -> None:
+        """End."""
+        QtCore.QCoreApplication.instance().removeEventFilter(self)
+
+    def eventFilter(self, _widget: Any, event: Any) -> bool:
+        """Escape is for us alone."""
+        if event.type() == QtCore.QEvent.KeyPress and event.key() == QtCore.Qt.Key_Escape:
+            self.pressed = True
+        return self.pressed and event.type() == QtCore.QEvent.KeyPress

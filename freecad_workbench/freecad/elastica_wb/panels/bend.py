@@ -3,26 +3,22 @@
 
 """The panel that bends: ends are moved and turned, the strip follows; nothing else is changed until OK."""
 
-import math
 from typing import Any
 
 import numpy as np
+from freecad.elastica_wb.features.curves import MOVES, bent, largest_move, moved
 from freecad.elastica_wb.features.strip import strip_of
+from freecad.elastica_wb.host.property_table import put
 from freecad.elastica_wb.host.resources import tr
 from freecad.elastica_wb.panels.panel import Panel, active_view, placement_of_strip
 from freecad.elastica_wb.panels.widgets.fields import set_value
 from freecad.elastica_wb.preview.preview_lines import Preview
-from freecad.elastica_wb.shapes.part_shapes import spline_geometry
 
 from elastica_cad.errors import ElasticaError
-from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import stability
 
-__all__ = ["BendPanel", "moved"]
-
-ANGLES = ("startAngle", "endAngle")
-FIELDS = ("startX", "startY", "endX", "endY", *ANGLES)
+__all__ = ["BendPanel"]
 
 
 class BendPanel(Panel):
@@ -32,20 +28,25 @@ class BendPanel(Panel):
     icon_name = "Elastica_Bend"
     step = "Bend forward"
 
-    def __init__(self, obj: Any) -> None:
+    def __init__(self, obj: Any, feature: Any = None) -> None:
+        """A strip to bend, and the feature that keeps how, where there is one already."""
         self.strip = strip_of(obj)
         self.rest = self.strip.rod
-        super().__init__(obj.Document, [obj])
-        self.object = obj
+        super().__init__(obj.Document, [obj] if feature is None else [obj, feature])
+        self.object, self.feature = obj, feature
         self.rod = self.rest
         view = active_view()
         if view is not None:
             self.preview = Preview(view, placement_of_strip(obj))
             self.preview.add_handles(self.rest.position[[0, -1]], self.dragged)
             self._draw(self.rest)
-        self.watch(*FIELDS)
+        for name in MOVES if feature is not None else ():
+            set_value(getattr(self.form, name), getattr(feature, name).Value)
+        self.watch(*MOVES)
         self.form.play.clicked.connect(self.play)
         self.tell(tr("Move or turn an end: type numbers, or drag one of the handles in the view."))
+        if feature is not None:
+            self._safely_changed()
 
     def changed(self) -> None:
         """Bend to what the widgets say, from the present shape."""
@@ -54,7 +55,7 @@ class BendPanel(Panel):
 
     def dragged(self, end: int, place: tuple[float, float]) -> None:
         """The handle of the start (0) or the end (1) was moved to a place in the curve's plane."""
-        shift, name = np.asarray(place) - self.rest.position[-end], ("start", "end")[end]
+        shift, name = np.asarray(place) - self.rest.position[-end], ("Start", "End")[end]
         widgets = (getattr(self.form, f"{name}{axis}") for axis in "XY")
         for widget, value in zip(widgets, shift, strict=True):
             set_value(widget, float(value))
@@ -76,15 +77,16 @@ class BendPanel(Panel):
         self.rod = rod
 
     def finished(self) -> None:
-        """Keep the bent curve as an object of its own."""
+        """Keep how it is bent, as a feature that follows the strip."""
         self._timer.stop()
-        if not any(self.value(name) for name in FIELDS):
+        moves = {name: self.value(name) for name in MOVES}
+        if self.feature is None and not any(moves.values()):
             return
         self.changed()
-        curve = self.document.addObject("Part::Feature", "Bent")
-        curve.Label = f"{self.object.Label} {tr('bent further')}"
-        curve.Shape = spline_geometry(self.rod.curve).toShape()
-        curve.Placement = placement_of_strip(self.object)
+        if self.feature is None:
+            bent(self.document, self.object, **moves)
+        else:
+            put(self.feature, **moves)
 
     def closed(self) -> None:
         """Take the preview off the view."""
@@ -93,13 +95,13 @@ class BendPanel(Panel):
             self.preview = None
 
     def _bent(self, share: float, guess: Rod) -> Rod:
-        return moved(self.rest, {name: share * self.value(name) for name in FIELDS}, guess)
+        return moved(self.rest, {name: share * self.value(name) for name in MOVES}, guess)
 
     def _show(self, rod: Rod) -> None:
         self._draw(rod)
         found = stability(rod)
         state = tr("stays") if found.stable else tr("does not stay")
-        largest = float(np.hypot(*(rod.position - self.rest.position).T).max())
+        largest = largest_move(self.rest, rod)
         words = [f"{tr('largest move')} {largest:.2f} mm; {state}, {tr('margin')} {found.margin:.3g}"]
         self.tell(". ".join([*words, *(w for w in rod.warnings if w not in self.rest.warnings)]))
 
@@ -111,14 +113,3 @@ class BendPanel(Panel):
         self.preview.show_strip(rod.position, self.strip.width(share * self.strip.width.length))
         if self.preview.handles is not None and not self.preview.handles.is_held:
             self.preview.handles.put(rod.position[[0, -1]])
-
-
-def moved(rest: Rod, change: dict[str, float], guess: Rod | None = None) -> Rod:
-    """The rest shape after the ends were displaced (mm) and turned (degrees)."""
-    start = rest.position[0] + (change["startX"], change["startY"])
-    end = rest.position[-1] + (change["endX"], change["endY"])
-    angles = [
-        float(rest.angle[i]) + math.radians(change[name]) if held.angle else None
-        for i, name, held in zip((0, -1), ANGLES, rest.supports.ends, strict=True)
-    ]
-    return bend(rest if guess is None else guess, start=start, end=end, angles=(angles[0], angles[1]))

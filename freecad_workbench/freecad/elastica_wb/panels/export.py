@@ -10,9 +10,10 @@ from typing import Any
 from freecad.elastica_wb.export.cutting_files import KINDS, write_cutting_files
 from freecad.elastica_wb.features.pieces import pieces_of
 from freecad.elastica_wb.host import preferences
+from freecad.elastica_wb.host.progress import progress
 from freecad.elastica_wb.host.resources import tr
 from freecad.elastica_wb.host.telling import tell_files
-from freecad.elastica_wb.panels.panel import Panel, progress
+from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.widgets.fields import set_value
 from freecad.elastica_wb.panels.widgets.file_dialogs import ask_folder
 
@@ -83,7 +84,7 @@ class ExportPanel(Panel):
             self.browse()
         if not self.form.folder.text().strip():
             raise InputError(tr("choose a folder for the files"))
-        with progress(tr("Writing files"), len(self.pieces) + len(self.strips)) as go_on:
+        with progress("Writing files", len(self.pieces) + len(self.strips)) as go_on:
             self.written = write_cutting_files(
                 self.strips,
                 self.form.folder.text(),

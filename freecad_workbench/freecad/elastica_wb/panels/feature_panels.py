@@ -5,13 +5,24 @@
 
 from typing import Any
 
+from freecad.elastica_wb.curves.plane_sections import FAMILIES
 from freecad.elastica_wb.features.baseplate import BasePlateFeature
+from freecad.elastica_wb.features.curves import (
+    BentFeature,
+    NearestFeature,
+    SectionFeature,
+    draw_into,
+    nearest_sketch,
+    section_sketches_of,
+)
 from freecad.elastica_wb.features.fixtures import FixturesFeature
 from freecad.elastica_wb.features.flat import FlatFeature
 from freecad.elastica_wb.features.model import ModelFeature
 from freecad.elastica_wb.features.nest import NestFeature
 from freecad.elastica_wb.features.strip_properties import PROPERTIES
 from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.panels.bend import BendPanel
+from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.property_panel import Layout, PropertyPanel, Told
 
 __all__ = ["LAYOUTS", "panel_of"]
@@ -61,6 +72,14 @@ def _is_interlocked(obj: Any) -> bool:
     return bool(obj.Interlock)
 
 
+def _is_along(obj: Any) -> bool:
+    return bool(obj.Family == FAMILIES[2])
+
+
+def _is_radial(obj: Any) -> bool:
+    return bool(obj.Family == FAMILIES[1])
+
+
 STRIP = Layout(
     QT_TRANSLATE_NOOP("Elastica", "Strip"),
     "Elastica_Strip",
@@ -73,6 +92,7 @@ STRIP = Layout(
                 ("Thickness", QT_TRANSLATE_NOOP("Elastica", "Thickness")),
                 ("MaxWidth", QT_TRANSLATE_NOOP("Elastica", "Largest width")),
                 ("MinWidth", QT_TRANSLATE_NOOP("Elastica", "Least width")),
+                ("Smooth", QT_TRANSLATE_NOOP("Elastica", "Smooth the curve by")),
             ),
         ),
         (
@@ -219,6 +239,82 @@ NEST = Layout(
     told=lambda obj: ((tr("Sheets"), str(obj.Sheets)),),
 )
 
+NEAREST = Layout(
+    QT_TRANSLATE_NOOP("Elastica", "Nearest curve"),
+    "Elastica_Nearest",
+    "Nearest curve to sketch",
+    (
+        (
+            QT_TRANSLATE_NOOP("Elastica", "Limits"),
+            (
+                ("Sheet", QT_TRANSLATE_NOOP("Elastica", "Sheet")),
+                ("RatioLimit", QT_TRANSLATE_NOOP("Elastica", "Largest stiffness ratio")),
+                ("LimitMargin", QT_TRANSLATE_NOOP("Elastica", "Must stay in its shape")),
+                ("MarginLimit", QT_TRANSLATE_NOOP("Elastica", "Least stability margin")),
+                ("LimitStrain", QT_TRANSLATE_NOOP("Elastica", "Must not break")),
+                ("StrainLimit", QT_TRANSLATE_NOOP("Elastica", "Largest strain, % (0 = sheet)")),
+            ),
+        ),
+        (
+            QT_TRANSLATE_NOOP("Elastica", "Keep"),
+            (
+                ("KeepEnds", QT_TRANSLATE_NOOP("Elastica", "Keep the ends")),
+                ("KeepTangents", QT_TRANSLATE_NOOP("Elastica", "Keep end tangents")),
+                ("KeepLength", QT_TRANSLATE_NOOP("Elastica", "Keep the length")),
+                ("KeepSymmetry", QT_TRANSLATE_NOOP("Elastica", "Keep the symmetry")),
+            ),
+        ),
+    ),
+    NearestFeature.properties,
+    {"MarginLimit": lambda obj: obj.LimitMargin, "StrainLimit": lambda obj: obj.LimitStrain},
+    "Curve",
+    lambda obj: (
+        (tr("Largest distance"), f"{obj.Deviation.Value:.3g} mm"),
+        (tr("Stiffness ratio"), f"{obj.Ratio:.3g}"),
+    ),
+    (
+        (QT_TRANSLATE_NOOP("Elastica", "Draw it into the sketch"), draw_into),
+        (QT_TRANSLATE_NOOP("Elastica", "Make a sketch to edit"), nearest_sketch),
+    ),
+)
+
+SECTION = Layout(
+    QT_TRANSLATE_NOOP("Elastica", "Section into curves"),
+    "Elastica_Section",
+    "Section into curves",
+    (
+        (
+            QT_TRANSLATE_NOOP("Elastica", "Planes"),
+            (
+                ("Family", QT_TRANSLATE_NOOP("Elastica", "Planes")),
+                ("Axis", QT_TRANSLATE_NOOP("Elastica", "Axis")),
+                ("Count", QT_TRANSLATE_NOOP("Elastica", "How many")),
+                ("ThroughX", QT_TRANSLATE_NOOP("Elastica", "Axis at x")),
+                ("ThroughY", QT_TRANSLATE_NOOP("Elastica", "Axis at y")),
+                ("ThroughZ", QT_TRANSLATE_NOOP("Elastica", "Axis at z")),
+                ("Sweep", QT_TRANSLATE_NOOP("Elastica", "Spread over")),
+            ),
+        ),
+        (
+            QT_TRANSLATE_NOOP("Elastica", "Curves"),
+            (
+                ("Closed", QT_TRANSLATE_NOOP("Elastica", "Closed lines")),
+                ("Tolerance", QT_TRANSLATE_NOOP("Elastica", "Tolerance")),
+                ("Waves", QT_TRANSLATE_NOOP("Elastica", "Smooth waves below")),
+            ),
+        ),
+    ),
+    SectionFeature.properties,
+    {
+        "Axis": lambda obj: not _is_along(obj),
+        "Path": _is_along,
+        **dict.fromkeys(("ThroughX", "ThroughY", "ThroughZ", "Sweep"), _is_radial),
+    },
+    "Path",
+    lambda obj: ((tr("Curves"), str(obj.Curves)),),
+    ((QT_TRANSLATE_NOOP("Elastica", "Make sketches to edit"), section_sketches_of),),
+)
+
 LAYOUTS = {
     "Strip": STRIP,
     "Model": MODEL,
@@ -226,9 +322,13 @@ LAYOUTS = {
     "Fixtures": FIXTURES,
     "BasePlate": BASE_PLATE,
     "Nest": NEST,
+    "Nearest": NEAREST,
+    "Section": SECTION,
 }
 
 
-def panel_of(obj: Any) -> PropertyPanel:
+def panel_of(obj: Any) -> Panel:
     """The panel of a feature."""
+    if isinstance(obj.Proxy, BentFeature):
+        return BendPanel(obj.Strip, obj)
     return PropertyPanel(obj, LAYOUTS[type(obj.Proxy).__name__.removesuffix("Feature")])

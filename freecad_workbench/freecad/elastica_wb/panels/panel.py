@@ -4,8 +4,7 @@
 """What all task panels share: a form, one undo step from opening to OK, numbers a moment after a change."""
 
 import gc
-from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
+from collections.abc import Iterable
 from typing import Any
 
 import FreeCAD as App
@@ -20,7 +19,7 @@ from freecad.elastica_wb.panels.widgets.fields import calm, set_value, signal_of
 
 from elastica_cad.errors import InputError
 
-__all__ = ["Panel", "active_view", "placement_of_strip", "progress"]
+__all__ = ["Panel", "active_view", "placement_of_strip"]
 
 PAUSE_MS = 60  # ms after the last key before anything is computed
 
@@ -48,7 +47,8 @@ class Panel:
         self._timer.setSingleShot(True)
         self._timer.setInterval(PAUSE_MS)
         self._timer.timeout.connect(self._safely_changed)
-        if document is not None and self.step and not document.HasPendingTransaction:
+        # what was done before without a step of its own, in the console say, is no part of this one
+        if self.step and not (document.HasPendingTransaction and App.getActiveTransaction()):
             document.openTransaction(self.step)
 
     def make_form(self) -> Any:
@@ -200,25 +200,6 @@ def _qicon(name: str) -> Any:
     from freecad.elastica_wb.host.qt import QtGui
 
     return QtGui.QIcon(icon(name))
-
-
-@contextmanager
-def progress(title: str, count: int) -> Iterator[Callable[[int], bool]]:
-    """A progress bar with a cancel button; the function it gives is told how much is done, False: stop."""
-    bar = QtWidgets.QProgressDialog(title, None, 0, count, Gui.getMainWindow())
-    bar.setCancelButtonText(tr("Cancel"))
-    bar.setMinimumDuration(500)
-
-    def step(done: int) -> bool:
-        bar.setValue(done)
-        QtWidgets.QApplication.processEvents()
-        return not bar.wasCanceled()
-
-    try:
-        yield step
-    finally:
-        bar.close()
-        bar.deleteLater()
 
 
 def active_view() -> Any:

@@ -10,12 +10,13 @@ from typing import Any
 
 import FreeCAD as App
 import FreeCADGui as Gui
-from freecad.elastica_wb.features.property_table import Property
+from freecad.elastica_wb.host.property_table import Property
 from freecad.elastica_wb.host.qt import QtCore, QtWidgets
+from freecad.elastica_wb.host.refusal import FAILURES, explained
 from freecad.elastica_wb.host.resources import tr
 from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.panels.panel import Panel
-from freecad.elastica_wb.panels.widgets.fields import field_for, set_value, signal_of, value_of
+from freecad.elastica_wb.panels.widgets.fields import field_for, put_choices, set_value, signal_of, value_of
 
 __all__ = ["Layout", "PropertyPanel"]
 
@@ -39,6 +40,8 @@ class Layout:
         Property with the curve, that can be picked anew; empty for none.
     told : callable
         Numbers below the message: label and value.
+    actions : tuple of (label, callable)
+        Buttons that put something else in the feature's place, and end the panel.
     """
 
     title: str
@@ -49,6 +52,7 @@ class Layout:
     applies: Mapping[str, Callable[[Any], bool]] = field(default_factory=dict)
     source: str = ""
     told: Callable[[Any], Told] = lambda _: ()
+    actions: tuple[tuple[str, Callable[[Any], None]], ...] = ()
 
 
 class PropertyPanel(Panel):
@@ -91,6 +95,12 @@ class PropertyPanel(Panel):
         outer.addWidget(form.numbers)
         if self.layout.source:
             outer.addLayout(self._source_row(form))
+        for words, work in self.layout.actions:
+            button = QtWidgets.QPushButton(tr(words))
+            button.setObjectName(work.__name__)
+            button.setToolTip(tr("Takes this feature's place and follows nothing any more"))
+            button.clicked.connect(lambda *_, work=work: self._replace(work))
+            outer.addWidget(button)
         helps = {entry.name: entry.translated_help for entry in self.layout.table}
         for title, rows in self.layout.groups:
             box = QtWidgets.QGroupBox(tr(title))
@@ -168,12 +178,7 @@ class PropertyPanel(Panel):
     def _refill(self, name: str) -> None:
         widget = self.fields[name]
         if isinstance(widget, QtWidgets.QComboBox):
-            items = self.object.getEnumerationsOfProperty(name)
-            if [widget.itemText(i) for i in range(widget.count())] != items:
-                blocked = widget.blockSignals(True)
-                widget.clear()
-                widget.addItems(items)
-                widget.blockSignals(blocked)
+            put_choices(widget, self.object.getEnumerationsOfProperty(name))
         set_value(widget, _plain(getattr(self.object, name)))
 
     def _show(self) -> None:
@@ -194,6 +199,9 @@ class PropertyPanel(Panel):
         if layout.source:
             source, edges = getattr(obj, layout.source) or (None, ())
             self.form.source.setText(" ".join([source.Label, *edges]) if source is not None else tr("none"))
+            counts = layout.applies[layout.source](obj) if layout.source in layout.applies else True
+            for widget in (self.form.sourceLabel, self.form.source, self.form.pick):
+                widget.setVisible(counts)
 
     def _words(self) -> str:
         obj = self.object
@@ -211,6 +219,18 @@ class PropertyPanel(Panel):
         self.document.recompute()
         self._show()
 
+    def _replace(self, work: Callable[[Any], None]) -> None:
+        self.now()
+        self.closed()
+        try:
+            work(self.object)
+        except FAILURES as error:
+            App.Console.PrintError(f"Elastica: {explained(error)}\n")
+            self.reject()
+            return
+        self.subjects.clear()
+        self.accept()
+
     def _source_row(self, form: Any) -> Any:
         row = QtWidgets.QHBoxLayout()
         form.source = QtWidgets.QLabel()
@@ -220,7 +240,8 @@ class PropertyPanel(Panel):
         form.pick.setToolTip(tr("Then click a sketch or an edge, in the view or in the tree"))
         form.pick.toggled.connect(self._picking)
         form.source.setWordWrap(True)
-        for widget in (QtWidgets.QLabel(tr("Curve")), form.source):
+        form.sourceLabel = QtWidgets.QLabel(tr("Curve"))
+        for widget in (form.sourceLabel, form.source):
             row.addWidget(widget)
         row.setStretch(1, 1)
         rows = QtWidgets.QVBoxLayout()
@@ -233,8 +254,9 @@ class PropertyPanel(Panel):
         if wanted:
             Gui.Selection.clearSelection()
             Gui.Selection.addObserver(self)
-            source = getattr(self.object, self.layout.source)[0]
-            source.Visibility = True
+            source, _ = getattr(self.object, self.layout.source) or (None, ())
+            if source is not None:
+                source.Visibility = True
 
     def _stop_picking(self) -> None:
         Gui.Selection.removeObserver(self)

@@ -7,9 +7,10 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from freecad.elastica_wb.features.strip import strip_of
+from freecad.elastica_wb.host.progress import progress
 from freecad.elastica_wb.host.resources import tr
 from freecad.elastica_wb.host.user_units import shown_unit
-from freecad.elastica_wb.panels.panel import Panel, progress
+from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.widgets.bar_chart import bar_chart
 
 from elastica_cad.errors import ElasticaError
@@ -40,7 +41,7 @@ class TolerancePanel(Panel):
                 sheet=self.strip.sheet,
                 max_width=self.strip.width.extremes[1],
                 samples=self.value("samples"),
-                executor=Watched(tr("Bending varied strips")),
+                executor=Watched("Bending varied strips"),
             )
         except Stopped:
             self.tell(tr("Stopped."))

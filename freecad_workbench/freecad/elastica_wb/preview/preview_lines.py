@@ -3,7 +3,7 @@
 
 """What is not in the document yet: lines in the view, a strip as it would bend, handles to drag it by."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -12,7 +12,7 @@ from pivy import coin
 
 from elastica_cad._types import ArrayLike, FloatArray
 
-__all__ = ["Lines", "Preview"]
+__all__ = ["Preview"]
 
 BEFORE, AFTER, FRAME = (0.6, 0.6, 0.6), (0.9, 0.35, 0.1), (0.1, 0.45, 0.95)
 GLASS = 0.35  # transparency of a strip that is not made yet
@@ -93,39 +93,3 @@ class _Ribbon:
         self._points.point.setNum(len(rows))
         self._points.point.setValues(0, len(rows), rows.tolist())
         self._mesh.verticesPerRow, self._mesh.verticesPerColumn = len(middle), 2
-
-
-class Lines:
-    """Lines in space, of several colours: what is going to be made."""
-
-    def __init__(self, view: Any) -> None:
-        self._scene = view.getSceneGraph()
-        self.root = coin.SoSeparator()
-        self.root.setName("ElasticaLines")
-        self._scene.addChild(self.root)
-
-    def show(self, groups: Iterable[tuple[tuple[float, float, float], float, Sequence[FloatArray]]]) -> None:
-        """Replace everything: colour, width and lines (n, 3) of each group."""
-        self.root.removeAllChildren()
-        light, pick = coin.SoLightModel(), coin.SoPickStyle()
-        light.model, pick.style = coin.SoLightModel.BASE_COLOR, coin.SoPickStyle.UNPICKABLE
-        depth = coin.SoDepthBuffer()
-        depth.test = False  # what the object hides is to be seen too
-        for node in (light, pick, depth):
-            self.root.addChild(node)
-        for color, width, lines in groups:
-            if not lines:
-                continue
-            part, style, paint = coin.SoSeparator(), coin.SoDrawStyle(), coin.SoBaseColor()
-            style.lineWidth, paint.rgb = width, color
-            points, shape = coin.SoCoordinate3(), coin.SoLineSet()
-            rows = np.concatenate(lines)
-            points.point.setValues(0, len(rows), rows.tolist())
-            shape.numVertices.setValues(0, len(lines), [len(line) for line in lines])
-            for node in (paint, style, points, shape):
-                part.addChild(node)
-            self.root.addChild(part)
-
-    def remove(self) -> None:
-        """Take everything off the view."""
-        self._scene.removeChild(self.root)

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 import Part
-from freecad.elastica_wb.host.progress import patiently
+from freecad.elastica_wb.host.progress import in_background
 from freecad.elastica_wb.shapes.part_shapes import make_solid
 from freecad.elastica_wb.solving.growing_cache import growing_cache
 
@@ -37,7 +37,7 @@ def solve_strip(spec: StripSpec) -> Strip:
     """
     try:
         # a search that fails takes longer still, for its advice
-        return patiently(SEARCHING, _strip, spec.in_plane) if spec.may_change else _strip(spec.in_plane)
+        return in_background(SEARCHING, _strip, spec.in_plane) if spec.may_change else _strip(spec.in_plane)
     except ImportError as error:
         raise MissingDependencyError(
             f"{error.name or 'a library'} is not installed in this FreeCAD: strips need numpy and scipy"
@@ -51,7 +51,7 @@ def find_nearest_now(asked: RodSpec) -> NearestRod:
 
 def find_nearest(asked: RodSpec) -> NearestRod:
     """The nearest rod to a curve that may change."""
-    return patiently(SEARCHING, _found, asked)
+    return in_background(SEARCHING, _found, asked)
 
 
 def judged(rod: Rod) -> Stability | None:
@@ -67,7 +67,7 @@ def bent_shape(strip: Strip) -> Part.Shape:
     """The strip bent, its curve in the xy plane; of a laminate both layers."""
     # thousands of holes take seconds: then the records are made beside the window, with a bar that can be cancelled
     many = len(strip.holes) > MANY_HOLES
-    layers = patiently("Bending the strip", _bent, strip) if many else _bent(strip)
+    layers = in_background("Bending the strip", _bent, strip) if many else _bent(strip)
     solids = [make_solid(layer) for layer in layers]
     return solids[0] if len(solids) == 1 else Part.Compound(solids)
 

@@ -8,8 +8,9 @@ from typing import Any
 
 import FreeCADGui as Gui
 from freecad.elastica_wb.host.qt import QtCore, QtWidgets
+from freecad.elastica_wb.host.resources import tr
 
-__all__ = ["calm", "field_for", "set_value", "signal_of", "value_of"]
+__all__ = ["calm", "field_for", "put_choices", "set_value", "signal_of", "value_of"]
 
 LARGEST = 1e9  # of numbers without a limit of their own
 WHOLE = 1_000_000
@@ -38,17 +39,27 @@ def field_for(obj: Any, name: str) -> Any:
         box = QtWidgets.QCheckBox()
     elif kind == "App::PropertyEnumeration":
         box = QtWidgets.QComboBox()
-        box.addItems(obj.getEnumerationsOfProperty(name))
+        put_choices(box, obj.getEnumerationsOfProperty(name))
     else:
         box = QtWidgets.QLineEdit()
     box.setObjectName(name)
     return box
 
 
+def put_choices(box: Any, choices: list[str]) -> None:
+    """Let a list offer these, in the user's language."""
+    if [box.itemData(i) for i in range(box.count())] != choices:
+        blocked = box.blockSignals(True)
+        box.clear()
+        for choice in choices:
+            box.addItem(tr(choice), choice)
+        box.blockSignals(blocked)
+
+
 def value_of(widget: Any) -> Any:
     """What a widget shows; lengths in mm."""
     if isinstance(widget, QtWidgets.QComboBox):
-        return widget.currentText()
+        return widget.currentText() if widget.currentData() is None else widget.currentData()
     if isinstance(widget, QtWidgets.QAbstractButton):
         return widget.isChecked()
     if isinstance(widget, QtWidgets.QLineEdit):
@@ -64,7 +75,7 @@ def set_value(widget: Any, value: Any) -> None:
     """Show a value without telling anybody."""
     blocked = widget.blockSignals(True)
     if isinstance(widget, QtWidgets.QComboBox):
-        widget.setCurrentText(value)
+        widget.setCurrentIndex(max(widget.findData(value), widget.findText(value)))
     elif isinstance(widget, QtWidgets.QAbstractButton):
         widget.setChecked(value)
     elif isinstance(widget, QtWidgets.QLineEdit):

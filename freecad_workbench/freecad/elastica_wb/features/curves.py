@@ -1,0 +1,256 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""Curves that follow what they are made from: the nearest one, a strip bent further, sections of bodies."""
+
+import math
+from typing import Any, ClassVar
+
+import Part
+from freecad.elastica_wb.curves.plane_sections import (
+    AXES,
+    CLOSED,
+    FAMILIES,
+    Family,
+    box_of,
+    curves_of,
+    cut,
+    path_points,
+    section_sketches,
+)
+from freecad.elastica_wb.curves.sketch_curves import container, curve_into, drawn_curve, is_sketch
+from freecad.elastica_wb.features.proxy import Feature, added
+from freecad.elastica_wb.features.strip import is_strip, strip_of
+from freecad.elastica_wb.features.strip_properties import NEAREST
+from freecad.elastica_wb.features.strip_request import nearest_spec_of
+from freecad.elastica_wb.host.progress import progress
+from freecad.elastica_wb.host.property_table import Property, put
+from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.host.user_units import worded
+from freecad.elastica_wb.shapes.part_shapes import spline_geometry
+from freecad.elastica_wb.solving.strip_cache import find_nearest
+
+from elastica_cad.errors import InputError
+from elastica_cad.forming.nearest.nearest_record import NearestRod
+from elastica_cad.forming.plane_sections.section_curves import SectionCurve
+from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stability.stability_verdict import stability
+
+__all__ = [
+    "MOVES",
+    "BentFeature",
+    "NearestFeature",
+    "SectionFeature",
+    "bent",
+    "draw_into",
+    "moved",
+    "nearest",
+    "nearest_sketch",
+    "section",
+    "section_sketches_of",
+]
+
+MOVES = ("StartX", "StartY", "EndX", "EndY", "StartAngle", "EndAngle")
+REPORTS = Property("StringList", "Reports", "Result", "What was found on the way", [], result=True)
+
+
+class NearestFeature(Feature):
+    """The curve nearest to a drawn one that a strip can take within limits."""
+
+    properties = (*NEAREST, REPORTS)
+    sheets: ClassVar = {"Sheet": "SheetData"}
+
+    def make(self, obj: Any) -> None:
+        """Search it."""
+        drawn = drawn_curve(obj.Curve, obj)
+        near = find_nearest(nearest_spec_of(obj, drawn))
+        obj.Shape = spline_geometry(near.curve).toShape()
+        obj.Placement = drawn.placement
+        held = [f"{tr(b.name)} ({b.limit:.3g})" if b.limit else tr(b.name) for b in near.binding[:3]]
+        said = [near.status.value, *([f"{tr('Held away by')}: {', '.join(held)}."] if held else [])]
+        put(obj, Deviation=near.deviation, Ratio=near.rod.ratio, Reports=[worded(line) for line in said])
+
+
+class BentFeature(Feature):
+    """The curve of a strip whose ends were moved and turned."""
+
+    properties = (
+        Property("LinkGlobal", "Strip", "Bent", "The strip that is bent further"),
+        Property("Distance", "StartX", "Bent", "How far the start is moved along x", 0.0),
+        Property("Distance", "StartY", "Bent", "How far the start is moved along y", 0.0),
+        Property("Distance", "EndX", "Bent", "How far the end is moved along x", 0.0),
+        Property("Distance", "EndY", "Bent", "How far the end is moved along y", 0.0),
+        Property("Angle", "StartAngle", "Bent", "How far the start is turned", 0.0),
+        Property("Angle", "EndAngle", "Bent", "How far the end is turned", 0.0),
+        Property("Length", "LargestMove", "Result", "How far the curve moves at most", 0.0, result=True),
+        Property(
+            "Float", "Margin", "Result", "Stability margin; positive means that it stays", 0.0, result=True
+        ),
+        REPORTS,
+    )
+
+    def make(self, obj: Any) -> None:
+        """Bend it."""
+        if not is_strip(obj.Strip):
+            raise InputError("the strip is missing: choose one in the property Strip")
+        rest = strip_of(obj.Strip).rod
+        rod = moved(rest, {name: getattr(obj, name).Value for name in MOVES})
+        obj.Shape = spline_geometry(rod.curve).toShape()
+        obj.Placement = drawn_curve(obj.Strip.Curve, obj).placement
+        told = [worded(line) for line in rod.warnings if line not in rest.warnings]
+        put(obj, LargestMove=largest_move(rest, rod), Margin=stability(rod).margin, Reports=told)
+
+
+class SectionFeature(Feature):
+    """Smooth curves along which planes cut bodies, surfaces and meshes: edges for strips to follow."""
+
+    properties = (
+        Property("LinkListGlobal", "Sources", "Section", "Bodies, surfaces and meshes that are cut"),
+        Property("Enumeration", "Family", "Section", "How the planes stand to each other", list(FAMILIES)),
+        Property("Integer", "Count", "Section", "How many planes there are", 5),
+        Property(
+            "Enumeration",
+            "Axis",
+            "Section",
+            "What planes stand across, or half planes about",
+            list(AXES),
+        ),
+        Property("Distance", "ThroughX", "Section", "The axis of half planes passes here: x", 0.0),
+        Property("Distance", "ThroughY", "Section", "The axis of half planes passes here: y", 0.0),
+        Property("Distance", "ThroughZ", "Section", "The axis of half planes passes here: z", 0.0),
+        Property("Angle", "Sweep", "Section", "Angle that half planes are spread over", 360.0),
+        Property("LinkSubGlobal", "Path", "Section", "Sketch, wire or edges that planes stand across"),
+        Property("Enumeration", "Closed", "Section", "What becomes of closed lines", list(CLOSED)),
+        Property("Length", "Tolerance", "Section", "How far a curve may be from the section", 0.05),
+        Property(
+            "Length", "Waves", "Section", "Waves shorter than this are smoothed away; 0 keeps them", 0.0
+        ),
+        Property("Integer", "Curves", "Result", "How many curves there are", 0, result=True),
+        REPORTS,
+    )
+
+    def make(self, obj: Any) -> None:
+        """Cut, and smooth what is cut."""
+        made, remarks = _sections(obj)
+        curves = [curve for _, found in made for curve in found]
+        if not curves:
+            raise InputError("; ".join(remarks) or "the planes miss the object: move them, or take more")
+        shapes = [spline_geometry(found.curve, found.frame).toShape() for found in curves]
+        whole = Part.Compound(shapes)
+        whole.Placement = container(obj).inverse()
+        obj.Shape = whole
+        put(obj, Curves=len(curves), Reports=[worded(remark) for remark in remarks])
+
+
+def nearest(document: Any, source: Any, edges: tuple[str, ...] = ()) -> Any:
+    """The nearest curve of a sketch or of edges, as a feature; recompute the document to see it."""
+    obj = added(document, "Nearest", NearestFeature, [source])
+    obj.Label = f"{source.Label} {tr('nearest')}"
+    obj.Curve = (source, list(edges))
+    return obj
+
+
+def bent(document: Any, strip: Any, **moves: float) -> Any:
+    """The curve of a strip whose ends are moved (mm) and turned (degrees), named as in `MOVES`."""
+    obj = added(document, "Bent", BentFeature, [strip])
+    obj.Label = f"{strip.Label} {tr('bent further')}"
+    obj.Strip = strip
+    for name, value in moves.items():
+        setattr(obj, name, value)
+    return obj
+
+
+def section(document: Any, sources: list[Any], path: tuple[Any, tuple[str, ...]] | None = None) -> Any:
+    """Sections of bodies across an axis, or along a path; recompute the document to see them."""
+    obj = added(document, "Section", SectionFeature, sources)
+    obj.Label = f"{sources[0].Label} {tr('curves')}"
+    obj.Sources = sources
+    for axis, value in zip(AXES, box_of(sources[0]).Center, strict=True):
+        setattr(obj, f"Through{axis}", value)
+    if path is not None:
+        obj.Path, obj.Family = (path[0], list(path[1])), FAMILIES[2]
+    return obj
+
+
+def moved(rest: Rod, change: dict[str, float], guess: Rod | None = None) -> Rod:
+    """The rest shape after the ends were displaced (mm) and turned (degrees), as named in `MOVES`."""
+    start = rest.position[0] + (change["StartX"], change["StartY"])
+    end = rest.position[-1] + (change["EndX"], change["EndY"])
+    angles = [
+        float(rest.angle[i]) + math.radians(change[name]) if held.angle else None
+        for i, name, held in zip((0, -1), MOVES[4:], rest.supports.ends, strict=True)
+    ]
+    return bend(rest if guess is None else guess, start=start, end=end, angles=(angles[0], angles[1]))
+
+
+def largest_move(rest: Rod, rod: Rod) -> float:
+    """How far a rod moved at most, mm."""
+    return max(math.hypot(x, y) for x, y in rod.position - rest.position)
+
+
+def draw_into(obj: Any) -> None:
+    """A nearest curve in place of the one that its sketch holds; the feature goes."""
+    sketch, near = obj.Curve[0], _near(obj)
+    if not is_sketch(sketch):
+        raise InputError(f"{sketch.Label} is no sketch: nothing can be drawn into it")
+    obj.Document.removeObject(obj.Name)
+    curve_into(sketch, near.curve)
+
+
+def nearest_sketch(obj: Any) -> None:
+    """A sketch to edit in place of a nearest curve: it follows nothing."""
+    near, document = _near(obj), obj.Document
+    made = document.addObject("Sketcher::SketchObject", "Nearest")
+    group = obj.getParentGeoFeatureGroup()
+    if group is not None:
+        group.addObject(made)
+    made.Label, made.Placement = f"{obj.Label} {tr('sketch')}", obj.Placement
+    document.removeObject(obj.Name)
+    curve_into(made, near.curve)
+
+
+def section_sketches_of(obj: Any) -> None:
+    """Sketches to edit in place of sections: they follow nothing."""
+    made, _ = _sections(obj)
+    document = obj.Document
+    document.removeObject(obj.Name)
+    for body, curves in made:
+        section_sketches(document, body, curves)
+
+
+def _near(obj: Any) -> NearestRod:
+    return find_nearest(nearest_spec_of(obj, drawn_curve(obj.Curve, obj)))
+
+
+def _sections(obj: Any) -> tuple[list[tuple[Any, list[SectionCurve]]], list[str]]:
+    """The curves of each body, and a sentence for everything that gave none."""
+    if not obj.Sources:
+        raise InputError(
+            "there is nothing to cut: choose a body, a surface or a mesh in the property Sources"
+        )
+    source, names = obj.Path or (None, ())
+    along = obj.Family == FAMILIES[2] and source is not None
+    family = Family(
+        obj.Family,
+        obj.Count,
+        obj.Axis,
+        [getattr(obj, f"Through{axis}").Value for axis in AXES],
+        obj.Sweep.Value,
+        path_points(source, [name for name in names if name]) if along else None,
+    )
+    made, remarks = [], []
+    with progress("Cutting", 2 * obj.Count * len(obj.Sources)) as step:
+        for k, body in enumerate(obj.Sources):
+            done = 2 * k * obj.Count
+            cuts = cut(body, family, lambda i, done=done: step(done + i))
+            curves, said = curves_of(
+                cuts,
+                tolerance=obj.Tolerance.Value,
+                waves=obj.Waves.Value,
+                closed=obj.Closed,
+                step=lambda i, done=done + obj.Count: step(done + i),
+            )
+            made.append((body, curves))
+            remarks += said
+    return made, remarks
