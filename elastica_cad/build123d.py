@@ -12,20 +12,15 @@ except ImportError as error:
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.sheet_colors import FIXTURE_COLOR, sheet_color
-from elastica_cad.fabrication.holders.end_fixtures import EndFixture as FixtureRecord
 from elastica_cad.fabrication.model.assembly import (
     AssemblyPart,
     Holder,
     assembly_parts,
-    layer_names,
     shape_parts,
 )
 from elastica_cad.fabrication.model.strip_model import Model
-from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.solids.prisms import PrismSolid
-from elastica_cad.fabrication.solids.smooth_pieces import in_smooth_pieces
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
-from elastica_cad.fabrication.strip.strip_facts import StripFacts
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
@@ -33,7 +28,16 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.kernel import occt
-from elastica_cad.kernel.strip_on_path import MadeStrip, StripOptions, StripWarning, make_strip_on
+from elastica_cad.kernel.strip_on_path import (
+    End,
+    FixtureOptions,
+    MadeStrip,
+    StripBody,
+    StripOptions,
+    StripWarning,
+    make_fixture_on,
+    make_strip_on,
+)
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.bending.between_clamps import elastica_between
 from elastica_cad.mechanics.loads.gravity import Gravity
@@ -51,47 +55,18 @@ __all__ = [
     "model_compound",
 ]
 
-Drawn: TypeAlias = bd.Edge | bd.Wire | PlaneCurve | Strip | StripFacts | Iterable[bd.Edge]
+Drawn: TypeAlias = bd.Edge | bd.Wire | PlaneCurve | Strip | StripBody | Iterable[bd.Edge]
 """A curve that is drawn, or a strip that was made before: then there is nothing to solve."""
 
 OFF_PLANE = 1e-6  # mm
 
-End: TypeAlias = Literal["start", "end"]
 
-
-class _Shared:
-    """Records that copies of a shape need not copy: the strip, its plane, and its joint "start" as made."""
-
-    def __init__(self, made: MadeStrip, home: Frame | None = None) -> None:
-        self.made, self.home = made, home
-
-    def __deepcopy__(self, memo: dict[int, Any]) -> "_Shared":
-        return self
-
-
-class _Made(StripFacts):
+class _Made(StripBody):
     """The strip behind a shape; copies of the shape share it. Its other bodies are a word away."""
 
-    _shared: _Shared
-
-    @property
-    def strip(self) -> Strip:
-        """The strip: widths, outline, strain, mass."""
-        return self._shared.made.strip
-
-    @property
-    def deviation(self) -> float:
-        """How far limits moved the strip off the drawn curve, mm."""
-        return self._shared.made.deviation
-
-    @property
-    def frame(self) -> Frame:
-        """The plane in which the curve of the bent strip lies: moved with a bent body, as drawn for others."""
-        home, plane = self._shared.home, self._shared.made.frame
+    def _start(self) -> Frame | None:
         joints: dict[str, bd.Joint] = getattr(self, "joints", {})
-        if home is None or "start" not in joints:
-            return plane
-        return _carried(plane, home, _frame(joints["start"].location))
+        return _frame(joints["start"].location) if "start" in joints else None
 
     @property
     def flat(self) -> "FlatStrip":
@@ -111,31 +86,22 @@ class _Made(StripFacts):
     @property
     def layers(self) -> tuple[bd.Solid, ...]:
         """The sheets of the bent strip, the base first, with names and colours."""
-        records = BentSolid.layers(self.strip, self.frame)
-        names = layer_names(self.strip.label or "strip", self.strip)
         found = []
-        for record, name, layer in zip(records, names, self.strip.layers, strict=True):
-            solid = bd.Solid(occt.make_solid(record))
-            solid.label, solid.color = name, bd.Color(*sheet_color(layer.sheet))
+        for shape, name, sheet in self._layers():
+            solid = bd.Solid(shape)
+            solid.label, solid.color = name, bd.Color(*sheet_color(sheet))
             found.append(solid)
         return tuple(found)
 
     @property
     def backing(self) -> bd.Solid:
         """The bent backing of a laminated strip."""
-        if len(self.strip.layers) == 1:
-            raise InputError("the strip has no backing: give style=Laminated(width=..., backing=...)")
+        self._require_backing()
         return self.layers[1]
 
     def fixture(self, end: End = "start", **sizes: Any) -> "EndFixture":
         """The block that holds an end of the bent strip, in place; `sizes` as in `EndFixture`."""
         return EndFixture(self, end=end, mode=bd.Mode.PRIVATE, **sizes)
-
-    @property
-    def placed(self) -> Placed:
-        """The strip in its place, for `Model`."""
-        frame = self.frame
-        return Placed(self.strip, frame.origin, frame.x_axis, frame.y_axis)
 
 
 class _Bent:
@@ -200,56 +166,54 @@ class StripOutline(_Made, bd.BaseSketchObject):
         **options: Unpack[StripOptions],
     ) -> None:
         made = make_strip_on(path, sheet, max_width=max_width, **options)
-        loops = [in_smooth_pieces(loop) for loop in (made.strip.outline, *made.strip.holes)]
-        super().__init__(bd.Face(occt.make_face(loops[0], loops[1:])), rotation, align, mode)
+        super().__init__(bd.Face(made.face), rotation, align, mode)
         _dress(self, made)
 
 
-class FlatStrip(_Made, bd.BasePartObject):
+class _StripPart(_Made, bd.BasePartObject):
+    """A strip as a part."""
+
+    def __init__(
+        self,
+        path: Drawn,
+        sheet: Sheet | str | None = None,
+        *,
+        max_width: float | None = None,
+        rotation: bd.RotationLike = (0, 0, 0),
+        align: bd.Align | tuple[bd.Align, bd.Align, bd.Align] | None = None,
+        mode: bd.Mode = bd.Mode.ADD,
+        **options: Unpack[StripOptions],
+    ) -> None:
+        made = make_strip_on(path, sheet, max_width=max_width, **options)
+        records = self._records(made)
+        super().__init__(_jointed(records), rotation, align, mode)
+        stands = isinstance(records[0], BentSolid)
+        _dress(self, replace(made, home=records[0].joints["start"]) if stands else made)
+
+    def _records(self, made: MadeStrip) -> Sequence[FlatSolid | BentSolid]:
+        raise NotImplementedError
+
+
+class FlatStrip(_StripPart):
     """Part object: the strip as cut, lying on the xy plane.
 
     Rigid joints "start", "end", "hole1", "hole2", ... lie half way through the thickness: z off the sheet, x
     outward along the strip. Parameters, errors and frame as in `StripOutline`.
     """
 
-    def __init__(
-        self,
-        path: Drawn,
-        sheet: Sheet | str | None = None,
-        *,
-        max_width: float | None = None,
-        rotation: bd.RotationLike = (0, 0, 0),
-        align: bd.Align | tuple[bd.Align, bd.Align, bd.Align] | None = None,
-        mode: bd.Mode = bd.Mode.ADD,
-        **options: Unpack[StripOptions],
-    ) -> None:
-        made = make_strip_on(path, sheet, max_width=max_width, **options)
-        super().__init__(_jointed(FlatSolid.layers(made.strip)), rotation, align, mode)
-        _dress(self, made)
+    def _records(self, made: MadeStrip) -> Sequence[FlatSolid | BentSolid]:
+        return FlatSolid.layers(made.strip)
 
 
-class BentStrip(_Made, bd.BasePartObject):
+class BentStrip(_StripPart):
     """Part object: the strip bent, standing on the drawn curve with half its thickness to either side.
 
     Inside a builder the path is in the coordinates of its workplane, as all that is drawn there. Joints as on
     `FlatStrip`, parameters and errors as in `StripOutline`.
     """
 
-    def __init__(
-        self,
-        path: Drawn,
-        sheet: Sheet | str | None = None,
-        *,
-        max_width: float | None = None,
-        rotation: bd.RotationLike = (0, 0, 0),
-        align: bd.Align | tuple[bd.Align, bd.Align, bd.Align] | None = None,
-        mode: bd.Mode = bd.Mode.ADD,
-        **options: Unpack[StripOptions],
-    ) -> None:
-        made = make_strip_on(path, sheet, max_width=max_width, **options)
-        records = BentSolid.layers(made.strip, made.frame)
-        super().__init__(_jointed(records), rotation, align, mode)
-        _dress(self, made, records[0].joints["start"])
+    def _records(self, made: MadeStrip) -> Sequence[FlatSolid | BentSolid]:
+        return BentSolid.layers(made.strip, made.frame)
 
 
 class EndFixture(_Made, bd.BasePartObject):
@@ -281,33 +245,21 @@ class EndFixture(_Made, bd.BasePartObject):
         sheet: Sheet | str | None = None,
         *,
         max_width: float | None = None,
-        end: Literal["start", "end"] = "start",
+        end: End = "start",
         floor: bd.Plane | None = None,
-        clearance: float = FixtureRecord.clearance,
-        wall: float = FixtureRecord.wall,
-        foot: float = FixtureRecord.foot,
-        foot_height: float = FixtureRecord.foot_height,
-        screw: float = FixtureRecord.screw,
         number: str | None = None,
         rotation: bd.RotationLike = (0, 0, 0),
         align: bd.Align | tuple[bd.Align, bd.Align, bd.Align] | None = None,
         mode: bd.Mode = bd.Mode.ADD,
-        **options: Unpack[StripOptions],
+        **options: Unpack[FixtureOptions],
     ) -> None:
-        made = make_strip_on(path, sheet, max_width=max_width, **options)
-        sizes = {
-            "clearance": clearance,
-            "wall": wall,
-            "foot": foot,
-            "foot_height": foot_height,
-            "screw": screw,
-        }
-        ground = None if floor is None else Frame(tuple(floor.origin), tuple(floor.x_dir), tuple(floor.y_dir))
-        block = FixtureRecord.of(made.strip, end, made.frame, floor=ground, number=number, **sizes)
+        made, block = make_fixture_on(
+            path, sheet, max_width=max_width, end=end, floor=floor, number=number, **options
+        )
         solid = bd.Solid(occt.make_solid(block.solid))
         _join(solid, block.solid)
         super().__init__(solid, rotation, align, mode)
-        self._shared = _Shared(made)
+        self._made = made
         self.label, self.color = block.label, bd.Color(*FIXTURE_COLOR)
 
 
@@ -514,7 +466,7 @@ def _child(part: AssemblyPart, solids: list[bd.Solid]) -> bd.Part:
     if part.strip is not None:
         child = PlacedStrip(bd.Compound(solids).wrapped)
         base: Any = part.solids[0]
-        child._shared = _Shared(MadeStrip(part.strip, Frame()), base.joints["start"])
+        child._made = MadeStrip(part.strip, Frame(), home=base.joints["start"])
     _join(child, part.solids[0])
     child.label, child.color = part.name, bd.Color(*part.colors[0])
     child.location = bd.Location(occt.make_location(part.frame))
@@ -538,8 +490,8 @@ def _join(shape: Any, record: FlatSolid | BentSolid | PrismSolid) -> None:
         bd.RigidJoint(name, shape, bd.Location(occt.make_location(frame)))
 
 
-def _dress(shape: Any, made: MadeStrip, home: Frame | None = None) -> None:
-    shape._shared = _Shared(made, home)
+def _dress(shape: Any, made: MadeStrip) -> None:
+    shape._made = made
     shape.label = made.strip.label or "strip"
     shape.color = bd.Color(*sheet_color(made.strip.sheet))
 
@@ -547,9 +499,3 @@ def _dress(shape: Any, made: MadeStrip, home: Frame | None = None) -> None:
 def _frame(location: bd.Location) -> Frame:
     plane = bd.Plane(location)
     return Frame(tuple(plane.origin), tuple(plane.x_dir), tuple(plane.y_dir))
-
-
-def _carried(frame: Frame, home: Frame, now: Frame) -> Frame:
-    """The frame, moved as what lay in `home` and lies in `now`."""
-    axes = (home.axes @ axis for axis in (frame.x_axis, frame.y_axis))
-    return Frame(home.local(frame.origin), *axes).within(now)

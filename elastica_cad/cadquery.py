@@ -16,20 +16,15 @@ except ImportError as error:
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
-from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.model.assembly import (
     AssemblyPart,
     Holder,
     assembly_parts,
-    layer_names,
     shape_parts,
 )
 from elastica_cad.fabrication.model.strip_model import Model
-from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.solids.prisms import PrismSolid
-from elastica_cad.fabrication.solids.smooth_pieces import in_smooth_pieces
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
-from elastica_cad.fabrication.strip.strip_facts import StripFacts
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
@@ -37,7 +32,16 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.kernel import occt
-from elastica_cad.kernel.strip_on_path import MadeStrip, StripOptions, StripWarning, make_strip_on
+from elastica_cad.kernel.strip_on_path import (
+    End,
+    FixtureOptions,
+    MadeStrip,
+    StripBody,
+    StripOptions,
+    StripWarning,
+    make_fixture_on,
+    make_strip_on,
+)
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.bending.between_clamps import elastica_between
 from elastica_cad.mechanics.loads.gravity import Gravity
@@ -58,43 +62,25 @@ __all__ = [
     "strip_outline",
 ]
 
-Drawn: TypeAlias = cq.Edge | cq.Wire | cq.Workplane | PlaneCurve | Strip | StripFacts | Iterable[cq.Edge]
+Drawn: TypeAlias = cq.Edge | cq.Wire | cq.Workplane | PlaneCurve | Strip | StripBody | Iterable[cq.Edge]
 """A curve that is drawn, or a strip that was made before: then there is nothing to solve."""
 
 Form: TypeAlias = Literal["flat", "bent"]
-End: TypeAlias = Literal["start", "end"]
 
 METHOD = "elasticStrip"
 ENDS: tuple[End, End] = ("start", "end")
 CHAIN = 1e-4  # mm: ends of pending edges that are meant to meet
-KEPT = ("_made", "_home", "_joints", "label", "color")
+KEPT = ("_made", "_joints", "label", "color")
 
 
-class _Made(StripFacts, cq.Shape):
+class _Made(StripBody, cq.Shape):
     """The strip behind a shape, which copies, moved and turned ones keep. Its other bodies are a word away."""
 
-    _made: MadeStrip
-    _home: Frame | None = None
     _joints: Mapping[str, cq.Location] = MappingProxyType({})
     color: cq.Color
 
-    @property
-    def strip(self) -> Strip:
-        """The strip: widths, outline, strain, mass."""
-        return self._made.strip
-
-    @property
-    def deviation(self) -> float:
-        """How far limits moved the strip off the drawn curve, mm."""
-        return self._made.deviation
-
-    @property
-    def frame(self) -> Frame:
-        """The plane in which the curve of the bent strip lies: moved with a bent body, as drawn for others."""
-        if self._home is None:
-            return self._made.frame
-        now = _frame(self.location() * self._joints["start"])
-        return _carried(self._made.frame, self._home, now)
+    def _start(self) -> Frame | None:
+        return _frame(self.location() * self._joints["start"]) if "start" in self._joints else None
 
     @property
     def flat(self) -> "StripSolid | StripCompound":
@@ -115,21 +101,15 @@ class _Made(StripFacts, cq.Shape):
     @property
     def backing(self) -> cq.Solid:
         """The bent backing of a laminated strip."""
-        if len(self.strip.layers) == 1:
-            raise InputError("the strip has no backing: give style=Laminated(width=..., backing=...)")
-        solid: cq.Solid = cq.Solid(occt.make_solid(BentSolid.layers(self.strip, self.frame)[1]))
-        solid.label = layer_names(self.strip.label or "strip", self.strip)[1]
+        self._require_backing()
+        shape, name, _ = tuple(self._layers())[1]
+        solid: cq.Solid = cq.Solid(shape)
+        solid.label = name
         return solid
 
     def fixture(self, end: "End" = "start", **sizes: Any) -> "FixtureSolid":
         """The block that holds an end of the bent strip, in place; `sizes` as in `end_fixture`."""
         return end_fixture(self, end=end, **sizes)
-
-    @property
-    def placed(self) -> Placed:
-        """The strip in its place, for `Model`."""
-        frame = self.frame
-        return Placed(self.strip, frame.origin, frame.x_axis, frame.y_axis)
 
     def moved(self, *args: Any, **options: Any) -> Any:
         """As `Shape.moved`; a single copy still knows its strip."""
@@ -243,8 +223,7 @@ def strip_outline(
     'PLANE'
     """
     made = _designed(path, sheet, max_width=max_width, **options)
-    loops = [in_smooth_pieces(loop) for loop in (made.strip.outline, *made.strip.holes)]
-    return _dressed(StripFace(occt.make_face(loops[0], loops[1:])), {}, made)
+    return _dressed(StripFace(made.face), {}, made)
 
 
 def flat_strip(
@@ -281,13 +260,8 @@ def end_fixture(
     max_width: float | None = None,
     end: End = "start",
     floor: cq.Plane | None = None,
-    clearance: float = EndFixture.clearance,
-    wall: float = EndFixture.wall,
-    foot: float = EndFixture.foot,
-    foot_height: float = EndFixture.foot_height,
-    screw: float = EndFixture.screw,
     number: str | None = None,
-    **options: Unpack[StripOptions],
+    **options: Unpack[FixtureOptions],
 ) -> FixtureSolid:
     """The block that holds one end of the bent strip, in place beside `bent_strip` of the same path.
 
@@ -306,13 +280,11 @@ def end_fixture(
     InputError
         No tab at that end, sizes that do not fit, a floor not square to the curve's plane; and as `strip_outline`.
     """
-    made = _designed(path, sheet, max_width=max_width, **options)
-    sizes = {"clearance": clearance, "wall": wall, "foot": foot, "foot_height": foot_height, "screw": screw}
-    ground = (
-        None if floor is None else Frame(*(axis.toTuple() for axis in (floor.origin, floor.xDir, floor.yDir)))
+    edges, drawn_on = _drawn(path)
+    made, block = make_fixture_on(
+        edges, sheet, max_width=max_width, end=end, floor=floor, number=number, **drawn_on, **options
     )
-    block = EndFixture.of(made.strip, end, made.frame, floor=ground, number=number, **sizes).solid
-    return _dressed(FixtureSolid(occt.make_solid(block)), block.joints, made)
+    return _dressed(FixtureSolid(occt.make_solid(block.solid)), block.solid.joints, made)
 
 
 def elastica(
@@ -519,11 +491,16 @@ def _sketch_strip(
     return self.reset().face(face, mode=mode, tag=tag)
 
 
+def _drawn(path: Drawn) -> tuple[Any, dict[str, Any]]:
+    """What was drawn, and of a Workplane the plane it was drawn on."""
+    if not isinstance(path, cq.Workplane):
+        return path, {}
+    return [*path.ctx.pendingEdges, *path.ctx.pendingWires] or path.vals(), {"workplane": path.plane}
+
+
 def _designed(path: Drawn, sheet: Sheet | str | None, **options: Any) -> MadeStrip:
-    if isinstance(path, cq.Workplane):
-        options.setdefault("workplane", path.plane)
-        path = [*path.ctx.pendingEdges, *path.ctx.pendingWires] or path.vals()
-    return make_strip_on(path, sheet, **options)
+    edges, drawn_on = _drawn(path)
+    return make_strip_on(edges, sheet, **(drawn_on | options))
 
 
 def _body(
@@ -535,10 +512,9 @@ def _body(
         shape = StripSolid(solids[0])
     else:
         shape = StripCompound(cq.Compound.makeCompound([cq.Solid(solid) for solid in solids]).wrapped)
-    _dressed(shape, records[0].joints, made)
     if isinstance(records[0], BentSolid):
-        shape._home = records[0].joints["start"]
-    return shape
+        made = replace(made, home=records[0].joints["start"])
+    return _dressed(shape, records[0].joints, made)
 
 
 def _dressed(shape: S, joints: Mapping[str, Frame], made: MadeStrip) -> S:
@@ -552,12 +528,6 @@ def _dressed(shape: S, joints: Mapping[str, Frame], made: MadeStrip) -> S:
 def _frame(location: cq.Location) -> Frame:
     plane = cq.Plane(location)
     return Frame(plane.origin.toTuple(), plane.xDir.toTuple(), plane.yDir.toTuple())
-
-
-def _carried(frame: Frame, home: Frame, now: Frame) -> Frame:
-    """The frame, moved as what lay in `home` and lies in `now`."""
-    axes = (home.axes @ axis for axis in (frame.x_axis, frame.y_axis))
-    return Frame(home.local(frame.origin), *axes).within(now)
 
 
 def _moved(frame: Frame, transformation: Any) -> Frame:

@@ -92,6 +92,11 @@ class Frame:
         """This frame, given in the coordinates of `outer`, in space."""
         return Frame(outer.point(self.origin), outer.direction(self.x_axis), outer.direction(self.y_axis))
 
+    def carried(self, home: "Frame", now: "Frame") -> "Frame":
+        """The frame, moved as what lay in `home` and lies in `now`."""
+        axes = (home.axes @ axis for axis in (self.x_axis, self.y_axis))
+        return Frame(home.local(self.origin), *axes).within(now)
+
     def shifted(self, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> "Frame":
         """The frame with its origin moved along its own axes, mm."""
         origin = self.point((x, y, z))

@@ -1,16 +1,20 @@
-"""The strip of a curve that is drawn in a CAD kernel, or given as numbers, or made before."""
+"""The strip of a curve drawn in a CAD kernel, given as numbers, or made before; and what its bodies tell."""
 
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields
 from difflib import get_close_matches
 from functools import lru_cache
-from typing import Any, TypedDict
+from typing import Any, Literal, TypeAlias, TypedDict
 
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.makeability.shop import Shop
+from elastica_cad.fabrication.model.assembly import layer_names
+from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip.strip_facts import StripFacts
+from elastica_cad.fabrication.solids.smooth_pieces import in_smooth_pieces
+from elastica_cad.fabrication.solids.strip_solids import BentSolid
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.styles import Style
 from elastica_cad.fabrication.strip.tabs import Tab
@@ -19,14 +23,28 @@ from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.kernel.occt import plane_curve
+from elastica_cad.kernel.occt import Shape, make_face, make_solid, plane_curve
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
 
-__all__ = ["MadeStrip", "StripOptions", "StripWarning", "make_strip_on"]
+__all__ = [
+    "End",
+    "FixtureOptions",
+    "MadeStrip",
+    "StripBody",
+    "StripOptions",
+    "StripWarning",
+    "make_fixture_on",
+    "make_strip_on",
+]
+
+End: TypeAlias = Literal["start", "end"]
 
 KEPT_REQUESTS = 64  # requests whose strips are kept: a few models' worth
+FIXTURE_SIZES = ("clearance", "wall", "foot", "foot_height", "screw")
 OF_STYLES = {
     "backing": "style=Laminated(width=..., backing=...)",
     "columns": "style=Perforated(width=..., columns=...)",
@@ -68,13 +86,102 @@ class StripOptions(TypedDict, total=False):
     anyway: bool
 
 
+class FixtureOptions(StripOptions, total=False):
+    """The sizes of an end fixture too, mm; see `fabrication.EndFixture`."""
+
+    clearance: float
+    wall: float
+    foot: float
+    foot_height: float
+    screw: float
+
+
 @dataclass(frozen=True, eq=False)
 class MadeStrip:
-    """A strip with the plane of its curve, and how far that left the drawn one, mm."""
+    """A strip and where it lies; copies of a shape share it.
+
+    Attributes
+    ----------
+    strip : Strip
+    frame : Frame
+        The plane of its curve.
+    deviation : float
+        How far limits moved the strip off the drawn curve, mm.
+    home : Frame or None
+        The joint "start" as it was made of a body that stands on the curve; None for others.
+    """
 
     strip: Strip
     frame: Frame
     deviation: float = 0.0
+    home: Frame | None = None
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> "MadeStrip":
+        return self
+
+    @property
+    def face(self) -> Shape:
+        """The flat pattern as a TopoDS_Face."""
+        outline, *holes = (in_smooth_pieces(loop) for loop in (self.strip.outline, *self.strip.holes))
+        return make_face(outline, holes)
+
+
+class StripBody:
+    """What a body of a strip tells about it, in every kernel."""
+
+    _made: MadeStrip
+
+    def _start(self) -> Frame | None:
+        """Where the joint "start" lies now; None where the body has none."""
+        raise NotImplementedError
+
+    @property
+    def strip(self) -> Strip:
+        """The strip: widths, outline, strain, mass."""
+        return self._made.strip
+
+    @property
+    def deviation(self) -> float:
+        """How far limits moved the strip off the drawn curve, mm."""
+        return self._made.deviation
+
+    @property
+    def frame(self) -> Frame:
+        """The plane in which the curve of the bent strip lies: moved with a bent body, as drawn for others."""
+        home, now = self._made.home, self._start()
+        return self._made.frame if home is None or now is None else self._made.frame.carried(home, now)
+
+    @property
+    def rod(self) -> Rod:
+        """The bent rod: shape, stiffness, moment, force."""
+        return self.strip.rod
+
+    @property
+    def check(self) -> EquilibriumCheck | None:
+        """The verdict of Theorem 1 on the drawn curve, where one was asked for."""
+        return self.rod.check
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What a maker should know before cutting."""
+        return self.strip.warnings
+
+    @property
+    def placed(self) -> Placed:
+        """The strip in its place, for `Model`."""
+        frame = self.frame
+        return Placed(self.strip, frame.origin, frame.x_axis, frame.y_axis)
+
+    def _layers(self) -> Iterator[tuple[Shape, str, Sheet]]:
+        """The bent sheets, the base first: TopoDS_Solid, name, material."""
+        names = layer_names(self.strip.label or "strip", self.strip)
+        records = BentSolid.layers(self.strip, self.frame)
+        for record, name, layer in zip(records, names, self.strip.layers, strict=True):
+            yield make_solid(record), name, layer.sheet
+
+    def _require_backing(self) -> None:
+        if len(self.strip.layers) == 1:
+            raise InputError("the strip has no backing: give style=Laminated(width=..., backing=...)")
 
 
 def make_strip_on(
@@ -102,7 +209,7 @@ def make_strip_on(
     asked = {name: value for name, value in asked.items() if value is not None}
     _refuse_unknown(asked)
     frame = _frame_of(asked.pop("plane")) if "plane" in asked else None
-    if isinstance(path, Strip | StripFacts):
+    if isinstance(path, Strip | StripBody):
         late = [*(("sheet",) if sheet is not None else ()), *asked]
         if late:
             raise InputError(
@@ -130,6 +237,25 @@ def make_strip_on(
             warnings.warn(text, StripWarning, stacklevel=4)
             break
     return MadeStrip(strip, frame, deviation)
+
+
+def make_fixture_on(
+    path: Any,
+    sheet: Sheet | str | None = None,
+    *,
+    end: End = "start",
+    floor: Any = None,
+    number: str | None = None,
+    **asked: Any,
+) -> tuple[MadeStrip, EndFixture]:
+    """The block that holds an end of the strip that `make_strip_on` makes, and that strip.
+
+    `floor` is a plane of any library, `asked` as in `FixtureOptions`; errors as of `EndFixture` and `make_strip_on`.
+    """
+    sizes = {name: asked.pop(name) for name in FIXTURE_SIZES if name in asked}
+    made = make_strip_on(path, sheet, **asked)
+    ground = None if floor is None else _frame_of(floor)
+    return made, EndFixture.of(made.strip, end, made.frame, floor=ground, number=number, **sizes)
 
 
 @lru_cache(maxsize=KEPT_REQUESTS)
