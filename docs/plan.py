@@ -8,6 +8,7 @@ in the current directory: who imports whom, with all arrows in one direction.
 import ast
 import sys
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 from xml.sax.saxutils import escape
 
@@ -90,6 +91,7 @@ def imported(name: str, file: Path) -> Iterator[tuple[str, str]]:
             yield from ((home, alias.name) for alias in node.names)
 
 
+@cache
 def imports() -> dict[str, set[str]]:
     """The modules of the house that each of its modules imports."""
     known = modules()

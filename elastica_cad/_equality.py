@@ -6,8 +6,6 @@ from typing import Any
 
 import numpy as np
 
-__all__ = ["EqualByValue", "value_key"]
-
 
 class EqualByValue:
     """Base of a frozen dataclass (declared with `eq=False`) that is equal, and hashed, by all its fields."""

@@ -7,8 +7,6 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 
-__all__ = ["BLUE", "GREY", "INK", "RED", "html_table", "svg_of_lines"]
-
 BLUE, RED, GREY, INK = "#2f6db3", "#c2452d", "#8a8f98", "#3c4658"  # read on light and dark
 
 WIDTH_PX, TALLEST_PX = 640.0, 420.0  # a notebook's column, and less than a screen

@@ -1,7 +1,5 @@
 """The one family of errors: every message says what is wrong, where (mm), and what to do."""
 
-__all__ = ["ElasticaError", "InputError", "MissingDependencyError", "NotConvergedError"]
-
 
 class ElasticaError(Exception):
     """Base of every error raised on purpose by elastica_cad."""

@@ -16,8 +16,6 @@ from elastica_cad.formats.surface_files.file_surface import mesh_surface
 from elastica_cad.formats.svg_files.svg_curves import read_svg_drawing
 from elastica_cad.forming.plane_sections.section_spec import Surface
 
-__all__ = ["CURVE_SUFFIXES", "read_curves", "read_drawing", "read_surface", "save"]
-
 KERNEL_SUFFIXES = (".step", ".stp", ".brep")
 CURVE_SUFFIXES = (".dxf", ".svg", ".csv", ".txt", ".json", *KERNEL_SUFFIXES)
 

@@ -24,8 +24,6 @@ from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.formats.reports.model_report import report_model
 from elastica_cad.mechanics.material.sheet import Sheet
 
-__all__ = ["Kit", "SavedKit", "kit_of", "left_out", "save_model", "write_kit"]
-
 Writer: TypeAlias = Callable[[Path], None]
 Asked: TypeAlias = tuple[Sheet, Any, Nesting] | None
 

@@ -21,8 +21,6 @@ from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
 
-__all__ = ["bend_command"]
-
 
 @click.command("bend")
 @curve_argument(required=False)

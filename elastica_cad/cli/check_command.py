@@ -22,8 +22,6 @@ from elastica_cad.forming.smoothing import smoothed
 from elastica_cad.mechanics.loads.supports import EndName, Supports
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
-__all__ = ["check"]
-
 NOT_REALIZABLE, BAD_INPUT = 1, 2
 
 

@@ -20,8 +20,6 @@ from elastica_cad.cli.strip_options import NotMetError
 from elastica_cad.errors import ElasticaError
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 
-__all__ = ["elastica"]
-
 NOT_REALIZABLE, BAD_INPUT = 1, 2
 
 

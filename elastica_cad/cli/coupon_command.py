@@ -12,8 +12,6 @@ from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.studies.calibration import calibrate_cantilever
 
-__all__ = ["coupon"]
-
 
 @click.command()
 @click.option("--sheet", required=True, metavar="NAME", help="The material, or the one most like it.")

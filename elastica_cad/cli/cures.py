@@ -13,8 +13,6 @@ from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 
-__all__ = ["TYPED", "cure_for"]
-
 TYPED = "elastica.typed"
 """Key of the words that the user typed, in click's `meta`."""
 

@@ -12,8 +12,6 @@ from elastica_cad.files import read_curves, read_surface
 from elastica_cad.formats.design_files.design_file import read_design
 from elastica_cad.kit import Kit, kit_of, left_out, write_kit
 
-__all__ = ["model"]
-
 MOST_SAID = 6
 """Notes that are printed; the report holds all."""
 

@@ -8,8 +8,6 @@ import numpy as np
 
 from elastica_cad.formats.file_access.file_transaction import write_together
 
-__all__ = ["new"]
-
 KINDS = ("arch", "lamp", "pavilion", "revolution", "sections")
 
 BOWL_MM = (60.0, 45.0, 140.0)  # least radius, bulge and height of the mesh that `sections` starts with

@@ -17,22 +17,6 @@ from elastica_cad.formats.file_access.source_file import LARGEST_FILE
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.theorem1.equilibrium_check import require_bendable
 
-__all__ = [
-    "bendable_curve",
-    "bendable_curves",
-    "curve_argument",
-    "curve_options",
-    "drawn_curves",
-    "file_stem",
-    "holding_option",
-    "pick_curve",
-    "refuse_huge_numbers",
-    "refuse_odd_numbers",
-    "smooth_option",
-    "support_options",
-    "which_options",
-]
-
 F = TypeVar("F", bound=Callable[..., Any])
 
 CHOICE = "--curve 1 .. --curve {count}, --curve ID or --layer NAME"
@@ -59,11 +43,11 @@ def curve_argument(*, required: bool = True) -> Callable[[F], F]:
         "curve",
         type=click.Path(path_type=Path, allow_dash=True),
         required=required,
-        callback=lambda ctx, _, path: standard_input(ctx) if str(path) == "-" else path,
+        callback=lambda ctx, _, path: _standard_input(ctx) if str(path) == "-" else path,
     )
 
 
-def standard_input(ctx: click.Context) -> Path:
+def _standard_input(ctx: click.Context) -> Path:
     """What comes through standard input, in a file while the command runs; what it is, its contents tell.
 
     Raises

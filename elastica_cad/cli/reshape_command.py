@@ -16,8 +16,6 @@ from elastica_cad.geometry.curves.projective_maps import four_point_map
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
-__all__ = ["reshape"]
-
 KINDS = ("dxf", "svg", "json")
 
 

@@ -35,8 +35,6 @@ from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
-__all__ = ["sections"]
-
 USUAL_RATIO = 3.5
 """Stiffness ratio that plain strips can be cut with: widest to narrowest."""
 

@@ -4,8 +4,6 @@ import click
 
 from elastica_cad.mechanics.material.sheet import Sheet, sheet_names
 
-__all__ = ["sheets"]
-
 
 @click.command()
 @click.argument("name", required=False)

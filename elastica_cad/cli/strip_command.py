@@ -39,8 +39,6 @@ from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 
-__all__ = ["strip"]
-
 F = TypeVar("F", bound=Callable[..., Any])
 
 MOST_ADVICE = 1

@@ -32,8 +32,6 @@ from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN
 
-__all__ = ["NotMetError", "spec_from_options", "strip_options"]
-
 F = TypeVar("F", bound=Callable[..., Any])
 
 TAB_LENGTH_MM = 10.0

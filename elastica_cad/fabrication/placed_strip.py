@@ -11,8 +11,6 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
 
-__all__ = ["Placed", "distinct_names", "strip_names"]
-
 
 @dataclass(frozen=True, eq=False)
 class Placed:

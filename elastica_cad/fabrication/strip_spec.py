@@ -30,8 +30,6 @@ from elastica_cad.mechanics.material.cross_sections import LaminatedSection
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
 
-__all__ = ["AskedGravity", "StripSpec", "make_strip"]
-
 AskedGravity: TypeAlias = "Gravity | bool | Sequence[float] | None"
 """A `Gravity`, True for the sheet's own weight along -y, or the direction in which that falls."""
 

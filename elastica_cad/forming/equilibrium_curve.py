@@ -30,8 +30,6 @@ from elastica_cad.mechanics.stiffness.stiffness_family import dense_places, extr
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
 
-__all__ = ["BothEnds", "EquilibriumCurve", "collinear", "kept"]
-
 _PARTS = 96  # of a panel, where K is bounded: a step moves its extremes
 
 BothEnds: TypeAlias = "bool | tuple[bool, bool]"

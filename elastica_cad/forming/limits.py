@@ -11,8 +11,6 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.material.sheet import Sheet
 
-__all__ = ["Box", "HalfPlane", "Keep", "Limits", "Symmetry"]
-
 Symmetry: TypeAlias = Literal["mirror", "turn"]
 Bound: TypeAlias = "float | ArrayLike | Callable[[FloatArray], FloatArray] | None"
 

@@ -27,8 +27,6 @@ from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.optimal_laminate import optimal_laminate
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
-__all__ = ["LaminateLayers", "RodSpec", "accepted_rod"]
-
 
 @dataclass(frozen=True, eq=False)
 class LaminateLayers:

@@ -11,8 +11,6 @@ from elastica_cad.geometry.curves.tangent_healing import healed_tangents
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
-__all__ = ["UNDECIDED", "undecided_by_rounding"]
-
 TRIES = 8
 """Curves that are tried; each costs a verdict of Theorem 1."""
 

@@ -12,8 +12,6 @@ from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
-__all__ = ["LARGEST_SMOOTH", "Smoothing", "checked_smooth", "smoothed"]
-
 LARGEST_SMOOTH = 1000.0
 """mm."""
 

@@ -17,8 +17,6 @@ from elastica_cad.mechanics.loads.supports import End, Supports
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium, examine_curvature
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
 
-__all__ = ["Splitting", "split"]
-
 _SHORTEST_SHARE = 1e-4  # pieces shorter than this, relative to the domain, are none
 _CHOICES = 5  # places tried for each support between its first and last possible one
 _ROUNDS = 2  # and again about the best of them

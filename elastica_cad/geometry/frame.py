@@ -9,8 +9,6 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 
-__all__ = ["Frame"]
-
 _PARTS = ("origin", "x_axis", "y_axis")
 
 

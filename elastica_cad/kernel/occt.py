@@ -36,20 +36,6 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
 
-__all__ = [
-    "Shape",
-    "drawn_edges",
-    "free_chains",
-    "kernel",
-    "make_face",
-    "make_location",
-    "make_shell",
-    "make_solid",
-    "make_wire",
-    "plane_axes_of",
-    "plane_curve",
-]
-
 Shape: TypeAlias = Any
 """A TopoDS_Shape, or an object of build123d or CadQuery that wraps one."""
 

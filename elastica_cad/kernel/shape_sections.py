@@ -15,8 +15,6 @@ from elastica_cad.forming.plane_sections.section_spec import Surface
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.occt import Shape, drawn_edges, plane_axes_of
 
-__all__ = ["shape_sections", "shape_surface"]
-
 JOIN = 1e-4
 """Ends of edges nearer than this meet, mm."""
 

@@ -33,19 +33,6 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.occt import Shape, free_chains, kernel, make_location, make_solid
 from elastica_cad.kernel.step_text import canonical_step
 
-__all__ = [
-    "NamedShape",
-    "model_shapes",
-    "read_step_curves",
-    "read_step_drawing",
-    "read_step_shape",
-    "step_bytes",
-    "write_model_step",
-    "write_step",
-    "write_strip_step",
-]
-
-
 SETTINGS = {"write.step.schema": "AP214IS", "write.step.unit": "MM"}
 
 

@@ -3,8 +3,6 @@
 import re
 from itertools import count
 
-__all__ = ["canonical_step"]
-
 _OCCURRENCE = re.compile(rb"NEXT_ASSEMBLY_USAGE_OCCURRENCE\('\d+'(.*?\);)", re.DOTALL)
 _STYLES = re.compile(
     rb"#\d+ = MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION\(.*(?=ENDSEC;)", re.DOTALL

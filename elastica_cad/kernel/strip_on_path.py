@@ -30,17 +30,6 @@ from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
 
-__all__ = [
-    "End",
-    "FixtureOptions",
-    "MadeStrip",
-    "StripBody",
-    "StripOptions",
-    "StripWarning",
-    "make_fixture_on",
-    "make_strip_on",
-]
-
 End: TypeAlias = Literal["start", "end"]
 
 KEPT_REQUESTS = 64  # requests whose strips are kept: a few models' worth
@@ -250,7 +239,7 @@ def make_fixture_on(
 ) -> tuple[MadeStrip, EndFixture]:
     """The block that holds an end of the strip that `make_strip_on` makes, and that strip.
 
-    `floor` is a plane of any library, `asked` as in `FixtureOptions`; errors as of `EndFixture` and `make_strip_on`.
+    `floor` is a plane of any library, `asked` as `FixtureOptions`; errors as of `EndFixture` and `make_strip_on`.
     """
     sizes = {name: asked.pop(name) for name in FIXTURE_SIZES if name in asked}
     made = make_strip_on(path, sheet, **asked)

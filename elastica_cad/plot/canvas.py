@@ -9,8 +9,6 @@ import numpy as np
 from elastica_cad.errors import InputError, MissingDependencyError
 from elastica_cad.formats.file_access.atomic_write import write_atomically
 
-__all__ = ["INK", "WIDTH_INCHES", "Figure", "new_figure", "save_figure"]
-
 Figure: TypeAlias = Any
 
 WIDTH_INCHES = 9.0

@@ -19,8 +19,6 @@ from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Figure, new_figure
 from elastica_cad.plot.slabs import trapezoids
 from elastica_cad.plot.strip_pictures import Axes, paint_flat
 
-__all__ = ["bodies", "model"]
-
 FLAT_SHARE = 5e-4
 """Of a strip's length: how closely polygons follow its loops."""
 

@@ -7,8 +7,6 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry.paths.path import Path
 
-__all__ = ["trapezoids"]
-
 APART_MM = 1e-7
 """Stations nearer than this are one: slabs between them could not be seen."""
 

@@ -14,8 +14,6 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Figure, new_figure
 
-__all__ = ["drawing", "paint_flat", "rod", "strip", "strip_sheet"]
-
 Axes: TypeAlias = Any
 
 COMB, LINE, FAINT, WISH = "#2f6db3", "#c2452d", "#8a8f98", "#e0962b"

@@ -14,8 +14,6 @@ from elastica_cad.formats.file_access.atomic_write import write_atomically
 from elastica_cad.plot.canvas import INK
 from elastica_cad.plot.strip_pictures import LAYER_COLORS
 
-__all__ = ["PAPERS", "Tiling", "save_template", "tile_drawing"]
-
 PAPERS = {
     "A4": (210.0, 297.0), "A3": (297.0, 420.0), "A2": (420.0, 594.0), "A1": (594.0, 841.0), "A0": (841.0, 1189.0),
     "letter": (215.9, 279.4), "tabloid": (279.4, 431.8),
@@ -54,7 +52,7 @@ class Tiling:
     size: tuple[float, float]
 
 
-def tile_drawing(drawing: Drawing, paper: str = "A4", *, overlap: float = OVERLAP_MM) -> Tiling:
+def _tile_drawing(drawing: Drawing, paper: str = "A4", *, overlap: float = OVERLAP_MM) -> Tiling:
     """Tiles that cover a drawing, upright or across, whichever needs fewer pages; empty ones are left out.
 
     Raises
@@ -67,7 +65,7 @@ def tile_drawing(drawing: Drawing, paper: str = "A4", *, overlap: float = OVERLA
     >>> from elastica_cad.fabrication.drawings.drawing import LayeredPath
     >>> from elastica_cad.geometry.paths.path import Path
     >>> long = Drawing("long", [LayeredPath("CUT_OUTER", Path.rectangle(400, 20))])
-    >>> tile_drawing(long).names
+    >>> _tile_drawing(long).names
     ('A1', 'B1')
     """
     if paper not in PAPERS:
@@ -147,7 +145,7 @@ def save_template(
     Raises
     ------
     InputError
-        As `tile_drawing`, or the file exists.
+        As `_tile_drawing`, or the file exists.
     MissingDependencyError
         matplotlib is not installed.
     """
@@ -156,7 +154,7 @@ def save_template(
         from matplotlib.figure import Figure
     except ImportError as error:
         raise MissingDependencyError("PDF templates need matplotlib: pip install matplotlib") from error
-    tiling = tile_drawing(drawing, paper, overlap=overlap)
+    tiling = _tile_drawing(drawing, paper, overlap=overlap)
     stream = BytesIO()
     with PdfPages(stream, metadata={"CreationDate": None, "Title": drawing.name}) as pages:
         for k, name in enumerate(tiling.names):

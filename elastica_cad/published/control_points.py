@@ -20,8 +20,6 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 from elastica_cad.published.curve_changes import CurveChanges
 
-__all__ = ["Bounds", "Route", "RouteStep", "move_within"]
-
 _PRICE = 0.1  # of a broken bound, against half the mean square distance in lengths: far above all multipliers
 _ROW_PRICE = 10.0
 _ACCURACY = 1e-12  # of a step, against the price: half a mean square distance of 1e-8 still counts

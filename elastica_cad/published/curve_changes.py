@@ -22,8 +22,6 @@ from elastica_cad.geometry.curve_editing.control_point_constraints import (
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.stiffness.quadrature_panels import LEFT, NODES, WEIGHTS, PanelFunction
 
-__all__ = ["CurveChanges", "curvature_rows"]
-
 _ALONG = 0.1  # a move along the curve counts this much of one across it
 _BEND = 0.005  # a move that changes the curvature by 1 / length counts as this share of the length
 _STRETCH = 0.05  # one that changes the velocity d/dt by all of itself counts as this share of the length

@@ -14,8 +14,6 @@ from elastica_cad.geometry.curve_editing.control_point_constraints import (
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.theorem1.inflection_line import InflectionLine
 
-__all__ = ["EnforcedCurve", "enforce_constraints"]
-
 
 @dataclass(frozen=True, eq=False)
 class EnforcedCurve:

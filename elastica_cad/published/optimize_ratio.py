@@ -11,8 +11,6 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.point_distance import largest_deviation
 from elastica_cad.published.control_points import Bounds, RouteStep, move_within
 
-__all__ = ["OptimizedRatio", "RatioStatus", "optimize_ratio"]
-
 
 class RatioStatus(Enum):
     """How `optimize_ratio` ended."""

@@ -9,8 +9,6 @@ from elastica_cad.errors import InputError
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.stiffness.minimax_lp import Solver, minimax_ratio
 
-__all__ = ["SampledStiffness", "sampled_rows", "sampled_stiffness"]
-
 
 @dataclass(frozen=True, eq=False)
 class SampledStiffness:

@@ -78,6 +78,33 @@ def test_imports_go_to_the_module_that_defines(modules, imports):
     assert users == {}
 
 
+def test_an_underscore_says_what_is_private(plan, modules):
+    """No list of names beside the definitions: what begins with _ stays in its module, other functions are used."""
+    crossed = [
+        f"{name}: {home}.{what}"
+        for name, file in modules.items()
+        for home, what in plan.imported(name, file)
+        if home in modules and what.startswith("_") and f"{home}.{what}" not in modules
+    ]
+    assert crossed == []
+    asked = set()
+    for file in (*(ROOT / "elastica_cad").rglob("*.pyi"), *(ROOT / "tests").rglob("*.py"), *modules.values()):
+        if file.suffix in (".py", ".pyi"):
+            nodes = list(ast.walk(ast.parse(file.read_text(encoding="utf-8"))))
+            asked |= {
+                alias.name for node in nodes if isinstance(node, ast.ImportFrom) for alias in node.names
+            }
+            asked |= {node.attr for node in nodes if isinstance(node, ast.Attribute)}
+    idle = [
+        f"{name}.{node.name}"
+        for name, file in modules.items()
+        for node in ast.parse(file.read_text(encoding="utf-8")).body
+        if name.startswith("elastica_cad.") and isinstance(node, ast.FunctionDef) and not node.decorator_list
+        if not node.name.startswith("_") and node.name not in asked
+    ]
+    assert idle == []
+
+
 def test_every_floor_with_rooms_has_a_contract(plan):
     """The layers contract names the sub-packages of each floor, so that no arrow runs back up inside it."""
     contracts = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["importlinter"]["contracts"]

@@ -11,8 +11,6 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Segment, Spline, place
 from elastica_cad.geometry.paths.trim import trim_segment
 
-__all__ = ["HoldingTabs", "add_holding_tabs"]
-
 CORNER_RAD = 0.05
 """Turn between two segments from which on a bridge keeps off: smaller ones come from fitting."""
 

@@ -14,8 +14,6 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.point_distance import distances
 from elastica_cad.geometry.paths.segments import is_similarity, transform_points
 
-__all__ = ["CUT_INNER", "CUT_OUTER", "ENGRAVE", "LAYERS", "MARK", "SAME_MM", "Drawing", "LayeredPath", "Text"]
-
 CUT_OUTER = "CUT_OUTER"
 CUT_INNER = "CUT_INNER"
 ENGRAVE = "ENGRAVE"

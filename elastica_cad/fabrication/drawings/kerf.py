@@ -9,8 +9,6 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.path_intersections import polylines_cross
 from elastica_cad.geometry.paths.segments import place
 
-__all__ = ["compensate_kerf"]
-
 
 def compensate_kerf(drawing: Drawing, kerf: float, *, tolerance: float = 1e-4) -> Drawing:
     """The drawing as the tool must run so that the parts come out as drawn.

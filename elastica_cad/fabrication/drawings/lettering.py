@@ -11,8 +11,6 @@ import numpy as np
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.paths.path import Path
 
-__all__ = ["Text", "engravable", "fit_label", "text_strokes", "text_width"]
-
 CAP_HEIGHT = 6.0  # of the alphabet as it is drawn, in its own units
 LABEL_MM = 5.0  # height of a strip's label, where there is room
 _GAP = 1.6  # between two letters, in the same units

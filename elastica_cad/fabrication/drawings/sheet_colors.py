@@ -4,8 +4,6 @@ from typing import TypeAlias
 
 from elastica_cad.mechanics.material.sheet import Sheet
 
-__all__ = ["FIXTURE_COLOR", "Color", "sheet_color"]
-
 Color: TypeAlias = tuple[float, float, float]
 """Red, green and blue in 0..1, as on a screen."""
 

@@ -22,8 +22,6 @@ from elastica_cad.geometry.paths.offset import offset_path
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.mechanics.material.sheet import Sheet
 
-__all__ = ["BasePlate", "TabSlot", "base_plate", "plate_with", "tab_slot"]
-
 FLATTEST_RAD = np.radians(15.0)
 """Tabs at less than this angle to a plate would need slots over four times its thickness wide."""
 

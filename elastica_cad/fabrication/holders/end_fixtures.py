@@ -18,8 +18,6 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 
-__all__ = ["EndFixture", "end_fixtures"]
-
 GROOVE_MM = 0.6
 """Width of engraved strokes: what a 0.4 mm nozzle still prints."""
 

@@ -12,8 +12,6 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import Hole, TSlot
 from elastica_cad.geometry.frame import Frame
 
-__all__ = ["ENDS", "End", "PlacedTab", "place_tabs"]
-
 End = Literal["start", "end"]
 ENDS: tuple[End, End] = ("start", "end")
 

@@ -19,8 +19,6 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.mechanics.material.sheet import Sheet
 
-__all__ = ["Ring", "ring_plate", "slot_reach"]
-
 PLAY_MM = 0.3
 """Room beside a tab in its slot on either side; narrow, for tabs that stand close."""
 

@@ -23,8 +23,6 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.path_intersections import self_crossing
 from elastica_cad.mechanics.material.sheet import Sheet
 
-__all__ = ["Rib", "SlottedFrame", "slotted_frame"]
-
 SHOULDER_MM = 5.0
 """How far a rib reaches beside its tongue, to rest against the rail."""
 

@@ -6,8 +6,6 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 
-__all__ = ["bracketed_zeros"]
-
 ZERO = 1e-11
 """A value below this, in the unit of the function, counts as zero: of lengths in mm, rounding of a 10 m model."""
 

@@ -16,8 +16,6 @@ from elastica_cad.fabrication.placed_strip import Placed, distinct_names, strip_
 from elastica_cad.fabrication.slots.slot import CLEARANCE_MM, Relief, Slot
 from elastica_cad.fabrication.strip.strip_record import Strip
 
-__all__ = ["Fit", "InterlockedStrips", "Joint", "interlock", "slot_width"]
-
 Fit = Literal["exact", "paper"]
 
 SHALLOW_RAD = np.radians(15.0)

@@ -22,8 +22,6 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path_intersections import segment_crossings
 from elastica_cad.geometry.paths.segments import Spline
 
-__all__ = ["PARALLEL_RAD", "IntersectionCurve", "IntersectionPoints", "intersect_surfaces"]
-
 PARALLEL_RAD = 2e-8
 """Rulings at less than this angle count as parallel: over 1 m they part by 20 nm."""
 

@@ -11,8 +11,6 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.profile import Profile
 
-__all__ = ["RuledStrip"]
-
 STATIONS = 400
 """Fewest samples of a strip from which crossings are found: turns closer than these are missed."""
 

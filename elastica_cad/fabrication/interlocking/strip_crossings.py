@@ -15,8 +15,6 @@ from elastica_cad.fabrication.interlocking.ruled_intersection import (
 )
 from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip
 
-__all__ = ["Crossing", "CrossingPoints", "strip_crossings"]
-
 NODE_PARTS = 4
 """Parts of each stretch between nodes, among which edges are bracketed."""
 

@@ -13,8 +13,6 @@ from elastica_cad.fabrication.strip.strip_record import Layer, Strip
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.mechanics.material.sheet import Sheet
 
-__all__ = ["Fault", "find_plate_faults", "find_slot_faults", "find_strip_faults", "tell_faults"]
-
 MOST_TOLD = 3  # thin places of one part that are named; the count tells the rest
 
 

@@ -7,8 +7,6 @@ import numpy as np
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.material.sheet import Sheet
 
-__all__ = ["DEFAULT_SHOP", "LEAST_LIGAMENT_MM", "Shop"]
-
 LEAST_STRIP_MM = 3.0  # narrower strips of any sheet break when they are lifted out
 THICKNESSES = 3.0  # a strip narrower than this many thicknesses bends sideways and twists rather than flat
 LEAST_BRIDGE_MM = 2.0  # between two cuts of a plate: what the heat of two passes leaves sound

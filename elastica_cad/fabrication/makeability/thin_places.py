@@ -8,8 +8,6 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry.paths.path import Path
 
-__all__ = ["ThinPlace", "find_thin_places"]
-
 SAMPLES_PER_WIDTH = 12  # points along a cut in each least width: a width is found to a percent
 FACING = 0.9  # cosine between a width and both inward normals: corners blunter than 50 degrees are no necks
 FLAT_SHARE = 0.02  # of the least width: chords of the sampled cuts

@@ -17,8 +17,6 @@ from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
 
-__all__ = ["AssemblyPart", "Holder", "assembly_parts", "layer_names", "shape_parts"]
-
 Holder: TypeAlias = BasePlate | SlottedFrame | Rib | Ring | EndFixture
 """What holds the strips of a model: see `Model.base_plate`, `Model.slotted_frame` and `Model.fixtures`."""
 

@@ -8,8 +8,6 @@ from elastica_cad._types import ArrayLike
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.placed_strip import Placed
 
-__all__ = ["mirror", "repeat", "rotate"]
-
 
 def mirror(
     placed: Sequence[Placed], point: ArrayLike, normal: ArrayLike, *, keep: bool = True

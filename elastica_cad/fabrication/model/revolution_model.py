@@ -14,8 +14,6 @@ from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.forming.revolution.meridian import Meridian, meridian
 from elastica_cad.mechanics.material.sheet import Sheet
 
-__all__ = ["revolution", "revolve"]
-
 MOST_STRIPS = 1000
 """More is a typing error: the strips of a sphere of 1 m would be 3 mm wide."""
 

@@ -13,8 +13,6 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.profile import Profile
 
-__all__ = ["touching_widths"]
-
 WIDTH_MM = 1e-5
 """Largest error of a width: a thousandth of what lasers keep."""
 

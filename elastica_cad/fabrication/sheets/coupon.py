@@ -9,8 +9,6 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Line
 from elastica_cad.mechanics.material.sheet import Sheet
 
-__all__ = ["coupon_drawing", "coupon_overhang", "reference_bar"]
-
 BEST_LOAD = 5.0
 """w L^3 / EI at which a clamped strip drops by half its length: there the droop says most about E."""
 

@@ -7,8 +7,6 @@ from dataclasses import dataclass
 
 from elastica_cad.fabrication.sheets.pieces import Piece
 
-__all__ = ["CutList", "CutListRow", "cut_list"]
-
 
 @dataclass(frozen=True)
 class CutListRow:

@@ -15,8 +15,6 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.point_distance import distances
 from elastica_cad.geometry.paths.segments import Segment, Spline
 
-__all__ = ["EqualStrips", "group_equal_strips"]
-
 CENTROID_MM = 0.02
 """Flatness of the loops whose centroids tell which way round parts may fit."""
 

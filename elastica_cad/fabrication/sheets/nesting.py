@@ -11,8 +11,6 @@ from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.sheets.pieces import Piece
 from elastica_cad.mechanics.material.sheet import Sheet
 
-__all__ = ["NestedSheet", "nest_pieces"]
-
 SLACK_MM = 1e-9
 """Rounding that a piece as large as its row may have."""
 

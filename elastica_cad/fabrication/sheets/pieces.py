@@ -15,8 +15,6 @@ from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, Draw
 from elastica_cad.fabrication.sheets.equal_strips import EqualStrips
 from elastica_cad.mechanics.material.sheet import Sheet
 
-__all__ = ["Piece", "file_word", "strip_pieces"]
-
 
 @dataclass(frozen=True, eq=False)
 class Piece:

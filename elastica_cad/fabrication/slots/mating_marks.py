@@ -12,8 +12,6 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.path_intersections import polylines_cross
 from elastica_cad.geometry.paths.profile import Profile
 
-__all__ = ["mating_marks"]
-
 LETTER_HEIGHTS_MM = (2.0, 1.5, 1.0)
 """Tried in turn; below 1 mm engraved letters run together."""
 

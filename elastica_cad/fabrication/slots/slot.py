@@ -12,8 +12,6 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline, left_of
 
-__all__ = ["CLEARANCE_MM", "Relief", "Side", "Slot", "slot_cut", "slot_rim"]
-
 STRAIGHT_MM = 1e-7
 """Sides that bend less than this are lines: a tenth of what drawings tell apart."""
 

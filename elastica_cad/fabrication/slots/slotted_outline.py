@@ -14,8 +14,6 @@ from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Segment, place
 from elastica_cad.geometry.paths.trim import trim_segment
 
-__all__ = ["cut_slots"]
-
 FLAT_MM = 1e-3
 """Of the polylines by which loops are told apart: less than any machine resolves."""
 

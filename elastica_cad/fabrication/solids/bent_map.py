@@ -18,8 +18,6 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.segments import Segment, Spline
 from elastica_cad.mechanics.rod.rod_record import Rod
 
-__all__ = ["BentMap", "bent_maps"]
-
 DEGREE = 5
 POSITION_TOLERANCE = 1e-6  # mm, of the centre line
 SURFACE_TOLERANCE = 5e-8  # mm, of edges drawn on the bent faces

@@ -9,22 +9,6 @@ from elastica_cad._types import FloatArray
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.segments import Segment
 
-__all__ = [
-    "Boundary",
-    "CylinderSurface",
-    "Edge",
-    "EdgeUse",
-    "ExtrudedSurface",
-    "Face",
-    "Frame",
-    "PlacedSegment",
-    "PlaneSurface",
-    "SpaceCurve",
-    "SpaceSurface",
-    "StraightTrace",
-    "trace_turn",
-]
-
 STRAIGHT = np.eye(2)
 QUARTER = np.array([[0.0, -1.0], [1.0, 0.0]])
 

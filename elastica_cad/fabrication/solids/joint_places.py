@@ -6,8 +6,6 @@ from itertools import accumulate
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
 
-__all__ = ["joint_places", "levels", "turned", "with_faces"]
-
 
 def levels(strip: Strip) -> list[float]:
     """Heights of the faces of the strip's sheets, mm, from the base's lower one at 0."""

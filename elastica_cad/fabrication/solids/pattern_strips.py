@@ -14,8 +14,6 @@ from elastica_cad.geometry.curves.line_intersections import line_crossings
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
 
-__all__ = ["CutPattern", "Piece", "Region", "cut_across", "on_segment"]
-
 ON_SEAM = 1e-7  # mm
 
 

@@ -10,8 +10,6 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 from elastica_cad.geometry.frame import Frame
 
-__all__ = ["PrismSolid", "convex_corners"]
-
 
 @dataclass(frozen=True, eq=False)
 class PrismSolid:

@@ -11,8 +11,6 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Line, Segment, Spline
 from elastica_cad.geometry.paths.trim import clamp_ends, trim_curve
 
-__all__ = ["in_smooth_pieces"]
-
 SMOOTH = 2
 """Continuous derivatives inside an edge: kernels offset faces, which takes one of them away."""
 

@@ -35,8 +35,6 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
 from elastica_cad.mechanics.rod.rod_record import Rod
 
-__all__ = ["BentSolid", "FlatSolid", "frame_beside"]
-
 Map: TypeAlias = Frame | BentMap  # a tab lies in its tangent plane, the free part is bent
 
 BESIDE_MM = 20.0  # between the flat and the bent strip of a file

@@ -15,8 +15,6 @@ from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.rod.rod_record import Rod
 
-__all__ = ["material_width", "rod_as_built"]
-
 CUTS = 8
 """Stations at which the material of each cell of the rod is measured."""
 

@@ -8,8 +8,6 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Segment, left_of, place
 from elastica_cad.geometry.paths.trim import trim_segment
 
-__all__ = ["round_corners"]
-
 SMOOTH_RAD = 0.02
 """Corners that turn by less stay: fitted sides meet so."""
 

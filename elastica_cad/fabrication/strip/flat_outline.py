@@ -13,19 +13,6 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Line, Segment, Spline
 
-__all__ = [
-    "Ends",
-    "add_register_holes",
-    "close_chain",
-    "end_holes",
-    "fix_tab_widths",
-    "flat_rim",
-    "graph",
-    "greville",
-    "long_sides",
-    "pace",
-]
-
 Ends = tuple[Tab, Tab]
 
 SHOULDER_MM = 1e-5

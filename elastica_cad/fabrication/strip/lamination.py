@@ -21,8 +21,6 @@ from elastica_cad.mechanics.material.section_limits import ScaleRange
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
 
-__all__ = ["Laminated"]
-
 SLACK = 3e-4
 """Share by which a rod's own stiffness, fitted at fewer stations, may pass what fits; it is brought to that."""
 

@@ -15,8 +15,6 @@ from elastica_cad.mechanics.material.section_limits import ScaleRange
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
 
-__all__ = ["Perforated"]
-
 SLACK = 1e-7
 """Share by which a design may pass a limit that it touches: rounding."""
 

@@ -13,8 +13,6 @@ from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.material.notches import dead_zone_slope
 from elastica_cad.mechanics.rod.rod_record import Rod
 
-__all__ = ["SlotEffect", "idle_width", "slot_effect", "slotted_rod"]
-
 DEPTHS = 64
 """Depths of a slot at which its idle width is summed: right to a sixty-fourth of its depth."""
 
@@ -48,7 +46,7 @@ class SlotEffect:
         )
 
 
-def idle_width(slots: Sequence[Slot], width: Profile, s: FloatArray, *, slope: float) -> FloatArray:
+def _idle_width(slots: Sequence[Slot], width: Profile, s: FloatArray, *, slope: float) -> FloatArray:
     """Width (n,), mm, that carries nothing at the stations s (n,): the slots, and triangles beside them.
 
     Parameters
@@ -74,12 +72,12 @@ def idle_width(slots: Sequence[Slot], width: Profile, s: FloatArray, *, slope: f
     return idle
 
 
-def slotted_rod(strip: Strip) -> Rod:
+def _slotted_rod(strip: Strip) -> Rod:
     """The strip as built, with the material beside its slots idle too: out of balance until bent."""
     made, width = strip.as_built, strip.width
     W = width(made.s)
     slope = dead_zone_slope(strip.sheet.poisson_ratio)
-    left = [W - idle_width(strip.slots, width, made.s, slope=k) for k in (slope, 0.0)]
+    left = [W - _idle_width(strip.slots, width, made.s, slope=k) for k in (slope, 0.0)]
     K = made.stiffness * np.maximum(left[0], LEAST_SHARE * W) / np.maximum(left[1], LEAST_SHARE * W)
     B = made.bending_stiffness
     return replace(
@@ -98,8 +96,8 @@ def slot_effect(strip: Strip) -> SlotEffect:
     """
     width, s = strip.width, strip.rod.s
     slope = dead_zone_slope(strip.sheet.poisson_ratio)
-    share = 1 - idle_width(strip.slots, width, s, slope=slope) / width(s)
+    share = 1 - _idle_width(strip.slots, width, s, slope=slope) / width(s)
     worst = int(np.argmin(share))
-    bent = bend(slotted_rod(strip))
+    bent = bend(_slotted_rod(strip))
     deviation = float(np.hypot(*(bent.position - strip.rod.position).T).max())
     return SlotEffect(float(share[worst]), float(s[worst]), deviation)

@@ -36,8 +36,6 @@ from elastica_cad.mechanics.material.section_limits import LayerStrain
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
 
-__all__ = ["Layer", "Reactions", "Strip"]
-
 FINE_EDGES = 1600
 """At least, of the rod that is bent as built: its own error is then far below what it measures."""
 

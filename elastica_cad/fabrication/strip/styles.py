@@ -18,20 +18,6 @@ from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.stiffness_law import StiffnessLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 
-__all__ = [
-    "NO_WIDTH",
-    "PLAIN",
-    "Backing",
-    "Layout",
-    "Pattern",
-    "Plain",
-    "Style",
-    "Width",
-    "refine_stations",
-    "stations_of",
-    "width_profile",
-]
-
 Width: TypeAlias = "float | Profile | Callable[[FloatArray], FloatArray]"
 """An outer width: one number, or a profile or function of arc length, all in mm."""
 

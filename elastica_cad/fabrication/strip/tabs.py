@@ -10,8 +10,6 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Line
 
-__all__ = ["Hole", "TSlot", "Tab"]
-
 
 @dataclass(frozen=True)
 class Hole:

@@ -12,8 +12,6 @@ from elastica_cad.mechanics.bending.bend_forward import bend_path
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
 
-__all__ = ["Travel", "bend_strip"]
-
 
 @dataclass(frozen=True, eq=False)
 class Travel:

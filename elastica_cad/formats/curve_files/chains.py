@@ -21,15 +21,6 @@ from elastica_cad.geometry.curves.provenance import Provenance
 from elastica_cad.geometry.curves.tangent_healing import healed_tangents
 from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
 
-__all__ = [
-    "FIT_TOLERANCE",
-    "JOIN_TOLERANCE",
-    "chained",
-    "curve_from_points",
-    "curve_from_run",
-    "layer_of",
-]
-
 JOIN_TOLERANCE = 0.01  # mm: files are written with three or four decimals
 FIT_TOLERANCE = 0.05  # mm
 _CORNER = np.cos(np.radians(50.0))
@@ -80,7 +71,7 @@ def _walk(first: int, side: int, partner: _Joints, used: list[bool]) -> list[tup
     return way
 
 
-def layer_of(run: Sequence[Edge]) -> str:
+def _layer_of(run: Sequence[Edge]) -> str:
     """The layer that the run's first edge is drawn on."""
     return run[0].source.layer if run and run[0].source is not None else ""
 
@@ -95,7 +86,7 @@ def _partners(runs: Sequence[Run], tolerance: float) -> _Joints:
     from scipy.spatial import cKDTree
 
     ends = _ends(runs)
-    layers = [layer_of(run) for run in runs]
+    layers = [_layer_of(run) for run in runs]
     tree = cKDTree(ends)
     crowd = tree.query_ball_point(ends, tolerance, return_length=True)
     near = [
@@ -125,11 +116,11 @@ def _without_repeats(runs: Sequence[Run], tolerance: float) -> list[Run]:
         if i in dropped:
             continue
         kept.append(run)
-        layer = layer_of(run)
+        layer = _layer_of(run)
         dropped.update(
             j
             for j in tree.query_ball_point(middles[i], tolerance)
-            if j > i and layer_of(runs[j]) == layer and _same(run, runs[j], tolerance)
+            if j > i and _layer_of(runs[j]) == layer and _same(run, runs[j], tolerance)
         )
     return kept
 

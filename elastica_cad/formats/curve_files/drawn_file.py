@@ -13,8 +13,6 @@ from elastica_cad.formats.file_access.source_file import name_source
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.curves.provenance import Provenance
 
-__all__ = ["CurveList", "DrawnCurve", "DrawnFile", "collect_curves", "list_things"]
-
 
 @dataclass(frozen=True, eq=False)
 class DrawnCurve:

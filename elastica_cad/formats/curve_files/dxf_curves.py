@@ -28,8 +28,6 @@ from elastica_cad.geometry.curves.provenance import Provenance
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
 
-__all__ = ["read_dxf_curves", "read_dxf_drawing"]
-
 # $INSUNITS -> millimetres in one unit; 0 is "no unit", which we read as mm
 _INSUNITS = {
     0: 1.0, 1: 25.4, 2: 304.8, 3: 1609344.0, 4: 1.0, 5: 10.0, 6: 1000.0, 7: 1e6, 8: 25.4e-6, 9: 0.0254,

@@ -10,8 +10,6 @@ from elastica_cad.formats.curve_files.number_gate import MOST_SHAPES, checked_co
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
 
-__all__ = ["DEEPEST_BLOCK", "ODDITIES", "dxf_rounding", "refuse_many_inserts"]
-
 DEEPEST_BLOCK = 20
 
 ODDITIES = (ValueError, TypeError, LookupError, AttributeError, ArithmeticError, AssertionError)

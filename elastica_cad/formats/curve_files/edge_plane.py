@@ -8,8 +8,6 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.edges import Edge, Run
 
-__all__ = ["flattened", "plane_axes"]
-
 
 def flattened(run: Sequence[Edge], tolerance: float) -> Run:
     """The run of edges (m, 3) in the coordinates of its own plane (m, 2).

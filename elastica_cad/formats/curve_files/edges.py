@@ -11,8 +11,6 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.polynomials.bezier_pieces import Spans, bezier_spans
 from elastica_cad.geometry.polynomials.conics import unit_circle_arc
 
-__all__ = ["Edge", "Run", "Source", "reversed_run"]
-
 
 @dataclass(frozen=True)
 class Source:

@@ -20,15 +20,6 @@ from elastica_cad.formats.file_access.atomic_write import write_atomically
 from elastica_cad.formats.file_access.source_file import look_up_unit, name_source
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
-__all__ = [
-    "CURVES_SCHEMA",
-    "curve_record",
-    "curves_json",
-    "read_json_curves",
-    "read_json_drawing",
-    "write_json_curves",
-]
-
 CURVES_SCHEMA = "elastica-curves/1"
 
 

@@ -8,22 +8,6 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 
-__all__ = [
-    "LARGEST_SIZE",
-    "MOST_CURVES",
-    "MOST_DEGREE",
-    "MOST_EDGES",
-    "MOST_PIECES",
-    "MOST_SHAPES",
-    "NUMBER",
-    "checked_count",
-    "checked_degree",
-    "checked_places",
-    "checked_size",
-    "checked_tolerance",
-    "half_last_place",
-]
-
 SMALLEST_SIZE, LARGEST_SIZE = 1e-3, 1e6
 """Sizes of curves that are read, mm: a thousandth of a millimetre to a kilometre."""
 

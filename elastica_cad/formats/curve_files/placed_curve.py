@@ -13,8 +13,6 @@ from elastica_cad.formats.curve_files.edges import Edge, Run
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 
-__all__ = ["edge_chains", "placed_chain", "placed_curve"]
-
 JOIN = 1e-4  # mm: ends of edges that are meant to meet
 TANGENT = 1e-3  # rad
 EVEN = 1e-6  # rad: curves that turn by less on the whole turn to neither side

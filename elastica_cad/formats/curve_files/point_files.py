@@ -23,8 +23,6 @@ from elastica_cad.formats.file_access.source_file import look_up_unit, name_sour
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.curves.provenance import Provenance
 
-__all__ = ["read_csv_curves", "read_csv_drawing", "read_text_curves", "read_text_drawing"]
-
 _DIGITS = 20_000  # numbers whose digits are looked at
 
 

@@ -15,8 +15,6 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path as Chain
 from elastica_cad.geometry.paths.segments import Spline
 
-__all__ = ["WRITTEN_SUFFIXES", "write_curves"]
-
 WRITTEN_SUFFIXES = (".dxf", ".svg", ".json")
 
 

@@ -61,8 +61,6 @@ from elastica_cad.forming.plane_sections.section_curves import SectionCurve
 from elastica_cad.mechanics.material.sheet import Sheet, load_sheets, sheets_from_table
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 
-__all__ = ["DESIGN_SCHEMA", "Design", "read_design"]
-
 DESIGN_SCHEMA = 1
 
 TOP_KEYS = (

@@ -12,8 +12,6 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 
-__all__ = ["CONSTANTS", "FUNCTIONS", "Formula", "Value"]
-
 Value: TypeAlias = "float | FloatArray"
 
 MOST_LETTERS = 2000

@@ -12,8 +12,6 @@ from elastica_cad.fabrication.sheets.coupon import coupon_drawing, reference_bar
 from elastica_cad.fabrication.sheets.pieces import Piece
 from elastica_cad.mechanics.material.sheet import Sheet
 
-__all__ = ["Cutting", "KitSpec", "Nesting"]
-
 
 @dataclass(frozen=True)
 class Nesting:

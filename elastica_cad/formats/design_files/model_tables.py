@@ -11,11 +11,6 @@ from elastica_cad.formats.drawing_files.dxf_drawing import DXF_VERSIONS
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.material.sheet import Sheet
 
-__all__ = [
-    "read_interlock",
-    "read_kit",
-]
-
 
 def read_interlock(table: Table) -> dict[str, Any]:
     """Options of `Model.interlock`."""

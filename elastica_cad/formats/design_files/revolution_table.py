@@ -14,8 +14,6 @@ from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.forming.revolution.meridian import Meridian, meridian, meridian_through
 from elastica_cad.mechanics.material.sheet import Sheet
 
-__all__ = ["RevolutionEntry", "read_revolution"]
-
 NEAR_MM = 1e-3
 """A meridian this near to its points passes them: no cut is as exact."""
 

@@ -23,8 +23,6 @@ from elastica_cad.forming.plane_sections.section_spec import (
     Split,
 )
 
-__all__ = ["FAMILIES", "read_sections"]
-
 FAMILIES = ("radial", "parallel", "along")
 
 

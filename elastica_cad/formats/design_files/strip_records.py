@@ -18,25 +18,6 @@ from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.sheet import Sheet
 
-__all__ = [
-    "find_sheet",
-    "parse_line",
-    "parse_lines",
-    "read_both_ends",
-    "read_keep",
-    "read_keep_out",
-    "read_limits",
-    "read_loads",
-    "read_mass",
-    "read_shop",
-    "read_slot",
-    "read_stiffness_bounds",
-    "read_style",
-    "read_supports",
-    "read_tab",
-    "read_tabs",
-]
-
 T = TypeVar("T")
 
 
@@ -175,8 +156,8 @@ def read_keep(table: Table) -> Keep:
         line = tuple(row.vector("point", 2) for row in rows)
     with table.naming():
         return Keep(
-            ends=read_both_ends(table, "ends", True),
-            tangents=read_both_ends(table, "tangents", False),
+            ends=_read_both_ends(table, "ends", True),
+            tangents=_read_both_ends(table, "tangents", False),
             length=table.flag("length"),
             symmetry=symmetry,
             points=table.vector("points", len(points), ()) if isinstance(points, list) else points,
@@ -184,7 +165,7 @@ def read_keep(table: Table) -> Keep:
         )
 
 
-def read_both_ends(table: Table, key: str, default: bool) -> bool | tuple[bool, bool]:
+def _read_both_ends(table: Table, key: str, default: bool) -> bool | tuple[bool, bool]:
     """True or false for both ends, or a pair for start and end."""
     given = table.raw(key, default)
     return tuple(given) if isinstance(given, list) else table.flag(key, default)

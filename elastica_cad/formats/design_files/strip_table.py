@@ -31,8 +31,6 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.material.sheet import Sheet
 
-__all__ = ["MAKING_KEYS", "STRIP_KEYS", "CurveReader", "StripEntry", "read_drawn_curve", "read_strip"]
-
 CurveReader: TypeAlias = Callable[..., list[PlaneCurve]]
 """`read_curves(path, unit=...)`."""
 

@@ -8,10 +8,8 @@ from typing import Any
 from elastica_cad.errors import InputError
 from elastica_cad.formats.design_files.formulae import Formula, Value
 
-__all__ = ["Table", "compute_number"]
 
-
-def compute_number(value: object, where: str, scope: Mapping[str, Value]) -> float:
+def _compute_number(value: object, where: str, scope: Mapping[str, Value]) -> float:
     """The number that is written as a number or as a formula.
 
     Raises
@@ -95,7 +93,7 @@ class Table:
         value = self.raw(key, default)
         if value is None:
             raise InputError(f"{self.place(key)} is missing; give it a number or a formula in quotes")
-        return compute_number(value, self.place(key), self.scope)
+        return _compute_number(value, self.place(key), self.scope)
 
     def maybe(self, key: str) -> float | None:
         """A number, or None where it is not given."""
@@ -114,7 +112,8 @@ class Table:
         if not isinstance(value, list | tuple) or len(value) != size:
             raise InputError(f"{self.place(key)} is {value!r}: it must be {size} numbers in brackets")
         return tuple(
-            compute_number(one, f"{self.place(key)}[{i}]", self.scope) for i, one in enumerate(value, start=1)
+            _compute_number(one, f"{self.place(key)}[{i}]", self.scope)
+            for i, one in enumerate(value, start=1)
         )
 
     def text(self, key: str, default: str | None = None, choices: Sequence[str] = ()) -> str:
@@ -150,5 +149,5 @@ class Table:
         for name, value in Table(let, self.place("let"), scope).data.items():
             if not name.isidentifier():
                 raise InputError(f"{self.place('let')}: {name!r} is no name; use letters, digits and _")
-            scope[name] = compute_number(value, f"{self.place('let')}.{name}", scope)
+            scope[name] = _compute_number(value, f"{self.place('let')}.{name}", scope)
         return scope

@@ -19,8 +19,6 @@ from elastica_cad.forming.plane_sections.section_spec import (
     Split,
 )
 
-__all__ = ["compose_section_design"]
-
 ANGLE_DIGITS = 10
 """Decimals of degrees: what was typed comes back, without the rounding of pi."""
 

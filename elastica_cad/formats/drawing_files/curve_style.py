@@ -5,8 +5,6 @@ from elastica_cad.geometry.paths.biarcs import as_arcs, as_polyline
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.path_cubics import as_cubics
 
-__all__ = ["CURVES", "EXACT", "check_curve_style", "shape_path"]
-
 CURVES = ("spline", "arc", "polyline")
 
 EXACT = "exact"

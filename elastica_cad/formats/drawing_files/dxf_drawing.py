@@ -27,8 +27,6 @@ if TYPE_CHECKING:
     from ezdxf.entities.dxfgfx import DXFGraphic
     from ezdxf.layouts.layout import Modelspace
 
-__all__ = ["DXF_VERSIONS", "encode_dxf", "write_dxf"]
-
 R12 = "AC1009"
 DXF_VERSIONS = ("R12", "R2000", "R2004", "R2007", "R2010", "R2013", "R2018")
 

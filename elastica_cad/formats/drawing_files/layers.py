@@ -8,8 +8,6 @@ from typing import TypeAlias
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, LAYERS, MARK
 
-__all__ = ["LayerChoice", "LayerStyle", "style_layers"]
-
 
 @dataclass(frozen=True)
 class LayerStyle:

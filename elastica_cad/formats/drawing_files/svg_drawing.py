@@ -15,8 +15,6 @@ from elastica_cad.formats.file_access.atomic_write import check_target, write_at
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
 
-__all__ = ["encode_svg", "write_svg"]
-
 _MARGIN_MM = 1.0
 """About the drawing, so that a stroke on its border is seen."""
 

@@ -13,8 +13,6 @@ from elastica_cad.formats.drawing_files.layers import LayerChoice
 from elastica_cad.formats.drawing_files.svg_drawing import write_svg
 from elastica_cad.formats.file_access.atomic_write import check_target
 
-__all__ = ["DRAWING_SUFFIXES", "write_drawing"]
-
 DRAWING_SUFFIXES = (".dxf", ".svg")
 
 _KERF_TOLERANCE_MM = 1e-4

@@ -7,8 +7,6 @@ from typing import BinaryIO
 
 from elastica_cad.errors import InputError
 
-__all__ = ["check_target", "write_atomically"]
-
 
 def check_target(path: str | os.PathLike[str], *, force: bool = False) -> Path:
     """The file to be written, with links followed, refused early where it can't be.

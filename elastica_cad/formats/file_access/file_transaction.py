@@ -9,8 +9,6 @@ from tempfile import TemporaryDirectory
 from elastica_cad.errors import InputError
 from elastica_cad.formats.file_access.atomic_write import check_target
 
-__all__ = ["write_together"]
-
 
 @contextmanager
 def write_together(

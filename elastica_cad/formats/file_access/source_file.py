@@ -6,8 +6,6 @@ from pathlib import Path
 
 from elastica_cad.errors import InputError, NotConvergedError
 
-__all__ = ["LARGEST_FILE", "MILLIMETRES", "look_up_unit", "name_source", "require_file"]
-
 LARGEST_FILE = 256 * 2**20
 """Bytes."""
 

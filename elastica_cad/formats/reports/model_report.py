@@ -13,8 +13,6 @@ from elastica_cad.formats.design_files.strip_table import StripEntry
 from elastica_cad.formats.reports.strip_report import list_versions, round_numbers
 from elastica_cad.geometry.paths.point_distance import largest_deviation
 
-__all__ = ["MODEL_SCHEMA", "report_model"]
-
 MODEL_SCHEMA = "elastica-model/1"
 
 

@@ -12,8 +12,6 @@ from elastica_cad.forming.smoothing import Smoothing
 from elastica_cad.mechanics.stability.stability_verdict import Stability
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
 
-__all__ = ["REPORT_SCHEMA", "list_versions", "report_check", "report_strip", "round_numbers"]
-
 REPORT_SCHEMA = "elastica-report/1"
 _UNITS = {
     "length": "mm",

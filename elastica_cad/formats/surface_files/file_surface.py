@@ -9,8 +9,6 @@ from elastica_cad.formats.surface_files.mesh_files import read_mesh
 from elastica_cad.forming.plane_sections.mesh_sections import mesh_sections
 from elastica_cad.forming.plane_sections.section_spec import Surface
 
-__all__ = ["SurfaceReader", "mesh_surface", "read_sized_surface"]
-
 LEAST_SIZE_MM, MOST_SIZE_MM = 1.0, 1e6
 """What is told to be smaller or larger was told in a wrong unit."""
 

@@ -8,8 +8,6 @@ from elastica_cad.errors import InputError, MissingDependencyError
 from elastica_cad.formats.file_access.source_file import look_up_unit, name_source, require_file
 from elastica_cad.forming.plane_sections.triangle_mesh import Mesh
 
-__all__ = ["MESH_SUFFIXES", "read_mesh"]
-
 MESH_SUFFIXES = (".obj", ".stl", ".ply")
 
 LIKELY_SIZES_MM = (50.0, 20000.0)

@@ -14,8 +14,6 @@ from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.edges import Edge
 from elastica_cad.formats.curve_files.number_gate import MOST_PIECES, NUMBER, checked_count, half_last_place
 
-__all__ = ["PathData", "arc_edge", "bezier_edge", "path_data"]
-
 _SPACE = re.compile(r"[\s,]*")
 _NUMBER = re.compile(NUMBER)
 _COUNTS = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}
@@ -148,7 +146,7 @@ def _draw(pen: _Pen, kind: str, values: FloatArray, *, relative: bool) -> None:
     if kind == "A":
         end = origin + values[5:]
         pen.add(
-            arc_edge(
+            _arc_edge(
                 pen.here, end, np.abs(values[:2]), float(np.radians(values[2] % 360.0)),
                 large=bool(values[3]), sweep=bool(values[4]),
             )
@@ -208,7 +206,7 @@ def _is_straight(points: FloatArray) -> bool:
     return bool(np.abs(across).max() <= 1e-12 * along[-1] and np.all(np.diff(along) >= 0))
 
 
-def arc_edge(
+def _arc_edge(
     start: FloatArray, end: FloatArray, radii: FloatArray, turned: float, *, large: bool, sweep: bool
 ) -> Edge | None:
     """The exact elliptic arc between two points, its radii enlarged where they do not reach.

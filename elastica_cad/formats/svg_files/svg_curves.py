@@ -20,8 +20,6 @@ from elastica_cad.formats.svg_files.path_data import PathData, bezier_edge, path
 from elastica_cad.formats.svg_files.svg_tree import LENGTH, MARK, MM, SvgTree, svg_tree
 from elastica_cad.geometry.curves.provenance import Provenance
 
-__all__ = ["read_svg_curves", "read_svg_drawing"]
-
 _PX = MILLIMETRES["px"]
 _LEAST_UNIT = 1e-9  # mm
 _LARGEST = 1e15  # of any number: what comes of two of them is still a number

@@ -10,8 +10,6 @@ from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.number_gate import MOST_SHAPES, NUMBER, checked_count, half_last_place
 from elastica_cad.formats.file_access.source_file import MILLIMETRES
 
-__all__ = ["LENGTH", "MARK", "MM", "Shape", "SvgTree", "svg_tree"]
-
 LENGTH = re.compile(rf"\s*({NUMBER})\s*(px|pt|pc|mm|cm|in|[qQ])?\s*")
 MM = {"pc": 25.4 / 6, "q": 0.25} | {unit: MILLIMETRES[unit] for unit in ("px", "pt", "mm", "cm", "in")}
 _PX = MILLIMETRES["px"]

@@ -13,8 +13,6 @@ from elastica_cad.forming.splitting import split
 from elastica_cad.mechanics.stability.stability_verdict import stability
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
-__all__ = ["advise"]
-
 _MOST_CHANGES = 4  # things that bind, each solved again; more supports than that are no help either
 _SLIGHT_DIAGONALS = 1e-3  # distances below this are not worth advice
 _NEAR_DIAGONALS = 0.01  # and below this not worth supports

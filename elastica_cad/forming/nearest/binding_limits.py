@@ -9,8 +9,6 @@ from elastica_cad.forming.nearest.rod_constraints import CurvatureLimit, MarginL
 from elastica_cad.forming.nearest.rod_problem import RodProblem
 from elastica_cad.forming.nearest.starts import MET, RodOutcome
 
-__all__ = ["Binding", "list_bindings"]
-
 _IDLE = 1e-6  # of the largest cost: smaller ones are what the quadratic program leaves open
 
 

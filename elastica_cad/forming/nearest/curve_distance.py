@@ -12,8 +12,6 @@ from elastica_cad.forming.nearest.target_curve import TargetCurve
 from elastica_cad.forming.optimizer.dense_solves import gram
 from elastica_cad.forming.optimizer.nonlinear_program import LocalModel
 
-__all__ = ["ClosestDistance", "Distance", "LargestDistance", "MeanDistance", "measure_deviation"]
-
 _MOST_EXACT = 8  # points whose distance is computed from all chords before a search tree is cheaper
 
 

@@ -11,8 +11,6 @@ from elastica_cad.forming.optimizer.dense_solves import gram, matvec
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.rod.rod_record import Rod
 
-__all__ = ["editable_curve"]
-
 DEGREE = 4  # the least whose curvature has a slope that is continuous
 STRAIGHT_RAD = 1e-9  # over the whole length: nothing but rounding bends such a rod
 TOLERANCE_MM = 1e-3  # between curve and rod: below what a laser cutter repeats

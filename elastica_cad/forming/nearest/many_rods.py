@@ -12,8 +12,6 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
 
-__all__ = ["nearest_rods"]
-
 _OPTIONS = {"weights", "measure", "samples", "coefficients"}
 
 

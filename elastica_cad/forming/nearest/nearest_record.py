@@ -16,8 +16,6 @@ from elastica_cad.forming.nearest.starts import MET
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.rod.rod_record import Rod
 
-__all__ = ["NearestRod", "Status"]
-
 
 class Status(Enum):
     """How the search ended, in a sentence for the user."""

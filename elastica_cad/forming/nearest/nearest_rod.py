@@ -16,8 +16,6 @@ from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.rod.node_counts import SEARCH_SAMPLES
 
-__all__ = ["nearest_rod"]
-
 _FAR = 0.05  # largest distance, in diagonals of the target, beyond which a rod no longer looks like it
 
 

@@ -35,8 +35,6 @@ from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.rod.rod_system import RodSystem
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
-__all__ = ["Measure", "NearestTask", "Weights", "spline_basis"]
-
 Measure: TypeAlias = Literal["mean", "closest", "max"]
 Weights: TypeAlias = "ArrayLike | Callable[[FloatArray], ArrayLike] | None"
 
@@ -163,7 +161,7 @@ class NearestTask:
         size = self.target.size
         least = float(mapped.stiffness.min())
         length = mapped.length * size
-        knots = spline_knots(self.coefficients) * length
+        knots = _spline_knots(self.coefficients) * length
         profile = Profile(knots, self.coefficients_of(mapped.z) / least)
         nodes = self.nodes
         blank = Rod.straight(length, profile, samples=nodes, gravity=self.gravity, supports=self.supports)
@@ -364,10 +362,10 @@ def spline_basis(x: FloatArray, count: int) -> FloatArray:
     """Values (n, count) of the cubic B-splines with uniform clamped knots at x (n,) in 0..1."""
     from scipy.interpolate import BSpline
 
-    return np.asarray(BSpline.design_matrix(np.clip(x, 0, 1), spline_knots(count), 3).toarray())
+    return np.asarray(BSpline.design_matrix(np.clip(x, 0, 1), _spline_knots(count), 3).toarray())
 
 
-def spline_knots(count: int) -> FloatArray:
+def _spline_knots(count: int) -> FloatArray:
     """Their knots."""
     return np.concatenate([np.zeros(3), np.linspace(0, 1, count - 2), np.ones(3)])
 

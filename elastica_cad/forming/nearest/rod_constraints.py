@@ -10,23 +10,6 @@ from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.forming.limits import Box, HalfPlane
 from elastica_cad.forming.nearest.rod_map import MappedRod, Sensitivities
 
-__all__ = [
-    "Constraint",
-    "CurvatureLimit",
-    "EndAngle",
-    "EndForce",
-    "EndMoment",
-    "EndPosition",
-    "InflectionLine",
-    "KeepOut",
-    "LeastStiffness",
-    "MarginLimit",
-    "MiddleOfMirror",
-    "MiddleOfTurn",
-    "Through",
-    "thinned",
-]
-
 MOST_ROWS = 56  # of one constraint in one program: with its ends below 64, where factorisations start threads
 _NEAR = 0.6  # of a limit: values within it enter the quadratic program, as a step may use them up
 

@@ -15,8 +15,6 @@ from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod, edge_forces, node_weights
 from elastica_cad.mechanics.rod.shooting import shoot
 
-__all__ = ["MappedRod", "Sensitivities", "StripGrid", "Unknowns"]
-
 
 @dataclass(frozen=True)
 class Unknowns:

@@ -13,8 +13,6 @@ from elastica_cad.forming.nearest.rod_map import MappedRod, Sensitivities, Strip
 from elastica_cad.forming.optimizer.dense_solves import matvec
 from elastica_cad.forming.optimizer.nonlinear_program import ConstraintRows, Linearization, NonlinearProgram
 
-__all__ = ["RodProblem"]
-
 _TOO_SENSITIVE = 1e50  # rad per unknown: squares of such derivatives overflow
 
 

@@ -11,8 +11,6 @@ from elastica_cad.forming.nearest.rod_map import MappedRod
 from elastica_cad.forming.nearest.rod_problem import RodProblem
 from elastica_cad.forming.optimizer.sqp import LIFTS, Outcome, lift, minimize
 
-__all__ = ["MET", "RodOutcome", "mean_distance", "search"]
-
 RodOutcome: TypeAlias = Outcome[MappedRod]
 
 MET = 1e-6  # worst broken limit, in lengths, radians or shares of the limit, that counts as met

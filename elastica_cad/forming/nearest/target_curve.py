@@ -10,8 +10,6 @@ from elastica_cad.errors import InputError
 from elastica_cad.forming.limits import Symmetry
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
-__all__ = ["TargetCurve", "symmetry_frame"]
-
 SPANS = 1000  # of the table: its cubics are off a drawn curve by less than 1e-9 lengths
 _WINDOW_LENGTHS = 0.08  # how far along the curve a foot may lie from its node's arc length
 _SYMMETRIC_LENGTHS = 1e-4  # a curve off its mirror image by less, in lengths, is symmetric

@@ -4,8 +4,6 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 
-__all__ = ["gram", "matvec"]
-
 _UNTHREADED = 200_000  # multiplications of a product of matrices
 _UNTHREADED_ENTRIES = 9_000  # of a matrix times a vector
 

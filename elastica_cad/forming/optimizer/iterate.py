@@ -15,18 +15,6 @@ from elastica_cad.forming.optimizer.nonlinear_program import (
     Point,
 )
 
-__all__ = [
-    "ActiveSet",
-    "Iterate",
-    "all_equalities",
-    "close_iterate",
-    "find_free",
-    "follow_step",
-    "iterate_at",
-    "meet_equalities",
-    "row_keys",
-]
-
 _NEWTON_STEPS = 4  # corrections on the way to one iterate: the error is squared four times
 _KEY_STRIDE = 1_000_000  # more values than any constraint has
 _ROOM = 1e-6  # scales from a bound, within which an unknown is at it

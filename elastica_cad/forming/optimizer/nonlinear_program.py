@@ -11,8 +11,6 @@ from typing import Generic, TypeVar
 
 from elastica_cad._types import BoolArray, FloatArray, IntArray
 
-__all__ = ["ConstraintRows", "Linearization", "LocalModel", "NonlinearProgram", "Point"]
-
 Point = TypeVar("Point")
 
 

@@ -7,8 +7,6 @@ import numpy as np
 from elastica_cad._types import BoolArray, FloatArray
 from elastica_cad.forming.optimizer.dense_solves import gram
 
-__all__ = ["QuadraticProgram", "QuadraticSolution", "solve_quadratic"]
-
 # Interior points, not HiGHS: its active-set QP was tried first and cycled without end on the programs of a
 # nearly solved problem. These programs are dense, at most some hundred rows by some tens of unknowns, and
 # every unknown has finite bounds (a trust region), so a dozen factorisations always suffice.

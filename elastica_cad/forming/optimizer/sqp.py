@@ -27,8 +27,6 @@ from elastica_cad.forming.optimizer.quadratic_program import (
     solve_quadratic,
 )
 
-__all__ = ["LIFTS", "Outcome", "lift", "minimize"]
-
 STEPS = 80  # most quadratic programs of one search: usual ones take less than half
 LIFTS = 12  # most lifted steps: they converge quadratically, or not at all
 SETTLED = 3e-4  # a step that promises less than this share of the objective ends the search

@@ -7,8 +7,6 @@ from elastica_cad.errors import InputError
 from elastica_cad.forming.plane_sections.triangle_mesh import FARTHEST_MM
 from elastica_cad.geometry.frame import Frame
 
-__all__ = ["parallel_planes", "planes_along", "radial_planes"]
-
 
 def parallel_planes(
     point: ArrayLike, normal: ArrayLike, offsets: ArrayLike, *, up: ArrayLike = (0.0, 0.0, 1.0)

@@ -22,8 +22,6 @@ from elastica_cad.forming.plane_sections.section_lines import (
 from elastica_cad.forming.plane_sections.triangle_mesh import Mesh
 from elastica_cad.geometry.frame import Frame
 
-__all__ = ["mesh_sections", "refuse_odd_planes"]
-
 APART = 1e-10
 """Neighbouring points of a section nearer than this share of the size are one."""
 

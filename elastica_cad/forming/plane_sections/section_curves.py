@@ -15,8 +15,6 @@ from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.material.sheet import Sheet
 
-__all__ = ["SectionCurve", "remove_false_inflections", "section_curves", "smooth_polyline"]
-
 SMOOTHED_POINTS = 240
 """Points that smoothing works on."""
 

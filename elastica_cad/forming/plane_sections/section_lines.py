@@ -9,9 +9,6 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
 
-__all__ = ["IN_PLANE", "PlaneSection", "SectionLine", "collect_section", "place_in_words", "tidy_points"]
-
-
 IN_PLANE = 1e-12
 """Vertices nearer to a plane than this share of the surface's size lie in it: rounding."""
 

@@ -13,19 +13,6 @@ from elastica_cad.forming.plane_sections.section_curves import SectionCurve, sec
 from elastica_cad.forming.plane_sections.section_lines import PlaneSection, SectionLine
 from elastica_cad.geometry.frame import Frame
 
-__all__ = [
-    "AlongPath",
-    "CornerSplit",
-    "Cuts",
-    "ParallelCuts",
-    "PlaneSplit",
-    "PointSplit",
-    "RadialCuts",
-    "SectionSpec",
-    "Split",
-    "Surface",
-]
-
 Triple: TypeAlias = tuple[float, float, float]
 
 MOST_PLANES = 1000

@@ -8,8 +8,6 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray, IntArray
 from elastica_cad.errors import InputError
 
-__all__ = ["FARTHEST_MM", "Mesh"]
-
 SHOWN_PLACES = 3
 """Places that a complaint lists."""
 

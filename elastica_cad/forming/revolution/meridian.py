@@ -20,8 +20,6 @@ from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.geometry.polynomials.spline_checks import finite
 from elastica_cad.mechanics.rod.rod_record import Rod
 
-__all__ = ["Meridian", "meridian", "meridian_through"]
-
 ACCURACY = 1e-12
 """Relative tolerance of the integrator, of order 8."""
 

@@ -18,8 +18,6 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
-__all__ = ["EXACT_POINTS", "FoundMeridian", "search_meridian"]
-
 EXACT_POINTS = 5
 """a, b and the start in space and direction, but for sliding along: so many points fix a meridian; one less where
 the last is its pole, which takes two freedoms."""

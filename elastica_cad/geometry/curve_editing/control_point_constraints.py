@@ -15,19 +15,6 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
-__all__ = [
-    "CollinearInflections",
-    "Constraint",
-    "CurvatureAt",
-    "EndPositions",
-    "EndTangents",
-    "FixedLength",
-    "InflectionsOnLine",
-    "PointsOnLine",
-    "directed_rows",
-    "least_norm_newton",
-]
-
 _GAUSS, _GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(16)
 
 

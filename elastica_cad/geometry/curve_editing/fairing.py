@@ -17,8 +17,6 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
 
-__all__ = ["Fairing", "faired", "has_rough_curvature", "two_sided_distance", "unasked_tolerance"]
-
 DEGREE = 4
 
 USUAL, USUAL_SHARE = 0.1, 5e-4

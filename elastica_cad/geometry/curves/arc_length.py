@@ -9,8 +9,6 @@ import numpy as np
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.geometry.polynomials.chebyshev import chebyshev, series_at
 
-__all__ = ["ArcLength", "arc_length_table"]
-
 _DEGREE = 15
 """Of the Chebyshev series for the speed on one panel."""
 

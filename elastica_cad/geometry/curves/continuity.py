@@ -11,8 +11,6 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.curve_derivatives import RationalPieces, curvature, curvature_slope, norm
 from elastica_cad.geometry.curves.tangent_angle import TangentAngle
 
-__all__ = ["KnotSides", "continuity_orders", "in_millimetres", "refuse_standstill"]
-
 
 @dataclass(frozen=True, eq=False)
 class KnotSides:

@@ -14,8 +14,6 @@ from elastica_cad._types import BoolArray, FloatArray
 from elastica_cad.geometry.curves.tangent_angle import hodograph
 from elastica_cad.geometry.polynomials.bernstein import divide_out_end_root, product, roots, value_and_slope
 
-__all__ = ["ZeroKind", "ZeroPlace", "curvature_level_places", "curvature_zero_places", "line_places"]
-
 ZeroKind: TypeAlias = Literal["crossing", "touch", "end", "jump", "flat"]
 
 _EPS = float(np.finfo(float).eps)
@@ -55,7 +53,7 @@ def curvature_zero_places(bezier: FloatArray, edges: FloatArray, smooth: BoolArr
     """
     bezier = _unit_sized(bezier)
     numerator, noise = _curvature_numerator(bezier)
-    flat = straight_pieces(bezier) | (np.abs(numerator).max(axis=1) <= noise)
+    flat = _straight_pieces(bezier) | (np.abs(numerator).max(axis=1) <= noise)
     return _places(_Pieces(numerator, noise, flat, smooth), edges)
 
 
@@ -102,7 +100,7 @@ def line_places(bezier: FloatArray, edges: FloatArray, a: float, b: FloatArray) 
     return _places(_Pieces(distance, noise, on_line, np.ones(edges.size - 2, dtype=bool)), edges)
 
 
-def straight_pieces(bezier: FloatArray) -> BoolArray:
+def _straight_pieces(bezier: FloatArray) -> BoolArray:
     """Which homogeneous Bezier pieces are straight (p,): curvature below 1e-8 of 1 / size of the curve."""
     points = bezier[..., :2] / bezier[..., 2:]
     size = _extent(bezier)

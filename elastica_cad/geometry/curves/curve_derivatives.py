@@ -12,8 +12,6 @@ from elastica_cad.geometry.curves.tangent_angle import TangentCones, cut_into_ta
 from elastica_cad.geometry.polynomials.bernstein import interior_roots
 from elastica_cad.geometry.polynomials.bezier_pieces import Spans
 
-__all__ = ["RationalPieces", "cross", "curvature", "curvature_slope", "norm", "quotient"]
-
 
 @dataclass(frozen=True, eq=False)
 class RationalPieces:

@@ -5,8 +5,6 @@ from dataclasses import dataclass
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry.curves.curvature_zeros import ZeroKind
 
-__all__ = ["Break", "CurvatureZero", "CurveSamples", "LineCrossing", "TangentBreak"]
-
 
 @dataclass(frozen=True, eq=False)
 class CurveSamples:

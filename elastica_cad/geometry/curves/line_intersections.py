@@ -9,8 +9,6 @@ from elastica_cad.geometry.curves.curve_records import LineCrossing
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.polynomials.spline_checks import finite
 
-__all__ = ["line_crossings"]
-
 
 def line_crossings(curve: PlaneCurve, a: float, b: ArrayLike) -> tuple[LineCrossing, ...]:
     """All points that a curve has in common with the line a + <b, x> = 0, in order along the curve.

@@ -34,8 +34,6 @@ from elastica_cad.geometry.polynomials.fit_function import adaptive_spline
 from elastica_cad.geometry.polynomials.fit_points import fit_spline
 from elastica_cad.geometry.polynomials.spline_checks import check_knots, finite, whole_degree
 
-__all__ = ["PlaneCurve"]
-
 FAR_SIZES = 1e6
 """A curve moved farther away than so many of its sizes loses digits, and is checked again."""
 

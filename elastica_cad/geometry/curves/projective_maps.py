@@ -10,8 +10,6 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.polynomials.bernstein import subdivide
 from elastica_cad.geometry.polynomials.spline_checks import finite
 
-__all__ = ["four_point_map", "keeps_shape", "map_spline"]
-
 _MOST_HALVINGS = 30
 
 IN_LINE_SHARE = 1e-9

@@ -8,8 +8,6 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.geometry.curves.tangent_healing import Turn
 
-__all__ = ["Drawn", "Provenance"]
-
 Drawn: TypeAlias = Literal["pen", "exact"]
 """What a curve was drawn as: Bezier pieces of a pen tool, or a shape that is meant to the last digit."""
 

@@ -8,8 +8,6 @@ from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.geometry.curves.tangent_angle import hodograph
 from elastica_cad.geometry.polynomials.bernstein import subdivide
 
-__all__ = ["find_self_intersections"]
-
 _MOST_HALVINGS = 40
 """A piece halved this often is as short as rounding."""
 

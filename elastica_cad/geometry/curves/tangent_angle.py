@@ -7,8 +7,6 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry.polynomials.bernstein import product, subdivide
 
-__all__ = ["TangentAngle", "TangentCones", "cut_into_tangent_cones", "hodograph", "tabulate_tangent_angle"]
-
 _STANDSTILL_SHARE = 1e-9  # of the largest speed on the span; a curve slower than that stands still
 _MOST_HALVINGS = 27  # halvings of a knot span; a direction that still is undecided there is a cusp
 

@@ -12,8 +12,6 @@ import numpy as np
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.geometry.polynomials.degree_elevation import elevated
 
-__all__ = ["Healing", "Turn", "healed_tangents"]
-
 ANYWAY = 1e-9
 """Turns below this, rad, are not worth a move."""
 

@@ -15,8 +15,6 @@ from elastica_cad.geometry.polynomials.bernstein import (
     value_and_slope,
 )
 
-__all__ = ["ViewAngles", "find_view_angles"]
-
 _AT_KNOT_SHARE = 1e-9  # of a span
 
 

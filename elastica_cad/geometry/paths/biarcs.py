@@ -10,8 +10,6 @@ from elastica_cad.geometry.paths.path_cubics import smooth_stretches
 from elastica_cad.geometry.paths.point_distance import distances
 from elastica_cad.geometry.paths.segments import Segment, Spline, place, segment_from_bulge
 
-__all__ = ["as_arcs", "as_polyline"]
-
 _ROUNDING_SHARE = 1e-12
 """A chord no longer than this part of its coordinates has no direction."""
 

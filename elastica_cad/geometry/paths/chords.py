@@ -6,8 +6,6 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
 
-__all__ = ["chord_parameters", "require_tolerance_mm"]
-
 _PROBES = np.array([0.25, 0.5, 0.75])
 """Places of a span at which its distance from the chord is measured, in shares of the span."""
 

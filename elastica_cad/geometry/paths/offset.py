@@ -15,8 +15,6 @@ from elastica_cad.geometry.paths.point_distance import distances
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline, left_of, place
 from elastica_cad.geometry.paths.trim import trim_segment
 
-__all__ = ["offset_path"]
-
 _LOST_OFFSETS = 4.0
 """A stretch of the path longer than this many offsets must leave a trace: it is a feature, not a corner."""
 

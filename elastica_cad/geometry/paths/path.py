@@ -20,8 +20,6 @@ from elastica_cad.geometry.paths.segments import (
     segment_from_bulge,
 )
 
-__all__ = ["JOIN", "Path"]
-
 JOIN = 1e-6
 """Largest gap between the ends of neighbouring segments, mm."""
 

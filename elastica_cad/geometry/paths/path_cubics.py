@@ -13,8 +13,6 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Segment, Spline, place
 from elastica_cad.geometry.paths.trim import clamp_ends
 
-__all__ = ["as_cubics", "cubic_through", "smooth_stretches"]
-
 Motion = Callable[[FloatArray, int, bool], FloatArray]
 
 _PROBES = np.array([0.06, 0.2, 0.36, 0.5, 0.64, 0.8, 0.94])

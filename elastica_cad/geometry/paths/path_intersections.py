@@ -13,8 +13,6 @@ from elastica_cad.geometry.paths.segments import Line, Segment
 
 IndexArray: TypeAlias = NDArray[np.intp]
 
-__all__ = ["Chords", "chord_crossings", "polylines_cross", "segment_crossings", "self_crossing"]
-
 _CHORD_TOLERANCE_MM = 1e-3
 """Chords this near to a segment (mm) are good enough to start Newton's method from."""
 

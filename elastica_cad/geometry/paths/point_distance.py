@@ -7,8 +7,6 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.chords import chord_parameters
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
 
-__all__ = ["distances", "largest_deviation"]
-
 _BLOCK = 4096
 """Points whose distances from all chords of a spline are held at a time: some ten MB."""
 

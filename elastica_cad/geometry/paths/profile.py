@@ -14,8 +14,6 @@ from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
 from elastica_cad.geometry.polynomials.fit_function import adaptive_spline
 from elastica_cad.geometry.polynomials.spline_checks import finite
 
-__all__ = ["Profile"]
-
 
 @dataclass(frozen=True, eq=False)
 class Profile:

@@ -11,20 +11,6 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
-__all__ = [
-    "Arc",
-    "Line",
-    "Segment",
-    "Spline",
-    "is_similarity",
-    "left_of",
-    "place",
-    "require_affine",
-    "segment_from_bulge",
-    "transform_points",
-]
-
-
 _FLATTEST_MM = 1e-7
 """An arc that rises less than this over its chord (mm) is a line."""
 
@@ -222,7 +208,7 @@ class Arc:
         InputError
             The matrix would make an ellipse of it; `Path.transformed` then takes a spline.
         """
-        m = require_affine(matrix)
+        m = _require_affine(matrix)
         if not is_similarity(m):
             raise InputError("an arc stays an arc only when moved, turned, mirrored or scaled evenly")
         scale = np.hypot(m[0, 0], m[1, 0]) / m[2, 2]
@@ -344,12 +330,12 @@ def segment_from_bulge(start: ArrayLike, end: ArrayLike, bulge: float) -> Line |
 
 def transform_points(matrix: ArrayLike, points: ArrayLike) -> FloatArray:
     """Points (..., 2) moved by a 3x3 affine matrix."""
-    m = require_affine(matrix)
+    m = _require_affine(matrix)
     moved = (np.asarray(points, dtype=float) @ m[:2, :2].T + m[:2, 2]) / m[2, 2]
     return np.asarray(moved, dtype=float)
 
 
-def require_affine(matrix: ArrayLike) -> FloatArray:
+def _require_affine(matrix: ArrayLike) -> FloatArray:
     """The matrix, refused unless it is affine and invertible."""
     m = np.asarray(matrix, dtype=float)
     if m.shape != (3, 3):
@@ -364,7 +350,7 @@ def require_affine(matrix: ArrayLike) -> FloatArray:
 
 def is_similarity(matrix: ArrayLike) -> bool:
     """True where a 3x3 affine matrix keeps circles circles."""
-    a = require_affine(matrix)[:2, :2]
+    a = _require_affine(matrix)[:2, :2]
     size = float(np.abs(a).max())
     same = np.allclose(a[:, 1], left_of(a[:, 0]), rtol=0, atol=1e-12 * size)
     return bool(same or np.allclose(a[:, 1], -left_of(a[:, 0]), rtol=0, atol=1e-12 * size))

@@ -7,8 +7,6 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
 
-__all__ = ["clamp_ends", "trim_curve", "trim_segment"]
-
 
 def trim_segment(segment: Segment, u0: float, u1: float) -> Segment:
     """The part of a segment between 0 <= u0 < u1 <= 1, exact."""

@@ -8,17 +8,6 @@ import numpy as np
 
 from elastica_cad._types import BoolArray, FloatArray, IntArray
 
-__all__ = [
-    "Root",
-    "divide_out_end_root",
-    "interior_roots",
-    "product",
-    "raise_degree",
-    "roots",
-    "subdivide",
-    "value_and_slope",
-]
-
 
 @lru_cache(maxsize=64)
 def _binomials(degree: int) -> FloatArray:

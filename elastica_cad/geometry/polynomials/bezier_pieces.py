@@ -7,8 +7,6 @@ import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
 
-__all__ = ["Spans", "bezier_spans"]
-
 
 @dataclass(frozen=True, eq=False)
 class Spans:

@@ -8,8 +8,6 @@ import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
 
-__all__ = ["chebyshev", "series_at"]
-
 
 def chebyshev(x: FloatArray, count: int) -> FloatArray:
     """Values (count, n) of the first polynomials T_0, T_1, ... at places (n,) from -1 to 1.

@@ -6,8 +6,6 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 
-__all__ = ["unit_circle_arc"]
-
 
 def unit_circle_arc(start: float, end: float) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Knots, control points (m, 2) and weights (m,) of degree 2 for the unit circle from angle start to end.

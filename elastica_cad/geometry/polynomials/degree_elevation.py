@@ -5,8 +5,6 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
 
-__all__ = ["elevated"]
-
 
 def elevated(
     knots: FloatArray, control_points: FloatArray, degree: int, weights: FloatArray | None = None

@@ -8,8 +8,6 @@ from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.polynomials.bezier_pieces import Spans, bezier_spans
 
-__all__ = ["adaptive_spline"]
-
 _PROBES = np.array([0.02, 0.11, 0.27, 0.43, 0.58, 0.72, 0.88, 0.98])
 """Places of a span at which the error is measured, in shares of the span: none is a site of the fit."""
 

@@ -7,8 +7,6 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.polynomials.bezier_pieces import Spans, bezier_spans
 from elastica_cad.geometry.polynomials.spline_checks import finite
 
-__all__ = ["fit_spline"]
-
 _CORRECTIONS = 2
 """Moves of the parameters to the feet of their perpendiculars, for each knot vector."""
 

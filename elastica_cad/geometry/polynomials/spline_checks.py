@@ -7,8 +7,6 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 
-__all__ = ["check_knots", "finite", "whole_degree"]
-
 
 def finite(name: str, values: ArrayLike | Sequence[float] | float) -> FloatArray:
     """A read-only float array of `values`; refuses what is no number, NaN and infinity."""

@@ -17,8 +17,6 @@ from elastica_cad.mechanics.rod.discrete_rod import edge_positions, tangents
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.rod.rod_system import RodState, RodSystem
 
-__all__ = ["as_steps", "bend", "bend_path", "reach", "resample", "state_of", "system_of"]
-
 Keep = Literal["keep"]
 
 COARSE_DEG = 60.0  # between neighbouring edges, above which a shape is rough to the eye
@@ -107,7 +105,7 @@ def bend(
     ends = rod.position[0], rod.position[-1]
     start, end = (own if given is None else given for given, own in zip((start, end), ends, strict=True))
     if samples is not None and samples != rod.s.size:
-        rod = resample(rod, samples)
+        rod = _resample(rod, samples)
     if not (gravity is None or isinstance(gravity, Gravity) or gravity == "keep"):
         raise InputError(f'gravity must be a Gravity record, None or "keep", not {gravity!r}')
     if side not in {None, 1, -1}:
@@ -240,7 +238,7 @@ def state_of(rod: Rod, system: RodSystem) -> RodState:
     return system.state(rod.discrete.angles, extra[list(system.held)])
 
 
-def resample(rod: Rod, samples: int) -> Rod:
+def _resample(rod: Rod, samples: int) -> Rod:
     """The same rod on another number of nodes: stiffness from its profile, the rest interpolated."""
     whole_number(samples, "samples", 4)
     s = np.linspace(0.0, rod.length, samples)

@@ -13,8 +13,6 @@ from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.rod.rod_record import Rod
 
-__all__ = ["ElasticaBetween", "elastica_between"]
-
 SAMPLES = 901  # nodes: the curve through them is longer by the square of their distance, 1e-6 of the length
 DRAWN = 1e-6  # of the length: error of the curve through the nodes
 DEGREE = 5

@@ -17,8 +17,6 @@ from elastica_cad.mechanics.bending.newton_continuation import (
 from elastica_cad.mechanics.rod.banded_matrices import lowest_constrained, solve_bordered
 from elastica_cad.mechanics.rod.rod_system import RodState, RodSystem, Step
 
-__all__ = ["is_straight", "leave_straight", "stretch"]
-
 STRAIGHT_RAD = 1e-7  # between the edges: what a drawing to a micrometre shows of a strip of ten metres
 DECIDING_TURN_RAD = 0.5  # between the held end angles, above which they decide the side
 FIRST_CHORD = 0.9  # of the length: the first shortening away from the straight state

@@ -8,8 +8,6 @@ import numpy as np
 from elastica_cad.mechanics.rod.banded_matrices import lowest_constrained, solve_bordered
 from elastica_cad.mechanics.rod.rod_system import Residual, RodState, RodSystem, Step
 
-__all__ = ["TOLERANCE", "Reached", "correct", "follow", "is_balanced", "newton_step", "relax", "trace"]
-
 TOLERANCE = 1e-10  # of the moments' size, and of the length: what `bend` promises
 LARGEST_TURN_RAD = 0.5  # of an edge in one step: cos and sin are then off their tangents by an eighth
 SMALL_TURN_RAD = 0.02  # steps that turn no edge further may pass a crossing of branches
@@ -40,7 +38,7 @@ def is_balanced(state: RodState) -> bool:
     return state.imbalance <= TOLERANCE and state.gap <= TOLERANCE
 
 
-def newton_step(state: RodState, residual: Residual) -> Step:
+def _newton_step(state: RodState, residual: Residual) -> Step:
     """The step that cancels `residual` to first order."""
     rod = state.discrete
     return Step(
@@ -76,7 +74,7 @@ def correct(
     state, iterations
     """
     current = state
-    step = newton_step(current, _remaining(current, kept))
+    step = _newton_step(current, _remaining(current, kept))
     turned = _turned(step)
     for iteration in range(most):
         if not turned <= turn:
@@ -84,7 +82,7 @@ def correct(
         factor = 1.0
         while True:
             trial = current.moved(step, factor)
-            next_step = newton_step(trial, _remaining(trial, kept))
+            next_step = _newton_step(trial, _remaining(trial, kept))
             next_turned = _turned(next_step)
             settled = next_turned < max(CONVERGED_RAD, min(SMALL_TURN_RAD / 4, 2 * turned))
             if settled or next_turned <= (1 - factor / 2) * turned:
@@ -109,7 +107,7 @@ def follow(state: RodState, *, turn: float = LARGEST_TURN_RAD) -> Reached:
     stiffness and supports change in proportion. Steps adapt; a fold of the branch ends it.
     """
     if is_balanced(state):
-        return Reached(polish(state), 1.0, 0)
+        return Reached(_polish(state), 1.0, 0)
     start = state.residual
 
     def kept(t: float) -> tuple[RodSystem, Residual]:
@@ -117,7 +115,7 @@ def follow(state: RodState, *, turn: float = LARGEST_TURN_RAD) -> Reached:
 
     reached = trace(kept, state, turn=turn)
     if reached.arrived:
-        return Reached(polish(reached.state), 1.0, reached.steps)
+        return Reached(_polish(reached.state), 1.0, reached.steps)
     return reached
 
 
@@ -157,13 +155,13 @@ def trace(
     return Reached(state, 1.0 if t >= stop else t, count)
 
 
-def polish(state: RodState) -> RodState:
+def _polish(state: RodState) -> RodState:
     """Newton steps as long as they help: the rounding limit."""
     size = _size(state, state.residual)
     for _ in range(6):
         if size == 0:
             break
-        trial = state.moved(newton_step(state, state.residual))
+        trial = state.moved(_newton_step(state, state.residual))
         trial_size = _size(trial, trial.residual)
         if not trial_size < 0.5 * size:
             break
@@ -192,7 +190,7 @@ def relax(state: RodState, *, most: int = 300) -> RodState | None:
         if not inertia and turned < NEAR_REST_RAD:
             found = correct(state)
             if found is not None and is_balanced(found[0]) and not found[0].discrete.unstable_modes:
-                return polish(found[0])
+                return _polish(found[0])
         if inertia:  # along the unstable mode too, downhill: a descent does not end at a saddle
             side = -1.0 if push @ residual.imbalance > 0 else 1.0
             step = Step(step.angles + side * SADDLE_PUSH_RAD * push, step.reactions)

@@ -7,8 +7,6 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
 
-__all__ = ["require_curve", "require_gravity", "require_supports", "require_tolerance", "whole_number"]
-
 
 def require_curve(curve: object) -> None:
     """Refuse what is no `PlaneCurve`."""

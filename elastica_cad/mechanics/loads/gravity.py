@@ -7,8 +7,6 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 
-__all__ = ["Gravity"]
-
 
 @dataclass(frozen=True)
 class Gravity:

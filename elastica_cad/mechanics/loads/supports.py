@@ -5,8 +5,6 @@ from typing import Literal, TypeAlias
 
 from elastica_cad.errors import InputError
 
-__all__ = ["End", "EndName", "Supports"]
-
 EndName: TypeAlias = Literal["clamped", "pinned", "slide-x", "slide-y", "guided", "free"]
 
 

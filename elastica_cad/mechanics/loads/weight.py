@@ -8,8 +8,6 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.paths.profile import Profile
 
-__all__ = ["PointMass", "Weight"]
-
 STANDARD_GRAVITY_M_S2 = 9.80665  # m/s2
 
 

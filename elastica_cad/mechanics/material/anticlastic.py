@@ -7,8 +7,6 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 
-__all__ = ["AnticlasticWidths", "anticlastic_factor", "anticlastic_widths"]
-
 
 def anticlastic_factor(
     width: ArrayLike, curvature: ArrayLike, *, thickness: float, poisson_ratio: float

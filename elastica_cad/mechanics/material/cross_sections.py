@@ -12,8 +12,6 @@ from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2, Weight
 from elastica_cad.mechanics.material.section_limits import LIMIT_SLACK, LayerStrain, ScaleRange, positive
 from elastica_cad.mechanics.material.sheet import Sheet
 
-__all__ = ["BackingLaw", "LaminatedSection", "PerforatedSection", "PlainSection"]
-
 _TOUCH_SHARE = 1e-5  # relative slack on limits for a stiffness that is known between its nodes to 1e-6
 
 

@@ -11,8 +11,6 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.material.sheet import Sheet
 
-__all__ = ["ElasticPlasticLaw", "MaterialLaw", "PlasticLaw", "PolynomialLaw", "TabulatedLaw"]
-
 _ROUNDING_SHARE = 1e-12
 
 

@@ -4,8 +4,6 @@ import numpy as np
 
 from elastica_cad.errors import InputError
 
-__all__ = ["dead_zone_slope"]
-
 
 def dead_zone_slope(poisson_ratio: float) -> float:
     """Length, over depth, of the idle triangle on either side of a cut across a bent strip.

@@ -7,8 +7,6 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 
-__all__ = ["LIMIT_SLACK", "LayerStrain", "ScaleRange", "positive"]
-
 LIMIT_SLACK = 1e-9
 """Relative slack on limits that a design may touch."""
 

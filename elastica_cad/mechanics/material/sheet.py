@@ -12,8 +12,6 @@ from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
 from elastica_cad.mechanics.material.sheet_library import built_in_figures
 
-__all__ = ["Grain", "Range", "Sheet", "load_sheets", "sheet_names", "sheets_from_table"]
-
 Grain: TypeAlias = Literal["along", "across", "none"]
 Range: TypeAlias = tuple[float, float]
 

@@ -6,8 +6,6 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-__all__ = ["built_in_figures"]
-
 _WORDS = ("kind", "grain", "poisson_ratio")  # keys that are fields of `Sheet` as they stand
 
 # key in the file -> field of `Sheet`, what its source is called

@@ -5,8 +5,6 @@ from typing import Protocol
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.mechanics.material.section_limits import LayerStrain
 
-__all__ = ["StiffnessLaw"]
-
 
 class StiffnessLaw(Protocol):
     """A cross-section with one parameter, mm, that varies along the strip and decides its bending stiffness.

@@ -8,16 +8,6 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
 
-__all__ = [
-    "constrained_inertia",
-    "count_negative",
-    "lowest_constrained",
-    "orthonormal_rows",
-    "small_solution",
-    "solve_bordered",
-    "solve_tridiagonal",
-]
-
 RANK_TOLERANCE = 1e-9  # rows closer to dependent than this (relative) are one: a straight rod has rank 1
 MOST_STEPS = 240  # of Lanczos iteration, which takes a few dozen
 _SMOOTH = 10  # polynomials among which a lowest mode is sought first

@@ -14,17 +14,6 @@ from elastica_cad._types import FloatArray
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.rod.banded_matrices import constrained_inertia, lowest_constrained, small_solution
 
-__all__ = [
-    "DiscreteRod",
-    "Margin",
-    "MarginDerivatives",
-    "bending_moments",
-    "edge_forces",
-    "edge_positions",
-    "node_weights",
-    "tangents",
-]
-
 
 def tangents(angles: FloatArray) -> FloatArray:
     """Unit tangents T(alpha) = (cos alpha, sin alpha), (n, 2)."""

@@ -1,7 +1,5 @@
 """How many nodes a discrete rod has unless the user says otherwise: its error falls with the square."""
 
-__all__ = ["DEFAULT_SAMPLES", "SEARCH_SAMPLES"]
-
 # A rod that is shown, cut and tested: a strip of 300 mm has a node every half millimetre, and the discrete shape is
 # off the continuous one by less than a laser's kerf (paper, section 7.1, has some hundreds).
 DEFAULT_SAMPLES = 601

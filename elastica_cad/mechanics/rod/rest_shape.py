@@ -10,8 +10,6 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.polynomials.fit_function import adaptive_spline
 from elastica_cad.mechanics.rod.discrete_rod import tangents
 
-__all__ = ["has_even_edges", "integrate_edges"]
-
 Angle: TypeAlias = Callable[[FloatArray], FloatArray]
 
 EVEN_EDGES = 1e-7  # of an edge: nodes that are samples of a curve are closer than that by (kappa h)^2 / 24

@@ -23,8 +23,6 @@ from elastica_cad.mechanics.rod.rest_shape import has_even_edges, integrate_edge
 if TYPE_CHECKING:
     from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
 
-__all__ = ["Rod"]
-
 BAND_SHARE = 0.02  # of the length: half the band that shows the stiffness in a notebook
 
 

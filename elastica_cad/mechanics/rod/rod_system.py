@@ -12,8 +12,6 @@ from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
 from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod, bending_moments, edge_forces, node_weights
 from elastica_cad.mechanics.rod.rod_record import Rod
 
-__all__ = ["Residual", "RodState", "RodSystem", "Step"]
-
 ROUNDING = float(np.finfo(float).eps)
 ROUNDED_IMBALANCE = (
     1e-12  # of the moments' size: the most that an imbalance below its rounding error is called

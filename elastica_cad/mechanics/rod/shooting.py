@@ -6,8 +6,6 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 
-__all__ = ["shoot"]
-
 _WOUND_UP_RAD = 1e6  # no strip winds up so far, and cos and sin lose ten digits there
 
 

@@ -13,8 +13,6 @@ from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.rod.banded_matrices import constrained_inertia, lowest_constrained, solve_bordered
 from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod
 
-__all__ = ["Determinant", "conjugate_point", "determinant_gradient", "stability_determinant"]
-
 
 @dataclass(frozen=True, eq=False)
 class Determinant:
@@ -165,7 +163,7 @@ def conjugate_point(rod: DiscreteRod) -> float | None:
     if not rod.held_angles[1]:
         raise InputError("conjugate points need an end that holds the angle: run the rod the other way round")
     (diagonal, off), rows, lengths = rod.hessian, rod.constraint_rows, rod.edge_lengths
-    found = first_unstable_piece(rod)
+    found = _first_unstable_piece(rod)
     if found is None:
         return None
     ends = np.cumsum(lengths)
@@ -182,7 +180,7 @@ def conjugate_point(rod: DiscreteRod) -> float | None:
     return float(place[found - 2] + fraction * (place[found - 1] - place[found - 2]))
 
 
-def first_unstable_piece(rod: DiscreteRod) -> int | None:
+def _first_unstable_piece(rod: DiscreteRod) -> int | None:
     """Least number of leading edges with an unstable mode that respects the constraints; None without any."""
     (diagonal, off), rows = rod.hessian, rod.constraint_rows
 

@@ -15,8 +15,6 @@ from elastica_cad.mechanics.stability.conjugate_points import (
     stability_determinant,
 )
 
-__all__ = ["SAFE_MARGIN", "Stability", "stability"]
-
 SAFE_MARGIN = 5.0  # bears the inaccuracies of cutting and mounting; 0 is the border of stability
 OUT_OF_BALANCE = 0.05  # share of the moments: what is further from balance is no rest shape, stable or not
 

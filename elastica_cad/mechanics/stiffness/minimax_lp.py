@@ -9,16 +9,6 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
 
-__all__ = [
-    "MAX_ROUNDS",
-    "MinimaxProgram",
-    "MinimaxSolution",
-    "Solver",
-    "minimax_ratio",
-    "start_rows",
-    "unsettled",
-]
-
 Solver: TypeAlias = Literal["auto", "highspy", "scipy"]
 
 _START_ROWS = 9

@@ -20,8 +20,6 @@ from elastica_cad.mechanics.stiffness.stiffness_family import (
 )
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
 
-__all__ = ["NO_GAIN_SHARE", "SMOOTHING_SHARE", "BalancedStiffness", "ConditionedRows", "StateFamily"]
-
 SMOOTHING_SHARE = 0.01
 """How much ratio section 5.3 gives for smoothness."""
 

@@ -17,8 +17,6 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.mechanics.stiffness.quadrature_panels import LEFT, RIGHT, WEIGHTS, Panels
 
-__all__ = ["LineLoad", "MomentRows", "moment_rows"]
-
 
 @dataclass(frozen=True, eq=False)
 class LineLoad:

@@ -23,8 +23,6 @@ from elastica_cad.mechanics.stiffness.quadrature_panels import Panels, cut_into_
 from elastica_cad.mechanics.stiffness.smoothest_stiffness import largest_number
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
 
-__all__ = ["BalancedStiffness", "balance_with_weight", "balance_without_weight"]
-
 ROUGH = 1e-9
 """Last Legendre coefficients of K in a panel, relative to K, that call for smaller panels."""
 

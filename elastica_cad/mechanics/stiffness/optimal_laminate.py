@@ -16,8 +16,6 @@ from elastica_cad.mechanics.material.section_limits import ScaleRange
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
-__all__ = ["Laminate", "optimal_laminate"]
-
 _SETTLED_SHARE = 1e-5
 """Relative change from round to round that ends them."""
 

@@ -32,8 +32,6 @@ from elastica_cad.mechanics.theorem1.equilibrium_check import (
 from elastica_cad.mechanics.theorem1.inflection_line import InflectionLine
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable, figure
 
-__all__ = ["optimal_rod"]
-
 _LAW_SAMPLES = 2001
 
 

@@ -13,21 +13,6 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.polynomials.chebyshev import chebyshev
 from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
 
-__all__ = [
-    "LEFT",
-    "NODES",
-    "RIGHT",
-    "SLOPES",
-    "TO_COEFFICIENTS",
-    "VANDER",
-    "WEIGHTS",
-    "PanelFunction",
-    "Panels",
-    "cut_into_panels",
-    "locate_in_panels",
-    "values_at",
-]
-
 ORDER = 12
 MAX_PANELS = 4000
 RESOLVED = 1e-11

@@ -5,8 +5,6 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
 
-__all__ = ["largest_number", "least_variation"]
-
 
 def least_variation(
     rows: FloatArray, offset: FloatArray, bends: FloatArray, bend_offset: FloatArray, largest: float

@@ -18,8 +18,6 @@ from elastica_cad.mechanics.stiffness.minimax_lp import (
 from elastica_cad.mechanics.stiffness.quadrature_panels import SLOPES, VANDER, WEIGHTS, PanelFunction, Panels
 from elastica_cad.mechanics.stiffness.smoothest_stiffness import least_variation
 
-__all__ = ["StiffnessFamily", "dense_places", "extreme_places", "find_violations", "least_ratio", "smoothest"]
-
 
 def _lobatto(parts: int) -> FloatArray:
     """Places (parts + 1,) from -1 to 1, closer towards the ends."""

@@ -13,8 +13,6 @@ from elastica_cad.mechanics.stiffness.moment_conditions import BalancedStiffness
 from elastica_cad.mechanics.stiffness.quadrature_panels import NODES, SLOPES, PanelFunction, locate_in_panels
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
 
-__all__ = ["stiffness_profile"]
-
 TOLERANCE = 1e-6
 """Error of the stiffness profile, relative to its largest value; its extremes are exact."""
 

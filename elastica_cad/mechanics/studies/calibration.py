@@ -14,8 +14,6 @@ from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
 from elastica_cad.mechanics.material.sheet import Grain, Range, Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
 
-__all__ = ["Calibration", "calibrate_cantilever", "cantilever_droop"]
-
 _NODES = 201
 """Of the bent cantilever."""
 

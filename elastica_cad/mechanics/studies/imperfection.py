@@ -10,8 +10,6 @@ from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.material.moment_curvature import PlasticLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 
-__all__ = ["Imperfection", "least_width", "perturb_rod"]
-
 
 @dataclass(frozen=True)
 class Imperfection:

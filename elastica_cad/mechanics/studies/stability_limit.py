@@ -18,8 +18,6 @@ from elastica_cad.mechanics.rod.discrete_rod import Margin
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.rod.rod_system import RodState, RodSystem, Step
 
-__all__ = ["StabilityLimit", "stability_limit"]
-
 PathStep: TypeAlias = "float | ArrayLike | Mapping[str, Any]"
 Path: TypeAlias = "Callable[[float], PathStep] | ArrayLike | Sequence[Mapping[str, Any]]"
 

@@ -14,8 +14,6 @@ from elastica_cad.mechanics.material.sheet import Range, Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.studies.imperfection import Imperfection, least_width, perturb_rod
 
-__all__ = ["ToleranceEffect", "ToleranceRanges", "ToleranceStudy", "tolerance_study"]
-
 _CHUNK = 16  # bends that one task of an executor does
 
 

@@ -19,14 +19,11 @@ from elastica_cad.mechanics.theorem1.inflection_line import (
 from elastica_cad.mechanics.theorem1.project_inflections import project_inflections
 from elastica_cad.mechanics.theorem1.verdict import (
     EquilibriumCheck,
-    NotRealizable,
     count,
     figure,
     listed,
     places,
 )
-
-__all__ = ["EquilibriumCheck", "NotRealizable", "check_equilibrium", "examine_curvature", "require_bendable"]
 
 AT_END_SHARE = 1e-7
 """A zero of the curvature nearer to an end than this, in lengths of the curve, is the end's."""

@@ -12,15 +12,6 @@ from elastica_cad.geometry.curves.line_intersections import line_crossings
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.curves.view_angles import find_view_angles
 
-__all__ = [
-    "InflectionLine",
-    "LineMeeting",
-    "SeparatingLine",
-    "find_separating_line",
-    "fit_inflection_line",
-    "line_meetings",
-]
-
 SAME_PLACE_SHARE = 1e-6
 """Places along the curve nearer than this, in lengths of the curve, are the same inflection."""
 

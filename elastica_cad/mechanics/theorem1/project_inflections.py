@@ -19,8 +19,6 @@ from elastica_cad.geometry.curves.curve_records import CurvatureZero
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.theorem1.inflection_line import InflectionLine, fit_inflection_line
 
-__all__ = ["project_inflections"]
-
 MOST_STEPS = 12
 """Newton steps before the move counts as none."""
 

@@ -10,8 +10,6 @@ from elastica_cad.geometry.curves.curve_records import CurvatureZero
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.theorem1.inflection_line import InflectionLine
 
-__all__ = ["EquilibriumCheck", "NotRealizable", "count", "figure", "listed", "places"]
-
 
 @dataclass(frozen=True, eq=False)
 class EquilibriumCheck:

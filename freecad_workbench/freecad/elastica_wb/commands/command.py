@@ -17,8 +17,6 @@ from freecad.elastica_wb.panels.feature_panels import panel_of
 
 from elastica_cad.errors import ElasticaError
 
-__all__ = ["Command", "answers", "edit_new", "show_panel", "undo_step"]
-
 
 class Command:
     """A command; `run` does the work and raises `ElasticaError` with a sentence where it cannot."""

@@ -20,8 +20,6 @@ from freecad.elastica_wb.live.sketches import edited_sketch
 from freecad.elastica_wb.panels.curves.check import CheckPanel
 from freecad.elastica_wb.panels.curves.projective import ProjectivePanel
 
-__all__ = ["CheckCommand", "NearestCommand", "ProjectiveCommand", "SectionCommand"]
-
 
 class CurveCommand(Command):
     """A command that needs a curve."""

@@ -10,8 +10,6 @@ from freecad.elastica_wb.features import flat, model, nest
 from freecad.elastica_wb.panels.feature_panels import panel_of
 from freecad.elastica_wb.panels.fixtures import FixturesPanel
 
-__all__ = ["FixturesCommand", "InterlockCommand", "NestCommand"]
-
 
 class InterlockCommand(Command):
     """Slots where strips cross, so that they slide into each other."""

@@ -18,15 +18,6 @@ from freecad.elastica_wb.live.sketches import edited_sketch, followers
 
 from elastica_cad.errors import InputError
 
-__all__ = [
-    "chosen_curves",
-    "chosen_sketch",
-    "chosen_sources",
-    "chosen_strips",
-    "is_curve_chosen",
-]
-
-
 JOIN_MM = 1e-4  # as edges are joined that a strip follows
 OPEN = ("Edge", "Wire", "Compound")  # kinds of shapes that may be a curve
 

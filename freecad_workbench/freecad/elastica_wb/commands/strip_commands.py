@@ -17,8 +17,6 @@ from freecad.elastica_wb.panels.bend import BendPanel
 from freecad.elastica_wb.panels.feature_panels import panel_of
 from freecad.elastica_wb.panels.tolerance import TolerancePanel
 
-__all__ = ["BendCommand", "LaminateCommand", "PerforateCommand", "StripCommand", "ToleranceCommand"]
-
 
 class OnStrips(Command):
     """A command that needs a strip."""

@@ -10,12 +10,6 @@ from freecad.elastica_wb.panels.coupon import CouponPanel
 from freecad.elastica_wb.panels.export import ExportPanel
 from freecad.elastica_wb.panels.sheets import SheetsPanel
 
-__all__ = [
-    "CouponCommand",
-    "ExportCommand",
-    "SheetsCommand",
-]
-
 
 class CouponCommand(Command):
     """A strip to cut, hang over an edge and measure; the readings make a sheet of your own."""

@@ -25,20 +25,6 @@ from elastica_cad.forming.plane_sections.section_curves import SectionCurve, sec
 from elastica_cad.forming.plane_sections.section_lines import PlaneSection, SectionLine, collect_section
 from elastica_cad.geometry.frame import Frame
 
-__all__ = [
-    "AXES",
-    "CLOSED",
-    "FAMILIES",
-    "Family",
-    "box_of",
-    "chosen_bodies",
-    "curves_of",
-    "cut",
-    "is_path",
-    "path_points",
-    "section_sketches",
-]
-
 AXES = {"X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
 FAMILIES = ("parallel", "about an axis", "along a path")
 CLOSED = ("left out", "left and right", "above and below")

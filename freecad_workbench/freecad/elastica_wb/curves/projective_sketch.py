@@ -10,8 +10,6 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
-__all__ = ["box_around", "evened", "lost_constraints"]
-
 LEAST_SIDE_SHARE = 0.2  # of the longer side: a box of a straight line is made this wide
 AUTOMATIC = ("InternalAlignment", "Weight", "Equal")  # those that FreeCAD made itself
 

@@ -15,18 +15,6 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 
-__all__ = [
-    "DrawnCurve",
-    "container",
-    "curve_into",
-    "drawn_curve",
-    "frame_of",
-    "is_blank",
-    "is_sketch",
-    "placement_of",
-    "sketch_curve",
-]
-
 SKETCH = "Sketcher::SketchObject"
 
 

@@ -26,8 +26,6 @@ from elastica_cad.fabrication.solids.strip_solids import FlatSolid, frame_beside
 from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.kernel.step_text import canonical_step
 
-__all__ = ["KINDS", "write_cutting_files"]
-
 HEADER = re.compile(rb"FILE_NAME\(\s*'[^']*'\s*,\s*'[^']*'")
 
 KINDS = ("dxf", "svg", "step", "csv", "nest")

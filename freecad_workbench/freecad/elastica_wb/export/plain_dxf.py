@@ -19,8 +19,6 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Segment
 from elastica_cad.geometry.paths.trim import trim_segment
 
-__all__ = ["plain_dxf", "write_cut"]
-
 KERF_TOLERANCE_MM = 0.001  # finer than any cut: what is left of it is the tolerance of curves
 HALF_TURN = np.pi * (1 + 1e-9)  # longest arc of one bulge
 INKS = {(255, 0, 0): 1, (255, 255, 0): 2, (0, 255, 0): 3, (0, 255, 255): 4, (0, 0, 255): 5, (255, 0, 255): 6}

@@ -16,8 +16,6 @@ from elastica_cad.fabrication.holders.base_plate import BasePlate
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 from elastica_cad.geometry.frame import Frame
 
-__all__ = ["BasePlateFeature", "create", "is_base_plate", "plate_of"]
-
 
 class BasePlateFeature(Feature):
     """The plate lies where its placement says, its upper face on the plane z = 0 of it."""

@@ -37,20 +37,6 @@ from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import stability
 
-__all__ = [
-    "MOVES",
-    "BentFeature",
-    "NearestFeature",
-    "SectionFeature",
-    "bent",
-    "draw_into",
-    "moved",
-    "nearest",
-    "nearest_sketch",
-    "section",
-    "section_sketches_of",
-]
-
 MOVES = ("StartX", "StartY", "EndX", "EndY", "StartAngle", "EndAngle")
 REPORTS = Property("StringList", "Reports", "Result", "What was found on the way", [], result=True)
 

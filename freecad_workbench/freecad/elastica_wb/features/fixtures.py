@@ -15,8 +15,6 @@ from freecad.elastica_wb.shapes.prism_blocks import make_block
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.model.strip_model import Model
 
-__all__ = ["FixturesFeature", "create", "source_model"]
-
 
 class FixturesFeature(Feature):
     """A block for every tab, as one compound."""

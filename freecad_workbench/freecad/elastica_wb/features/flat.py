@@ -17,8 +17,6 @@ from freecad.elastica_wb.solving.strip_cache import flat_shape
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.strip.strip_record import Strip
 
-__all__ = ["FlatFeature", "create", "flats_of", "is_flat"]
-
 GAP_MM = 10.0  # mm between the curve and the flat part
 
 LAYERS = ["Base", "Backing"]

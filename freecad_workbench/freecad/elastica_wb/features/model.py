@@ -23,8 +23,6 @@ from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.strip.strip_record import Strip
 
-__all__ = ["ModelFeature", "create", "is_model", "model_of", "strips_model"]
-
 
 class ModelFeature(Feature):
     """Bent strips with their slots, as one compound."""

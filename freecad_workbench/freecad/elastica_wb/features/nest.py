@@ -14,8 +14,6 @@ from freecad.elastica_wb.shapes.part_shapes import make_wire
 
 from elastica_cad.fabrication.sheets.nesting import nest_pieces
 
-__all__ = ["NestFeature", "create"]
-
 SHEET_GAP_MM = 30.0  # mm between sheets
 
 

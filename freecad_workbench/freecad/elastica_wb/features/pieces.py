@@ -14,8 +14,6 @@ from freecad.elastica_wb.features.strip import is_strip, strip_of
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.sheets.pieces import Piece
 
-__all__ = ["pieces_of"]
-
 
 def pieces_of(sources: Iterable[Any]) -> list[Piece]:
     """What must be cut for strips, models and base plates; strips of a model that is there too count once.

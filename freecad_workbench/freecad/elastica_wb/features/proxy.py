@@ -15,8 +15,6 @@ from freecad.elastica_wb.host.view_providers import dress
 
 from elastica_cad.errors import ElasticaError, InputError
 
-__all__ = ["CONTAINERS", "Feature", "added", "parents"]
-
 CONTAINERS = Property(
     "LinkListGlobal", "Containers", "Curve", "What the curve moves with", [], result=True, hidden=True
 )

@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 import FreeCAD as App
 from freecad.elastica_wb.curves.sketch_curves import drawn_curve, is_sketch
 from freecad.elastica_wb.features.proxy import Feature, parents
-from freecad.elastica_wb.features.strip_properties import FORMS, PROPERTIES
+from freecad.elastica_wb.features.strip_properties import PROPERTIES
 from freecad.elastica_wb.features.strip_request import spec_of
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.property_table import put
@@ -23,8 +23,6 @@ from elastica_cad.errors import ElasticaError
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
-
-__all__ = ["FORMS", "StripFeature", "create", "hide_failed", "is_stale", "is_strip", "spec_of", "strip_of"]
 
 BODY = "PartDesign::Body"
 

@@ -7,8 +7,6 @@ import FreeCAD as App
 from freecad.elastica_wb.features.proxy import CONTAINERS
 from freecad.elastica_wb.host.property_table import Property
 
-__all__ = ["FORMS", "NEAREST", "PROPERTIES"]
-
 FORMS = ["Bent", "Flat"]
 STYLES = ["Plain", "Perforated", "Laminated"]
 FOLLOW = ["Exactly", "Nearest"]

@@ -34,8 +34,6 @@ from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.sheet import Sheet
 
-__all__ = ["nearest_spec_of", "spec_of"]
-
 LONGEST_MM, THINNEST_MM = 1e6, 1e-3  # a kilometre; thinner than any foil
 MOST_SAMPLES = 20000  # a second's work
 BOTH_ENDS = {"both": True, "start": (True, False), "end": (False, True), "none": False}

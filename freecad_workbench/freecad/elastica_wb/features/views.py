@@ -9,18 +9,6 @@ import FreeCADGui as Gui
 from freecad.elastica_wb.host import view_providers
 from freecad.elastica_wb.host.resources import icon
 
-__all__ = [
-    "BasePlateView",
-    "BentView",
-    "FixturesView",
-    "FlatView",
-    "ModelView",
-    "NearestView",
-    "NestView",
-    "SectionView",
-    "StripView",
-]
-
 
 class _View:
     """What all views share; they keep nothing."""

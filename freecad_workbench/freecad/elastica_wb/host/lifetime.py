@@ -7,8 +7,6 @@ from typing import Any
 
 import FreeCAD as App
 
-__all__ = ["document_lives", "lives"]
-
 
 def lives(obj: Any) -> bool:
     """Is it still in its document? What the undo history keeps is not."""

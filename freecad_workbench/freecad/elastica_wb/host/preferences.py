@@ -7,8 +7,6 @@ from typing import Any
 
 import FreeCAD as App
 
-__all__ = ["CHOICES", "DEFAULTS", "PATH", "default_sheet", "get", "put"]
-
 PATH = "User parameter:BaseApp/Preferences/Mod/Elastica"
 
 DEFAULTS: dict[str, Any] = {

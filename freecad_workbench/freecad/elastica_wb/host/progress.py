@@ -13,8 +13,6 @@ import FreeCAD as App
 
 from elastica_cad.errors import NotConvergedError
 
-__all__ = ["Step", "begun", "go_on", "in_background", "in_steps", "progress"]
-
 Step = Callable[[int], bool]
 """Told how much is done; says whether to go on."""
 

@@ -10,8 +10,6 @@ from typing import Any
 
 import FreeCAD as App
 
-__all__ = ["Property", "ensure", "put"]
-
 OUTPUT, TRANSIENT = 8, 2  # FreeCAD's flags: a change asks for no recompute; not saved
 
 

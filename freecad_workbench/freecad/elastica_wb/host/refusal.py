@@ -17,8 +17,6 @@ from freecad.elastica_wb.host.user_units import worded
 
 from elastica_cad.errors import ElasticaError, InputError, MissingDependencyError
 
-__all__ = ["FAILURES", "RefusalError", "explained", "refused"]
-
 FAILURES = (ElasticaError, ImportError, Part.OCCError, App.Base.FreeCADError)
 """What `execute` answers in words; anything else is a mistake of ours and shows where it was made."""
 

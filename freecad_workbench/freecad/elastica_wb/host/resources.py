@@ -11,8 +11,6 @@ from xml.etree import ElementTree
 
 import FreeCAD as App
 
-__all__ = ["RESOURCES", "icon", "load_panel", "quantities_of", "tr"]
-
 TRIES = 10
 
 RESOURCES = Path(__file__).resolve().parents[3] / "resources"

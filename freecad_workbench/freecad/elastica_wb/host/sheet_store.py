@@ -13,15 +13,6 @@ from elastica_cad.errors import InputError
 from elastica_cad.formats.file_access.atomic_write import write_atomically
 from elastica_cad.mechanics.material.sheet import Sheet, load_sheets, sheet_names, sheets_from_table
 
-__all__ = [
-    "own_sheets",
-    "own_sheets_file",
-    "save_own_sheets",
-    "sheet_called",
-    "sheet_from_text",
-    "sheet_list",
-]
-
 
 def own_sheets_file() -> Path:
     """Where the user's sheets are kept."""

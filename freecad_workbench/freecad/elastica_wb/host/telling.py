@@ -12,8 +12,6 @@ from freecad.elastica_wb.host.qt import QtCore, QtGui, QtWidgets
 from freecad.elastica_wb.host.resources import tr
 from freecad.elastica_wb.host.user_units import worded
 
-__all__ = ["tell", "tell_files"]
-
 STATUS_MS = 20_000  # that a sentence stays in the status bar: long enough to be read after a look at the view
 MOST_FILES = 12  # named in a window
 

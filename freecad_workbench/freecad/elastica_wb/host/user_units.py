@@ -8,8 +8,6 @@ from dataclasses import dataclass
 
 import FreeCAD as App
 
-__all__ = ["Unit", "shown_unit", "worded"]
-
 USUAL_MM = 10.0  # mm: a strip's width tells which of its units FreeCAD would use for all
 
 NUMBER = r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?"

@@ -6,8 +6,6 @@
 from collections.abc import Callable
 from typing import Any
 
-__all__ = ["dress", "panel_of", "register"]
-
 _registered: list[tuple[Callable[[Any, str], None], Callable[[Any], Any]]] = []
 
 

@@ -18,8 +18,6 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium, examine_curvature
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
 
-__all__ = ["Picture", "comb_scale", "curve_picture", "width_lines"]
-
 TEETH = 161  # of the comb: as smooth as a screen shows it
 COMB_HEIGHT = 0.2  # of the curve's extent
 LINE_MARGIN = 0.15  # of the curve's extent, by which the inflection line sticks out

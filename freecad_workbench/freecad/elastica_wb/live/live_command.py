@@ -9,8 +9,6 @@ import FreeCADGui as Gui
 from freecad.elastica_wb.host.resources import icon
 from freecad.elastica_wb.live import observers, sketches
 
-__all__ = ["NAME", "LiveCommand", "LiveManipulator", "register"]
-
 NAME = "Elastica_Live"
 
 

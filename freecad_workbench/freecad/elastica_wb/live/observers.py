@@ -19,8 +19,6 @@ from freecad.elastica_wb.live.sketches import (
     wants_overlay,
 )
 
-__all__ = ["install", "is_on", "start_if_wanted", "switch"]
-
 WORKBENCH = "ElasticaWorkbench"
 _installed: list[Any] = []
 

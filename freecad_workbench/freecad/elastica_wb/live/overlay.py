@@ -14,8 +14,6 @@ from pivy import coin
 
 from elastica_cad._types import FloatArray
 
-__all__ = ["Overlay"]
-
 LIFT_MM = 0.02  # above the sketch's own lines
 DASHED = 0xF0F0
 COLORS = {

@@ -33,8 +33,6 @@ from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import RodSpec
 
-__all__ = ["Session", "session", "start", "stop"]
-
 FREE_RATIO = 10.0  # of a strip without limits of its own: about what can be cut
 REST_MS = 40  # without a move, after which the slower answers are computed
 PEEK_MS = 60  # between looks whether the nearest curve was found

@@ -12,8 +12,6 @@ from typing import Any
 import FreeCAD as App
 import Part
 
-__all__ = ["Dragged"]
-
 NEAR = 1e-4  # of a place: the points are drawn in single precision
 SOLVED_MM = 1e-2  # the sketcher's solver leaves circles this far from the poles that they stand for
 

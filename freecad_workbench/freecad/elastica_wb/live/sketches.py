@@ -12,18 +12,6 @@ from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.lifetime import lives
 from freecad.elastica_wb.host.qt import QtCore
 
-__all__ = [
-    "MEMORY",
-    "edited_sketch",
-    "followers",
-    "is_sketch",
-    "is_strip",
-    "listeners",
-    "recompute",
-    "remember",
-    "wants_overlay",
-]
-
 MEMORY = "ElasticaLive"
 """Property of a sketch that remembers whether it has the overlay."""
 

@@ -15,8 +15,6 @@ from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.geometry.curves.curve_records import CurveSamples
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
 
-__all__ = ["Answer", "Verdict", "quick_answer", "refusal_answer", "sentence_of", "strip_answer"]
-
 SLENDER = 2.0  # times its width a strip must be long before it bends as a rod does
 
 

@@ -13,8 +13,6 @@ from freecad.elastica_wb.host.resources import tr
 from freecad.elastica_wb.live.overlay import COLORS
 from freecad.elastica_wb.live.verdict import Answer, Verdict
 
-__all__ = ["VerdictCard"]
-
 GAP_PX = 12  # from the view's edges
 WIDEST_PX = 620  # a line that is longer reads badly
 SHARE = 0.62  # of the view's width: the navigation cube and the axes keep their corners

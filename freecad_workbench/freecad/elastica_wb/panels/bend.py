@@ -18,8 +18,6 @@ from elastica_cad.errors import ElasticaError
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import stability
 
-__all__ = ["BendPanel"]
-
 
 class BendPanel(Panel):
     """Displacements and turns of both ends; handles in the view move them too, the strip follows the mouse."""

@@ -18,8 +18,6 @@ from elastica_cad.fabrication.sheets.coupon import coupon_drawing, coupon_overha
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 from elastica_cad.mechanics.studies.calibration import Calibration, calibrate_cantilever
 
-__all__ = ["CouponPanel", "readings_of"]
-
 
 class CouponPanel(Panel):
     """Makes the coupon in the document and on disk, reads droops, keeps the calibrated sheet."""

@@ -22,8 +22,6 @@ from elastica_cad.fabrication.sheets.pieces import Piece
 from elastica_cad.formats.drawing_files.curve_style import CURVES
 from elastica_cad.formats.drawing_files.dxf_drawing import DXF_VERSIONS
 
-__all__ = ["ExportPanel"]
-
 BY_HAND = "(--force, or force=True)"  # how those who type allow files to be overwritten
 
 

@@ -25,8 +25,6 @@ from freecad.elastica_wb.panels.bend import BendPanel
 from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.property_panel import Layout, PropertyPanel, Told
 
-__all__ = ["LAYOUTS", "panel_of"]
-
 
 def QT_TRANSLATE_NOOP(_context: str, words: str) -> str:
     """Words that are translated where they are shown."""

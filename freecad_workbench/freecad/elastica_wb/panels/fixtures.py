@@ -14,8 +14,6 @@ from freecad.elastica_wb.panels.widgets.fields import set_value
 
 from elastica_cad.errors import InputError
 
-__all__ = ["FixturesPanel"]
-
 
 class FixturesPanel(Panel):
     """OK makes what is ticked, in one undo step."""

@@ -19,8 +19,6 @@ from freecad.elastica_wb.panels.widgets.fields import calm, set_value, signal_of
 
 from elastica_cad.errors import InputError
 
-__all__ = ["Panel", "active_view", "placement_of_strip"]
-
 PAUSE_MS = 60  # ms after the last key before anything is computed
 
 

@@ -18,8 +18,6 @@ from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.widgets.fields import field_for, put_choices, set_value, signal_of, value_of
 
-__all__ = ["Layout", "PropertyPanel"]
-
 Told = tuple[tuple[str, str], ...]
 
 

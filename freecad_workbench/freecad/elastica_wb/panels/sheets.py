@@ -13,8 +13,6 @@ from freecad.elastica_wb.panels.widgets.fields import set_value
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.material.sheet import Sheet
 
-__all__ = ["SheetsPanel"]
-
 NUMBERS = ("thickness", "youngs_modulus", "density", "max_strain", "kerf", "poisson_ratio")
 
 

@@ -16,8 +16,6 @@ from freecad.elastica_wb.panels.widgets.bar_chart import bar_chart
 from elastica_cad.errors import ElasticaError
 from elastica_cad.mechanics.studies.tolerance_study import ToleranceStudy, tolerance_study
 
-__all__ = ["TolerancePanel"]
-
 
 class TolerancePanel(Panel):
     """Runs on request; a progress bar can stop it, what is found until then is shown."""

@@ -15,8 +15,6 @@ from pivy import coin
 
 from elastica_cad._types import ArrayLike, FloatArray
 
-__all__ = ["Handles"]
-
 REACH_PX = 12  # px around a handle in which the mouse takes it
 SIZE_PX = 13  # px
 REST, HELD = (0.1, 0.45, 0.95), (1.0, 0.8, 0.1)

@@ -12,8 +12,6 @@ from pivy import coin
 
 from elastica_cad._types import ArrayLike, FloatArray
 
-__all__ = ["Preview"]
-
 BEFORE, AFTER, FRAME = (0.6, 0.6, 0.6), (0.9, 0.35, 0.1), (0.1, 0.45, 0.95)
 GLASS = 0.35  # transparency of a strip that is not made yet
 

@@ -29,8 +29,6 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
 
-__all__ = ["brep_bytes"]
-
 EDGE_TOLERANCE_MM = 1e-7  # mm: OpenCASCADE's own tolerance of edges and faces
 VERTEX_TOLERANCE_MM = 1e-6  # mm: gap that records may have between edges
 

@@ -23,8 +23,6 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment
 
-__all__ = ["make_edge", "make_face", "make_solid", "make_wire", "plane_curve", "spline_geometry"]
-
 OFFSET_TOLERANCE_MM = 1e-6  # mm: curves that are no NURBS are followed this closely
 
 

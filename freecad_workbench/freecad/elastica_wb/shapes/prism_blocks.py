@@ -14,8 +14,6 @@ from freecad.elastica_wb.shapes.part_shapes import make_face, make_solid
 from elastica_cad.fabrication.solids.prisms import PrismSolid
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 
-__all__ = ["make_block"]
-
 MANY_PRISMS = 4  # prisms on one plane that are put together before they are taken away
 
 

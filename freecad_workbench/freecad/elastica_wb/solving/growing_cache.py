@@ -11,8 +11,6 @@ from typing import Any, TypeVar
 
 import FreeCAD as App
 
-__all__ = ["growing_cache"]
-
 LEAST = 64  # answers that are kept whatever is open
 PER_OBJECT = 2  # answers for each object of the documents: the present one and the one before, for undo
 

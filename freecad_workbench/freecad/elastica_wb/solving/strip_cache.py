@@ -21,8 +21,6 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
 
-__all__ = ["bent_shape", "find_nearest", "find_nearest_now", "flat_shape", "judged", "solve_strip"]
-
 MANY_HOLES = 100
 SEARCHING = "Searching the nearest curve"
 

@@ -18,8 +18,6 @@ from elastica_cad.errors import ElasticaError
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
-__all__ = ["CheckPanel"]
-
 
 class CheckPanel(Panel):
     """Changes nothing; Close takes the overlay away."""

@@ -23,8 +23,6 @@ from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.geometry.curves.projective_maps import four_point_map
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
-__all__ = ["ProjectivePanel"]
-
 FIELDS = [f"{axis}{number}" for number in (1, 2, 3, 4) for axis in "xy"]
 
 

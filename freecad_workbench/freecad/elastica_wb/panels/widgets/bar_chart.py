@@ -9,8 +9,6 @@ from typing import Any
 from freecad.elastica_wb.host.qt import QtCore, QtGui
 from freecad.elastica_wb.host.user_units import worded
 
-__all__ = ["bar_chart"]
-
 ROW, LEFT, WIDTH = 24, 105, 300  # px: height of a bar's row, room for names, whole picture
 
 

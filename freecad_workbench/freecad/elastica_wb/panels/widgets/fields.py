@@ -10,8 +10,6 @@ import FreeCADGui as Gui
 from freecad.elastica_wb.host.qt import QtCore, QtWidgets
 from freecad.elastica_wb.host.resources import tr
 
-__all__ = ["calm", "field_for", "put_choices", "set_value", "signal_of", "value_of"]
-
 LARGEST = 1e9  # of numbers without a limit of their own
 WHOLE = 1_000_000
 NARROWEST_PX = 105  # in which a length with its unit can be read

@@ -14,8 +14,6 @@ from freecad.elastica_wb.host.qt import QtWidgets
 
 from elastica_cad.fabrication.drawings.drawing import Drawing
 
-__all__ = ["ask_file", "ask_folder", "save_drawing"]
-
 
 def ask_file(title: str, name: str, kinds: str) -> str:
     """A file to write; empty when the user cancels."""
