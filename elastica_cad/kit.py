@@ -11,6 +11,8 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
 from elastica_cad.fabrication.holders.base_plate import BasePlate
 from elastica_cad.fabrication.holders.slotted_frame import Rib
+from elastica_cad.fabrication.makeability.faults import accept_faults, find_strip_faults
+from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.model.assembly import Holder
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.sheets.cut_list import cut_list
@@ -45,7 +47,7 @@ class Kit:
     effects: dict[str, SlotEffect] = field(default_factory=dict)
     """What its slots do to each part, by its name, where it was asked for."""
     notes: tuple[str, ...] = ()
-    """Parts that find no shape with their slots."""
+    """Parts that find no shape with their slots, and what was made although it cannot be cut or handled."""
 
 
 @dataclass(frozen=True)
@@ -99,8 +101,14 @@ def kit_of(
         What the strips were made after; the report says how far they are from it.
     effects : bool
         Bend every strip again with its slots, to tell what they do.
+
+    Raises
+    ------
+    InputError
+        Parts larger than a sheet; strips, base or frame that cannot be cut and handled, unless `spec.anyway`.
     """
     spec = spec or KitSpec()
+    faults = _strip_faults(model, spec, entries)
     pieces, holders = (*model.pieces, *spec.extras(model)), list[Holder]()
     nests = _nest(pieces, spec.nesting, spec, f"{model.name}-nest")
     base, frame = spec.base_plate(model), spec.slotted_frame(model)
@@ -115,7 +123,22 @@ def kit_of(
             pieces, holders = (*pieces, *cut), [*holders, *plates]
     holders += spec.end_fixtures(model)
     bent, notes = _slot_effects(model) if effects else ({}, ())
+    told = [text for plate in (*model.plates, *holders) for text in getattr(plate, "warnings", ())]
+    notes = (*faults, *told, *notes)
     return Kit(model, spec, pieces, nests, tuple(holders), entries=tuple(entries), effects=bent, notes=notes)
+
+
+def _strip_faults(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> tuple[str, ...]:
+    """What keeps strips, with the slots that neighbours cut into them, from being cut; told where made anyway."""
+    asked = {entry.label: entry.spec for entry in entries}
+    told: list[str] = []
+    for part in model.parts:
+        own = asked.get(part.strip.label)
+        shop, anyway = (spec.shop, False) if own is None else (own.shop, own.anyway)
+        found = find_strip_faults(replace(part.strip, label=part.name), shop)
+        told += accept_faults(found, anyway or spec.anyway)
+    known = {text for strip in model.strips for text in strip.warnings} | {*model.reports}
+    return tuple(text for text in dict.fromkeys(told) if text not in known)
 
 
 def _nest(pieces: Sequence[Piece], nesting: Nesting, spec: KitSpec, name: str) -> tuple[NestedSheet, ...]:
@@ -178,6 +201,8 @@ def save_model(
     parts: bool = True,
     force: bool = False,
     done: Callable[[str, int], None] | None = None,
+    shop: Shop = DEFAULT_SHOP,
+    anyway: bool = False,
 ) -> SavedKit:
     """Nested sheets and parts (DXF, SVG), cut list, report, assembly (STEP) and pictures of a model.
 
@@ -200,6 +225,10 @@ def save_model(
         Overwrite files that exist.
     done : callable, optional
         Called with the name of each file that has been written, and how many there are in all.
+    shop : Shop
+        What the workshop can make.
+    anyway : bool
+        Write strips that it cannot, and say so in the report.
 
     Returns
     -------
@@ -209,7 +238,7 @@ def save_model(
     Raises
     ------
     InputError
-        Parts larger than a sheet, files that exist.
+        Parts larger than a sheet, strips that cannot be cut and handled, files that exist.
 
     Examples
     --------
@@ -223,7 +252,7 @@ def save_model(
     ...     print(save_model(model, folder, step=False, pictures=False).summary)
     arch: 1 strip (1 different) on 1 sheet
     """
-    spec = KitSpec(Nesting(sheet_size, margin), Cutting(kerf=kerf, holding=holding))
+    spec = KitSpec(Nesting(sheet_size, margin), Cutting(kerf=kerf, holding=holding), shop=shop, anyway=anyway)
     kit = kit_of(model, spec, effects=True)
     write_kit(kit, folder, step=step, pictures=pictures, parts=parts, force=force, done=done)
     count, unlike, sheets = len(model.placed), len(model.parts), len(kit.nests)

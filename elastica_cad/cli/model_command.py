@@ -30,6 +30,7 @@ MOST_SAID = 6
     help="Bend every strip again with its slots, and tell what they do.",
 )
 @holding_option
+@click.option("--anyway", is_flag=True, help="Write parts that cannot be cut or handled, and say so.")
 @click.option("--force", is_flag=True, help="Overwrite files that exist.")
 def model(
     design: Path,
@@ -39,6 +40,7 @@ def model(
     parts: bool,
     effects: bool,
     holding: float | None,
+    anyway: bool,
     force: bool,
 ) -> None:
     """Make a whole model from the design file DESIGN (TOML).
@@ -49,6 +51,7 @@ def model(
     --no-parts --no-effects --no-pictures --no-step.
     """
     read = read_design(design, read_curves, read_surface)
+    read = read.made_anyway() if anyway else read
     if holding is not None:
         cutting = replace(read.kit.cutting, holding=HoldingTabs(holding))
         read = replace(read, kit=replace(read.kit, cutting=cutting))

@@ -9,7 +9,7 @@ import numpy as np
 
 from elastica_cad._equality import EqualByValue
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.makeability.faults import find_strip_faults, tell_faults
+from elastica_cad.fabrication.makeability.faults import accept_faults, find_strip_faults
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lamination import Laminated
@@ -270,13 +270,10 @@ class StripSpec(EqualByValue):
             slots=self.slots,
             label=self.label,
         )
-        faults = find_strip_faults(made, self.shop)
-        if not faults:
+        told = accept_faults(find_strip_faults(made, self.shop), self.anyway)
+        if not told:
             return made
-        if not self.anyway:
-            raise InputError(f"{tell_faults(faults)} To make it all the same, set anyway (--anyway).")
-        told = (*made.rod.warnings, *(f"made anyway: {fault}" for fault in faults))
-        return replace(made, rod=replace(made.rod, warnings=told))
+        return replace(made, rod=replace(made.rod, warnings=(*made.rod.warnings, *told)))
 
     def changed(self, **fields: Any) -> "StripSpec":
         """The request with other values of some fields."""

@@ -4,6 +4,7 @@ python flower_pot.py [SURFACE.obj]     any OBJ, STL or PLY about the z axis, 60 
 """
 
 import sys
+from dataclasses import replace
 
 import numpy as np
 
@@ -15,7 +16,7 @@ GAP = 2.0  # mm taken off each half width
 RATIO = 2.8  # asked of the shape; the layers' weight, which is not proportional to stiffness, takes it to 3.5
 LEAST_RADIUS = 50.0  # mm, that card of 0.1 + 0.2 mm bears for good
 CARD = ec.Sheet.named("card-200gsm")
-BASE = ec.Sheet("card-0.1", 0.1, CARD.youngs_modulus, density=CARD.density, max_strain=CARD.max_strain)
+BASE = replace(CARD, name="card-0.1", thickness=0.1, thickness_range=None)
 # control points of the profile: distance from the axis and height, mm; a belly, a neck, and a rim turned out
 PROFILE = np.array([(52, 0), (90, 2), (140, 20), (166, 76), (136, 116), (103, 140), (104, 176)], dtype=float)
 LEAN = np.array([0, 3, 8, 12, 8, 4, 4], dtype=float)  # mm that they move out on one side, and in on the other

@@ -5,6 +5,7 @@ where they were printed. Between the halves there is room for a rail along spine
 """
 
 import sys
+from dataclasses import replace
 
 import numpy as np
 
@@ -17,7 +18,7 @@ SPACING = 560.0 / PLANES
 RAIL = 16.0  # mm between the halves
 TAB = ec.Tab(6)
 CARD = ec.Sheet.named("card-200gsm")
-PAPER = ec.Sheet("paper-100gsm", 0.1, CARD.youngs_modulus, density=CARD.density, max_strain=CARD.max_strain)
+PAPER = replace(CARD, name="paper-100gsm", thickness=0.1, thickness_range=None)
 # along x: height of the spine's axis, half width and half height of the body there, mm
 STATIONS = np.array([
     (0, 230, 54, 58), (70, 240, 67, 75), (150, 236, 71, 81), (235, 227, 72, 82), (310, 236, 68, 82),

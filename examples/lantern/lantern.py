@@ -7,9 +7,9 @@ import numpy as np
 import elastica_cad as ec
 
 RING = 60.0  # mm, where all strips are held, above and below
-# control points: distance from the axis and height, mm; ends steep enough for tabs to go through the rings
-OUTER = [(RING, 0), (92, 14), (150, 50), (150, 150), (120, 232), (88, 249), (RING, 260)]
-INNER = [(RING, 0), (80, 10), (105, 60), (125, 140), (105, 215), (80, 250), (RING, 260)]
+# control points: distance from the axis and height, mm; ends so steep that slots of the rings hold the tabs
+OUTER = [(RING, 0), (79, 30), (140, 66), (150, 135), (136, 206), (80, 230), (RING, 260)]
+INNER = [(RING, 0), (74, 24), (106, 66), (116, 132), (104, 200), (74, 236), (RING, 260)]
 WIDEST = 24.0  # mm
 ROOM = 2 * RING * np.tan(np.pi / 20) - 2.0  # mm beside each other on the rings
 LIMITS = ec.Limits(ratio=3.0, margin=5.0, sheet=ec.Sheet.named("pom-0.5"))
@@ -17,7 +17,7 @@ LIMITS = ec.Limits(ratio=3.0, margin=5.0, sheet=ec.Sheet.named("pom-0.5"))
 
 def build():
     """Ten strips of each kind in turn; the ends are kept, so that both rings close."""
-    sheet, board = ec.Sheet.named("pom-0.5"), ec.Sheet.named("mdf-3")
+    sheet, board = ec.Sheet.named("pom-0.5"), ec.Sheet.named("hdf-2.5")
     found = ec.nearest_rods([ec.PlaneCurve.spline(points) for points in (OUTER, INNER)], LIMITS)
     tab = ec.Tab(12, width=10)
     strips = []

@@ -12,6 +12,8 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text, text_width
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab, place_tabs
+from elastica_cad.fabrication.makeability.faults import accept_faults, find_plate_faults, find_slot_faults
+from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.sheets.pieces import Piece
 from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
@@ -24,9 +26,6 @@ from elastica_cad.mechanics.material.sheet import Sheet
 
 FLATTEST_RAD = np.radians(15.0)
 """Tabs at less than this angle to a plate would need slots over four times its thickness wide."""
-
-BRIDGE_MM = 1.0
-"""Least material between two slots: less burns or breaks in thin boards."""
 
 LABEL_MM = 4.0
 """Height of engraved names, where there is room."""
@@ -47,10 +46,13 @@ class TabSlot:
         In the plate's frame, anticlockwise, mm; the first side runs across the tab.
     name : str
         The tab's.
+    through : float
+        Thickness of the tab, mm.
     """
 
     corners: FloatArray
     name: str
+    through: float
 
     @property
     def path(self) -> Path:
@@ -77,6 +79,8 @@ class BasePlate:
         Closed, in the frame.
     slots : tuple of TabSlot
     name : str
+    warnings : tuple of str
+        Why it should not be cut, where it was made all the same.
     """
 
     sheet: Sheet
@@ -84,6 +88,7 @@ class BasePlate:
     outline: Path
     slots: tuple[TabSlot, ...]
     name: str = "base"
+    warnings: tuple[str, ...] = ()
 
     @property
     def solid(self) -> FlatSolid:
@@ -143,6 +148,8 @@ def base_plate(
     border: float = 12.0,
     shape: Shape = "hull",
     name: str = "base",
+    shop: Shop | None = None,
+    anyway: bool = False,
 ) -> BasePlate:
     """One plate with a slot for every tab that stands on it.
 
@@ -168,11 +175,16 @@ def base_plate(
     shape : "hull" or "rectangle"
         The outline around all slots.
     name : str
+    shop : Shop, optional
+        What the workshop can make: bridges between slots, the largest sheet.
+    anyway : bool
+        Make a plate that the workshop cannot, and say so in its warnings.
 
     Raises
     ------
     InputError
-        No tab goes through the plate, one lies too flat, or two slots meet; the parts are named.
+        No tab goes through the plate, one lies too flat, two slots meet, slots far wider than their tabs, bridges
+        too thin to cut; the parts are named.
     """
     ground = frame or Frame()
     for value, what in (
@@ -197,7 +209,7 @@ def base_plate(
         )
         for tab in standing
     )
-    return plate_with(slots, sheet, ground, border=border, shape=shape, name=name)
+    return plate_with(slots, sheet, ground, border=border, shape=shape, name=name, shop=shop, anyway=anyway)
 
 
 def plate_with(
@@ -208,11 +220,35 @@ def plate_with(
     border: float,
     shape: Shape = "hull",
     name: str = "base",
+    shop: Shop | None = None,
+    anyway: bool = False,
 ) -> BasePlate:
-    """The plate around slots; refused where two of them meet."""
-    _refuse_meetings(slots, name)
+    """The plate around slots; refused where two of them meet, and without `anyway` where it cannot be made."""
     points = np.concatenate([slot.corners for slot in slots])
-    return BasePlate(sheet, frame, _outline(points, border, shape), tuple(slots), name)
+    outline = _outline(points, border, shape)
+    told = check_slots(name, sheet, outline, slots, shop=shop, anyway=anyway)
+    return BasePlate(sheet, frame, outline, tuple(slots), name, told)
+
+
+def check_slots(
+    name: str,
+    sheet: Sheet,
+    outline: Path,
+    slots: Sequence[TabSlot],
+    others: Sequence[Path] = (),
+    *,
+    shop: Shop | None,
+    anyway: bool,
+) -> tuple[str, ...]:
+    """What is said of a plate with slots, and other cuts, that was made all the same; see `accept_faults`."""
+    _refuse_meetings(slots, name)
+    loops = (*(slot.path for slot in slots), *others)
+    called = [f"the slot of {slot.name}" for slot in slots]
+    faults = (
+        *find_slot_faults(name, [(slot.name, slot.size[1], slot.through) for slot in slots]),
+        *find_plate_faults(name, sheet, outline, loops, shop, called),
+    )
+    return accept_faults(faults, anyway)
 
 
 def _stands(tab: PlacedTab, ground: Frame) -> bool:
@@ -251,20 +287,18 @@ def tab_slot(
     room = np.array([play, rest / 2])
     low, high = low - room, high + room
     box = np.array([low, (high[0], low[1]), high, (low[0], high[1])])
-    return TabSlot(box @ np.array([u, v]), tab.name)
+    return TabSlot(box @ np.array([u, v]), tab.name, tab.thickness)
 
 
 def _refuse_meetings(slots: Sequence[TabSlot], name: str) -> None:
     boxes = np.array([(s.corners.min(axis=0), s.corners.max(axis=0)) for s in slots])
     for i, a in enumerate(slots):
-        near = np.all(
-            (boxes[:i, 0] <= boxes[i, 1] + BRIDGE_MM) & (boxes[:i, 1] >= boxes[i, 0] - BRIDGE_MM), axis=1
-        )
+        near = np.all((boxes[:i, 0] <= boxes[i, 1]) & (boxes[:i, 1] >= boxes[i, 0]), axis=1)
         for j in np.flatnonzero(near).tolist():
-            if _gap(a.corners, slots[j].corners) < BRIDGE_MM:
+            if _gap(a.corners, slots[j].corners) <= 0:
                 x, y = (a.corners.mean(axis=0) + slots[j].corners.mean(axis=0)) / 2
                 raise InputError(
-                    f"{name}: the slots of {slots[j].name} and {a.name} come closer than {BRIDGE_MM:g} mm near "
+                    f"{name}: the slots of {slots[j].name} and {a.name} run into each other near "
                     f"({x:.1f}, {y:.1f}): give the strips narrower tabs or move them apart"
                 )
 

@@ -18,6 +18,9 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 
+LEAST_WALL_MM = 0.8
+"""Two lines of a 0.4 mm nozzle."""
+
 GROOVE_MM = 0.6
 """Width of engraved strokes: what a 0.4 mm nozzle still prints."""
 
@@ -99,6 +102,10 @@ class EndFixture:
                 raise InputError(
                     f"{who}: {name} is {getattr(self, name.replace(' ', '_'))}: it must be positive, in mm"
                 )
+        if self.wall < LEAST_WALL_MM:
+            raise InputError(
+                f"{who}: a wall of {self.wall:g} mm is too thin to print: make it {LEAST_WALL_MM:g} mm or more"
+            )
         if self.foot and self.screw > 0.8 * min(self.foot, self.across):
             raise InputError(
                 f"{who}: a screw of {self.screw:g} mm does not fit a foot of {self.foot:g} by {self.across:.4g} "

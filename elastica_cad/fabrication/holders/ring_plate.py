@@ -1,7 +1,7 @@
 """Rings and caps that hold the ends of a surface of revolution: flat plates with a slot or a seat for every tab."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -10,8 +10,9 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text, text_width
-from elastica_cad.fabrication.holders.base_plate import FLATTEST_RAD, LABEL_MM, TabSlot, plate_with, tab_slot
+from elastica_cad.fabrication.holders.base_plate import FLATTEST_RAD, LABEL_MM, TabSlot, check_slots, tab_slot
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab
+from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.sheets.pieces import Piece
 from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
@@ -50,6 +51,8 @@ class Ring:
     holes : tuple of Path
         Of the bolts of such tabs.
     name : str
+    warnings : tuple of str
+        Why it should not be cut, where it was made all the same.
     """
 
     sheet: Sheet
@@ -59,11 +62,28 @@ class Ring:
     seats: tuple[Path, ...] = ()
     holes: tuple[Path, ...] = ()
     name: str = "ring"
+    warnings: tuple[str, ...] = ()
+
+    @property
+    def _middle(self) -> tuple[Path, ...]:
+        return (Path.circle((0.0, 0.0), self.radii[0]),) if self.radii[0] else ()
 
     @property
     def _inner(self) -> tuple[Path, ...]:
-        middle = (Path.circle((0.0, 0.0), self.radii[0]),) if self.radii[0] else ()
-        return (*(slot.path for slot in self.slots), *self.holes, *middle)
+        return (*(slot.path for slot in self.slots), *self.holes, *self._middle)
+
+    def checked(self, shop: Shop | None = None, *, anyway: bool = False) -> "Ring":
+        """The ring with what is to be said of it; one that cannot be cut is refused without `anyway`.
+
+        Raises
+        ------
+        InputError
+            Slots that meet or are far wider than their tabs, thin bridges, a ring larger than the stock.
+        """
+        outline = Path.circle((0.0, 0.0), self.radii[1])
+        others = (*self.holes, *self._middle)
+        told = check_slots(self.name, self.sheet, outline, self.slots, others, shop=shop, anyway=anyway)
+        return replace(self, warnings=told)
 
     @property
     def solid(self) -> FlatSolid:
@@ -116,6 +136,8 @@ def ring_plate(
     play: float = PLAY_MM,
     clearance: float = CLEARANCE_MM,
     name: str = "ring",
+    shop: Shop | None = None,
+    anyway: bool = False,
 ) -> Ring:
     """The ring or cap about the z axis that holds one end of all strips of a surface of revolution.
 
@@ -137,11 +159,16 @@ def ring_plate(
     clearance : float
         Added to the width of slots, mm.
     name : str
+    shop : Shop, optional
+        What the workshop can make: bridges between slots, the largest sheet.
+    anyway : bool
+        Make a ring that the workshop cannot, and say so in its warnings.
 
     Raises
     ------
     InputError
-        Tabs that have no length, lie over each other, or meet the plane at angles between; slots that meet.
+        Tabs that have no length, lie over each other, or meet the plane at angles between; slots that meet or are
+        far wider than their tabs, bridges too thin to cut.
     """
     for value, what in ((border, "border"), (play, "play"), (clearance, "clearance")):
         if not (np.isfinite(value) and value >= 0):
@@ -155,8 +182,8 @@ def ring_plate(
         slots = tuple(
             tab_slot(tab, frame, sheet.thickness, play=play, clearance=clearance, name=name) for tab in tabs
         )
-        plate_with(slots, sheet, frame, border=border, name=name)  # refuses slots that meet
-        return Ring(sheet, frame, _radii([slot.corners for slot in slots], border), slots, name=name)
+        found = Ring(sheet, frame, _radii([slot.corners for slot in slots], border), slots, name=name)
+        return found.checked(shop, anyway=anyway)
     if abs(rise) > np.sin(LYING_RAD):
         lean, steep, flat = np.degrees([np.arcsin(abs(rise)), FLATTEST_RAD, LYING_RAD])
         raise InputError(
@@ -173,7 +200,8 @@ def ring_plate(
         for hole in tab.holes
     )
     loops = tuple(Path.polygon(seat) for seat in seats)
-    return Ring(sheet, frame, _radii(seats, border), seats=loops, holes=holes, name=name)
+    found = Ring(sheet, frame, _radii(seats, border), seats=loops, holes=holes, name=name)
+    return found.checked(shop, anyway=anyway)
 
 
 def _facing(height: float, *, up: bool) -> Frame:

@@ -1,7 +1,7 @@
 """A slotted frame for models that have no base: two rails that hold all tabs, and ribs that join the rails."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -13,6 +13,8 @@ from elastica_cad.fabrication.drawings.lettering import Text, text_width
 from elastica_cad.fabrication.holders.base_plate import FLATTEST_RAD, BasePlate, TabSlot, plate_with, tab_slot
 from elastica_cad.fabrication.holders.placed_tab import ENDS, End, PlacedTab, place_tabs
 from elastica_cad.fabrication.holders.ring_plate import PLAY_MM
+from elastica_cad.fabrication.makeability.faults import accept_faults, find_plate_faults
+from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.sheets.pieces import Piece
 from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
@@ -27,7 +29,7 @@ SHOULDER_MM = 5.0
 """How far a rib reaches beside its tongue, to rest against the rail."""
 
 SLOT_ROOM_MM = 3.0
-"""Between the slots of ribs and of tabs: three times the least between tabs, for ribs carry the rails."""
+"""Between the slots of ribs and of tabs, or what the sheet asks for between slots if that is more."""
 
 LABEL_MM = 6.0
 """Height of a rib's name, where there is room."""
@@ -56,6 +58,8 @@ class Rib:
         Closed, in the frame.
     label : Text
         Its name, in the frame.
+    warnings : tuple of str
+        Why it should not be cut, where it was made all the same.
     """
 
     name: str
@@ -63,6 +67,18 @@ class Rib:
     frame: Frame
     outline: Path
     label: Text
+    warnings: tuple[str, ...] = ()
+
+    def checked(self, shop: Shop | None = None, *, anyway: bool = False) -> "Rib":
+        """The rib with what is to be said of it; one that cannot be cut is refused without `anyway`.
+
+        Raises
+        ------
+        InputError
+            Necks, or a rib larger than the stock.
+        """
+        faults = find_plate_faults(self.name, self.sheet, self.outline, (), shop)
+        return replace(self, warnings=accept_faults(faults, anyway))
 
     @property
     def solid(self) -> FlatSolid:
@@ -113,6 +129,8 @@ def slotted_frame(
     play: float = PLAY_MM,
     clearance: float = CLEARANCE_MM,
     border: float = 8.0,
+    shop: Shop | None = None,
+    anyway: bool = False,
 ) -> SlottedFrame:
     """A frame of plates: each rail follows the tabs of one end, ribs hold the rails apart at their angle.
 
@@ -132,11 +150,16 @@ def slotted_frame(
         Room beside tabs and tongues on either side, and added to the width of slots, mm.
     border : float
         Least distance of slots from the edge of a rail, mm.
+    shop : Shop, optional
+        What the workshop can make: bridges between slots, the largest sheet.
+    anyway : bool
+        Make rails and ribs that the workshop cannot, and say so in their warnings.
 
     Raises
     ------
     InputError
-        Tabs that no plane rail can hold, slots that meet, rails that no rib can join; the parts are named.
+        Tabs that no plane rail can hold, slots that meet or are far wider than their tabs, rails that no rib can
+        join, parts that cannot be cut; the parts are named.
 
     Examples
     --------
@@ -159,18 +182,23 @@ def slotted_frame(
         raise InputError(f"a frame of {ribs} ribs: two rails need 2 or more to stay apart")
     rails = [_RailPlan.of(placed, end, sheet, play=play, clearance=clearance) for end in ENDS]
     across = _across(rails)
-    stations = _stations(rails, across, ribs, sheet.thickness + 2 * (SLOT_ROOM_MM + clearance))
+    room = max(SLOT_ROOM_MM, (shop or DEFAULT_SHOP).bridge_for(sheet))
+    stations = _stations(rails, across, ribs, sheet.thickness + 2 * (room + clearance))
     plans = [
         _RibPlan(f"rib-{n}", station, across, tuple(rail.seat(station, across) for rail in rails))
         for n, station in enumerate(stations, start=1)
     ]
     for k, rail in enumerate(rails):
         size = (tongue + 2 * play, sheet.thickness + clearance)
-        rail.slots += [rail.tongue_slot(plan.name, plan.seats[k], size) for plan in plans]
+        rail.slots += [rail.tongue_slot(plan.name, plan.seats[k], size, sheet.thickness) for plan in plans]
     first, second = (
-        plate_with(rail.slots, sheet, rail.frame, border=border, name=rail.name) for rail in rails
-    )
-    return SlottedFrame((first, second), tuple(plan.rib(sheet, tongue, depth) for plan in plans))
+        plate_with(
+            rail.slots, sheet, rail.frame, border=border, name=rail.name, shop=shop, anyway=anyway
+        )
+        for rail in rails
+    )  # fmt: skip
+    made = (plan.rib(sheet, tongue, depth) for plan in plans)
+    return SlottedFrame((first, second), tuple(rib.checked(shop, anyway=anyway) for rib in made))
 
 
 @dataclass
@@ -212,13 +240,14 @@ class _RailPlan:
         height = float(self.frame.origin @ n)
         return _Seat(station * across + side * along + height * n, along, n)
 
-    def tongue_slot(self, name: str, seat: "_Seat", size: tuple[float, float]) -> TabSlot:
+    def tongue_slot(self, name: str, seat: "_Seat", size: tuple[float, float], thickness: float) -> TabSlot:
         """The slot for a rib's tongue: length along the rib and width."""
         center = self.frame.local(seat.point)[:2]
         u = (self.frame.axes @ seat.along)[:2]
         v = np.array([-u[1], u[0]])
         a, b = size[0] / 2 * u, size[1] / 2 * v
-        return TabSlot(np.array([center - a - b, center + a - b, center + a + b, center - a + b]), name)
+        corners = np.array([center - a - b, center + a - b, center + a + b, center - a + b])
+        return TabSlot(corners, name, thickness)
 
     def reach(self, across: FloatArray) -> FloatArray:
         """From where to where each slot reaches (n, 2), along a direction (3,)."""

@@ -5,7 +5,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from elastica_cad.fabrication.makeability.shop import SLENDEREST, WIDEST_SLOT_THICKNESSES, Shop
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.makeability.shop import (
+    FILLED_SLOT_MM,
+    SLENDEREST,
+    WIDEST_SLOT_THICKNESSES,
+    Shop,
+)
 from elastica_cad.fabrication.makeability.thin_places import ThinPlace, find_thin_places
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.perforation import Perforated
@@ -38,12 +44,25 @@ class Fault:
         return f"{self.part}: {self.what}; {self.cure}"
 
 
-def tell_faults(faults: Iterable[Fault]) -> str:
+def _tell_faults(faults: Iterable[Fault]) -> str:
     """Sentences that name each cure once."""
     found: dict[tuple[str, str], list[str]] = {}
     for fault in faults:
         found.setdefault((fault.part, fault.cure), []).append(fault.what)
     return " ".join(f"{part}: {', and '.join(whats)}; {cure}." for (part, cure), whats in found.items())
+
+
+def accept_faults(faults: Sequence[Fault], anyway: bool) -> tuple[str, ...]:
+    """Nothing for a part without faults; with `anyway` what its report says of them.
+
+    Raises
+    ------
+    InputError
+        Faults, without `anyway`: each with its place and cure.
+    """
+    if faults and not anyway:
+        raise InputError(f"{_tell_faults(faults)} To make it all the same, set anyway (--anyway).")
+    return tuple(f"made anyway: {fault}" for fault in faults)
 
 
 def find_strip_faults(strip: Strip, shop: Shop | None = None) -> tuple[Fault, ...]:
@@ -70,11 +89,12 @@ def find_strip_faults(strip: Strip, shop: Shop | None = None) -> tuple[Fault, ..
         length, width = np.ptp(layer.outline.bounds, axis=0)
         found += _too_large(called, float(length), float(width), layer.sheet, shop)
     style = strip.style
-    if isinstance(style, Perforated) and style.least_ligament < shop.least_ligament:
-        allowed, needed = style.least_ligament, shop.least_ligament
+    needed = shop.ligament_for(strip.sheet)
+    if isinstance(style, Perforated) and style.least_ligament < needed:
+        allowed = style.least_ligament
         what = f"ligaments down to {allowed:.3g} mm are allowed, {needed:.3g} mm are needed"
         found.append(Fault(name, what, "ask for wider ligaments, or fewer columns"))
-    slenderest = strip.rod.length / min(float(strip.width.extremes[0]), shop.stock[1])
+    slenderest = strip.rod.length / min(float(strip.width.extremes[0]), shop.stock_for(strip.sheet)[1])
     if slenderest > SLENDEREST:
         what = (
             f"{strip.rod.length:.4g} mm long and {strip.width.extremes[0]:.3g} mm wide: too slender to handle"
@@ -84,9 +104,14 @@ def find_strip_faults(strip: Strip, shop: Shop | None = None) -> tuple[Fault, ..
 
 
 def find_plate_faults(
-    name: str, sheet: Sheet, outline: Path, holes: Sequence[Path], shop: Shop | None = None
+    name: str,
+    sheet: Sheet,
+    outline: Path,
+    holes: Sequence[Path],
+    shop: Shop | None = None,
+    called: Sequence[str] = (),
 ) -> tuple[Fault, ...]:
-    """The same for a ring, a base or a rail: bridges between its cuts, and its size."""
+    """The same for a ring, a base or a rail: bridges between its cuts, and its size; `called` names first holes."""
     shop = shop or Shop()
     least = shop.bridge_for(sheet)
     length, width = np.ptp(outline.bounds, axis=0)
@@ -94,19 +119,18 @@ def find_plate_faults(
         *_told(
             name, find_thin_places([outline], holes, least), least, sheet,
             "leave more room between the slots: a larger ring or plate, fewer or narrower strips, a wider border",
+            ("the edge", *called, *("a hole" for _ in holes[len(called):])),
         ),
         *_too_large(name, float(length), float(width), sheet, shop),
     )  # fmt: skip
 
 
-def find_slot_faults(
-    name: str, through: float, slots: Sequence[tuple[str, float]]
-) -> tuple[Fault, ...]:  # fmt: skip
-    """Slots far wider than the tab, `through` mm thick, that goes into them: (name, width in mm) of each."""
-    wide = [(slot, width) for slot, width in slots if width > WIDEST_SLOT_THICKNESSES * through]
+def find_slot_faults(name: str, slots: Sequence[tuple[str, float, float]]) -> tuple[Fault, ...]:
+    """Slots far wider than what goes into them: (name, width of the slot, thickness of the tab) of each, mm."""
+    wide = [one for one in slots if one[1] > max(FILLED_SLOT_MM, WIDEST_SLOT_THICKNESSES * one[2])]
     if not wide:
         return ()
-    slot, width = max(wide, key=lambda one: one[1])
+    slot, width, through = max(wide, key=lambda one: one[1] / one[2])
     more = f" (and {len(wide) - 1} more)" if len(wide) > 1 else ""
     what = f"the slot for {slot}{more} is {width:.3g} mm wide for a tab of {through:.3g} mm, which it cannot hold"
     cure = "end the strips steeper to the plate, take a thinner plate, or hold them by end fixtures"
@@ -121,7 +145,14 @@ def _thin_strip(name: str, strip: Strip, layer: Layer, least: float) -> Iterator
     yield from _told(name, places, least, layer.sheet, cure)
 
 
-def _told(name: str, places: Sequence[ThinPlace], least: float, sheet: Sheet, cure: str) -> Iterator[Fault]:
+def _told(
+    name: str,
+    places: Sequence[ThinPlace],
+    least: float,
+    sheet: Sheet,
+    cure: str,
+    loops: Sequence[str] = (),
+) -> Iterator[Fault]:
     for k, place in enumerate(places[:MOST_TOLD]):
         rest = len(places) - MOST_TOLD
         more = f" (and {rest} more places)" if k == MOST_TOLD - 1 and rest > 0 else ""
@@ -130,14 +161,20 @@ def _told(name: str, places: Sequence[ThinPlace], least: float, sheet: Sheet, cu
             if abs(place.y) < 1e-9
             else f"at ({place.x:.4g}, {place.y:.4g}) mm"
         )
-        what = f"only {place.width:.3g} mm wide {at}{more}, {least:.3g} mm are needed in {sheet.name}"
+        between = (
+            f"between {' and '.join(dict.fromkeys(loops[k] for k in sorted(place.loops)))} "
+            if loops
+            else "wide "
+        )
+        what = f"only {place.width:.3g} mm {between}{at}{more}, {least:.3g} mm are needed in {sheet.name}"
         yield Fault(name, what, cure)
 
 
 def _too_large(name: str, length: float, width: float, sheet: Sheet, shop: Shop) -> Iterator[Fault]:
     long, short = max(length, width), min(length, width)
-    if long > shop.stock[0] or short > shop.stock[1]:
-        sides = " x ".join(f"{side:.4g}" for side in shop.stock)
+    stock = shop.stock_for(sheet)
+    if long > stock[0] or short > stock[1]:
+        sides = " x ".join(f"{side:.4g}" for side in stock)
         yield Fault(
             name,
             f"{long:.4g} x {short:.4g} mm is larger than the stock of {sides} mm in {sheet.name}",

@@ -13,6 +13,7 @@ LEAST_BRIDGE_MM = 2.0  # between two cuts of a plate: what the heat of two passe
 LEAST_LIGAMENT_MM = 0.5  # lines of a laser closer than this may burn away what is between them
 LARGEST_PANEL_MM = (3050.0, 1525.0)  # the largest sheet of plywood and board on sale
 WIDEST_SLOT_THICKNESSES = 6.0  # of the tab: a vertical slot this wide holds a tab at no angle
+FILLED_SLOT_MM = 1.6  # a slot no wider holds a thin tab with glue on both sides
 SLENDEREST = 600.0  # length over least width, beyond which a loose strip cannot be handled flat
 
 
@@ -24,12 +25,12 @@ class Shop:
     ----------
     least_width : float, optional
         Of a strip, a tab or a tongue, mm; where not given the sheet's own, or 3 thicknesses of it, 3 mm at least.
-    least_ligament : float
-        Between the holes of a perforated strip, mm.
+    least_ligament : float, optional
+        Between the holes of a perforated strip, mm; where not given the sheet's own, or 0.5 mm.
     least_bridge : float, optional
-        Between the cuts of a ring or a plate, mm; the sheet's thickness, 2 mm at least, where not given.
-    stock : (float, float)
-        Longer and shorter side of the largest sheet, mm.
+        Between the cuts of a ring or a plate, mm; where not given the sheet's own, or its thickness, 2 mm at least.
+    stock : (float, float), optional
+        Longer and shorter side of the largest sheet, mm; where not given the sheet's own, or 3050 by 1525 mm.
 
     Raises
     ------
@@ -43,15 +44,17 @@ class Shop:
     """
 
     least_width: float | None = None
-    least_ligament: float = LEAST_LIGAMENT_MM
+    least_ligament: float | None = None
     least_bridge: float | None = None
-    stock: tuple[float, float] = LARGEST_PANEL_MM
+    stock: tuple[float, float] | None = None
 
     def __post_init__(self) -> None:
         for name in ("least_width", "least_ligament", "least_bridge"):
             value = getattr(self, name)
             if value is not None and not (np.isfinite(value) and value > 0):
                 raise InputError(f"{name} is {value!r}: give a positive width in mm")
+        if self.stock is None:
+            return
         sides = tuple(float(side) for side in self.stock)
         if len(sides) != 2 or not all(np.isfinite(side) and side > 0 for side in sides):
             raise InputError(f"the stock is {self.stock!r}: give the two sides of the sheet in mm")
@@ -65,9 +68,18 @@ class Shop:
             return sheet.least_width
         return max(LEAST_STRIP_MM, THICKNESSES * sheet.thickness if sheet else 0.0)
 
+    def ligament_for(self, sheet: Sheet) -> float:
+        """Least material between the holes of a perforated strip, mm."""
+        return self.least_ligament or sheet.least_ligament or LEAST_LIGAMENT_MM
+
     def bridge_for(self, sheet: Sheet) -> float:
         """Least material between two cuts of a plate, mm."""
-        return max(LEAST_BRIDGE_MM, sheet.thickness) if self.least_bridge is None else self.least_bridge
+        return self.least_bridge or sheet.least_bridge or max(LEAST_BRIDGE_MM, sheet.thickness)
+
+    def stock_for(self, sheet: Sheet) -> tuple[float, float]:
+        """Longer and shorter side of the largest sheet, mm."""
+        long, short = sorted(self.stock or sheet.stock or LARGEST_PANEL_MM, reverse=True)
+        return long, short
 
 
 DEFAULT_SHOP = Shop()

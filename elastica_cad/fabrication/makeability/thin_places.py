@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
+from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.geometry.paths.path import Path
 
 SAMPLES_PER_WIDTH = 12  # points along a cut in each least width: a width is found to a percent
@@ -15,11 +15,12 @@ FLAT_SHARE = 0.02  # of the least width: chords of the sampled cuts
 
 @dataclass(frozen=True)
 class ThinPlace:
-    """Too little material: its middle (x, y) and its width, mm."""
+    """Too little material: its middle (x, y) and its width, mm; `loops`: the cuts on both sides, outlines first."""
 
     x: float
     y: float
     width: float
+    loops: tuple[int, int] = (0, 0)
 
 
 def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: float) -> tuple[ThinPlace, ...]:
@@ -44,7 +45,7 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
     from scipy.sparse.csgraph import connected_components
     from scipy.spatial import cKDTree
 
-    points, normals = _sampled(outlines, holes, least)
+    points, normals, loop = _sampled(outlines, holes, least)
 
     pairs = cKDTree(points).query_pairs(least * (1 - 1e-9), output_type="ndarray")
     if not len(pairs):
@@ -64,13 +65,22 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
     group = connected_components(links, directed=False)[1]
     order = np.argsort(width, kind="stable")
     thinnest = order[np.unique(group[order], return_index=True)[1]]
-    places = [ThinPlace(float(middle[k, 0]), float(middle[k, 1]), float(width[k])) for k in thinnest]
+    places = [
+        ThinPlace(
+            float(middle[k, 0]), float(middle[k, 1]), float(width[k]), (int(loop[i[k]]), int(loop[j[k]]))
+        )
+        for k in thinnest
+    ]
     return tuple(sorted(places, key=lambda place: place.width))
 
 
-def _sampled(outlines: Sequence[Path], holes: Sequence[Path], least: float) -> tuple[FloatArray, FloatArray]:
-    """Points (n, 2) on all cuts and their normals (n, 2) into the material."""
-    points, normals = [], []
+def _sampled(
+    outlines: Sequence[Path], holes: Sequence[Path], least: float
+) -> tuple[FloatArray, FloatArray, IntArray]:
+    """Points (n, 2) on all cuts, their normals (n, 2) into the material, and the numbers (n,) of their cuts."""
+    points: list[FloatArray] = []
+    normals: list[FloatArray] = []
+    loops: list[IntArray] = []
     for path, outer in [*((path, True) for path in outlines), *((path, False) for path in holes)]:
         run = path if (path.area > 0) == outer else path.reversed()  # the material on the left
         corners = run.points(FLAT_SHARE * least)
@@ -83,4 +93,5 @@ def _sampled(outlines: Sequence[Path], holes: Sequence[Path], least: float) -> t
         points.append(corners[side] + place[:, None] * sides[side])
         inward = np.column_stack([-sides[:, 1], sides[:, 0]]) / long[:, None]
         normals.append(inward[side])
-    return np.concatenate(points), np.concatenate(normals)
+        loops.append(np.full(side.size, len(loops)))
+    return np.concatenate(points), np.concatenate(normals), np.concatenate(loops)

@@ -1,12 +1,15 @@
 """Models of surfaces of revolution: equal strips that touch along all their edges."""
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from elastica_cad._types import ArrayLike
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.holders.base_plate import BRIDGE_MM
-from elastica_cad.fabrication.holders.placed_tab import End, place_tabs
+from elastica_cad.fabrication.holders.placed_tab import ENDS, place_tabs
 from elastica_cad.fabrication.holders.ring_plate import PLAY_MM, Ring, ring_plate, slot_reach
+from elastica_cad.fabrication.makeability.faults import accept_faults, find_strip_faults
+from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -26,9 +29,6 @@ TAB_GAP_MM = 0.5
 TRIED_RINGS = 60
 """Sizes of rings that are tried where the one asked for cannot be made."""
 
-NARROWEST_TAB_MM = 1.0
-"""A narrower tab holds nothing: at a pole strips end as they are."""
-
 BRIDGE_FACTOR = 1.02
 """On the least material between slots, so that rounding does not refuse them."""
 
@@ -46,6 +46,8 @@ def revolution(
     ends: tuple[Tab, Tab] | None = None,
     rings: Sheet | str | None = None,
     name: str = "revolution",
+    shop: Shop = DEFAULT_SHOP,
+    anyway: bool = False,
 ) -> Model:
     """The surface of revolution about z whose meridian has x kappa = a + <b, gamma>, tiled by plain strips.
 
@@ -62,11 +64,15 @@ def revolution(
     rings : Sheet or str, optional
         Of a ring at each end, or a cap near the pole, which join the model as its `plates`; see `ring_plate`.
     name : str
+    shop : Shop
+        What the workshop can make.
+    anyway : bool
+        Make strips and rings that the workshop cannot, and say so in their warnings.
 
     Raises
     ------
     InputError, NotConvergedError
-        As `meridian`, and fewer than three strips.
+        As `meridian`, fewer than three strips, strips or rings that cannot be cut and handled.
 
     Examples
     --------
@@ -82,6 +88,8 @@ def revolution(
         ends=ends,
         rings=rings,
         name=name,
+        shop=shop,
+        anyway=anyway,
     )
 
 
@@ -93,20 +101,22 @@ def revolve(
     ends: tuple[Tab, Tab] | None = None,
     rings: Sheet | str | None = None,
     name: str = "revolution",
+    shop: Shop = DEFAULT_SHOP,
+    anyway: bool = False,
 ) -> Model:
     """A meridian's surface about z, tiled by so many equal plain strips; see `revolution`.
 
     Raises
     ------
     InputError
-        Fewer than three strips, an unknown sheet, or a ring that cannot be made; at a pole the smallest that can
-        be is told.
+        Fewer than three strips, an unknown sheet, strips or a ring that cannot be made; at a pole the smallest ring
+        that can be is told.
 
     Examples
     --------
     >>> from elastica_cad.forming.revolution.meridian import meridian_through
-    >>> profile = meridian_through([(70, 0), (125, 55), (90, 115), (75, 140)])
-    >>> len(revolve(profile, 20, sheet="card-200gsm", rings="mdf-3").plates)
+    >>> profile = meridian_through([(70, 0), (85, 16), (125, 55), (90, 115), (75, 140)])
+    >>> len(revolve(profile, 20, sheet="card-200gsm", rings="hdf-1.5").plates)
     2
     """
     if not 3 <= strips <= MOST_STRIPS:
@@ -115,48 +125,87 @@ def revolve(
         )
     sheet = Sheet.named(sheet) if isinstance(sheet, str) else sheet
     rings = Sheet.named(rings) if isinstance(rings, str) else rings
-    placed = _placed(meridian, strips, sheet, ends, rings)
-    if rings is None:
-        return Model(placed, name=name)
-    first = _ring(placed, rings, "start")
+    asked = _Asked(strips, sheet, ends, rings, shop, anyway)
     try:
-        last = _ring(placed, rings, "end")
+        placed, plates, told = asked.made(meridian)
     except InputError as problem:
-        works = _smallest_ring(meridian, strips, sheet, ends, rings) if meridian.at_pole else None
+        works = _smallest_ring(meridian, asked) if meridian.at_pole else None
         if works is None:
             raise
-        raise InputError(
-            f"{problem}; ring={works} is the smallest, in whole mm, that works here"
-        ) from problem
-    return Model(placed, name=name, plates=(first, last))
+        said = f"{problem}".rstrip(".")
+        raise InputError(f"{said}; ring={works} is the smallest, in whole mm, that works here") from problem
+    return Model(placed, name=name, plates=plates, reports=told)
 
 
-def _placed(
-    meridian: Meridian, strips: int, sheet: Sheet, ends: tuple[Tab, Tab] | None, rings: Sheet | None
-) -> tuple[Placed, ...]:
-    """All strips about the axis."""
-    width = 2 * float(np.tan(np.pi / strips)) * float(meridian.distance.extremes[1])
-    strip = Strip(meridian.rod, sheet, max_width=width, ends=ends or _tabs(meridian, strips, sheet, rings))
-    turn = 2 * np.pi * np.arange(strips) / strips
-    return tuple(Placed(strip, (0, 0, 0), (np.cos(t), np.sin(t), 0), (0, 0, 1)) for t in turn)
+@dataclass(frozen=True)
+class _Asked:
+    """What is asked of a surface beside its meridian."""
+
+    strips: int
+    sheet: Sheet
+    ends: tuple[Tab, Tab] | None
+    rings: Sheet | None
+    shop: Shop
+    anyway: bool
+
+    def made(self, meridian: Meridian) -> tuple[tuple[Placed, ...], tuple[Ring, ...], tuple[str, ...]]:
+        """All strips about the axis, rings, and what is to be said of strips that cannot be cut."""
+        width = 2 * float(np.tan(np.pi / self.strips)) * float(meridian.distance.extremes[1])
+        strip = Strip(meridian.rod, self.sheet, max_width=width, ends=self.ends or self._tabs(meridian))
+        turn = 2 * np.pi * np.arange(self.strips) / self.strips
+        placed = tuple(Placed(strip, (0, 0, 0), (np.cos(t), np.sin(t), 0), (0, 0, 1)) for t in turn)
+        told = accept_faults(find_strip_faults(strip, self.shop), self.anyway)
+        if self.rings is None:
+            return placed, (), told
+        heights = strip.rod.position[:, 1]
+        middle = float(heights.min() + heights.max()) / 2
+        plates = tuple(
+            ring_plate(
+                place_tabs(placed, [end]),
+                self.rings,
+                middle=middle,
+                name=f"ring-{end}",
+                shop=self.shop,
+                anyway=self.anyway,
+            )
+            for end in ENDS
+        )
+        return placed, plates, told
+
+    def _tabs(self, meridian: Meridian) -> tuple[Tab, Tab]:
+        """Tabs that go straight on, narrower than the room between the planes to both neighbours.
+
+        At a pole, where they would be narrower than the shop can make, strips end as they are.
+        """
+        ends = meridian.curve.sample(2)
+        outward = ends.angle + np.array([np.pi, 0.0])
+        near = np.minimum(ends.position[:, 0], ends.position[:, 0] + TAB_MM * np.cos(outward))
+        gap = TAB_GAP_MM
+        if self.rings is not None:
+            # what separates two slots is seen along the sides of either, turned by half the angle between them
+            gap = (
+                2 * PLAY_MM
+                + BRIDGE_FACTOR * self.shop.bridge_for(self.rings) / float(np.cos(np.pi / self.strips)) ** 2
+            )
+            inner = [
+                slot_reach(float(r), float(angle), self.rings.thickness, self.sheet.thickness)
+                for r, angle in zip(ends.position[:, 0], outward, strict=True)
+            ]
+            near = np.minimum(near, inner)
+        room = 2 * np.tan(np.pi / self.strips) * near - gap
+        first, last = (
+            Tab(TAB_MM, width=float(wide)) if wide >= self.shop.width_for(self.sheet) else Tab(TAB_MM)
+            for wide in room
+        )
+        return first, last
 
 
-def _ring(placed: tuple[Placed, ...], sheet: Sheet, end: End) -> Ring:
-    """At the start or at the end of all strips."""
-    heights = placed[0].strip.rod.position[:, 1]
-    return ring_plate(
-        place_tabs(placed, [end]), sheet, middle=float(heights.min() + heights.max()) / 2, name=f"ring-{end}"
-    )
-
-
-def _smallest_ring(
-    meridian: Meridian, strips: int, sheet: Sheet, ends: tuple[Tab, Tab] | None, rings: Sheet
-) -> int | None:
-    """The smallest distance from the axis, in whole millimetres, at which a ring can end the strips, if any."""
+def _smallest_ring(meridian: Meridian, asked: _Asked) -> int | None:
+    """The smallest distance from the axis, in whole millimetres, at which strips and rings can be made, if any."""
 
     def works(ring: int) -> bool:
         try:
-            _ring(_placed(meridian.to_ring(ring), strips, sheet, ends, rings), rings, "end")
+            asked.made(meridian.to_ring(ring))
         except InputError:
             return False
         return True
@@ -169,24 +218,3 @@ def _smallest_ring(
         return None
     before = int(tried[first - 1]) if first else int(end)
     return next(ring for ring in range(before + 1, int(tried[first]) + 1) if ring > end and works(ring))
-
-
-def _tabs(meridian: Meridian, strips: int, sheet: Sheet, rings: Sheet | None) -> tuple[Tab, Tab]:
-    """Tabs that go straight on, narrower than the room between the planes to both neighbours."""
-    ends = meridian.curve.sample(2)
-    outward = ends.angle + np.array([np.pi, 0.0])
-    near = np.minimum(ends.position[:, 0], ends.position[:, 0] + TAB_MM * np.cos(outward))
-    gap = TAB_GAP_MM
-    if rings is not None:
-        # what separates two slots is seen along the sides of either, turned by half the angle between them
-        gap = 2 * PLAY_MM + BRIDGE_FACTOR * BRIDGE_MM / float(np.cos(np.pi / strips)) ** 2
-        inner = [
-            slot_reach(float(r), float(angle), rings.thickness, sheet.thickness)
-            for r, angle in zip(ends.position[:, 0], outward, strict=True)
-        ]
-        near = np.minimum(near, inner)
-    room = 2 * np.tan(np.pi / strips) * near - gap
-    first, last = (
-        Tab(TAB_MM, width=float(wide)) if wide > NARROWEST_TAB_MM else Tab(TAB_MM) for wide in room
-    )
-    return first, last

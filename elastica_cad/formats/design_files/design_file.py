@@ -10,7 +10,9 @@ Every number may be a formula in quotes (see `formulae`); lengths are mm, angles
         ends = {length, width, corner_radius, chamfer, taper, holes = [{at, diameter, across}],
         t_slot = {depth, screw, nut, wall}} or two of them, and where the curve may change
         limits = {ratio, margin, curvature, strain, length, width, stiffness_bounds = {lower, upper},
-        keep_out = [{point, normal} or {lower, upper}]}, keep = {ends, tangents, length, symmetry, points, line}
+        keep_out = [{point, normal} or {lower, upper}]}, keep = {ends, tangents, length, symmetry, points, line};
+        shop = {least_width, least_ligament, least_bridge, stock}, what the workshop can make, of rings, bases,
+        frames, and anyway = true to make what it cannot
     [[strips]] count (i = 1, 2, ...), label ("P{i}"), let, origin, x_axis, y_axis (the plane of the curve), slots,
         sections = {mesh (or STEP body), unit, scale, half, longest, split = {point, normal}, {points}, {corners =
         angle} or a list of such, tolerance, wavelength, and one of radial = {point, axis, zero, count or angles},
@@ -20,7 +22,7 @@ Every number may be a formula in quotes (see `formulae`); lengths are mm, angles
         with reshape = {bottom_left, bottom_right, top_right, top_left: where corners of its box go} or
         {handles = four points, to = four points}
     revolution = {points = [[x, y]] from the axis, or curve (as above), or a, b, start, angle and length; strips,
-        ring, rings = "SHEET", sheet, ends}: a surface of revolution about z, tiled by equal strips
+        ring, rings = "SHEET", sheet, ends, shop, anyway}: a surface of revolution about z, tiled by equal strips
     [[patterns]] mirror = {point, normal, keep}, rotate = {count, axis, point, step}, repeat = {count, step}
     interlock = {clearance, fit, relief, above}, fixtures = {floor, clearance, wall, foot, foot_height, screw}
     base = {sheet, height, play, clearance, slot_width, border, shape, sheet_size}
@@ -97,6 +99,15 @@ class Design:
     kit: KitSpec = field(default_factory=KitSpec)
     reports: tuple[str, ...] = ()
     revolution: RevolutionEntry | None = None
+
+    def made_anyway(self) -> "Design":
+        """The design with `anyway` everywhere: parts that cannot be cut or handled are made, and told."""
+        return replace(
+            self,
+            entries=tuple(replace(one, spec=one.spec.changed(anyway=True)) for one in self.entries),
+            revolution=None if self.revolution is None else replace(self.revolution, anyway=True),
+            kit=replace(self.kit, anyway=True),
+        )
 
     def model(self, done: Callable[[str], None] | None = None) -> Model:
         """Make all strips, put them in their places, repeat and interlock them.
@@ -180,7 +191,9 @@ def read_design(
     if top.has("revolution"):
         inner = top.table("revolution")
         inner.defaults = Table(
-            {key: top.raw(key) for key in ("sheet", "ends") if top.has(key)}, top.where, top.scope
+            {key: top.raw(key) for key in ("sheet", "ends", "shop", "anyway") if top.has(key)},
+            top.where,
+            top.scope,
         )
         revolution = read_revolution(inner, path.parent, sheets, read_curves)
     entries, reports = _read_strips(top, path.parent, sheets, read_curves, read_surface)

@@ -7,6 +7,7 @@ from elastica_cad.fabrication.drawings.bridges import HoldingTabs
 from elastica_cad.fabrication.holders.base_plate import BasePlate
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.slotted_frame import SlottedFrame
+from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.sheets.coupon import coupon_drawing, reference_bar
 from elastica_cad.fabrication.sheets.pieces import Piece
@@ -48,6 +49,10 @@ class KitSpec:
         Cut a coupon of every sheet.
     reference_bar : float or None
         Length of a bar to check the machine's scale with, mm.
+    shop : Shop
+        What the workshop can make.
+    anyway : bool
+        Make what it cannot, and say so in the report.
     """
 
     nesting: Nesting = field(default_factory=Nesting)
@@ -57,20 +62,22 @@ class KitSpec:
     fixtures: dict[str, Any] | None = None
     coupon: bool = False
     reference_bar: float | None = None
+    shop: Shop = DEFAULT_SHOP
+    anyway: bool = False
 
     def base_plate(self, model: Model) -> BasePlate | None:
         """The base plate, where one is asked for."""
         if self.base is None:
             return None
         sheet, options, _ = self.base
-        return model.base_plate(sheet, **options)
+        return model.base_plate(sheet, shop=self.shop, anyway=self.anyway, **options)
 
     def slotted_frame(self, model: Model) -> SlottedFrame | None:
         """The slotted frame, where one is asked for."""
         if self.frame is None:
             return None
         sheet, options, _ = self.frame
-        return model.slotted_frame(sheet, **options)
+        return model.slotted_frame(sheet, shop=self.shop, anyway=self.anyway, **options)
 
     def end_fixtures(self, model: Model) -> tuple[EndFixture, ...]:
         """The fixtures, where they are asked for."""

@@ -5,7 +5,7 @@ from typing import Any
 
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
 from elastica_cad.formats.design_files.kit_spec import Cutting, KitSpec, Nesting
-from elastica_cad.formats.design_files.strip_records import find_sheet
+from elastica_cad.formats.design_files.strip_records import find_sheet, read_shop
 from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.formats.drawing_files.dxf_drawing import DXF_VERSIONS
 from elastica_cad.geometry.frame import Frame
@@ -33,6 +33,8 @@ def read_kit(top: Table, sheets: dict[str, Sheet]) -> KitSpec:
         fixtures=_read_fixtures(top.table("fixtures")) if top.has("fixtures") else None,
         coupon=extras.flag("coupon"),
         reference_bar=extras.maybe("reference_bar"),
+        shop=read_shop(top.table("shop")),
+        anyway=top.flag("anyway"),
     )
 
 

@@ -5,10 +5,11 @@ from pathlib import Path
 from typing import Any
 
 from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.model.revolution_model import revolve
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.strip.tabs import Tab
-from elastica_cad.formats.design_files.strip_records import find_sheet, read_tabs
+from elastica_cad.formats.design_files.strip_records import find_sheet, read_shop, read_tabs
 from elastica_cad.formats.design_files.strip_table import CurveReader, read_drawn_curve
 from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.forming.revolution.meridian import Meridian, meridian, meridian_through
@@ -33,6 +34,10 @@ class RevolutionEntry:
         None for tabs that keep apart.
     rings : Sheet or None
         Of the rings at both ends.
+    shop : Shop
+        What the workshop can make.
+    anyway : bool
+        Make what it cannot, and say so.
     """
 
     meridian: Meridian
@@ -40,6 +45,8 @@ class RevolutionEntry:
     sheet: Sheet
     ends: tuple[Tab, Tab] | None = None
     rings: Sheet | None = None
+    shop: Shop = DEFAULT_SHOP
+    anyway: bool = False
 
     def model(self, name: str) -> Model:
         """All strips, and the rings.
@@ -50,7 +57,14 @@ class RevolutionEntry:
             As `revolve`.
         """
         return revolve(
-            self.meridian, self.strips, sheet=self.sheet, ends=self.ends, rings=self.rings, name=name
+            self.meridian,
+            self.strips,
+            sheet=self.sheet,
+            ends=self.ends,
+            rings=self.rings,
+            name=name,
+            shop=self.shop,
+            anyway=self.anyway,
         )
 
     @property
@@ -74,7 +88,7 @@ def read_revolution(
     InputError
         Unknown keys, a meridian told in two ways or none, or one that cannot be; the place is named.
     """
-    table.only("sheet", "strips", "ring", "rings", "ends", "points", "curve", *OWN_KEYS)
+    table.only("sheet", "strips", "ring", "rings", "ends", "points", "curve", "shop", "anyway", *OWN_KEYS)
     ring = table.maybe("ring")
     ways = [way for way in ("points", "curve", "a") if table.has(way)]
     if len(ways) != 1:
@@ -99,6 +113,8 @@ def read_revolution(
         find_sheet(table, "sheet", sheets),
         read_tabs(table) if table.has("ends") else None,
         find_sheet(table, "rings", sheets) if table.has("rings") else None,
+        read_shop(table.table("shop")),
+        table.flag("anyway"),
     )
 
 

@@ -44,8 +44,11 @@ class Sheet:
         Where the numbers come from.
     thickness_range, youngs_modulus_range, density_range, max_strain_range, kerf_range : (low, high), optional
         What is found in practice, in the number's own unit; without it the number is taken as certain.
-    least_width : float, optional
-        Narrowest strip or tongue that can be cut and lifted out, mm; without it a rule of thumb speaks (`Shop`).
+    least_width, least_ligament, least_bridge : float, optional
+        Narrowest strip or tongue, ligament of a perforated strip, and bridge between the cuts of a plate that can
+        be cut and lifted out, mm; without them rules of thumb speak (`Shop`).
+    stock : (float, float), optional
+        Sides of the largest sheet on sale, mm.
 
     Raises
     ------
@@ -77,6 +80,9 @@ class Sheet:
     max_strain_range: Range | None = None
     kerf_range: Range | None = None
     least_width: float | None = None
+    least_ligament: float | None = None
+    least_bridge: float | None = None
+    stock: Range | None = None
 
     def __post_init__(self) -> None:
         if not isinstance(self.name, str) or not self.name.strip():
@@ -94,12 +100,14 @@ class Sheet:
         if not 0 <= nu < 1:
             raise InputError(f"sheet {self.name!r}: poisson_ratio is {nu:g}; it must lie between 0 and 1")
         object.__setattr__(self, "poisson_ratio", nu)
-        if self.least_width is not None:
-            narrowest = _number(self.least_width, f"sheet {self.name!r}: least_width")
-            if not narrowest > 0:
-                raise InputError(
-                    f"sheet {self.name!r}: least_width is {narrowest:g}; it must be positive, in mm"
-                )
+        sides = () if self.stock is None else tuple(self.stock)
+        if self.stock is not None and len(sides) != 2:
+            raise InputError(f"sheet {self.name!r}: stock is {self.stock!r}; it must be two sides, in mm")
+        object.__setattr__(self, "stock", sides or None)
+        limits = {name: getattr(self, name) for name in ("least_width", "least_ligament", "least_bridge")}
+        for limit, given in [*limits.items(), *(("stock", side) for side in sides)]:
+            if given is not None and not _number(given, f"sheet {self.name!r}: {limit}") > 0:
+                raise InputError(f"sheet {self.name!r}: {limit} is {given:g}; it must be positive, in mm")
         if self.grain not in get_args(Grain):
             raise InputError(
                 f"sheet {self.name!r}: grain is {self.grain!r}; use one of {', '.join(get_args(Grain))}"
@@ -338,6 +346,9 @@ _KEYS: dict[str, tuple[str, str]] = {
     "max_strain_range": ("max_strain_range", "range"),
     "kerf_range_mm": ("kerf_range", "range"),
     "least_width_mm": ("least_width", "number"),
+    "least_ligament_mm": ("least_ligament", "number"),
+    "least_bridge_mm": ("least_bridge", "number"),
+    "stock_mm": ("stock", "range"),
 }
 
 # key -> (lowest, highest that any sheet has, what the unit is)
@@ -348,4 +359,7 @@ _PLAUSIBLE: dict[str, tuple[float, float, str]] = {
     "max_strain": (1e-6, 0.4, "a fraction: 0.008 for 0.8 %"),
     "kerf_mm": (0.0, 20.0, "millimetres: 0.15 for a fine laser"),
     "least_width_mm": (1e-2, 1e3, "millimetres: 3 for plywood"),
+    "least_ligament_mm": (1e-2, 1e3, "millimetres: 0.5 for card"),
+    "least_bridge_mm": (1e-2, 1e3, "millimetres: 3 for a board of 3 mm"),
+    "stock_mm": (10.0, 1e5, "millimetres: [1250, 2500]"),
 }

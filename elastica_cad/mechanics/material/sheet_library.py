@@ -7,6 +7,7 @@ from types import MappingProxyType
 from typing import Any
 
 _WORDS = ("kind", "grain", "poisson_ratio")  # keys that are fields of `Sheet` as they stand
+_LIMITS = ("least_width_mm", "least_ligament_mm", "least_bridge_mm")
 
 # key in the file -> field of `Sheet`, what its source is called
 _FIGURES = {
@@ -44,8 +45,9 @@ def _sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict[str, 
     thicknesses = entry["thickness_mm"]["value"]
     for i, thickness in enumerate(thicknesses if isinstance(thicknesses, list) else [thicknesses]):
         fields: dict[str, Any] = {key: entry[key] for key in _WORDS if key in entry}
-        if "least_width_mm" in entry:
-            fields["least_width"] = entry["least_width_mm"]
+        fields |= {key.removesuffix("_mm"): entry[key] for key in _LIMITS if key in entry}
+        if "stock_mm" in entry:
+            fields["stock"] = tuple(entry["stock_mm"])
         sources = [entry["note"]] if "note" in entry else []
         for key, (field, label) in _FIGURES.items():
             if key not in entry:

@@ -210,3 +210,32 @@ def test_bridges_hold_the_parts(crossed, drawn, tmp_path):
     first, second = ((tmp_path / name / f"{drawn.stem}.svg").read_text() for name in ("whole", "held"))
     assert first.count("Z") > second.count("Z") == 0
     assert run("strip", drawn, *sizes, "--holding", -1, "-o", tmp_path).exit_code == 2
+
+
+def test_what_cannot_be_cut_is_made_anyway_only(design, tmp_path):
+    """A base slot as wide as a finger; and a slot of a neighbour that leaves a strip a neck."""
+    design.write_text(DESIGN.replace("height = 10", "height = 10\nslot_width = 9"))
+    refused = run("model", design, "-o", tmp_path / "out")
+    assert refused.exit_code == 2
+    assert "the slot for K1:1 (and 3 more) is 9 mm wide for a tab of 0.8 mm" in refused.output
+    assert not (tmp_path / "out").exists()
+    design.write_text(
+        DESIGN.replace('label = "K{i}"', 'label = "K{i}"\nslots = [{ at = 30, width = 1, depth = 20 }]')
+    )
+    refused = run("model", design, "-o", tmp_path / "out")
+    assert refused.exit_code == 2
+    assert "K1: only" in refused.output
+    written = run(
+        "model", design, "-o", tmp_path / "out", "--anyway", "--no-effects", "--no-pictures", "--no-step"
+    )
+    assert written.exit_code == 0, written.output
+    assert "Note: made anyway: K1: only" in written.stderr
+    reports = json.loads((tmp_path / "out" / "kit.json").read_text())["reports"]
+    assert sum(text.startswith("made anyway: K1: only") for text in reports) == 1
+
+
+def test_the_stock_of_a_design_holds_for_its_plates_too(design, tmp_path):
+    design.write_text(DESIGN.replace("max_width = 24", "max_width = 24\nshop = { stock = [600, 120] }"))
+    refused = run("model", design, "-o", tmp_path / "out")
+    assert refused.exit_code == 2
+    assert "base: 324.3 x 147.5 mm is larger than the stock of 600 x 120 mm in mdf-3" in refused.output

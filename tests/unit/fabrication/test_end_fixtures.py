@@ -167,14 +167,16 @@ def test_labels_keep_off_the_slots(arch):
 
 def test_least_slot_width_and_height_of_the_plate(arch):
     model = standing(arch, 0.0)
-    assert model.base_plate(MDF, slot_width=9.0).slots[0].size[1] == pytest.approx(9.0)
+    assert model.base_plate(MDF, slot_width=4.0).slots[0].size[1] == pytest.approx(4.0)
+    with pytest.raises(InputError, match=r"slot for A:1 \(and 1 more\) is 9 mm wide for a tab of 0.8 mm"):
+        model.base_plate(MDF, slot_width=9.0)
     with pytest.raises(InputError, match="no tab of the model goes through the plate"):
         base_plate(model.placed, MDF, frame=Frame((0, 0, -50)))
 
 
 def test_slots_that_meet_are_named(arch):
     close = standing(arch, 0.0, 0.03)
-    with pytest.raises(InputError, match=r"base: the slots of A:1 and A:1 come closer than 1 mm near \("):
+    with pytest.raises(InputError, match=r"base: the slots of A:1 and A:1 run into each other near \("):
         close.base_plate(MDF)
 
 

@@ -1,5 +1,7 @@
 """Parts that no workshop can cut or handle are found, each with its place, its size and the cure."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -65,14 +67,14 @@ def test_bridges_of_plates_have_a_limit_of_their_own():
     plate = Path.rectangle(100, 60)
     slots = [Path.rectangle(26, 12, corner=(10, 10)), Path.rectangle(26, 12, corner=(37, 10))]
     (fault,) = find_plate_faults("ring", Sheet.named("mdf-3"), plate, slots)
-    assert "only 1 mm wide" in fault.what
+    assert "only 1 mm between a hole at (36.5" in fault.what
     assert find_plate_faults("ring", Sheet.named("mdf-3"), plate, slots, Shop(least_bridge=0.9)) == ()
 
 
 def test_slots_far_wider_than_what_goes_through():
-    (fault,) = find_slot_faults("ring", 0.8, [("A", 2.0), ("B", 12.0)])
+    (fault,) = find_slot_faults("ring", [("A", 2.0, 0.8), ("B", 12.0, 0.8)])
     assert "the slot for B is 12 mm wide for a tab of 0.8 mm" in str(fault)
-    assert find_slot_faults("ring", 0.8, [("A", 2.0)]) == ()
+    assert find_slot_faults("ring", [("A", 2.0, 0.8), ("C", 1.5, 0.2)]) == ()
 
 
 def test_longer_than_the_stock_and_too_slender():
@@ -88,6 +90,20 @@ def test_ligaments_are_judged_by_their_own_limit():
     assert find_strip_faults(holed) == ()
     (fault,) = find_strip_faults(holed, Shop(least_ligament=0.8))
     assert "0.8 mm are needed" in fault.what
+
+
+def test_a_sheet_has_limits_of_its_own():
+    fine = replace(PLYWOOD, least_ligament=0.2, least_bridge=0.7, stock=(300, 900))
+    assert (Shop().ligament_for(fine), Shop().bridge_for(fine), Shop().stock_for(fine)) == (
+        0.2,
+        0.7,
+        (900, 300),
+    )
+    given = Shop(least_ligament=0.4, least_bridge=1.0, stock=(600, 400))
+    assert (given.ligament_for(fine), given.bridge_for(fine), given.stock_for(fine)) == (0.4, 1.0, (600, 400))
+    assert Shop().stock_for(PLYWOOD) == (3050, 1525)
+    with pytest.raises(InputError, match="least_bridge is 0; it must be positive"):
+        replace(PLYWOOD, least_bridge=0)
 
 
 @pytest.mark.parametrize("limits", [{"least_width": 0.0}, {"least_bridge": np.nan}, {"stock": (600, -1)}])

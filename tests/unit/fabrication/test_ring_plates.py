@@ -12,12 +12,13 @@ from elastica_cad.fabrication.holders.placed_tab import ENDS, PlacedTab
 
 CARD = ec.Sheet.named("card-200gsm")
 MDF = ec.Sheet.named("mdf-3")
-POINTS = [(70, 0), (125, 55), (90, 115), (75, 140)]
+BOARD = ec.Sheet.named("hdf-1.5")
+POINTS = [(70, 0), (85, 16), (125, 55), (90, 115), (75, 140)]
 
 
 @pytest.fixture(scope="module")
 def vase():
-    return ec.revolve(ec.meridian_through(POINTS), 20, sheet=CARD, rings=MDF, name="vase")
+    return ec.revolve(ec.meridian_through(POINTS), 20, sheet=CARD, rings=BOARD, name="vase")
 
 
 @pytest.fixture(scope="module")
@@ -43,7 +44,7 @@ def test_every_tab_goes_through_its_slot(vase):
             )
             a, b, _, d = slot.corners
             axes = np.array([(b - a) / np.hypot(*(b - a)), (d - a) / np.hypot(*(d - a))])
-            for z in (0.0, -MDF.thickness):
+            for z in (0.0, -BOARD.thickness):
                 through = (edges + np.outer((z - edges[:, 2]) / step[2], step))[:, :2]
                 inside = (through - a) @ axes.T
                 room = np.concatenate([inside, np.array(slot.size) - inside])
@@ -51,18 +52,18 @@ def test_every_tab_goes_through_its_slot(vase):
 
 
 def test_rings_are_flat_parts_with_room_between_slots(vase):
-    """Area from the radii and the slots; nothing comes nearer than a millimetre."""
+    """Area from the radii and the slots; two millimetres are left between them."""
     for ring in vase.plates:
         inner, outer = ring.radii
         assert 0 < inner < outer
         slots = sum(np.prod(slot.size) for slot in ring.slots)
         assert ring.piece.area == pytest.approx(np.pi * (outer**2 - inner**2) - slots)
-        assert ring.solid.volume == pytest.approx(ring.piece.area * MDF.thickness)
+        assert ring.solid.volume == pytest.approx(ring.piece.area * BOARD.thickness)
         corners = np.array([slot.corners for slot in ring.slots])
         away = np.hypot(*np.moveaxis(corners, -1, 0))
         assert away.max() == pytest.approx(outer - 8)
         gaps = np.linalg.norm(corners[0][:, None] - corners[1][None], axis=2)
-        assert gaps.min() > 1.0
+        assert gaps.min() > 2.0
         assert ring.drawing.texts[0].text == ring.name
     heights = [ring.frame.origin[2] for ring in vase.plates]
     assert heights == pytest.approx([0, 140], abs=1e-6)
@@ -104,8 +105,12 @@ def test_bolts_go_through_both(globe):
 def test_rings_are_among_the_files(vase, tmp_path, check_drawing_file):
     ec.save_model(vase, tmp_path / "vase", step=False, pictures=False)
     names = {path.name for path in (tmp_path / "vase").iterdir()}
-    assert {"ring-start_mdf-3_3mm_x1.dxf", "ring-end_mdf-3_3mm_x1.dxf", "vase-nest-1-mdf-3.dxf"} <= names
-    curves = check_drawing_file(tmp_path / "vase" / "ring-start_mdf-3_3mm_x1.dxf")
+    assert {
+        "ring-start_hdf-1.5_1.5mm_x1.dxf",
+        "ring-end_hdf-1.5_1.5mm_x1.dxf",
+        "vase-nest-1-hdf-1.5.dxf",
+    } <= names
+    curves = check_drawing_file(tmp_path / "vase" / "ring-start_hdf-1.5_1.5mm_x1.dxf")
     assert sum(curve.layer == "CUT_INNER" for curve in curves) == 21
     report = json.loads((tmp_path / "vase" / "vase.json").read_text())
     assert report["pieces"] == 22
@@ -118,10 +123,10 @@ def test_the_smallest_ring_beside_a_pole_is_told():
         with pytest.raises(
             InputError, match=r"ring=\d+ is the smallest, in whole mm, that works here"
         ) as refused:
-            ec.revolve(ball, 12, sheet=CARD, rings="birch-plywood-3")
+            ec.revolve(ball, 12, sheet=CARD, rings="card-200gsm")
         told = int(str(refused.value).split("ring=")[-1].split()[0])
-        assert told == 26
-        ec.revolve(ball.to_ring(told), 12, sheet=CARD, rings="birch-plywood-3")
+        assert told == 27
+        ec.revolve(ball.to_ring(told), 12, sheet=CARD, rings="card-200gsm")
         ec.revolution(
             0.0,
             (0.01, 0),
@@ -131,12 +136,12 @@ def test_the_smallest_ring_beside_a_pole_is_told():
             length=300,
             ring=told,
             sheet=CARD,
-            rings="birch-plywood-3",
+            rings="card-200gsm",
         )
         if asked != 15:
             continue
         with pytest.raises(InputError):
-            ec.revolve(ball.to_ring(told - 1), 12, sheet=CARD, rings="birch-plywood-3")
+            ec.revolve(ball.to_ring(told - 1), 12, sheet=CARD, rings="card-200gsm")
 
 
 def test_a_meridian_is_cut_where_another_ends():
@@ -150,7 +155,7 @@ def test_a_meridian_is_cut_where_another_ends():
 
 
 def test_sheets_go_by_name(vase):
-    named = ec.revolve(ec.meridian_through(POINTS), 20, sheet="card-200gsm", rings="mdf-3")
+    named = ec.revolve(ec.meridian_through(POINTS), 20, sheet="card-200gsm", rings="hdf-1.5")
     assert named.strips[0].sheet == vase.strips[0].sheet
     with pytest.raises(InputError, match="unknown sheet 'gold'"):
         ec.revolve(ec.meridian_through(POINTS), 20, sheet="gold")
@@ -177,7 +182,7 @@ def test_rings_stay_with_their_strips(vase):
         ({"ring": 25, "ends": (ec.Tab(0), ec.Tab(0))}, "ring-start: strips without tabs"),
         (
             {"ring": 25, "ends": (ec.Tab(8, width=165), ec.Tab(8))},
-            "ring-start: the slots of strip 1:1 and strip 2:1 come closer",
+            "ring-start: the slots of strip 1:1 and strip 2:1 run into each other",
         ),
         (
             {"ring": 20, "ends": (ec.Tab(8, width=20), ec.Tab(16, width=6))},
@@ -189,3 +194,34 @@ def test_rings_that_cannot_be(options, sentence):
     meridian = ec.meridian(0.0, (1 / 300, 0), (300, 0), np.pi / 2, 900, ring=options["ring"])
     with pytest.raises(InputError, match=sentence):
         ec.revolve(meridian, 12, sheet=CARD, ends=options["ends"], rings=MDF)
+
+
+def test_slots_far_wider_than_their_tabs_are_made_anyway_only(tmp_path):
+    """Card that leaves its ring at 16 degrees needs slots of 11 mm through 3 mm of board."""
+    flat = ec.meridian_through([POINTS[0], *POINTS[2:]])
+    with pytest.raises(
+        InputError, match=r"ring-start: the slot for strip \d+:1 \(and 19 more\) is 11.5 mm wide"
+    ):
+        ec.revolve(flat, 20, sheet=CARD, rings=MDF)
+    made = ec.revolve(flat, 20, sheet=CARD, rings=MDF, name="flat", anyway=True)
+    assert any("11.5 mm wide for a tab of 0.2 mm" in text for text in made.plates[0].warnings)
+    ec.save_model(made, tmp_path / "kit", step=False, pictures=False, parts=False)
+    reports = json.loads((tmp_path / "kit" / "flat.json").read_text())["reports"]
+    assert any(text.startswith("made anyway: ring-start: the slot for") for text in reports)
+
+
+def test_thin_bridges_are_refused_and_named(vase):
+    """The cuts on both sides are named; a shop that can leave less is believed."""
+    with pytest.raises(InputError, match=r"only 1.11 mm between the slot of strip \d+:1 and the slot of"):
+        ec.revolve(
+            ec.meridian_through(POINTS), 20, sheet=CARD, rings=BOARD, ends=(ec.Tab(8, width=20.2),) * 2
+        )
+    wide = ec.revolve(
+        ec.meridian_through(POINTS),
+        20,
+        sheet=CARD,
+        rings=BOARD,
+        ends=(ec.Tab(8, width=20.2),) * 2,
+        shop=ec.Shop(least_bridge=0.3),
+    )
+    assert wide.plates[0].warnings == ()

@@ -9,7 +9,7 @@ from elastica_cad.formats.design_files.design_file import read_design
 from elastica_cad.kit import kit_of
 
 HEAD = 'schema = 1\nname = "vase"\nsheet = "card-200gsm"\n'
-POINTS = "points = [[70, 0], [125, 55], [90, 115], [75, '100 + 40']]"
+POINTS = "points = [[70, 0], [85, 16], [125, 55], [90, 115], [75, '100 + 40']]"
 
 
 @pytest.fixture
@@ -23,12 +23,12 @@ def read(tmp_path):
 
 
 def test_points_become_strips_and_rings(read):
-    design = read(f"[revolution]\n{POINTS}\nstrips = 20\nrings = 'mdf-3'\n")
+    design = read(f"[revolution]\n{POINTS}\nstrips = 20\nrings = 'hdf-1.5'\n")
     assert design.reports == ()
     model = design.model()
     assert len(model.placed) == 20
     assert len(model.parts) == 1
-    wanted = ec.meridian_through([(70, 0), (125, 55), (90, 115), (75, 140)])
+    wanted = ec.meridian_through([(70, 0), (85, 16), (125, 55), (90, 115), (75, 140)])
     assert model.strips[0].rod.length == pytest.approx(wanted.curve.length)
     assert [plate.name for plate in model.plates] == ["ring-start", "ring-end"]
     pieces = kit_of(model, design.kit).pieces
