@@ -121,6 +121,15 @@ def test_panels_name_no_widget_as_qt_does():
         assert not names & taken, path.name
 
 
+def test_every_field_has_a_tooltip():
+    inputs = ("SpinBox", "ComboBox", "LineEdit", "CheckBox", "PushButton")
+    for path in (RESOURCES / "ui").glob("*.ui"):
+        for widget in ElementTree.parse(path).getroot().iter("widget"):
+            if widget.get("class").endswith(inputs):
+                tip = widget.findtext("property[@name='toolTip']/string")
+                assert tip, f"{path.name}: {widget.get('name')}"
+
+
 def test_package_for_the_addon_manager():
     package = App.Metadata(str(ROOT / "package.xml"))
     assert package.Name == "Elastica"

@@ -519,7 +519,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>type the readings first: overhang = droop, in mm, such as 120 = 14.5, 150 = 31</source>
+        <source>type the readings first: overhang = droop, in mm, such as 120 = 14.5; 150 = 31</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1217,6 +1217,34 @@
         <source>Play</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>How far the start is moved along x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the start is moved along y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the start is turned, degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the end is moved along x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the end is moved along y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the end is turned, degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the way from rest in small steps</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ElasticaCheck</name>
@@ -1256,7 +1284,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>120 = 14.5, 150 = 31</source>
+        <source>120 = 14.5; 150 = 31</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1269,6 +1297,34 @@
     </message>
     <message>
         <source>Keep the sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sheet to be measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Adds the test strip to the document</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks for a DXF or SVG file and writes the test strip into it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Overhang = droop, in mm, one pair for each measurement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far a reading may be off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the calibrated sheet in your library</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Adds the calibrated sheet to your library</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1346,6 +1402,62 @@
         <source>Overwrite files that exist</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>One drawing for each part, for lasers and cutters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same drawings for programs that draw</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Solids for other CAD programs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A table of all parts with sizes and numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All parts together on sheets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width of a sheet, along its grain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of a sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Splines as drawn, or arcs or lines for machines that take nothing else</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The oldest version that your program reads is the safest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width that the cut takes away; outlines are set off by half of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far arcs and lines may be from the spline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the files go; asked for where it is empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without this nothing that exists is changed</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ElasticaFixtures</name>
@@ -1403,6 +1515,50 @@
     </message>
     <message>
         <source>Border</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blocks to be printed, with a pocket for every tab</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Room around a tab in its pocket</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least thickness around the pocket</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the foot sticks out on either side; 0 for none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diameter of the screw holes in the foot; 0 for none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One plate with a slot for every tab that goes through it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the plate is cut from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the upper face of the plate lies, along z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Room beside a tab on either side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Added to the width of the slots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least distance of slots from the edge</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1464,6 +1620,46 @@
         <source>Show the nearest curve that can be bent</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Sheet that new strips are made of; a name of the sheet library</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width of the widest place of new strips</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of the tabs of new strips</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width that the cut takes away; outlines are set off by half of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Added to the width of slots in new models and plates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The oldest version that your program reads is the safest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Splines as drawn, or arcs or lines for machines that take nothing else</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far arcs and lines may be from the spline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In sketches that strips follow, and in those made from this workbench</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>While the mouse rests, where a curve is refused</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ElasticaProjective</name>
@@ -1493,6 +1689,1125 @@
     </message>
     <message>
         <source>Put the handles back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First corner of the box, x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First corner of the box, y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Second corner of the box, x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Second corner of the box, y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Third corner of the box, x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Third corner of the box, y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fourth corner of the box, x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fourth corner of the box, y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the box around the drawn curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ElasticaSentences</name>
+    <message>
+        <source>Every line through the inflection at %1 mm meets the curve again or touches it there (the curve is in the way %2): wind the curve less, or support the strip between.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1%2 %3, where the moment would vanish or change sign and the curvature does not: move the curve off the line there, or support the strip between there and the inflections beside it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its inflections do not lie on one %1line: those %2 are %3 mm off the nearest one%4. Move them onto one line, or support the strip between them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the line through its inflections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the %1line that the supports ask for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(at most %1 mm is put right without asking)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>undecided at this precision: the curve turns by %1 degrees at %2, %3 along it, and the digits of the file alone can turn its handle of %4 mm by %5: save it with more decimals, or make the node smooth with longer handles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The piece from %1 to %2 mm %3 and joined to a bent one, so the stiffness would have to go to 0 at the joint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The curve crosses itself (at %1 mm): two parts of the strip must pass side by side there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the curve is closed: a strip has two ends; leave a gap between them, or cut the curve in pieces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>less the natural %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The %1 (at %2 mm) is free to turn, so the curve must have no curvature there; it has %3 1/mm%4: clamp this end, or let the curvature run out to zero.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The width of the strip steps %1, where the curvature jumps: smooth = 0.1, or --smooth 0.1, makes it a fair curve of degree 4 within 0.1 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>smooth = 0.1, or --smooth 0.1, makes it a fair curve of degree 4 within 0.1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>do not repeat the knot there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The width of the strip has a kink %1, where the slope of the curvature jumps: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>crosses the curve %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>touches the curve %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is tangent to the curve in the inflection %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no small move of the control points brings the inflections onto one line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A flat strip cannot take this curve of %1 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A strip of any width takes this curve of %1 mm: it is not bent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A flat strip can take this curve of %1 mm; it has %2, %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A flat strip can take this curve of %1 mm; it has no inflections.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Under its weight an unbent strip sags, unless it is upright: draw the shape it may hang in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a weight in newtons needs gravity too: pass gravity=Gravity(...) for its direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The curve was moved by at most %1 mm to bring its inflections onto one line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The weight is far too much for the stiffness (a gravity length of %1 mm on a curve of %2 mm): use a lighter or stiffer sheet, or look at the units (200 gsm card: 96 mm).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point mass of %1 g at %2 mm does not lie on the curve of %3 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in balance but it will not stay: it snaps into another shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it stays, but a push, a loose clamp or a cut that is off may make it snap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it stays, and comes back when pushed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the rod snaps %1 of the way from its present shape; here it comes to rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no rest shape found: %1 of the way from the present shape was possible; move the ends in smaller steps, or give a guess nearer to the answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the ends are %1 mm apart, but the rod is only %2 mm long: bring them closer or use a longer rod</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the ends are as far apart as the rod is long (%1 mm), so it must be straight, which its end angles or its weight do not allow: bring the ends closer together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a force along %1 does nothing: both ends hold %2; free one end along %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>both ends turn freely: give the moments of both, (start, end)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a moment at the %1 does nothing: its support holds the angle; free the angle there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the slot for %1%2 is %3 mm wide for a tab of %4 mm, which it cannot hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>end the strips steeper to the plate, take a thinner plate, or hold them by end fixtures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>make it wider (max_width), or ask for the nearest curve with a smaller ratio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ligaments down to %1 mm are allowed, %2 mm are needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm long and %2 mm wide: too slender to handle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(and %1 more)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only %1 mm wide %2%3, %4 mm are needed in %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(and %1 more places)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at %1 mm along it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at (%1, %2) mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ask for wider ligaments, or fewer columns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>make it wider, or split it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave more room between the slots: a larger ring or plate, fewer or narrower strips, a wider border</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 x %2 mm is larger than the stock of %3 mm in %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>name a larger stock, split it, or scale the curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the stock is %1: give the two sides of the sheet in mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is %2: give a positive width in mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the laminate cannot be as soft as it should at %1 mm (base %2 mm, K %3) and as stiff at %4 mm (base %5 mm, K %6):</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>narrow the base at %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>widen it at %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the width of the base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>make the backing %1 times as thick as the base or more (now %2 times)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dots are %1 mm across: give a diameter, 0 for none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the base is %1 mm wide at %2 mm, narrower than the least backing of %3 mm: widen it there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a backing of at least %1 mm at %2 mm is wider than max_width %3 mm at %4 mm: raise max_width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose other widths (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, when holes still fit at %2 mm: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ligaments would be %1 mm wide at %2 mm, below %3 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the width of the outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>make the outline %1 mm or more wide there (now %2 mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holes would take %1 % of the width at %2 mm, more than %3 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hole_ratio is %1: it must lie between 0 and 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sides are "spline" or "arc", not %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the outline is %1 mm wide at %2 mm: %3 ligaments of %4 mm and %5 columns of holes need more than %6 mm; widen it or use fewer columns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use a thinner or softer sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the ligaments need %2 mm in all where they are widest, not %3 mm; %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the ligaments are %1 mm in all at the narrowest place, below min_width %2 mm: widen the outline or lower the stiffness ratio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>allow a hole_ratio of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lower the stiffness ratio from %1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is %2: a perforated strip has a whole number of them, from 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the slots leave %1 % of the stiffness at %2 mm and move the shape by %3 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm long, %2 to %3 mm wide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a strip needs max_width or min_width (mm): the rod only fixes how widths compare</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the narrowest place is %1 mm, below min_width %2 mm: the ratio is %3, so max_width must be %4 mm or more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is given over %2 mm, the strip is %3 mm long</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a T-slot needs positive sizes in mm: depth, screw, nut = (width, height), wall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a nut of %1 mm is held by nothing in a slot of %2 mm: make it wider</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a T-slot of %1 mm ends before its nut is in, at %2 mm: make it deeper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a T-slot of %1 mm does not fit a tab of %2 mm: lengthen the tab</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tab corners of %1 mm do not fit a tab of %2 by %3 mm: make them smaller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a taper of %1 mm leaves nothing of a tab %2 mm wide: make it smaller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the nut of a T-slot, %1 mm, is wider than the tab's outer edge of %2 mm: make the tab wider</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a %1 mm hole %2 mm into the tab does not fit its length of %3 mm: move it or lengthen the tab</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a %1 mm hole %2 mm off the centre line breaks the edge of a %3 mm wide tab: make it smaller or the tab wider</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a %1 mm hole %2 mm into the tab meets its T-slot: move it aside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gravity %1 is a direction in space: give frame, the plane of the curve, or two numbers, the direction in the drawing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 To make it all the same, set anyway (--anyway).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a laminate that carries its weight must stand upright and weigh what its sheets do: turn its plane, give gravity=True or the base sheet's gravity, or leave gravity out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>max_width is %1 mm, but %2 needs %3 mm at its narrowest: widen the strip, take another sheet, or allow less with shop=Shop(least_width=...)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>slot at %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a bent slot needs four points or more along its centre line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the slots at %2 mm and %3 mm meet: move them apart, or make them narrower or shallower</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>does not open at the edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cuts through to another edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the slot at %2 mm %3: make it %4 or move it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the slot at %2 mm meets a hole at %3: move one of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>assembly: %1; push each strip onto those before it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2 touch along a line at %3 mm of %4 instead of crossing: move them apart or turn one of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no two strips cross: interlocking cut no slot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; %1 must be threaded in, being held from both edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2 cross at %3 degrees at %4 mm of %5: the slots are up to %6 mm wide; a larger angle would hold better</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the slots open its outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2 cross at %3 mm of %4, but one of them ends before the crossing comes to its edge, so that no slot can open there: shorten, move or turn one of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a clearance of %1 mm is larger than %2 is wide at %3 mm: make it smaller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the model %1 has no strips</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the model %1 has %2, made for its strips where they are: repeat the strips without rings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: no tab of the model goes through the plate: move the plate to where the strips end, or give the strips longer tabs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the tab of %2 leans to %3 degrees from the plate: at %4 degrees or less a slot cannot hold it; use a fixture there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the slots of %2 and %3 come closer than %4 mm near (%5, %6): give the strips narrower tabs or move them apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: a screw of %2 mm does not fit a foot of %3 by %4 mm: make the foot longer or the screw thinner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the plane of the strip leans %2 degrees to the floor: leave the floor out, and the block stands square to its tab</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the block reaches %2 mm below the floor: lower the floor or shorten the tab</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a strip has the ends "start" and "end", not %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>every piece fits the sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 by %3 mm is larger than a sheet of %4 by %5 mm with a margin of %6 mm%7: use a larger sheet or make the part in pieces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with the grain %1 it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the edge has no length: draw a curve for the strip to follow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the edges make %1 separate chains: a strip follows one chain of edges that meet end to end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the wire is closed: a strip has two ends, so leave an edge out or split the wire</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the curve lies up to %1 mm off the plane that is given for it: give the one in which it is drawn, or none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>edges meet at a corner of %1 degrees at (%2, %3, %4) mm: make them tangent or round the corner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a spline of degree %1 has %2 control points; it needs %3: draw it anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a spline of degree %1 with %2 control points has %3 knots; it needs %4, never decreasing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all knots of a spline are %1; its parameter must run over an interval</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a folder: give the name of a file in it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 can't be written: there is no folder %2; create it first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 exists already: choose another name, or allow it to be overwritten (--force, or force=True)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 can't be written: no permission to change that file; choose another name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 can't be written: %2; choose another place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All limits are met, and no nearer rod was found.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All limits are met, but the search was stopped before it settled: a nearer rod may exist.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All limits are met, but only by a rod that no longer looks like the drawn curve: relax what binds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The limits cannot be met together near this curve: this is the best rod found, relax what binds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No rod was computed for this curve: see the message.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rod leaves the drawn curve by %1 mm at most.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no rod for this curve: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 costs %2 %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all limits are met, %1 mm from the drawn curve at most.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the ratio of the widths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sheet's strain limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The stability margin of %1 is missed: this rod has %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No single one of the limits that bind is to blame: relax several.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 instead of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 instead of %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the range of lengths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the %1 end's angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Free %1: that saves %2 %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; %1 would cost %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 costs %3 %4 per unit (its multiplier: true of small changes).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 at %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>split it at its corners</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(%1, %2, %3) mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no smooth curve stays within the tolerance of %1 mm: the section turns by %2 degrees at %3; %4, or smooth it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the curve lies %2 mm off the section at %3, more than the tolerance of %4 mm: %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, from (%2, %3, %4) mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>and at %1 more places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm along the curve%2 it turns by less than %3 degrees between inflections; no smoothing that moves it by less than %4 mm takes that away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the section is closed (it passes (%1, %2, %3) mm): a strip has two ends, so split it at a spine or at two points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the points to smooth are all the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from %1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2: it is kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 at %2: the plane %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is split twice at one place, or at its very end: move the points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: choose from its lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 falls into %2 lines, starting at %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>smooth is %1: a curve is made fair within 0 (not at all) to %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The digits of the file turn its tangents where pieces meet: put right, %1 mm at most.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as drawn no strip takes it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the stiffness ratio as drawn was %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The curvature jumped where pieces meet: made fair, %1 mm from the drawn curve at most; %2 (smooth = 0 takes it as drawn, a larger number makes it fairer).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing was changed; take fewer planes, or try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>select a body, a surface or a mesh to cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose a family, an axis (X, Y or Z) and one plane or more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has construction geometry and points only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has external geometry only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the curve is missing: choose a sketch or an edge in the property Curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2: draw a spline in it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no shape: choose a sketch, an edge or a wire</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has many edges: choose the ones that the strip is to follow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no %2 any more: choose the curve anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is nothing to write: choose kinds of files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no sketch: nothing can be drawn into it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is nothing to cut: choose a body, a surface or a mesh in the property Sources</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the strip is missing: choose one in the property Strip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the planes miss the object: move them, or take more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no strip here has a tab to be held: give the strips tabs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 does not belong to %2: choose its model, or none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not laminated: it has no backing; choose the layer Base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Putting the model together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the model has no strips: choose some in the property Strips</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no strip: a model is made of strips</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is nothing to cut: select strips, models or base plates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a curve %1 mm from this one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A flat strip cannot take this curve.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no strip.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(conjugate point at %1 mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it does not stay in this shape: the stability margin is %1%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A flat strip takes %1%2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the thickness of the sheet is %1 mm, less than any foil's: is its unit right?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 samples are asked for: %2 are the most, 0 chooses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the direction of gravity is zero: give a vector such as (0, 0, -1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm, more than a kilometre: is its unit right?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the length of the curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recompute to try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: stopped; change the curve or the limits to try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FreeCAD's kernel cannot make this shape (%1): change the curve, the widths or the holes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not installed in this FreeCAD: strips need numpy and scipy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no sheet called %1 here: choose another one, or add it to the sheet library</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sheet %1 kept in this document cannot be read: choose another one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A flat strip takes this curve: %1 to %2 mm wide, stiffness ratio %3, strain %4 % of what the sheet bears.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no reading: write overhang = droop in mm, such as 120 = 14.5; 150 = 31</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nearest curve to sketch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no curve: draw a spline for the strip to follow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an edge runs on to infinity: trim it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the shape cannot pass through a temporary file (%1): make that folder writable, with room in it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an edge is degenerate: it has no curve in space; choose another edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Searching the nearest curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 inflection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 inflections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>between %1 and %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is straight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 edges in all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>section %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the nearest curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>can</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the curve has a corner %1%2, of %3 degrees: a strip bends without kinks; round it, or draw two curves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No force can act between its ends, so the moment is constant and the curve must bend one way only; it has %1, %2: hold both ends in x or in y.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bending is reversed by a jump of the curvature %1, where the stiffness would have to go to 0: support the strip there, or let the curvature pass through zero smoothly (smooth = 0.1, or --smooth 0.1, does that within 0.1 mm).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, whatever supports the strip there: bend the piece a little.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: support the strip %2, or bend the piece a little.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 rows are %2 mm long each: diamonds with bridges of %3 mm between their tips need more than %4 mm; use fewer rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the rod's bending stiffness of %1 N mm2 asks for a backing wider than fits at %2 mm, where %3 N mm2 is the most: use thicker or stiffer sheets, or widen the base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the rod's bending stiffness of %1 N mm2 leaves a backing narrower than %2 mm at %3 mm, where %4 N mm2 is the least: use thinner sheets, or narrow the base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ligaments lean %1 degrees off the strip at %2 mm: use fewer rows, %3 mm long or longer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the rod's bending stiffness asks for %1 mm of material at %2 mm, %3 mm fit: widen the outline or raise max_width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the rod's bending stiffness asks for a width of %1 mm, above max_width %2 mm: choose a thicker or stiffer sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a curve leaves its plane by %1 mm (its z runs over %2 mm): a strip bends in one plane only; project the curve onto a plane before export</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bends between false inflections were smoothed away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The strip would be %1 mm wide and %2 mm long: a strip bends as computed where it is %3 times as long as wide; draw a longer curve, or make the strip narrower.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a corner radius of %1 mm does not fit the hole at %2: make it smaller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a corner radius of %1 mm leaves %2 % too much material at the tips at %3 mm: %4 mm or less keeps it within %5 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>strain %1 % at %2 mm is beyond the %3 % that %4 bears: its radius there is %5 mm, the least advisable %6 mm; use a thinner sheet or a gentler curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a tab has either a corner radius or a chamfer, not both</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a tab that tapers has neither corner radius nor chamfer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The %1 is missed by %2 (lengths of the curve, radians or shares).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The least radius of %1 mm is missed: this rod has %2 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a least radius of %1 instead of %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 bends with a radius of %2 mm at %3, a corner to any strip: %4, or smooth it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It would break at %1 mm: its radius there is %2 mm, the sheet bears %3 mm; use a thinner sheet or a gentler curve.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The curvature runs out to zero %1 without a clear change of sign, where the stiffness would have to be infinite or zero, whatever supports the strip: bend the curve a little more there, or reverse its bending at a clear rate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The line through its inflections %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A flat strip takes this curve.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A flat strip takes a curve %1 mm from this one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are remarks.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A flat strip cannot take this curve</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1546,6 +2861,50 @@
         <source>Remove my sheet</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>All sheets that are known, yours first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name under which your sheet is kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As measured with a caliper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stiffness of the material along the strip; a coupon measures it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mass for volume; it counts where a strip carries its weight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest strain of the skin before the sheet breaks or stays bent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width that your machine cuts away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much it narrows while it is stretched, a share</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the numbers come from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Adds these numbers to your library under the name above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes this sheet out of your library</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ElasticaTolerance</name>
@@ -1563,6 +2922,14 @@
     </message>
     <message>
         <source>Run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many varied strips are bent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bends them all; Escape stops it</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

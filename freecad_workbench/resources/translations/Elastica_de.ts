@@ -519,8 +519,8 @@
         <translation>Probestreifen speichern</translation>
     </message>
     <message>
-        <source>type the readings first: overhang = droop, in mm, such as 120 = 14.5, 150 = 31</source>
-        <translation>zuerst Messwerte eingeben: Überhang = Durchhang in mm, etwa 120 = 14.5, 150 = 31</translation>
+        <source>type the readings first: overhang = droop, in mm, such as 120 = 14.5; 150 = 31</source>
+        <translation>zuerst Messwerte eingeben: Überhang = Durchhang in mm, etwa 120 = 14.5; 150 = 31</translation>
     </message>
     <message>
         <source>Longest overhang of the coupon</source>
@@ -1217,6 +1217,34 @@
         <source>Play</source>
         <translation>Abspielen</translation>
     </message>
+    <message>
+        <source>How far the start is moved along x</source>
+        <translation>Wie weit der Anfang entlang x verschoben wird</translation>
+    </message>
+    <message>
+        <source>How far the start is moved along y</source>
+        <translation>Wie weit der Anfang entlang y verschoben wird</translation>
+    </message>
+    <message>
+        <source>How far the start is turned, degrees</source>
+        <translation>Um wie viel Grad der Anfang gedreht wird</translation>
+    </message>
+    <message>
+        <source>How far the end is moved along x</source>
+        <translation>Wie weit das Ende entlang x verschoben wird</translation>
+    </message>
+    <message>
+        <source>How far the end is moved along y</source>
+        <translation>Wie weit das Ende entlang y verschoben wird</translation>
+    </message>
+    <message>
+        <source>How far the end is turned, degrees</source>
+        <translation>Um wie viel Grad das Ende gedreht wird</translation>
+    </message>
+    <message>
+        <source>Show the way from rest in small steps</source>
+        <translation>Zeigt den Weg aus der Ruhelage in kleinen Schritten</translation>
+    </message>
 </context>
 <context>
     <name>ElasticaCheck</name>
@@ -1256,8 +1284,8 @@
         <translation>Überhang = Durchhang, mm</translation>
     </message>
     <message>
-        <source>120 = 14.5, 150 = 31</source>
-        <translation>120 = 14.5, 150 = 31</translation>
+        <source>120 = 14.5; 150 = 31</source>
+        <translation>120 = 14,5; 150 = 31</translation>
     </message>
     <message>
         <source>Reading error</source>
@@ -1270,6 +1298,34 @@
     <message>
         <source>Keep the sheet</source>
         <translation>Platte behalten</translation>
+    </message>
+    <message>
+        <source>Sheet to be measured</source>
+        <translation>Platte, die vermessen wird</translation>
+    </message>
+    <message>
+        <source>Adds the test strip to the document</source>
+        <translation>Fügt den Probestreifen ins Dokument ein</translation>
+    </message>
+    <message>
+        <source>Asks for a DXF or SVG file and writes the test strip into it</source>
+        <translation>Fragt nach einer DXF- oder SVG-Datei und schreibt den Probestreifen hinein</translation>
+    </message>
+    <message>
+        <source>Overhang = droop, in mm, one pair for each measurement</source>
+        <translation>Überhang = Durchhang in mm, ein Paar je Messung</translation>
+    </message>
+    <message>
+        <source>How far a reading may be off</source>
+        <translation>Wie weit eine Ablesung daneben liegen kann</translation>
+    </message>
+    <message>
+        <source>Name of the calibrated sheet in your library</source>
+        <translation>Name der kalibrierten Platte in Ihrer Bibliothek</translation>
+    </message>
+    <message>
+        <source>Adds the calibrated sheet to your library</source>
+        <translation>Nimmt die kalibrierte Platte in Ihre Bibliothek auf</translation>
     </message>
 </context>
 <context>
@@ -1346,6 +1402,62 @@
         <source>Overwrite files that exist</source>
         <translation>Vorhandene Dateien überschreiben</translation>
     </message>
+    <message>
+        <source>One drawing for each part, for lasers and cutters</source>
+        <translation>Eine Zeichnung je Teil, für Laser und Schneidplotter</translation>
+    </message>
+    <message>
+        <source>The same drawings for programs that draw</source>
+        <translation>Dieselben Zeichnungen für Zeichenprogramme</translation>
+    </message>
+    <message>
+        <source>Solids for other CAD programs</source>
+        <translation>Körper für andere CAD-Programme</translation>
+    </message>
+    <message>
+        <source>A table of all parts with sizes and numbers</source>
+        <translation>Eine Tabelle aller Teile mit Maßen und Stückzahlen</translation>
+    </message>
+    <message>
+        <source>All parts together on sheets</source>
+        <translation>Alle Teile zusammen auf Platten</translation>
+    </message>
+    <message>
+        <source>Width of a sheet, along its grain</source>
+        <translation>Breite einer Platte, entlang der Faser</translation>
+    </message>
+    <message>
+        <source>Height of a sheet</source>
+        <translation>Höhe einer Platte</translation>
+    </message>
+    <message>
+        <source>Splines as drawn, or arcs or lines for machines that take nothing else</source>
+        <translation>Splines wie gezeichnet, oder Bögen oder Linien für Maschinen, die nur das nehmen</translation>
+    </message>
+    <message>
+        <source>The oldest version that your program reads is the safest</source>
+        <translation>Die älteste Version, die Ihr Programm liest, ist die sicherste</translation>
+    </message>
+    <message>
+        <source>Width that the cut takes away; outlines are set off by half of it</source>
+        <translation>Breite, die der Schnitt wegnimmt; Umrisse werden um die Hälfte versetzt</translation>
+    </message>
+    <message>
+        <source>How far arcs and lines may be from the spline</source>
+        <translation>Wie weit Bögen und Linien vom Spline abweichen dürfen</translation>
+    </message>
+    <message>
+        <source>Where the files go; asked for where it is empty</source>
+        <translation>Wohin die Dateien kommen; wird gefragt, wenn es leer ist</translation>
+    </message>
+    <message>
+        <source>Choose the folder</source>
+        <translation>Den Ordner wählen</translation>
+    </message>
+    <message>
+        <source>Without this nothing that exists is changed</source>
+        <translation>Ohne dies wird nichts Vorhandenes geändert</translation>
+    </message>
 </context>
 <context>
     <name>ElasticaFixtures</name>
@@ -1404,6 +1516,50 @@
     <message>
         <source>Border</source>
         <translation>Rand</translation>
+    </message>
+    <message>
+        <source>Blocks to be printed, with a pocket for every tab</source>
+        <translation>Blöcke zum Drucken, mit einer Tasche für jede Lasche</translation>
+    </message>
+    <message>
+        <source>Room around a tab in its pocket</source>
+        <translation>Luft um eine Lasche in ihrer Tasche</translation>
+    </message>
+    <message>
+        <source>Least thickness around the pocket</source>
+        <translation>Kleinste Dicke um die Tasche</translation>
+    </message>
+    <message>
+        <source>How far the foot sticks out on either side; 0 for none</source>
+        <translation>Wie weit der Fuß auf jeder Seite vorsteht; 0 für keinen</translation>
+    </message>
+    <message>
+        <source>Diameter of the screw holes in the foot; 0 for none</source>
+        <translation>Durchmesser der Schraubenlöcher im Fuß; 0 für keine</translation>
+    </message>
+    <message>
+        <source>One plate with a slot for every tab that goes through it</source>
+        <translation>Eine Platte mit einem Schlitz für jede Lasche, die hindurchgeht</translation>
+    </message>
+    <message>
+        <source>What the plate is cut from</source>
+        <translation>Woraus die Platte geschnitten wird</translation>
+    </message>
+    <message>
+        <source>Where the upper face of the plate lies, along z</source>
+        <translation>Wo die Oberseite der Platte liegt, entlang z</translation>
+    </message>
+    <message>
+        <source>Room beside a tab on either side</source>
+        <translation>Luft neben einer Lasche auf jeder Seite</translation>
+    </message>
+    <message>
+        <source>Added to the width of the slots</source>
+        <translation>Zuschlag zur Breite der Schlitze</translation>
+    </message>
+    <message>
+        <source>Least distance of slots from the edge</source>
+        <translation>Kleinster Abstand der Schlitze vom Rand</translation>
     </message>
 </context>
 <context>
@@ -1464,6 +1620,46 @@
         <source>Show the nearest curve that can be bent</source>
         <translation>Die nächste biegbare Kurve zeigen</translation>
     </message>
+    <message>
+        <source>Sheet that new strips are made of; a name of the sheet library</source>
+        <translation>Platte, aus der neue Streifen sind; ein Name der Plattenbibliothek</translation>
+    </message>
+    <message>
+        <source>Width of the widest place of new strips</source>
+        <translation>Breite der breitesten Stelle neuer Streifen</translation>
+    </message>
+    <message>
+        <source>Length of the tabs of new strips</source>
+        <translation>Länge der Laschen neuer Streifen</translation>
+    </message>
+    <message>
+        <source>Width that the cut takes away; outlines are set off by half of it</source>
+        <translation>Breite, die der Schnitt wegnimmt; Umrisse werden um die Hälfte versetzt</translation>
+    </message>
+    <message>
+        <source>Added to the width of slots in new models and plates</source>
+        <translation>Zuschlag zur Breite der Schlitze neuer Modelle und Platten</translation>
+    </message>
+    <message>
+        <source>The oldest version that your program reads is the safest</source>
+        <translation>Die älteste Version, die Ihr Programm liest, ist die sicherste</translation>
+    </message>
+    <message>
+        <source>Splines as drawn, or arcs or lines for machines that take nothing else</source>
+        <translation>Splines wie gezeichnet, oder Bögen oder Linien für Maschinen, die nur das nehmen</translation>
+    </message>
+    <message>
+        <source>How far arcs and lines may be from the spline</source>
+        <translation>Wie weit Bögen und Linien vom Spline abweichen dürfen</translation>
+    </message>
+    <message>
+        <source>In sketches that strips follow, and in those made from this workbench</source>
+        <translation>In Skizzen, denen Streifen folgen, und in denen aus dieser Werkbank</translation>
+    </message>
+    <message>
+        <source>While the mouse rests, where a curve is refused</source>
+        <translation>Wenn die Maus ruht, wo eine Kurve abgelehnt wird</translation>
+    </message>
 </context>
 <context>
     <name>ElasticaProjective</name>
@@ -1494,6 +1690,1125 @@
     <message>
         <source>Put the handles back</source>
         <translation>Griffe zurücksetzen</translation>
+    </message>
+    <message>
+        <source>First corner of the box, x</source>
+        <translation>Erste Ecke des Kastens, x</translation>
+    </message>
+    <message>
+        <source>First corner of the box, y</source>
+        <translation>Erste Ecke des Kastens, y</translation>
+    </message>
+    <message>
+        <source>Second corner of the box, x</source>
+        <translation>Zweite Ecke des Kastens, x</translation>
+    </message>
+    <message>
+        <source>Second corner of the box, y</source>
+        <translation>Zweite Ecke des Kastens, y</translation>
+    </message>
+    <message>
+        <source>Third corner of the box, x</source>
+        <translation>Dritte Ecke des Kastens, x</translation>
+    </message>
+    <message>
+        <source>Third corner of the box, y</source>
+        <translation>Dritte Ecke des Kastens, y</translation>
+    </message>
+    <message>
+        <source>Fourth corner of the box, x</source>
+        <translation>Vierte Ecke des Kastens, x</translation>
+    </message>
+    <message>
+        <source>Fourth corner of the box, y</source>
+        <translation>Vierte Ecke des Kastens, y</translation>
+    </message>
+    <message>
+        <source>Back to the box around the drawn curve</source>
+        <translation>Zurück zum Kasten um die gezeichnete Kurve</translation>
+    </message>
+</context>
+<context>
+    <name>ElasticaSentences</name>
+    <message>
+        <source>Every line through the inflection at %1 mm meets the curve again or touches it there (the curve is in the way %2): wind the curve less, or support the strip between.</source>
+        <translation>Jede Gerade durch den Wendepunkt bei %1 mm trifft die Kurve noch einmal oder berührt sie dort (die Kurve ist %2 im Weg): die Kurve weniger winden oder den Streifen dazwischen stützen.</translation>
+    </message>
+    <message>
+        <source>%1%2 %3, where the moment would vanish or change sign and the curvature does not: move the curve off the line there, or support the strip between there and the inflections beside it.</source>
+        <translation>%1%2 %3; dort müsste das Moment verschwinden oder das Vorzeichen wechseln, die Krümmung tut es nicht: die Kurve dort von der Geraden wegziehen oder den Streifen zwischen dort und den Wendepunkten daneben stützen.</translation>
+    </message>
+    <message>
+        <source>Its inflections do not lie on one %1line: those %2 are %3 mm off the nearest one%4. Move them onto one line, or support the strip between them.</source>
+        <translation>Die Wendepunkte liegen nicht auf einer %1Geraden: die %2 sind %3 mm neben der nächsten%4. Auf eine Gerade ziehen oder den Streifen dazwischen stützen.</translation>
+    </message>
+    <message>
+        <source>the line through its inflections</source>
+        <translation>die Gerade durch die Wendepunkte</translation>
+    </message>
+    <message>
+        <source>the %1line that the supports ask for</source>
+        <translation>die %1Gerade, die die Lager verlangen</translation>
+    </message>
+    <message>
+        <source>(at most %1 mm is put right without asking)</source>
+        <translation>(höchstens %1 mm werden ungefragt berichtigt)</translation>
+    </message>
+    <message>
+        <source>undecided at this precision: the curve turns by %1 degrees at %2, %3 along it, and the digits of the file alone can turn its handle of %4 mm by %5: save it with more decimals, or make the node smooth with longer handles</source>
+        <translation>bei dieser Genauigkeit unentschieden: die Kurve dreht um %1 Grad bei %2, %3 entlang ihr, und schon die Stellen der Datei können ihren Griff von %4 mm um %5 drehen: mit mehr Nachkommastellen speichern oder den Knoten glatt machen, mit längeren Griffen</translation>
+    </message>
+    <message>
+        <source>The piece from %1 to %2 mm %3 and joined to a bent one, so the stiffness would have to go to 0 at the joint</source>
+        <translation>Das Stück von %1 bis %2 mm %3 und stößt an ein gebogenes; dort müsste die Steifigkeit null werden</translation>
+    </message>
+    <message>
+        <source>The curve crosses itself (at %1 mm): two parts of the strip must pass side by side there.</source>
+        <translation>Die Kurve kreuzt sich selbst (bei %1 mm): zwei Teile des Streifens müssen dort nebeneinander vorbei.</translation>
+    </message>
+    <message>
+        <source>the curve is closed: a strip has two ends; leave a gap between them, or cut the curve in pieces</source>
+        <translation>die Kurve ist geschlossen: ein Streifen hat zwei Enden; eine Lücke lassen oder die Kurve zerteilen</translation>
+    </message>
+    <message>
+        <source>less the natural %1</source>
+        <translation>weniger die eigene %1</translation>
+    </message>
+    <message>
+        <source>The %1 (at %2 mm) is free to turn, so the curve must have no curvature there; it has %3 1/mm%4: clamp this end, or let the curvature run out to zero.</source>
+        <translation>%1 (bei %2 mm) kann sich frei drehen, die Kurve darf dort also keine Krümmung haben; sie hat %3 1/mm%4: dieses Ende einspannen oder die Krümmung auf null auslaufen lassen.</translation>
+    </message>
+    <message>
+        <source>The width of the strip steps %1, where the curvature jumps: smooth = 0.1, or --smooth 0.1, makes it a fair curve of degree 4 within 0.1 mm.</source>
+        <translation>Die Breite des Streifens springt %1, wo die Krümmung springt: die Eigenschaft Smooth = 0.1 macht daraus eine glatte Kurve vierten Grades innerhalb von 0.1 mm.</translation>
+    </message>
+    <message>
+        <source>smooth = 0.1, or --smooth 0.1, makes it a fair curve of degree 4 within 0.1 mm</source>
+        <translation>die Eigenschaft Smooth = 0.1 macht daraus eine glatte Kurve vierten Grades innerhalb von 0.1 mm</translation>
+    </message>
+    <message>
+        <source>do not repeat the knot there</source>
+        <translation>den Knoten dort nicht wiederholen</translation>
+    </message>
+    <message>
+        <source>The width of the strip has a kink %1, where the slope of the curvature jumps: %2.</source>
+        <translation>Die Breite des Streifens hat einen Knick %1, wo die Änderung der Krümmung springt: %2.</translation>
+    </message>
+    <message>
+        <source>crosses the curve %1</source>
+        <translation>kreuzt die Kurve %1</translation>
+    </message>
+    <message>
+        <source>touches the curve %1</source>
+        <translation>berührt die Kurve %1</translation>
+    </message>
+    <message>
+        <source>is tangent to the curve in the inflection %1</source>
+        <translation>berührt die Kurve im Wendepunkt %1</translation>
+    </message>
+    <message>
+        <source>no small move of the control points brings the inflections onto one line</source>
+        <translation>keine kleine Bewegung der Kontrollpunkte bringt die Wendepunkte auf eine Gerade</translation>
+    </message>
+    <message>
+        <source>A flat strip cannot take this curve of %1 mm.</source>
+        <translation>Ein flacher Streifen kann diese Kurve von %1 mm nicht annehmen.</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>A strip of any width takes this curve of %1 mm: it is not bent.</source>
+        <translation>Ein Streifen jeder Breite nimmt diese Kurve von %1 mm an: sie ist nicht gebogen.</translation>
+    </message>
+    <message>
+        <source>A flat strip can take this curve of %1 mm; it has %2, %3.</source>
+        <translation>Ein flacher Streifen kann diese Kurve von %1 mm annehmen; sie hat %2, %3.</translation>
+    </message>
+    <message>
+        <source>A flat strip can take this curve of %1 mm; it has no inflections.</source>
+        <translation>Ein flacher Streifen kann diese Kurve von %1 mm annehmen; sie hat keine Wendepunkte.</translation>
+    </message>
+    <message>
+        <source>Under its weight an unbent strip sags, unless it is upright: draw the shape it may hang in.</source>
+        <translation>Unter seinem Gewicht hängt ein ungebogener Streifen durch, außer er steht senkrecht: die Form zeichnen, in der er hängen darf.</translation>
+    </message>
+    <message>
+        <source>a weight in newtons needs gravity too: pass gravity=Gravity(...) for its direction</source>
+        <translation>ein Gewicht in Newton braucht auch die Schwerkraft: Gravity einschalten</translation>
+    </message>
+    <message>
+        <source>The curve was moved by at most %1 mm to bring its inflections onto one line.</source>
+        <translation>Die Kurve wurde um höchstens %1 mm bewegt, um ihre Wendepunkte auf eine Gerade zu bringen.</translation>
+    </message>
+    <message>
+        <source>The weight is far too much for the stiffness (a gravity length of %1 mm on a curve of %2 mm): use a lighter or stiffer sheet, or look at the units (200 gsm card: 96 mm).</source>
+        <translation>Das Gewicht ist viel zu groß für die Steifigkeit (eine Schwerelänge von %1 mm bei einer Kurve von %2 mm): leichteres oder steiferes Material nehmen oder die Einheiten prüfen (Karton 200 g/m²: 96 mm).</translation>
+    </message>
+    <message>
+        <source>point mass of %1 g at %2 mm does not lie on the curve of %3 mm</source>
+        <translation>die Punktmasse von %1 g bei %2 mm liegt nicht auf der Kurve von %3 mm</translation>
+    </message>
+    <message>
+        <source>in balance but it will not stay: it snaps into another shape</source>
+        <translation>im Gleichgewicht, aber er bleibt nicht so: er schnappt in eine andere Form</translation>
+    </message>
+    <message>
+        <source>it stays, but a push, a loose clamp or a cut that is off may make it snap</source>
+        <translation>er bleibt, aber ein Stoß, eine lose Klemme oder ein ungenauer Schnitt kann ihn schnappen lassen</translation>
+    </message>
+    <message>
+        <source>it stays, and comes back when pushed</source>
+        <translation>er bleibt und kommt zurück, wenn man ihn stößt</translation>
+    </message>
+    <message>
+        <source>the rod snaps %1 of the way from its present shape; here it comes to rest</source>
+        <translation>der Stab schnappt nach %1 des Weges von seiner jetzigen Form; hier kommt er zur Ruhe</translation>
+    </message>
+    <message>
+        <source>no rest shape found: %1 of the way from the present shape was possible; move the ends in smaller steps, or give a guess nearer to the answer</source>
+        <translation>keine Ruhelage gefunden: %1 des Weges von der jetzigen Form war möglich; die Enden in kleineren Schritten bewegen</translation>
+    </message>
+    <message>
+        <source>the ends are %1 mm apart, but the rod is only %2 mm long: bring them closer or use a longer rod</source>
+        <translation>die Enden sind %1 mm auseinander, der Stab ist aber nur %2 mm lang: sie näher zusammenbringen oder einen längeren Stab nehmen</translation>
+    </message>
+    <message>
+        <source>the ends are as far apart as the rod is long (%1 mm), so it must be straight, which its end angles or its weight do not allow: bring the ends closer together</source>
+        <translation>die Enden sind so weit auseinander, wie der Stab lang ist (%1 mm); er müsste gerade sein, was seine Endwinkel oder sein Gewicht nicht zulassen: die Enden näher zusammenbringen</translation>
+    </message>
+    <message>
+        <source>a force along %1 does nothing: both ends hold %2; free one end along %3</source>
+        <translation>eine Kraft entlang %1 bewirkt nichts: beide Enden halten %2; ein Ende entlang %3 freigeben</translation>
+    </message>
+    <message>
+        <source>both ends turn freely: give the moments of both, (start, end)</source>
+        <translation>beide Enden drehen frei: die Momente beider geben (Anfang, Ende)</translation>
+    </message>
+    <message>
+        <source>a moment at the %1 does nothing: its support holds the angle; free the angle there</source>
+        <translation>ein Moment an %1 bewirkt nichts: das Lager hält den Winkel; ihn dort freigeben</translation>
+    </message>
+    <message>
+        <source>the slot for %1%2 is %3 mm wide for a tab of %4 mm, which it cannot hold</source>
+        <translation>der Schlitz für %1%2 ist %3 mm breit für eine Lasche von %4 mm, die er nicht halten kann</translation>
+    </message>
+    <message>
+        <source>end the strips steeper to the plate, take a thinner plate, or hold them by end fixtures</source>
+        <translation>die Streifen steiler auf die Platte treffen lassen, eine dünnere Platte nehmen oder sie mit Endhaltern halten</translation>
+    </message>
+    <message>
+        <source>make it wider (max_width), or ask for the nearest curve with a smaller ratio</source>
+        <translation>ihn breiter machen (MaxWidth) oder die nächste Kurve mit kleinerem Verhältnis nehmen</translation>
+    </message>
+    <message>
+        <source>ligaments down to %1 mm are allowed, %2 mm are needed</source>
+        <translation>Stege bis hinab zu %1 mm sind erlaubt, %2 mm sind nötig</translation>
+    </message>
+    <message>
+        <source>%1 mm long and %2 mm wide: too slender to handle</source>
+        <translation>%1 mm lang und %2 mm breit: zu schlank, um es zu handhaben</translation>
+    </message>
+    <message>
+        <source>(and %1 more)</source>
+        <translation>(und %1 weitere)</translation>
+    </message>
+    <message>
+        <source>only %1 mm wide %2%3, %4 mm are needed in %5</source>
+        <translation>nur %1 mm breit %2%3, in %5 sind %4 mm nötig</translation>
+    </message>
+    <message>
+        <source>(and %1 more places)</source>
+        <translation>(und an %1 weiteren Stellen)</translation>
+    </message>
+    <message>
+        <source>at %1 mm along it</source>
+        <translation>bei %1 mm entlang</translation>
+    </message>
+    <message>
+        <source>at (%1, %2) mm</source>
+        <translation>bei (%1, %2) mm</translation>
+    </message>
+    <message>
+        <source>ask for wider ligaments, or fewer columns</source>
+        <translation>breitere Stege verlangen oder weniger Spalten</translation>
+    </message>
+    <message>
+        <source>make it wider, or split it</source>
+        <translation>es breiter machen oder zerteilen</translation>
+    </message>
+    <message>
+        <source>leave more room between the slots: a larger ring or plate, fewer or narrower strips, a wider border</source>
+        <translation>zwischen den Schlitzen mehr Platz lassen: ein größerer Ring oder eine größere Platte, weniger oder schmalere Streifen, ein breiterer Rand</translation>
+    </message>
+    <message>
+        <source>%1 x %2 mm is larger than the stock of %3 mm in %4</source>
+        <translation>%1 x %2 mm ist größer als das Rohmaterial von %3 mm in %4</translation>
+    </message>
+    <message>
+        <source>name a larger stock, split it, or scale the curve</source>
+        <translation>größeres Rohmaterial nennen, zerteilen oder die Kurve verkleinern</translation>
+    </message>
+    <message>
+        <source>the stock is %1: give the two sides of the sheet in mm</source>
+        <translation>das Rohmaterial ist %1: die beiden Seiten der Platte in mm angeben</translation>
+    </message>
+    <message>
+        <source>%1 is %2: give a positive width in mm</source>
+        <translation>%1 ist %2: eine positive Breite in mm angeben</translation>
+    </message>
+    <message>
+        <source>the laminate cannot be as soft as it should at %1 mm (base %2 mm, K %3) and as stiff at %4 mm (base %5 mm, K %6):</source>
+        <translation>das Laminat kann bei %1 mm nicht so weich (Grundlage %2 mm, K %3) und bei %4 mm nicht so steif sein, wie es sollte (Grundlage %5 mm, K %6):</translation>
+    </message>
+    <message>
+        <source>narrow the base at %1 mm</source>
+        <translation>die Grundlage bei %1 mm schmaler machen</translation>
+    </message>
+    <message>
+        <source>widen it at %1 mm</source>
+        <translation>sie bei %1 mm breiter machen</translation>
+    </message>
+    <message>
+        <source>the width of the base</source>
+        <translation>die Breite der Grundlage</translation>
+    </message>
+    <message>
+        <source>make the backing %1 times as thick as the base or more (now %2 times)</source>
+        <translation>die Verstärkung %1-mal so dick wie die Grundlage machen oder dicker (jetzt %2-mal)</translation>
+    </message>
+    <message>
+        <source>dots are %1 mm across: give a diameter, 0 for none</source>
+        <translation>die Punkte sind %1 mm groß: einen Durchmesser angeben, 0 für keine</translation>
+    </message>
+    <message>
+        <source>the base is %1 mm wide at %2 mm, narrower than the least backing of %3 mm: widen it there</source>
+        <translation>die Grundlage ist bei %2 mm %1 mm breit, schmaler als die kleinste Verstärkung von %3 mm: sie dort breiter machen</translation>
+    </message>
+    <message>
+        <source>a backing of at least %1 mm at %2 mm is wider than max_width %3 mm at %4 mm: raise max_width</source>
+        <translation>eine Verstärkung von mindestens %1 mm bei %2 mm ist breiter als MaxWidth %3 mm bei %4 mm: MaxWidth erhöhen</translation>
+    </message>
+    <message>
+        <source>choose other widths (%1)</source>
+        <translation>andere Breiten wählen (%1)</translation>
+    </message>
+    <message>
+        <source>%1, when holes still fit at %2 mm: %3</source>
+        <translation>%1, wenn bei %2 mm noch Löcher hineinpassen: %3</translation>
+    </message>
+    <message>
+        <source>ligaments would be %1 mm wide at %2 mm, below %3 mm</source>
+        <translation>Stege wären bei %2 mm %1 mm breit, unter %3 mm</translation>
+    </message>
+    <message>
+        <source>the width of the outline</source>
+        <translation>die Breite des Umrisses</translation>
+    </message>
+    <message>
+        <source>make the outline %1 mm or more wide there (now %2 mm)</source>
+        <translation>den Umriss dort %1 mm oder breiter machen (jetzt %2 mm)</translation>
+    </message>
+    <message>
+        <source>holes would take %1 % of the width at %2 mm, more than %3 %</source>
+        <translation>Löcher nähmen bei %2 mm %1 % der Breite ein, mehr als %3 %</translation>
+    </message>
+    <message>
+        <source>hole_ratio is %1: it must lie between 0 and 1</source>
+        <translation>HoleRatio ist %1: es muss zwischen 0 und 1 liegen</translation>
+    </message>
+    <message>
+        <source>sides are "spline" or "arc", not %1</source>
+        <translation>Seiten sind "spline" oder "arc", nicht %1</translation>
+    </message>
+    <message>
+        <source>the outline is %1 mm wide at %2 mm: %3 ligaments of %4 mm and %5 columns of holes need more than %6 mm; widen it or use fewer columns</source>
+        <translation>der Umriss ist bei %2 mm %1 mm breit: %3 Stege von %4 mm und %5 Lochspalten brauchen mehr als %6 mm; ihn verbreitern oder weniger Spalten nehmen</translation>
+    </message>
+    <message>
+        <source>use a thinner or softer sheet</source>
+        <translation>dünneres oder weicheres Material nehmen</translation>
+    </message>
+    <message>
+        <source>%1: the ligaments need %2 mm in all where they are widest, not %3 mm; %4</source>
+        <translation>%1: die Stege brauchen an der breitesten Stelle insgesamt %2 mm, nicht %3 mm; %4</translation>
+    </message>
+    <message>
+        <source>the ligaments are %1 mm in all at the narrowest place, below min_width %2 mm: widen the outline or lower the stiffness ratio</source>
+        <translation>die Stege sind an der schmalsten Stelle insgesamt %1 mm breit, unter MinWidth %2 mm: den Umriss verbreitern oder das Steifigkeitsverhältnis senken</translation>
+    </message>
+    <message>
+        <source>allow a hole_ratio of %1</source>
+        <translation>HoleRatio %1 erlauben</translation>
+    </message>
+    <message>
+        <source>lower the stiffness ratio from %1 to %2</source>
+        <translation>das Steifigkeitsverhältnis von %1 auf %2 senken</translation>
+    </message>
+    <message>
+        <source>%1 is %2: a perforated strip has a whole number of them, from 1</source>
+        <translation>%1 ist %2: ein gelochter Streifen hat eine ganze Zahl davon, ab 1</translation>
+    </message>
+    <message>
+        <source>the slots leave %1 % of the stiffness at %2 mm and move the shape by %3 mm</source>
+        <translation>die Schlitze lassen bei %2 mm %1 % der Steifigkeit und bewegen die Form um %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm long, %2 to %3 mm wide</source>
+        <translation>%1 mm lang, %2 bis %3 mm breit</translation>
+    </message>
+    <message>
+        <source>a strip needs max_width or min_width (mm): the rod only fixes how widths compare</source>
+        <translation>ein Streifen braucht MaxWidth oder MinWidth (mm): der Stab legt nur das Verhältnis der Breiten fest</translation>
+    </message>
+    <message>
+        <source>the narrowest place is %1 mm, below min_width %2 mm: the ratio is %3, so max_width must be %4 mm or more</source>
+        <translation>die schmalste Stelle ist %1 mm breit, unter MinWidth %2 mm: das Verhältnis ist %3, MaxWidth muss also %4 mm oder mehr sein</translation>
+    </message>
+    <message>
+        <source>%1 is given over %2 mm, the strip is %3 mm long</source>
+        <translation>%1 ist über %2 mm gegeben, der Streifen ist %3 mm lang</translation>
+    </message>
+    <message>
+        <source>a T-slot needs positive sizes in mm: depth, screw, nut = (width, height), wall</source>
+        <translation>ein T-Schlitz braucht positive Maße in mm: Tiefe, Schraube, Mutter = (Breite, Höhe), Wand</translation>
+    </message>
+    <message>
+        <source>a nut of %1 mm is held by nothing in a slot of %2 mm: make it wider</source>
+        <translation>eine Mutter von %1 mm wird in einem Schlitz von %2 mm von nichts gehalten: sie breiter machen</translation>
+    </message>
+    <message>
+        <source>a T-slot of %1 mm ends before its nut is in, at %2 mm: make it deeper</source>
+        <translation>ein T-Schlitz von %1 mm endet, bevor die Mutter bei %2 mm darin ist: ihn tiefer machen</translation>
+    </message>
+    <message>
+        <source>a T-slot of %1 mm does not fit a tab of %2 mm: lengthen the tab</source>
+        <translation>ein T-Schlitz von %1 mm passt nicht in eine Lasche von %2 mm: die Lasche verlängern</translation>
+    </message>
+    <message>
+        <source>tab corners of %1 mm do not fit a tab of %2 by %3 mm: make them smaller</source>
+        <translation>Laschenecken von %1 mm passen nicht an eine Lasche von %2 mal %3 mm: sie kleiner machen</translation>
+    </message>
+    <message>
+        <source>a taper of %1 mm leaves nothing of a tab %2 mm wide: make it smaller</source>
+        <translation>eine Verjüngung von %1 mm lässt von einer %2 mm breiten Lasche nichts übrig: sie kleiner machen</translation>
+    </message>
+    <message>
+        <source>the nut of a T-slot, %1 mm, is wider than the tab's outer edge of %2 mm: make the tab wider</source>
+        <translation>die Mutter eines T-Schlitzes, %1 mm, ist breiter als die Außenkante der Lasche von %2 mm: die Lasche breiter machen</translation>
+    </message>
+    <message>
+        <source>a %1 mm hole %2 mm into the tab does not fit its length of %3 mm: move it or lengthen the tab</source>
+        <translation>ein Loch von %1 mm, %2 mm tief in der Lasche, passt nicht in ihre Länge von %3 mm: es verschieben oder die Lasche verlängern</translation>
+    </message>
+    <message>
+        <source>a %1 mm hole %2 mm off the centre line breaks the edge of a %3 mm wide tab: make it smaller or the tab wider</source>
+        <translation>ein Loch von %1 mm, %2 mm neben der Mittellinie, durchbricht den Rand einer %3 mm breiten Lasche: es kleiner oder die Lasche breiter machen</translation>
+    </message>
+    <message>
+        <source>a %1 mm hole %2 mm into the tab meets its T-slot: move it aside</source>
+        <translation>ein Loch von %1 mm, %2 mm tief in der Lasche, trifft ihren T-Schlitz: es zur Seite rücken</translation>
+    </message>
+    <message>
+        <source>gravity %1 is a direction in space: give frame, the plane of the curve, or two numbers, the direction in the drawing</source>
+        <translation>die Schwerkraft %1 ist eine Richtung im Raum: die Ebene der Kurve angeben</translation>
+    </message>
+    <message>
+        <source>%1 To make it all the same, set anyway (--anyway).</source>
+        <translation>%1 Um es trotzdem zu machen, Anyway setzen.</translation>
+    </message>
+    <message>
+        <source>a laminate that carries its weight must stand upright and weigh what its sheets do: turn its plane, give gravity=True or the base sheet's gravity, or leave gravity out</source>
+        <translation>ein Laminat, das sein Gewicht trägt, muss aufrecht stehen und wiegen, was seine Platten wiegen: seine Ebene drehen oder die Schwerkraft weglassen</translation>
+    </message>
+    <message>
+        <source>max_width is %1 mm, but %2 needs %3 mm at its narrowest: widen the strip, take another sheet, or allow less with shop=Shop(least_width=...)</source>
+        <translation>MaxWidth ist %1 mm, aber %2 braucht an der schmalsten Stelle %3 mm: den Streifen breiter machen, anderes Material nehmen oder LeastWidth senken</translation>
+    </message>
+    <message>
+        <source>slot at %1 mm</source>
+        <translation>Schlitz bei %1 mm</translation>
+    </message>
+    <message>
+        <source>a bent slot needs four points or more along its centre line</source>
+        <translation>ein gebogener Schlitz braucht vier Punkte oder mehr auf seiner Mittellinie</translation>
+    </message>
+    <message>
+        <source>%1: the slots at %2 mm and %3 mm meet: move them apart, or make them narrower or shallower</source>
+        <translation>%1: die Schlitze bei %2 mm und %3 mm treffen sich: sie auseinanderrücken oder schmaler oder flacher machen</translation>
+    </message>
+    <message>
+        <source>does not open at the edge</source>
+        <translation>öffnet sich nicht am Rand</translation>
+    </message>
+    <message>
+        <source>cuts through to another edge</source>
+        <translation>geht durch bis zu einem anderen Rand</translation>
+    </message>
+    <message>
+        <source>%1: the slot at %2 mm %3: make it %4 or move it</source>
+        <translation>%1: der Schlitz bei %2 mm %3: ihn %4 machen oder verschieben</translation>
+    </message>
+    <message>
+        <source>%1: the slot at %2 mm meets a hole at %3: move one of them</source>
+        <translation>%1: der Schlitz bei %2 mm trifft ein Loch bei %3: eines von beiden verschieben</translation>
+    </message>
+    <message>
+        <source>assembly: %1; push each strip onto those before it</source>
+        <translation>Zusammenbau: %1; jeden Streifen auf die vorherigen schieben</translation>
+    </message>
+    <message>
+        <source>%1 and %2 touch along a line at %3 mm of %4 instead of crossing: move them apart or turn one of them</source>
+        <translation>%1 und %2 berühren sich entlang einer Linie bei %3 mm von %4, statt sich zu kreuzen: sie auseinanderrücken oder einen drehen</translation>
+    </message>
+    <message>
+        <source>no two strips cross: interlocking cut no slot</source>
+        <translation>keine zwei Streifen kreuzen sich: es wurden keine Schlitze geschnitten</translation>
+    </message>
+    <message>
+        <source>; %1 must be threaded in, being held from both edges</source>
+        <translation>; %1 muss eingefädelt werden, weil beide Ränder ihn halten</translation>
+    </message>
+    <message>
+        <source>%1 and %2 cross at %3 degrees at %4 mm of %5: the slots are up to %6 mm wide; a larger angle would hold better</source>
+        <translation>%1 und %2 kreuzen sich unter %3 Grad bei %4 mm von %5: die Schlitze sind bis zu %6 mm breit; ein größerer Winkel hielte besser</translation>
+    </message>
+    <message>
+        <source>%1: the slots open its outline</source>
+        <translation>%1: die Schlitze öffnen seinen Umriss</translation>
+    </message>
+    <message>
+        <source>%1 and %2 cross at %3 mm of %4, but one of them ends before the crossing comes to its edge, so that no slot can open there: shorten, move or turn one of them</source>
+        <translation>%1 und %2 kreuzen sich bei %3 mm von %4, aber einer endet, bevor die Kreuzung an seinen Rand kommt; dort kann sich kein Schlitz öffnen: einen kürzen, verschieben oder drehen</translation>
+    </message>
+    <message>
+        <source>a clearance of %1 mm is larger than %2 is wide at %3 mm: make it smaller</source>
+        <translation>ein Spiel von %1 mm ist größer, als %2 bei %3 mm breit ist: es kleiner machen</translation>
+    </message>
+    <message>
+        <source>the model %1 has no strips</source>
+        <translation>das Modell %1 hat keine Streifen</translation>
+    </message>
+    <message>
+        <source>the model %1 has %2, made for its strips where they are: repeat the strips without rings</source>
+        <translation>das Modell %1 hat %2, gemacht für seine Streifen, wo sie sind: die Streifen ohne Ringe wiederholen</translation>
+    </message>
+    <message>
+        <source>%1: no tab of the model goes through the plate: move the plate to where the strips end, or give the strips longer tabs</source>
+        <translation>%1: keine Lasche des Modells geht durch die Platte: die Platte dahin rücken, wo die Streifen enden, oder ihnen längere Laschen geben</translation>
+    </message>
+    <message>
+        <source>%1: the tab of %2 leans to %3 degrees from the plate: at %4 degrees or less a slot cannot hold it; use a fixture there</source>
+        <translation>%1: die Lasche von %2 steht %3 Grad zur Platte: bei %4 Grad oder weniger hält kein Schlitz; dort einen Halter nehmen</translation>
+    </message>
+    <message>
+        <source>%1: the slots of %2 and %3 come closer than %4 mm near (%5, %6): give the strips narrower tabs or move them apart</source>
+        <translation>%1: die Schlitze von %2 und %3 kommen sich näher als %4 mm bei (%5, %6): den Streifen schmalere Laschen geben oder sie auseinanderrücken</translation>
+    </message>
+    <message>
+        <source>%1: a screw of %2 mm does not fit a foot of %3 by %4 mm: make the foot longer or the screw thinner</source>
+        <translation>%1: eine Schraube von %2 mm passt nicht in einen Fuß von %3 mal %4 mm: den Fuß länger oder die Schraube dünner machen</translation>
+    </message>
+    <message>
+        <source>%1: the plane of the strip leans %2 degrees to the floor: leave the floor out, and the block stands square to its tab</source>
+        <translation>%1: die Ebene des Streifens neigt sich %2 Grad zum Boden: den Boden weglassen, dann steht der Block rechtwinklig zur Lasche</translation>
+    </message>
+    <message>
+        <source>%1: the block reaches %2 mm below the floor: lower the floor or shorten the tab</source>
+        <translation>%1: der Block reicht %2 mm unter den Boden: den Boden senken oder die Lasche kürzen</translation>
+    </message>
+    <message>
+        <source>a strip has the ends "start" and "end", not %1</source>
+        <translation>ein Streifen hat die Enden "start" und "end", nicht %1</translation>
+    </message>
+    <message>
+        <source>every piece fits the sheet</source>
+        <translation>jedes Stück passt auf die Platte</translation>
+    </message>
+    <message>
+        <source>%1: %2 by %3 mm is larger than a sheet of %4 by %5 mm with a margin of %6 mm%7: use a larger sheet or make the part in pieces</source>
+        <translation>%1: %2 mal %3 mm ist größer als eine Platte von %4 mal %5 mm mit einem Rand von %6 mm%7: eine größere Platte nehmen oder das Teil zerteilen</translation>
+    </message>
+    <message>
+        <source>with the grain %1 it</source>
+        <translation>mit der Faser %1</translation>
+    </message>
+    <message>
+        <source>the edge has no length: draw a curve for the strip to follow</source>
+        <translation>die Kante hat keine Länge: eine Kurve zeichnen, der der Streifen folgt</translation>
+    </message>
+    <message>
+        <source>the edges make %1 separate chains: a strip follows one chain of edges that meet end to end</source>
+        <translation>die Kanten bilden %1 getrennte Ketten: ein Streifen folgt einer Kette von Kanten, die aneinanderstoßen</translation>
+    </message>
+    <message>
+        <source>the wire is closed: a strip has two ends, so leave an edge out or split the wire</source>
+        <translation>der Draht ist geschlossen: ein Streifen hat zwei Enden; eine Kante weglassen oder den Draht teilen</translation>
+    </message>
+    <message>
+        <source>the curve lies up to %1 mm off the plane that is given for it: give the one in which it is drawn, or none</source>
+        <translation>die Kurve liegt bis zu %1 mm neben der Ebene, die für sie angegeben ist: die Ebene nehmen, in der sie gezeichnet ist, oder keine</translation>
+    </message>
+    <message>
+        <source>edges meet at a corner of %1 degrees at (%2, %3, %4) mm: make them tangent or round the corner</source>
+        <translation>Kanten treffen sich in einer Ecke von %1 Grad bei (%2, %3, %4) mm: sie tangential machen oder die Ecke runden</translation>
+    </message>
+    <message>
+        <source>a spline of degree %1 has %2 control points; it needs %3: draw it anew</source>
+        <translation>ein Spline vom Grad %1 hat %2 Kontrollpunkte; er braucht %3: ihn neu zeichnen</translation>
+    </message>
+    <message>
+        <source>a spline of degree %1 with %2 control points has %3 knots; it needs %4, never decreasing</source>
+        <translation>ein Spline vom Grad %1 mit %2 Kontrollpunkten hat %3 Knoten; er braucht %4, nie fallend</translation>
+    </message>
+    <message>
+        <source>all knots of a spline are %1; its parameter must run over an interval</source>
+        <translation>alle Knoten eines Splines sind %1; sein Parameter muss ein Intervall durchlaufen</translation>
+    </message>
+    <message>
+        <source>%1 is a folder: give the name of a file in it</source>
+        <translation>%1 ist ein Ordner: den Namen einer Datei darin angeben</translation>
+    </message>
+    <message>
+        <source>%1 can't be written: there is no folder %2; create it first</source>
+        <translation>%1 kann nicht geschrieben werden: es gibt keinen Ordner %2; ihn zuerst anlegen</translation>
+    </message>
+    <message>
+        <source>%1 exists already: choose another name, or allow it to be overwritten (--force, or force=True)</source>
+        <translation>%1 gibt es schon: einen anderen Namen wählen oder das Überschreiben erlauben</translation>
+    </message>
+    <message>
+        <source>%1 can't be written: no permission to change that file; choose another name</source>
+        <translation>%1 kann nicht geschrieben werden: keine Erlaubnis, diese Datei zu ändern; einen anderen Namen wählen</translation>
+    </message>
+    <message>
+        <source>%1 can't be written: %2; choose another place</source>
+        <translation>%1 kann nicht geschrieben werden: %2; einen anderen Ort wählen</translation>
+    </message>
+    <message>
+        <source>All limits are met, and no nearer rod was found.</source>
+        <translation>Alle Grenzen sind eingehalten, und es wurde kein näherer Stab gefunden.</translation>
+    </message>
+    <message>
+        <source>All limits are met, but the search was stopped before it settled: a nearer rod may exist.</source>
+        <translation>Alle Grenzen sind eingehalten, aber die Suche wurde vorher beendet: es kann einen näheren Stab geben.</translation>
+    </message>
+    <message>
+        <source>All limits are met, but only by a rod that no longer looks like the drawn curve: relax what binds.</source>
+        <translation>Alle Grenzen sind eingehalten, aber nur von einem Stab, der der gezeichneten Kurve nicht mehr ähnelt: lockern, was bindet.</translation>
+    </message>
+    <message>
+        <source>The limits cannot be met together near this curve: this is the best rod found, relax what binds.</source>
+        <translation>Die Grenzen sind nahe dieser Kurve nicht zusammen einzuhalten: dies ist der beste gefundene Stab; lockern, was bindet.</translation>
+    </message>
+    <message>
+        <source>No rod was computed for this curve: see the message.</source>
+        <translation>Für diese Kurve wurde kein Stab berechnet: siehe die Meldung.</translation>
+    </message>
+    <message>
+        <source>The rod leaves the drawn curve by %1 mm at most.</source>
+        <translation>Der Stab verlässt die gezeichnete Kurve um höchstens %1 mm.</translation>
+    </message>
+    <message>
+        <source>there is no rod for this curve: %1</source>
+        <translation>zu dieser Kurve gibt es keinen Stab: %1</translation>
+    </message>
+    <message>
+        <source>%1 costs %2 %3</source>
+        <translation>%1 kostet %2 %3</translation>
+    </message>
+    <message>
+        <source>all limits are met, %1 mm from the drawn curve at most.</source>
+        <translation>alle Grenzen sind eingehalten, höchstens %1 mm von der gezeichneten Kurve.</translation>
+    </message>
+    <message>
+        <source>the ratio of the widths</source>
+        <translation>das Verhältnis der Breiten</translation>
+    </message>
+    <message>
+        <source>the sheet's strain limit</source>
+        <translation>die Dehngrenze der Platte</translation>
+    </message>
+    <message>
+        <source>The stability margin of %1 is missed: this rod has %2.</source>
+        <translation>Die Stabilitätsreserve von %1 wird verfehlt: dieser Stab hat %2.</translation>
+    </message>
+    <message>
+        <source>No single one of the limits that bind is to blame: relax several.</source>
+        <translation>Keine der bindenden Grenzen allein ist schuld: mehrere lockern.</translation>
+    </message>
+    <message>
+        <source>%1 instead of %2</source>
+        <translation>%1 statt %2</translation>
+    </message>
+    <message>
+        <source>%1 instead of %2 mm</source>
+        <translation>%1 statt %2 mm</translation>
+    </message>
+    <message>
+        <source>the range of lengths</source>
+        <translation>der Bereich der Längen</translation>
+    </message>
+    <message>
+        <source>the %1 end's angle</source>
+        <translation>der Winkel an %1</translation>
+    </message>
+    <message>
+        <source>Free %1: that saves %2 %3.</source>
+        <translation>%1 freigeben: das spart %2 %3.</translation>
+    </message>
+    <message>
+        <source>; %1 would cost %2 mm</source>
+        <translation>; %1 würde %2 mm kosten</translation>
+    </message>
+    <message>
+        <source>%1 of %2 costs %3 %4 per unit (its multiplier: true of small changes).</source>
+        <translation>%1 von %2 kostet %3 %4 je Einheit (der Multiplikator: gilt für kleine Änderungen).</translation>
+    </message>
+    <message>
+        <source>%1 at %2: %3</source>
+        <translation>%1 bei %2: %3</translation>
+    </message>
+    <message>
+        <source>split it at its corners</source>
+        <translation>ihn an seinen Ecken teilen</translation>
+    </message>
+    <message>
+        <source>(%1, %2, %3) mm</source>
+        <translation>(%1, %2, %3) mm</translation>
+    </message>
+    <message>
+        <source>no smooth curve stays within the tolerance of %1 mm: the section turns by %2 degrees at %3; %4, or smooth it</source>
+        <translation>keine glatte Kurve bleibt innerhalb der Toleranz von %1 mm: der Schnitt dreht um %2 Grad bei %3; %4 oder ihn glätten</translation>
+    </message>
+    <message>
+        <source>%1: the curve lies %2 mm off the section at %3, more than the tolerance of %4 mm: %5</source>
+        <translation>%1: die Kurve liegt bei %3 %2 mm neben dem Schnitt, mehr als die Toleranz von %4 mm: %5</translation>
+    </message>
+    <message>
+        <source>%1, from (%2, %3, %4) mm</source>
+        <translation>%1, ab (%2, %3, %4) mm</translation>
+    </message>
+    <message>
+        <source>and at %1 more places</source>
+        <translation>und an %1 weiteren Stellen</translation>
+    </message>
+    <message>
+        <source>%1 mm along the curve%2 it turns by less than %3 degrees between inflections; no smoothing that moves it by less than %4 mm takes that away</source>
+        <translation>%1 mm entlang der Kurve%2 dreht sie zwischen Wendepunkten um weniger als %3 Grad; keine Glättung, die sie um weniger als %4 mm bewegt, nimmt das weg</translation>
+    </message>
+    <message>
+        <source>the section is closed (it passes (%1, %2, %3) mm): a strip has two ends, so split it at a spine or at two points</source>
+        <translation>der Schnitt ist geschlossen (er geht durch (%1, %2, %3) mm): ein Streifen hat zwei Enden; ihn halbieren (Geschlossene Linien)</translation>
+    </message>
+    <message>
+        <source>the points to smooth are all the same</source>
+        <translation>die zu glättenden Punkte sind alle gleich</translation>
+    </message>
+    <message>
+        <source>from %1 to %2</source>
+        <translation>von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1: %2: it is kept</source>
+        <translation>%1: %2: es bleibt</translation>
+    </message>
+    <message>
+        <source>%1 at %2: the plane %3</source>
+        <translation>%1 bei %2: die Ebene %3</translation>
+    </message>
+    <message>
+        <source>%1 is split twice at one place, or at its very end: move the points</source>
+        <translation>%1 wird zweimal an einer Stelle oder ganz am Ende geteilt: die Punkte verschieben</translation>
+    </message>
+    <message>
+        <source>%1: choose from its lines</source>
+        <translation>%1: aus seinen Linien wählen</translation>
+    </message>
+    <message>
+        <source>%1 falls into %2 lines, starting at %3</source>
+        <translation>%1 zerfällt in %2 Linien, sie beginnen bei %3</translation>
+    </message>
+    <message>
+        <source>smooth is %1: a curve is made fair within 0 (not at all) to %2 mm</source>
+        <translation>Smooth ist %1: eine Kurve wird innerhalb von 0 (gar nicht) bis %2 mm geglättet</translation>
+    </message>
+    <message>
+        <source>The digits of the file turn its tangents where pieces meet: put right, %1 mm at most.</source>
+        <translation>Die Stellen der Datei verdrehen die Tangenten, wo Stücke sich treffen: berichtigt, höchstens %1 mm.</translation>
+    </message>
+    <message>
+        <source>as drawn no strip takes it</source>
+        <translation>wie gezeichnet nimmt sie kein Streifen an</translation>
+    </message>
+    <message>
+        <source>the stiffness ratio as drawn was %1</source>
+        <translation>das Steifigkeitsverhältnis war wie gezeichnet %1</translation>
+    </message>
+    <message>
+        <source>The curvature jumped where pieces meet: made fair, %1 mm from the drawn curve at most; %2 (smooth = 0 takes it as drawn, a larger number makes it fairer).</source>
+        <translation>Die Krümmung sprang, wo Stücke sich treffen: geglättet, höchstens %1 mm von der gezeichneten Kurve; %2 (Smooth = 0 nimmt sie wie gezeichnet, eine größere Zahl glättet mehr).</translation>
+    </message>
+    <message>
+        <source>nothing was changed; take fewer planes, or try again</source>
+        <translation>nichts wurde geändert; weniger Ebenen nehmen oder es noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>select a body, a surface or a mesh to cut</source>
+        <translation>einen Körper, eine Fläche oder ein Netz zum Schneiden wählen</translation>
+    </message>
+    <message>
+        <source>choose a family, an axis (X, Y or Z) and one plane or more</source>
+        <translation>eine Schar, eine Achse (X, Y oder Z) und eine Ebene oder mehr wählen</translation>
+    </message>
+    <message>
+        <source>has construction geometry and points only</source>
+        <translation>hat nur Hilfsgeometrie und Punkte</translation>
+    </message>
+    <message>
+        <source>has external geometry only</source>
+        <translation>hat nur externe Geometrie</translation>
+    </message>
+    <message>
+        <source>the curve is missing: choose a sketch or an edge in the property Curve</source>
+        <translation>die Kurve fehlt: in der Eigenschaft Curve eine Skizze oder Kante wählen</translation>
+    </message>
+    <message>
+        <source>%1 %2: draw a spline in it</source>
+        <translation>%1 %2: einen Spline darin zeichnen</translation>
+    </message>
+    <message>
+        <source>%1 is not plane</source>
+        <translation>%1 ist nicht eben</translation>
+    </message>
+    <message>
+        <source>%1 has no shape: choose a sketch, an edge or a wire</source>
+        <translation>%1 hat keine Form: eine Skizze, eine Kante oder einen Draht wählen</translation>
+    </message>
+    <message>
+        <source>%1 has many edges: choose the ones that the strip is to follow</source>
+        <translation>%1 hat viele Kanten: die wählen, denen der Streifen folgen soll</translation>
+    </message>
+    <message>
+        <source>%1 has no %2 any more: choose the curve anew</source>
+        <translation>%1 hat kein %2 mehr: die Kurve neu wählen</translation>
+    </message>
+    <message>
+        <source>there is nothing to write: choose kinds of files</source>
+        <translation>es gibt nichts zu schreiben: Arten von Dateien wählen</translation>
+    </message>
+    <message>
+        <source>%1 is no sketch: nothing can be drawn into it</source>
+        <translation>%1 ist keine Skizze: darin kann nichts gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>there is nothing to cut: choose a body, a surface or a mesh in the property Sources</source>
+        <translation>es gibt nichts zu schneiden: in der Eigenschaft Sources einen Körper, eine Fläche oder ein Netz wählen</translation>
+    </message>
+    <message>
+        <source>the strip is missing: choose one in the property Strip</source>
+        <translation>der Streifen fehlt: einen in der Eigenschaft Strip wählen</translation>
+    </message>
+    <message>
+        <source>the planes miss the object: move them, or take more</source>
+        <translation>die Ebenen verfehlen das Objekt: sie verschieben oder mehr nehmen</translation>
+    </message>
+    <message>
+        <source>no strip here has a tab to be held: give the strips tabs</source>
+        <translation>kein Streifen hat hier eine Lasche, die zu halten wäre: den Streifen Laschen geben</translation>
+    </message>
+    <message>
+        <source>%1 does not belong to %2: choose its model, or none</source>
+        <translation>%1 gehört nicht zu %2: sein Modell wählen, oder keines</translation>
+    </message>
+    <message>
+        <source>%1 is not laminated: it has no backing; choose the layer Base</source>
+        <translation>%1 ist nicht laminiert: es hat keine Verstärkung; die Schicht Base wählen</translation>
+    </message>
+    <message>
+        <source>Putting the model together</source>
+        <translation>Das Modell wird zusammengesetzt</translation>
+    </message>
+    <message>
+        <source>the model has no strips: choose some in the property Strips</source>
+        <translation>das Modell hat keine Streifen: in der Eigenschaft Strips welche wählen</translation>
+    </message>
+    <message>
+        <source>%1 is no strip: a model is made of strips</source>
+        <translation>%1 ist kein Streifen: ein Modell besteht aus Streifen</translation>
+    </message>
+    <message>
+        <source>there is nothing to cut: select strips, models or base plates</source>
+        <translation>es gibt nichts zu schneiden: Streifen, Modelle oder Grundplatten auswählen</translation>
+    </message>
+    <message>
+        <source>a curve %1 mm from this one</source>
+        <translation>eine Kurve %1 mm von dieser</translation>
+    </message>
+    <message>
+        <source>A flat strip cannot take this curve.</source>
+        <translation>Ein flacher Streifen kann diese Kurve nicht annehmen.</translation>
+    </message>
+    <message>
+        <source>There is no strip.</source>
+        <translation>Es gibt keinen Streifen.</translation>
+    </message>
+    <message>
+        <source>(conjugate point at %1 mm)</source>
+        <translation>(konjugierter Punkt bei %1 mm)</translation>
+    </message>
+    <message>
+        <source>it does not stay in this shape: the stability margin is %1%2</source>
+        <translation>er bleibt nicht in dieser Form: die Stabilitätsreserve ist %1%2</translation>
+    </message>
+    <message>
+        <source>A flat strip takes %1%2.</source>
+        <translation>Ein flacher Streifen nimmt %1 an%2.</translation>
+    </message>
+    <message>
+        <source>the thickness of the sheet is %1 mm, less than any foil's: is its unit right?</source>
+        <translation>die Dicke der Platte ist %1 mm, weniger als jede Folie: stimmt die Einheit?</translation>
+    </message>
+    <message>
+        <source>%1 samples are asked for: %2 are the most, 0 chooses</source>
+        <translation>%1 Stützstellen sind verlangt: %2 sind das Höchste, 0 wählt selbst</translation>
+    </message>
+    <message>
+        <source>the direction of gravity is zero: give a vector such as (0, 0, -1)</source>
+        <translation>die Richtung der Schwerkraft ist null: einen Vektor wie (0, 0, -1) angeben</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm, more than a kilometre: is its unit right?</source>
+        <translation>%1 ist %2 mm, mehr als ein Kilometer: stimmt die Einheit?</translation>
+    </message>
+    <message>
+        <source>the length of the curve</source>
+        <translation>die Länge der Kurve</translation>
+    </message>
+    <message>
+        <source>recompute to try again</source>
+        <translation>neu berechnen, um es noch einmal zu versuchen</translation>
+    </message>
+    <message>
+        <source>%1: stopped; change the curve or the limits to try again</source>
+        <translation>%1: abgebrochen; die Kurve oder die Grenzen ändern, um es noch einmal zu versuchen</translation>
+    </message>
+    <message>
+        <source>FreeCAD's kernel cannot make this shape (%1): change the curve, the widths or the holes</source>
+        <translation>FreeCADs Kern kann diese Form nicht bilden (%1): die Kurve, die Breiten oder die Löcher ändern</translation>
+    </message>
+    <message>
+        <source>%1 is not installed in this FreeCAD: strips need numpy and scipy</source>
+        <translation>%1 ist in diesem FreeCAD nicht installiert: Streifen brauchen numpy und scipy</translation>
+    </message>
+    <message>
+        <source>there is no sheet called %1 here: choose another one, or add it to the sheet library</source>
+        <translation>hier gibt es keine Platte namens %1: eine andere wählen oder sie in die Plattenbibliothek aufnehmen</translation>
+    </message>
+    <message>
+        <source>the sheet %1 kept in this document cannot be read: choose another one</source>
+        <translation>die in diesem Dokument bewahrte Platte %1 ist nicht lesbar: eine andere wählen</translation>
+    </message>
+    <message>
+        <source>A flat strip takes this curve: %1 to %2 mm wide, stiffness ratio %3, strain %4 % of what the sheet bears.</source>
+        <translation>Ein flacher Streifen nimmt diese Kurve an: %1 bis %2 mm breit, Steifigkeitsverhältnis %3, Dehnung %4 % dessen, was die Platte erträgt.</translation>
+    </message>
+    <message>
+        <source>%1 is no reading: write overhang = droop in mm, such as 120 = 14.5; 150 = 31</source>
+        <translation>%1 ist keine Messung: Überhang = Durchhang in mm schreiben, etwa 120 = 14.5; 150 = 31</translation>
+    </message>
+    <message>
+        <source>Nearest curve to sketch</source>
+        <translation>Nächste Kurve zur Skizze</translation>
+    </message>
+    <message>
+        <source>there is no curve: draw a spline for the strip to follow</source>
+        <translation>es gibt keine Kurve: einen Spline zeichnen, dem der Streifen folgt</translation>
+    </message>
+    <message>
+        <source>an edge runs on to infinity: trim it</source>
+        <translation>eine Kante läuft ins Unendliche: sie trimmen</translation>
+    </message>
+    <message>
+        <source>the shape cannot pass through a temporary file (%1): make that folder writable, with room in it</source>
+        <translation>die Form kann nicht durch eine temporäre Datei gehen (%1): diesen Ordner beschreibbar machen, mit Platz darin</translation>
+    </message>
+    <message>
+        <source>an edge is degenerate: it has no curve in space; choose another edge</source>
+        <translation>eine Kante ist entartet: sie hat keine Kurve im Raum; eine andere Kante wählen</translation>
+    </message>
+    <message>
+        <source>Searching the nearest curve</source>
+        <translation>Die nächste Kurve wird gesucht</translation>
+    </message>
+    <message>
+        <source>%1 inflection</source>
+        <translation>%1 Wendepunkt</translation>
+    </message>
+    <message>
+        <source>%1 inflections</source>
+        <translation>%1 Wendepunkte</translation>
+    </message>
+    <message>
+        <source>at %1 mm</source>
+        <translation>bei %1 mm</translation>
+    </message>
+    <message>
+        <source>between %1 and %2 mm</source>
+        <translation>zwischen %1 und %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>is straight</source>
+        <translation>ist gerade</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>ist leer</translation>
+    </message>
+    <message>
+        <source>%1 edges in all</source>
+        <translation>%1 Kanten insgesamt</translation>
+    </message>
+    <message>
+        <source>section %1</source>
+        <translation>Schnitt %1</translation>
+    </message>
+    <message>
+        <source>the nearest curve</source>
+        <translation>die nächste Kurve</translation>
+    </message>
+    <message>
+        <source>can</source>
+        <translation>geht</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>the curve has a corner %1%2, of %3 degrees: a strip bends without kinks; round it, or draw two curves</source>
+        <translation>die Kurve hat eine Ecke %1%2, von %3 Grad: ein Streifen biegt sich ohne Knicke; sie runden oder zwei Kurven zeichnen</translation>
+    </message>
+    <message>
+        <source>No force can act between its ends, so the moment is constant and the curve must bend one way only; it has %1, %2: hold both ends in x or in y.</source>
+        <translation>Zwischen den Enden kann keine Kraft wirken, das Moment ist also konstant und die Kurve darf sich nur nach einer Seite biegen; sie hat %1, %2: beide Enden in x oder in y halten.</translation>
+    </message>
+    <message>
+        <source>The bending is reversed by a jump of the curvature %1, where the stiffness would have to go to 0: support the strip there, or let the curvature pass through zero smoothly (smooth = 0.1, or --smooth 0.1, does that within 0.1 mm).</source>
+        <translation>Die Biegung kehrt sich durch einen Sprung der Krümmung %1 um, wo die Steifigkeit null werden müsste: den Streifen dort stützen oder die Krümmung glatt durch null gehen lassen (die Eigenschaft Smooth = 0.1 tut das innerhalb von 0.1 mm).</translation>
+    </message>
+    <message>
+        <source>%1, whatever supports the strip there: bend the piece a little.</source>
+        <translation>%1, was auch immer den Streifen dort stützt: das Stück ein wenig biegen.</translation>
+    </message>
+    <message>
+        <source>%1: support the strip %2, or bend the piece a little.</source>
+        <translation>%1: den Streifen %2 stützen oder das Stück ein wenig biegen.</translation>
+    </message>
+    <message>
+        <source>%1 rows are %2 mm long each: diamonds with bridges of %3 mm between their tips need more than %4 mm; use fewer rows</source>
+        <translation>%1 Reihen sind je %2 mm lang: Rauten mit Brücken von %3 mm zwischen den Spitzen brauchen mehr als %4 mm; weniger Reihen nehmen</translation>
+    </message>
+    <message>
+        <source>the rod's bending stiffness of %1 N mm2 asks for a backing wider than fits at %2 mm, where %3 N mm2 is the most: use thicker or stiffer sheets, or widen the base</source>
+        <translation>die Biegesteifigkeit des Stabs von %1 N mm2 verlangt eine breitere Verstärkung, als bei %2 mm passt, wo %3 N mm2 das Höchste ist: dickere oder steifere Platten nehmen oder die Grundlage verbreitern</translation>
+    </message>
+    <message>
+        <source>the rod's bending stiffness of %1 N mm2 leaves a backing narrower than %2 mm at %3 mm, where %4 N mm2 is the least: use thinner sheets, or narrow the base</source>
+        <translation>die Biegesteifigkeit des Stabs von %1 N mm2 lässt eine Verstärkung schmaler als %2 mm bei %3 mm, wo %4 N mm2 das Kleinste ist: dünnere Platten nehmen oder die Grundlage schmaler machen</translation>
+    </message>
+    <message>
+        <source>ligaments lean %1 degrees off the strip at %2 mm: use fewer rows, %3 mm long or longer</source>
+        <translation>Stege stehen bei %2 mm um %1 Grad schräg zum Streifen: weniger Reihen nehmen, %3 mm lang oder länger</translation>
+    </message>
+    <message>
+        <source>the rod's bending stiffness asks for %1 mm of material at %2 mm, %3 mm fit: widen the outline or raise max_width</source>
+        <translation>die Biegesteifigkeit des Stabs verlangt bei %2 mm %1 mm Material, %3 mm passen: den Umriss verbreitern oder MaterialWidth erhöhen</translation>
+    </message>
+    <message>
+        <source>the rod's bending stiffness asks for a width of %1 mm, above max_width %2 mm: choose a thicker or stiffer sheet</source>
+        <translation>die Biegesteifigkeit des Stabs verlangt eine Breite von %1 mm, mehr als MaxWidth %2 mm: dickeres oder steiferes Material wählen</translation>
+    </message>
+    <message>
+        <source>a curve leaves its plane by %1 mm (its z runs over %2 mm): a strip bends in one plane only; project the curve onto a plane before export</source>
+        <translation>eine Kurve verlässt ihre Ebene um %1 mm (ihr z läuft über %2 mm): ein Streifen biegt sich nur in einer Ebene; die Kurve vorher auf eine Ebene projizieren</translation>
+    </message>
+    <message>
+        <source>bends between false inflections were smoothed away</source>
+        <translation>Biegungen zwischen falschen Wendepunkten wurden weggeglättet</translation>
+    </message>
+    <message>
+        <source>The strip would be %1 mm wide and %2 mm long: a strip bends as computed where it is %3 times as long as wide; draw a longer curve, or make the strip narrower.</source>
+        <translation>Der Streifen wäre %1 mm breit und %2 mm lang: er biegt sich wie berechnet, wo er %3-mal so lang wie breit ist; eine längere Kurve zeichnen oder den Streifen schmaler machen.</translation>
+    </message>
+    <message>
+        <source>a corner radius of %1 mm does not fit the hole at %2: make it smaller</source>
+        <translation>ein Eckenradius von %1 mm passt nicht an das Loch bei %2: ihn kleiner machen</translation>
+    </message>
+    <message>
+        <source>a corner radius of %1 mm leaves %2 % too much material at the tips at %3 mm: %4 mm or less keeps it within %5 %</source>
+        <translation>ein Eckenradius von %1 mm lässt an den Spitzen bei %3 mm %2 % zu viel Material: %4 mm oder weniger hält es innerhalb von %5 %</translation>
+    </message>
+    <message>
+        <source>strain %1 % at %2 mm is beyond the %3 % that %4 bears: its radius there is %5 mm, the least advisable %6 mm; use a thinner sheet or a gentler curve</source>
+        <translation>die Dehnung von %1 % bei %2 mm ist mehr als die %3 %, die %4 erträgt: der Radius ist dort %5 mm, der kleinste ratsame %6 mm; dünneres Material oder eine sanftere Kurve nehmen</translation>
+    </message>
+    <message>
+        <source>a tab has either a corner radius or a chamfer, not both</source>
+        <translation>eine Lasche hat entweder einen Eckenradius oder eine Fase, nicht beides</translation>
+    </message>
+    <message>
+        <source>a tab that tapers has neither corner radius nor chamfer</source>
+        <translation>eine Lasche, die sich verjüngt, hat weder Eckenradius noch Fase</translation>
+    </message>
+    <message>
+        <source>The %1 is missed by %2 (lengths of the curve, radians or shares).</source>
+        <translation>%1 wird um %2 verfehlt (Kurvenlängen, Bogenmaß oder Anteile).</translation>
+    </message>
+    <message>
+        <source>The least radius of %1 mm is missed: this rod has %2 mm.</source>
+        <translation>Der kleinste Radius von %1 mm wird verfehlt: dieser Stab hat %2 mm.</translation>
+    </message>
+    <message>
+        <source>a least radius of %1 instead of %2 mm</source>
+        <translation>einen kleinsten Radius von %1 statt %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 bends with a radius of %2 mm at %3, a corner to any strip: %4, or smooth it</source>
+        <translation>%1 biegt sich bei %3 mit einem Radius von %2 mm, für jeden Streifen eine Ecke: %4 oder ihn glätten</translation>
+    </message>
+    <message>
+        <source>It would break at %1 mm: its radius there is %2 mm, the sheet bears %3 mm; use a thinner sheet or a gentler curve.</source>
+        <translation>Er würde bei %1 mm brechen: der Radius ist dort %2 mm, die Platte erträgt %3 mm; dünneres Material oder eine sanftere Kurve nehmen.</translation>
+    </message>
+    <message>
+        <source>The curvature runs out to zero %1 without a clear change of sign, where the stiffness would have to be infinite or zero, whatever supports the strip: bend the curve a little more there, or reverse its bending at a clear rate.</source>
+        <translation>Die Krümmung läuft %1 auf null aus, ohne ihr Vorzeichen klar zu wechseln; die Steifigkeit müsste dort unendlich oder null sein, was auch immer den Streifen stützt: die Kurve dort etwas mehr biegen oder ihre Biegung deutlich umkehren.</translation>
+    </message>
+    <message>
+        <source>The line through its inflections %1</source>
+        <translation>Die Gerade durch die Wendepunkte %1</translation>
+    </message>
+    <message>
+        <source>A flat strip takes this curve.</source>
+        <translation>Ein flacher Streifen nimmt diese Kurve an.</translation>
+    </message>
+    <message>
+        <source>A flat strip takes a curve %1 mm from this one.</source>
+        <translation>Ein flacher Streifen nimmt eine Kurve an, die %1 mm von dieser entfernt ist.</translation>
+    </message>
+    <message>
+        <source>There are remarks.</source>
+        <translation>Es gibt Anmerkungen.</translation>
+    </message>
+    <message>
+        <source>A flat strip cannot take this curve</source>
+        <translation>Ein flacher Streifen kann diese Kurve nicht annehmen</translation>
     </message>
 </context>
 <context>
@@ -1546,6 +2861,50 @@
         <source>Remove my sheet</source>
         <translation>Meine Platte entfernen</translation>
     </message>
+    <message>
+        <source>All sheets that are known, yours first</source>
+        <translation>Alle bekannten Platten, Ihre zuerst</translation>
+    </message>
+    <message>
+        <source>Name under which your sheet is kept</source>
+        <translation>Name, unter dem Ihre Platte bewahrt wird</translation>
+    </message>
+    <message>
+        <source>As measured with a caliper</source>
+        <translation>Mit dem Messschieber gemessen</translation>
+    </message>
+    <message>
+        <source>Stiffness of the material along the strip; a coupon measures it</source>
+        <translation>Steifigkeit des Materials entlang des Streifens; ein Probestreifen misst sie</translation>
+    </message>
+    <message>
+        <source>Mass for volume; it counts where a strip carries its weight</source>
+        <translation>Masse je Volumen; zählt, wo ein Streifen sein Gewicht trägt</translation>
+    </message>
+    <message>
+        <source>Largest strain of the skin before the sheet breaks or stays bent</source>
+        <translation>Größte Dehnung der Außenhaut, bevor die Platte bricht oder gebogen bleibt</translation>
+    </message>
+    <message>
+        <source>Width that your machine cuts away</source>
+        <translation>Breite, die Ihre Maschine wegschneidet</translation>
+    </message>
+    <message>
+        <source>How much it narrows while it is stretched, a share</source>
+        <translation>Wie stark sie beim Dehnen schmaler wird, als Anteil</translation>
+    </message>
+    <message>
+        <source>Where the numbers come from</source>
+        <translation>Woher die Zahlen stammen</translation>
+    </message>
+    <message>
+        <source>Adds these numbers to your library under the name above</source>
+        <translation>Nimmt diese Zahlen unter obigem Namen in Ihre Bibliothek auf</translation>
+    </message>
+    <message>
+        <source>Takes this sheet out of your library</source>
+        <translation>Nimmt diese Platte aus Ihrer Bibliothek</translation>
+    </message>
 </context>
 <context>
     <name>ElasticaTolerance</name>
@@ -1564,6 +2923,14 @@
     <message>
         <source>Run</source>
         <translation>Starten</translation>
+    </message>
+    <message>
+        <source>How many varied strips are bent</source>
+        <translation>Wie viele veränderte Streifen gebogen werden</translation>
+    </message>
+    <message>
+        <source>Bends them all; Escape stops it</source>
+        <translation>Biegt sie alle; Escape bricht ab</translation>
     </message>
 </context>
 <context>

@@ -519,8 +519,8 @@
         <translation>保存试样</translation>
     </message>
     <message>
-        <source>type the readings first: overhang = droop, in mm, such as 120 = 14.5, 150 = 31</source>
-        <translation>请先输入读数：悬伸 = 下垂（mm），例如 120 = 14.5, 150 = 31</translation>
+        <source>type the readings first: overhang = droop, in mm, such as 120 = 14.5; 150 = 31</source>
+        <translation>请先输入读数：悬伸 = 下垂（mm），例如 120 = 14.5; 150 = 31</translation>
     </message>
     <message>
         <source>Longest overhang of the coupon</source>
@@ -1217,6 +1217,34 @@
         <source>Play</source>
         <translation>播放</translation>
     </message>
+    <message>
+        <source>How far the start is moved along x</source>
+        <translation>起点沿 x 移动的距离</translation>
+    </message>
+    <message>
+        <source>How far the start is moved along y</source>
+        <translation>起点沿 y 移动的距离</translation>
+    </message>
+    <message>
+        <source>How far the start is turned, degrees</source>
+        <translation>起点转动的角度（度）</translation>
+    </message>
+    <message>
+        <source>How far the end is moved along x</source>
+        <translation>终点沿 x 移动的距离</translation>
+    </message>
+    <message>
+        <source>How far the end is moved along y</source>
+        <translation>终点沿 y 移动的距离</translation>
+    </message>
+    <message>
+        <source>How far the end is turned, degrees</source>
+        <translation>终点转动的角度（度）</translation>
+    </message>
+    <message>
+        <source>Show the way from rest in small steps</source>
+        <translation>逐步显示从静止位置开始的过程</translation>
+    </message>
 </context>
 <context>
     <name>ElasticaCheck</name>
@@ -1256,8 +1284,8 @@
         <translation>悬伸 = 下垂，mm</translation>
     </message>
     <message>
-        <source>120 = 14.5, 150 = 31</source>
-        <translation>120 = 14.5, 150 = 31</translation>
+        <source>120 = 14.5; 150 = 31</source>
+        <translation>120 = 14.5; 150 = 31</translation>
     </message>
     <message>
         <source>Reading error</source>
@@ -1270,6 +1298,34 @@
     <message>
         <source>Keep the sheet</source>
         <translation>保存板材</translation>
+    </message>
+    <message>
+        <source>Sheet to be measured</source>
+        <translation>要测量的板材</translation>
+    </message>
+    <message>
+        <source>Adds the test strip to the document</source>
+        <translation>把试条加入文档</translation>
+    </message>
+    <message>
+        <source>Asks for a DXF or SVG file and writes the test strip into it</source>
+        <translation>选择 DXF 或 SVG 文件并写入试条</translation>
+    </message>
+    <message>
+        <source>Overhang = droop, in mm, one pair for each measurement</source>
+        <translation>悬伸 = 下垂（mm），每次测量一对</translation>
+    </message>
+    <message>
+        <source>How far a reading may be off</source>
+        <translation>读数可能的误差</translation>
+    </message>
+    <message>
+        <source>Name of the calibrated sheet in your library</source>
+        <translation>标定后的板材在库中的名称</translation>
+    </message>
+    <message>
+        <source>Adds the calibrated sheet to your library</source>
+        <translation>把标定后的板材加入库</translation>
     </message>
 </context>
 <context>
@@ -1346,6 +1402,62 @@
         <source>Overwrite files that exist</source>
         <translation>覆盖已有文件</translation>
     </message>
+    <message>
+        <source>One drawing for each part, for lasers and cutters</source>
+        <translation>每个零件一张图，用于激光和切割机</translation>
+    </message>
+    <message>
+        <source>The same drawings for programs that draw</source>
+        <translation>供绘图软件使用的同样图形</translation>
+    </message>
+    <message>
+        <source>Solids for other CAD programs</source>
+        <translation>供其他 CAD 软件使用的实体</translation>
+    </message>
+    <message>
+        <source>A table of all parts with sizes and numbers</source>
+        <translation>列出所有零件的尺寸和数量</translation>
+    </message>
+    <message>
+        <source>All parts together on sheets</source>
+        <translation>把所有零件排到板材上</translation>
+    </message>
+    <message>
+        <source>Width of a sheet, along its grain</source>
+        <translation>板材宽度，沿纹理方向</translation>
+    </message>
+    <message>
+        <source>Height of a sheet</source>
+        <translation>板材高度</translation>
+    </message>
+    <message>
+        <source>Splines as drawn, or arcs or lines for machines that take nothing else</source>
+        <translation>按所绘样条，或为只接受圆弧或直线的机器转换</translation>
+    </message>
+    <message>
+        <source>The oldest version that your program reads is the safest</source>
+        <translation>您的程序能读取的最旧版本最稳妥</translation>
+    </message>
+    <message>
+        <source>Width that the cut takes away; outlines are set off by half of it</source>
+        <translation>切割损耗宽度；轮廓偏移其一半</translation>
+    </message>
+    <message>
+        <source>How far arcs and lines may be from the spline</source>
+        <translation>圆弧和直线可偏离样条的距离</translation>
+    </message>
+    <message>
+        <source>Where the files go; asked for where it is empty</source>
+        <translation>文件存放处；为空时会询问</translation>
+    </message>
+    <message>
+        <source>Choose the folder</source>
+        <translation>选择文件夹</translation>
+    </message>
+    <message>
+        <source>Without this nothing that exists is changed</source>
+        <translation>不选则不改动已有文件</translation>
+    </message>
 </context>
 <context>
     <name>ElasticaFixtures</name>
@@ -1404,6 +1516,50 @@
     <message>
         <source>Border</source>
         <translation>边距</translation>
+    </message>
+    <message>
+        <source>Blocks to be printed, with a pocket for every tab</source>
+        <translation>可打印的夹块，每个插片有一个槽</translation>
+    </message>
+    <message>
+        <source>Room around a tab in its pocket</source>
+        <translation>插片在槽中的间隙</translation>
+    </message>
+    <message>
+        <source>Least thickness around the pocket</source>
+        <translation>槽周围的最小壁厚</translation>
+    </message>
+    <message>
+        <source>How far the foot sticks out on either side; 0 for none</source>
+        <translation>底脚每侧伸出的长度；0 表示无</translation>
+    </message>
+    <message>
+        <source>Diameter of the screw holes in the foot; 0 for none</source>
+        <translation>底脚螺钉孔直径；0 表示无</translation>
+    </message>
+    <message>
+        <source>One plate with a slot for every tab that goes through it</source>
+        <translation>一块底板，每个穿过的插片有一个槽</translation>
+    </message>
+    <message>
+        <source>What the plate is cut from</source>
+        <translation>底板所用板材</translation>
+    </message>
+    <message>
+        <source>Where the upper face of the plate lies, along z</source>
+        <translation>底板上表面的 z 高度</translation>
+    </message>
+    <message>
+        <source>Room beside a tab on either side</source>
+        <translation>插片两侧的间隙</translation>
+    </message>
+    <message>
+        <source>Added to the width of the slots</source>
+        <translation>槽宽的附加量</translation>
+    </message>
+    <message>
+        <source>Least distance of slots from the edge</source>
+        <translation>槽到边缘的最小距离</translation>
     </message>
 </context>
 <context>
@@ -1464,6 +1620,46 @@
         <source>Show the nearest curve that can be bent</source>
         <translation>显示可弯成的最近曲线</translation>
     </message>
+    <message>
+        <source>Sheet that new strips are made of; a name of the sheet library</source>
+        <translation>新条带所用板材；板材库中的名称</translation>
+    </message>
+    <message>
+        <source>Width of the widest place of new strips</source>
+        <translation>新条带最宽处的宽度</translation>
+    </message>
+    <message>
+        <source>Length of the tabs of new strips</source>
+        <translation>新条带插片的长度</translation>
+    </message>
+    <message>
+        <source>Width that the cut takes away; outlines are set off by half of it</source>
+        <translation>切割损耗宽度；轮廓偏移其一半</translation>
+    </message>
+    <message>
+        <source>Added to the width of slots in new models and plates</source>
+        <translation>新模型和底板槽宽的附加量</translation>
+    </message>
+    <message>
+        <source>The oldest version that your program reads is the safest</source>
+        <translation>您的程序能读取的最旧版本最稳妥</translation>
+    </message>
+    <message>
+        <source>Splines as drawn, or arcs or lines for machines that take nothing else</source>
+        <translation>按所绘样条，或为只接受圆弧或直线的机器转换</translation>
+    </message>
+    <message>
+        <source>How far arcs and lines may be from the spline</source>
+        <translation>圆弧和直线可偏离样条的距离</translation>
+    </message>
+    <message>
+        <source>In sketches that strips follow, and in those made from this workbench</source>
+        <translation>用于条带所跟随的草图和在此工作台中新建的草图</translation>
+    </message>
+    <message>
+        <source>While the mouse rests, where a curve is refused</source>
+        <translation>鼠标停住且曲线被拒绝时</translation>
+    </message>
 </context>
 <context>
     <name>ElasticaProjective</name>
@@ -1494,6 +1690,1125 @@
     <message>
         <source>Put the handles back</source>
         <translation>复位手柄</translation>
+    </message>
+    <message>
+        <source>First corner of the box, x</source>
+        <translation>框的第一个角，x</translation>
+    </message>
+    <message>
+        <source>First corner of the box, y</source>
+        <translation>框的第一个角，y</translation>
+    </message>
+    <message>
+        <source>Second corner of the box, x</source>
+        <translation>框的第二个角，x</translation>
+    </message>
+    <message>
+        <source>Second corner of the box, y</source>
+        <translation>框的第二个角，y</translation>
+    </message>
+    <message>
+        <source>Third corner of the box, x</source>
+        <translation>框的第三个角，x</translation>
+    </message>
+    <message>
+        <source>Third corner of the box, y</source>
+        <translation>框的第三个角，y</translation>
+    </message>
+    <message>
+        <source>Fourth corner of the box, x</source>
+        <translation>框的第四个角，x</translation>
+    </message>
+    <message>
+        <source>Fourth corner of the box, y</source>
+        <translation>框的第四个角，y</translation>
+    </message>
+    <message>
+        <source>Back to the box around the drawn curve</source>
+        <translation>恢复为所绘曲线的外框</translation>
+    </message>
+</context>
+<context>
+    <name>ElasticaSentences</name>
+    <message>
+        <source>Every line through the inflection at %1 mm meets the curve again or touches it there (the curve is in the way %2): wind the curve less, or support the strip between.</source>
+        <translation>过 %1 mm 处拐点的每条直线都会再次与曲线相交或在该处相切（曲线%2处阻挡）：减小曲线的缠绕，或在其间支撑条带。</translation>
+    </message>
+    <message>
+        <source>%1%2 %3, where the moment would vanish or change sign and the curvature does not: move the curve off the line there, or support the strip between there and the inflections beside it.</source>
+        <translation>%1%2 %3，在那里弯矩必须为零或变号，而曲率不变：把曲线在该处移离直线，或在该处与旁边的拐点之间支撑条带。</translation>
+    </message>
+    <message>
+        <source>Its inflections do not lie on one %1line: those %2 are %3 mm off the nearest one%4. Move them onto one line, or support the strip between them.</source>
+        <translation>拐点不在同一条%1直线上：%2处的拐点距最近直线 %3 mm%4。把它们移到一条直线上，或在其间支撑条带。</translation>
+    </message>
+    <message>
+        <source>the line through its inflections</source>
+        <translation>过各拐点的直线</translation>
+    </message>
+    <message>
+        <source>the %1line that the supports ask for</source>
+        <translation>支承所要求的%1直线</translation>
+    </message>
+    <message>
+        <source>(at most %1 mm is put right without asking)</source>
+        <translation>（不超过 %1 mm 的会自动修正）</translation>
+    </message>
+    <message>
+        <source>undecided at this precision: the curve turns by %1 degrees at %2, %3 along it, and the digits of the file alone can turn its handle of %4 mm by %5: save it with more decimals, or make the node smooth with longer handles</source>
+        <translation>在此精度下无法判定：曲线在 %2（沿线 %3）转过 %1 度，而文件的位数就足以使其 %4 mm 的手柄转动 %5：以更多小数位保存，或把节点设为平滑并加长手柄</translation>
+    </message>
+    <message>
+        <source>The piece from %1 to %2 mm %3 and joined to a bent one, so the stiffness would have to go to 0 at the joint</source>
+        <translation>%1 到 %2 mm 的一段%3，并与弯曲段相接，接点处刚度必须为零</translation>
+    </message>
+    <message>
+        <source>The curve crosses itself (at %1 mm): two parts of the strip must pass side by side there.</source>
+        <translation>曲线自相交（在 %1 mm 处）：条带的两部分必须在那里并排通过。</translation>
+    </message>
+    <message>
+        <source>the curve is closed: a strip has two ends; leave a gap between them, or cut the curve in pieces</source>
+        <translation>曲线是闭合的：条带有两端；在两端之间留出间隙，或把曲线分段</translation>
+    </message>
+    <message>
+        <source>less the natural %1</source>
+        <translation>减去自然曲率 %1</translation>
+    </message>
+    <message>
+        <source>The %1 (at %2 mm) is free to turn, so the curve must have no curvature there; it has %3 1/mm%4: clamp this end, or let the curvature run out to zero.</source>
+        <translation>%1（%2 mm 处）可自由转动，因此曲线在那里不能有曲率；现为 %3 1/mm%4：夹紧此端，或让曲率渐变为零。</translation>
+    </message>
+    <message>
+        <source>The width of the strip steps %1, where the curvature jumps: smooth = 0.1, or --smooth 0.1, makes it a fair curve of degree 4 within 0.1 mm.</source>
+        <translation>条带宽度%1处有突变，因为曲率突变：属性 Smooth = 0.1 可在 0.1 mm 内生成四次光顺曲线。</translation>
+    </message>
+    <message>
+        <source>smooth = 0.1, or --smooth 0.1, makes it a fair curve of degree 4 within 0.1 mm</source>
+        <translation>属性 Smooth = 0.1 可在 0.1 mm 内生成四次光顺曲线</translation>
+    </message>
+    <message>
+        <source>do not repeat the knot there</source>
+        <translation>不要在那里重复节点</translation>
+    </message>
+    <message>
+        <source>The width of the strip has a kink %1, where the slope of the curvature jumps: %2.</source>
+        <translation>条带宽度%1处有折角，因为曲率斜率突变：%2。</translation>
+    </message>
+    <message>
+        <source>crosses the curve %1</source>
+        <translation>%1与曲线相交</translation>
+    </message>
+    <message>
+        <source>touches the curve %1</source>
+        <translation>%1与曲线相切</translation>
+    </message>
+    <message>
+        <source>is tangent to the curve in the inflection %1</source>
+        <translation>与曲线相切于拐点（%1）</translation>
+    </message>
+    <message>
+        <source>no small move of the control points brings the inflections onto one line</source>
+        <translation>控制点的微小移动无法把拐点移到一条直线上</translation>
+    </message>
+    <message>
+        <source>A flat strip cannot take this curve of %1 mm.</source>
+        <translation>平条带无法弯成这条长 %1 mm 的曲线。</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>以及另外 %1 个</translation>
+    </message>
+    <message>
+        <source>A strip of any width takes this curve of %1 mm: it is not bent.</source>
+        <translation>任何宽度的条带都可成为这条长 %1 mm 的曲线：它没有弯曲。</translation>
+    </message>
+    <message>
+        <source>A flat strip can take this curve of %1 mm; it has %2, %3.</source>
+        <translation>平条带可以弯成这条长 %1 mm 的曲线；它有%2，%3。</translation>
+    </message>
+    <message>
+        <source>A flat strip can take this curve of %1 mm; it has no inflections.</source>
+        <translation>平条带可以弯成这条长 %1 mm 的曲线；它没有拐点。</translation>
+    </message>
+    <message>
+        <source>Under its weight an unbent strip sags, unless it is upright: draw the shape it may hang in.</source>
+        <translation>未弯曲的条带会因自重下垂，除非竖直放置：画出它可以悬垂成的形状。</translation>
+    </message>
+    <message>
+        <source>a weight in newtons needs gravity too: pass gravity=Gravity(...) for its direction</source>
+        <translation>以牛顿给出的重量还需要重力：请启用 Gravity</translation>
+    </message>
+    <message>
+        <source>The curve was moved by at most %1 mm to bring its inflections onto one line.</source>
+        <translation>曲线最多移动了 %1 mm，使其拐点位于一条直线上。</translation>
+    </message>
+    <message>
+        <source>The weight is far too much for the stiffness (a gravity length of %1 mm on a curve of %2 mm): use a lighter or stiffer sheet, or look at the units (200 gsm card: 96 mm).</source>
+        <translation>重量相对刚度过大（重力长度 %1 mm，曲线 %2 mm）：使用更轻或更硬的板材，或检查单位（200 g/m² 卡纸：96 mm）。</translation>
+    </message>
+    <message>
+        <source>point mass of %1 g at %2 mm does not lie on the curve of %3 mm</source>
+        <translation>位于 %2 mm 的 %1 g 点质量不在长 %3 mm 的曲线上</translation>
+    </message>
+    <message>
+        <source>in balance but it will not stay: it snaps into another shape</source>
+        <translation>处于平衡但不会保持：会突跳成另一形状</translation>
+    </message>
+    <message>
+        <source>it stays, but a push, a loose clamp or a cut that is off may make it snap</source>
+        <translation>会保持，但推碰、夹具松动或切割偏差可能使其突跳</translation>
+    </message>
+    <message>
+        <source>it stays, and comes back when pushed</source>
+        <translation>会保持，推动后能恢复</translation>
+    </message>
+    <message>
+        <source>the rod snaps %1 of the way from its present shape; here it comes to rest</source>
+        <translation>杆从当前形状走到 %1 时突跳；在此静止</translation>
+    </message>
+    <message>
+        <source>no rest shape found: %1 of the way from the present shape was possible; move the ends in smaller steps, or give a guess nearer to the answer</source>
+        <translation>未找到静止形状：从当前形状只能走到 %1；请以更小的步长移动端点</translation>
+    </message>
+    <message>
+        <source>the ends are %1 mm apart, but the rod is only %2 mm long: bring them closer or use a longer rod</source>
+        <translation>两端相距 %1 mm，而杆长仅 %2 mm：把两端靠近，或使用更长的杆</translation>
+    </message>
+    <message>
+        <source>the ends are as far apart as the rod is long (%1 mm), so it must be straight, which its end angles or its weight do not allow: bring the ends closer together</source>
+        <translation>两端距离等于杆长（%1 mm），杆必须是直的，但端部角度或重量不允许：把两端靠近</translation>
+    </message>
+    <message>
+        <source>a force along %1 does nothing: both ends hold %2; free one end along %3</source>
+        <translation>沿 %1 的力不起作用：两端都约束 %2；沿 %3 放开一端</translation>
+    </message>
+    <message>
+        <source>both ends turn freely: give the moments of both, (start, end)</source>
+        <translation>两端均可自由转动：请给出两端弯矩（起点，终点）</translation>
+    </message>
+    <message>
+        <source>a moment at the %1 does nothing: its support holds the angle; free the angle there</source>
+        <translation>%1处的弯矩不起作用：支承约束了角度；请在那里放开角度</translation>
+    </message>
+    <message>
+        <source>the slot for %1%2 is %3 mm wide for a tab of %4 mm, which it cannot hold</source>
+        <translation>%1%2 的槽宽 %3 mm，插片 %4 mm，无法固定</translation>
+    </message>
+    <message>
+        <source>end the strips steeper to the plate, take a thinner plate, or hold them by end fixtures</source>
+        <translation>让条带更陡地接触底板，使用更薄的底板，或用端部夹具固定</translation>
+    </message>
+    <message>
+        <source>make it wider (max_width), or ask for the nearest curve with a smaller ratio</source>
+        <translation>加宽（MaxWidth），或改用刚度比更小的最近曲线</translation>
+    </message>
+    <message>
+        <source>ligaments down to %1 mm are allowed, %2 mm are needed</source>
+        <translation>允许的筋宽低至 %1 mm，而需要 %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm long and %2 mm wide: too slender to handle</source>
+        <translation>长 %1 mm、宽 %2 mm：过于细长，难以操作</translation>
+    </message>
+    <message>
+        <source>(and %1 more)</source>
+        <translation>（以及另外 %1 个）</translation>
+    </message>
+    <message>
+        <source>only %1 mm wide %2%3, %4 mm are needed in %5</source>
+        <translation>%2%3仅宽 %1 mm，%5 需要 %4 mm</translation>
+    </message>
+    <message>
+        <source>(and %1 more places)</source>
+        <translation>（以及另外 %1 处）</translation>
+    </message>
+    <message>
+        <source>at %1 mm along it</source>
+        <translation>沿线 %1 mm 处</translation>
+    </message>
+    <message>
+        <source>at (%1, %2) mm</source>
+        <translation>在 (%1, %2) mm 处</translation>
+    </message>
+    <message>
+        <source>ask for wider ligaments, or fewer columns</source>
+        <translation>要求更宽的筋，或减少列数</translation>
+    </message>
+    <message>
+        <source>make it wider, or split it</source>
+        <translation>加宽，或分段</translation>
+    </message>
+    <message>
+        <source>leave more room between the slots: a larger ring or plate, fewer or narrower strips, a wider border</source>
+        <translation>在槽之间留更多空间：更大的环或板、更少或更窄的条带、更宽的边</translation>
+    </message>
+    <message>
+        <source>%1 x %2 mm is larger than the stock of %3 mm in %4</source>
+        <translation>%1 x %2 mm 大于 %4 的板料 %3 mm</translation>
+    </message>
+    <message>
+        <source>name a larger stock, split it, or scale the curve</source>
+        <translation>使用更大的板料，分段，或缩小曲线</translation>
+    </message>
+    <message>
+        <source>the stock is %1: give the two sides of the sheet in mm</source>
+        <translation>板料为 %1：请以 mm 给出板的两边</translation>
+    </message>
+    <message>
+        <source>%1 is %2: give a positive width in mm</source>
+        <translation>%1 为 %2：请给出以 mm 为单位的正宽度</translation>
+    </message>
+    <message>
+        <source>the laminate cannot be as soft as it should at %1 mm (base %2 mm, K %3) and as stiff at %4 mm (base %5 mm, K %6):</source>
+        <translation>层压条无法在 %1 mm 处足够柔软（基层 %2 mm，K %3），同时在 %4 mm 处足够刚硬（基层 %5 mm，K %6）：</translation>
+    </message>
+    <message>
+        <source>narrow the base at %1 mm</source>
+        <translation>在 %1 mm 处收窄基层</translation>
+    </message>
+    <message>
+        <source>widen it at %1 mm</source>
+        <translation>在 %1 mm 处加宽</translation>
+    </message>
+    <message>
+        <source>the width of the base</source>
+        <translation>基层宽度</translation>
+    </message>
+    <message>
+        <source>make the backing %1 times as thick as the base or more (now %2 times)</source>
+        <translation>使背层厚度至少为基层的 %1 倍（现为 %2 倍）</translation>
+    </message>
+    <message>
+        <source>dots are %1 mm across: give a diameter, 0 for none</source>
+        <translation>定位孔为 %1 mm：请给出直径，0 表示无</translation>
+    </message>
+    <message>
+        <source>the base is %1 mm wide at %2 mm, narrower than the least backing of %3 mm: widen it there</source>
+        <translation>基层在 %2 mm 处宽 %1 mm，窄于最小背层 %3 mm：请在那里加宽</translation>
+    </message>
+    <message>
+        <source>a backing of at least %1 mm at %2 mm is wider than max_width %3 mm at %4 mm: raise max_width</source>
+        <translation>在 %2 mm 处至少 %1 mm 的背层宽于 %4 mm 处的 MaxWidth %3 mm：请增大 MaxWidth</translation>
+    </message>
+    <message>
+        <source>choose other widths (%1)</source>
+        <translation>选择其他宽度（%1）</translation>
+    </message>
+    <message>
+        <source>%1, when holes still fit at %2 mm: %3</source>
+        <translation>若在 %2 mm 处仍能开孔，%1：%3</translation>
+    </message>
+    <message>
+        <source>ligaments would be %1 mm wide at %2 mm, below %3 mm</source>
+        <translation>在 %2 mm 处筋宽将为 %1 mm，低于 %3 mm</translation>
+    </message>
+    <message>
+        <source>the width of the outline</source>
+        <translation>轮廓宽度</translation>
+    </message>
+    <message>
+        <source>make the outline %1 mm or more wide there (now %2 mm)</source>
+        <translation>把那里的轮廓加宽到 %1 mm 以上（现为 %2 mm）</translation>
+    </message>
+    <message>
+        <source>holes would take %1 % of the width at %2 mm, more than %3 %</source>
+        <translation>在 %2 mm 处孔将占宽度的 %1 %，超过 %3 %</translation>
+    </message>
+    <message>
+        <source>hole_ratio is %1: it must lie between 0 and 1</source>
+        <translation>HoleRatio 为 %1：必须在 0 与 1 之间</translation>
+    </message>
+    <message>
+        <source>sides are "spline" or "arc", not %1</source>
+        <translation>孔边为 "spline" 或 "arc"，而不是 %1</translation>
+    </message>
+    <message>
+        <source>the outline is %1 mm wide at %2 mm: %3 ligaments of %4 mm and %5 columns of holes need more than %6 mm; widen it or use fewer columns</source>
+        <translation>轮廓在 %2 mm 处宽 %1 mm：%3 条 %4 mm 的筋和 %5 列孔需要超过 %6 mm；加宽，或减少列数</translation>
+    </message>
+    <message>
+        <source>use a thinner or softer sheet</source>
+        <translation>使用更薄或更软的板材</translation>
+    </message>
+    <message>
+        <source>%1: the ligaments need %2 mm in all where they are widest, not %3 mm; %4</source>
+        <translation>%1：最宽处各筋合计需要 %2 mm，而不是 %3 mm；%4</translation>
+    </message>
+    <message>
+        <source>the ligaments are %1 mm in all at the narrowest place, below min_width %2 mm: widen the outline or lower the stiffness ratio</source>
+        <translation>最窄处各筋合计 %1 mm，低于 MinWidth %2 mm：加宽轮廓或降低刚度比</translation>
+    </message>
+    <message>
+        <source>allow a hole_ratio of %1</source>
+        <translation>允许 HoleRatio 为 %1</translation>
+    </message>
+    <message>
+        <source>lower the stiffness ratio from %1 to %2</source>
+        <translation>把刚度比从 %1 降到 %2</translation>
+    </message>
+    <message>
+        <source>%1 is %2: a perforated strip has a whole number of them, from 1</source>
+        <translation>%1 为 %2：穿孔条带应为不小于 1 的整数</translation>
+    </message>
+    <message>
+        <source>the slots leave %1 % of the stiffness at %2 mm and move the shape by %3 mm</source>
+        <translation>槽使 %2 mm 处刚度剩 %1 %，并使形状移动 %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm long, %2 to %3 mm wide</source>
+        <translation>长 %1 mm，宽 %2 至 %3 mm</translation>
+    </message>
+    <message>
+        <source>a strip needs max_width or min_width (mm): the rod only fixes how widths compare</source>
+        <translation>条带需要 MaxWidth 或 MinWidth（mm）：杆只确定宽度之比</translation>
+    </message>
+    <message>
+        <source>the narrowest place is %1 mm, below min_width %2 mm: the ratio is %3, so max_width must be %4 mm or more</source>
+        <translation>最窄处 %1 mm，低于 MinWidth %2 mm：刚度比为 %3，因此 MaxWidth 须不小于 %4 mm</translation>
+    </message>
+    <message>
+        <source>%1 is given over %2 mm, the strip is %3 mm long</source>
+        <translation>%1 给出的长度为 %2 mm，条带长 %3 mm</translation>
+    </message>
+    <message>
+        <source>a T-slot needs positive sizes in mm: depth, screw, nut = (width, height), wall</source>
+        <translation>T 形槽需要以 mm 为单位的正尺寸：深度、螺钉、螺母 =（宽，高）、壁厚</translation>
+    </message>
+    <message>
+        <source>a nut of %1 mm is held by nothing in a slot of %2 mm: make it wider</source>
+        <translation>%1 mm 的螺母在 %2 mm 的槽中无法固定：请加宽</translation>
+    </message>
+    <message>
+        <source>a T-slot of %1 mm ends before its nut is in, at %2 mm: make it deeper</source>
+        <translation>%1 mm 的 T 形槽在螺母位置 %2 mm 之前结束：请加深</translation>
+    </message>
+    <message>
+        <source>a T-slot of %1 mm does not fit a tab of %2 mm: lengthen the tab</source>
+        <translation>%1 mm 的 T 形槽放不进 %2 mm 的插片：请加长插片</translation>
+    </message>
+    <message>
+        <source>tab corners of %1 mm do not fit a tab of %2 by %3 mm: make them smaller</source>
+        <translation>%1 mm 的插片圆角不适合 %2 x %3 mm 的插片：请减小</translation>
+    </message>
+    <message>
+        <source>a taper of %1 mm leaves nothing of a tab %2 mm wide: make it smaller</source>
+        <translation>%1 mm 的锥度会使 %2 mm 宽的插片消失：请减小</translation>
+    </message>
+    <message>
+        <source>the nut of a T-slot, %1 mm, is wider than the tab's outer edge of %2 mm: make the tab wider</source>
+        <translation>T 形槽的螺母 %1 mm 宽于插片外缘 %2 mm：请加宽插片</translation>
+    </message>
+    <message>
+        <source>a %1 mm hole %2 mm into the tab does not fit its length of %3 mm: move it or lengthen the tab</source>
+        <translation>插片内 %2 mm 处的 %1 mm 孔放不进长 %3 mm 的插片：移动孔或加长插片</translation>
+    </message>
+    <message>
+        <source>a %1 mm hole %2 mm off the centre line breaks the edge of a %3 mm wide tab: make it smaller or the tab wider</source>
+        <translation>偏离中线 %2 mm 的 %1 mm 孔会破坏 %3 mm 宽插片的边缘：减小孔或加宽插片</translation>
+    </message>
+    <message>
+        <source>a %1 mm hole %2 mm into the tab meets its T-slot: move it aside</source>
+        <translation>插片内 %2 mm 处的 %1 mm 孔与 T 形槽相交：请移开</translation>
+    </message>
+    <message>
+        <source>gravity %1 is a direction in space: give frame, the plane of the curve, or two numbers, the direction in the drawing</source>
+        <translation>重力 %1 是空间方向：请给出曲线的平面</translation>
+    </message>
+    <message>
+        <source>%1 To make it all the same, set anyway (--anyway).</source>
+        <translation>%1 若仍要制作，请设置 Anyway。</translation>
+    </message>
+    <message>
+        <source>a laminate that carries its weight must stand upright and weigh what its sheets do: turn its plane, give gravity=True or the base sheet's gravity, or leave gravity out</source>
+        <translation>承受自重的层压条必须竖立，且重量等于其板材：转动其平面，或去掉重力</translation>
+    </message>
+    <message>
+        <source>max_width is %1 mm, but %2 needs %3 mm at its narrowest: widen the strip, take another sheet, or allow less with shop=Shop(least_width=...)</source>
+        <translation>MaxWidth 为 %1 mm，但 %2 最窄处需要 %3 mm：加宽条带，换板材，或减小 LeastWidth</translation>
+    </message>
+    <message>
+        <source>slot at %1 mm</source>
+        <translation>%1 mm 处的槽</translation>
+    </message>
+    <message>
+        <source>a bent slot needs four points or more along its centre line</source>
+        <translation>弯曲的槽沿中线需要四个以上的点</translation>
+    </message>
+    <message>
+        <source>%1: the slots at %2 mm and %3 mm meet: move them apart, or make them narrower or shallower</source>
+        <translation>%1：%2 mm 与 %3 mm 处的槽相连：移开，或改窄、改浅</translation>
+    </message>
+    <message>
+        <source>does not open at the edge</source>
+        <translation>没有开到边缘</translation>
+    </message>
+    <message>
+        <source>cuts through to another edge</source>
+        <translation>切穿到另一边缘</translation>
+    </message>
+    <message>
+        <source>%1: the slot at %2 mm %3: make it %4 or move it</source>
+        <translation>%1：%2 mm 处的槽%3：使其%4，或移动它</translation>
+    </message>
+    <message>
+        <source>%1: the slot at %2 mm meets a hole at %3: move one of them</source>
+        <translation>%1：%2 mm 处的槽与 %3 处的孔相交：移动其中之一</translation>
+    </message>
+    <message>
+        <source>assembly: %1; push each strip onto those before it</source>
+        <translation>装配：%1；把每条条带推到前面的条带上</translation>
+    </message>
+    <message>
+        <source>%1 and %2 touch along a line at %3 mm of %4 instead of crossing: move them apart or turn one of them</source>
+        <translation>%1 与 %2 在 %4 的 %3 mm 处沿线接触而非交叉：移开或转动其一</translation>
+    </message>
+    <message>
+        <source>no two strips cross: interlocking cut no slot</source>
+        <translation>没有条带相交：未切槽</translation>
+    </message>
+    <message>
+        <source>; %1 must be threaded in, being held from both edges</source>
+        <translation>；%1 两边都被夹住，须穿入</translation>
+    </message>
+    <message>
+        <source>%1 and %2 cross at %3 degrees at %4 mm of %5: the slots are up to %6 mm wide; a larger angle would hold better</source>
+        <translation>%1 与 %2 在 %5 的 %4 mm 处以 %3 度相交：槽宽达 %6 mm；更大的角度固定更好</translation>
+    </message>
+    <message>
+        <source>%1: the slots open its outline</source>
+        <translation>%1：槽使其轮廓断开</translation>
+    </message>
+    <message>
+        <source>%1 and %2 cross at %3 mm of %4, but one of them ends before the crossing comes to its edge, so that no slot can open there: shorten, move or turn one of them</source>
+        <translation>%1 与 %2 在 %4 的 %3 mm 处相交，但其一在交点到达边缘前就结束，无法开槽：缩短、移动或转动其一</translation>
+    </message>
+    <message>
+        <source>a clearance of %1 mm is larger than %2 is wide at %3 mm: make it smaller</source>
+        <translation>%1 mm 的间隙大于 %2 在 %3 mm 处的宽度：请减小</translation>
+    </message>
+    <message>
+        <source>the model %1 has no strips</source>
+        <translation>模型 %1 没有条带</translation>
+    </message>
+    <message>
+        <source>the model %1 has %2, made for its strips where they are: repeat the strips without rings</source>
+        <translation>模型 %1 有 %2，是为其条带的现有位置制作的：请不带环地重复条带</translation>
+    </message>
+    <message>
+        <source>%1: no tab of the model goes through the plate: move the plate to where the strips end, or give the strips longer tabs</source>
+        <translation>%1：模型没有插片穿过底板：把底板移到条带末端，或加长插片</translation>
+    </message>
+    <message>
+        <source>%1: the tab of %2 leans to %3 degrees from the plate: at %4 degrees or less a slot cannot hold it; use a fixture there</source>
+        <translation>%1：%2 的插片与底板成 %3 度：%4 度以下槽无法固定；请在那里使用夹具</translation>
+    </message>
+    <message>
+        <source>%1: the slots of %2 and %3 come closer than %4 mm near (%5, %6): give the strips narrower tabs or move them apart</source>
+        <translation>%1：%2 与 %3 的槽在 (%5, %6) 附近距离小于 %4 mm：改窄插片，或移开</translation>
+    </message>
+    <message>
+        <source>%1: a screw of %2 mm does not fit a foot of %3 by %4 mm: make the foot longer or the screw thinner</source>
+        <translation>%1：%2 mm 的螺钉放不进 %3 x %4 mm 的底脚：加长底脚或用更细的螺钉</translation>
+    </message>
+    <message>
+        <source>%1: the plane of the strip leans %2 degrees to the floor: leave the floor out, and the block stands square to its tab</source>
+        <translation>%1：条带平面与地面倾斜 %2 度：不用地面，夹块就会与插片垂直</translation>
+    </message>
+    <message>
+        <source>%1: the block reaches %2 mm below the floor: lower the floor or shorten the tab</source>
+        <translation>%1：夹块低于地面 %2 mm：降低地面或缩短插片</translation>
+    </message>
+    <message>
+        <source>a strip has the ends "start" and "end", not %1</source>
+        <translation>条带的两端为 "start" 和 "end"，而不是 %1</translation>
+    </message>
+    <message>
+        <source>every piece fits the sheet</source>
+        <translation>每个零件都放得进板材</translation>
+    </message>
+    <message>
+        <source>%1: %2 by %3 mm is larger than a sheet of %4 by %5 mm with a margin of %6 mm%7: use a larger sheet or make the part in pieces</source>
+        <translation>%1：%2 x %3 mm 大于 %4 x %5 mm 的板材（边距 %6 mm）%7：使用更大的板材，或把零件分段</translation>
+    </message>
+    <message>
+        <source>with the grain %1 it</source>
+        <translation>沿纹理 %1</translation>
+    </message>
+    <message>
+        <source>the edge has no length: draw a curve for the strip to follow</source>
+        <translation>该边没有长度：请画一条供条带跟随的曲线</translation>
+    </message>
+    <message>
+        <source>the edges make %1 separate chains: a strip follows one chain of edges that meet end to end</source>
+        <translation>这些边组成 %1 条分离的链：条带只跟随一条首尾相接的链</translation>
+    </message>
+    <message>
+        <source>the wire is closed: a strip has two ends, so leave an edge out or split the wire</source>
+        <translation>线框是闭合的：条带有两端；去掉一条边或分割线框</translation>
+    </message>
+    <message>
+        <source>the curve lies up to %1 mm off the plane that is given for it: give the one in which it is drawn, or none</source>
+        <translation>曲线偏离给定平面达 %1 mm：请给出绘制它的平面，或不给</translation>
+    </message>
+    <message>
+        <source>edges meet at a corner of %1 degrees at (%2, %3, %4) mm: make them tangent or round the corner</source>
+        <translation>边在 (%2, %3, %4) mm 处以 %1 度角相交：使其相切或把角倒圆</translation>
+    </message>
+    <message>
+        <source>a spline of degree %1 has %2 control points; it needs %3: draw it anew</source>
+        <translation>%1 次样条有 %2 个控制点；需要 %3 个：请重画</translation>
+    </message>
+    <message>
+        <source>a spline of degree %1 with %2 control points has %3 knots; it needs %4, never decreasing</source>
+        <translation>有 %2 个控制点的 %1 次样条有 %3 个节点；需要 %4 个，且不递减</translation>
+    </message>
+    <message>
+        <source>all knots of a spline are %1; its parameter must run over an interval</source>
+        <translation>样条的所有节点均为 %1；其参数须跨越一个区间</translation>
+    </message>
+    <message>
+        <source>%1 is a folder: give the name of a file in it</source>
+        <translation>%1 是文件夹：请给出其中的文件名</translation>
+    </message>
+    <message>
+        <source>%1 can't be written: there is no folder %2; create it first</source>
+        <translation>无法写入 %1：没有文件夹 %2；请先创建</translation>
+    </message>
+    <message>
+        <source>%1 exists already: choose another name, or allow it to be overwritten (--force, or force=True)</source>
+        <translation>%1 已存在：请换名，或允许覆盖</translation>
+    </message>
+    <message>
+        <source>%1 can't be written: no permission to change that file; choose another name</source>
+        <translation>无法写入 %1：没有修改该文件的权限；请换名</translation>
+    </message>
+    <message>
+        <source>%1 can't be written: %2; choose another place</source>
+        <translation>无法写入 %1：%2；请换位置</translation>
+    </message>
+    <message>
+        <source>All limits are met, and no nearer rod was found.</source>
+        <translation>满足所有限制，未找到更近的杆。</translation>
+    </message>
+    <message>
+        <source>All limits are met, but the search was stopped before it settled: a nearer rod may exist.</source>
+        <translation>满足所有限制，但搜索提前停止：可能存在更近的杆。</translation>
+    </message>
+    <message>
+        <source>All limits are met, but only by a rod that no longer looks like the drawn curve: relax what binds.</source>
+        <translation>满足所有限制，但结果已不像所绘曲线：请放宽起约束作用的限制。</translation>
+    </message>
+    <message>
+        <source>The limits cannot be met together near this curve: this is the best rod found, relax what binds.</source>
+        <translation>在该曲线附近无法同时满足这些限制：这是找到的最好结果，请放宽起约束作用的限制。</translation>
+    </message>
+    <message>
+        <source>No rod was computed for this curve: see the message.</source>
+        <translation>未能为该曲线算出杆：请看消息。</translation>
+    </message>
+    <message>
+        <source>The rod leaves the drawn curve by %1 mm at most.</source>
+        <translation>杆偏离所绘曲线最多 %1 mm。</translation>
+    </message>
+    <message>
+        <source>there is no rod for this curve: %1</source>
+        <translation>该曲线没有对应的杆：%1</translation>
+    </message>
+    <message>
+        <source>%1 costs %2 %3</source>
+        <translation>%1 的代价为 %2 %3</translation>
+    </message>
+    <message>
+        <source>all limits are met, %1 mm from the drawn curve at most.</source>
+        <translation>满足所有限制，距所绘曲线最多 %1 mm。</translation>
+    </message>
+    <message>
+        <source>the ratio of the widths</source>
+        <translation>宽度之比</translation>
+    </message>
+    <message>
+        <source>the sheet's strain limit</source>
+        <translation>板材的应变极限</translation>
+    </message>
+    <message>
+        <source>The stability margin of %1 is missed: this rod has %2.</source>
+        <translation>未达到稳定裕度 %1：该杆为 %2。</translation>
+    </message>
+    <message>
+        <source>No single one of the limits that bind is to blame: relax several.</source>
+        <translation>并非单个限制所致：请放宽多个限制。</translation>
+    </message>
+    <message>
+        <source>%1 instead of %2</source>
+        <translation>%1 而不是 %2</translation>
+    </message>
+    <message>
+        <source>%1 instead of %2 mm</source>
+        <translation>%1 而不是 %2 mm</translation>
+    </message>
+    <message>
+        <source>the range of lengths</source>
+        <translation>长度范围</translation>
+    </message>
+    <message>
+        <source>the %1 end's angle</source>
+        <translation>%1端的角度</translation>
+    </message>
+    <message>
+        <source>Free %1: that saves %2 %3.</source>
+        <translation>放开 %1：可节省 %2 %3。</translation>
+    </message>
+    <message>
+        <source>; %1 would cost %2 mm</source>
+        <translation>；%1 将付出 %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 of %2 costs %3 %4 per unit (its multiplier: true of small changes).</source>
+        <translation>%2 的 %1 每单位代价为 %3 %4（乘子：仅适用于小变化）。</translation>
+    </message>
+    <message>
+        <source>%1 at %2: %3</source>
+        <translation>%1 在 %2：%3</translation>
+    </message>
+    <message>
+        <source>split it at its corners</source>
+        <translation>在拐角处分割</translation>
+    </message>
+    <message>
+        <source>(%1, %2, %3) mm</source>
+        <translation>(%1, %2, %3) mm</translation>
+    </message>
+    <message>
+        <source>no smooth curve stays within the tolerance of %1 mm: the section turns by %2 degrees at %3; %4, or smooth it</source>
+        <translation>没有光滑曲线能保持在 %1 mm 公差内：截面在 %3 转过 %2 度；%4，或使其光顺</translation>
+    </message>
+    <message>
+        <source>%1: the curve lies %2 mm off the section at %3, more than the tolerance of %4 mm: %5</source>
+        <translation>%1：曲线在 %3 处偏离截面 %2 mm，超过公差 %4 mm：%5</translation>
+    </message>
+    <message>
+        <source>%1, from (%2, %3, %4) mm</source>
+        <translation>%1，从 (%2, %3, %4) mm 起</translation>
+    </message>
+    <message>
+        <source>and at %1 more places</source>
+        <translation>以及另外 %1 处</translation>
+    </message>
+    <message>
+        <source>%1 mm along the curve%2 it turns by less than %3 degrees between inflections; no smoothing that moves it by less than %4 mm takes that away</source>
+        <translation>沿曲线 %1 mm%2，拐点之间的转角小于 %3 度；移动小于 %4 mm 的光顺无法消除</translation>
+    </message>
+    <message>
+        <source>the section is closed (it passes (%1, %2, %3) mm): a strip has two ends, so split it at a spine or at two points</source>
+        <translation>截面是闭合的（经过 (%1, %2, %3) mm）：条带有两端；请把它分成两半（“闭合线”）</translation>
+    </message>
+    <message>
+        <source>the points to smooth are all the same</source>
+        <translation>要光顺的点全部相同</translation>
+    </message>
+    <message>
+        <source>from %1 to %2</source>
+        <translation>从 %1 到 %2</translation>
+    </message>
+    <message>
+        <source>%1: %2: it is kept</source>
+        <translation>%1：%2：保留</translation>
+    </message>
+    <message>
+        <source>%1 at %2: the plane %3</source>
+        <translation>%1 在 %2：平面%3</translation>
+    </message>
+    <message>
+        <source>%1 is split twice at one place, or at its very end: move the points</source>
+        <translation>%1 在同一处或末端被分割两次：请移动分割点</translation>
+    </message>
+    <message>
+        <source>%1: choose from its lines</source>
+        <translation>%1：请从其线中选择</translation>
+    </message>
+    <message>
+        <source>%1 falls into %2 lines, starting at %3</source>
+        <translation>%1 分成 %2 条线，起点在 %3</translation>
+    </message>
+    <message>
+        <source>smooth is %1: a curve is made fair within 0 (not at all) to %2 mm</source>
+        <translation>Smooth 为 %1：曲线的光顺范围为 0（不光顺）至 %2 mm</translation>
+    </message>
+    <message>
+        <source>The digits of the file turn its tangents where pieces meet: put right, %1 mm at most.</source>
+        <translation>文件的位数使各段相接处的切线转动：已修正，最多 %1 mm。</translation>
+    </message>
+    <message>
+        <source>as drawn no strip takes it</source>
+        <translation>按所绘，没有条带能成为它</translation>
+    </message>
+    <message>
+        <source>the stiffness ratio as drawn was %1</source>
+        <translation>按所绘的刚度比为 %1</translation>
+    </message>
+    <message>
+        <source>The curvature jumped where pieces meet: made fair, %1 mm from the drawn curve at most; %2 (smooth = 0 takes it as drawn, a larger number makes it fairer).</source>
+        <translation>各段相接处曲率突变：已光顺，距所绘曲线最多 %1 mm；%2（Smooth = 0 按所绘，数值越大越光顺）。</translation>
+    </message>
+    <message>
+        <source>nothing was changed; take fewer planes, or try again</source>
+        <translation>未作任何更改；减少平面数，或重试</translation>
+    </message>
+    <message>
+        <source>select a body, a surface or a mesh to cut</source>
+        <translation>请选择要切割的实体、曲面或网格</translation>
+    </message>
+    <message>
+        <source>choose a family, an axis (X, Y or Z) and one plane or more</source>
+        <translation>请选择平面族、轴（X、Y 或 Z）和至少一个平面</translation>
+    </message>
+    <message>
+        <source>has construction geometry and points only</source>
+        <translation>只有辅助几何和点</translation>
+    </message>
+    <message>
+        <source>has external geometry only</source>
+        <translation>只有外部几何</translation>
+    </message>
+    <message>
+        <source>the curve is missing: choose a sketch or an edge in the property Curve</source>
+        <translation>缺少曲线：请在属性 Curve 中选择草图或边</translation>
+    </message>
+    <message>
+        <source>%1 %2: draw a spline in it</source>
+        <translation>%1 %2：请在其中画一条样条</translation>
+    </message>
+    <message>
+        <source>%1 is not plane</source>
+        <translation>%1 不是平面的</translation>
+    </message>
+    <message>
+        <source>%1 has no shape: choose a sketch, an edge or a wire</source>
+        <translation>%1 没有形状：请选择草图、边或线框</translation>
+    </message>
+    <message>
+        <source>%1 has many edges: choose the ones that the strip is to follow</source>
+        <translation>%1 有许多边：请选择条带要跟随的边</translation>
+    </message>
+    <message>
+        <source>%1 has no %2 any more: choose the curve anew</source>
+        <translation>%1 已没有 %2：请重新选择曲线</translation>
+    </message>
+    <message>
+        <source>there is nothing to write: choose kinds of files</source>
+        <translation>没有要写的内容：请选择文件类型</translation>
+    </message>
+    <message>
+        <source>%1 is no sketch: nothing can be drawn into it</source>
+        <translation>%1 不是草图：无法绘入</translation>
+    </message>
+    <message>
+        <source>there is nothing to cut: choose a body, a surface or a mesh in the property Sources</source>
+        <translation>没有可切割的对象：请在属性 Sources 中选择实体、曲面或网格</translation>
+    </message>
+    <message>
+        <source>the strip is missing: choose one in the property Strip</source>
+        <translation>缺少条带：请在属性 Strip 中选择</translation>
+    </message>
+    <message>
+        <source>the planes miss the object: move them, or take more</source>
+        <translation>平面未与对象相交：移动平面或增加数量</translation>
+    </message>
+    <message>
+        <source>no strip here has a tab to be held: give the strips tabs</source>
+        <translation>这里没有可固定的插片：请给条带加插片</translation>
+    </message>
+    <message>
+        <source>%1 does not belong to %2: choose its model, or none</source>
+        <translation>%1 不属于 %2：请选择它的模型，或不选</translation>
+    </message>
+    <message>
+        <source>%1 is not laminated: it has no backing; choose the layer Base</source>
+        <translation>%1 不是层压的：没有背层；请选择 Base 层</translation>
+    </message>
+    <message>
+        <source>Putting the model together</source>
+        <translation>正在组合模型</translation>
+    </message>
+    <message>
+        <source>the model has no strips: choose some in the property Strips</source>
+        <translation>模型没有条带：请在属性 Strips 中选择</translation>
+    </message>
+    <message>
+        <source>%1 is no strip: a model is made of strips</source>
+        <translation>%1 不是条带：模型由条带组成</translation>
+    </message>
+    <message>
+        <source>there is nothing to cut: select strips, models or base plates</source>
+        <translation>没有可切割的对象：请选择条带、模型或底板</translation>
+    </message>
+    <message>
+        <source>a curve %1 mm from this one</source>
+        <translation>一条距此 %1 mm 的曲线</translation>
+    </message>
+    <message>
+        <source>A flat strip cannot take this curve.</source>
+        <translation>平条带无法弯成这条曲线。</translation>
+    </message>
+    <message>
+        <source>There is no strip.</source>
+        <translation>没有条带。</translation>
+    </message>
+    <message>
+        <source>(conjugate point at %1 mm)</source>
+        <translation>（共轭点在 %1 mm）</translation>
+    </message>
+    <message>
+        <source>it does not stay in this shape: the stability margin is %1%2</source>
+        <translation>它不会保持此形状：稳定裕度为 %1%2</translation>
+    </message>
+    <message>
+        <source>A flat strip takes %1%2.</source>
+        <translation>平条带可以弯成%1%2。</translation>
+    </message>
+    <message>
+        <source>the thickness of the sheet is %1 mm, less than any foil's: is its unit right?</source>
+        <translation>板材厚度为 %1 mm，比任何箔都薄：单位是否正确？</translation>
+    </message>
+    <message>
+        <source>%1 samples are asked for: %2 are the most, 0 chooses</source>
+        <translation>要求 %1 个采样点：最多 %2 个，0 为自动</translation>
+    </message>
+    <message>
+        <source>the direction of gravity is zero: give a vector such as (0, 0, -1)</source>
+        <translation>重力方向为零：请给出如 (0, 0, -1) 的向量</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm, more than a kilometre: is its unit right?</source>
+        <translation>%1 为 %2 mm，超过一公里：单位是否正确？</translation>
+    </message>
+    <message>
+        <source>the length of the curve</source>
+        <translation>曲线长度</translation>
+    </message>
+    <message>
+        <source>recompute to try again</source>
+        <translation>重新计算以重试</translation>
+    </message>
+    <message>
+        <source>%1: stopped; change the curve or the limits to try again</source>
+        <translation>%1：已停止；更改曲线或限制后重试</translation>
+    </message>
+    <message>
+        <source>FreeCAD's kernel cannot make this shape (%1): change the curve, the widths or the holes</source>
+        <translation>FreeCAD 内核无法生成此形状（%1）：请更改曲线、宽度或孔</translation>
+    </message>
+    <message>
+        <source>%1 is not installed in this FreeCAD: strips need numpy and scipy</source>
+        <translation>此 FreeCAD 未安装 %1：条带需要 numpy 和 scipy</translation>
+    </message>
+    <message>
+        <source>there is no sheet called %1 here: choose another one, or add it to the sheet library</source>
+        <translation>没有名为 %1 的板材：请另选，或加入板材库</translation>
+    </message>
+    <message>
+        <source>the sheet %1 kept in this document cannot be read: choose another one</source>
+        <translation>无法读取本文档保存的板材 %1：请另选</translation>
+    </message>
+    <message>
+        <source>A flat strip takes this curve: %1 to %2 mm wide, stiffness ratio %3, strain %4 % of what the sheet bears.</source>
+        <translation>平条带可以弯成这条曲线：宽 %1 至 %2 mm，刚度比 %3，应变为板材承受值的 %4 %。</translation>
+    </message>
+    <message>
+        <source>%1 is no reading: write overhang = droop in mm, such as 120 = 14.5; 150 = 31</source>
+        <translation>%1 不是读数：请以 mm 写“悬伸 = 下垂”，例如 120 = 14.5; 150 = 31</translation>
+    </message>
+    <message>
+        <source>Nearest curve to sketch</source>
+        <translation>草图的最近曲线</translation>
+    </message>
+    <message>
+        <source>there is no curve: draw a spline for the strip to follow</source>
+        <translation>没有曲线：请画一条供条带跟随的样条</translation>
+    </message>
+    <message>
+        <source>an edge runs on to infinity: trim it</source>
+        <translation>有一条边无限长：请修剪</translation>
+    </message>
+    <message>
+        <source>the shape cannot pass through a temporary file (%1): make that folder writable, with room in it</source>
+        <translation>形状无法经临时文件传递（%1）：请使该文件夹可写且有空间</translation>
+    </message>
+    <message>
+        <source>an edge is degenerate: it has no curve in space; choose another edge</source>
+        <translation>有一条边退化：在空间中没有曲线；请另选</translation>
+    </message>
+    <message>
+        <source>Searching the nearest curve</source>
+        <translation>正在搜索最近曲线</translation>
+    </message>
+    <message>
+        <source>%1 inflection</source>
+        <translation>%1 个拐点</translation>
+    </message>
+    <message>
+        <source>%1 inflections</source>
+        <translation>%1 个拐点</translation>
+    </message>
+    <message>
+        <source>at %1 mm</source>
+        <translation>在 %1 mm</translation>
+    </message>
+    <message>
+        <source>between %1 and %2 mm</source>
+        <translation>在 %1 与 %2 mm 之间</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 和 %2</translation>
+    </message>
+    <message>
+        <source>is straight</source>
+        <translation>是直的</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>是空的</translation>
+    </message>
+    <message>
+        <source>%1 edges in all</source>
+        <translation>共 %1 条边</translation>
+    </message>
+    <message>
+        <source>section %1</source>
+        <translation>截面 %1</translation>
+    </message>
+    <message>
+        <source>the nearest curve</source>
+        <translation>最近曲线</translation>
+    </message>
+    <message>
+        <source>can</source>
+        <translation>可以</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>the curve has a corner %1%2, of %3 degrees: a strip bends without kinks; round it, or draw two curves</source>
+        <translation>曲线%1%2 有 %3 度的拐角：条带弯曲无折角；请倒圆或画成两条曲线</translation>
+    </message>
+    <message>
+        <source>No force can act between its ends, so the moment is constant and the curve must bend one way only; it has %1, %2: hold both ends in x or in y.</source>
+        <translation>两端之间没有力，弯矩为常数，曲线只能向一侧弯曲；它有%1，%2：请在 x 或 y 方向固定两端。</translation>
+    </message>
+    <message>
+        <source>The bending is reversed by a jump of the curvature %1, where the stiffness would have to go to 0: support the strip there, or let the curvature pass through zero smoothly (smooth = 0.1, or --smooth 0.1, does that within 0.1 mm).</source>
+        <translation>弯曲%1处因曲率突变而反向，那里刚度须为零：在该处支撑条带，或让曲率平滑过零（属性 Smooth = 0.1 可在 0.1 mm 内做到）。</translation>
+    </message>
+    <message>
+        <source>%1, whatever supports the strip there: bend the piece a little.</source>
+        <translation>%1，无论那里如何支撑：请把该段稍微弯曲。</translation>
+    </message>
+    <message>
+        <source>%1: support the strip %2, or bend the piece a little.</source>
+        <translation>%1：在%2支撑条带，或把该段稍微弯曲。</translation>
+    </message>
+    <message>
+        <source>%1 rows are %2 mm long each: diamonds with bridges of %3 mm between their tips need more than %4 mm; use fewer rows</source>
+        <translation>%1 行各长 %2 mm：尖端间留 %3 mm 桥的菱形需要超过 %4 mm；请减少行数</translation>
+    </message>
+    <message>
+        <source>the rod's bending stiffness of %1 N mm2 asks for a backing wider than fits at %2 mm, where %3 N mm2 is the most: use thicker or stiffer sheets, or widen the base</source>
+        <translation>杆的抗弯刚度 %1 N mm2 要求的背层在 %2 mm 处放不下，那里最大为 %3 N mm2：使用更厚或更硬的板材，或加宽基层</translation>
+    </message>
+    <message>
+        <source>the rod's bending stiffness of %1 N mm2 leaves a backing narrower than %2 mm at %3 mm, where %4 N mm2 is the least: use thinner sheets, or narrow the base</source>
+        <translation>杆的抗弯刚度 %1 N mm2 使 %3 mm 处背层窄于 %2 mm，那里最小为 %4 N mm2：使用更薄的板材，或收窄基层</translation>
+    </message>
+    <message>
+        <source>ligaments lean %1 degrees off the strip at %2 mm: use fewer rows, %3 mm long or longer</source>
+        <translation>在 %2 mm 处筋与条带倾斜 %1 度：减少行数，每行长 %3 mm 以上</translation>
+    </message>
+    <message>
+        <source>the rod's bending stiffness asks for %1 mm of material at %2 mm, %3 mm fit: widen the outline or raise max_width</source>
+        <translation>杆的抗弯刚度在 %2 mm 处需要 %1 mm 材料，只放得下 %3 mm：加宽轮廓或增大 MaterialWidth</translation>
+    </message>
+    <message>
+        <source>the rod's bending stiffness asks for a width of %1 mm, above max_width %2 mm: choose a thicker or stiffer sheet</source>
+        <translation>杆的抗弯刚度要求宽 %1 mm，超过 MaxWidth %2 mm：请选用更厚或更硬的板材</translation>
+    </message>
+    <message>
+        <source>a curve leaves its plane by %1 mm (its z runs over %2 mm): a strip bends in one plane only; project the curve onto a plane before export</source>
+        <translation>曲线偏离其平面 %1 mm（z 跨 %2 mm）：条带只能在一个平面内弯曲；请先把曲线投影到平面</translation>
+    </message>
+    <message>
+        <source>bends between false inflections were smoothed away</source>
+        <translation>伪拐点之间的弯曲已被抹平</translation>
+    </message>
+    <message>
+        <source>The strip would be %1 mm wide and %2 mm long: a strip bends as computed where it is %3 times as long as wide; draw a longer curve, or make the strip narrower.</source>
+        <translation>条带将宽 %1 mm、长 %2 mm：长度为宽度的 %3 倍时才按计算弯曲；请画更长的曲线，或改窄条带。</translation>
+    </message>
+    <message>
+        <source>a corner radius of %1 mm does not fit the hole at %2: make it smaller</source>
+        <translation>%1 mm 的圆角半径不适合 %2 处的孔：请减小</translation>
+    </message>
+    <message>
+        <source>a corner radius of %1 mm leaves %2 % too much material at the tips at %3 mm: %4 mm or less keeps it within %5 %</source>
+        <translation>%1 mm 的圆角半径在 %3 mm 处尖端多留 %2 % 材料：%4 mm 以下可保持在 %5 % 以内</translation>
+    </message>
+    <message>
+        <source>strain %1 % at %2 mm is beyond the %3 % that %4 bears: its radius there is %5 mm, the least advisable %6 mm; use a thinner sheet or a gentler curve</source>
+        <translation>%2 mm 处应变 %1 % 超过 %4 可承受的 %3 %：那里半径为 %5 mm，建议最小 %6 mm；使用更薄的板材或更平缓的曲线</translation>
+    </message>
+    <message>
+        <source>a tab has either a corner radius or a chamfer, not both</source>
+        <translation>插片只能有圆角或倒角之一</translation>
+    </message>
+    <message>
+        <source>a tab that tapers has neither corner radius nor chamfer</source>
+        <translation>有锥度的插片不能有圆角或倒角</translation>
+    </message>
+    <message>
+        <source>The %1 is missed by %2 (lengths of the curve, radians or shares).</source>
+        <translation>%1 相差 %2（曲线长度、弧度或比例）。</translation>
+    </message>
+    <message>
+        <source>The least radius of %1 mm is missed: this rod has %2 mm.</source>
+        <translation>未达到最小半径 %1 mm：该杆为 %2 mm。</translation>
+    </message>
+    <message>
+        <source>a least radius of %1 instead of %2 mm</source>
+        <translation>最小半径 %1 而不是 %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 bends with a radius of %2 mm at %3, a corner to any strip: %4, or smooth it</source>
+        <translation>%1 在 %3 处弯曲半径为 %2 mm，对任何条带都是拐角：%4，或使其光顺</translation>
+    </message>
+    <message>
+        <source>It would break at %1 mm: its radius there is %2 mm, the sheet bears %3 mm; use a thinner sheet or a gentler curve.</source>
+        <translation>会在 %1 mm 处断裂：那里半径为 %2 mm，板材可承受 %3 mm；使用更薄的板材或更平缓的曲线。</translation>
+    </message>
+    <message>
+        <source>The curvature runs out to zero %1 without a clear change of sign, where the stiffness would have to be infinite or zero, whatever supports the strip: bend the curve a little more there, or reverse its bending at a clear rate.</source>
+        <translation>曲率%1处趋于零而没有明确变号，无论如何支撑，那里的刚度都须为无穷或零：请在那里稍多弯一些，或以明确的速率反向弯曲。</translation>
+    </message>
+    <message>
+        <source>The line through its inflections %1</source>
+        <translation>过其拐点的直线%1</translation>
+    </message>
+    <message>
+        <source>A flat strip takes this curve.</source>
+        <translation>平条带可以弯成这条曲线。</translation>
+    </message>
+    <message>
+        <source>A flat strip takes a curve %1 mm from this one.</source>
+        <translation>平条带可以弯成一条距此 %1 mm 的曲线。</translation>
+    </message>
+    <message>
+        <source>There are remarks.</source>
+        <translation>有备注。</translation>
+    </message>
+    <message>
+        <source>A flat strip cannot take this curve</source>
+        <translation>平条带无法弯成这条曲线</translation>
     </message>
 </context>
 <context>
@@ -1546,6 +2861,50 @@
         <source>Remove my sheet</source>
         <translation>删除我的板材</translation>
     </message>
+    <message>
+        <source>All sheets that are known, yours first</source>
+        <translation>所有已知板材，您的在前</translation>
+    </message>
+    <message>
+        <source>Name under which your sheet is kept</source>
+        <translation>保存板材所用的名称</translation>
+    </message>
+    <message>
+        <source>As measured with a caliper</source>
+        <translation>用卡尺测量</translation>
+    </message>
+    <message>
+        <source>Stiffness of the material along the strip; a coupon measures it</source>
+        <translation>材料沿条带方向的刚度；可用试条测量</translation>
+    </message>
+    <message>
+        <source>Mass for volume; it counts where a strip carries its weight</source>
+        <translation>密度；条带承受自重时起作用</translation>
+    </message>
+    <message>
+        <source>Largest strain of the skin before the sheet breaks or stays bent</source>
+        <translation>板材断裂或残留弯曲前的最大表面应变</translation>
+    </message>
+    <message>
+        <source>Width that your machine cuts away</source>
+        <translation>机器切去的宽度</translation>
+    </message>
+    <message>
+        <source>How much it narrows while it is stretched, a share</source>
+        <translation>拉伸时变窄的比例</translation>
+    </message>
+    <message>
+        <source>Where the numbers come from</source>
+        <translation>数据来源</translation>
+    </message>
+    <message>
+        <source>Adds these numbers to your library under the name above</source>
+        <translation>以上述名称把这些数据加入库</translation>
+    </message>
+    <message>
+        <source>Takes this sheet out of your library</source>
+        <translation>从库中移除此板材</translation>
+    </message>
 </context>
 <context>
     <name>ElasticaTolerance</name>
@@ -1564,6 +2923,14 @@
     <message>
         <source>Run</source>
         <translation>运行</translation>
+    </message>
+    <message>
+        <source>How many varied strips are bent</source>
+        <translation>弯曲的变化条带数量</translation>
+    </message>
+    <message>
+        <source>Bends them all; Escape stops it</source>
+        <translation>全部弯曲；按 Esc 停止</translation>
     </message>
 </context>
 <context>

@@ -119,10 +119,12 @@ def _tell_results(obj: Any, strip: Strip, changed: float | None, smoothed: float
             "" if found.conjugate_point is None else f" (conjugate point at {found.conjugate_point:.4g} mm)"
         )
         notes.append(f"it does not stay in this shape: the stability margin is {found.margin:.3g}{where}")
-    taken = "this curve" if changed is None else f"a curve {changed:.3g} mm from this one"
+    taken = "A flat strip takes this curve."
+    if changed is not None:
+        taken = f"A flat strip takes a curve {changed:.3g} mm from this one."
     put(
         obj,
-        Verdict=worded(f"A flat strip takes {taken}{', with remarks' if notes else ''}."),
+        Verdict=worded(" ".join([taken, *(["There are remarks."] if notes else [])])),
         Reasons=[worded(note) for note in notes],
         Ratio=rod.ratio,
         Margin=0.0 if found is None else found.margin,

@@ -1,19 +1,22 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Lengths as the user reads them. Everything is computed and worded in mm; what is shown passes through here."""
+"""Sentences as the user reads them: in his language, unit and decimal point. Everything is worded in mm before."""
 
 import re
 from dataclasses import dataclass
 
 import FreeCAD as App
+from freecad.elastica_wb.host.sentences import decimal_point, translated
 
 USUAL_MM = 10.0  # mm: a strip's width tells which of its units FreeCAD would use for all
 
 NUMBER = r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
-LIST = rf"\(?{NUMBER}\)?(?:(?:, |; |,? and | to | or | x | by | \+- )\(?{NUMBER}\)?)*"
+BETWEEN = r"(?:, |; |、|,? (?:and|und|和|to|bis|至|到|or|oder|或|x|by|mal|与|\+-) )"
+LIST = rf"\(?{NUMBER}\)?(?:{BETWEEN}\(?{NUMBER}\)?)*"
 # 1/mm, mm2 and N/mm2 are no lengths; 0.8mm in the name of a file is not followed by one either
 LENGTHS = re.compile(rf"(?<![\w./])({LIST})( |&nbsp;)mm(?![\w²/^*])")
+DECIMAL = re.compile(r"(?<![\w./-])(-?\d+)\.(\d+)(?![\w./])")
 
 
 @dataclass(frozen=True)
@@ -31,13 +34,17 @@ def shown_unit() -> Unit:
 
 
 def worded(sentence: str, unit: Unit | None = None) -> str:
-    """A sentence with its lengths in the user's unit instead of mm."""
-    unit = unit or shown_unit()
-    if unit.size == 1.0:
-        return sentence
+    """A sentence in the user's language, its lengths in his unit instead of mm, with his decimal point."""
+    unit, sentence, point = unit or shown_unit(), translated(sentence), decimal_point()
 
     def convert(found: re.Match[str]) -> str:
         numbers = re.sub(NUMBER, lambda n: f"{float(n[0]) / unit.size:.4g}", found[1])
         return f"{numbers}{found[2]}{unit.name}"
 
-    return LENGTHS.sub(convert, sentence)
+    if unit.size != 1.0:
+        sentence = LENGTHS.sub(convert, sentence)
+    if point != ".":
+        # a list of numbers is told apart by semicolons where commas stand in the numbers
+        sentence = re.sub(r"(?<=\d), (?=-?\d+\.\d|-?\d+[,)])", "; ", sentence)
+        sentence = DECIMAL.sub(rf"\g<1>{point}\g<2>", sentence)
+    return sentence

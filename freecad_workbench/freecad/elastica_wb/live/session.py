@@ -93,9 +93,9 @@ class Session:
         document, near = self.sketch.Document, self.near
         document.openTransaction(tr("Use the nearest curve"))
         curve_into(self.sketch, near.curve)
+        self.sketch.solve()  # it moves points: a part of the step
         document.commitTransaction()
         App.closeActiveTransaction(False)
-        self.sketch.solve()
         self.refresh()
 
     def _attach(self) -> None:

@@ -7,6 +7,7 @@ from typing import Any
 
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.host.sentences import decimal_point
 from freecad.elastica_wb.host.sheet_store import own_sheets, save_own_sheets, sheet_called, sheet_list
 from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.widgets.file_dialogs import ask_file, save_drawing
@@ -81,7 +82,7 @@ class CouponPanel(Panel):
         """Keep the sheet and say its name."""
         if self.calibration is None:
             raise InputError(
-                tr("type the readings first: overhang = droop, in mm, such as 120 = 14.5, 150 = 31")
+                tr("type the readings first: overhang = droop, in mm, such as 120 = 14.5; 150 = 31")
             )
         base = sheet_called(self.form.sheet.currentText())
         name = self.form.name.text().strip() or f"{base.name}-measured"
@@ -93,7 +94,7 @@ class CouponPanel(Panel):
 
 
 def readings_of(text: str) -> tuple[list[float], list[float]]:
-    """Overhangs and droops of a text such as "120 = 14.5, 150 = 31".
+    """Overhangs and droops of a text such as "120 = 14.5; 150 = 31".
 
     Raises
     ------
@@ -101,13 +102,13 @@ def readings_of(text: str) -> tuple[list[float], list[float]]:
         Anything else.
     """
     pairs = []
-    for part in text.replace(";", ",").split(","):
-        numbers = part.split("=")
+    commas = ";" in text or decimal_point() == ","  # then they stand in the numbers
+    for part in text.split(";" if commas else ","):
         try:
-            overhang, droop = (float(number) for number in numbers)
+            overhang, droop = (float(number.replace(",", ".")) for number in part.split("="))
         except ValueError as error:
             raise InputError(
-                f"{part.strip()!r} is no reading: write overhang = droop in mm, such as 120 = 14.5, 150 = 31"
+                f"{part.strip()!r} is no reading: write overhang = droop in mm, such as 120 = 14.5; 150 = 31"
             ) from error
         pairs.append((overhang, droop))
     return [o for o, _ in pairs], [d for _, d in pairs]

@@ -9,7 +9,7 @@ from typing import Any
 from freecad.elastica_wb.features.strip import strip_of
 from freecad.elastica_wb.host.progress import progress
 from freecad.elastica_wb.host.resources import tr
-from freecad.elastica_wb.host.user_units import shown_unit
+from freecad.elastica_wb.host.user_units import shown_unit, worded
 from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.widgets.bar_chart import bar_chart
 
@@ -56,7 +56,7 @@ class TolerancePanel(Panel):
         head = (
             f"<tr><td>{tr('deviation')}, {unit.name}</td><td>95 %&nbsp;&nbsp;</td><td>{tr('worst')}</td></tr>"
         )
-        self.form.table.setText(f"<table>{head}{rows}</table>")
+        self.form.table.setText(worded(f"<table>{head}{rows}</table>"))
         self.form.plot.setPixmap(bar_chart([(tr(e.name), e.percentile_95, e.worst) for e in effects]))
         self.tell("")
 

@@ -1,0 +1,157 @@
+"""What the core and the workbench say, in German and Chinese: every sentence that users meet has a key and both."""
+
+import ast
+import re
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+from freecad.elastica_wb.host import sentences, user_units
+
+ROOT = Path(__file__).resolve().parents[2]
+CORE, WORKBENCH = ROOT / "elastica_cad", ROOT / "freecad_workbench" / "freecad" / "elastica_wb"
+TRANSLATIONS = ROOT / "freecad_workbench" / "resources" / "translations"
+SPOKEN = [
+    "mechanics/theorem1",
+    "mechanics/stiffness/optimal_rod.py",
+    "mechanics/stiffness/optimal_balance.py",
+    "mechanics/stability/stability_verdict.py",
+    "mechanics/bending/bend_forward.py",
+    "mechanics/material/section_limits.py",
+    "fabrication/makeability",
+    "fabrication/strip",
+    "fabrication/strip_spec.py",
+    "fabrication/slots",
+    "fabrication/interlocking/interlock.py",
+    "fabrication/model/strip_model.py",
+    "fabrication/holders/base_plate.py",
+    "fabrication/holders/end_fixtures.py",
+    "fabrication/sheets/nesting.py",
+    "formats/curve_files/placed_curve.py",
+    "formats/curve_files/edges.py",
+    "formats/curve_files/edge_plane.py",
+    "formats/file_access/atomic_write.py",
+    "forming/nearest/nearest_record.py",
+    "forming/nearest/advice.py",
+    "forming/plane_sections/section_curves.py",
+    "forming/plane_sections/section_lines.py",
+    "forming/smoothing.py",
+]
+"""Where the core makes what a user of the workbench reads."""
+
+PROGRAMMERS = re.compile(
+    r"""\b(record|records|Rod\b|None|keywords|rad\b|executor|mappings?|optimal_laminate|bend\ needs|of\ bend
+    |upper|hull|exact|bending_stiffness|Tab\(|Plain|natural\ curvature\ is|residual|unstable|nodes
+    |coefficients|wavelength|above\ must|places\ 0|path|E\ I|weight=|`weight`|label\ is|weight\ profile
+    |all\ lengths\ in\ mm|false_turn|tolerance=|Sheet\ or|PropertiesList|bit\ mask|three\ numbers|finite
+    |must\ be\ positive|must\ be\ 0\ mm\ or\ more|ec\.)|,\ got\ %|^%\d\ =\ %\d\ mm$|[{}<|]|\\
+    |%\ \(%2\ %\)|^no\ file\ was|points\ \(k|^mm\ of\ |^%1\ has\ %2\ lines$|Callable|^(%\d|mm|x
+    |[^a-z])*$|color:""",
+    re.VERBOSE,
+)
+"""What only a caller of Python can bring about, or what is no sentence."""
+
+
+def text(node):
+    """A text, or an f-string with numbered gaps."""
+    if isinstance(node, ast.Constant) and isinstance(node.value, str):
+        return node.value
+    if isinstance(node, ast.JoinedStr):
+        gaps = iter(range(1, 20))
+        return "".join(v.value if isinstance(v, ast.Constant) else f"%{next(gaps)}" for v in node.values)
+    return ""
+
+
+def unspoken(node):
+    """Parts of the code whose texts are no sentences, or have their own translation."""
+    called = getattr(getattr(node, "func", None), "id", getattr(getattr(node, "func", None), "attr", ""))
+    if called in ("tr", "translate", "QT_TRANSLATE_NOOP", "Property"):
+        return [node]
+    if isinstance(node, ast.ClassDef):
+        names = ("text", "tip", "step")
+        return [
+            n for n in node.body if isinstance(n, ast.Assign) and getattr(n.targets[0], "id", "") in names
+        ]
+    if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
+        return [node]
+    if isinstance(node, ast.JoinedStr):
+        return node.values
+    return [part for part in (getattr(node, "annotation", None), getattr(node, "returns", None)) if part]
+
+
+def spoken(path):
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    silent = {id(n) for node in ast.walk(tree) for part in unspoken(node) for n in ast.walk(part)}
+    for node in ast.walk(tree):
+        words = "" if id(node) in silent else text(node)
+        if words.count(" ") >= 3 and words.strip().count(" ") >= 3 and not PROGRAMMERS.search(words.strip()):
+            yield words.strip()
+
+
+def keys():
+    places = [CORE / place for place in SPOKEN] + [WORKBENCH]
+    files = [file for place in places for file in ([place] if place.suffix else sorted(place.rglob("*.py")))]
+    return {words for file in files if file.name != "tests.py" for words in spoken(file)}
+
+
+def known(language):
+    tree = ElementTree.parse(TRANSLATIONS / f"Elastica_{language}.ts")
+    return {
+        message.findtext("source"): message.findtext("translation")
+        for context in tree.getroot().iter("context")
+        for message in context.iter("message")
+        if context.findtext("name") == sentences.CONTEXT
+    }
+
+
+@pytest.mark.parametrize("language", ["de", "zh-CN"])
+def test_no_sentence_lacks_a_translation(language):
+    found = known(language)
+    wanted = keys()
+    assert len(wanted) > 200
+    assert {key for key in wanted if not found.get(key)} == set()
+    for key, words in found.items():
+        gaps = set(sentences.GAP.findall(key))
+        assert set(sentences.GAP.findall(words)) <= gaps, key
+
+
+@pytest.fixture
+def german(monkeypatch):
+    """The German words, without a window that would load them."""
+    words = known("de")
+    monkeypatch.setattr(sentences, "tr", lambda text, _context="": words.get(text, text))
+    monkeypatch.setattr(sentences, "_language", lambda: "German")
+    sentences._keys.cache_clear()
+    sentences._translated.cache_clear()
+    yield
+    sentences._keys.cache_clear()
+    sentences._translated.cache_clear()
+
+
+@pytest.mark.usefixtures("german")
+def test_a_sentence_is_known_by_its_key(monkeypatch):
+    monkeypatch.setattr(user_units, "decimal_point", lambda: ",")
+    crossing = "The curve crosses itself (at 12.5 mm): two parts of the strip must pass side by side there."
+    assert user_units.worded(crossing).startswith("Die Kurve kreuzt sich selbst (bei 12,5 mm): zwei Teile")
+    curve = "A flat strip can take this curve of 200.5 mm; it has 2 inflections, at 12 and 34.5 mm."
+    said = user_units.worded(f"There is no strip. {curve}")
+    assert said.startswith(
+        "Es gibt keinen Streifen. Ein flacher Streifen kann diese Kurve von 200,5 mm annehmen; "
+    )
+    assert said.endswith("; sie hat 2 Wendepunkte, bei 12 und 34,5 mm.")
+    assert user_units.worded("at (25.4, -50.8) mm") == "bei (25,4; -50,8) mm"
+    assert user_units.worded("12.7 x 25.4 mm, birch-plywood-0.8") == "12,7 x 25,4 mm, birch-plywood-0.8"
+    assert user_units.worded("wrote A1_birch-0.8_0.8mm_x4.dxf") == "wrote A1_birch-0.8_0.8mm_x4.dxf"
+    assert user_units.worded("what nobody knows") == "what nobody knows"
+
+
+@pytest.mark.usefixtures("german")
+def test_a_strip_that_breaks_says_so_in_german(document, sketch):
+    from freecad.elastica_wb.features import strip
+
+    made = strip.create(document, sketch)
+    made.Thickness = 4
+    document.recompute()
+    said = " ".join([made.Verdict, *made.Reasons])
+    assert "Streifen" in said
+    assert not re.search(r"\b(the|strain|curve)\b", said), said
