@@ -7,7 +7,6 @@ from elastica_cad.formats.curve_files.json_curves import (
     curve_record as curve_record,
     curves_json as curves_json,
     read_json_curves as read_json_curves,
-    write_json_curves as write_json_curves,
 )
 from elastica_cad.formats.curve_files.point_files import (
     read_csv_curves as read_csv_curves,
@@ -20,10 +19,9 @@ from elastica_cad.formats.drawing_files.curve_style import CURVES as CURVES
 from elastica_cad.formats.drawing_files.dxf_drawing import (
     DXF_VERSIONS as DXF_VERSIONS,
     encode_dxf as encode_dxf,
-    write_dxf as write_dxf,
 )
 from elastica_cad.formats.drawing_files.layers import LayerStyle as LayerStyle, style_layers as style_layers
-from elastica_cad.formats.drawing_files.svg_drawing import encode_svg as encode_svg, write_svg as write_svg
+from elastica_cad.formats.drawing_files.svg_drawing import encode_svg as encode_svg
 from elastica_cad.formats.drawing_files.write_drawing import (
     DRAWING_SUFFIXES as DRAWING_SUFFIXES,
     write_drawing as write_drawing,

@@ -27,7 +27,7 @@ MM_PER_INCH = 25.4
 CROSS_MM = 4.0  # arms of a registration mark
 RULER_MM = 100.0  # of the bar that shows whether the printer scaled
 POINTS_PER_MM = 72 / MM_PER_INCH
-MOST_TILES = 400
+MOST_TILES = 400  # sheets of paper: more are a slip
 
 
 @dataclass(frozen=True, eq=False)

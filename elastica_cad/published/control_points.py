@@ -21,16 +21,16 @@ from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 from elastica_cad.published.curve_changes import CurveChanges
 
 _PRICE = 0.1  # of a broken bound, against half the mean square distance in lengths: far above all multipliers
-_ROW_PRICE = 10.0
+_ROW_PRICE = 10.0  # of a row of the step that cannot be met: above every bound's
 _ACCURACY = 1e-12  # of a step, against the price: half a mean square distance of 1e-8 still counts
-_MARGIN_UNIT = 50.0
+_MARGIN_UNIT = 50.0  # a margin missed by so much is badly missed
 _COARSE = 3.0  # a step that takes the ratio this many times above where it is and may be is refused
 _RATIO_PART, _MARGIN_PART = 0.9, 6.0  # aimed at in one step: of the present ratio, above the present margin
-_RADIUS, _LARGEST_RADIUS, _SMALLEST_RADIUS = 0.01, 0.05, 1e-7
+_RADIUS, _LARGEST_RADIUS, _SMALLEST_RADIUS = 0.01, 0.05, 1e-7  # of the trust region, in lengths of the curve
 _SETTLED = 1e-3  # a step that promises less than this share of the distance ends the search
-_RESOLUTION = 1e-12
+_RESOLUTION = 1e-12  # of half a mean square distance in lengths: smaller gains are rounding
 _INSIDE = 1e-5  # aimed at inside the bounds, so that they hold between the samples too
-_ENFORCED = 1e-11
+_ENFORCED = 1e-11  # constraints missed by less hold, in lengths and radians
 _ROUNDS = 12  # of adding the places where a step would break the bounds
 
 

@@ -26,7 +26,7 @@ _ALONG = 0.1  # a move along the curve counts this much of one across it
 _BEND = 0.005  # a move that changes the curvature by 1 / length counts as this share of the length
 _STRETCH = 0.05  # one that changes the velocity d/dt by all of itself counts as this share of the length
 _LINE_STEP = 0.02  # moves of the line that count as much as moving the curve by this share of its length
-_RANK = 1e-11
+_RANK = 1e-11  # of the largest singular value: changes below it are none
 
 
 def curvature_rows(curve: PlaneCurve, t: FloatArray) -> FloatArray:

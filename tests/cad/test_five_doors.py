@@ -19,7 +19,7 @@ from elastica_cad.cli.commands import elastica
 from elastica_cad.errors import ElasticaError
 from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.files import save
-from elastica_cad.formats.curve_files.json_curves import write_json_curves
+from elastica_cad.formats.curve_files.write_curves import write_curves
 
 DOORS = runpy.run_path(str(Path(__file__).resolve().parents[1] / "five_doors.py"))
 ASKED, REFUSED, loop_numbers = DOORS["ASKED"], DOORS["REFUSED"], DOORS["loop_numbers"]
@@ -38,7 +38,7 @@ def core(asked):
 
 
 def typed(asked, folder):
-    write_json_curves([asked.curve], folder / "S1.json")
+    write_curves([asked.curve], folder / "S1.json")
     words = ["strip", str(folder / "S1.json"), "--sheet", SHEET, *shlex.split(asked.options)]
     return CliRunner().invoke(elastica, [*words, "-o", str(folder / "out")])
 

@@ -25,7 +25,7 @@ _BY_KIND = {
     "plastic": (0.85, 0.87, 0.88),
     "composite": (0.78, 0.80, 0.60),
 }
-_UNKNOWN = (0.80, 0.74, 0.62)
+_UNKNOWN = (0.80, 0.74, 0.62)  # of sheets of no known kind: between wood and card
 
 
 def sheet_color(sheet: Sheet) -> Color:

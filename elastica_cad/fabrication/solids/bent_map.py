@@ -18,11 +18,11 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.segments import Segment, Spline
 from elastica_cad.mechanics.rod.rod_record import Rod
 
-DEGREE = 5
+DEGREE = 5  # of the bent faces
 POSITION_TOLERANCE = 1e-6  # mm, of the centre line
 SURFACE_TOLERANCE = 5e-8  # mm, of edges drawn on the bent faces
-MOST_SPANS = 4000
-PROBES = np.array([0.06, 0.27, 0.5, 0.73, 0.94])
+MOST_SPANS = 4000  # of one face: more mean a curve that cannot be followed
+PROBES = np.array([0.06, 0.27, 0.5, 0.73, 0.94])  # places in a span where the error is measured
 MOST_PARTS = 4  # that a span is cut into at a time
 SPARE = 1.1  # parts for every one that the error asks for
 FIRST_TURN = 0.2  # rad, of the spans that are tried first

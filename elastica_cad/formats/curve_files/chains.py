@@ -23,8 +23,8 @@ from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
 
 JOIN_TOLERANCE = 0.01  # mm: files are written with three or four decimals
 FIT_TOLERANCE = 0.05  # mm
-_CORNER = np.cos(np.radians(50.0))
-_LONG = 20.0
+_CORNER = np.cos(np.radians(50.0))  # cosine of the turn from which a vertex of a polyline is a corner
+_LONG = 20.0  # tolerances: sides of a polyline longer than this are meant as straight
 _CROWD = 50  # ends in one place, on all layers: more are no joint of two curves
 
 _Joints: TypeAlias = dict[

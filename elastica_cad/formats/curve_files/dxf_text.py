@@ -10,15 +10,15 @@ from elastica_cad.formats.curve_files.number_gate import MOST_SHAPES, checked_co
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
 
-DEEPEST_BLOCK = 20
+DEEPEST_BLOCK = 20  # blocks within blocks: deeper ones are a slip or an attack
 
 ODDITIES = (ValueError, TypeError, LookupError, AttributeError, ArithmeticError, AssertionError)
 """What ezdxf meets in entities that break off or are overwritten in places."""
 
 _PLACES = re.compile(rb"^[ \t]*(?:1[0-8]|2[0-8]|40)[ \t]*\r?\n[ \t]*([-+0-9.eE]+)[ \t]*\r?$", re.MULTILINE)
 _SECTION = re.compile(rb"^[ \t]*2[ \t]*\r?\n[ \t]*(BLOCKS|ENTITIES)[ \t]*\r?$", re.MULTILINE)
-_MOST_NUMBERS = 20_000
-_COUNTLESS = 10**9
+_MOST_NUMBERS = 20_000  # whose digits are looked at
+_COUNTLESS = 10**9  # insertions: counting stops there
 
 
 def dxf_rounding(path: Path) -> float:

@@ -16,7 +16,6 @@ from elastica_cad.formats.curve_files.number_gate import (
     checked_degree,
     checked_size,
 )
-from elastica_cad.formats.file_access.atomic_write import write_atomically
 from elastica_cad.formats.file_access.source_file import look_up_unit, name_source
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
@@ -37,11 +36,6 @@ def curves_json(curves: Sequence[PlaneCurve]) -> str:
     """The text of a JSON file that holds the curves; `read_json_curves` returns them bit by bit."""
     data = {"schema": CURVES_SCHEMA, "units": "mm", "curves": [curve_record(curve) for curve in curves]}
     return json.dumps(data, indent=1) + "\n"
-
-
-def write_json_curves(curves: Sequence[PlaneCurve], path: str | Path, *, force: bool = False) -> Path:
-    """Write the curves as JSON, whole or not at all; an existing file is replaced with `force` only."""
-    return write_atomically(path, curves_json(curves).encode(), force)
 
 
 def read_json_curves(path: str | Path, *, unit: str | None = None) -> CurveList:

@@ -6,11 +6,11 @@ from pathlib import Path
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import MARK, Drawing, LayeredPath
-from elastica_cad.formats.curve_files.json_curves import write_json_curves
+from elastica_cad.formats.curve_files.json_curves import curves_json
 from elastica_cad.formats.drawing_files.curve_style import EXACT
-from elastica_cad.formats.drawing_files.dxf_drawing import write_dxf
-from elastica_cad.formats.drawing_files.svg_drawing import write_svg
-from elastica_cad.formats.file_access.atomic_write import check_target
+from elastica_cad.formats.drawing_files.dxf_drawing import encode_dxf
+from elastica_cad.formats.drawing_files.svg_drawing import encode_svg
+from elastica_cad.formats.file_access.atomic_write import check_target, write_atomically
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path as Chain
 from elastica_cad.geometry.paths.segments import Spline
@@ -52,12 +52,12 @@ def write_curves(curves: Sequence[PlaneCurve], path: str | os.PathLike[str], *, 
     if not curves:
         raise InputError(f"{path}: there are no curves to write")
     if suffix == ".json":
-        return write_json_curves(curves, Path(path), force=force)
+        return write_atomically(path, curves_json(curves).encode(), force)
     if suffix not in WRITTEN_SUFFIXES:
         raise InputError(
             f"{path} can't be written as curves: end its name with {', '.join(WRITTEN_SUFFIXES)}"
         )
     drawn = tuple(LayeredPath(MARK, Chain((Spline(curve),), closed=curve.is_closed)) for curve in curves)
     drawing = Drawing(Path(path).stem, drawn)
-    write = write_svg if suffix == ".svg" else write_dxf
-    return write(drawing, path, curves=EXACT, force=force)
+    encode = encode_svg if suffix == ".svg" else encode_dxf
+    return write_atomically(path, encode(drawing, curves=EXACT), force)

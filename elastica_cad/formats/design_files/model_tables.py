@@ -1,6 +1,5 @@
 """What a design file says about all that goes with its strips: joints, base, fixtures, sheets, cutting."""
 
-from dataclasses import replace
 from typing import Any
 
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
@@ -23,7 +22,7 @@ def read_interlock(table: Table) -> dict[str, Any]:
 
 def read_kit(top: Table, sheets: dict[str, Sheet]) -> KitSpec:
     """All that goes with the strips, from the whole design."""
-    nesting = _read_nesting(top.table("nest"))
+    nesting = _read_nesting(top.table("nest").only("sheet_size", "margin"), Nesting())
     extras = top.table("extras").only("coupon", "reference_bar")
     return KitSpec(
         nesting=nesting,
@@ -42,7 +41,7 @@ def _read_fixtures(table: Table) -> dict[str, Any]:
     """Options of `Model.fixtures`."""
     sizes = ("clearance", "wall", "foot", "foot_height", "screw")
     table.only("floor", *sizes)
-    options: dict[str, Any] = {key: table.number(key) for key in sizes if table.has(key)}
+    options: dict[str, Any] = {**table.numbers(*sizes)}
     if table.has("floor"):
         options["floor"] = Frame((0.0, 0.0, table.number("floor")))
     return options
@@ -54,11 +53,10 @@ def _read_base(
     """Sheet and options of the base plate, and the sheets it is cut from."""
     sizes = ("play", "clearance", "slot_width", "border")
     table.only("sheet", "height", "shape", "sheet_size", *sizes)
-    options: dict[str, Any] = {key: table.number(key) for key in sizes if table.has(key)}
+    options: dict[str, Any] = {**table.numbers(*sizes)}
     options["frame"] = Frame((0.0, 0.0, table.number("height", 0.0)))
     options["shape"] = table.text("shape", "hull", ("hull", "rectangle"))
-    size = table.vector("sheet_size", 2, nesting.sheet_size)
-    return find_sheet(table, "sheet", sheets), options, replace(nesting, sheet_size=(size[0], size[1]))
+    return find_sheet(table, "sheet", sheets), options, _read_nesting(table, nesting)
 
 
 def _read_frame(
@@ -67,17 +65,15 @@ def _read_frame(
     """Sheet and options of the slotted frame, and the sheets it is cut from."""
     sizes = ("depth", "tongue", "play", "clearance", "border")
     table.only("sheet", "ribs", "sheet_size", *sizes)
-    options: dict[str, Any] = {key: table.number(key) for key in sizes if table.has(key)}
+    options: dict[str, Any] = {**table.numbers(*sizes)}
     options["ribs"] = table.count("ribs", 3)
-    size = table.vector("sheet_size", 2, nesting.sheet_size)
-    return find_sheet(table, "sheet", sheets), options, replace(nesting, sheet_size=(size[0], size[1]))
+    return find_sheet(table, "sheet", sheets), options, _read_nesting(table, nesting)
 
 
-def _read_nesting(table: Table) -> Nesting:
-    """The sheets that strips are laid on."""
-    table.only("sheet_size", "margin")
-    width, height = table.vector("sheet_size", 2, Nesting.sheet_size)
-    return Nesting((width, height), table.number("margin", Nesting.margin))
+def _read_nesting(table: Table, usual: Nesting) -> Nesting:
+    """The sheets that pieces are laid on."""
+    width, height = table.vector("sheet_size", 2, usual.sheet_size)
+    return Nesting((width, height), table.number("margin", usual.margin))
 
 
 def _read_cutting(table: Table) -> Cutting:

@@ -63,14 +63,4 @@ def reshape_curve(curve: PlaneCurve, table: Table) -> PlaneCurve:
     with table.naming():
         if corners:
             return curve.transformed(map_corners([curve], corners))
-        return curve.transformed(four_point_map(*(_points(table, key) for key in own)))
-
-
-def _points(table: Table, key: str) -> list[tuple[float, ...]]:
-    rows = table.raw(key)
-    if not isinstance(rows, list) or len(rows) != 4:
-        raise InputError(f"{table.place(key)} must be a list of four points [x, y]")
-    return [
-        Table({"point": row}, f"{table.place(key)}[{i}]", table.scope).vector("point", 2)
-        for i, row in enumerate(rows, start=1)
-    ]
+        return curve.transformed(four_point_map(*(table.points(key, 2, 4) for key in own)))

@@ -102,7 +102,7 @@ def read_revolution(
                 numbers: Any = (table.number("angle"), table.number("length"))
                 line = meridian(table.number("a"), b, start, *numbers, ring=ring)
             elif ways[0] == "points":
-                line = meridian_through(_points(table), ring=ring)
+                line = meridian_through(table.points("points", 2), ring=ring)
             else:
                 line = meridian_through(read_drawn_curve(table, folder, read_curves), ring=ring)
     except NotConvergedError as problem:
@@ -116,13 +116,3 @@ def read_revolution(
         read_shop(table.table("shop")),
         table.flag("anyway"),
     )
-
-
-def _points(table: Table) -> list[tuple[float, ...]]:
-    rows = table.raw("points")
-    if not isinstance(rows, list):
-        raise InputError(f"{table.place('points')} must be a list of points [x, y], x from the axis, mm")
-    return [
-        Table({"point": row}, f"{table.place('points')}[{i}]", table.scope).vector("point", 2)
-        for i, row in enumerate(rows, start=1)
-    ]

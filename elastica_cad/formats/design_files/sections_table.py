@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.formats.surface_files.file_surface import SurfaceReader, read_sized_surface
@@ -76,7 +75,7 @@ def _split(cut: Table) -> Split:
         if cut.has("corners"):
             return CornerSplit(cut.only("corners").number("corners"))
         if cut.has("points"):
-            return PointSplit(_points(cut.only("points"), "points"))
+            return PointSplit(np.array(cut.only("points").points("points", 3)))
         cut.only("point", "normal")
         return PlaneSplit(_triple(cut, "normal"), _triple(cut, "point", (0.0, 0.0, 0.0)))
 
@@ -102,7 +101,7 @@ def _parallel(table: Table) -> ParallelCuts:
 def _along(table: Table) -> AlongPath:
     table.only("path", "count", "ends", "up")
     count, up = table.count("count", AlongPath.count), _triple(table, "up", AlongPath.up)
-    return AlongPath(_points(table, "path"), count, table.flag("ends"), up)
+    return AlongPath(np.array(table.points("path", 3)), count, table.flag("ends"), up)
 
 
 _READERS: dict[str, Callable[[Table], Cuts]] = {"radial": _radial, "parallel": _parallel, "along": _along}
@@ -113,19 +112,6 @@ def _triple(
 ) -> tuple[float, float, float]:
     x, y, z = table.vector(key, 3, default)
     return x, y, z
-
-
-def _points(table: Table, key: str) -> FloatArray:
-    """Places in space, however many."""
-    rows = table.raw(key)
-    if not isinstance(rows, list) or not rows:
-        raise InputError(f"{table.place(key)} must be a list of points [x, y, z]")
-    return np.array(
-        [
-            Table({"point": row}, f"{table.place(key)}[{i}]", table.scope).vector("point", 3)
-            for i, row in enumerate(rows, start=1)
-        ]
-    )
 
 
 def _list(table: Table, key: str) -> tuple[float, ...]:

@@ -94,7 +94,7 @@ def read_shop(table: Table) -> Shop:
     """What the workshop can make."""
     widths = ("least_width", "least_ligament", "least_bridge")
     table.only(*widths, "stock")
-    given: dict[str, Any] = {name: table.number(name) for name in widths if table.has(name)}
+    given: dict[str, Any] = {**table.numbers(*widths)}
     if table.has("stock"):
         given["stock"] = table.vector("stock", 2)
     with table.naming():
@@ -150,10 +150,7 @@ def read_keep(table: Table) -> Keep:
     points = table.raw("points", [])
     line: Any = table.raw("line")
     if isinstance(line, list):
-        if len(line) != 2:
-            raise InputError(f"{table.place('line')} is {line!r}: give true, or two points [x, y]")
-        rows = (Table({"point": row}, table.place("line"), table.scope) for row in line)
-        line = tuple(row.vector("point", 2) for row in rows)
+        line = tuple(table.points("line", 2, 2))
     with table.naming():
         return Keep(
             ends=_read_both_ends(table, "ends", True),

@@ -227,12 +227,7 @@ def _from_ellipse(curve: Table, _folder: Path, _read: CurveReader) -> PlaneCurve
 
 def _from_spline(curve: Table, _folder: Path, _read: CurveReader) -> PlaneCurve:
     curve.only("spline", "degree", "reshape")
-    rows = curve.raw("spline")
-    if not isinstance(rows, list):
-        raise InputError(f"{curve.place('spline')} must be a list of control points [x, y]")
-    points = [Table({"point": row}, f"{curve.place('spline')}[{i}]", curve.scope).vector("point", 2)
-              for i, row in enumerate(rows, start=1)]  # fmt: skip
-    return PlaneCurve.spline(points, degree=curve.count("degree", 4))
+    return PlaneCurve.spline(curve.points("spline", 2), degree=curve.count("degree", 4))
 
 
 def _gravity(table: Table) -> Gravity | tuple[float, ...] | None:

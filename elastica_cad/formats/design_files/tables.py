@@ -8,6 +8,8 @@ from typing import Any
 from elastica_cad.errors import InputError
 from elastica_cad.formats.design_files.formulae import Formula, Value
 
+_AXES = {2: "[x, y]", 3: "[x, y, z]"}
+
 
 def _compute_number(value: object, where: str, scope: Mapping[str, Value]) -> float:
     """The number that is written as a number or as a formula.
@@ -115,6 +117,19 @@ class Table:
             _compute_number(one, f"{self.place(key)}[{i}]", self.scope)
             for i, one in enumerate(value, start=1)
         )
+
+    def points(self, key: str, size: int, count: int | None = None) -> list[tuple[float, ...]]:
+        """Places of `size` numbers each: `count` of them, or however many."""
+        rows = self.raw(key)
+        if not isinstance(rows, list) or not rows or count not in (None, len(rows)):
+            which = "points" if count is None else f"{count} points"
+            raise InputError(f"{self.place(key)} must be a list of {which} {_AXES[size]}")
+        numbered = Table({f"{key}[{i}]": row for i, row in enumerate(rows, start=1)}, self.where, self.scope)
+        return [numbered.vector(name, size) for name in numbered.data]
+
+    def numbers(self, *keys: str) -> dict[str, float]:
+        """The numbers of those keys that are given."""
+        return {key: self.number(key) for key in keys if self.has(key)}
 
     def text(self, key: str, default: str | None = None, choices: Sequence[str] = ()) -> str:
         """A word or a line of text."""

@@ -2,12 +2,10 @@
 
 import io
 import logging
-import os
 import re
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from importlib import import_module
-from pathlib import Path as FilePath
 from threading import Lock
 from typing import TYPE_CHECKING, Any
 
@@ -17,7 +15,6 @@ from elastica_cad.errors import InputError, MissingDependencyError
 from elastica_cad.fabrication.drawings.drawing import LAYERS, Drawing
 from elastica_cad.formats.drawing_files.curve_style import EXACT, check_curve_style, shape_path
 from elastica_cad.formats.drawing_files.layers import LayerChoice, LayerStyle, style_layers
-from elastica_cad.formats.file_access.atomic_write import check_target, write_atomically
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Segment, Spline
 from elastica_cad.geometry.paths.trim import trim_segment
@@ -32,35 +29,6 @@ DXF_VERSIONS = ("R12", "R2000", "R2004", "R2007", "R2010", "R2013", "R2018")
 
 _TRUE_COLOR = DXF_VERSIONS[2:]
 _OPTIONS = Lock()
-
-
-def write_dxf(
-    drawing: Drawing,
-    path: str | os.PathLike[str],
-    *,
-    curves: str = "spline",
-    tolerance: float = 0.02,
-    version: str = "R2010",
-    layers: Mapping[str, LayerChoice] | None = None,
-    force: bool = False,
-) -> FilePath:
-    """Write a drawing as DXF; see `encode_dxf` for the options.
-
-    Parameters
-    ----------
-    path : path-like
-        The file; its folder must exist.
-    force : bool
-        Overwrite a file of that name.
-
-    Returns
-    -------
-    pathlib.Path
-        The file written.
-    """
-    check_target(path, force=force)
-    content = encode_dxf(drawing, curves=curves, tolerance=tolerance, version=version, layers=layers)
-    return write_atomically(path, content, force)
 
 
 def encode_dxf(

@@ -1,8 +1,6 @@
 """Drawings as SVG files in mm."""
 
-import os
 from collections.abc import Mapping
-from pathlib import Path as FilePath
 from xml.sax.saxutils import escape, quoteattr
 
 import numpy as np
@@ -11,7 +9,6 @@ from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.drawings.drawing import LAYERS, Drawing
 from elastica_cad.formats.drawing_files.curve_style import check_curve_style, shape_path
 from elastica_cad.formats.drawing_files.layers import LayerChoice, style_layers
-from elastica_cad.formats.file_access.atomic_write import check_target, write_atomically
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
 
@@ -20,35 +17,6 @@ _MARGIN_MM = 1.0
 
 _STROKE_MM = 0.1
 """Hairline: laser programs take thin strokes for cuts."""
-
-
-def write_svg(
-    drawing: Drawing,
-    path: str | os.PathLike[str],
-    *,
-    curves: str = "spline",
-    tolerance: float = 0.02,
-    layers: Mapping[str, LayerChoice] | None = None,
-    force: bool = False,
-) -> FilePath:
-    """Write a drawing as SVG; see `encode_svg` for the options.
-
-    Parameters
-    ----------
-    path : path-like
-        The file; its folder must exist.
-    force : bool
-        Overwrite a file of that name.
-
-    Returns
-    -------
-    pathlib.Path
-        The file written.
-    """
-    check_target(path, force=force)
-    return write_atomically(
-        path, encode_svg(drawing, curves=curves, tolerance=tolerance, layers=layers), force
-    )
 
 
 def encode_svg(

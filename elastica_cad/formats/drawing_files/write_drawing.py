@@ -8,10 +8,10 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs, add_holding_tabs
 from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.drawings.kerf import compensate_kerf
-from elastica_cad.formats.drawing_files.dxf_drawing import write_dxf
+from elastica_cad.formats.drawing_files.dxf_drawing import encode_dxf
 from elastica_cad.formats.drawing_files.layers import LayerChoice
-from elastica_cad.formats.drawing_files.svg_drawing import write_svg
-from elastica_cad.formats.file_access.atomic_write import check_target
+from elastica_cad.formats.drawing_files.svg_drawing import encode_svg
+from elastica_cad.formats.file_access.atomic_write import check_target, write_atomically
 
 DRAWING_SUFFIXES = (".dxf", ".svg")
 
@@ -74,7 +74,7 @@ def write_drawing(
     if holding is not None:
         cut = add_holding_tabs(cut, holding)
     if suffix == ".svg":
-        return write_svg(cut, path, curves=curves, tolerance=tolerance, layers=layers, force=force)
-    return write_dxf(
-        cut, path, curves=curves, tolerance=tolerance, version=version, layers=layers, force=force
-    )
+        content = encode_svg(cut, curves=curves, tolerance=tolerance, layers=layers)
+    else:
+        content = encode_dxf(cut, curves=curves, tolerance=tolerance, version=version, layers=layers)
+    return write_atomically(path, content, force)

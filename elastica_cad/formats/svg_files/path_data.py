@@ -17,7 +17,7 @@ from elastica_cad.formats.curve_files.number_gate import MOST_PIECES, NUMBER, ch
 _SPACE = re.compile(r"[\s,]*")
 _NUMBER = re.compile(NUMBER)
 _COUNTS = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}
-_MOST_SEGMENTS = 20 * MOST_PIECES
+_MOST_SEGMENTS = 20 * MOST_PIECES  # of one path, with all its subpaths
 
 
 @dataclass(frozen=True, eq=False)

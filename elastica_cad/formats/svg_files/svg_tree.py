@@ -28,8 +28,8 @@ _NOT_SHOWN = (
 )
 _NO_CURVES = ("text", "image", "foreignObject", "flowRoot", "switch")
 _INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}"
-_DEEPEST = 200
-_MOST_TEXT = 64 * 2**20
+_DEEPEST = 200  # elements within elements
+_MOST_TEXT = 64 * 2**20  # characters once clones are put in place
 MARK = "data-shape"
 """The attribute that says which shape of the tree an expanded one is."""
 

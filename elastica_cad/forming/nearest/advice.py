@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -179,7 +180,7 @@ def _curvature(near: NearestRod) -> _Change | None:
 def _length(near: NearestRod) -> _Change | None:
     limits, keep = near.limits, near.keep
     if keep.length:
-        return _Change(_Looser("the length", limits, replace(keep, length=False)), kept=True)
+        return _freed(near, "the length", length=False)
     if limits.length is None:
         return None
     low, high = limits.length
@@ -201,33 +202,17 @@ def _tangent(near: NearestRod, index: int) -> _Change | None:
     if not (start, end)[index]:
         return None
     if near.keep.symmetry:
-        free = _Looser("both ends' angles", near.limits, replace(near.keep, tangents=False))
-    else:
-        kept = (False, end) if index == 0 else (start, False)
-        free = _Looser(
-            f"the {_side(near, index)} end's angle", near.limits, replace(near.keep, tangents=kept)
-        )
-    return _Change(free, kept=True)
+        return _freed(near, "both ends' angles", tangents=False)
+    kept = (False, end) if index == 0 else (start, False)
+    return _freed(near, f"the {_side(near, index)} end's angle", tangents=kept)
 
 
-def _keep_out(near: NearestRod) -> _Change | None:
-    return _Change(_Looser("the keep-out regions", replace(near.limits, keep_out=()), near.keep))
+def _all_of(near: NearestRod, words: str, **limits: Any) -> _Change:
+    return _Change(_Looser(words, replace(near.limits, **limits), near.keep))
 
 
-def _bounds(near: NearestRod) -> _Change | None:
-    return _Change(_Looser("the stiffness bounds", replace(near.limits, stiffness_bounds=None), near.keep))
-
-
-def _points(near: NearestRod) -> _Change | None:
-    return _Change(_Looser("the kept points", near.limits, replace(near.keep, points=())), kept=True)
-
-
-def _line(near: NearestRod) -> _Change | None:
-    return _Change(_Looser("the inflection line", near.limits, replace(near.keep, line=None)), kept=True)
-
-
-def _symmetry(near: NearestRod) -> _Change | None:
-    return _Change(_Looser("the symmetry", near.limits, replace(near.keep, symmetry=None)), kept=True)
+def _freed(near: NearestRod, words: str, **keep: Any) -> _Change:
+    return _Change(_Looser(words, near.limits, replace(near.keep, **keep)), kept=True)
 
 
 _CHANGES: dict[str, Callable[[NearestRod], _Change | None]] = {
@@ -237,11 +222,11 @@ _CHANGES: dict[str, Callable[[NearestRod], _Change | None]] = {
     "length": _length,
     "start tangent": lambda near: _tangent(near, 0),
     "end tangent": lambda near: _tangent(near, 1),
-    "keep-out": _keep_out,
-    "stiffness bounds": _bounds,
-    "points": _points,
-    "inflection line": _line,
-    "symmetry": _symmetry,
+    "keep-out": lambda near: _all_of(near, "the keep-out regions", keep_out=()),
+    "stiffness bounds": lambda near: _all_of(near, "the stiffness bounds", stiffness_bounds=None),
+    "points": lambda near: _freed(near, "the kept points", points=()),
+    "inflection line": lambda near: _freed(near, "the inflection line", line=None),
+    "symmetry": lambda near: _freed(near, "the symmetry", symmetry=None),
 }
 
 

@@ -273,15 +273,15 @@ class NearestTask:
             )
         curvature = limits.largest_curvature
         if curvature is not None:
-            found.append(rows.CurvatureLimit(curvature * target.size))
+            found.append(rows.CurvatureLimit(limit=curvature * target.size))
         found += [
-            rows.KeepOut(region, target.size, _pair(target.origin), keep.both_ends)
+            rows.KeepOut(region=region, size=target.size, origin=_pair(target.origin), kept=keep.both_ends)
             for region in limits.keep_out
         ]
         if limits.stiffness_bounds is not None and limits.stiffness_bounds[0] is not None:
             found.append(rows.LeastStiffness())
         if with_margin and limits.margin is not None:
-            found.append(rows.MarginLimit(limits.margin))
+            found.append(rows.MarginLimit(limit=limits.margin))
         return found
 
     def _symmetry(self, kind: Symmetry) -> rows.Constraint:

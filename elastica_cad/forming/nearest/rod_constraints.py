@@ -1,8 +1,8 @@
 """Limits and what is kept, as numbers that must be zero (or not negative), with their derivatives."""
 
+from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Protocol
 
 import numpy as np
 
@@ -14,45 +14,38 @@ MOST_ROWS = 56  # of one constraint in one program: with its ends below 64, wher
 _NEAR = 0.6  # of a limit: values within it enter the quadratic program, as a step may use them up
 
 
-class Constraint(Protocol):
+@dataclass(frozen=True, kw_only=True)
+class Constraint(ABC):
     """Values that must be 0, or at least 0 where `one_sided`; all are of order 1 when badly broken.
 
-    `price` is the most that breaking one by 1 costs.
+    Attributes
+    ----------
+    name : str
+        What the user calls it.
+    one_sided : bool
+        At least 0, not 0.
+    price : float
+        The most that breaking one by 1 costs.
+    near_balance_only : bool
+        Does it make no sense far from balance?
     """
 
-    @property
-    def name(self) -> str:
-        """What the user calls it."""
-
-    @property
-    def one_sided(self) -> bool:
-        """At least 0, not 0."""
-
-    @property
-    def price(self) -> float:
-        """See above."""
-
-    @property
-    def near_balance_only(self) -> bool:
-        """Does it make no sense far from balance?"""
-
-    def values(self, rod: MappedRod) -> FloatArray:
-        """All values (k,)."""
-
-    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Indices (j,) into the values and derivatives (j, p) of those that matter near this rod."""
-
-
-@dataclass(frozen=True)
-class _Equality:
     name: str
     one_sided: bool = False
     price: float = 100.0
     near_balance_only: bool = False
 
+    @abstractmethod
+    def values(self, rod: MappedRod) -> FloatArray:
+        """All values (k,)."""
 
-@dataclass(frozen=True)
-class EndPosition(_Equality):
+    @abstractmethod
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """Indices (j,) into the values and derivatives (j, p) of those that matter near this rod."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class EndPosition(Constraint):
     """The last node lies at `target`."""
 
     name: str = "end position"
@@ -67,8 +60,8 @@ class EndPosition(_Equality):
         return _all(sensitivities.position[-1])
 
 
-@dataclass(frozen=True)
-class EndAngle(_Equality):
+@dataclass(frozen=True, kw_only=True)
+class EndAngle(Constraint):
     """The end's angle is `target`."""
 
     name: str = "end tangent"
@@ -83,8 +76,8 @@ class EndAngle(_Equality):
         return _all(sensitivities.angles[-1:])
 
 
-@dataclass(frozen=True)
-class EndMoment(_Equality):
+@dataclass(frozen=True, kw_only=True)
+class EndMoment(Constraint):
     """No moment at an end that is free to turn."""
 
     name: str = "free end angle"
@@ -99,8 +92,8 @@ class EndMoment(_Equality):
         return _all(sensitivities.moments[-1:] / self.scale)
 
 
-@dataclass(frozen=True)
-class EndForce(_Equality):
+@dataclass(frozen=True, kw_only=True)
+class EndForce(Constraint):
     """No force along an `axis` (0: x, 1: y) that the end leaves free."""
 
     name: str = "free end position"
@@ -122,8 +115,8 @@ class EndForce(_Equality):
         return _all(row[None] / self.scale)
 
 
-@dataclass(frozen=True)
-class MarginLimit:
+@dataclass(frozen=True, kw_only=True)
+class MarginLimit(Constraint):
     """Stability margin, for least stiffness 1, at least `limit`."""
 
     limit: float
@@ -153,15 +146,14 @@ class MarginLimit:
         return _all(row[None] / self.scale)
 
 
-@dataclass(frozen=True)
-class CurvatureLimit:
+@dataclass(frozen=True, kw_only=True)
+class CurvatureLimit(Constraint):
     """|M / K| at most `limit`, node by node."""
 
     limit: float
     name: str = "curvature"
     one_sided: bool = True
     price: float = 1.0
-    near_balance_only: bool = False
 
     def values(self, rod: MappedRod) -> FloatArray:
         """1 - |M / K| / limit, (n+1,)."""
@@ -180,8 +172,8 @@ class CurvatureLimit:
         return near, rows
 
 
-@dataclass(frozen=True)
-class KeepOut:
+@dataclass(frozen=True, kw_only=True)
+class KeepOut(Constraint):
     """Every node outside a region; the region is in millimetres, the rod in `size` from `origin`.
 
     Ends that are `kept` where they are do not count: on the border they would only fight what keeps them.
@@ -193,8 +185,6 @@ class KeepOut:
     kept: tuple[bool, bool] = (False, False)
     name: str = "keep-out"
     one_sided: bool = True
-    price: float = 100.0
-    near_balance_only: bool = False
 
     def values(self, rod: MappedRod) -> FloatArray:
         """Clearances (n+1,)."""
@@ -215,14 +205,13 @@ class KeepOut:
         return value, gradient
 
 
-@dataclass(frozen=True)
-class LeastStiffness:
+@dataclass(frozen=True, kw_only=True)
+class LeastStiffness(Constraint):
     """The least stiffness is 1, where lower bounds along the strip are meant in units of it."""
 
     name: str = "stiffness bounds"
     one_sided: bool = True
     price: float = 1.0
-    near_balance_only: bool = False
 
     def values(self, rod: MappedRod) -> FloatArray:
         """1 - min K, (1,); the box keeps it from growing."""
@@ -236,8 +225,8 @@ class LeastStiffness:
         return _all(row)
 
 
-@dataclass(frozen=True)
-class Through(_Equality):
+@dataclass(frozen=True, kw_only=True)
+class Through(Constraint):
     """The rod passes through `target`, first sought `place` (0..1) of its length from the start."""
 
     name: str = "points"
@@ -276,8 +265,8 @@ class Through(_Equality):
         return share, nodes, np.array([-tangent[1], tangent[0]]) / np.hypot(*tangent)
 
 
-@dataclass(frozen=True)
-class InflectionLine(_Equality):
+@dataclass(frozen=True, kw_only=True)
+class InflectionLine(Constraint):
     """M vanishes on the line through `point` along `direction`: without weight M = a + <b, gamma>."""
 
     name: str = "inflection line"
@@ -287,8 +276,8 @@ class InflectionLine(_Equality):
 
     def values(self, rod: MappedRod) -> FloatArray:
         """Moment at the point, and its change along the line (2,)."""
-        first = float(rod.moments[0]), rod.all_forces[0]
-        return np.array([self._moment(*first, rod.position[0]), self._slope(rod.all_forces[0])]) / self.scale
+        (fx, fy), (x, y), (u, v) = rod.all_forces[0], self.point - rod.position[0], self.direction
+        return np.array([rod.moments[0] + fy * x - fx * y, fy * u - fx * v]) / self.scale
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
         """Both."""
@@ -303,16 +292,9 @@ class InflectionLine(_Equality):
         rows[1, u.force] = [-self.direction[1], self.direction[0]]
         return _all(rows / self.scale)
 
-    def _moment(self, moment: float, force: FloatArray, start: FloatArray) -> float:
-        off = np.asarray(self.point) - start
-        return float(moment + force[1] * off[0] - force[0] * off[1])
 
-    def _slope(self, force: FloatArray) -> float:
-        return float(force[1] * self.direction[0] - force[0] * self.direction[1])
-
-
-@dataclass(frozen=True)
-class MiddleOfMirror(_Equality):
+@dataclass(frozen=True, kw_only=True)
+class MiddleOfMirror(Constraint):
     """The middle stands on the axis, across it, and carries no force along it: one half mirrors the other."""
 
     name: str = "symmetry"
@@ -347,8 +329,8 @@ class MiddleOfMirror(_Equality):
         )
 
 
-@dataclass(frozen=True)
-class MiddleOfTurn(_Equality):
+@dataclass(frozen=True, kw_only=True)
+class MiddleOfTurn(Constraint):
     """The middle stands in the centre and carries no moment: one half is the other turned by half a turn."""
 
     name: str = "symmetry"

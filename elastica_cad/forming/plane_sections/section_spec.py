@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import Protocol, TypeAlias
+from typing import ClassVar, Protocol, TypeAlias
 
 import numpy as np
 
@@ -54,10 +54,8 @@ class Surface:
 class Cuts(Protocol):
     """A family of planes."""
 
-    @property
-    def half(self) -> bool:
-        """Do they end at an axis, unless told otherwise?"""
-        ...
+    half: ClassVar[bool]
+    """Do they end at an axis, unless told otherwise?"""
 
     def frames(self, surface: Surface, /) -> tuple[Frame, ...]:
         """The planes for a surface."""
@@ -68,16 +66,12 @@ class Cuts(Protocol):
 class RadialCuts:
     """Half planes about an axis: at `angles`, rad from `zero`, or `count` of them all around."""
 
+    half: ClassVar[bool] = True
     count: int = 8
     angles: tuple[float, ...] | None = None
     point: Triple = (0.0, 0.0, 0.0)
     axis: Triple = (0.0, 0.0, 1.0)
     zero: Triple = (1.0, 0.0, 0.0)
-
-    @property
-    def half(self) -> bool:
-        """They end at the axis."""
-        return True
 
     def frames(self, _surface: Surface, /) -> tuple[Frame, ...]:
         """The planes, whatever the surface."""
@@ -92,16 +86,12 @@ class RadialCuts:
 class ParallelCuts:
     """Planes across `normal`: at `offsets` from the point, mm, or through `count` equal slices of the surface."""
 
+    half: ClassVar[bool] = False
     normal: Triple
     count: int = 8
     offsets: tuple[float, ...] | None = None
     point: Triple = (0.0, 0.0, 0.0)
     up: Triple = (0.0, 0.0, 1.0)
-
-    @property
-    def half(self) -> bool:
-        """They are whole planes."""
-        return False
 
     def frames(self, surface: Surface, /) -> tuple[Frame, ...]:
         """The planes; slices are those of the surface."""
@@ -119,15 +109,11 @@ class ParallelCuts:
 class AlongPath:
     """`count` planes across a path of points (n, 3), mm; `ends` puts the first and the last at its ends."""
 
+    half: ClassVar[bool] = False
     path: FloatArray
     count: int = 8
     ends: bool = False
     up: Triple = (0.0, 0.0, 1.0)
-
-    @property
-    def half(self) -> bool:
-        """They are whole planes."""
-        return False
 
     def frames(self, _surface: Surface, /) -> tuple[Frame, ...]:
         """The planes, whatever the surface."""
@@ -181,10 +167,7 @@ class PointSplit:
 
     points: FloatArray
 
-    @property
-    def name(self) -> str:
-        """In words."""
-        return "a point"
+    name: ClassVar[str] = "a point"
 
     def pieces(self, line: SectionLine) -> tuple[SectionLine, ...]:
         """See `SectionLine.split_at`."""

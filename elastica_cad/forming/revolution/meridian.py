@@ -26,7 +26,7 @@ ACCURACY = 1e-12
 CURVE_TOLERANCE = 1e-10
 """Of the spline, in lengths of the meridian."""
 
-NODES = 601
+NODES = 601  # of the rod
 SOUGHT = 25
 """Points of a profile that the search looks at."""
 
@@ -37,7 +37,7 @@ MOST_TURNS = 20
 """A meridian that turns about more often within its length is no strip; its integration would take for ever."""
 
 HOPELESS = "strips that tile a surface of revolution cannot follow them"
-NEAR_AXIS_SHARE = 0.05
+NEAR_AXIS_SHARE = 0.05  # of the largest distance from the axis
 TO_THE_POLE = "; so near to the axis end them on it (x = 0), or on a ring farther away"
 """Said where the last point is nearer to the axis than a share of the farthest."""
 

@@ -25,15 +25,15 @@ the last is its pole, which takes two freedoms."""
 NODES = 96
 """About so many along the whole meridian, at least `FEWEST` between two points."""
 
-FEWEST = 8
+FEWEST = 8  # nodes between two points
 STARTS = 30
 """First guesses of a and b that are tried: the regression's, then others of its size, always the same."""
 
-STEPS = 40
+STEPS = 40  # of Newton's method
 LEAST_SHARE = 1e-3
 """Of a step; where less of it would be needed the search leads nowhere."""
 
-SOLVED = 1e-11
+SOLVED = 1e-11  # equations missed by less, for points of size 1, hold
 LONGEST = 1.5
 """A meridian longer than this times the smooth curve through the points winds about between them."""
 

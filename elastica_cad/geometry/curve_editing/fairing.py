@@ -17,15 +17,15 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
 
-DEGREE = 4
+DEGREE = 4  # whose curvature and its slope are continuous at simple knots
 
 USUAL, USUAL_SHARE = 0.1, 5e-4
 """How far a pen curve is moved unless told: mm, and lengths of the curve."""
 
 _EACH = 5  # sites in a span
 _FEWEST, _MOST = 24, 768  # spans
-_ROUNDS = 3
-_HALVINGS = 14
+_ROUNDS = 3  # rounds: what is found moves the sites of the next
+_HALVINGS = 14  # of the range of smoothing weights
 _USED = 0.96  # of the tolerance at the sites: what is between them is measured afterwards
 _SLIDE = 1e4  # weight of sliding along the curve, beside moving across it
 _FINE = 1.5  # spans in the length over which curvature is evened out

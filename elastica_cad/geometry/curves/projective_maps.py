@@ -10,7 +10,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.polynomials.bernstein import subdivide
 from elastica_cad.geometry.polynomials.spline_checks import finite
 
-_MOST_HALVINGS = 30
+_MOST_HALVINGS = 30  # of a piece, until its weights are even
 
 IN_LINE_SHARE = 1e-9
 """Three points whose triangle is lower than this share of the four points' size lie in a line."""

@@ -18,7 +18,7 @@ ANYWAY = 1e-9
 SURE = np.radians(5.0)
 """A turn by more than this is not put right unasked, even where rounding explains it."""
 
-_STRAIGHT = 1e-12
+_STRAIGHT = 1e-12  # of the squared chord: control points no farther off a line lie on it
 _SHORT = 1e-12  # of the longest handle: control points nearer than this lie in one place
 
 

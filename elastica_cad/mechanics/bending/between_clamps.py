@@ -15,7 +15,7 @@ from elastica_cad.mechanics.rod.rod_record import Rod
 
 SAMPLES = 901  # nodes: the curve through them is longer by the square of their distance, 1e-6 of the length
 DRAWN = 1e-6  # of the length: error of the curve through the nodes
-DEGREE = 5
+DEGREE = 5  # of the spline through the nodes
 
 
 @dataclass(frozen=True, eq=False)

@@ -11,7 +11,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.material.sheet import Sheet
 
-_ROUNDING_SHARE = 1e-12
+_ROUNDING_SHARE = 1e-12  # of the moment
 
 
 class MaterialLaw(ABC):

@@ -11,8 +11,8 @@ from elastica_cad.errors import NotConvergedError
 
 Solver: TypeAlias = Literal["auto", "highspy", "scipy"]
 
-_START_ROWS = 9
-MAX_ROUNDS = 200
+_START_ROWS = 9  # along the curve, before violated rows are added
+MAX_ROUNDS = 200  # of adding violated rows
 
 
 @dataclass(frozen=True, eq=False)

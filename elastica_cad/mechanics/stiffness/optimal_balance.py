@@ -26,7 +26,7 @@ from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealiza
 ROUGH = 1e-9
 """Last Legendre coefficients of K in a panel, relative to K, that call for smaller panels."""
 
-REFINEMENTS = 6
+REFINEMENTS = 6  # rounds of solving anew on finer panels
 
 SMOOTH = 4
 """Continuous derivatives of K from which on a knot of the load needs no edge of a panel."""

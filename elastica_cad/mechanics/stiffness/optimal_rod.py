@@ -32,7 +32,7 @@ from elastica_cad.mechanics.theorem1.equilibrium_check import (
 from elastica_cad.mechanics.theorem1.inflection_line import InflectionLine
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable, figure
 
-_LAW_SAMPLES = 2001
+_LAW_SAMPLES = 2001  # along the curve, where a law is asked for its moments
 
 
 def optimal_rod(

@@ -13,10 +13,10 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.polynomials.chebyshev import chebyshev
 from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
 
-ORDER = 12
-MAX_PANELS = 4000
-RESOLVED = 1e-11
-NOISE = 1e-6
+ORDER = 12  # Gauss nodes of a panel
+MAX_PANELS = 4000  # of one curve: more mean a function that cannot be resolved
+RESOLVED = 1e-11  # of the function: last coefficients below it are rounding
+NOISE = 1e-6  # of the function: last coefficients below it that a split hardly lowers are rounding too
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(ORDER)
 _DEGREES = np.arange(ORDER)

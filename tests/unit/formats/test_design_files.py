@@ -7,7 +7,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.files import read_curves
-from elastica_cad.formats.curve_files.json_curves import write_json_curves
+from elastica_cad.formats.curve_files.write_curves import write_curves
 from elastica_cad.formats.design_files.design_file import read_design
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
@@ -84,8 +84,8 @@ def test_curves_from_formulae_follow_them(read):
 
 def test_curves_from_files_and_control_points(read, tmp_path):
     arc = PlaneCurve.arc((0, 0), 50, 0.2, 2.0)
-    write_json_curves([arc, PlaneCurve.arc((0, 0), 60, 0.2, 2.0)], tmp_path / "two.json")
-    write_json_curves([arc], tmp_path / "one.json")
+    write_curves([arc, PlaneCurve.arc((0, 0), 60, 0.2, 2.0)], tmp_path / "two.json")
+    write_curves([arc], tmp_path / "one.json")
     design = read(
         HEAD + '[[strips]]\ncurve = "one.json"\n[[strips]]\ncurve = { file = "two.json", number = 2 }\n'
         '[[strips]]\ncurve = { spline = [[0, 0], [20, "15 * 2"], [50, 40], [80, 30], [100, 0]] }\n'

@@ -8,8 +8,8 @@ from elastica_cad.formats.curve_files.json_curves import (
     curve_record,
     curves_json,
     read_json_curves,
-    write_json_curves,
 )
+from elastica_cad.formats.curve_files.write_curves import write_curves
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
 pytestmark = pytest.mark.core
@@ -42,11 +42,11 @@ def test_round_trip_is_bit_by_bit_and_reproducible(read):
 
 
 def test_written_file_is_whole_and_not_overwritten(tmp_path):
-    path = write_json_curves(CURVES, tmp_path / "a.json")
+    path = write_curves(CURVES, tmp_path / "a.json")
     assert [c.length for c in read_json_curves(path)] == [c.length for c in CURVES]
     with pytest.raises(InputError, match="exists already"):
-        write_json_curves(CURVES[:1], path)
-    write_json_curves(CURVES[:1], path, force=True)
+        write_curves(CURVES[:1], path)
+    write_curves(CURVES[:1], path, force=True)
     assert len(read_json_curves(path)) == 1
     assert [p.name for p in tmp_path.iterdir()] == ["a.json"]
 
