@@ -1,7 +1,7 @@
 """Solid records that a CAD kernel only translates: flat parts, and strips bent into their curves."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise, product
 from typing import TypeAlias
@@ -185,10 +185,15 @@ class BentSolid:
         half = heights[-1] / 2
         for layer, (low, high) in zip(strip.layers, pairwise(heights), strict=True):
             faces = (low - half, high - half)
-            body = cls.wrapped(
-                strip.rod, layer.outline, layer.holes, heights=faces, frame=frame, joints=joints
+            yield cls.wrapped(
+                strip.rod,
+                layer.outline,
+                layer.holes,
+                heights=faces,
+                frame=frame,
+                joints=joints,
+                between=heights[-1],
             )
-            yield replace(body, joints=with_faces(body.joints, heights[-1]))
             joints = {}
 
     @classmethod
@@ -201,6 +206,7 @@ class BentSolid:
         heights: tuple[float, float],
         frame: Frame | None = None,
         joints: Mapping[str, tuple[float, float, int]] | None = None,
+        between: float = 0.0,
     ) -> "BentSolid":
         """Wrap any flat pattern onto a rod's curve.
 
@@ -217,6 +223,8 @@ class BentSolid:
         joints : mapping of str to (x, y, way), optional
             Flat places, on the curve's own height; the x axis of a joint runs along the strip where way is 1,
             against it where it is -1.
+        between : float
+            Thickness of the strip, mm: holes get joints on both its faces too; 0 for none.
 
         Raises
         ------
@@ -235,7 +243,7 @@ class BentSolid:
             shape = maps[int(np.searchsorted(stations, x))]
             tangent = shape.frame_at(x) if isinstance(shape, BentMap) else shape
             places[name] = turned(tangent.shifted(x, y), way)
-        made = cls(pattern, maps, (lower, upper), frame, places)
+        made = cls(pattern, maps, (lower, upper), frame, with_faces(places, between) if between else places)
         if not made.boundary.is_closed:
             raise InputError("the flat pattern's loops cross or touch: the bent strip has no closed skin")
         return made

@@ -128,39 +128,41 @@ class Overlay:
 
 
 class _Points:
-    """Lines or marks of one colour."""
+    """Lines or marks of one colour; the fields are kept, since every look for one costs as much as filling it."""
 
     def __init__(self, root: Any, color: tuple[float, float, float], style: Any, shape: Any) -> None:
-        self._shape, self._points, self._color = shape, coin.SoCoordinate3(), coin.SoBaseColor()
-        self._group = coin.SoSeparator()
-        self.count = 0
-        self._color.rgb = color
-        for node in (self._color, style, self._points, shape):
+        points, self._paint, group = coin.SoCoordinate3(), coin.SoBaseColor(), coin.SoSeparator()
+        self._places = points.point
+        self._lengths = shape.numVertices if isinstance(shape, coin.SoLineSet) else None
+        self._count = None if self._lengths is not None else shape.numPoints
+        self._color: tuple[float, float, float] | None = None
+        self.count = -1
+        self.color(color)
+        for node in (self._paint, style, points, shape):
             if node is not None:
-                self._group.addChild(node)
-        root.addChild(self._group)
+                group.addChild(node)
+        root.addChild(group)
         self.set([])
 
     def color(self, color: tuple[float, float, float]) -> None:
-        self._color.rgb = color
+        if color != self._color:
+            self._paint.rgb = self._color = color
 
     def set(self, pieces: Sequence[FloatArray]) -> None:
         """Replace the points; each piece is one line."""
         pieces = [piece for piece in pieces if len(piece)]
-        self.count = sum(map(len, pieces))
-        rows = np.zeros((self.count, 3))
-        rows[:, 2] = LIFT_MM
+        if not pieces and self.count == 0:
+            return
+        lengths = [len(piece) for piece in pieces] or [0]
+        self.count = sum(lengths)
+        rows = np.full((self.count, 3), LIFT_MM)
         if pieces:
             rows[:, :2] = np.concatenate(pieces)
-        self._points.point.setNum(self.count)
+        self._places.setNum(self.count)
         if pieces:
-            self._points.point.setValues(0, self.count, rows.tolist())
-        if isinstance(self._shape, coin.SoLineSet):
-            lengths = [len(piece) for piece in pieces]
-            self._shape.numVertices.setNum(len(lengths))
-            if lengths:
-                self._shape.numVertices.setValues(0, len(lengths), lengths)
-            else:
-                self._shape.numVertices.setValues(0, 1, [0])
+            self._places.setValues(0, self.count, rows.tolist())
+        if self._lengths is None:
+            self._count.setValue(self.count)
         else:
-            self._shape.numPoints = self.count
+            self._lengths.setNum(len(lengths))
+            self._lengths.setValues(0, len(lengths), lengths)

@@ -36,7 +36,6 @@ from elastica_cad.forming.rod_spec import RodSpec
 FREE_RATIO = 10.0  # of a strip without limits of its own: about what can be cut
 REST_MS = 40  # without a move, after which the slower answers are computed
 PEEK_MS = 60  # between looks whether the nearest curve was found
-STATUS_MS = 20_000  # that the advice stays in the status bar
 SKETCHER = "User parameter:BaseApp/Preferences/Mod/Sketcher/General"
 OWN_COMB = "BSplineCombVisible"
 
@@ -224,7 +223,6 @@ class Session:
     def _say(self, answer: Answer) -> None:
         self.sentence = worded(answer.sentence)
         self.card.show(answer, self.sentence)
-        Gui.getMainWindow().statusBar().showMessage(self.sentence, STATUS_MS)
 
 
 class _OwnComb:

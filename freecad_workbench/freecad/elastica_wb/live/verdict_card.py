@@ -44,6 +44,7 @@ class VerdictCard(QtCore.QObject):
         self.button.hide()
         self._over.installEventFilter(self)
         self.answer: Answer | None = None
+        self._tall = 0
 
     def show(self, answer: Answer, sentence: str) -> None:
         """Another verdict; `sentence` is in the user's units."""
@@ -52,8 +53,9 @@ class VerdictCard(QtCore.QObject):
         self.answer = answer
 
     def _show(self, answer: Answer, sentence: str) -> None:
-        if answer is not self.answer:
+        if self.answer is None or answer.words != self.answer.words:
             self.heading.setText(answer.words)
+        if self.answer is None or answer.verdict is not self.answer.verdict:
             color = _hex(COLORS[answer.verdict])
             self.heading.setStyleSheet(
                 f"background: {color}; color: white; font-weight: bold; padding: 4px 8px;"
@@ -61,7 +63,10 @@ class VerdictCard(QtCore.QObject):
             self.legend.setVisible(answer.verdict is Verdict.CAN)
         if sentence != self.words.text():
             self.words.setText(sentence)
-            self._place()
+            tall = self.words.heightForWidth(self.words.width())
+            if tall != self._tall:  # most moves of the mouse change figures only
+                self._tall = tall
+                self._place()
         self.frame.show()
 
     def offer(self, *, nearest: bool) -> None:
