@@ -26,7 +26,7 @@ from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.formats.reports.model_report import report_model
 from elastica_cad.mechanics.material.sheet import Sheet
 
-Writer: TypeAlias = Callable[[Path], None]
+Writer: TypeAlias = Callable[[Path], object]
 Asked: TypeAlias = tuple[Sheet, Any, Nesting] | None
 
 
@@ -300,21 +300,10 @@ def _suffix(kit: Kit) -> str:
 def _add_drawing(kit: Kit, stem: str, drawing: Any, sheet: Sheet, what: str) -> None:
     """The drawing as DXF and SVG."""
     cutting = kit.spec.cutting
-    if cutting.kerf is None and sheet.kerf == 0:
-        raise InputError(f"no kerf is known for {sheet.name}: give a number of mm instead of the word sheet")
-    options: dict[str, Any] = {
-        "kerf": sheet.kerf if cutting.kerf is None else cutting.kerf,
-        "curves": cutting.curves,
-        "tolerance": cutting.tolerance,
-        "holding": cutting.holding,
-    }
+    options = cutting.options(sheet)
     dxf = f"{stem}.{_suffix(kit)}"
-    kit.files[dxf] = (what, lambda path: _saved(drawing, path, version=cutting.version, **options))
-    kit.files[f"{stem}.svg"] = (what, lambda path: _saved(drawing, path, **options))
-
-
-def _saved(drawing: Any, path: Path, **options: Any) -> None:
-    save(drawing, path, **options)
+    kit.files[dxf] = (what, lambda path: save(drawing, path, version=cutting.version, **options))
+    kit.files[f"{stem}.svg"] = (what, lambda path: save(drawing, path, **options))
 
 
 def _write_text(path: Path, text: str) -> None:

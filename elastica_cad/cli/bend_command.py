@@ -8,7 +8,15 @@ from typing import Any
 import click
 import numpy as np
 
-from elastica_cad.cli.options import END_NAMES, curve_argument, pick_curve, smooth_option, which_options
+from elastica_cad.cli.options import (
+    END_NAMES,
+    curve_argument,
+    output_options,
+    pick_curve,
+    smooth_option,
+    unit_option,
+    which_options,
+)
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.travel import Travel, bend_strip
@@ -27,7 +35,7 @@ from elastica_cad.mechanics.stability.stability_verdict import Stability, stabil
 @click.option("--straight", type=float, metavar="MM", help="A straight strip of even width instead of CURVE.")
 @which_options
 @smooth_option
-@click.option("--unit", type=click.Choice(["mm", "cm", "m", "in", "px"]), help="Unit of the file's numbers.")
+@unit_option
 @click.option("--sheet", metavar="NAME", help="Material, for its weight; `elastica sheets` lists them.")
 @click.option(
     "--max-width",
@@ -51,8 +59,7 @@ from elastica_cad.mechanics.stability.stability_verdict import Stability, stabil
 @click.option("--steps", type=click.IntRange(1, 200), default=1, show_default=True,
               help="Shapes on the way, the ends moving evenly.")  # fmt: skip
 @click.option("--side", type=click.Choice(["left", "right"]), help="To which side a straight strip bulges.")
-@click.option("--force", is_flag=True, help="Overwrite files that exist.")
-@click.option("-o", "--output", type=click.Path(path_type=Path), default=Path(), help="Folder for files.")
+@output_options
 def bend_command(curve: Path | None, **chosen: Any) -> None:
     """Bend the strip that was made for CURVE, or a straight one, to other ends, and tell where it comes to rest.
 

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import click
 
+from elastica_cad.cli.options import output_options
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.sheets.coupon import coupon_drawing
 from elastica_cad.files import save
@@ -31,8 +32,7 @@ from elastica_cad.mechanics.studies.calibration import calibrate_cantilever
 @click.option("--least-radius", type=float, metavar="MM",
               help="Least radius that left no lasting bend [default: by the sheet's largest strain].")  # fmt: skip
 @click.option("--name", help="What to call the measured sheet [default: my-NAME].")
-@click.option("--force", is_flag=True, help="Overwrite files that exist.")
-@click.option("-o", "--output", type=click.Path(path_type=Path), default=Path(), help="Folder for files.")
+@output_options
 def coupon(
     sheet: str,
     overhang: float | None,

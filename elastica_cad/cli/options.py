@@ -27,14 +27,15 @@ LARGEST_NUMBER = 1e9
 END_NAMES = ["clamped", "pinned", "slide-x", "slide-y", "guided", "free"]
 
 
-def curve_options(function: F) -> F:
-    """The CURVE argument and how to read it."""
-    function = click.option(
-        "--unit",
-        type=click.Choice(["mm", "cm", "m", "in", "px"]),
-        help="Unit of the file's numbers, where the file does not say or says it wrongly.",
-    )(function)
-    return curve_argument()(function)
+def join_options(*options: Callable[[Any], Any]) -> Callable[[F], F]:
+    """Several options as one decorator; help lists them in this order."""
+
+    def add(function: F) -> F:
+        for option in reversed(options):
+            function = option(function)
+        return function
+
+    return add
 
 
 def curve_argument(*, required: bool = True) -> Callable[[F], F]:
@@ -83,55 +84,50 @@ def _kind(data: bytes) -> str:
     return ".txt" if re.match(rb"\d+[ \t]+\d+[ \t]*\r?\n", head) else ".csv"
 
 
-def holding_option(function: F) -> F:
-    """Bridges that hold parts in the sheet."""
-    return click.option(
-        "--holding",
-        type=float,
-        metavar="MM",
-        help="Leave bridges of this width in the outer cuts, which hold the parts in the sheet.",
-    )(function)
+unit_option = click.option(
+    "--unit", type=click.Choice(["mm", "cm", "m", "in", "px"]),
+    help="Unit of the file's numbers, where the file does not say or says it wrongly.",
+)  # fmt: skip
 
+curve_options = join_options(curve_argument(), unit_option)
+"""The CURVE argument and how to read it."""
 
-def support_options(function: F) -> F:
-    """What the ends are held by, and a pre-curved rest shape."""
-    function = click.option(
-        "--natural-curvature",
-        type=float,
-        default=0.0,
-        metavar="1/MM",
-        help="Curvature of the strip before bending (0: flat).",
-    )(function)
-    for end in ("end", "start"):
-        function = click.option(
-            f"--{end}",
-            type=click.Choice(END_NAMES),
-            default="clamped",
-            show_default=True,
-            help=f"Support of the {end} of the curve.",
-        )(function)
-    return function
+holding_option = click.option(
+    "--holding", type=float, metavar="MM",
+    help="Leave bridges of this width in the outer cuts, which hold the parts in the sheet.",
+)  # fmt: skip
+"""Bridges that hold parts in the sheet."""
 
+support_options = join_options(
+    *(
+        click.option(f"--{end}", type=click.Choice(END_NAMES), default="clamped", show_default=True,
+                     help=f"Support of the {end} of the curve.")
+        for end in ("start", "end")
+    ),
+    click.option("--natural-curvature", type=float, default=0.0, metavar="1/MM",
+                 help="Curvature of the strip before bending (0: flat)."),
+)  # fmt: skip
+"""What the ends are held by, and a pre-curved rest shape."""
 
-def smooth_option(function: F) -> F:
-    """How far a curve may be moved to become fair."""
-    return click.option(
-        "--smooth",
-        type=float,
-        metavar="MM",
-        help="Make the curve fair (curvature without jumps) within this distance; 0: exactly as drawn  [default: "
-        "0.1 or 5e-4 of the length for pen curves whose curvature jumps, 0 for all others]",
-    )(function)
+smooth_option = click.option(
+    "--smooth", type=float, metavar="MM",
+    help="Make the curve fair (curvature without jumps) within this distance; 0: exactly as drawn  [default: "
+    "0.1 or 5e-4 of the length for pen curves whose curvature jumps, 0 for all others]",
+)  # fmt: skip
+"""How far a curve may be moved to become fair."""
 
+which_options = join_options(
+    click.option("--curve", "number", metavar="N|ID",
+                 help="Which curve of the file: its number from 1, or its id."),
+    click.option("--layer", metavar="NAME", help="Only curves on this layer of the drawing."),
+)  # fmt: skip
+"""Which curve of the file."""
 
-def which_options(function: F) -> F:
-    """Which curve of the file."""
-    function = click.option("--layer", metavar="NAME", help="Only curves on this layer of the drawing.")(
-        function
-    )
-    return click.option(
-        "--curve", "number", metavar="N|ID", help="Which curve of the file: its number from 1, or its id."
-    )(function)
+output_options = join_options(
+    click.option("--force", is_flag=True, help="Overwrite files that exist."),
+    click.option("-o", "--output", type=click.Path(path_type=Path), default=Path(), help="Folder for files."),
+)
+"""Where files are written, and over what."""
 
 
 def file_stem(path: Path, number: str | None = None) -> str:

@@ -6,7 +6,13 @@ from pathlib import Path
 import click
 
 from elastica_cad._types import FloatArray
-from elastica_cad.cli.options import bendable_curves, curve_argument, refuse_odd_numbers, which_options
+from elastica_cad.cli.options import (
+    bendable_curves,
+    curve_argument,
+    output_options,
+    refuse_odd_numbers,
+    which_options,
+)
 from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.write_curves import write_curves
 from elastica_cad.formats.design_files.reshaping import CORNERS, map_corners
@@ -31,8 +37,7 @@ KINDS = ("dxf", "svg", "json")
 @click.option("--top-left", type=(float, float), metavar="X Y", help="The same of that corner.")
 @click.option("--handle", "handles", type=(float, float, float, float), multiple=True, metavar="X Y TO_X TO_Y",
               help="Instead of corners, four times: a handle and where it goes, mm.")  # fmt: skip
-@click.option("--force", is_flag=True, help="Overwrite files that exist.")
-@click.option("-o", "--output", type=click.Path(path_type=Path), default=Path(), help="Folder for files.")
+@output_options
 @click.pass_context
 def reshape(
     ctx: click.Context,

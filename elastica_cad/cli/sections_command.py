@@ -9,7 +9,7 @@ from typing import Any
 import click
 import numpy as np
 
-from elastica_cad.cli.options import refuse_odd_numbers
+from elastica_cad.cli.options import output_options, refuse_odd_numbers
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.files import read_surface
 from elastica_cad.formats.curve_files.json_curves import curves_json
@@ -98,8 +98,7 @@ POSITIVE = click.FloatRange(0, min_open=True)
 @click.option(
     "--gravity", is_flag=True, help="Strips carry their weight, falling along -z, in the design file."
 )
-@click.option("--force", is_flag=True, help="Overwrite files that exist.")
-@click.option("-o", "--output", type=click.Path(path_type=Path), default=Path(), help="Folder for files.")
+@output_options
 def sections(mesh: Path, output: Path, force: bool, sheet: str | None, **chosen: Any) -> None:
     """Cut a MESH (OBJ, STL, PLY) or a CAD body (STEP) by planes, and fit a curve for a strip to each section.
 

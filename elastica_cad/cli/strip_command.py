@@ -1,12 +1,12 @@
 """`elastica strip`: from a drawn curve to the files that a laser cutter needs."""
 
 import json
-from collections.abc import Callable
-from dataclasses import dataclass, fields, replace
+from collections.abc import Mapping
+from dataclasses import replace
 from importlib.util import find_spec
 from itertools import islice
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any
 
 import click
 
@@ -17,6 +17,8 @@ from elastica_cad.cli.options import (
     drawn_curves,
     file_stem,
     holding_option,
+    join_options,
+    output_options,
     pick_curve,
     which_options,
 )
@@ -27,68 +29,45 @@ from elastica_cad.fabrication.drawings.lettering import engravable
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import save
+from elastica_cad.formats.design_files.kit_spec import Cutting
 from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.formats.reports.strip_report import report_strip
 from elastica_cad.forming.nearest.advice import advise
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.forming.rounding_verdict import undecided_by_rounding
-from elastica_cad.forming.smoothing import Smoothing
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.frame import Frame
-from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
-
-F = TypeVar("F", bound=Callable[..., Any])
 
 MOST_ADVICE = 1
 """Sentences after a success; each costs a solve or two."""
 
 
-@dataclass(frozen=True)
-class _Cut:
-    """How the cutting files are written."""
-
-    kerf: str
-    curves: str
-    tolerance: float
-    dxf_version: str
-    force: bool
-    output: Path
-    holding: float | None
-    paper: str | None
-
-    def width_burnt(self, sheet: Sheet) -> float:
-        """The kerf in mm: a number, or the sheet's own."""
-        if self.kerf == "sheet":
-            if sheet.kerf == 0:
-                raise InputError(f"no kerf is known for {sheet.name}: give your own, e.g. --kerf 0.15")
-            return sheet.kerf
-        try:
-            return float(self.kerf)
-        except ValueError:
-            raise InputError(f"--kerf {self.kerf!r} is neither a number of mm nor the word sheet") from None
+_CUT = (
+    click.option("--kerf", default="0", metavar="MM|sheet", show_default=True,
+                 help="Width that the laser burns away; `sheet`: the sheet's. Most shops add it themselves."),
+    click.option("--curves", type=click.Choice(["spline", "arc", "polyline"]), default="spline",
+                 show_default=True, help="How curved edges are written."),
+    click.option("--tolerance", type=float, default=0.02, show_default=True, metavar="MM",
+                 help="Largest error of arcs and polylines."),
+    click.option("--dxf-version", default="R2010", show_default=True,
+                 help="R12, R2000, R2004, R2007, R2010, R2013 or R2018."),
+    holding_option,
+    click.option("--paper", type=click.Choice(["A4", "A3", "A2", "A1", "A0", "letter", "tabloid"]),
+                 help="Write NAME.pdf too: full size on this paper, tiles with marks to join them by."),
+    output_options,
+)  # fmt: skip
 
 
-def _cut_options(function: F) -> F:
-    added = [
-        click.option("--kerf", default="0", metavar="MM|sheet", show_default=True,
-                     help="Width that the laser burns away; `sheet`: the sheet's. Most shops add it themselves."),
-        click.option("--curves", type=click.Choice(["spline", "arc", "polyline"]), default="spline",
-                     show_default=True, help="How curved edges are written."),
-        click.option("--tolerance", type=float, default=0.02, show_default=True, metavar="MM",
-                     help="Largest error of arcs and polylines."),
-        click.option("--dxf-version", default="R2010", show_default=True,
-                     help="R12, R2000, R2004, R2007, R2010, R2013 or R2018."),
-        holding_option,
-        click.option("--paper", type=click.Choice(["A4", "A3", "A2", "A1", "A0", "letter", "tabloid"]),
-                     help="Write NAME.pdf too: full size on this paper, tiles with marks to join them by."),
-        click.option("--force", is_flag=True, help="Overwrite files that exist."),
-        click.option("-o", "--output", type=click.Path(path_type=Path), default=Path(), help="Folder for files."),
-    ]  # fmt: skip
-    for option in reversed(added):
-        function = option(function)
-    return function
+def _cutting(chosen: Mapping[str, Any]) -> Cutting:
+    """How the options ask for cutting files to be written."""
+    kerf, holding = chosen["kerf"], chosen["holding"]
+    try:
+        width = None if kerf == "sheet" else float(kerf)
+    except ValueError:
+        raise InputError(f"--kerf {kerf!r} is neither a number of mm nor the word sheet") from None
+    bridges = None if holding is None else HoldingTabs(holding)
+    return Cutting(width, chosen["curves"], chosen["tolerance"], chosen["dxf_version"], bridges)
 
 
 @click.command()
@@ -97,7 +76,7 @@ def _cut_options(function: F) -> F:
 @click.option("--all", "every", is_flag=True, help="A strip for every curve of the file, each for itself.")
 @strip_options
 @click.option("--strict", is_flag=True, help="Exit with 1 when the strain is beyond what the sheet bears.")
-@_cut_options
+@join_options(*_CUT)
 @click.pass_context
 def strip(ctx: click.Context, /, **chosen: Any) -> None:
     """Make the strip that bends into the curve in CURVE, and write its cutting files.
@@ -133,13 +112,12 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
 
 def _one_strip(ctx: click.Context, drawn: PlaneCurve, name: str, chosen: dict[str, Any]) -> None:
     """The strip of one curve, and its files."""
-    cut, path = _Cut(**{field.name: chosen[field.name] for field in fields(_Cut)}), chosen["curve"]
+    cutting = _cutting(chosen)
     label = engravable(name) if chosen["label"] is None else chosen["label"]
     spec = spec_from_options(drawn, label, chosen)
     made, near = _made(spec, drawn)
     verdict = stability(made.rod)
-    smoothing = spec.rod_spec.smoothing
-    written = _write_files(made, spec.frame, name, path, cut, near, verdict, smoothing)
+    written = _write_files(made, spec, name, chosen, cutting, near, verdict)
     _tell(made, near, verdict, written)
     if chosen["strict"] and made.max_strain > made.sheet.max_strain:
         ctx.exit(1)
@@ -166,55 +144,51 @@ def _made(spec: StripSpec, drawn: PlaneCurve) -> tuple[Strip, NearestRod | None]
 
 def _write_files(
     made: Strip,
-    frame: Frame | None,
+    spec: StripSpec,
     name: str,
-    drawn_in: Path,
-    cut: _Cut,
+    chosen: Mapping[str, Any],
+    cutting: Cutting,
     near: NearestRod | None,
     verdict: Stability,
-    smoothing: Smoothing,
 ) -> list[Path]:
     """Write every file that the installed libraries allow: all of them, or after any error none."""
     # R12 has no header for its unit, so the name says it
-    names = {"dxf": f"{name}-mm.dxf" if cut.dxf_version == "R12" else f"{name}.dxf"}
+    names = {"dxf": f"{name}-mm.dxf" if cutting.version == "R12" else f"{name}.dxf"}
     names |= {kind: f"{name}.{kind}" for kind in ("svg", "json")}
     if len(made.layers) > 1:
         names |= {
             f"backing {kind}": names[kind].replace(name, f"{name}-backing", 1) for kind in ("dxf", "svg")
         }
     names |= {"png": f"{name}.png"} if find_spec("matplotlib") else {}
-    names |= {"pdf": f"{name}.pdf"} if cut.paper else {}
+    names |= {"pdf": f"{name}.pdf"} if chosen["paper"] else {}
     names |= {"step": f"{name}.step"} if find_spec("OCP") else {}
-    written = [cut.output / file for file in names.values()]
+    drawn_in, folder = chosen["curve"], chosen["output"]
+    written = [folder / file for file in names.values()]
     if any(path.exists() and path.samefile(drawn_in) for path in written):
         raise InputError(f"{drawn_in} holds the drawn curve and is kept: name another folder, e.g. -o out")
-    drawn: dict[str, Any] = {
-        "curves": cut.curves, "tolerance": cut.tolerance,
-        "holding": None if cut.holding is None else HoldingTabs(cut.holding),
-    }  # fmt: skip
-    with write_together(cut.output, names.values(), force=cut.force) as workshop:
+    with write_together(folder, names.values(), force=chosen["force"]) as workshop:
         for layer, drawing, prefix in zip(made.layers, made.drawings(), ("", "backing "), strict=False):
-            called, kerf = (
-                replace(drawing, name=f"{name}-{prefix}".rstrip("- ")),
-                cut.width_burnt(layer.sheet),
-            )
-            save(called, workshop / names[f"{prefix}dxf"], version=cut.dxf_version, kerf=kerf, **drawn)
-            save(called, workshop / names[f"{prefix}svg"], kerf=kerf, **drawn)
+            called = replace(drawing, name=f"{name}-{prefix}".rstrip("- "))
+            options = cutting.options(layer.sheet)
+            save(called, workshop / names[f"{prefix}dxf"], version=cutting.version, **options)
+            save(called, workshop / names[f"{prefix}svg"], **options)
         if "png" in names:
             from elastica_cad.plot.canvas import save_figure
             from elastica_cad.plot.strip_pictures import strip_sheet
 
             drawn_curve = None if near is None else near.target
             save_figure(strip_sheet(made, wish=drawn_curve), workshop / names["png"])
-        if cut.paper:
+        if chosen["paper"]:
             from elastica_cad.plot.template_pages import save_template
 
-            save_template(replace(made.drawing(), name=name), workshop / names["pdf"], paper=cut.paper)
+            save_template(replace(made.drawing(), name=name), workshop / names["pdf"], paper=chosen["paper"])
         if "step" in names:
             from elastica_cad.kernel.step_files import write_strip_step
 
-            write_strip_step(made, workshop / names["step"], frame=frame)
-        report = report_strip(made, name=name, files=names, near=near, stability=verdict, smoothing=smoothing)
+            write_strip_step(made, workshop / names["step"], frame=spec.frame)
+        report = report_strip(
+            made, name=name, files=names, near=near, stability=verdict, smoothing=spec.rod_spec.smoothing
+        )
         (workshop / names["json"]).write_text(json.dumps(report, indent=1) + "\n", encoding="utf-8")
     return written
 

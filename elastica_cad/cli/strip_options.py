@@ -1,12 +1,12 @@
 """Options that ask for one strip, and the request that they make together."""
 
 import re
-from collections.abc import Callable, Mapping
-from typing import Any, TypeVar
+from collections.abc import Mapping
+from typing import Any
 
 import click
 
-from elastica_cad.cli.options import refuse_odd_numbers, smooth_option, support_options
+from elastica_cad.cli.options import join_options, refuse_odd_numbers, smooth_option, support_options
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.strip.lamination import Laminated
@@ -32,8 +32,6 @@ from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN
 
-F = TypeVar("F", bound=Callable[..., Any])
-
 TAB_LENGTH_MM = 10.0
 """Enough to hold a strip of some centimetres by."""
 
@@ -58,13 +56,6 @@ OPTION_OF = {
 
 class NotMetError(NotConvergedError):
     """The limits cannot be met near the drawn curve."""
-
-
-def strip_options(function: F) -> F:
-    """All that can be asked of one strip, but for its curve."""
-    for option in reversed((*_WIDTHS, *_STYLE, support_options, *_WEIGHT, *_NEAREST, *_PATTERN)):
-        function = option(function)
-    return function
 
 
 _WIDTHS = (
@@ -147,6 +138,10 @@ _PATTERN = (
     click.option("--stock", type=PAIR, metavar="MM MM", help="Sides of the largest sheet [default: 3050 1525]."),
     click.option("--anyway", is_flag=True, help="Write a strip that cannot be cut or handled, and say so."),
 )  # fmt: skip
+
+
+strip_options = join_options(*_WIDTHS, *_STYLE, support_options, *_WEIGHT, *_NEAREST, *_PATTERN)
+"""All that can be asked of one strip, but for its curve."""
 
 
 def spec_from_options(curve: PlaneCurve, label: str, chosen: Mapping[str, Any]) -> StripSpec:

@@ -1,10 +1,9 @@
-"""OpenCASCADE: solid records become its shapes, its edges become plane curves.
+"""OpenCASCADE: records become its shapes.
 
-The only module that touches OCP, the Python face of OpenCASCADE that build123d and CadQuery bring along; it
+`kernel` is the one door to OCP, the Python face of OpenCASCADE that build123d and CadQuery bring along; it
 works with OCP's 7.x and 8.x lines.
 """
 
-from collections import Counter
 from collections.abc import Iterable, Sequence
 from functools import lru_cache
 from importlib import import_module
@@ -28,10 +27,6 @@ from elastica_cad.fabrication.solids.boundary_records import (
 )
 from elastica_cad.fabrication.solids.prisms import PrismSolid
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
-from elastica_cad.formats.curve_files.edges import Edge as DrawnEdge
-from elastica_cad.formats.curve_files.edges import Run
-from elastica_cad.formats.curve_files.placed_curve import edge_chains, placed_curve
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
@@ -41,7 +36,6 @@ Shape: TypeAlias = Any
 
 CONFUSION = 1e-7  # mm: OpenCASCADE's own tolerance of edges
 CORNER = 1e-6  # mm: gap that paths may have between segments
-OFFSET = 1e-6  # mm: offset curves are no NURBS and are followed this closely
 
 MODULES = (
     "APIHeaderSection", "BOPAlgo", "BRep", "BRepAdaptor", "BRepPrimAPI", "BRepTools", "GeomAbs", "GeomConvert",
@@ -152,13 +146,13 @@ def _combined(shape: Shape, others: Sequence[Shape], operation: Any) -> Shape:
 
 def _only_solid(shape: Shape) -> Shape:
     """The one solid in a compound."""
-    found = _parts(shape, kernel().TopAbs_ShapeEnum.TopAbs_SOLID)
+    found = sub_shapes(shape, kernel().TopAbs_ShapeEnum.TopAbs_SOLID)
     if len(found) != 1:
         raise InputError(f"the prisms of a body leave {len(found)} pieces: they must make one")
     return found[0]
 
 
-def _parts(shape: Shape, *kinds: Any) -> list[Shape]:
+def sub_shapes(shape: Shape, *kinds: Any) -> list[Shape]:
     """Sub-shapes of the first kind, in order, without those inside sub-shapes of the second kind."""
     explorer = kernel().TopExp_Explorer(shape, *kinds)
     found = []
@@ -322,94 +316,3 @@ def _dir(direction: FloatArray) -> Any:
 def plane_axes_of(frame: Frame) -> Any:
     """The frame's origin, normal and x axis for the kernel."""
     return kernel().gp_Ax3(_pnt(frame.origin), _dir(frame.z_axis), _dir(frame.x_axis))
-
-
-def plane_curve(
-    shape: Shape | Iterable[Shape], plane: Frame | None = None, *, turned: FloatArray | None = None
-) -> tuple[PlaneCurve, Frame]:
-    """The drawn curve of an edge, a wire, or several edges that follow each other, and the plane it lies in.
-
-    NURBS, lines, circles, ellipses and other conics stay exact; offset curves, which are no NURBS, are followed to
-    1e-6 mm. Direction and axes are as in `placed_curve`: the plane is the given one, else its side
-    is chosen as the edges were drawn and turns with the places that shapes have had since.
-
-    Raises
-    ------
-    InputError
-        Edges that are not plane, have no length, do not meet or meet at a corner, a closed wire, or another plane.
-    """
-    if plane is not None:
-        return placed_curve(drawn_edges(shape), plane=plane)
-    return placed_curve(drawn_edges(shape), turned=_turned(shape) if turned is None else turned)
-
-
-def _turned(shape: Shape | Iterable[Shape]) -> FloatArray | None:
-    """The rotation of the first edge's place, None where it has none."""
-    k = kernel()
-    shape = getattr(shape, "wrapped", shape)
-    if not isinstance(shape, k.TopoDS_Shape):
-        return next((_turned(item) for item in shape), None)
-    edge = next(iter(_parts(shape, k.TopAbs_ShapeEnum.TopAbs_EDGE)), None)
-    if edge is None or edge.Location().IsIdentity():
-        return None
-    place = edge.Location().Transformation()
-    rows = [[float(place.Value(i, j)) for j in (1, 2, 3)] for i in (1, 2, 3)]
-    return np.array(rows) / float(place.ScaleFactor())
-
-
-def free_chains(shape: Shape) -> tuple[list[Run], dict[str, int]]:
-    """The chains that the edges of a shape make, without those that bound faces; what was left out, counted."""
-    k = kernel()
-    kinds = k.TopAbs_ShapeEnum
-    edges, skipped = [], Counter[str]()
-    for edge in _parts(shape, kinds.TopAbs_EDGE, kinds.TopAbs_FACE):
-        try:
-            edges.append(_drawn_edge(k.as_edge(edge)))
-        except InputError as error:
-            skipped[f"edge that cannot be read ({error})"] += 1
-    faces = sum(1 for _ in _parts(shape, kinds.TopAbs_FACE))
-    if faces:
-        skipped["face with its edges"] = faces
-    return edge_chains(edges), dict(skipped)
-
-
-def drawn_edges(shape: Shape | Iterable[Shape]) -> list[DrawnEdge]:
-    """All edges of a shape, a wrapper of one, or several of these, in order."""
-    k = kernel()
-    shape = getattr(shape, "wrapped", shape)
-    if not isinstance(shape, k.TopoDS_Shape):
-        if isinstance(shape, str) or not isinstance(shape, Iterable):
-            raise InputError(f"an edge or wire of a CAD kernel is needed, not {type(shape).__name__}")
-        return [edge for item in shape for edge in drawn_edges(item)]
-    return [_drawn_edge(k.as_edge(edge)) for edge in _parts(shape, k.TopAbs_ShapeEnum.TopAbs_EDGE)]
-
-
-def _drawn_edge(edge: Shape) -> DrawnEdge:
-    """An edge as an exact NURBS in space."""
-    k = kernel()
-    curve = None if k.BRep_Tool.Degenerated_s(edge) else k.BRep_Tool.Curve_s(edge, 0.0, 1.0)
-    if curve is None:
-        raise InputError("an edge is degenerate: it has no curve in space; choose another edge")
-    limits = k.BRepAdaptor_Curve(edge)
-    first, last = limits.FirstParameter(), limits.LastParameter()
-    if not (abs(first) < 1e100 and abs(last) < 1e100):
-        raise InputError("an edge runs on to infinity: trim it")
-    basis = curve
-    while isinstance(basis, k.Geom_TrimmedCurve):
-        basis = basis.BasisCurve()
-    trimmed = k.Geom_TrimmedCurve(curve, first, last)
-    if isinstance(basis, k.Geom_OffsetCurve):
-        followed = k.GeomConvert_ApproxCurve(trimmed, OFFSET, k.GeomAbs_Shape.GeomAbs_C2, 1000, 9)
-        if not followed.HasResult() or followed.MaxError() > 10 * OFFSET:
-            raise InputError("an offset edge is too rough to be followed: draw the curve itself")
-        spline = followed.Curve()
-    else:
-        spline = k.GeomConvert.CurveToBSplineCurve_s(trimmed)
-    if spline.IsPeriodic():
-        spline.SetNotPeriodic()
-    places = range(1, spline.NbPoles() + 1)
-    points = np.array([(p.X(), p.Y(), p.Z()) for p in map(spline.Pole, places)])
-    weights = np.array([spline.Weight(i) for i in places]) if spline.IsRational() else None
-    knots = [np.full(spline.Multiplicity(i), spline.Knot(i)) for i in range(1, spline.NbKnots() + 1)]
-    drawn = DrawnEdge(np.concatenate(knots), points, spline.Degree(), weights)
-    return drawn.reversed() if edge.Orientation() == k.TopAbs_Orientation.TopAbs_REVERSED else drawn

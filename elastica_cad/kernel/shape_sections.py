@@ -13,7 +13,8 @@ from elastica_cad.forming.plane_sections.mesh_sections import refuse_odd_planes
 from elastica_cad.forming.plane_sections.section_lines import PlaneSection, collect_section, tidy_points
 from elastica_cad.forming.plane_sections.section_spec import Surface
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.kernel.occt import Shape, drawn_edges, plane_axes_of
+from elastica_cad.kernel.drawn_edges import drawn_edges
+from elastica_cad.kernel.occt import Shape, plane_axes_of
 
 JOIN = 1e-4
 """Ends of edges nearer than this meet, mm."""

@@ -30,7 +30,8 @@ from elastica_cad.formats.file_access.atomic_write import write_atomically
 from elastica_cad.formats.file_access.source_file import name_source
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.kernel.occt import Shape, free_chains, kernel, make_location, make_solid
+from elastica_cad.kernel.drawn_edges import free_chains
+from elastica_cad.kernel.occt import Shape, kernel, make_location, make_solid
 from elastica_cad.kernel.step_text import canonical_step
 
 SETTINGS = {"write.step.schema": "AP214IS", "write.step.unit": "MM"}

@@ -23,7 +23,8 @@ from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.kernel.occt import Shape, make_face, make_solid, plane_curve
+from elastica_cad.kernel.drawn_edges import plane_curve
+from elastica_cad.kernel.occt import Shape, make_face, make_solid
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.sheet import Sheet

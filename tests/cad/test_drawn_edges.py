@@ -14,6 +14,7 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Line, Spline
 from elastica_cad.kernel import occt
+from elastica_cad.kernel.drawn_edges import plane_curve
 
 XY = gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1))
 
@@ -42,7 +43,7 @@ def moved(shape, axis, angle, shift=(0, 0, 0)):
 
 def test_a_spline_comes_back_exactly(curve):
     """Poles, knots, weights and degree, through an edge of the kernel and back."""
-    back, frame = occt.plane_curve(occt.make_wire(Path([Spline(curve)])))
+    back, frame = plane_curve(occt.make_wire(Path([Spline(curve)])))
     assert back.degree == curve.degree
     assert np.array_equal(back.control_points, curve.control_points)
     assert back.weights == pytest.approx(curve.weights) if curve.weights is not None else back.weights is None
@@ -57,13 +58,13 @@ def test_lines_arcs_ellipses():
         (arc(10, 0.2, 4.0), 38.0),
         (quarter, PlaneCurve.ellipse((0, 0), (20, 10), 0, 0, np.pi / 2).length),
     ):
-        assert occt.plane_curve(edge)[0].length == pytest.approx(length, rel=1e-12)
+        assert plane_curve(edge)[0].length == pytest.approx(length, rel=1e-12)
 
 
 def test_offset_curve():
     ellipse = Geom_Ellipse(gp_Elips(XY, 40, 25))
     offset = Geom_OffsetCurve(ellipse, 3.0, gp_Dir(0, 0, 1))
-    curve, _ = occt.plane_curve(BRepBuilderAPI_MakeEdge(offset, 0.0, 2.0).Edge())
+    curve, _ = plane_curve(BRepBuilderAPI_MakeEdge(offset, 0.0, 2.0).Edge())
     v = np.linspace(0, 2, 7)
     base = np.column_stack([40 * np.cos(v), 25 * np.sin(v)])
     tangent = np.column_stack([-40 * np.sin(v), 25 * np.cos(v)])
@@ -77,7 +78,7 @@ def test_offset_curve():
 def test_tangent_edges_are_joined_whatever_their_order():
     first, second = line((-30, 10, 0), (0, 10, 0)), arc(10, np.pi / 2 - 1, np.pi / 2)
     for shape in (wire(first, second), [first, second], [first, second.Reversed()]):
-        curve, _ = occt.plane_curve(shape)
+        curve, _ = plane_curve(shape)
         assert curve.length == pytest.approx(40)
         assert curve.sample(2).position[0] == pytest.approx((-30, 10))
 
@@ -93,7 +94,7 @@ def test_tangent_edges_are_joined_whatever_their_order():
 )
 def test_plane_is_found_with_up_as_y(axis, angle, x_axis, y_axis):
     drawn = moved(arc(10, 0.2, 2.0), axis, angle, (1, 2, 3))
-    curve, frame = occt.plane_curve(drawn)
+    curve, frame = plane_curve(drawn)
     assert frame.x_axis == pytest.approx(x_axis)
     assert frame.y_axis == pytest.approx(y_axis)
     ends = frame.point(curve.sample(2).position)
@@ -106,7 +107,7 @@ def test_plane_is_found_with_up_as_y(axis, angle, x_axis, y_axis):
 
 def test_curve_and_frame_put_the_curve_back(curve, tilted):
     drawn = occt.make_wire(Path([Spline(curve)]), tilted)
-    found, frame = occt.plane_curve(drawn)
+    found, frame = plane_curve(drawn)
     s = np.linspace(0, curve.length, 7)
     assert frame.point(found.at(s).position) == pytest.approx(tilted.point(curve.at(s).position), abs=1e-9)
 
@@ -130,18 +131,18 @@ class TestRefused:
     )  # fmt: skip
     def test_with_a_reason(self, shape, says):
         with pytest.raises(InputError, match=says):
-            occt.plane_curve(shape())
+            plane_curve(shape())
 
     def test_a_space_curve_says_how_far_it_leaves_its_plane(self):
         with pytest.raises(InputError, match=r"leaves its plane by .* mm"):
-            occt.plane_curve([arc(10, 0, 1.5), tilted_continuation()])
+            plane_curve([arc(10, 0, 1.5), tilted_continuation()])
 
     def test_a_degenerate_edge(self):
         """The tip of a cone is an edge without a curve."""
         from OCP.BRepPrimAPI import BRepPrimAPI_MakeCone
 
         with pytest.raises(InputError, match="degenerate"):
-            occt.plane_curve(BRepPrimAPI_MakeCone(5, 0, 10).Shape())
+            plane_curve(BRepPrimAPI_MakeCone(5, 0, 10).Shape())
 
 
 def tilted_continuation():
@@ -164,6 +165,6 @@ def test_open_wire_of_lines_and_clockwise_arcs(measure):
     from elastica_cad.geometry.paths.segments import Arc
 
     path = Path([Line((0, 0), (10, 0)), Arc((10, -5), 5, np.pi / 2, 0)])
-    curve, _ = occt.plane_curve(occt.make_wire(path))
+    curve, _ = plane_curve(occt.make_wire(path))
     assert curve.length == pytest.approx(path.length)
     assert curve.sample(2).position[-1] == pytest.approx((15, -5))

@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 from typing import Any
 
+from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
 from elastica_cad.fabrication.holders.base_plate import BasePlate
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
@@ -31,6 +32,21 @@ class Cutting:
     tolerance: float = 0.02
     version: str = "R2010"
     holding: HoldingTabs | None = None
+
+    def options(self, sheet: Sheet) -> dict[str, Any]:
+        """Options of `save` for what is cut of a sheet.
+
+        Raises
+        ------
+        InputError
+            The sheet's own kerf is asked for, and not known.
+        """
+        if self.kerf is None and sheet.kerf == 0:
+            raise InputError(
+                f"no kerf is known for {sheet.name}: give a number of mm instead of the word sheet"
+            )
+        kerf = sheet.kerf if self.kerf is None else self.kerf
+        return {"kerf": kerf, "curves": self.curves, "tolerance": self.tolerance, "holding": self.holding}
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,6 +9,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.formats.design_files.formulae import Formula, Value
 
 _AXES = {2: "[x, y]", 3: "[x, y, z]"}
+_COUNTS = {None: "", 2: "two ", 4: "four "}
 
 
 def _compute_number(value: object, where: str, scope: Mapping[str, Value]) -> float:
@@ -122,8 +123,7 @@ class Table:
         """Places of `size` numbers each: `count` of them, or however many."""
         rows = self.raw(key)
         if not isinstance(rows, list) or not rows or count not in (None, len(rows)):
-            which = "points" if count is None else f"{count} points"
-            raise InputError(f"{self.place(key)} must be a list of {which} {_AXES[size]}")
+            raise InputError(f"{self.place(key)} must be a list of {_COUNTS[count]}points {_AXES[size]}")
         numbered = Table({f"{key}[{i}]": row for i, row in enumerate(rows, start=1)}, self.where, self.scope)
         return [numbered.vector(name, size) for name in numbered.data]
 

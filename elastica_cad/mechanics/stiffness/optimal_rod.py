@@ -24,12 +24,9 @@ from elastica_cad.mechanics.stiffness.moment_conditions import BalancedStiffness
 from elastica_cad.mechanics.stiffness.optimal_balance import balance_with_weight, balance_without_weight
 from elastica_cad.mechanics.stiffness.quadrature_panels import values_at
 from elastica_cad.mechanics.stiffness.stiffness_profile import stiffness_profile
-from elastica_cad.mechanics.theorem1.equilibrium_check import (
-    AT_END_SHARE,
-    check_equilibrium,
-    examine_curvature,
-)
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium, examine_curvature
 from elastica_cad.mechanics.theorem1.inflection_line import InflectionLine
+from elastica_cad.mechanics.theorem1.reasons import AT_END_SHARE
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable, figure
 
 _LAW_SAMPLES = 2001  # along the curve, where a law is asked for its moments

@@ -1,13 +1,12 @@
 """Theorem 1: can a flat strip take the drawn curve, and if not, where and why not."""
 
-from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.geometry.curves.curve_records import CurvatureZero, TangentBreak
+from elastica_cad.geometry.curves.curve_records import CurvatureZero
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.arguments import require_curve, require_supports, require_tolerance
 from elastica_cad.mechanics.loads.supports import Supports
@@ -17,19 +16,23 @@ from elastica_cad.mechanics.theorem1.inflection_line import (
     line_meetings,
 )
 from elastica_cad.mechanics.theorem1.project_inflections import project_inflections
+from elastica_cad.mechanics.theorem1.reasons import (
+    AT_END_SHARE,
+    PINNED_SHARE,
+    tell_corners,
+    tell_jumps,
+    tell_pinned_ends,
+    tell_straight_parts,
+    tell_touches,
+    warn_of_crossing,
+    warn_of_widths,
+)
 from elastica_cad.mechanics.theorem1.verdict import (
     EquilibriumCheck,
     count,
-    figure,
     listed,
     places,
 )
-
-AT_END_SHARE = 1e-7
-"""A zero of the curvature nearer to an end than this, in lengths of the curve, is the end's."""
-
-PINNED_SHARE = 1e-6
-"""Curvature at a pinned end, relative to the largest, that counts as none."""
 
 
 def check_equilibrium(
@@ -126,19 +129,19 @@ def examine_curvature(
         and flats[0].s <= AT_END_SHARE * curve.length
         and flats[0].s_end >= (1 - AT_END_SHARE) * curve.length
     ):
-        return replace(check, any_stiffness=True, warnings=_self_crossing(curve), zeros=())
+        return replace(check, any_stiffness=True, warnings=warn_of_crossing(curve), zeros=())
     gentle = [z.s for z in points if _slope(curve, z) <= PINNED_SHARE * largest / curve.length]
     reasons = [
-        *_pinned_reasons(curve, supports, natural_curvature, points),
-        *_flat_reasons(curve, flats, natural_curvature, largest),
-        *_jump_reasons(jumps),
-        *_touch_reasons(sorted([*touches, *gentle])),
+        *tell_pinned_ends(curve, supports, natural_curvature, points),
+        *tell_straight_parts(curve, flats, natural_curvature, largest),
+        *tell_jumps(jumps),
+        *tell_touches(sorted([*touches, *gentle])),
     ]
     return replace(
         check,
         realizable=not reasons,
         reasons=tuple(reasons),
-        warnings=(*_width_warnings(curve, jumps), *_self_crossing(curve)),
+        warnings=(*warn_of_widths(curve, jumps), *warn_of_crossing(curve)),
         curvature_touches=tuple(sorted([*touches, *gentle])),
     )
 
@@ -231,34 +234,11 @@ def require_bendable(curve: PlaneCurve) -> None:
     """
     corners = curve.tangent_breaks
     if corners:
-        raise InputError(_corner_sentence(curve, corners))
+        raise InputError(tell_corners(curve, corners))
     if curve.is_closed:
         raise InputError(
             "the curve is closed: a strip has two ends; leave a gap between them, or cut the curve in pieces"
         )
-
-
-def _corner_sentence(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
-    """What is wrong with corners, and whether the digits of a file may have made them."""
-    drawn = curve.provenance
-    maybe = {} if drawn is None else {turn.t: turn for turn in drawn.undecided}
-    if drawn is not None and all(corner.t in maybe for corner in corners):
-        turn = max((maybe[corner.t] for corner in corners), key=lambda one: one.angle)
-        return (
-            f"undecided at this precision: the curve turns by {np.degrees(turn.angle):.2g} degrees at "
-            f"{drawn.shown(curve.evaluate(np.array(turn.t)))}, {places(c.s for c in corners)} along it, "
-            "and the digits "
-            f"of the file alone can turn its handle of {turn.handle:.3g} mm by "
-            f"{np.degrees(turn.bound):.2g}: save it "
-            "with more decimals, or make the node smooth with longer handles"
-        )
-    at = f" ({drawn.shown(curve.evaluate(np.array(corners[0].t)))})" if drawn is not None else ""
-    sharpest = max(np.degrees(abs(corner.angle)) for corner in corners)
-    return (
-        f"the curve has a corner {places(c.s for c in corners)}{at}, of {sharpest:.3g} degrees: a strip "
-        "bends without "
-        "kinks; round it, or draw two curves"
-    )
 
 
 def _zeros_of(
@@ -299,97 +279,6 @@ def _slope(curve: PlaneCurve, zero: CurvatureZero) -> float:
     low, high = curve.domain
     sides = [side for side, inside in ((True, zero.t > low), (False, zero.t < high)) if inside]
     return min(abs(float(curve.curvature_slope_at(t, left=side))) for side in sides)
-
-
-def _pinned_reasons(
-    curve: PlaneCurve, supports: Supports, natural_curvature: float, zeros: Sequence[CurvatureZero]
-) -> Iterable[str]:
-    for name, support, t, s in zip(
-        ("start", "end"), supports.ends, curve.domain, (0.0, curve.length), strict=True
-    ):
-        if support.angle or any(z.kind == "end" and z.t == t for z in zeros):
-            continue
-        kappa = float(curve.curvature_at(np.array(t)))
-        over = f" less the natural {natural_curvature:.4g}" if natural_curvature else ""
-        yield (
-            f"The {name} (at {s:.4g} mm) is free to turn, so the curve must have no curvature there; it has "
-            f"{kappa:.4g} 1/mm{over}: clamp this end, or let the curvature run out to zero."
-        )
-
-
-def _flat_reasons(
-    curve: PlaneCurve, flats: Sequence[CurvatureZero], natural_curvature: float, largest: float
-) -> Iterable[str]:
-    for flat in flats:
-        joints = [joint for joint in ((flat.s, flat.t, True), (flat.s_end, flat.t_end, False))
-                  if AT_END_SHARE * curve.length < joint[0] < (1 - AT_END_SHARE) * curve.length]  # fmt: skip
-        what = "has exactly the natural curvature" if natural_curvature else "is straight"
-        opening = (
-            f"The piece from {figure(flat.s)} to {flat.s_end:.4g} mm {what} and joined to a bent one, so "
-            "the stiffness would have to go to 0 at the joint"
-        )
-        if any(_is_gentle(curve, t, natural_curvature, largest, left=left) for _, t, left in joints):
-            yield f"{opening}, whatever supports the strip there: bend the piece a little."
-        else:
-            yield (
-                f"{opening}: support the strip {places(s for s, _, _ in joints)}, or bend the piece a little."
-            )
-
-
-def _is_gentle(curve: PlaneCurve, t: float, natural_curvature: float, largest: float, *, left: bool) -> bool:
-    """Does kappa - kappa_0 leave zero at t without a slope, so that no strip takes the bent piece alone?"""
-    at = np.array(t)
-    kappa = abs(float(curve.curvature_at(at, left=left)) - natural_curvature)
-    slope = abs(float(curve.curvature_slope_at(at, left=left)))
-    return kappa <= PINNED_SHARE * largest and slope <= PINNED_SHARE * largest / curve.length
-
-
-def _jump_reasons(jumps: Sequence[float]) -> Iterable[str]:
-    if jumps:
-        yield (
-            f"The bending is reversed by a jump of the curvature {places(jumps)}, where the stiffness would "
-            "have to go to 0: support the strip there, or let the curvature pass through zero smoothly "
-            "(smooth = 0.1, or --smooth 0.1, does that within 0.1 mm)."
-        )
-
-
-def _touch_reasons(touches: Sequence[float]) -> Iterable[str]:
-    if touches:
-        yield (
-            f"The curvature runs out to zero {places(touches)} without a clear change of sign, where the "
-            "stiffness would have to be infinite or zero, whatever supports the strip: bend the curve a "
-            "little more there, or reverse its bending at a clear rate."
-        )
-
-
-def _width_warnings(curve: PlaneCurve, jumps: Sequence[float]) -> Iterable[str]:
-    steps = [b.s for b in curve.breaks if b.continuity == 1 and b.s not in jumps]
-    kinks = [b.s for b in curve.breaks if b.continuity == 2]
-    if steps:
-        yield (
-            f"The width of the strip steps {places(steps)}, where the curvature jumps: smooth = 0.1, or "
-            "--smooth 0.1, makes it a fair curve of degree 4 within 0.1 mm."
-        )
-    if kinks:
-        advice = (
-            "smooth = 0.1, or --smooth 0.1, makes it a fair curve of degree 4 within 0.1 mm"
-            if curve.degree < 4
-            else "do not repeat the knot there"
-        )
-        yield (
-            f"The width of the strip has a kink {places(kinks)}, where the slope of the curvature jumps: "
-            f"{advice}."
-        )
-
-
-def _self_crossing(curve: PlaneCurve) -> tuple[str, ...]:
-    pairs = curve.self_intersections()
-    if not pairs.size:
-        return ()
-    where = listed(f"{first:.4g} and {second:.4g}" for first, second in pairs)
-    return (
-        f"The curve crosses itself (at {where} mm): two parts of the strip must pass side by side there.",
-    )
 
 
 def _positions(check: EquilibriumCheck) -> FloatArray:

@@ -1,0 +1,141 @@
+"""What to tell of a curve that cannot be bent, or only just: where, why, and what to do."""
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+
+from elastica_cad.geometry.curves.curve_records import CurvatureZero, TangentBreak
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.theorem1.verdict import (
+    figure,
+    listed,
+    places,
+)
+
+AT_END_SHARE = 1e-7
+"""A zero of the curvature nearer to an end than this, in lengths of the curve, is the end's."""
+
+
+PINNED_SHARE = 1e-6
+"""Curvature at a pinned end, relative to the largest, that counts as none."""
+
+
+def tell_corners(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
+    """What is wrong with corners, and whether the digits of a file may have made them."""
+    drawn = curve.provenance
+    maybe = {} if drawn is None else {turn.t: turn for turn in drawn.undecided}
+    if drawn is not None and all(corner.t in maybe for corner in corners):
+        turn = max((maybe[corner.t] for corner in corners), key=lambda one: one.angle)
+        return (
+            f"undecided at this precision: the curve turns by {np.degrees(turn.angle):.2g} degrees at "
+            f"{drawn.shown(curve.evaluate(np.array(turn.t)))}, {places(c.s for c in corners)} along it, "
+            "and the digits "
+            f"of the file alone can turn its handle of {turn.handle:.3g} mm by "
+            f"{np.degrees(turn.bound):.2g}: save it "
+            "with more decimals, or make the node smooth with longer handles"
+        )
+    at = f" ({drawn.shown(curve.evaluate(np.array(corners[0].t)))})" if drawn is not None else ""
+    sharpest = max(np.degrees(abs(corner.angle)) for corner in corners)
+    return (
+        f"the curve has a corner {places(c.s for c in corners)}{at}, of {sharpest:.3g} degrees: a strip "
+        "bends without "
+        "kinks; round it, or draw two curves"
+    )
+
+
+def tell_pinned_ends(
+    curve: PlaneCurve, supports: Supports, natural_curvature: float, zeros: Sequence[CurvatureZero]
+) -> Iterable[str]:
+    """Ends that turn freely where the curve is bent."""
+    for name, support, t, s in zip(
+        ("start", "end"), supports.ends, curve.domain, (0.0, curve.length), strict=True
+    ):
+        if support.angle or any(z.kind == "end" and z.t == t for z in zeros):
+            continue
+        kappa = float(curve.curvature_at(np.array(t)))
+        over = f" less the natural {natural_curvature:.4g}" if natural_curvature else ""
+        yield (
+            f"The {name} (at {s:.4g} mm) is free to turn, so the curve must have no curvature there; it has "
+            f"{kappa:.4g} 1/mm{over}: clamp this end, or let the curvature run out to zero."
+        )
+
+
+def tell_straight_parts(
+    curve: PlaneCurve, flats: Sequence[CurvatureZero], natural_curvature: float, largest: float
+) -> Iterable[str]:
+    """Straight parts, at whose ends no stiffness would do."""
+    for flat in flats:
+        joints = [joint for joint in ((flat.s, flat.t, True), (flat.s_end, flat.t_end, False))
+                  if AT_END_SHARE * curve.length < joint[0] < (1 - AT_END_SHARE) * curve.length]  # fmt: skip
+        what = "has exactly the natural curvature" if natural_curvature else "is straight"
+        opening = (
+            f"The piece from {figure(flat.s)} to {flat.s_end:.4g} mm {what} and joined to a bent one, so "
+            "the stiffness would have to go to 0 at the joint"
+        )
+        if any(_is_gentle(curve, t, natural_curvature, largest, left=left) for _, t, left in joints):
+            yield f"{opening}, whatever supports the strip there: bend the piece a little."
+        else:
+            yield (
+                f"{opening}: support the strip {places(s for s, _, _ in joints)}, or bend the piece a little."
+            )
+
+
+def _is_gentle(curve: PlaneCurve, t: float, natural_curvature: float, largest: float, *, left: bool) -> bool:
+    """Does kappa - kappa_0 leave zero at t without a slope, so that no strip takes the bent piece alone?"""
+    at = np.array(t)
+    kappa = abs(float(curve.curvature_at(at, left=left)) - natural_curvature)
+    slope = abs(float(curve.curvature_slope_at(at, left=left)))
+    return kappa <= PINNED_SHARE * largest and slope <= PINNED_SHARE * largest / curve.length
+
+
+def tell_jumps(jumps: Sequence[float]) -> Iterable[str]:
+    """Jumps of the curvature through zero."""
+    if jumps:
+        yield (
+            f"The bending is reversed by a jump of the curvature {places(jumps)}, where the stiffness would "
+            "have to go to 0: support the strip there, or let the curvature pass through zero smoothly "
+            "(smooth = 0.1, or --smooth 0.1, does that within 0.1 mm)."
+        )
+
+
+def tell_touches(touches: Sequence[float]) -> Iterable[str]:
+    """Places where the curvature touches zero."""
+    if touches:
+        yield (
+            f"The curvature runs out to zero {places(touches)} without a clear change of sign, where the "
+            "stiffness would have to be infinite or zero, whatever supports the strip: bend the curve a "
+            "little more there, or reverse its bending at a clear rate."
+        )
+
+
+def warn_of_widths(curve: PlaneCurve, jumps: Sequence[float]) -> Iterable[str]:
+    """Where the width will jump or kink with the curvature."""
+    steps = [b.s for b in curve.breaks if b.continuity == 1 and b.s not in jumps]
+    kinks = [b.s for b in curve.breaks if b.continuity == 2]
+    if steps:
+        yield (
+            f"The width of the strip steps {places(steps)}, where the curvature jumps: smooth = 0.1, or "
+            "--smooth 0.1, makes it a fair curve of degree 4 within 0.1 mm."
+        )
+    if kinks:
+        advice = (
+            "smooth = 0.1, or --smooth 0.1, makes it a fair curve of degree 4 within 0.1 mm"
+            if curve.degree < 4
+            else "do not repeat the knot there"
+        )
+        yield (
+            f"The width of the strip has a kink {places(kinks)}, where the slope of the curvature jumps: "
+            f"{advice}."
+        )
+
+
+def warn_of_crossing(curve: PlaneCurve) -> tuple[str, ...]:
+    """Where the curve crosses itself."""
+    pairs = curve.self_intersections()
+    if not pairs.size:
+        return ()
+    where = listed(f"{first:.4g} and {second:.4g}" for first, second in pairs)
+    return (
+        f"The curve crosses itself (at {where} mm): two parts of the strip must pass side by side there.",
+    )
