@@ -31,9 +31,8 @@ def words_of_code():
             if isinstance(node, ast.Call):
                 called = getattr(node.func, "id", getattr(node.func, "attr", ""))
                 words = [a.value for a in node.args if isinstance(a, ast.Constant)]
-                if called == "tr" and words and isinstance(node.args[0], ast.Constant):
-                    yield "Elastica", words[0]
-                elif called in ("QT_TRANSLATE_NOOP", "translate") and len(words) == len(node.args) == 2:
+                assert called != "tr", f"{path}: lupdate finds no context for it"
+                if called in ("QT_TRANSLATE_NOOP", "translate") and len(words) == len(node.args) == 2:
                     yield tuple(words)
                 elif called == "Property":
                     yield "App::Property", words[3]

@@ -119,7 +119,7 @@ def test_no_sentence_lacks_a_translation(language):
 def german(monkeypatch):
     """The German words, without a window that would load them."""
     words = known("de")
-    monkeypatch.setattr(sentences, "tr", lambda text, _context="": words.get(text, text))
+    monkeypatch.setattr(sentences, "translate", lambda _context, text: words.get(text, text))
     monkeypatch.setattr(sentences, "_language", lambda: "German")
     sentences._keys.cache_clear()
     sentences._translated.cache_clear()

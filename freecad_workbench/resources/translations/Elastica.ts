@@ -599,23 +599,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>stays</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>does not stay</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>bent further</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>largest move</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>margin</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -924,14 +908,6 @@
     </message>
     <message>
         <source>no curve yet</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The nearest curve is</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>away</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2808,6 +2784,42 @@
     </message>
     <message>
         <source>A flat strip cannot take this curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The nearest curve is %1 mm away.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It moves by %1 mm at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2; its stability margin is %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>does not stay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the slot of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only %1 mm %2%3%4, %5 mm are needed in %6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: a wall of %2 mm is too thin to print: make it %3 mm or more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the slots of %2 and %3 run into each other near (%4, %5): give the strips narrower tabs or move them apart</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

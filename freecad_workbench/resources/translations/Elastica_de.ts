@@ -599,24 +599,8 @@
         <translation>Ein Ende verschieben oder drehen: Zahlen eingeben oder an einem der Griffe in der Ansicht ziehen.</translation>
     </message>
     <message>
-        <source>stays</source>
-        <translation>bleibt</translation>
-    </message>
-    <message>
-        <source>does not stay</source>
-        <translation>bleibt nicht</translation>
-    </message>
-    <message>
         <source>bent further</source>
         <translation>weiter gebogen</translation>
-    </message>
-    <message>
-        <source>largest move</source>
-        <translation>größte Verschiebung</translation>
-    </message>
-    <message>
-        <source>margin</source>
-        <translation>Reserve</translation>
     </message>
     <message>
         <source>Strip</source>
@@ -925,14 +909,6 @@
     <message>
         <source>no curve yet</source>
         <translation>noch keine Kurve</translation>
-    </message>
-    <message>
-        <source>The nearest curve is</source>
-        <translation>Die nächste Kurve ist</translation>
-    </message>
-    <message>
-        <source>away</source>
-        <translation>entfernt</translation>
     </message>
     <message>
         <source>Select a sketch with a spline, or an edge of an object, first.</source>
@@ -2809,6 +2785,42 @@
     <message>
         <source>A flat strip cannot take this curve</source>
         <translation>Ein flacher Streifen kann diese Kurve nicht annehmen</translation>
+    </message>
+    <message>
+        <source>The nearest curve is %1 mm away.</source>
+        <translation>Die nächste Kurve ist %1 mm entfernt.</translation>
+    </message>
+    <message>
+        <source>It moves by %1 mm at most</source>
+        <translation>Er bewegt sich um höchstens %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 and %2; its stability margin is %3.</source>
+        <translation>%1 und %2; seine Stabilitätsreserve ist %3.</translation>
+    </message>
+    <message>
+        <source>does not stay</source>
+        <translation>bleibt nicht</translation>
+    </message>
+    <message>
+        <source>stays</source>
+        <translation>bleibt</translation>
+    </message>
+    <message>
+        <source>the slot of %1</source>
+        <translation>der Schlitz von %1</translation>
+    </message>
+    <message>
+        <source>only %1 mm %2%3%4, %5 mm are needed in %6</source>
+        <translation>nur %1 mm %2%3%4, in %6 sind %5 mm nötig</translation>
+    </message>
+    <message>
+        <source>%1: a wall of %2 mm is too thin to print: make it %3 mm or more</source>
+        <translation>%1: eine Wand von %2 mm ist zum Drucken zu dünn: sie %3 mm oder dicker machen</translation>
+    </message>
+    <message>
+        <source>%1: the slots of %2 and %3 run into each other near (%4, %5): give the strips narrower tabs or move them apart</source>
+        <translation>%1: die Schlitze von %2 und %3 laufen bei (%4, %5) ineinander: den Streifen schmalere Laschen geben oder sie auseinanderrücken</translation>
     </message>
 </context>
 <context>

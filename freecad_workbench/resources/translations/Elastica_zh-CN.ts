@@ -599,24 +599,8 @@
         <translation>移动或旋转端部：输入数值，或在视图中拖动一个手柄。</translation>
     </message>
     <message>
-        <source>stays</source>
-        <translation>稳定</translation>
-    </message>
-    <message>
-        <source>does not stay</source>
-        <translation>不稳定</translation>
-    </message>
-    <message>
         <source>bent further</source>
         <translation>继续弯曲</translation>
-    </message>
-    <message>
-        <source>largest move</source>
-        <translation>最大位移</translation>
-    </message>
-    <message>
-        <source>margin</source>
-        <translation>裕度</translation>
     </message>
     <message>
         <source>Strip</source>
@@ -925,14 +909,6 @@
     <message>
         <source>no curve yet</source>
         <translation>尚无曲线</translation>
-    </message>
-    <message>
-        <source>The nearest curve is</source>
-        <translation>最近曲线相距</translation>
-    </message>
-    <message>
-        <source>away</source>
-        <translation>远</translation>
     </message>
     <message>
         <source>Select a sketch with a spline, or an edge of an object, first.</source>
@@ -2809,6 +2785,42 @@
     <message>
         <source>A flat strip cannot take this curve</source>
         <translation>平条带无法弯成这条曲线</translation>
+    </message>
+    <message>
+        <source>The nearest curve is %1 mm away.</source>
+        <translation>最近曲线距此 %1 mm。</translation>
+    </message>
+    <message>
+        <source>It moves by %1 mm at most</source>
+        <translation>最多移动 %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 and %2; its stability margin is %3.</source>
+        <translation>%1，%2；稳定裕度为 %3。</translation>
+    </message>
+    <message>
+        <source>does not stay</source>
+        <translation>不会保持</translation>
+    </message>
+    <message>
+        <source>stays</source>
+        <translation>会保持</translation>
+    </message>
+    <message>
+        <source>the slot of %1</source>
+        <translation>%1 的槽</translation>
+    </message>
+    <message>
+        <source>only %1 mm %2%3%4, %5 mm are needed in %6</source>
+        <translation>%2%3%4仅 %1 mm，%6 需要 %5 mm</translation>
+    </message>
+    <message>
+        <source>%1: a wall of %2 mm is too thin to print: make it %3 mm or more</source>
+        <translation>%1：%2 mm 的壁太薄，无法打印：请不小于 %3 mm</translation>
+    </message>
+    <message>
+        <source>%1: the slots of %2 and %3 run into each other near (%4, %5): give the strips narrower tabs or move them apart</source>
+        <translation>%1：%2 与 %3 的槽在 (%4, %5) 附近相连：改窄插片，或移开</translation>
     </message>
 </context>
 <context>

@@ -15,6 +15,7 @@ from freecad.elastica_wb.commands.selection import (
 )
 from freecad.elastica_wb.curves.plane_sections import chosen_bodies, is_path
 from freecad.elastica_wb.features import curves
+from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.live import observers
 from freecad.elastica_wb.live.sketches import edited_sketch
 from freecad.elastica_wb.panels.curves.check import CheckPanel
@@ -35,8 +36,10 @@ class CheckCommand(CurveCommand):
     """Can it be bent? The answer in words, and the overlay on the curve."""
 
     name = "Elastica_Check"
-    text = "Check curve"
-    tip = "Say whether a flat strip can take the selected curve, and if not why and where"
+    text = QT_TRANSLATE_NOOP("Elastica_Check", "Check curve")
+    tip = QT_TRANSLATE_NOOP(
+        "Elastica_Check", "Say whether a flat strip can take the selected curve, and if not why and where"
+    )
     shortcut = "Y, C"
 
     def run(self) -> None:
@@ -52,8 +55,10 @@ class NearestCommand(CurveCommand):
     """The curve nearest to a sketch that a strip can take, within limits."""
 
     name = "Elastica_Nearest"
-    text = "Nearest curve to sketch"
-    tip = "Find the curve nearest to the selected sketch that can be bent within limits"
+    text = QT_TRANSLATE_NOOP("Elastica_Nearest", "Nearest curve to sketch")
+    tip = QT_TRANSLATE_NOOP(
+        "Elastica_Nearest", "Find the curve nearest to the selected sketch that can be bent within limits"
+    )
     shortcut = "Y, N"
 
     def run(self) -> None:
@@ -66,8 +71,11 @@ class ProjectiveCommand(CurveCommand):
     """Four handles about a curve; what could be bent still can."""
 
     name = "Elastica_Projective"
-    text = "Projective edit"
-    tip = "Pull the selected sketch's curve by four handles: lines stay lines, a curve that can be bent stays one"
+    text = QT_TRANSLATE_NOOP("Elastica_Projective", "Projective edit")
+    tip = QT_TRANSLATE_NOOP(
+        "Elastica_Projective",
+        "Pull the selected sketch's curve by four handles: lines stay lines, a curve that can be bent stays one",
+    )
     shortcut = "Y, P"
 
     def run(self) -> None:
@@ -79,8 +87,11 @@ class SectionCommand(Command):
     """Plane sections of a body or a mesh, as curves for strips."""
 
     name = "Elastica_Section"
-    text = "Section into curves"
-    tip = "Cut the selected body, surface or mesh by planes into smooth curves that strips can follow"
+    text = QT_TRANSLATE_NOOP("Elastica_Section", "Section into curves")
+    tip = QT_TRANSLATE_NOOP(
+        "Elastica_Section",
+        "Cut the selected body, surface or mesh by planes into smooth curves that strips can follow",
+    )
 
     def has_subject(self) -> bool:
         """Something to cut is selected."""

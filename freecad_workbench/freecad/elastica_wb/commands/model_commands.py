@@ -7,6 +7,7 @@ import FreeCAD as App
 from freecad.elastica_wb.commands.command import Command, answers, show_panel, undo_step
 from freecad.elastica_wb.commands.selection import chosen_sources, chosen_strips
 from freecad.elastica_wb.features import flat, model, nest
+from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.panels.feature_panels import panel_of
 from freecad.elastica_wb.panels.fixtures import FixturesPanel
 
@@ -15,8 +16,10 @@ class InterlockCommand(Command):
     """Slots where strips cross, so that they slide into each other."""
 
     name = "Elastica_Interlock"
-    text = "Interlock selected strips"
-    tip = "Put the selected strips together to a model and cut slots where they cross"
+    text = QT_TRANSLATE_NOOP("Elastica_Interlock", "Interlock selected strips")
+    tip = QT_TRANSLATE_NOOP(
+        "Elastica_Interlock", "Put the selected strips together to a model and cut slots where they cross"
+    )
     shortcut = "Y, I"
 
     def has_subject(self) -> bool:
@@ -40,8 +43,11 @@ class FixturesCommand(Command):
     """Printed blocks for the ends, or one slotted plate for all."""
 
     name = "Elastica_Fixtures"
-    text = "End fixtures and base plate"
-    tip = "Make printed blocks that hold the ends of the selected strips or model, or one slotted base plate"
+    text = QT_TRANSLATE_NOOP("Elastica_Fixtures", "End fixtures and base plate")
+    tip = QT_TRANSLATE_NOOP(
+        "Elastica_Fixtures",
+        "Make printed blocks that hold the ends of the selected strips or model, or one slotted base plate",
+    )
 
     def has_subject(self) -> bool:
         """There is something to be cut."""
@@ -56,8 +62,11 @@ class NestCommand(Command):
     """All parts on sheets."""
 
     name = "Elastica_Nest"
-    text = "Nest on sheets"
-    tip = "Lay everything that must be cut for the selected strips, models and base plates on sheets"
+    text = QT_TRANSLATE_NOOP("Elastica_Nest", "Nest on sheets")
+    tip = QT_TRANSLATE_NOOP(
+        "Elastica_Nest",
+        "Lay everything that must be cut for the selected strips, models and base plates on sheets",
+    )
 
     def has_subject(self) -> bool:
         """There is something to be cut."""

@@ -13,7 +13,7 @@ from freecad.elastica_wb.features.baseplate import is_base_plate
 from freecad.elastica_wb.features.flat import is_flat
 from freecad.elastica_wb.features.model import is_model
 from freecad.elastica_wb.features.strip import is_strip
-from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.live.sketches import edited_sketch, followers
 
 from elastica_cad.errors import InputError
@@ -45,7 +45,9 @@ def chosen_curves() -> list[tuple[Any, tuple[str, ...]]]:
     if not found:
         found = [(sketch, ()) for sketch in (edited_sketch() or _only_sketch(),) if sketch is not None]
     if not found:
-        raise InputError(tr("Select a sketch with a spline, or an edge of an object, first."))
+        raise InputError(
+            translate("Elastica", "Select a sketch with a spline, or an edge of an object, first.")
+        )
     return found
 
 
@@ -96,7 +98,7 @@ def chosen_sketch() -> Any:
     """
     (source, edges), *_ = chosen_curves()
     if edges or not is_sketch(source):
-        raise InputError(tr("Select a sketch with a spline first."))
+        raise InputError(translate("Elastica", "Select a sketch with a spline first."))
     return source
 
 
@@ -126,6 +128,10 @@ def chosen_strips(*, least: int = 1) -> list[Any]:
     if not found and least == 1 and len(everything) == 1:
         found = everything
     if len(found) < least:
-        wanted = tr("Select a strip first.") if least == 1 else tr("Select two strips or more first.")
+        wanted = (
+            translate("Elastica", "Select a strip first.")
+            if least == 1
+            else translate("Elastica", "Select two strips or more first.")
+        )
         raise InputError(wanted)
     return found

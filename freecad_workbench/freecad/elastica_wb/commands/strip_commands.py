@@ -12,6 +12,7 @@ from freecad.elastica_wb.commands.selection import (
     is_curve_chosen,
 )
 from freecad.elastica_wb.features import flat, strip
+from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.live.sketches import edited_sketch
 from freecad.elastica_wb.panels.bend import BendPanel
 from freecad.elastica_wb.panels.feature_panels import panel_of
@@ -32,8 +33,11 @@ class StripCommand(Command):
     """The bent strip on the curve and its flat twin, then the panel to choose sheet and widths."""
 
     name = "Elastica_Strip"
-    text = "Strip from sketch"
-    tip = "Make the flat strip that bends into the selected spline: the bent part and, linked to it, the flat one"
+    text = QT_TRANSLATE_NOOP("Elastica_Strip", "Strip from sketch")
+    tip = QT_TRANSLATE_NOOP(
+        "Elastica_Strip",
+        "Make the flat strip that bends into the selected spline: the bent part and, linked to it, the flat one",
+    )
     shortcut = "Y, S"
     in_sketch = True
 
@@ -61,8 +65,11 @@ class PerforateCommand(OnStrips):
     """The strip keeps one width; holes make it as soft as it must be."""
 
     name = "Elastica_Perforate"
-    text = "Perforate"
-    tip = "Give the selected strips an even width and let holes make them as soft as they must be"
+    text = QT_TRANSLATE_NOOP("Elastica_Perforate", "Perforate")
+    tip = QT_TRANSLATE_NOOP(
+        "Elastica_Perforate",
+        "Give the selected strips an even width and let holes make them as soft as they must be",
+    )
 
     def run(self) -> None:
         """Change the style, then the panel to choose widths and holes."""
@@ -78,8 +85,11 @@ class LaminateCommand(OnStrips):
     """The strip keeps one width; a narrower one glued on makes it as stiff as it must be."""
 
     name = "Elastica_Laminate"
-    text = "Laminate"
-    tip = "Give the selected strips an even width and glue narrower strips on that make them stiff enough"
+    text = QT_TRANSLATE_NOOP("Elastica_Laminate", "Laminate")
+    tip = QT_TRANSLATE_NOOP(
+        "Elastica_Laminate",
+        "Give the selected strips an even width and glue narrower strips on that make them stiff enough",
+    )
 
     def run(self) -> None:
         """Change the style, add the flat part of the backing, then the panel."""
@@ -96,8 +106,10 @@ class BendCommand(OnStrips):
     """Move or turn an end and watch the strip follow."""
 
     name = "Elastica_Bend"
-    text = "Bend forward"
-    tip = "Move or turn the ends of the selected strip and watch it take its new rest shape"
+    text = QT_TRANSLATE_NOOP("Elastica_Bend", "Bend forward")
+    tip = QT_TRANSLATE_NOOP(
+        "Elastica_Bend", "Move or turn the ends of the selected strip and watch it take its new rest shape"
+    )
     shortcut = "Y, B"
 
     def run(self) -> None:
@@ -109,8 +121,11 @@ class ToleranceCommand(OnStrips):
     """How far the strip strays when sheet, cut and clamps are not as designed."""
 
     name = "Elastica_Tolerance"
-    text = "Tolerance study"
-    tip = "Find how far the bent strip strays when sheet, cut and clamps vary within their ranges"
+    text = QT_TRANSLATE_NOOP("Elastica_Tolerance", "Tolerance study")
+    tip = QT_TRANSLATE_NOOP(
+        "Elastica_Tolerance",
+        "Find how far the bent strip strays when sheet, cut and clamps vary within their ranges",
+    )
 
     def run(self) -> None:
         """Open the panel."""

@@ -6,6 +6,7 @@
 import FreeCAD as App
 from freecad.elastica_wb.commands.command import Command, answers, show_panel
 from freecad.elastica_wb.commands.selection import chosen_sources
+from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.panels.coupon import CouponPanel
 from freecad.elastica_wb.panels.export import ExportPanel
 from freecad.elastica_wb.panels.sheets import SheetsPanel
@@ -15,8 +16,11 @@ class CouponCommand(Command):
     """A strip to cut, hang over an edge and measure; the readings make a sheet of your own."""
 
     name = "Elastica_Coupon"
-    text = "Coupon and calibrate"
-    tip = "Make a test strip to hang over an edge, and turn its measured droop into a sheet of your own"
+    text = QT_TRANSLATE_NOOP("Elastica_Coupon", "Coupon and calibrate")
+    tip = QT_TRANSLATE_NOOP(
+        "Elastica_Coupon",
+        "Make a test strip to hang over an edge, and turn its measured droop into a sheet of your own",
+    )
 
     def run(self) -> None:
         """Open the panel."""
@@ -27,8 +31,11 @@ class ExportCommand(Command):
     """DXF, SVG, STEP and a cut list."""
 
     name = "Elastica_Export"
-    text = "Export cutting files"
-    tip = "Write DXF, SVG and STEP files, nest and cut list of the selected strips, models and base plates"
+    text = QT_TRANSLATE_NOOP("Elastica_Export", "Export cutting files")
+    tip = QT_TRANSLATE_NOOP(
+        "Elastica_Export",
+        "Write DXF, SVG and STEP files, nest and cut list of the selected strips, models and base plates",
+    )
     shortcut = "Y, X"
     in_sketch = True
 
@@ -45,8 +52,10 @@ class SheetsCommand(Command):
     """Look at the built-in sheets, keep your own."""
 
     name = "Elastica_Sheets"
-    text = "Sheet library"
-    tip = "Look at the sheets that are known, with their sources, and keep your own"
+    text = QT_TRANSLATE_NOOP("Elastica_Sheets", "Sheet library")
+    tip = QT_TRANSLATE_NOOP(
+        "Elastica_Sheets", "Look at the sheets that are known, with their sources, and keep your own"
+    )
     in_sketch = True
 
     def has_subject(self) -> bool:

@@ -25,7 +25,7 @@ from freecad.elastica_wb.features.strip_properties import NEAREST
 from freecad.elastica_wb.features.strip_request import nearest_spec_of
 from freecad.elastica_wb.host.progress import progress
 from freecad.elastica_wb.host.property_table import Property, put
-from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.shapes.part_shapes import spline_geometry
 from freecad.elastica_wb.solving.strip_cache import find_nearest
@@ -53,8 +53,14 @@ class NearestFeature(Feature):
         near = find_nearest(nearest_spec_of(obj, drawn))
         obj.Shape = spline_geometry(near.curve).toShape()
         obj.Placement = drawn.placement
-        held = [f"{tr(b.name)} ({b.limit:.3g})" if b.limit else tr(b.name) for b in near.binding[:3]]
-        said = [near.status.value, *([f"{tr('Held away by')}: {', '.join(held)}."] if held else [])]
+        held = [
+            f"{translate('Elastica', b.name)} ({b.limit:.3g})" if b.limit else translate("Elastica", b.name)
+            for b in near.binding[:3]
+        ]
+        said = [
+            near.status.value,
+            *([f"{translate('Elastica', 'Held away by')}: {', '.join(held)}."] if held else []),
+        ]
         put(obj, Deviation=near.deviation, Ratio=near.rod.ratio, Reports=[worded(line) for line in said])
 
 
@@ -132,7 +138,7 @@ class SectionFeature(Feature):
 def nearest(document: Any, source: Any, edges: tuple[str, ...] = ()) -> Any:
     """The nearest curve of a sketch or of edges, as a feature; recompute the document to see it."""
     obj = added(document, "Nearest", NearestFeature, [source])
-    obj.Label = f"{source.Label} {tr('nearest')}"
+    obj.Label = f"{source.Label} {translate('Elastica', 'nearest')}"
     obj.Curve = (source, list(edges))
     return obj
 
@@ -140,7 +146,7 @@ def nearest(document: Any, source: Any, edges: tuple[str, ...] = ()) -> Any:
 def bent(document: Any, strip: Any, **moves: float) -> Any:
     """The curve of a strip whose ends are moved (mm) and turned (degrees), named as in `MOVES`."""
     obj = added(document, "Bent", BentFeature, [strip])
-    obj.Label = f"{strip.Label} {tr('bent further')}"
+    obj.Label = f"{strip.Label} {translate('Elastica', 'bent further')}"
     obj.Strip = strip
     for name, value in moves.items():
         setattr(obj, name, value)
@@ -150,7 +156,7 @@ def bent(document: Any, strip: Any, **moves: float) -> Any:
 def section(document: Any, sources: list[Any], path: tuple[Any, tuple[str, ...]] | None = None) -> Any:
     """Sections of bodies across an axis, or along a path; recompute the document to see them."""
     obj = added(document, "Section", SectionFeature, sources)
-    obj.Label = f"{sources[0].Label} {tr('curves')}"
+    obj.Label = f"{sources[0].Label} {translate('Elastica', 'curves')}"
     obj.Sources = sources
     for axis, value in zip(AXES, box_of(sources[0]).Center, strict=True):
         setattr(obj, f"Through{axis}", value)
@@ -191,7 +197,7 @@ def nearest_sketch(obj: Any) -> None:
     group = obj.getParentGeoFeatureGroup()
     if group is not None:
         group.addObject(made)
-    made.Label, made.Placement = f"{obj.Label} {tr('sketch')}", obj.Placement
+    made.Label, made.Placement = f"{obj.Label} {translate('Elastica', 'sketch')}", obj.Placement
     document.removeObject(obj.Name)
     curve_into(made, near.curve)
 

@@ -40,7 +40,7 @@ def progress(title: str, count: int = 0) -> Iterator[Step]:
         return
     import FreeCADGui as Gui
     from freecad.elastica_wb.host.qt import EscapeKey, QtWidgets
-    from freecad.elastica_wb.host.resources import tr
+    from freecad.elastica_wb.host.resources import translate
 
     bar, escape, began = App.Base.ProgressIndicator(), EscapeKey(), time.monotonic()
     shown = 0
@@ -53,11 +53,13 @@ def progress(title: str, count: int = 0) -> Iterator[Step]:
             if not count:
                 break
         if not count or time.monotonic() - began > QUIET_S:
-            Gui.getMainWindow().statusBar().showMessage(f"{tr(title)} ({tr('Escape stops it')})")
+            Gui.getMainWindow().statusBar().showMessage(
+                f"{translate('Elastica', title)} ({translate('Elastica', 'Escape stops it')})"
+            )
         QtWidgets.QApplication.processEvents()
         return not escape.pressed
 
-    bar.start(tr(title), count)
+    bar.start(translate("Elastica", title), count)
     escape.watch()
     try:
         yield step

@@ -18,9 +18,14 @@ RESOURCES = Path(__file__).resolve().parents[3] / "resources"
 _aside: list[Any] = []
 
 
-def tr(words: str, context: str = "Elastica") -> str:
+def translate(context: str, words: str) -> str:
     """The words in the user's language."""
     return str(App.Qt.translate(context, words))
+
+
+def QT_TRANSLATE_NOOP(_context: str, words: str) -> str:
+    """Words that are translated where they are shown; here lupdate finds them."""
+    return words
 
 
 def icon(name: str) -> str:

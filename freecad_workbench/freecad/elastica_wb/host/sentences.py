@@ -12,7 +12,7 @@ from functools import lru_cache
 from xml.etree import ElementTree
 
 import FreeCAD as App
-from freecad.elastica_wb.host.resources import RESOURCES, tr
+from freecad.elastica_wb.host.resources import RESOURCES, translate
 
 __all__ = ["CONTEXT", "decimal_point", "translated"]
 
@@ -41,7 +41,7 @@ def decimal_point() -> str:
 
 def _language() -> str:
     """What tells a language from another; it can be changed while FreeCAD runs."""
-    return tr("can") + tr("cannot")
+    return translate("Elastica", "can") + translate("Elastica", "cannot")
 
 
 @lru_cache(maxsize=2)
@@ -52,7 +52,7 @@ def _keys(_language: str) -> list[tuple[str, re.Pattern[str], list[str], str]]:
     for context in tree.getroot().iter("context"):
         for message in context.iter("message") if context.findtext("name") == CONTEXT else ():
             key = message.findtext("source", "")
-            words = tr(key, CONTEXT)
+            words = translate(CONTEXT, key)
             if words != key:
                 text, *rest = GAP.split(key)
                 gaps = ["(.*?)" if re.match(" [A-Z]", part) else ONE for part in rest[1::2]]
@@ -85,4 +85,4 @@ def _translated(sentence: str, language: str) -> str:
     blank = sentence.strip()
     if blank != sentence:
         return sentence.replace(blank, _translated(blank, language))
-    return tr(sentence)
+    return translate("Elastica", sentence)

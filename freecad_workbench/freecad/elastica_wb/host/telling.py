@@ -9,7 +9,7 @@ from typing import Any
 import FreeCAD as App
 import FreeCADGui as Gui
 from freecad.elastica_wb.host.qt import QtCore, QtGui, QtWidgets
-from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.user_units import worded
 
 STATUS_MS = 20_000  # that a sentence stays in the status bar: long enough to be read after a look at the view
@@ -30,10 +30,10 @@ def tell_files(files: list[Path]) -> None:
     """Which files were written, with a button that opens their folder."""
     folder = files[0].parent
     names = [file.name for file in files[:MOST_FILES]] + ["..."] * (len(files) > MOST_FILES)
-    heading = f"{tr('Written to')} {folder}:"
+    heading = f"{translate('Elastica', 'Written to')} {folder}:"
     App.Console.PrintMessage(f"Elastica: {heading} {', '.join(file.name for file in files)}\n")
     box = _show("\n".join([heading, *names]))
-    button = box.addButton(tr("Open folder"), QtWidgets.QMessageBox.ActionRole)
+    button = box.addButton(translate("Elastica", "Open folder"), QtWidgets.QMessageBox.ActionRole)
     button.setObjectName("openFolder")
     address = QtCore.QUrl.fromLocalFile(str(folder))
     button.clicked.connect(lambda: QtGui.QDesktopServices.openUrl(address))

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.live.verdict import Answer, Verdict, quick_answer
 
 from elastica_cad._types import FloatArray
@@ -68,7 +68,14 @@ def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None
     except ElasticaError as error:
         nothing = np.zeros((0, 2))
         return Picture(
-            comb, None, nothing, nothing, (), nothing, False, Answer(Verdict.CANNOT, tr("cannot"), str(error))
+            comb,
+            None,
+            nothing,
+            nothing,
+            (),
+            nothing,
+            False,
+            Answer(Verdict.CANNOT, translate("Elastica", "cannot"), str(error)),
         )
     realizable = None if spec.gravity_in_plane is not None and check.realizable else check.realizable
     places = dict(check.off_line) or dict.fromkeys(check.inflections, 0.0)

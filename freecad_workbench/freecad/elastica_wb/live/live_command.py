@@ -6,7 +6,7 @@
 from typing import Any
 
 import FreeCADGui as Gui
-from freecad.elastica_wb.host.resources import icon
+from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, icon
 from freecad.elastica_wb.live import observers, sketches
 
 NAME = "Elastica_Live"
@@ -16,8 +16,11 @@ class LiveCommand:
     """Turns the overlay of the open sketch on and off; the sketch remembers."""
 
     name = NAME
-    text = "Live feedback"
-    tip = "Show over the open sketch whether a flat strip can take its curve, while it is drawn and dragged"
+    text = QT_TRANSLATE_NOOP("Elastica_Live", "Live feedback")
+    tip = QT_TRANSLATE_NOOP(
+        "Elastica_Live",
+        "Show over the open sketch whether a flat strip can take its curve, while it is drawn and dragged",
+    )
     shortcut = "Y, L"
 
     def GetResources(self) -> dict[str, Any]:

@@ -16,7 +16,7 @@ from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.progress import begun
 from freecad.elastica_wb.host.qt import QtCore
 from freecad.elastica_wb.host.refusal import FAILURES, explained
-from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import sheet_called
 from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.live import sketches
@@ -90,7 +90,7 @@ class Session:
         if self.near is None:
             return
         document, near = self.sketch.Document, self.near
-        document.openTransaction(tr("Use the nearest curve"))
+        document.openTransaction(translate("Elastica", "Use the nearest curve"))
         curve_into(self.sketch, near.curve)
         self.sketch.solve()  # it moves points: a part of the step
         document.commitTransaction()
@@ -153,7 +153,7 @@ class Session:
             self.overlay.clear()
             answer = refusal_answer(explained(error))
             if is_blank(self.sketch):
-                answer = Answer(Verdict.NOTHING, tr("no curve yet"), answer.sentence)
+                answer = Answer(Verdict.NOTHING, translate("Elastica", "no curve yet"), answer.sentence)
             self._say(answer)
             return
         self.overlay.show(picture)
@@ -198,7 +198,7 @@ class Session:
         elif self._asked.exception() is None and self._asked.result().met:
             self.near = near = self._asked.result()
             self.overlay.show_nearest(near.rod.position)
-            told = f"{tr('The nearest curve is')} {near.deviation:.3g} mm {tr('away')}."
+            told = f"The nearest curve is {near.deviation:.3g} mm away."
             self._say(replace(self.card.answer, sentence=f"{self.card.answer.sentence} {told}"))
             self.card.offer(nearest=True)
 

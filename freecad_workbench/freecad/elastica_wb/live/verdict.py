@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from enum import Enum
 
 import numpy as np
-from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.host.resources import translate
 
 from elastica_cad.errors import ElasticaError
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -39,9 +39,9 @@ class Answer:
 def quick_answer(samples: CurveSamples, spec: StripSpec, check: EquilibriumCheck) -> Answer:
     """What can be said at once: balance, the skin's strain, whether the strip is one."""
     if not check.realizable:
-        return Answer(Verdict.CANNOT, tr("cannot"), sentence_of(check))
+        return Answer(Verdict.CANNOT, translate("Elastica", "cannot"), sentence_of(check))
     spoiled = _too_wide(check.length, spec.max_width) or _too_sharp(samples, spec)
-    return spoiled or Answer(Verdict.CAN, tr("can"), sentence_of(check))
+    return spoiled or Answer(Verdict.CAN, translate("Elastica", "can"), sentence_of(check))
 
 
 def strip_answer(strip: Strip) -> Answer:
@@ -52,14 +52,14 @@ def strip_answer(strip: Strip) -> Answer:
     if _used(strip) > 1:
         strained = [line for line in strip.warnings if line.startswith("strain")]
         return Answer(Verdict.BREAKS, _breaks(_used(strip)), (strained or [sentence_of(strip)])[0])
-    return Answer(Verdict.CAN, tr("can"), sentence_of(strip))
+    return Answer(Verdict.CAN, translate("Elastica", "can"), sentence_of(strip))
 
 
 def refusal_answer(error: ElasticaError) -> Answer:
     """Why there is no strip: the curve, or what is asked of the strip."""
     if isinstance(error, NotRealizable):
-        return Answer(Verdict.CANNOT, tr("cannot"), sentence_of(error))
-    return Answer(Verdict.BREAKS, tr("cannot be made"), sentence_of(error))
+        return Answer(Verdict.CANNOT, translate("Elastica", "cannot"), sentence_of(error))
+    return Answer(Verdict.BREAKS, translate("Elastica", "cannot be made"), sentence_of(error))
 
 
 def sentence_of(answer: EquilibriumCheck | Strip | ElasticaError) -> str:
@@ -84,7 +84,7 @@ def _too_wide(length: float, width: float | None) -> Answer | None:
         f"The strip would be {width:.3g} mm wide and {length:.3g} mm long: a strip bends as computed where it is "
         f"{SLENDER:.0f} times as long as wide; draw a longer curve, or make the strip narrower."
     )
-    return Answer(Verdict.BREAKS, tr("too short for its width"), words)
+    return Answer(Verdict.BREAKS, translate("Elastica", "too short for its width"), words)
 
 
 def _too_sharp(samples: CurveSamples, spec: StripSpec) -> Answer | None:
@@ -107,4 +107,4 @@ def _used(strip: Strip) -> float:
 
 
 def _breaks(used: float) -> str:
-    return f"{tr('would break')}: {100 * used:.0f} %"
+    return f"{translate('Elastica', 'would break')}: {100 * used:.0f} %"

@@ -9,7 +9,7 @@ from typing import Any
 
 import FreeCADGui as Gui
 from freecad.elastica_wb.host.qt import QtCore, QtWidgets, surface_of
-from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.live.overlay import COLORS
 from freecad.elastica_wb.live.verdict import Answer, Verdict
 
@@ -28,7 +28,7 @@ class VerdictCard(QtCore.QObject):
         self.frame = QtWidgets.QFrame(self._over)
         self.frame.setObjectName("ElasticaVerdict")
         self.heading, self.words, self.legend = (QtWidgets.QLabel(self.frame) for _ in range(3))
-        self.button = QtWidgets.QPushButton(tr("Use the nearest curve"), self.frame)
+        self.button = QtWidgets.QPushButton(translate("Elastica", "Use the nearest curve"), self.frame)
         self.button.setObjectName("useNearest")
         self.button.setFocusPolicy(QtCore.Qt.NoFocus)  # keys go on to the sketcher
         self.button.clicked.connect(lambda *_: wanted())
@@ -102,9 +102,9 @@ class VerdictCard(QtCore.QObject):
 def _legend() -> str:
     """One line: what the colours of the overlay mean."""
     names = (
-        ("comb", tr("curvature")),
-        ("width", tr("the strip laid flat")),
-        (Verdict.CAN, tr("inflections on their line")),
+        ("comb", translate("Elastica", "curvature")),
+        ("width", translate("Elastica", "the strip laid flat")),
+        (Verdict.CAN, translate("Elastica", "inflections on their line")),
     )
     return " &nbsp; ".join(
         f'<span style="color: {_hex(COLORS[key])};">&#9644;</span> {name}' for key, name in names

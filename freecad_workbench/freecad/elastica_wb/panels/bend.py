@@ -9,7 +9,7 @@ import numpy as np
 from freecad.elastica_wb.features.curves import MOVES, bent, largest_move, moved
 from freecad.elastica_wb.features.strip import strip_of
 from freecad.elastica_wb.host.property_table import put
-from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.panels.panel import Panel, active_view, placement_of_strip
 from freecad.elastica_wb.panels.widgets.fields import set_value
 from freecad.elastica_wb.preview.preview_lines import Preview
@@ -42,7 +42,11 @@ class BendPanel(Panel):
             set_value(getattr(self.form, name), getattr(feature, name).Value)
         self.watch(*MOVES)
         self.form.play.clicked.connect(self.play)
-        self.tell(tr("Move or turn an end: type numbers, or drag one of the handles in the view."))
+        self.tell(
+            translate(
+                "Elastica", "Move or turn an end: type numbers, or drag one of the handles in the view."
+            )
+        )
         if feature is not None:
             self._safely_changed()
 
@@ -98,10 +102,10 @@ class BendPanel(Panel):
     def _show(self, rod: Rod) -> None:
         self._draw(rod)
         found = stability(rod)
-        state = tr("stays") if found.stable else tr("does not stay")
-        largest = largest_move(self.rest, rod)
-        words = [f"{tr('largest move')} {largest:.2f} mm; {state}, {tr('margin')} {found.margin:.3g}"]
-        self.tell(". ".join([*words, *(w for w in rod.warnings if w not in self.rest.warnings)]))
+        stays = "stays" if found.stable else "does not stay"
+        moved_by = f"It moves by {largest_move(self.rest, rod):.2f} mm at most"
+        words = f"{moved_by} and {stays}; its stability margin is {found.margin:.3g}."
+        self.tell(" ".join([words, *(w for w in rod.warnings if w not in self.rest.warnings)]))
 
     def _draw(self, rod: Rod) -> None:
         if self.preview is None:

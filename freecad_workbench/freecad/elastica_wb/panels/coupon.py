@@ -6,7 +6,7 @@
 from typing import Any
 
 from freecad.elastica_wb.host import preferences
-from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sentences import decimal_point
 from freecad.elastica_wb.host.sheet_store import own_sheets, save_own_sheets, sheet_called, sheet_list
 from freecad.elastica_wb.panels.panel import Panel
@@ -41,7 +41,7 @@ class CouponPanel(Panel):
     def changed(self) -> None:
         """The overhang to use, and what the readings say."""
         sheet = sheet_called(self.form.sheet.currentText())
-        words = [f"{tr('Longest overhang of the coupon')}: {coupon_overhang(sheet):g} mm"]
+        words = [f"{translate('Elastica', 'Longest overhang of the coupon')}: {coupon_overhang(sheet):g} mm"]
         self.calibration = None
         if self.form.readings.text().strip():
             overhangs, droops = readings_of(self.form.readings.text())
@@ -67,14 +67,16 @@ class CouponPanel(Panel):
     def write(self, *_: Any) -> None:
         """Its cutting file."""
         drawing = coupon_drawing(sheet_called(self.form.sheet.currentText()))
-        path = ask_file(tr("Save the coupon"), f"{drawing.name}.dxf", "DXF (*.dxf);;SVG (*.svg)")
+        path = ask_file(
+            translate("Elastica", "Save the coupon"), f"{drawing.name}.dxf", "DXF (*.dxf);;SVG (*.svg)"
+        )
         if path:
-            self.tell(f"{tr('wrote')} {save_drawing(drawing, path)}")
+            self.tell(f"{translate('Elastica', 'wrote')} {save_drawing(drawing, path)}")
 
     def keep(self, *_: Any) -> None:
         """The calibrated sheet into the user's library."""
         try:
-            self.tell(f"{tr('kept as')} {self.kept()}")
+            self.tell(f"{translate('Elastica', 'kept as')} {self.kept()}")
         except InputError as error:
             self.tell(str(error))
 
@@ -82,7 +84,10 @@ class CouponPanel(Panel):
         """Keep the sheet and say its name."""
         if self.calibration is None:
             raise InputError(
-                tr("type the readings first: overhang = droop, in mm, such as 120 = 14.5; 150 = 31")
+                translate(
+                    "Elastica",
+                    "type the readings first: overhang = droop, in mm, such as 120 = 14.5; 150 = 31",
+                )
             )
         base = sheet_called(self.form.sheet.currentText())
         name = self.form.name.text().strip() or f"{base.name}-measured"

@@ -11,7 +11,7 @@ from freecad.elastica_wb.export.cutting_files import KINDS, write_cutting_files
 from freecad.elastica_wb.features.pieces import pieces_of
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.progress import progress
-from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.telling import tell_files
 from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.widgets.fields import set_value
@@ -52,7 +52,10 @@ class ExportPanel(Panel):
         words = list(map(_listed, self.pieces))
         if find_spec("ezdxf") is None:
             words.append(
-                tr("DXF files are of version R12 here, curves as arcs: the library ezdxf is missing.")
+                translate(
+                    "Elastica",
+                    "DXF files are of version R12 here, curves as arcs: the library ezdxf is missing.",
+                )
             )
             for name in ("version", "label_1_DXFversion"):
                 getattr(form, name).hide()
@@ -60,7 +63,7 @@ class ExportPanel(Panel):
 
     def browse(self, *_: Any) -> None:
         """Choose the folder."""
-        folder = ask_folder(tr("Folder for the files"))
+        folder = ask_folder(translate("Elastica", "Folder for the files"))
         if folder:
             self.form.folder.setText(folder)
 
@@ -74,14 +77,16 @@ class ExportPanel(Panel):
         try:
             self._write()
         except InputError as error:
-            raise InputError(str(error).replace(BY_HAND, tr("tick the box for it"))) from error
+            raise InputError(
+                str(error).replace(BY_HAND, translate("Elastica", "tick the box for it"))
+            ) from error
 
     def _write(self) -> None:
         kinds = [kind for kind in KINDS if getattr(self.form, kind).isChecked()]
         if not self.form.folder.text().strip():
             self.browse()
         if not self.form.folder.text().strip():
-            raise InputError(tr("choose a folder for the files"))
+            raise InputError(translate("Elastica", "choose a folder for the files"))
         with progress("Writing files", len(self.pieces) + len(self.strips)) as go_on:
             self.written = write_cutting_files(
                 self.strips,

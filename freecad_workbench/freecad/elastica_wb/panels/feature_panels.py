@@ -20,25 +20,20 @@ from freecad.elastica_wb.features.flat import FlatFeature
 from freecad.elastica_wb.features.model import ModelFeature
 from freecad.elastica_wb.features.nest import NestFeature
 from freecad.elastica_wb.features.strip_properties import PROPERTIES
-from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
 from freecad.elastica_wb.panels.bend import BendPanel
 from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.property_panel import Layout, PropertyPanel, Told
 
 
-def QT_TRANSLATE_NOOP(_context: str, words: str) -> str:
-    """Words that are translated where they are shown."""
-    return words
-
-
 def _strip_numbers(obj: Any) -> Told:
     return (
-        (tr("Length"), f"{obj.Length.Value:.2f} mm"),
-        (tr("Narrowest place"), f"{obj.NarrowestWidth.Value:.2f} mm"),
-        (tr("Stiffness ratio"), f"{obj.Ratio:.3g}"),
-        (tr("Largest strain"), f"{obj.LargestStrain:.2f} % ({obj.StrainUse} %)"),
-        (tr("Stability margin"), f"{obj.Margin:.3g}"),
-        (tr("Mass"), f"{obj.Mass:.3g} g"),
+        (translate("Elastica", "Length"), f"{obj.Length.Value:.2f} mm"),
+        (translate("Elastica", "Narrowest place"), f"{obj.NarrowestWidth.Value:.2f} mm"),
+        (translate("Elastica", "Stiffness ratio"), f"{obj.Ratio:.3g}"),
+        (translate("Elastica", "Largest strain"), f"{obj.LargestStrain:.2f} % ({obj.StrainUse} %)"),
+        (translate("Elastica", "Stability margin"), f"{obj.Margin:.3g}"),
+        (translate("Elastica", "Mass"), f"{obj.Mass:.3g} g"),
     )
 
 
@@ -164,7 +159,7 @@ MODEL = Layout(
     ),
     ModelFeature.properties,
     dict.fromkeys(("Clearance", "Fit", "Relief"), _is_interlocked),
-    told=lambda obj: ((tr("Joints"), str(obj.Joints)),),
+    told=lambda obj: ((translate("Elastica", "Joints"), str(obj.Joints)),),
 )
 
 FLAT = Layout(
@@ -234,7 +229,7 @@ NEST = Layout(
         ),
     ),
     NestFeature.properties,
-    told=lambda obj: ((tr("Sheets"), str(obj.Sheets)),),
+    told=lambda obj: ((translate("Elastica", "Sheets"), str(obj.Sheets)),),
 )
 
 NEAREST = Layout(
@@ -267,8 +262,8 @@ NEAREST = Layout(
     {"MarginLimit": lambda obj: obj.LimitMargin, "StrainLimit": lambda obj: obj.LimitStrain},
     "Curve",
     lambda obj: (
-        (tr("Largest distance"), f"{obj.Deviation.Value:.3g} mm"),
-        (tr("Stiffness ratio"), f"{obj.Ratio:.3g}"),
+        (translate("Elastica", "Largest distance"), f"{obj.Deviation.Value:.3g} mm"),
+        (translate("Elastica", "Stiffness ratio"), f"{obj.Ratio:.3g}"),
     ),
     (
         (QT_TRANSLATE_NOOP("Elastica", "Draw it into the sketch"), draw_into),
@@ -309,7 +304,7 @@ SECTION = Layout(
         **dict.fromkeys(("ThroughX", "ThroughY", "ThroughZ", "Sweep"), _is_radial),
     },
     "Path",
-    lambda obj: ((tr("Curves"), str(obj.Curves)),),
+    lambda obj: ((translate("Elastica", "Curves"), str(obj.Curves)),),
     ((QT_TRANSLATE_NOOP("Elastica", "Make sketches to edit"), section_sketches_of),),
 )
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from freecad.elastica_wb.features import baseplate, fixtures
 from freecad.elastica_wb.host import preferences
-from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import sheet_list
 from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.widgets.fields import set_value
@@ -50,7 +50,7 @@ class FixturesPanel(Panel):
             )
             made.append(plate)
         if not made:
-            raise InputError(tr("tick what is to be made"))
+            raise InputError(translate("Elastica", "tick what is to be made"))
         self.document.recompute()
         failed = [obj for obj in made if "Invalid" in obj.State]
         if failed:

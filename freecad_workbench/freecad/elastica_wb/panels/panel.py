@@ -12,7 +12,7 @@ import FreeCADGui as Gui
 from freecad.elastica_wb.host.lifetime import document_lives, lives
 from freecad.elastica_wb.host.qt import QtCore, QtWidgets
 from freecad.elastica_wb.host.refusal import FAILURES, explained
-from freecad.elastica_wb.host.resources import icon, load_panel, quantities_of, tr
+from freecad.elastica_wb.host.resources import icon, load_panel, quantities_of, translate
 from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.live import session as live
 from freecad.elastica_wb.panels.widgets.fields import calm, set_value, signal_of, value_of
@@ -150,7 +150,7 @@ class Panel:
     def _all_there(self) -> None:
         """Raises where the user deleted what the panel works on."""
         if not all(map(self.is_there, self.subjects)):
-            raise InputError(tr("what this panel works on was deleted: press Cancel"))
+            raise InputError(translate("Elastica", "what this panel works on was deleted: press Cancel"))
 
     def _safely_changed(self) -> None:
         try:

@@ -13,7 +13,7 @@ import FreeCADGui as Gui
 from freecad.elastica_wb.host.property_table import Property
 from freecad.elastica_wb.host.qt import QtCore, QtWidgets
 from freecad.elastica_wb.host.refusal import FAILURES, explained
-from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.widgets.fields import field_for, put_choices, set_value, signal_of, value_of
@@ -79,13 +79,13 @@ class PropertyPanel(Panel):
     def make_form(self) -> Any:
         """Message and numbers on top, then the groups of properties."""
         form = QtWidgets.QWidget()
-        form.setWindowTitle(tr(self.layout.title))
+        form.setWindowTitle(translate("Elastica", self.layout.title))
         outer = QtWidgets.QVBoxLayout(form)
         form.message, form.numbers = QtWidgets.QLabel(), QtWidgets.QLabel()
         form.message.setWordWrap(True)
         form.message.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
         outer.addWidget(form.message)
-        form.useNearest = QtWidgets.QPushButton(tr("Use the nearest curve"))
+        form.useNearest = QtWidgets.QPushButton(translate("Elastica", "Use the nearest curve"))
         form.useNearest.setObjectName("useNearest")
         form.useNearest.clicked.connect(self._use_nearest)
         form.useNearest.hide()
@@ -94,18 +94,20 @@ class PropertyPanel(Panel):
         if self.layout.source:
             outer.addLayout(self._source_row(form))
         for words, work in self.layout.actions:
-            button = QtWidgets.QPushButton(tr(words))
+            button = QtWidgets.QPushButton(translate("Elastica", words))
             button.setObjectName(work.__name__)
-            button.setToolTip(tr("Takes this feature's place and follows nothing any more"))
+            button.setToolTip(
+                translate("Elastica", "Takes this feature's place and follows nothing any more")
+            )
             button.clicked.connect(lambda *_, work=work: self._replace(work))
             outer.addWidget(button)
         helps = {entry.name: entry.translated_help for entry in self.layout.table}
         for title, rows in self.layout.groups:
-            box = QtWidgets.QGroupBox(tr(title))
+            box = QtWidgets.QGroupBox(translate("Elastica", title))
             grid = QtWidgets.QFormLayout(box)
             grid.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
             for name, words in rows:
-                widget, label = field_for(self.object, name), QtWidgets.QLabel(tr(words))
+                widget, label = field_for(self.object, name), QtWidgets.QLabel(translate("Elastica", words))
                 for part in (widget, label):
                     part.setToolTip(helps[name])
                 grid.addRow(label, widget)
@@ -196,7 +198,9 @@ class PropertyPanel(Panel):
         self.tell(self._words())
         if layout.source:
             source, edges = getattr(obj, layout.source) or (None, ())
-            self.form.source.setText(" ".join([source.Label, *edges]) if source is not None else tr("none"))
+            self.form.source.setText(
+                " ".join([source.Label, *edges]) if source is not None else translate("Elastica", "none")
+            )
             counts = layout.applies[layout.source](obj) if layout.source in layout.applies else True
             for widget in (self.form.sourceLabel, self.form.source, self.form.pick):
                 widget.setVisible(counts)
@@ -232,13 +236,15 @@ class PropertyPanel(Panel):
     def _source_row(self, form: Any) -> Any:
         row = QtWidgets.QHBoxLayout()
         form.source = QtWidgets.QLabel()
-        form.pick = QtWidgets.QPushButton(tr("Pick another curve"))
+        form.pick = QtWidgets.QPushButton(translate("Elastica", "Pick another curve"))
         form.pick.setObjectName("pick")
         form.pick.setCheckable(True)
-        form.pick.setToolTip(tr("Then click a sketch or an edge, in the view or in the tree"))
+        form.pick.setToolTip(
+            translate("Elastica", "Then click a sketch or an edge, in the view or in the tree")
+        )
         form.pick.toggled.connect(self._picking)
         form.source.setWordWrap(True)
-        form.sourceLabel = QtWidgets.QLabel(tr("Curve"))
+        form.sourceLabel = QtWidgets.QLabel(translate("Elastica", "Curve"))
         for widget in (form.sourceLabel, form.source):
             row.addWidget(widget)
         row.setStretch(1, 1)

@@ -5,7 +5,7 @@
 
 from typing import Any
 
-from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import own_sheets, save_own_sheets, sheet_called, sheet_list
 from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.widgets.fields import set_value
@@ -43,8 +43,8 @@ class SheetsPanel(Panel):
         for field in NUMBERS:
             set_value(getattr(self.form, field), getattr(sheet, field))
         self.tell(
-            f"{tr('least radius')} {sheet.least_radius:.4g} mm, "
-            f"{tr('elasto-gravity length')} {sheet.elasto_gravity_length:.4g} mm"
+            f"{translate('Elastica', 'least radius')} {sheet.least_radius:.4g} mm, "
+            f"{translate('Elastica', 'elasto-gravity length')} {sheet.elasto_gravity_length:.4g} mm"
         )
 
     def keep(self, *_: Any) -> None:
@@ -60,7 +60,7 @@ class SheetsPanel(Panel):
     def remove(self, *_: Any) -> None:
         """Take a sheet of the user's own out."""
         if self.own.pop(self.form.sheets.currentText(), None) is None:
-            self.tell(tr("Built-in sheets stay: keep yours under another name."))
+            self.tell(translate("Elastica", "Built-in sheets stay: keep yours under another name."))
             return
         self._list()
 

@@ -8,7 +8,7 @@ from typing import Any
 
 from freecad.elastica_wb.features.strip import strip_of
 from freecad.elastica_wb.host.progress import progress
-from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.user_units import shown_unit, worded
 from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.widgets.bar_chart import bar_chart
@@ -29,7 +29,7 @@ class TolerancePanel(Panel):
         super().__init__()
         self.study: ToleranceStudy | None = None
         self.form.run.clicked.connect(self.run)
-        self.tell(tr("Ranges are those of the sheet."))
+        self.tell(translate("Elastica", "Ranges are those of the sheet."))
 
     def run(self, *_: Any) -> None:
         """Bend them all."""
@@ -42,22 +42,24 @@ class TolerancePanel(Panel):
                 executor=Watched("Bending varied strips"),
             )
         except Stopped:
-            self.tell(tr("Stopped."))
+            self.tell(translate("Elastica", "Stopped."))
             return
         except ElasticaError as error:
             self.tell(str(error))
             return
         effects, unit = (*self.study.effects, self.study.combined), shown_unit()
-        rows = "".join(
-            f"<tr><td>{tr(e.name)}&nbsp;&nbsp;</td><td align=right>{e.percentile_95 / unit.size:.3f}"
-            f"&nbsp;&nbsp;</td><td align=right>{e.worst / unit.size:.3f}</td></tr>"
-            for e in effects
-        )
-        head = (
-            f"<tr><td>{tr('deviation')}, {unit.name}</td><td>95 %&nbsp;&nbsp;</td><td>{tr('worst')}</td></tr>"
-        )
-        self.form.table.setText(worded(f"<table>{head}{rows}</table>"))
-        self.form.plot.setPixmap(bar_chart([(tr(e.name), e.percentile_95, e.worst) for e in effects]))
+        names = [translate("Elastica", effect.name) for effect in effects]
+        table = [
+            (translate("Elastica", "deviation") + f", {unit.name}", "95 %", translate("Elastica", "worst"))
+        ]
+        table += [
+            (name, f"{effect.percentile_95 / unit.size:.3f}", f"{effect.worst / unit.size:.3f}")
+            for name, effect in zip(names, effects, strict=True)
+        ]
+        rows = "".join(f"<tr><td>{'&nbsp;&nbsp;</td><td align=right>'.join(row)}</td></tr>" for row in table)
+        self.form.table.setText(worded(f"<table>{rows}</table>"))
+        bars = zip(names, effects, strict=True)
+        self.form.plot.setPixmap(bar_chart([(name, e.percentile_95, e.worst) for name, e in bars]))
         self.tell("")
 
 

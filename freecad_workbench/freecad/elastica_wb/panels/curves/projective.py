@@ -9,7 +9,7 @@ import numpy as np
 from freecad.elastica_wb.curves.projective_sketch import box_around, evened, lost_constraints
 from freecad.elastica_wb.curves.sketch_curves import curve_into, sketch_curve
 from freecad.elastica_wb.host import preferences
-from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import sheet_called
 from freecad.elastica_wb.live.verdict import sentence_of
 from freecad.elastica_wb.panels.panel import Panel, active_view
@@ -125,4 +125,4 @@ class ProjectivePanel(Panel):
     def _warning(self) -> str:
         if not self.lost or self.curve is self.drawn:
             return ""
-        return f"\n{tr('Constraints on the drawn curve that OK takes away')}: {self.lost}"
+        return f"\n{translate('Elastica', 'Constraints on the drawn curve that OK takes away')}: {self.lost}"

@@ -8,7 +8,7 @@ from typing import Any
 
 import FreeCADGui as Gui
 from freecad.elastica_wb.host.qt import QtCore, QtWidgets
-from freecad.elastica_wb.host.resources import tr
+from freecad.elastica_wb.host.resources import translate
 
 LARGEST = 1e9  # of numbers without a limit of their own
 WHOLE = 1_000_000
@@ -50,7 +50,7 @@ def put_choices(box: Any, choices: list[str]) -> None:
         blocked = box.blockSignals(True)
         box.clear()
         for choice in choices:
-            box.addItem(tr(choice), choice)
+            box.addItem(translate("Elastica", choice), choice)
         box.blockSignals(blocked)
 
 
