@@ -11,6 +11,7 @@ import pytest
 import elastica_cad as ec
 from tests.campaign.finite_elements.bent_strip import bend_cut_strip
 from tests.campaign.finite_elements.closed_forms import LENGTH, elastica, uniform_strip
+from tests.campaign.finite_elements.sideways import pushed_together
 
 
 def test_a_rectangle_bends_into_the_elastica_of_elliptic_functions(tmp_path):
@@ -47,3 +48,10 @@ def test_a_strip_of_the_wrong_width_strays_as_far_as_its_rod(tmp_path):
     found = bend_cut_strip(wrong, tmp_path, size=8.0, curve=curve).deviation
     strayed = ec.bend(rod.with_stiffness(np.ones(rod.s.size))).position - rod.position
     assert found == pytest.approx(np.hypot(*strayed.T).max(), rel=0.01)
+
+
+@pytest.mark.parametrize(("k", "stays"), [(0.7, True), (0.9, False)])
+def test_a_narrow_strip_pushed_together_leaves_its_plane_when_it_nearly_loops(k, stays, tmp_path):
+    strip = uniform_strip(width=5.0, poisson_ratio=0.3)
+    bent = bend_cut_strip(strip, tmp_path, size=5.0, curve=pushed_together(k), modes=3)
+    assert (bent.eigenvalues[bent.sideways].min() > 0) == stays

@@ -1,6 +1,6 @@
-"""Strips bent by finite elements, as tables.
+"""Strips bent by finite elements; docs/finite_elements.md is written anew after each.
 
-python -m tests.campaign.finite_elements --out out/campaign
+python -m tests.campaign.finite_elements --out out/campaign --only slotted sideways
 
 Needs ccx (Debian: calculix-ccx) and gmsh.
 """
@@ -8,16 +8,41 @@ Needs ccx (Debian: calculix-ccx) and gmsh.
 import argparse
 from pathlib import Path
 
+from tests.campaign.finite_elements.cases import CASES
 from tests.campaign.finite_elements.closed_forms import known_answers
+from tests.campaign.finite_elements.sideways import swings
+from tests.campaign.finite_elements.table import keep, measured
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--out", type=Path, default=Path("out/campaign"))
-    folder = parser.parse_args().out / "finite_elements"
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("--out", type=Path, default=Path("out/campaign"), help="for decks and answers of ccx")
+    parser.add_argument(
+        "--only", nargs="+", default=[""], help="parts of names of strips, or: known, sideways"
+    )
+    parser.add_argument("--part", default="now", help='the list that strips are kept in: "now" or "before"')
+    asked = parser.parse_args()
+    folder = asked.out / "finite_elements"
     folder.mkdir(parents=True, exist_ok=True)
-    for known in known_answers(folder / "known"):
-        print(known, flush=True)
+
+    def wanted(name: str) -> bool:
+        return any(part in name for part in asked.only)
+
+    def told(part: str, record: object) -> None:
+        print(record, flush=True)
+        keep(part, record)
+
+    if wanted("known"):
+        for known in known_answers(folder):
+            told("known", known)
+    if wanted("sideways"):
+        for swung in swings(folder):
+            told("sideways", swung)
+    for case in CASES:
+        if wanted(f"{case.group}, {case.name}"):
+            told(asked.part, measured(case, folder))
 
 
 main()

@@ -26,7 +26,9 @@ class BentStrip:
     position : (n, 3) array
         Of the nodes at rest, mm; y across the strip.
     eigenvalues : (k,) array
-        1/s2, lowest first.
+        1/s2, of the slowest swings; negative where the strip would leave this shape.
+    sideways : (k,) bool array
+        Which of these swings leave the plane of the curve.
     stations : (b,) array
         Arc lengths, mm, at the middles of bins.
     strayed : (b, 2) array
@@ -36,6 +38,7 @@ class BentStrip:
     body: Bricks
     position: np.ndarray
     eigenvalues: np.ndarray
+    sideways: np.ndarray
     stations: np.ndarray
     strayed: np.ndarray
 
@@ -66,7 +69,7 @@ def bend_cut_strip(
     modes : int
         How many swings about the rest shape are asked for.
     held : callable, optional
-        Which of flat points (n, 3) are held; the tabs, with the whole ends of the free part, if not given.
+        Which of flat points (n, 3) are held; the tabs if not given.
     curve : PlaneCurve, optional
         The drawn curve, where it is not the rod's.
     """
@@ -77,8 +80,7 @@ def bend_cut_strip(
     drawn = strip.rod.curve if curve is None else curve
     length = strip.rod.length
     body = extrude(mesh_cut_files(files, size=size, at=(0.0, length)), _levels(strip))
-    x = body.nodes[:, 0]
-    stays = (x < 1e-6) | (x > length - 1e-6) if held is None else held(body.nodes)
+    stays = _in_tabs(strip, body.nodes) if held is None else held(body.nodes)
     materials = [Material(layer.sheet.youngs_modulus, layer.sheet.poisson_ratio, layer.sheet.density)
                  for layer in strip.layers]  # fmt: skip
     falls = None if gravity is None else (gravity[0], 0.0, gravity[1])
@@ -87,7 +89,8 @@ def bend_cut_strip(
     )
     position = body.nodes + answer.displacement
     stations, strayed = _middle(body, position - on_curve(drawn, body.nodes), length)
-    return BentStrip(body, position, answer.eigenvalues, stations, strayed)
+    sideways = [_leaves_plane(body, mode, length) for mode in answer.modes]
+    return BentStrip(body, position, answer.eigenvalues, np.array(sideways, dtype=bool), stations, strayed)
 
 
 def on_curve(curve: PlaneCurve, nodes: np.ndarray) -> np.ndarray:
@@ -100,6 +103,16 @@ def on_curve(curve: PlaneCurve, nodes: np.ndarray) -> np.ndarray:
     return np.column_stack([plane[:, 0], y, plane[:, 1]])
 
 
+def _in_tabs(strip: Strip, nodes: np.ndarray) -> np.ndarray:
+    """Which points (n, 3) belong to the tabs, with their roots at the ends of the free part."""
+    x, y, _ = nodes.T
+    held = np.zeros(x.size, dtype=bool)
+    for beyond, tab, own in zip((-x, x - strip.rod.length), strip.ends, strip.end_widths, strict=True):
+        root = (abs(beyond) < 1e-6) & (abs(y) < (tab.width or own) / 2 + 1e-3)
+        held |= (beyond > 1e-6) | root
+    return held
+
+
 def _levels(strip: Strip) -> list[float]:
     """z of the sheets' faces; 0 is the middle of one sheet, of a laminate its mean neutral axis."""
     h = [layer.sheet.thickness for layer in strip.layers]
@@ -109,6 +122,12 @@ def _levels(strip: Strip) -> list[float]:
     A = [layer.sheet.youngs_modulus * layer.sheet.thickness * layer.material(s) for layer in strip.layers]
     neutral = float(np.mean((h[0] / 2 * A[0] + (h[0] + h[1] / 2) * A[1]) / (A[0] + A[1])))
     return [-neutral, h[0] - neutral, h[0] + h[1] - neutral]
+
+
+def _leaves_plane(body: Bricks, mode: np.ndarray, length: float) -> bool:
+    """Is the middle line at rest in the plane, up to a tenth of what moves most, while the strip swings?"""
+    _, middle = _middle(body, mode, length)
+    return bool(np.abs(middle).max() < 0.1 * np.abs(mode).max())
 
 
 def _middle(

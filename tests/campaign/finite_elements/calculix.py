@@ -10,7 +10,7 @@ import numpy as np
 
 from tests.campaign.finite_elements.bricks import Bricks
 
-__all__ = ["Answer", "Material", "solve"]
+__all__ = ["Answer", "Material", "displaced", "model_cards", "run", "solve", "strict"]
 
 GRAVITY_MM_S2 = 9806.65
 
@@ -35,10 +35,11 @@ class Material:
 
 @dataclass(frozen=True, eq=False)
 class Answer:
-    """Displacements (n, 3), mm, of all nodes at rest; eigenvalues (k,), 1/s2, lowest first, where asked."""
+    """Displacements (n, 3), mm, of all nodes at rest; eigenvalues (k,), 1/s2, and modes (k, n, 3) where asked."""
 
     displacement: np.ndarray
     eigenvalues: np.ndarray
+    modes: np.ndarray
 
 
 def solve(
@@ -69,19 +70,30 @@ def solve(
     modes : int
         How many swings about the rest shape are asked for.
     """
-    deck = [*_model(body, materials), *_put(body, pose, held, gravity), *_let_go(body, pose, held, gravity)]
+    deck = [
+        *model_cards(body, materials),
+        *_put(body, pose, held, gravity),
+        *_let_go(body, pose, held, gravity),
+    ]
     if modes:
         deck += ["*STEP, PERTURBATION", "*FREQUENCY", str(modes), "*END STEP"]
+    return run(deck, len(body.nodes), folder)
+
+
+def run(deck: Sequence[str], count: int, folder: Path) -> Answer:
+    """What ccx answers to a deck whose first `count` nodes are the body's."""
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "strip.inp").write_text("\n".join(deck) + "\n")
     done = subprocess.run(["ccx", "strip"], cwd=folder, capture_output=True, text=True, check=False)
     if done.returncode or "*ERROR" in done.stdout:
         raise RuntimeError(f"ccx in {folder}: {done.stdout[-1500:]}")
     said = (folder / "strip.dat").read_text()
-    return Answer(_displacement(said, len(body.nodes)), _eigenvalues(said))
+    moved = _displacements(said, count)
+    return Answer(moved[0], _eigenvalues(said), moved[1:])
 
 
-def _model(body: Bricks, materials: Sequence[Material]) -> list[str]:
+def model_cards(body: Bricks, materials: Sequence[Material]) -> list[str]:
+    """Nodes, elements, materials."""
     deck = [
         "*NODE, NSET=ALL",
         *(f"{i}, {x:.12g}, {y:.12g}, {z:.12g}" for i, (x, y, z) in enumerate(body.nodes, 1)),
@@ -99,21 +111,22 @@ def _model(body: Bricks, materials: Sequence[Material]) -> list[str]:
 def _put(body: Bricks, pose: np.ndarray, held: np.ndarray, gravity: Sequence[float] | None) -> list[str]:
     """The step that puts every node in its pose, free to slide across unless held."""
     moved = pose - body.nodes
-    placed = [_displaced(i, j, moved) for i in range(len(moved)) for j in (0, 2)]
-    kept = [_displaced(i, 1, moved) for i in np.flatnonzero(held)]
-    begin = ["*STEP, NLGEOM", "*STATIC, DIRECT", "1., 1.", *_strict()]
+    placed = [displaced(i, j, moved) for i in range(len(moved)) for j in (0, 2)]
+    kept = [displaced(i, 1, moved) for i in np.flatnonzero(held)]
+    begin = ["*STEP, NLGEOM", "*STATIC, DIRECT", "1., 1.", *strict()]
     return [*begin, "*BOUNDARY", *placed, *kept, *_weight(gravity), "*END STEP"]
 
 
 def _let_go(body: Bricks, pose: np.ndarray, held: np.ndarray, gravity: Sequence[float] | None) -> list[str]:
     """The step that keeps the held nodes only."""
-    fixed = [_displaced(i, j, pose - body.nodes) for i in np.flatnonzero(held) for j in range(3)]
-    begin = ["*STEP, NLGEOM, INC=200", "*STATIC", "1., 1., 1e-6", *_strict()]
+    fixed = [displaced(i, j, pose - body.nodes) for i in np.flatnonzero(held) for j in range(3)]
+    begin = ["*STEP, NLGEOM, INC=200", "*STATIC", "1., 1., 1e-6", *strict()]
     told = ["*NODE PRINT, NSET=ALL", "U", "*NODE FILE", "U", "*END STEP"]
     return [*begin, "*BOUNDARY, OP=NEW", *fixed, *_weight(gravity), *told]
 
 
-def _displaced(node: int, direction: int, moved: np.ndarray) -> str:
+def displaced(node: int, direction: int, moved: np.ndarray) -> str:
+    """A boundary condition; nodes and directions counted from 0."""
     return f"{node + 1}, {direction + 1}, {direction + 1}, {moved[node, direction]:.12g}"
 
 
@@ -124,25 +137,25 @@ def _weight(gravity: Sequence[float] | None) -> list[str]:
     return ["*DLOAD, OP=NEW", f"ALL, GRAV, {GRAVITY_MM_S2}, {x:.12g}, {y:.12g}, {z:.12g}"]
 
 
-def _strict() -> list[str]:
+def strict() -> list[str]:
     """Small residuals, and patience: a strip let go oscillates before it converges."""
     return ["*CONTROLS, PARAMETERS=FIELD", f"{RESIDUAL:g}, 1e-4, , , {RESIDUAL:g}",
             "*CONTROLS, PARAMETERS=TIME INCREMENTATION", "30, 40, 9, 60, 30, 4, , 30"]  # fmt: skip
 
 
-def _displacement(said: str, count: int) -> np.ndarray:
-    block = said.split("displacements")[1].split("\n\n")[1]
-    rows = np.array([line.split() for line in block.strip().splitlines()[:count]], dtype=float)
-    found = np.empty((count, 3))
-    found[rows[:, 0].astype(int) - 1] = rows[:, 1:]
-    return found
+def _displacements(said: str, count: int) -> np.ndarray:
+    """Those printed (k, n, 3): at rest, then of each mode."""
+    found = []
+    for block in said.split("displacements")[1:]:
+        rows = np.array([line.split() for line in block.splitlines()[2 : count + 2]], dtype=float)
+        found.append(rows[np.argsort(rows[:, 0]), 1:])
+    return np.array(found)
 
 
 def _eigenvalues(said: str) -> np.ndarray:
+    """In the order of the modes; negative where the strip leaves its rest shape."""
     if "E I G E N V A L U E   O U T P U T" not in said:
         return np.empty(0)
-    block = said.split("E I G E N V A L U E   O U T P U T")[1].split("P A R T I C I P A T I O N", maxsplit=1)[
-        0
-    ]
+    block = said.split("E I G E N V A L U E   O U T P U T")[1].split("P A R T", maxsplit=1)[0]
     rows = re.findall(r"^\s+\d+\s+(\S+)\s+\S+\s+\S+\s+\S+\s*$", block, flags=re.MULTILINE)
-    return np.sort(np.array(rows, dtype=float))
+    return np.array(rows, dtype=float)

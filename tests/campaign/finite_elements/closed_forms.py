@@ -13,7 +13,7 @@ from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
 from tests.campaign.finite_elements.bent_strip import bend_cut_strip
 
-__all__ = ["Known", "elastica", "known_answers", "uniform_strip"]
+__all__ = ["Known", "arc", "elastica", "known_answers", "uniform_strip"]
 
 LENGTH, WIDTH, THICKNESS = 300.0, 20.0, 0.8
 GRAVITY_MM_S2 = 9806.65
@@ -51,10 +51,10 @@ def known_answers(folder: Path, sizes: tuple[float, ...] = (8.0, 4.0)) -> Iterat
         yield Known(f"sag of {exact:.2g} mm between clamps, elements of {size:g} mm", abs(sag / exact - 1))
 
 
-def uniform_strip(*, density: float = 700.0, poisson_ratio: float = 0.0) -> Strip:
+def uniform_strip(*, width: float = WIDTH, density: float = 700.0, poisson_ratio: float = 0.0) -> Strip:
     """A rectangle."""
     sheet = Sheet("known", THICKNESS, 9000.0, density, max_strain=0.02, poisson_ratio=poisson_ratio)
-    return Strip(Rod.straight(LENGTH, 1.0), sheet, max_width=WIDTH)
+    return Strip(Rod.straight(LENGTH, 1.0), sheet, max_width=width)
 
 
 def arc(degrees: float) -> PlaneCurve:

@@ -1,0 +1,138 @@
+"""What was measured, kept in a file beside this one, and told as docs/finite_elements.md."""
+
+import json
+import statistics
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+from tests.campaign.finite_elements.bent_strip import bend_cut_strip
+from tests.campaign.finite_elements.cases import Case
+
+__all__ = ["Row", "keep", "kept", "measured", "written"]
+
+KEPT = Path(__file__).with_name("measured.json")
+PAGE = Path(__file__).resolve().parents[3] / "docs" / "finite_elements.md"
+ASKED_MEDIAN, ASKED_WORST = 3e-4, 1e-3
+
+HEAD = """# Strips bent by finite elements
+
+`make campaign` writes this page (`tests/campaign/finite_elements`). The cut files (DXF) of each strip are read,
+meshed by gmsh and bent by CalculiX in space: bricks of twenty nodes (C3D20R), one through the thickness of each
+sheet, large displacements. The tabs are held in the drawn pose; all else is free. Numbers are the largest distance
+of the middle line (the mean over the section) from the drawn curve, as a share of the length.
+"""
+
+SIDEWAYS = """The lowest eigenvalues (`*FREQUENCY, PERTURBATION` after the nonlinear step) of uniform strips 300 mm
+long and 0.8 mm thick, nu = 0.3, in units of E I over mass per length and L^4. Negative: the strip leaves that
+shape."""
+
+
+@dataclass(frozen=True)
+class Row:
+    """One strip measured; lengths in mm, the rest as shares of the length.
+
+    Attributes
+    ----------
+    strayed : float
+        Largest distance of the middle line from the drawn curve, by finite elements.
+    told : float
+        The same as our own rod has it, from the cut outline and its slots.
+    stable : bool
+        Are all swings about the rest shape stable?
+    """
+
+    group: str
+    name: str
+    length: float
+    widest: float
+    nodes: int
+    strayed: float
+    told: float
+    stable: bool
+    seconds: float
+
+
+def measured(case: Case, folder: Path) -> Row:
+    """A strip of the bank cut, bent and compared."""
+    start = time.perf_counter()
+    spec = case.spec
+    strip, falls = spec.make(), spec.gravity_in_plane
+    direction = None if falls is None else tuple(falls.direction)
+    bent = bend_cut_strip(strip, folder, size=case.size, gravity=direction, modes=1)
+    length, seconds = strip.rod.length, time.perf_counter() - start
+    return Row(case.group, case.name, length, strip.width.extremes[1], len(bent.body.nodes),
+               bent.deviation / length, strip.deviation_as_built / length, bool(bent.eigenvalues.min() > 0),
+               round(seconds, 1))  # fmt: skip
+
+
+def kept() -> dict[str, list[dict[str, Any]]]:
+    """Lists of records by what they answer: "known", "before", "now", "sideways"."""
+    return json.loads(KEPT.read_text()) if KEPT.exists() else {}
+
+
+def keep(part: str, record: Any) -> None:
+    """Put one record in the file, in place of an older one of the same name, and write the page anew."""
+    everything = kept()
+    row = asdict(record)
+    rows = [one for one in everything.get(part, []) if _key(one) != _key(row)]
+    everything[part] = sorted([*rows, row], key=_key) if part != "known" else [*rows, row]
+    KEPT.write_text(json.dumps(everything, indent=1) + "\n")
+    PAGE.write_text(written(everything))
+
+
+def _key(row: dict[str, Any]) -> tuple[str, str, float]:
+    return row.get("group", ""), row["name"], row.get("width", 0.0)
+
+
+def written(everything: dict[str, list[dict[str, Any]]]) -> str:
+    """The page."""
+    before, now = (everything.get(part, []) for part in ("before", "now"))
+    lines = [HEAD, "## The harness itself", "", "Where the answer is known in closed form (nu = 0).", ""]
+    lines += _table(("question", "error"), everything.get("known", []), _known)
+    lines += ["", "## By what leads a strip astray", ""]
+    groups = sorted({row["group"] for row in before + now})
+    head = ("strips", "before: median", "worst", "now: median", "worst")
+    lines += _table(head, groups, lambda group: (group, *_spread(before, group), *_spread(now, group)))
+    for when, rows in (("before slots, tabs, leans and curl are made up for", before), ("now", now)):
+        if rows:
+            lines += ["", f"## Every strip {when}", "", _summary(rows), ""]
+            head = ("strips", "strip", "length, widest (mm)", "strayed", "told", "swings")
+            lines += _table(head, rows, _strip)
+    if everything.get("sideways"):
+        lines += ["", "## Sideways", "", SIDEWAYS, ""]
+        lines += _table(("strip", "width (mm)", "sideways", "in its plane"), everything["sideways"], _swung)
+    return "\n".join(lines) + "\n"
+
+
+def _summary(rows: list[dict[str, Any]]) -> str:
+    shares = [row["strayed"] for row in rows]
+    return (
+        f"{len(rows)} strips: median {statistics.median(shares):.1e}, worst {max(shares):.1e} (asked are "
+        f'{ASKED_MEDIAN:.0e} and {ASKED_WORST:.0e}). "Told" is what our own rod says of the same strip.'
+    )
+
+
+def _spread(rows: list[dict[str, Any]], group: str) -> tuple[str, str]:
+    shares = [row["strayed"] for row in rows if row["group"] == group]
+    return (f"{statistics.median(shares):.1e}", f"{max(shares):.1e}") if shares else ("", "")
+
+
+def _known(row: dict[str, Any]) -> tuple[str, ...]:
+    return row["name"], f"{row['error']:.1e}"
+
+
+def _strip(row: dict[str, Any]) -> tuple[str, ...]:
+    return (row["group"], row["name"], f"{row['length']:.0f}, {row['widest']:.0f}", f"{row['strayed']:.1e}",
+            f"{row['told']:.1e}", "stable" if row["stable"] else "unstable")  # fmt: skip
+
+
+def _swung(row: dict[str, Any]) -> tuple[str, ...]:
+    return row["name"], f"{row['width']:g}", f"{row['sideways']:.0f}", f"{row['in_plane']:.0f}"
+
+
+def _table(head: Sequence[str], rows: Sequence[Any], cells: Callable[[Any], Sequence[str]]) -> list[str]:
+    numbers = ["---" if i == 0 or name == "strip" else "---:" for i, name in enumerate(head)]
+    return [f"| {' | '.join(row)} |" for row in (head, numbers, *map(cells, rows))]
