@@ -62,7 +62,7 @@ OFF_PLANE = 1e-6  # mm
 
 
 class _Made(StripBody):
-    """The strip behind a shape; copies of the shape share it. Its other bodies are a word away."""
+    """The strip behind a shape; copies of the shape share it. Its properties make the other bodies."""
 
     def _start(self) -> Frame | None:
         joints: dict[str, bd.Joint] = getattr(self, "joints", {})

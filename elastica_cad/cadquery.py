@@ -74,7 +74,7 @@ KEPT = ("_made", "_joints", "label", "color")
 
 
 class _Made(StripBody, cq.Shape):
-    """The strip behind a shape, which copies, moved and turned ones keep. Its other bodies are a word away."""
+    """The strip behind a shape, which copies, moved and turned ones keep. Its properties make the other bodies."""
 
     _joints: Mapping[str, cq.Location] = MappingProxyType({})
     color: cq.Color

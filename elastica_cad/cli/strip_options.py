@@ -23,7 +23,7 @@ from elastica_cad.formats.design_files.strip_records import (
     read_stiffness_bounds,
     read_tab,
 )
-from elastica_cad.forming.limits import Keep, Limits
+from elastica_cad.forming.limits import BOTH_ENDS, Keep, Limits
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.loads.gravity import Gravity
@@ -36,9 +36,6 @@ TAB_LENGTH_MM = 10.0
 """Enough to hold a strip of some centimetres by."""
 
 PAIR, TRIPLE = (float, float), (float, float, float)
-
-BOTH_ENDS = {"both": True, "start": (True, False), "end": (False, True), "none": False}
-"""Which ends keep what `Keep` says of both."""
 
 PERFORATED = ("columns", "rows", "hole_ratio", "least_ligament", "least_hole", "corner_radius", "sides")
 LAMINATED = ("least_backing", "dots")

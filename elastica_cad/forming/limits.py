@@ -14,7 +14,7 @@ from elastica_cad.mechanics.material.sheet import Sheet
 Symmetry: TypeAlias = Literal["mirror", "turn"]
 Bound: TypeAlias = "float | ArrayLike | Callable[[FloatArray], FloatArray] | None"
 
-UNLIMITED_RATIO = 1000.0  # widths of 0.1 mm beside 100 mm: nothing that anybody cuts
+UNLIMITED_RATIO = 1000.0  # widths of 0.1 mm beside 100 mm, which no machine cuts
 
 
 @dataclass(frozen=True)
@@ -192,6 +192,12 @@ class Limits:
             strain = self.sheet.max_strain if self.strain is None else self.strain
             found.append(2 * strain / self.sheet.thickness)
         return min(found) if found else None
+
+
+BOTH_ENDS: dict[str, bool | tuple[bool, bool]] = {
+    "both": True, "start": (True, False), "end": (False, True), "none": False,
+}  # fmt: skip
+"""Words for which ends keep what `Keep` says of both."""
 
 
 @dataclass(frozen=True, eq=False)

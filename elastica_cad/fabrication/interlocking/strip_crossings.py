@@ -98,7 +98,7 @@ class Crossing:
         k = int(np.searchsorted(along, along[-1] / 2)) - 1
         pace = float((x[k + 1] - x[k]) / (along[k + 1] - along[k]))
         middle, half = float(x[k]) + pace * (along[-1] / 2 - along[k]), along[-1] / 2 - along[k]
-        for _ in range(2):  # between nodes x runs smoothly: the secant soon has it
+        for _ in range(2):  # between nodes x is smooth: the secant method takes a few steps
             done = _lengths(self.at(np.linspace(x[k], middle, 5)).position)[-1]
             middle += (half - done) * pace
         return float(middle)
@@ -162,7 +162,7 @@ def _lengths(position: FloatArray) -> FloatArray:
 def _runs(strips: tuple[RuledStrip, RuledStrip], locus: IntersectionCurve) -> list[tuple[float, float]]:
     """Ranges of q inside both strips."""
     runs: list[tuple[float, float]] = []
-    for block in _blocks(_worth_a_look(strips, locus.near())):
+    for block in _blocks(_possible_stretches(strips, locus.near())):
         nodes = locus.nodes[block[0] : block[1] + 1]
         fine = (nodes[:-1, None] + np.diff(nodes)[:, None] * np.arange(NODE_PARTS) / NODE_PARTS).ravel()
         q = np.append(fine, nodes[-1])
@@ -187,7 +187,7 @@ def _edges(
     return bracketed_zeros(lambda q: margins(strips, locus.at(q))[rows, sides], low, high)
 
 
-def _worth_a_look(strips: tuple[RuledStrip, RuledStrip], p: IntersectionPoints) -> BoolArray:
+def _possible_stretches(strips: tuple[RuledStrip, RuledStrip], p: IntersectionPoints) -> BoolArray:
     """Which stretches between nodes may be inside both strips, given roughly where the nodes are."""
     worth = np.ones(p.v.size - 1, dtype=bool)
     for across, strip in ((p.v, strips[0]), (p.u, strips[1])):

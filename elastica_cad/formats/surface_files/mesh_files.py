@@ -65,7 +65,7 @@ def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) 
         try:
             mesh = load(path, file_type=suffix[1:], force="mesh", process=False)
             vertices, faces = np.array(mesh.vertices, dtype=float), np.array(mesh.faces, dtype=int)
-        except Exception as error:  # the reader raises what its parsers happen to trip over
+        except Exception as error:  # parsers of trimesh raise errors of any kind
             raise InputError(f"this is no {suffix[1:].upper()} mesh ({error}): export it anew") from error
         if not len(faces):
             raise InputError("holds no faces: export a mesh, not points or lines")

@@ -89,7 +89,7 @@ def nearest_rods(
     for i, task in enumerate(tasks):
         try:
             running[executor.submit(_attempted, task)] = i
-        except Exception as error:  # an executor that is shut down or broken raises what it likes
+        except Exception as error:  # an executor that is shut down or broken may raise anything
             results[i] = _lost(task, error)
     for future in as_completed(running):
         i = running[future]

@@ -1,4 +1,4 @@
-"""Several ways into the valley: starts and continuations, the best outcome kept."""
+"""Starts and continuations of the search for the nearest rod; the best outcome is kept."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -103,7 +103,7 @@ def _start(
 
 
 def _nearly_even(task: NearestTask, measure: Measure) -> MappedRod:
-    """The nearest rod of little ratio: what it cannot follow it does not try to."""
+    """The nearest rod of small stiffness ratio, which leaves out what only a large one can follow."""
     even = replace(task, limits=replace(task.limits, ratio=_EVEN_RATIO))
     problem = even.problem(measure)
     return minimize(problem, _start(even, problem), steps=_CONTINUATION_STEPS).point

@@ -34,7 +34,7 @@ ON_AXIS_SHARE = 1e-9
 """A last point nearer to the axis than this share of all points' size is meant to lie on it."""
 
 MOST_TURNS = 20
-"""A meridian that turns about more often within its length is no strip; its integration would take for ever."""
+"""A meridian that turns about more often within its length is no strip, and its integration takes too long."""
 
 HOPELESS = "strips that tile a surface of revolution cannot follow them"
 NEAR_AXIS_SHARE = 0.05  # of the largest distance from the axis

@@ -44,7 +44,7 @@ class EquilibriumCheck:
     moved : float
         Largest move, mm, of the curve by which its inflections were brought onto one line.
     curve : PlaneCurve
-        The curve that this check speaks of: the drawn one, or the moved one.
+        The curve of this check: the drawn one, or the moved one.
     zeros : tuple of CurvatureZero
         All zeros of kappa - kappa_0 of `curve` at which the moment must vanish.
     """

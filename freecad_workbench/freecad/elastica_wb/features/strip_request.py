@@ -27,7 +27,7 @@ from elastica_cad.formats.design_files.strip_records import (
     read_stiffness_bounds,
     read_tab,
 )
-from elastica_cad.forming.limits import Keep, Limits
+from elastica_cad.forming.limits import BOTH_ENDS, Keep, Limits
 from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
@@ -36,7 +36,6 @@ from elastica_cad.mechanics.material.sheet import Sheet
 
 LONGEST_MM, THINNEST_MM = 1e6, 1e-3  # a kilometre; thinner than any foil
 MOST_SAMPLES = 20000  # a second's work
-BOTH_ENDS = {"both": True, "start": (True, False), "end": (False, True), "none": False}
 
 
 def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
@@ -94,7 +93,7 @@ def _refuse_slips(obj: Any, drawn: DrawnCurve) -> None:
 
 
 def _sheet(obj: Any) -> Sheet:
-    """The sheet as measured; its range then speaks of another sheet and is left out."""
+    """The sheet as measured; its range is of another sheet then, and is left out."""
     sheet, thickness = sheet_called(obj.Sheet, obj.SheetData), obj.Thickness.Value
     if sheet.thickness == thickness:
         return sheet
