@@ -1,0 +1,204 @@
+"""The boundary of a bent strip: faces, edges and vertices of its pieces, sheets and walls."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.fabrication.solids.bent_map import BentMap
+from elastica_cad.fabrication.solids.boundary_records import (
+    Boundary,
+    CylinderSurface,
+    Edge,
+    EdgeUse,
+    ExtrudedSurface,
+    Face,
+    PlacedSegment,
+    PlaneSurface,
+    SpaceCurve,
+    SpaceSurface,
+    StraightTrace,
+    Surface,
+)
+from elastica_cad.fabrication.solids.pattern_strips import Piece, Region
+from elastica_cad.fabrication.strip.flat_outline import graph
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
+
+Map: TypeAlias = Frame | BentMap  # a tab lies in its tangent plane, the free part is bent
+
+
+@dataclass
+class BoundaryMaker:
+    """Builds vertices, edges and faces of the flat pattern's regions at one or two heights."""
+
+    corners: FloatArray
+    maps: Sequence[Map]
+    heights: tuple[float, ...]
+    vertices: list[FloatArray] = field(default_factory=list)
+    edges: list[Edge] = field(default_factory=list)
+    faces: list[Face] = field(default_factory=list)
+    at_corner: dict[int, int] = field(default_factory=dict)
+    at_piece: dict[int, int] = field(default_factory=dict)
+    posts: dict[int, int] = field(default_factory=dict)
+
+    def sheet(self, regions: Sequence[Region]) -> Boundary:
+        """The face of every region at the first height."""
+        for region in regions:
+            self._add_edges(region)
+            self._add_face(region, 0)
+        return self._boundary()
+
+    def solid(self, regions: Sequence[Region]) -> Boundary:
+        """The closed skin between the two heights."""
+        for region in regions:
+            self._add_edges(region)
+            for level in (0, 1):
+                self._add_face(region, level)
+            for loop in region.loops:
+                for piece in loop:
+                    if not piece.seam:
+                        self._add_side(piece, self.maps[region.interval])
+        return self._boundary()
+
+    def _boundary(self) -> Boundary:
+        return Boundary(np.array(self.vertices), tuple(self.edges), tuple(self.faces))
+
+    def _add_edges(self, region: Region) -> None:
+        """Vertices and edges at every height, in the order of the heights."""
+        shape = self.maps[region.interval]
+        pieces = [piece for loop in region.loops for piece in loop]
+        fresh = [piece.start for piece in pieces if piece.start not in self.at_corner]
+        if fresh:
+            for corner, rows in zip(fresh, _points(shape, self.corners[fresh], self.heights), strict=True):
+                self.at_corner[corner] = len(self.vertices)
+                self.vertices += list(rows)
+        for piece in pieces:
+            if piece.number in self.at_piece:
+                continue
+            self.at_piece[piece.number] = len(self.edges)
+            start, end = (self.at_corner[i] for i in _ends(piece))
+            curves = _curves(shape, piece, self.heights)
+            self.edges += [
+                Edge(curve, piece.first, piece.last, start + level, end + level)
+                for level, curve in enumerate(curves)
+            ]
+
+    def _add_face(self, region: Region, level: int) -> None:
+        """The region's face at a height: seen from above it lies to the left of its loops."""
+        shape = self.maps[region.interval]
+        loops = tuple(tuple(self._use(piece, shape, level) for piece in loop) for loop in region.loops)
+        up = self.heights[level]
+        surface: Surface
+        if isinstance(shape, Frame):
+            surface = PlaneSurface(shape.shifted(z=up))
+        else:
+            low, high = np.array([_across(piece.segment) for loop in region.loops for piece in loop]).T
+            surface = shape.surface(float(low.min()), float(high.max()), up)
+        self.faces.append(Face(surface, loops, outward=level == len(self.heights) - 1))
+
+    def _use(self, piece: Piece, shape: Map, level: int) -> EdgeUse:
+        """The piece's edge at a height; on a bent face its trace is the flat segment itself."""
+        edge, segment = self.at_piece[piece.number] + level, piece.segment
+        if isinstance(shape, Frame):
+            return EdgeUse(edge, piece.forward)
+        if isinstance(segment, Line):
+            x, y = map(float, segment.start)
+            dx, dy = map(float, (segment.end - segment.start) / segment.length)
+            return EdgeUse(edge, piece.forward, StraightTrace((x, y), (dx, dy)))
+        return EdgeUse(edge, piece.forward, segment)
+
+    def _add_side(self, piece: Piece, shape: Map) -> None:
+        """The wall over one piece of a loop; u follows the piece's parameter, v goes up."""
+        low = self.at_piece[piece.number]
+        surface = self._wall(piece, shape, self.edges[low], self.edges[low + 1])
+        height = self.heights[1] - self.heights[0]
+        start, end = (self._post(i, shape) for i in _ends(piece))
+        traces: list[StraightTrace | Segment | None] = [None] * 4
+        if not isinstance(surface, PlaneSurface):
+            traces = [
+                _along(surface, 0.0),
+                StraightTrace((piece.last, 0.0), (0.0, 1.0)),
+                _along(surface, height),
+                StraightTrace((piece.first, 0.0), (0.0, 1.0)),
+            ]
+        uses = zip((low, end, low + 1, start), (True, True, False, False), traces, strict=True)
+        self.faces.append(Face(surface, (tuple(EdgeUse(*use) for use in uses),), outward=piece.forward))
+
+    def _wall(self, piece: Piece, shape: Map, low: Edge, high: Edge) -> Surface:
+        segment, up = piece.segment, self.heights[0]
+        straight = isinstance(segment, Line)
+        if isinstance(shape, BentMap) and not (straight and segment.start[0] == segment.end[0]):
+            if straight and segment.start[1] == segment.end[1]:
+                side = -1.0 if segment.end[0] > segment.start[0] else 1.0
+                frame = shape.frame.shifted(z=float(segment.start[1]))
+                return PlaneSurface(Frame(frame.origin, frame.x_axis, side * frame.y_axis))
+            if not (isinstance(low.curve, SpaceCurve) and isinstance(high.curve, SpaceCurve)):
+                raise TypeError("edges of a bent face are splines")
+            h = self.heights[1] - self.heights[0]
+            points = np.stack([low.curve.control_points, high.curve.control_points], axis=1)
+            return SpaceSurface((low.curve.knots, np.array([0.0, 0.0, h, h])), points, (low.curve.degree, 1))
+        if straight:
+            a, b = self.vertices[low.start], self.vertices[low.end]
+            return PlaneSurface(Frame(a, b - a, self.vertices[high.start] - a))
+        if isinstance(shape, BentMap):
+            raise TypeError("only lines across stay plane on a bent strip")
+        if isinstance(segment, Arc):
+            base = shape.shifted(float(segment.center[0]), float(segment.center[1]), up)
+            return CylinderSurface(base, segment.radius)
+        return ExtrudedSurface(PlacedSegment(segment, shape.shifted(z=up)))
+
+    def _post(self, corner: int, shape: Map) -> int:
+        """The straight edge through the thickness at a corner."""
+        if corner not in self.posts:
+            low = self.at_corner[corner]
+            rise = self.vertices[low + 1] - self.vertices[low]
+            height = float(np.linalg.norm(rise))
+            across = shape.frame.z_axis if isinstance(shape, BentMap) else shape.y_axis
+            line = PlacedSegment(Line((0.0, 0.0), (height, 0.0)), Frame(self.vertices[low], rise, across))
+            self.posts[corner] = len(self.edges)
+            self.edges.append(Edge(line, 0.0, height, low, low + 1))
+        return self.posts[corner]
+
+
+def _along(wall: Surface, height: float) -> StraightTrace | Segment:
+    """The trace of a wall's edge at a height.
+
+    On a spline it has the spline's knots: kernels measure a face from knot to knot of its traces, and miss what
+    bends between.
+    """
+    if not isinstance(wall, SpaceSurface):
+        return StraightTrace((0.0, height), (1.0, 0.0))
+    edges = np.unique(wall.knots[0])
+    knots = np.concatenate([edges[:1], edges[:1], edges, edges[-1:], edges[-1:]])
+    return graph(knots, np.full(edges.size + 1, height), degree=2)
+
+
+def _across(segment: Segment) -> tuple[float, float]:
+    """Bounds of y along a segment; of a spline those of its control points."""
+    rows = segment.curve.control_points if isinstance(segment, Spline) else segment.bounds
+    return float(rows[:, 1].min()), float(rows[:, 1].max())
+
+
+def _ends(piece: Piece) -> tuple[int, int]:
+    """Corners in the direction of the parameter."""
+    return (piece.start, piece.end) if piece.forward else (piece.end, piece.start)
+
+
+def _points(shape: Map, flat: FloatArray, heights: Sequence[float]) -> FloatArray:
+    """Points in space (k, levels, 3) of flat points (k, 2) at several heights."""
+    if isinstance(shape, BentMap):
+        return shape.points(flat, heights)
+    return shape.point(flat)[:, None] + np.outer(heights, shape.z_axis)
+
+
+def _curves(shape: Map, piece: Piece, heights: Sequence[float]) -> Sequence[SpaceCurve | PlacedSegment]:
+    """The piece's segment in space at every height."""
+    segment = piece.segment
+    if isinstance(shape, BentMap):
+        if not (isinstance(segment, Line) and segment.start[0] == segment.end[0]):
+            return shape.curves(segment, piece.first, piece.last, heights)
+        shape = shape.frame_at(float(segment.start[0]))
+    return [PlacedSegment(segment, shape.shifted(z=up)) for up in heights]
