@@ -29,8 +29,6 @@ def test_freecadcmd(tmp_path):
     assert not found["limit"]
     assert "ZeroDivisionError" in found["mistake"]
     assert "Traceback" in found["mistake"]
-    # 30 ms is for a quiet machine of its own; three times that fails on every machine when something is wrong
-    assert min(found["recompute"]) < 0.09, found["recompute"]
 
 
 def test_without_the_workbench(tmp_path):

@@ -9,7 +9,11 @@ from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.geometry.paths.path import Path
 
 SAMPLES_PER_WIDTH = 12  # points along a cut in each least width: a width is found to a percent
+COARSE = 4  # the same for a first look, which most parts pass
 FACING = 0.9  # cosine between a width and both inward normals: corners blunter than 50 degrees are no necks
+OPPOSED = (
+    -0.6
+)  # dot product of the normals of cuts that face each other: at most -cos(2 arccos(FACING)) = -0.62
 FLAT_SHARE = 0.02  # of the least width: chords of the sampled cuts
 
 
@@ -45,8 +49,11 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
     from scipy.sparse.csgraph import connected_components
     from scipy.spatial import cKDTree
 
-    points, normals, loop = _sampled(outlines, holes, least)
-
+    points, normals, _ = _sampled(outlines, holes, least, COARSE)
+    i, j = cKDTree(points).query_pairs(least * (1 + 1 / COARSE), output_type="ndarray").reshape(-1, 2).T
+    if not np.any(np.einsum("ij,ij->i", normals[i], normals[j]) < OPPOSED):
+        return ()
+    points, normals, loop = _sampled(outlines, holes, least, SAMPLES_PER_WIDTH)
     pairs = cKDTree(points).query_pairs(least * (1 - 1e-9), output_type="ndarray")
     if not len(pairs):
         return ()
@@ -75,7 +82,7 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
 
 
 def _sampled(
-    outlines: Sequence[Path], holes: Sequence[Path], least: float
+    outlines: Sequence[Path], holes: Sequence[Path], least: float, per_width: int
 ) -> tuple[FloatArray, FloatArray, IntArray]:
     """Points (n, 2) on all cuts, their normals (n, 2) into the material, and the numbers (n,) of their cuts."""
     points: list[FloatArray] = []
@@ -87,7 +94,7 @@ def _sampled(
         sides = np.roll(corners, -1, axis=0) - corners
         long = np.hypot(sides[:, 0], sides[:, 1])
         corners, sides, long = corners[long > 0], sides[long > 0], long[long > 0]
-        counts = np.maximum(1, np.ceil(long * SAMPLES_PER_WIDTH / least)).astype(int)
+        counts = np.maximum(1, np.ceil(long * per_width / least)).astype(int)
         side = np.repeat(np.arange(len(sides)), counts)
         place = (np.arange(side.size) - np.repeat(np.cumsum(counts) - counts, counts) + 0.5) / counts[side]
         points.append(corners[side] + place[:, None] * sides[side])

@@ -337,7 +337,7 @@ def preferences():
     answers["kerf of a new panel"] = panel.value("kerf")
     panel.reject()
     panel = opened("Elastica_Nearest", parts)
-    answers["sheet of a new panel"] = panel.form.sheet.currentText()
+    answers["sheet of a new panel"] = panel.value("Sheet")
     panel.reject()
     App.Units.setSchema(0)
     kept.put("DefaultSheet", "birch-plywood-0.8")

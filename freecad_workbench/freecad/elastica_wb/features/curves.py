@@ -6,6 +6,7 @@
 import math
 from typing import Any, ClassVar
 
+import FreeCAD as App
 import Part
 from freecad.elastica_wb.curves.plane_sections import (
     AXES,
@@ -38,6 +39,7 @@ from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import stability
 
 MOVES = ("StartX", "StartY", "EndX", "EndY", "StartAngle", "EndAngle")
+ORANGE = (0.9, 0.4, 0.0)
 REPORTS = Property("StringList", "Reports", "Result", "What was found on the way", [], result=True)
 
 
@@ -135,9 +137,17 @@ class SectionFeature(Feature):
         put(obj, Curves=len(curves), Reports=[worded(remark) for remark in remarks])
 
 
+def _curve(document: Any, name: str, proxy: type[Feature], sources: list[Any]) -> Any:
+    """A new feature that stands out from what it is made from."""
+    obj = added(document, name, proxy, sources)
+    if App.GuiUp:
+        obj.ViewObject.LineColor, obj.ViewObject.LineWidth = ORANGE, 3
+    return obj
+
+
 def nearest(document: Any, source: Any, edges: tuple[str, ...] = ()) -> Any:
     """The nearest curve of a sketch or of edges, as a feature; recompute the document to see it."""
-    obj = added(document, "Nearest", NearestFeature, [source])
+    obj = _curve(document, "Nearest", NearestFeature, [source])
     obj.Label = f"{source.Label} {translate('Elastica', 'nearest')}"
     obj.Curve = (source, list(edges))
     return obj
@@ -145,7 +155,7 @@ def nearest(document: Any, source: Any, edges: tuple[str, ...] = ()) -> Any:
 
 def bent(document: Any, strip: Any, **moves: float) -> Any:
     """The curve of a strip whose ends are moved (mm) and turned (degrees), named as in `MOVES`."""
-    obj = added(document, "Bent", BentFeature, [strip])
+    obj = _curve(document, "Bent", BentFeature, [strip])
     obj.Label = f"{strip.Label} {translate('Elastica', 'bent further')}"
     obj.Strip = strip
     for name, value in moves.items():
@@ -155,7 +165,7 @@ def bent(document: Any, strip: Any, **moves: float) -> Any:
 
 def section(document: Any, sources: list[Any], path: tuple[Any, tuple[str, ...]] | None = None) -> Any:
     """Sections of bodies across an axis, or along a path; recompute the document to see them."""
-    obj = added(document, "Section", SectionFeature, sources)
+    obj = _curve(document, "Section", SectionFeature, sources)
     obj.Label = f"{sources[0].Label} {translate('Elastica', 'curves')}"
     obj.Sources = sources
     for axis, value in zip(AXES, box_of(sources[0]).Center, strict=True):
