@@ -11,6 +11,8 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
 from elastica_cad.fabrication.holders.base_plate import BasePlate
 from elastica_cad.fabrication.holders.slotted_frame import Rib
+from elastica_cad.fabrication.holders.tab_seats import held_shapes, rocking_tabs
+from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.makeability.faults import accept_faults, find_strip_faults
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.model.assembly import Holder
@@ -18,7 +20,6 @@ from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.sheets.cut_list import cut_list
 from elastica_cad.fabrication.sheets.nesting import NestedSheet, nest_pieces
 from elastica_cad.fabrication.sheets.pieces import Piece, file_word
-from elastica_cad.fabrication.strip.slot_effects import SlotEffect, slot_effect
 from elastica_cad.files import save
 from elastica_cad.formats.design_files.kit_spec import Cutting, KitSpec, Nesting
 from elastica_cad.formats.design_files.strip_table import StripEntry
@@ -44,10 +45,10 @@ class Kit:
     """What the strips were made after, where a design says it."""
     files: dict[str, tuple[str, Writer]] = field(default_factory=dict)
     """What each file is and how it is written, by its name."""
-    effects: dict[str, SlotEffect] = field(default_factory=dict)
-    """What its slots do to each part, by its name, where it was asked for."""
+    held: dict[str, HeldShape] = field(default_factory=dict)
+    """The shape of each strip as made and held, by its name, where it was asked for."""
     notes: tuple[str, ...] = ()
-    """Parts that find no shape with their slots, and what was made although it cannot be cut or handled."""
+    """What rocks in its holder or finds no rest there, and what was made although it cannot be cut or handled."""
 
 
 @dataclass(frozen=True)
@@ -100,7 +101,7 @@ def kit_of(
     entries : sequence of StripEntry
         What the strips were made after; the report says how far they are from it.
     effects : bool
-        Bend every strip again with its slots, to tell what they do.
+        Bend every strip again as it is made and held, to tell how far it strays.
 
     Raises
     ------
@@ -111,9 +112,9 @@ def kit_of(
     faults = _strip_faults(model, spec, entries)
     pieces, holders = (*model.pieces, *spec.extras(model)), list[Holder]()
     nests = _nest(pieces, spec.nesting, spec, f"{model.name}-nest")
-    base, frame = spec.base_plate(model), spec.slotted_frame(model)
+    bases, frame = spec.base_plates(model), spec.slotted_frame(model)
     wanted: list[tuple[str, Asked, tuple[BasePlate | Rib, ...]]] = [
-        ("base", spec.base, () if base is None else (base,)),
+        ("base", spec.base, bases),
         ("frame", spec.frame, () if frame is None else (*frame.rails, *frame.ribs)),
     ]
     for what, asked, plates in wanted:
@@ -122,10 +123,10 @@ def kit_of(
             nests += _nest(cut, asked[2], spec, f"{model.name}-{what}-nest")
             pieces, holders = (*pieces, *cut), [*holders, *plates]
     holders += spec.end_fixtures(model)
-    bent, notes = _slot_effects(model) if effects else ({}, ())
+    held, notes = _held(model, (*model.plates, *holders)) if effects else ({}, ())
     told = [text for plate in (*model.plates, *holders) for text in getattr(plate, "warnings", ())]
     notes = (*faults, *told, *notes)
-    return Kit(model, spec, pieces, nests, tuple(holders), entries=tuple(entries), effects=bent, notes=notes)
+    return Kit(model, spec, pieces, nests, tuple(holders), entries=tuple(entries), held=held, notes=notes)
 
 
 def _strip_faults(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> tuple[str, ...]:
@@ -147,15 +148,15 @@ def _nest(pieces: Sequence[Piece], nesting: Nesting, spec: KitSpec, name: str) -
     )
 
 
-def _slot_effects(made: Model) -> tuple[dict[str, SlotEffect], tuple[str, ...]]:
-    """Of every different part with slots; and of those that fail, why."""
-    found, notes = {}, []
-    for part in made.parts:
-        if part.strip.slots:
-            try:
-                found[part.name] = slot_effect(part.strip)
-            except NotConvergedError as problem:
-                notes.append(f"{part.name}: with its slots no shape near the design was found: {problem}")
+def _held(model: Model, holders: Sequence[Holder]) -> tuple[dict[str, HeldShape], tuple[str, ...]]:
+    """Of every strip its shape as made and held; of those that find none, why, and which tabs rock."""
+    found, notes = dict[str, HeldShape](), list(rocking_tabs(model.placed, holders))
+    for index, one in enumerate(model.placed):
+        name = model.single_name_of(index)
+        try:
+            (found[name],) = held_shapes((one,), holders)
+        except NotConvergedError as problem:
+            notes.append(f"{name}: {problem}")
     return found, tuple(notes)
 
 
@@ -318,7 +319,7 @@ def _write_report(kit: Kit, path: Path) -> None:
         cut_list=listed,
         nests=kit.nests,
         files=kinds,
-        effects=kit.effects,
+        held=kit.held,
         entries=kit.entries,
     )
     report["reports"] += kit.notes

@@ -79,11 +79,9 @@ def _tell(kit: Kit, output: Path, *, step: bool, pictures: bool) -> None:
         click.echo(
             f"{nest.name}: {len(nest.pieces)} pieces, {100 * nest.filled / nest.used:.0f} % of the rows used"
         )
-    if kit.effects:
-        weakest = min(kit.effects, key=lambda name: kit.effects[name].least_stiffness)
-        click.echo(f"weakest at its slots, {weakest}: {kit.effects[weakest]}")
-        moved = max(kit.effects, key=lambda name: kit.effects[name].deviation)
-        click.echo(f"moved most by its slots, {moved}: {kit.effects[moved].deviation:.2g} mm")
+    if kit.held:
+        worst = max(kit.held, key=lambda name: kit.held[name].deviation)
+        click.echo(f"{worst}, the one that strays most: {kit.held[worst]}")
     warnings = [f"{part.name}: {text}" for part in kit.model.parts for text in part.strip.warnings]
     said = list(dict.fromkeys((*kit.notes, *kit.model.reports, *warnings)))
     for text in said[:MOST_SAID]:

@@ -18,18 +18,30 @@ from elastica_cad.fabrication.drawings.lettering import (
     text_width as text_width,
 )
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color as sheet_color
-from elastica_cad.fabrication.holders.base_plate import BasePlate as BasePlate, base_plate as base_plate
+from elastica_cad.fabrication.holders.base_plate import (
+    BasePlate as BasePlate,
+    base_plate as base_plate,
+)
 from elastica_cad.fabrication.holders.end_fixtures import (
     EndFixture as EndFixture,
     end_fixtures as end_fixtures,
 )
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab as PlacedTab
+from elastica_cad.fabrication.holders.plate_pair import plate_pair as plate_pair
 from elastica_cad.fabrication.holders.ring_plate import Ring as Ring, ring_plate as ring_plate
 from elastica_cad.fabrication.holders.slotted_frame import (
     Rib as Rib,
     SlottedFrame as SlottedFrame,
     slotted_frame as slotted_frame,
 )
+from elastica_cad.fabrication.holders.tab_seats import (
+    held_shapes as held_shapes,
+    rocking_tabs as rocking_tabs,
+    tab_seats as tab_seats,
+)
+from elastica_cad.fabrication.holding.held_shape import HeldShape as HeldShape
+from elastica_cad.fabrication.holding.rest_in_seats import EndPose as EndPose
+from elastica_cad.fabrication.holding.tab_seat import TabSeat as TabSeat
 from elastica_cad.fabrication.interlocking.interlock import (
     Joint as Joint,
     interlock as interlock,
@@ -58,7 +70,6 @@ from elastica_cad.fabrication.solids.prisms import PrismSolid as PrismSolid
 from elastica_cad.fabrication.solids.strip_solids import BentSolid as BentSolid, FlatSolid as FlatSolid
 from elastica_cad.fabrication.strip.lamination import Laminated as Laminated
 from elastica_cad.fabrication.strip.perforation import Perforated as Perforated
-from elastica_cad.fabrication.strip.slot_effects import SlotEffect as SlotEffect
 from elastica_cad.fabrication.strip.strip_record import Layer as Layer, Reactions as Reactions, Strip as Strip
 from elastica_cad.fabrication.strip_spec import StripSpec as StripSpec, make_strip as make_strip
 from elastica_cad.fabrication.strip.styles import Plain as Plain

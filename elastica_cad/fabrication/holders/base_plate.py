@@ -48,11 +48,14 @@ class TabSlot:
         The tab's.
     through : float
         Thickness of the tab, mm.
+    tab : PlacedTab or None
+        What goes through it; None for a tongue of another plate.
     """
 
     corners: FloatArray
     name: str
     through: float
+    tab: PlacedTab | None = None
 
     @property
     def path(self) -> Path:
@@ -197,7 +200,7 @@ def base_plate(
             raise InputError(f"{name}: {what} is {value}: it must be 0 mm or more")
     if shape not in ("hull", "rectangle"):
         raise InputError(f'{name}: the outline is "hull" or "rectangle", not {shape!r}')
-    standing = [tab for tab in place_tabs(placed) if _stands(tab, ground)]
+    standing = [tab for tab in place_tabs(placed) if stands_in(tab, ground)]
     if not standing:
         raise InputError(
             f"{name}: no tab of the model goes through the plate: move the plate to where the strips end, or give "
@@ -251,8 +254,8 @@ def check_slots(
     return accept_faults(faults, anyway)
 
 
-def _stands(tab: PlacedTab, ground: Frame) -> bool:
-    """Does the tab begin on or above the plate and end below its upper face?"""
+def stands_in(tab: PlacedTab, ground: Frame) -> bool:
+    """Does the tab begin on or above a plate's upper face and end below it?"""
     (_, _, start), (_, _, tip) = ground.local([tab.frame.origin, tab.tip])
     return bool(start > -tab.thickness and tip < -BELOW_MM)
 
@@ -287,7 +290,7 @@ def tab_slot(
     room = np.array([play, rest / 2])
     low, high = low - room, high + room
     box = np.array([low, (high[0], low[1]), high, (low[0], high[1])])
-    return TabSlot(box @ np.array([u, v]), tab.name, tab.thickness)
+    return TabSlot(box @ np.array([u, v]), tab.name, tab.thickness, tab)
 
 
 def _refuse_meetings(slots: Sequence[TabSlot], name: str) -> None:

@@ -1,7 +1,7 @@
 """End fixtures: printed blocks that hold a tab at its place, angle and orientation in space."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
 
@@ -11,6 +11,8 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.lettering import Text, text_strokes, text_width
 from elastica_cad.fabrication.holders.placed_tab import ENDS, End, PlacedTab, place_tabs
+from elastica_cad.fabrication.holding.rest_in_seats import lean_against
+from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.solids.prisms import PrismSolid, convex_corners
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
@@ -64,6 +66,8 @@ class EndFixture:
         it with screws.
     number : str, optional
         Engraved part number; the tab's name unless given, empty for none.
+    lean : (float, float)
+        How the pocket is shifted to the left of the curve, mm, and turned to the left, rad: see `of`.
 
     Raises
     ------
@@ -88,6 +92,7 @@ class EndFixture:
     foot_height: float = 4.0
     screw: float = 4.3
     number: str | None = None
+    lean: tuple[float, float] = (0.0, 0.0)
 
     def __post_init__(self) -> None:
         who = f"fixture {self.tab.name}"
@@ -136,11 +141,21 @@ class EndFixture:
         number: str | None = None,
         **sizes: float,
     ) -> "EndFixture":
-        """The fixture of a strip's "start" or "end", its curve drawn in `frame` (the xy plane unless told)."""
+        """The fixture of a strip's "start" or "end", its curve drawn in `frame` (the xy plane unless told).
+
+        The pocket leans against the strip's force and moment, so that the tab lies as designed when it has taken up
+        the clearance.
+        """
         if end not in ENDS:
             raise InputError(f'a strip has the ends "start" and "end", not {end!r}')
-        tab = PlacedTab.of(strip, end, frame)
-        return cls(tab, floor, number=number, **sizes)
+        return cls(PlacedTab.of(strip, end, frame), floor, number=number, **sizes).leaning(strip, end)
+
+    def leaning(self, strip: Strip, end: End) -> "EndFixture":
+        """The fixture with its pocket leaned against what an end of the strip does to it."""
+        index = ENDS.index(end)
+        stiffness = strip.tab_stiffness[index] / strip.bending_stiffness
+        straight = replace(self, lean=(0.0, 0.0)).seat
+        return replace(self, lean=lean_against(strip.rod, index, straight, stiffness))
 
     @property
     def label(self) -> str:
@@ -192,6 +207,12 @@ class EndFixture:
         """Least z in space of the block about the pocket, mm."""
         return float(self._profile.point(self._core)[:, 2].min())
 
+    @property
+    def seat(self) -> TabSeat:
+        """The pocket as the tab feels it."""
+        pocket = TabSeat.pocket(self.tab.length, self.tab.thickness, self.clearance)
+        return pocket.moved(*self.lean)
+
     @cached_property
     def solid(self) -> PrismSolid:
         """The block, as prisms put together and taken away; its joint "tab" is where the strip ends."""
@@ -223,8 +244,12 @@ class EndFixture:
         """The room of the tab, open to the strip."""
         half = self.tab.thickness / 2 + self.clearance
         back, front = self.tab.length + self.clearance, -BEYOND_MM
+        shift, turn = self.lean
+        cos, sin = np.cos(turn), np.sin(turn)
         corners = np.array([(front, -half), (back, -half), (back, half), (front, half)])
-        return self._prism(corners, self.tab.width + 2 * self.clearance)
+        # left of the curve is off the strip's lower side: -y of the profile
+        leaned = corners @ np.array([[cos, -sin], [sin, cos]]) - (0.0, shift)
+        return self._prism(leaned, self.tab.width + 2 * self.clearance)
 
     def _clamp_holes(self, body: FloatArray) -> list[FlatSolid]:
         """The tab's own holes, through the whole block."""
@@ -281,16 +306,19 @@ def end_fixtures(
     Without `floor`, blocks whose strips stand upright share a horizontal floor that just touches the lowest of
     them; the others stand square to their tabs.
     """
-    tabs = [tab for tab in place_tabs(placed) if tab.length > 0]
+    ends = [(one.strip, end) for one in placed for end in ENDS]
+    held = [(tab, *of) for tab, of in zip(place_tabs(placed), ends, strict=True) if tab.length > 0]
     if floor is not None:
-        return tuple(EndFixture(tab, floor, number=None, **sizes) for tab in tabs)
-    upright = [abs(tab.frame.y_axis[2]) <= LEVEL for tab in tabs]
-    trial = [EndFixture(tab, None, number=None, **sizes) for tab in tabs]
-    corners = [one.lowest_height for one, stands in zip(trial, upright, strict=True) if stands]
-    ground = Frame((0.0, 0.0, min(corners))) if corners else None
+        grounds: list[Frame | None] = [floor] * len(held)
+    else:
+        upright = [abs(tab.frame.y_axis[2]) <= LEVEL for tab, _, _ in held]
+        trial = [EndFixture(tab, None, number=None, **sizes) for tab, _, _ in held]
+        corners = [one.lowest_height for one, stands in zip(trial, upright, strict=True) if stands]
+        ground = Frame((0.0, 0.0, min(corners))) if corners else None
+        grounds = [ground if stands else None for stands in upright]
     return tuple(
-        EndFixture(tab, ground if stands else None, number=None, **sizes)
-        for tab, stands in zip(tabs, upright, strict=True)
+        EndFixture(tab, ground, number=None, **sizes).leaning(strip, end)
+        for (tab, strip, end), ground in zip(held, grounds, strict=True)
     )
 
 

@@ -12,6 +12,8 @@ from elastica_cad.fabrication.holders.base_plate import BasePlate, base_plate
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture, end_fixtures
 from elastica_cad.fabrication.holders.ring_plate import Ring
 from elastica_cad.fabrication.holders.slotted_frame import SlottedFrame, slotted_frame
+from elastica_cad.fabrication.holders.tab_seats import held_shapes
+from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.interlocking.interlock import Joint, interlock
 from elastica_cad.fabrication.model.patterns import mirror, repeat, rotate
 from elastica_cad.fabrication.placed_strip import Placed, distinct_names, strip_names
@@ -19,7 +21,6 @@ from elastica_cad.fabrication.sheets.cut_list import CutList, cut_list
 from elastica_cad.fabrication.sheets.equal_strips import EqualStrips, group_equal_strips
 from elastica_cad.fabrication.sheets.nesting import NestedSheet, nest_pieces
 from elastica_cad.fabrication.sheets.pieces import Piece, strip_pieces
-from elastica_cad.fabrication.strip.slot_effects import SlotEffect, slot_effect
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -138,9 +139,9 @@ class Model:
         """The list of all pieces, equal ones once with their count."""
         return cut_list((*self.pieces, *others))
 
-    def slot_effects(self) -> tuple[SlotEffect | None, ...]:
-        """For each strip what its slots do to its stiffness and shape; None where there are none."""
-        return tuple(slot_effect(strip) if strip.slots else None for strip in self.strips)
+    def held(self, *holders: object) -> tuple[HeldShape, ...]:
+        """The shape that each strip takes as it is made, in its rings and these holders: see `Strip.held`."""
+        return held_shapes(self.placed, (*self.plates, *holders))
 
     def mirrored(self, point: ArrayLike, normal: ArrayLike, *, keep: bool = True) -> "Model":
         """The mirror image in the plane through `point` across `normal`, and the strips themselves if kept."""

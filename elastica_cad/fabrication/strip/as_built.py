@@ -63,15 +63,13 @@ def rod_as_built(rod: Rod, layout: Layout, widths: Sequence[Callable[[FloatArray
     Rod
         The design's shape, supports and gravity: out of balance until bent.
     """
-    n = rod.s.size
-    ends = np.linspace(0.0, rod.length, CUTS * (n - 1) + 1)
-    s = (ends[1:] + ends[:-1]) / 2
+    n, s = rod.s.size, cell_stations(rod)
     left = [width(s) for width in widths]
     material = left[0]
     # as drawn, the backing's edge may pass the base's by the tolerance of the drawing
     backing = np.minimum(left[1], material) if len(left) > 1 else None
     softer = layout.bending_stiffness * rod.profile(s) / layout.stiffness(material, backing)
-    EI = layout.bending_stiffness * rod.stiffness / _cell_means(softer, n)
+    EI = layout.bending_stiffness * rod.stiffness / cell_means(softer, n)
     least = float(EI.min())
     made = replace(rod.with_stiffness(Profile.interpolate(rod.s, EI)), bending_stiffness=least)
     if rod.gravity is None:
@@ -79,7 +77,7 @@ def rod_as_built(rod: Rod, layout: Layout, widths: Sequence[Callable[[FloatArray
     weight = rod.weight or Weight()
     newtons = layout.weight_per_length(material, backing)
     if newtons is not None:
-        along = Profile.interpolate(rod.s, _cell_means(newtons, n))
+        along = Profile.interpolate(rod.s, cell_means(newtons, n))
         return replace(made, weight=replace(weight, alpha=along, beta=0.0))
     if rod.weight is None:
         return made
@@ -88,7 +86,13 @@ def rod_as_built(rod: Rod, layout: Layout, widths: Sequence[Callable[[FloatArray
     return replace(made, weight=replace(weight, beta=beta))
 
 
-def _cell_means(values: FloatArray, nodes: int) -> FloatArray:
+def cell_stations(rod: Rod) -> FloatArray:
+    """Stations, mm, at the middle of `CUTS` even parts of every edge of a rod."""
+    ends = np.linspace(0.0, rod.length, CUTS * (rod.s.size - 1) + 1)
+    return np.asarray((ends[1:] + ends[:-1]) / 2)
+
+
+def cell_means(values: FloatArray, nodes: int) -> FloatArray:
     """Mean (n,) over the cell of each node of values at uniform stations, `CUTS` between neighbouring nodes."""
     halves = values.reshape(2 * (nodes - 1), CUTS // 2).mean(axis=1)
     inner = (halves[1:-1:2] + halves[2::2]) / 2

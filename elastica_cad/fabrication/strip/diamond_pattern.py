@@ -81,6 +81,11 @@ class DiamondPattern:
         """Length along the strip, mm, over which a diamond opens from its tip to its whole width."""
         return self.row_length / 2 - self.bridge
 
+    def slopes(self, s: FloatArray) -> FloatArray:
+        """Slope (n,) of the diamonds' sides against the strip at stations `s` (n,)."""
+        holes = self.width(s) - self.material(s)
+        return np.asarray(holes / (2 * self.columns * self.side_length), dtype=float)
+
     @cached_property
     def joints(self) -> FloatArray:
         """Stations (2 rows + 1,), mm, where diamonds end in a tip and others are widest."""

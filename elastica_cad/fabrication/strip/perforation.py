@@ -127,11 +127,11 @@ class Perforated:
             return 0.0
         s = stations_of(layout.width.length, layout.width, layout.material)
         # the halves at the edges are the sharpest
-        return layout.pattern.bridge / 2 + float(2 * self.corner_radius / _slopes(layout.pattern, s).min())
+        return layout.pattern.bridge / 2 + float(2 * self.corner_radius / layout.pattern.slopes(s).min())
 
     def _told(self, pattern: DiamondPattern, s: FloatArray) -> tuple[str, ...]:
         told = []
-        slopes = _slopes(pattern, s)
+        slopes = pattern.slopes(s)
         i = int(np.argmax(slopes))
         if slopes[i] > np.tan(STEEP_RAD):
             long = pattern.row_length + 2 * pattern.side_length * (slopes[i] / np.tan(STEEP_RAD) - 1)
@@ -155,7 +155,7 @@ class Perforated:
         A circle in a corner of half angle a ends where the corner is 2 r (sec a - tan a) wide. Halves have half the
         angle of the others, end farther from the joint, and miss half as much where the others end.
         """
-        slope = _slopes(pattern, pattern.joints)
+        slope = pattern.slopes(pattern.joints)
         others, halves = (
             2 * self.corner_radius * (np.hypot(1.0, tan) - tan)
             for tan in (slope, np.tan(np.arctan(slope) / 2))
@@ -258,9 +258,3 @@ class _Fit:
             f"ligaments would be {each:.3g} mm wide at {self.s[i]:.1f} mm, below "
             f"{self.style.least_ligament:g} mm"
         )
-
-
-def _slopes(pattern: DiamondPattern, s: FloatArray) -> FloatArray:
-    """Slope (n,) of the diamonds' sides against the strip at stations `s` (n,)."""
-    holes = pattern.width(s) - pattern.material(s)
-    return np.asarray(holes / (2 * pattern.columns * pattern.side_length), dtype=float)

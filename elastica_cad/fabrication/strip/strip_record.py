@@ -15,6 +15,8 @@ from elastica_cad.fabrication.drawings.drawing import (
     LayeredPath,
 )
 from elastica_cad.fabrication.drawings.lettering import Text, fit_label
+from elastica_cad.fabrication.holding.held_shape import HeldShape, hold
+from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.slots.mating_marks import mating_marks
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.slots.slotted_outline import cut_slots
@@ -26,18 +28,22 @@ from elastica_cad.fabrication.strip.flat_outline import (
     fix_tab_widths,
     flat_rim,
 )
+from elastica_cad.fabrication.strip.made_stiffness import stiffness_shares, with_shares
 from elastica_cad.fabrication.strip.styles import PLAIN, Layout, Style
 from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Line
-from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.bending.bend_forward import bend, resample
 from elastica_cad.mechanics.material.section_limits import LayerStrain
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 FINE_EDGES = 1600
 """At least, of the rod that is bent as built: its own error is then far below what it measures."""
+
+HELD_NODES = 241
+"""Of the rod that is bent in its holders: its own error is some millionths of the length."""
 
 CURVATURE_STATIONS = 2001
 """At which strain is looked for, spread over the curve's smooth panels."""
@@ -310,6 +316,55 @@ class Strip:
         finer = -(-FINE_EDGES // edges)
         bent = bend(self.as_built, end=self.rod.position[-1], samples=finer * edges + 1)
         return float(np.hypot(*(bent.position[::finer] - self.rod.position).T).max())
+
+    def held(self, start: TabSeat | None = None, end: TabSeat | None = None) -> HeldShape:
+        """The shape of the strip as it is made, in its holders; without one an end is held as designed.
+
+        Raises
+        ------
+        NotConvergedError
+            No rest shape was found.
+        """
+        bare, shares = self._made
+        alone = {cause: with_shares(bare, [share]) for cause, share in shares.items()}
+        if self.layout.pattern is not None or self.layout.backing is not None:
+            alone["fit of the drawing"] = bare
+        whole = with_shares(bare, list(shares.values()))
+        return hold(
+            self._coarse, whole, alone, (start, end),
+            tab_stiffness=self.tab_stiffness, bending_stiffness=self.bending_stiffness,
+        )  # fmt: skip
+
+    @property
+    def tab_stiffness(self) -> tuple[float, float]:
+        """E I of the tabs at start and end, N mm2."""
+        widths = np.array([tab.width or own for tab, own in zip(self.ends, self.end_widths, strict=True)])
+        first, last = self.layout.stiffness(widths, None if self.layout.backing is None else widths).tolist()
+        return first, last
+
+    @property
+    def stiffness_shares(self) -> dict[str, FloatArray]:
+        """Factors (n,) on the designed stiffness at even stations, by cause: see `made_stiffness`."""
+        return self._made[1]
+
+    @cached_property
+    def _coarse(self) -> Rod:
+        """The rod on nodes enough to be held and bent."""
+        return self.rod if self.rod.s.size <= HELD_NODES else resample(self.rod, HELD_NODES)
+
+    @cached_property
+    def _made(self) -> tuple[Rod, dict[str, FloatArray]]:
+        """The rod as cut, without its slots, and what else changes its stiffness."""
+        rod = self._coarse
+        whole = replace(self, slots=()) if self.slots else self
+        tab_widths = (self.ends[0].width, self.ends[1].width)
+        bare = rod_as_built(rod, self.layout, [layer.material for layer in whole.layers])
+        return bare, stiffness_shares(rod, self.layout, self.slots, tab_widths)
+
+    @cached_property
+    def held_deviation(self) -> float:
+        """How far the strip as made, with ends held as designed, strays from its design, mm: see `held`."""
+        return self.held().deviation
 
     def reactions(self) -> Reactions:
         """Forces (N) and moments (N mm) that the supports exert on the strip.

@@ -7,6 +7,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
 from elastica_cad.fabrication.holders.base_plate import BasePlate
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
+from elastica_cad.fabrication.holders.plate_pair import plate_pair
 from elastica_cad.fabrication.holders.slotted_frame import SlottedFrame
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.model.strip_model import Model
@@ -81,12 +82,15 @@ class KitSpec:
     shop: Shop = DEFAULT_SHOP
     anyway: bool = False
 
-    def base_plate(self, model: Model) -> BasePlate | None:
-        """The base plate, where one is asked for."""
+    def base_plates(self, model: Model) -> tuple[BasePlate, ...]:
+        """The base plate, or the two with a gap that are asked for."""
         if self.base is None:
-            return None
+            return ()
         sheet, options, _ = self.base
-        return model.base_plate(sheet, shop=self.shop, anyway=self.anyway, **options)
+        made = {"shop": self.shop, "anyway": self.anyway, **options}
+        if "gap" in options:
+            return plate_pair(model.placed, sheet, **made)
+        return (model.base_plate(sheet, **made),)
 
     def slotted_frame(self, model: Model) -> SlottedFrame | None:
         """The slotted frame, where one is asked for."""

@@ -50,8 +50,8 @@ def _read_fixtures(table: Table) -> dict[str, Any]:
 def _read_base(
     table: Table, sheets: dict[str, Sheet], nesting: Nesting
 ) -> tuple[Sheet, dict[str, Any], Nesting]:
-    """Sheet and options of the base plate, and the sheets it is cut from."""
-    sizes = ("play", "clearance", "slot_width", "border")
+    """Sheet and options of the base plate, or of two with a gap, and the sheets they are cut from."""
+    sizes = ("play", "clearance", "slot_width", "border", "gap")
     table.only("sheet", "height", "shape", "sheet_size", *sizes)
     options: dict[str, Any] = {**table.numbers(*sizes)}
     options["frame"] = Frame((0.0, 0.0, table.number("height", 0.0)))

@@ -1,16 +1,15 @@
 """The report of a model: its strips, joints, sheets and files as one JSON record."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict
 from typing import Any
 
+from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.sheets.cut_list import CutList
 from elastica_cad.fabrication.sheets.nesting import NestedSheet
-from elastica_cad.fabrication.strip.slot_effects import SlotEffect
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.design_files.strip_table import StripEntry
-from elastica_cad.formats.reports.strip_report import list_versions, round_numbers
+from elastica_cad.formats.reports.strip_report import list_versions, report_held, round_numbers
 from elastica_cad.geometry.paths.point_distance import largest_deviation
 
 MODEL_SCHEMA = "elastica-model/1"
@@ -22,7 +21,7 @@ def report_model(
     cut_list: CutList,
     nests: Sequence[NestedSheet],
     files: Mapping[str, str],
-    effects: Mapping[str, SlotEffect],
+    held: Mapping[str, HeldShape],
     entries: Sequence[StripEntry] = (),
 ) -> dict[str, Any]:
     """The report of a model, ready for JSON.
@@ -35,8 +34,8 @@ def report_model(
     nests : sequence of NestedSheet
     files : mapping
         What each file is, by its name.
-    effects : mapping
-        What its slots do to a part, by its name.
+    held : mapping
+        The shapes of strips as made and held, by their names.
     entries : sequence of StripEntry
         What the strips were made after; the report says how far they are from it.
     """
@@ -50,13 +49,13 @@ def report_model(
         "parts": [
             {
                 **_strip(part.strip),
-                **({"slot_effect": _effect(effects[part.name])} if part.name in effects else {}),
                 **(_departure(part.strip, drawn[part.strip.label]) if part.strip.label in drawn else {}),
                 "name": part.name,
                 "count": part.count,
             }
             for part in model.parts
         ],
+        "held": {name: report_held(shape) for name, shape in held.items()},
         "joints": [
             {
                 "strips": [model.single_name_of(i) for i in joint.members],
@@ -80,10 +79,6 @@ def report_model(
         "reports": list(model.reports),
         "files": dict(files),
     }
-
-
-def _effect(effect: SlotEffect) -> dict[str, float]:
-    return {name: round_numbers(value) for name, value in asdict(effect).items()}
 
 
 def _departure(strip: Strip, entry: StripEntry) -> dict[str, Any]:

@@ -5,6 +5,8 @@ from typing import Any
 
 import numpy as np
 
+from elastica_cad.errors import NotConvergedError
+from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.curve_files.json_curves import curve_record
 from elastica_cad.forming.nearest.nearest_record import NearestRod
@@ -99,6 +101,7 @@ def report_strip(
             "at": round_numbers(strip.max_strain_at),
             "limit": strip.strain_limit,
         },
+        "held": _held(strip),
         "mass": round_numbers(strip.mass),
         "layers": [
             {"sheet": layer.sheet.name, "thickness": layer.sheet.thickness, "mass": round_numbers(layer.mass)}
@@ -136,6 +139,26 @@ def _nearest_report(near: NearestRod) -> dict[str, Any]:
             {"name": one.name, "limit": one.limit, "cost": round_numbers(one.cost)} for one in near.binding
         ],
     }
+
+
+def report_held(shape: HeldShape) -> dict[str, Any]:
+    """How far a strip strays as made and held, and by what, ready for JSON."""
+    return {
+        "deviation": round_numbers(shape.deviation),
+        "parts": {cause: round_numbers(mm) for cause, mm in shape.parts.items()},
+        "ends": {
+            end: {"shift": round_numbers(pose.shift), "turn": round_numbers(pose.turn)}
+            for end, pose in (("start", shape.start), ("end", shape.end))
+        },
+    }
+
+
+def _held(strip: Strip) -> dict[str, Any] | None:
+    """The strip with ends held as designed; None where it finds no shape near the design."""
+    try:
+        return report_held(strip.held())
+    except NotConvergedError:
+        return None
 
 
 def report_check(check: EquilibriumCheck) -> dict[str, Any]:

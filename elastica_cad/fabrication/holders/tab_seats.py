@@ -1,0 +1,131 @@
+"""What the holders of a model leave free, and the shapes that its strips take in them."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.fabrication.holders.base_plate import BasePlate, TabSlot
+from elastica_cad.fabrication.holders.end_fixtures import EndFixture
+from elastica_cad.fabrication.holders.placed_tab import ENDS, PlacedTab
+from elastica_cad.fabrication.holders.ring_plate import Ring
+from elastica_cad.fabrication.holders.slotted_frame import SlottedFrame
+from elastica_cad.fabrication.holding.held_shape import HeldShape
+from elastica_cad.fabrication.holding.tab_seat import WALL_PLACES, TabSeat
+from elastica_cad.fabrication.placed_strip import Placed, distinct_names
+
+ROCKING_RAD = np.radians(3.0)
+"""A tab that turns farther in its holder rocks: at the mouth of a strip it moves the shape by percents."""
+
+Slotted: TypeAlias = BasePlate | Ring
+Key: TypeAlias = tuple[float, ...]
+
+
+def seat_in_slot(slot: TabSlot, plate: Slotted) -> TabSeat | None:
+    """The walls of a slot beside its tab, in the plane of the strip's curve; None for a tongue's slot."""
+    tab = slot.tab
+    if tab is None:
+        return None
+    walls = [places[places[:, 0] <= tab.length] for places in slot_walls(slot, plate)]
+    left, right = sorted(walls, key=lambda places: -float(places[:, 1].mean()))
+    return TabSeat(left, right, tab.thickness, f"slot of {plate.name}")
+
+
+def slot_walls(slot: TabSlot, plate: Slotted) -> tuple[FloatArray, FloatArray]:
+    """Both walls of a tab's slot, that of its first corners first: places (n, 2) into the tab and to its left."""
+    tab = slot.tab
+    if tab is None:
+        raise ValueError(f"no tab goes through the slot {slot.name!r}")
+    depths = np.linspace(0.0, -plate.sheet.thickness, WALL_PLACES)
+    walls = []
+    for corners in (slot.corners[:2], slot.corners[:1:-1]):
+        begin, finish = (
+            plate.frame.point(np.column_stack([np.tile(corner, (depths.size, 1)), depths]))
+            for corner in corners
+        )
+        walls.append(_met(tab, begin, finish))
+    return walls[0], walls[1]
+
+
+def _met(tab: PlacedTab, begin: FloatArray, finish: FloatArray) -> FloatArray:
+    """Where lines (n, 3) to (n, 3) meet the plane of the strip's curve: into the tab and to its left, (n, 2)."""
+    frame = tab.frame
+    a, b = (frame.local(points) for points in (begin, finish))
+    u = a[:, 1] / (a[:, 1] - b[:, 1])
+    met = a + u[:, None] * (b - a)
+    # the tab's z axis is off the strip's upper side, which lies to the right of the curve
+    return np.column_stack([met[:, 0], -met[:, 2]])
+
+
+def tab_seats(holders: Iterable[object]) -> dict[Key, TabSeat]:
+    """The seats of all tabs that holders hold with play, by where the tab is; two plates make one seat."""
+    found: dict[Key, TabSeat] = {}
+    for tab, seat in _seated(holders):
+        key, before = tab_key(tab), found.get(tab_key(tab))
+        if before is not None:
+            left, right = np.concatenate([before.left, seat.left]), np.concatenate([before.right, seat.right])
+            found[key] = TabSeat(left, right, seat.thickness, f"{before.name} and {seat.name.split()[-1]}")
+        else:
+            found[key] = seat
+    return found
+
+
+def _seated(holders: Iterable[object]) -> Iterator[tuple[PlacedTab, TabSeat]]:
+    for holder in holders:
+        if isinstance(holder, EndFixture):
+            yield holder.tab, holder.seat
+        elif isinstance(holder, SlottedFrame):
+            yield from _seated(holder.rails)
+        elif isinstance(holder, BasePlate | Ring):
+            for slot in holder.slots:
+                seat = seat_in_slot(slot, holder)
+                if slot.tab is not None and seat is not None:
+                    yield slot.tab, seat
+
+
+def held_shapes(placed: Sequence[Placed], holders: Iterable[object] = ()) -> tuple[HeldShape, ...]:
+    """The shape of each strip as it is made and held; ends without a holder are held as designed.
+
+    Raises
+    ------
+    NotConvergedError
+        A strip finds no rest; it is named.
+    """
+    seats = tab_seats(holders)
+    found, known = list[HeldShape](), dict[tuple[int, Key], HeldShape]()
+    for one in placed:
+        start, end = (seats.get(tab_key(PlacedTab.of(one.strip, k, one.frame))) for k in ENDS)
+        alike = (id(one.strip), (*_places(start), np.nan, *_places(end)))
+        if alike not in known:
+            known[alike] = one.strip.held(start, end)
+        found.append(known[alike])
+    return tuple(found)
+
+
+def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
+    """A sentence for each tab that rocks in its holder: between which angles, and what holds it instead."""
+    seats, told = tab_seats(holders), []
+    for one, name in zip(placed, distinct_names(placed), strict=True):
+        for end in ENDS:
+            tab = PlacedTab.of(one.strip, end, one.frame)
+            seat = seats.get(tab_key(tab))
+            if seat is None:
+                continue
+            low, high = seat.turning
+            if high - low > 2 * ROCKING_RAD:
+                told.append(
+                    f"{name}: in the {seat.name} the tab at its {end} rocks by {np.degrees(low):+.0f} to "
+                    f"{np.degrees(high):+.0f} degrees and does not hold the drawn angle: use two plates with a gap "
+                    "(gap = 20), end fixtures, or glue it at its angle"
+                )
+    return tuple(told)
+
+
+def tab_key(tab: PlacedTab) -> Key:
+    """Where a tab is, rounded: how holders and strips are matched."""
+    return tuple(np.round([*tab.frame.origin, *tab.frame.x_axis], 6).tolist())
+
+
+def _places(seat: TabSeat | None) -> Key:
+    return () if seat is None else tuple(np.round([*seat.left.ravel(), *seat.right.ravel()], 9).tolist())

@@ -1,0 +1,257 @@
+"""The rest shape of a strip whose tabs sit in holders that leave them room."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import NotConvergedError
+from elastica_cad.fabrication.holding.tab_seat import TabSeat
+from elastica_cad.forming.optimizer.quadratic_program import QuadraticProgram, solve_quadratic
+from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.rod.rod_record import Rod
+
+MOST_STEPS = 60
+STEP_SHARE = 0.05  # of the length: largest move of an end in one step
+RENEWED_SHARE = 0.003  # of the length: after longer steps the stiffness of the ends is measured anew
+STEP_RAD = 0.15  # largest turn of an end in one step
+DIFFERENCE_SHARE = 1e-5  # of the length: step of the finite differences of reactions
+SETTLED_SHARE = 1e-9  # of the length: steps below it end the search
+LEAST_SHARE = 1e-6  # of the largest eigenvalue: a direction that is softer counts as this stiff
+PRICE = 100.0  # of a mm of overlap, over the forces that are there: far above any contact's multiplier
+SEATING_STEPS = 3
+SEATING = 1e4  # times as stiff are the ends while tabs bend into their seats
+LEAN_STEPS = 6  # contacts change little after the first
+TAB_PIECES = 16  # of a tab that bends: its turn at the mouth is then right to half a percent
+
+
+@dataclass(frozen=True)
+class EndPose:
+    """Where an end comes to rest: `shift` mm to the left of the design, `turn` rad anticlockwise."""
+
+    shift: float = 0.0
+    turn: float = 0.0
+
+
+def rest_in_seats(
+    made: Rod,
+    design: Rod,
+    seats: tuple[TabSeat | None, TabSeat | None],
+    tab_stiffness: tuple[float, float] = (np.inf, np.inf),
+) -> tuple[Rod, tuple[EndPose, EndPose]]:
+    """The shape of least energy whose tabs stay within their seats, and where its ends are.
+
+    Tabs may shift across, turn and bend, not slide along. Contacts are without friction: least energy under
+    one-sided conditions, by sequential quadratic programming on shift and turn of each end and the angles of each
+    tab; forces and moments of the rod (Eq. 2) are the gradient, their differences the Hessian.
+
+    Parameters
+    ----------
+    made : Rod
+        What is held.
+    design : Rod
+        Where its ends were meant to be.
+    seats : pair of TabSeat or None
+        At start and end; None holds that end as its support does, without play.
+    tab_stiffness : pair of float
+        E I of the tabs over the rod's B; infinite for tabs that do not bend.
+
+    Raises
+    ------
+    NotConvergedError
+        No rest shape was found.
+    """
+    seated = [
+        _SeatedEnd(k, seat, stiffness)
+        for k, (seat, stiffness) in enumerate(zip(seats, tab_stiffness, strict=True))
+        if seat is not None and design.supports.ends[k].angle
+    ]
+    if not seated:
+        return bend(made, start=design.position[0], end=design.position[-1]), (EndPose(), EndPose())
+    problem = _Held(made, design, tuple(seated))
+    q = np.zeros(problem.unknowns)
+    rod = problem.bent(q, made)
+    stiffness = problem.end_stiffness(q, rod)
+    # tabs bend into their seats first, else the strip is thrown far off by walls that a straight tab meets
+    for _ in range(SEATING_STEPS):
+        q = q + problem.step(q, rod, SEATING * stiffness)
+    rod = problem.bent(q, rod)
+    step = np.zeros(q.size)
+    for _ in range(MOST_STEPS):
+        if np.abs(step).max() > RENEWED_SHARE * design.length:
+            stiffness = problem.end_stiffness(q, rod)
+        step = problem.step(q, rod, stiffness)
+        q = q + step
+        rod = problem.bent(q, rod)
+        if np.abs(step).max() <= SETTLED_SHARE * design.length:
+            break
+    else:
+        raise NotConvergedError(
+            "the strip finds no rest in its holders: give them less play, or hold the tabs with screws or glue"
+        )
+    poses = [EndPose(), EndPose()]
+    for one, part in problem.parts(q):
+        poses[one.index] = EndPose(*problem.pose(part))
+    return rod, (poses[0], poses[1])
+
+
+def lean_against(design: Rod, index: int, seat: TabSeat, tab_stiffness: float) -> tuple[float, float]:
+    """How a holder is shifted and turned to the left, mm and rad, so that the loaded tab lies as designed.
+
+    The strip's force and moment press the tab against some edges of the holder: moved by this, those edges are
+    where the tab is meant to be, and all play lies on the other sides.
+
+    Parameters
+    ----------
+    design : Rod
+    index : int
+        0 for the start, 1 for the end.
+    seat : TabSeat
+        The holder where it was designed.
+    tab_stiffness : float
+        E I of the tab over the rod's B.
+    """
+    shift = turn = 0.0
+    for _ in range(LEAN_STEPS):
+        end = _SeatedEnd(index, seat.moved(shift, turn), tab_stiffness)
+        problem = _Held(design, design, (end,))
+        load = np.abs(problem.reactions(design)).max()
+        if load == 0:
+            break
+        q, soft = np.zeros(problem.unknowns), load / design.length * np.eye(2)
+        for _ in range(LEAN_STEPS):
+            q = q + problem.step(q, design, soft)
+        moved, turned = problem.pose(q)
+        shift, turn = shift - moved, turn - end.way * turned
+    return shift, turn
+
+
+@dataclass(frozen=True, eq=False)
+class _SeatedEnd:
+    """An end with room: its tab as a chain of rigid pieces between bending joints."""
+
+    index: int
+    seat: TabSeat
+    stiffness: float
+
+    @property
+    def way(self) -> int:
+        return 1 if self.index else -1
+
+    @property
+    def pieces(self) -> int:
+        return TAB_PIECES if np.isfinite(self.stiffness) else 0
+
+    @property
+    def piece(self) -> float:
+        """Length of a piece, mm."""
+        return self.seat.depth / TAB_PIECES
+
+    def bending(self) -> FloatArray:
+        """Hessian (m, m) of the tab's energy over B in the angles of its pieces, 1/mm."""
+        m = self.pieces
+        # the first piece turns about the mouth, half a piece away from its middle
+        springs = self.stiffness / self.piece * np.array([2.0, *np.ones(m - 1)])
+        joints = np.eye(m) - np.eye(m, k=-1)
+        return np.asarray(joints.T @ (springs[:, None] * joints))
+
+    def sideways(self) -> FloatArray:
+        """How far (k, m) each edge's gap closes for the angle of each piece, mm."""
+        into = np.concatenate([self.seat.left[:, 0], self.seat.right[:, 0]])
+        sense = np.concatenate([np.ones(len(self.seat.left)), -np.ones(len(self.seat.right))])
+        begins = self.piece * np.arange(self.pieces)
+        covered = np.clip(into[:, None] - begins, 0.0, self.piece)
+        return np.asarray(-self.way * sense[:, None] * covered)
+
+
+@dataclass(frozen=True, eq=False)
+class _Held:
+    """Unknowns q of each seated end: shift, turn, angles of its tab's pieces; angles times the length, all mm."""
+
+    made: Rod
+    design: Rod
+    seated: tuple[_SeatedEnd, ...]
+
+    @property
+    def unknowns(self) -> int:
+        return sum(2 + one.pieces for one in self.seated)
+
+    def parts(self, q: FloatArray) -> list[tuple[_SeatedEnd, FloatArray]]:
+        edges = np.cumsum([2 + one.pieces for one in self.seated])[:-1]
+        return list(zip(self.seated, np.split(q, edges), strict=True))
+
+    def pose(self, part: FloatArray) -> tuple[float, float]:
+        return float(part[0]), float(part[1]) / self.design.length
+
+    def bent(self, q: FloatArray, near: Rod) -> Rod:
+        design = self.design
+        places = [design.position[0], design.position[-1]]
+        angles = [float(design.angle[0]), float(design.angle[-1])]
+        for one, part in self.parts(q):
+            shift, turn = self.pose(part)
+            places[one.index] = places[one.index] + shift * self.left(one.index)
+            angles[one.index] += turn
+        held = [angle if end.angle else None for angle, end in zip(angles, design.supports.ends, strict=True)]
+        return bend(near, start=places[0], end=places[1], angles=(held[0], held[1]))
+
+    def left(self, index: int) -> FloatArray:
+        """Unit vector to the left of the design at an end."""
+        angle = self.design.angle[-index]
+        return np.array([-np.sin(angle), np.cos(angle)])
+
+    def reactions(self, rod: Rod) -> FloatArray:
+        """What the holders do to the strip along shift and turn of each end, over B: 1/mm2."""
+        found = []
+        for one in self.seated:
+            k, sign = -one.index, -1.0 if one.index else 1.0
+            found += [sign * rod.force[k] @ self.left(one.index), -sign * rod.moment[k] / self.design.length]
+        return np.array(found)
+
+    @property
+    def poses(self) -> list[int]:
+        """Indices in q of shifts and turns."""
+        return [at + k for at in self._begins for k in (0, 1)]
+
+    def end_stiffness(self, q: FloatArray, rod: Rod) -> FloatArray:
+        """Derivatives of the reactions, made positive definite, 1/mm3."""
+        reactions, difference = self.reactions(rod), DIFFERENCE_SHARE * self.design.length
+        moves = difference * np.eye(q.size)[self.poses]
+        ends = np.array([self.reactions(self.bent(q + move, rod)) - reactions for move in moves]) / difference
+        values, vectors = np.linalg.eigh((ends + ends.T) / 2)
+        values = np.maximum(np.abs(values), LEAST_SHARE * np.abs(values).max())
+        return np.asarray(vectors @ np.diag(values) @ vectors.T)
+
+    def step(self, q: FloatArray, rod: Rod, end_stiffness: FloatArray) -> FloatArray:
+        """The next step of sequential quadratic programming."""
+        length, poses = self.design.length, self.poses
+        scale = float(np.abs(end_stiffness).max())
+        g, H = np.zeros(q.size), np.zeros((q.size, q.size))
+        g[poses] = self.reactions(rod)
+        H[np.ix_(poses, poses)] = end_stiffness
+        rows, room = [], []
+        for at, (one, part) in zip(self._begins, self.parts(q), strict=True):
+            pose, tab = self.pose(part), slice(at + 2, at + 2 + one.pieces)
+            block = np.zeros((len(one.seat.left) + len(one.seat.right), q.size))
+            block[:, at : at + 2] = one.seat.slopes(*pose, one.way) / (1.0, length)
+            gaps = one.seat.gaps(*pose, one.way)
+            if one.pieces:
+                block[:, tab] = one.sideways() / length
+                gaps = gaps + block[:, tab] @ part[2:]
+                H[tab, tab] = one.bending() / length**2
+                g[tab] = H[tab, tab] @ part[2:]
+            rows.append(block)
+            room.append(gaps)
+        A, gaps = np.concatenate(rows), np.concatenate(room)
+        bound = np.full(q.size, STEP_RAD * length)
+        bound[poses[::2]] = STEP_SHARE * length
+        price = PRICE * (np.abs(g).max() / scale + bound.max())
+        program = QuadraticProgram(
+            H / scale, g / scale, -bound, bound, A, -gaps, np.full(gaps.size, price),
+            np.ones(gaps.size, dtype=bool),
+        )  # fmt: skip
+        return solve_quadratic(program).x
+
+    @property
+    def _begins(self) -> list[int]:
+        sizes = [2 + one.pieces for one in self.seated]
+        return [sum(sizes[:k]) for k in range(len(sizes))]

@@ -1,0 +1,121 @@
+"""Where a holder touches a tab, and how far the tab can turn in it."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+
+STEEPEST_RAD = np.radians(80.0)
+"""A tab that can turn as far is not held at all."""
+
+WALL_PLACES = 17
+"""Places at which a wall along the tab is felt: a tab bends in its pocket and may lie against the middle."""
+
+
+@dataclass(frozen=True, eq=False)
+class TabSeat:
+    """The edges of a holder on both sides of a tab, in the plane of the strip's curve.
+
+    Places are told as (into, left): how far into the tab from the end of the free part, and how far to the left of
+    the tab's designed middle line, seen along the strip from start to end; mm.
+
+    Parameters
+    ----------
+    left, right : (k, 2) array_like
+        Edges that the tab's left and right faces can touch.
+    thickness : float
+        Of the tab, mm.
+    name : str
+        What holds it, as messages say it.
+
+    Examples
+    --------
+    >>> seat = TabSeat.pocket(length=10, thickness=0.8, play=0.15)
+    >>> low, high = np.degrees(seat.turning)
+    >>> round(high, 2), round(low, 2)
+    (1.72, -1.72)
+    """
+
+    left: FloatArray
+    right: FloatArray
+    thickness: float
+    name: str = "holder"
+
+    def __post_init__(self) -> None:
+        for side in ("left", "right"):
+            object.__setattr__(self, side, np.asarray(getattr(self, side), dtype=float).reshape(-1, 2))
+
+    @classmethod
+    def pocket(cls, length: float, thickness: float, play: float, *, name: str = "pocket") -> "TabSeat":
+        """A straight pocket around the tab with `play` mm on either face.
+
+        Raises
+        ------
+        InputError
+            Play below 0.
+        """
+        if not play >= 0:
+            raise InputError(f"{name}: the play is {play} mm: it must be 0 or more for the tab to go in")
+        into = np.linspace(0.0, length, WALL_PLACES)
+        half = np.full(into.size, thickness / 2 + play)
+        return cls(np.column_stack([into, half]), np.column_stack([into, -half]), thickness, name)
+
+    @property
+    def depth(self) -> float:
+        """How far into the tab the holder reaches, mm."""
+        return float(max(self.left[:, 0].max(), self.right[:, 0].max()))
+
+    def moved(self, shift: float, turn: float) -> "TabSeat":
+        """The holder shifted to the left, mm, and turned towards the left, rad, about the end of the free part."""
+        cos, sin = np.cos(turn), np.sin(turn)
+        rotation = np.array([[cos, sin], [-sin, cos]])
+        left, right = (side @ rotation + (0.0, shift) for side in (self.left, self.right))
+        return TabSeat(left, right, self.thickness, self.name)
+
+    def gaps(self, shift: float, turn: float, way: int) -> FloatArray:
+        """Room (k,), mm, between each edge and the tab's face; negative where they overlap.
+
+        The free part ends `shift` mm to the left of the design and the strip's tangent is turned by `turn` rad
+        anticlockwise; `way` is +1 at the end of the strip and -1 at its start, where the tab points backwards.
+        """
+        cos, sin = np.cos(turn), np.sin(turn)
+        (a, b), (c, d) = self.left.T, self.right.T
+        over = -way * a * sin + (b - shift) * cos
+        under = way * c * sin - (d - shift) * cos
+        return np.asarray(np.concatenate([over, under]) - self.thickness / 2)
+
+    def slopes(self, shift: float, turn: float, way: int) -> FloatArray:
+        """Derivatives (k, 2) of `gaps` by shift and turn."""
+        cos, sin = np.cos(turn), np.sin(turn)
+        (a, b), (c, d) = self.left.T, self.right.T
+        by_shift = np.concatenate([np.full(a.size, -cos), np.full(c.size, cos)])
+        by_turn = np.concatenate([-way * a * cos - (b - shift) * sin, way * c * cos + (d - shift) * sin])
+        return np.column_stack([by_shift, by_turn])
+
+    @property
+    def turning(self) -> tuple[float, float]:
+        """How far the tab turns before it jams, rad: to the right (negative) and to the left, seen outward."""
+        return -self._stop(-1), self._stop(1)
+
+    def _stop(self, sense: int) -> float:
+        def fits(turn: float) -> bool:
+            # at way = +1 the outward direction is the strip's, so turns are the tab's own
+            cos, sin = np.cos(sense * turn), np.sin(sense * turn)
+            (a, b), (c, d) = self.left.T, self.right.T
+            most = (b - (a * sin + self.thickness / 2) / cos).min()
+            least = (d + (self.thickness / 2 - c * sin) / cos).max()
+            return bool(least <= most + 1e-12)
+
+        low, high = 0.0, float(STEEPEST_RAD)
+        if fits(high):
+            return high
+        # what fits at an angle need not fit at all smaller ones, but the first stop on the way out counts
+        steps = np.linspace(low, high, 161)
+        first = next(i for i, turn in enumerate(steps) if i and not fits(float(turn)))
+        low, high = float(steps[first - 1]), float(steps[first])
+        for _ in range(40):
+            middle = (low + high) / 2
+            low, high = (middle, high) if fits(middle) else (low, middle)
+        return low

@@ -1,0 +1,133 @@
+"""The stiffness of a strip as it is made, where it differs from the design's, and whose doing it is."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.strip.as_built import cell_means, cell_stations
+from elastica_cad.fabrication.strip.diamond_pattern import DiamondPattern
+from elastica_cad.fabrication.strip.styles import Layout
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.mechanics.loads.weight import Weight
+from elastica_cad.mechanics.material.anticlastic import anticlastic_factor
+from elastica_cad.mechanics.material.notches import dead_zone_slope
+from elastica_cad.mechanics.rod.rod_record import Rod
+
+DEPTHS = 64
+"""Depths of a slot at which its idle width is summed: right to a sixty-fourth of its depth."""
+
+LEAST_SHARE = 0.01
+"""Of the width: no less is counted as left, for a slot that reaches across."""
+
+
+def idle_width(slots: Sequence[Slot], width: Profile, s: FloatArray, *, slope: float) -> FloatArray:
+    """Width (n,), mm, that carries nothing at the stations s (n,): the slots, and triangles beside them.
+
+    Parameters
+    ----------
+    slots : sequence of Slot
+    width : Profile
+        Full width of the strip, mm.
+    s : (n,) array
+        mm.
+    slope : float
+        Length of a triangle over its depth (`mechanics.dead_zone_slope`); 0 for the slots alone.
+    """
+    idle = np.zeros(s.size)
+    for slot in slots:
+        points, widths = slot.center_line(width)
+        along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
+        middle = (np.arange(DEPTHS) + 0.5) / DEPTHS * along[-1]
+        x = np.interp(middle, along, points[:, 0])
+        y = np.interp(middle, along, points[:, 1])
+        depth = np.abs(points[-1, 1] - points[0, 1])
+        reach = np.interp(middle, along, widths) / 2 + slope * np.abs(y - points[0, 1])
+        idle += depth * np.mean(np.abs(s[:, None] - x) <= reach, axis=1)
+    return idle
+
+
+def stiffness_shares(
+    rod: Rod, layout: Layout, slots: Sequence[Slot], tab_widths: tuple[float | None, float | None]
+) -> dict[str, FloatArray]:
+    """What each cause leaves of, or adds to, the designed stiffness: factors (n,) at the nodes, by cause.
+
+    "slots": the cuts and the idle triangles beside them. "narrow tabs": idle corners at ends that are wider than
+    their tabs. "leaning ligaments": a ligament at the angle theta to the strip keeps cos(theta) of its stiffness
+    when its twist is held by its mirror image. "anticlastic bending": `anticlastic_factor` of the width, of a
+    ligament in a perforated strip. Causes that change nothing are left out.
+
+    Parameters
+    ----------
+    rod : Rod
+        The bent design.
+    layout : Layout
+    slots : sequence of Slot
+    tab_widths : pair of float or None
+        mm; None for a tab as wide as the strip's end.
+    """
+    s, n = cell_stations(rod), rod.s.size
+    width = layout.width(s)
+    slope = dead_zone_slope(min(layout.sheet.poisson_ratio, 0.5))
+    found = {
+        "slots": 1 - idle_width(slots, layout.width, s, slope=slope) / width if slots else None,
+        "narrow tabs": _beside_tabs(layout.width, tab_widths, s, slope),
+        "leaning ligaments": _leaning(layout, s),
+        "anticlastic bending": _anticlastic(rod, layout, s),
+    }
+    # a cell's angle feels the mean compliance
+    return {
+        cause: 1 / cell_means(1 / np.maximum(share, LEAST_SHARE), n)
+        for cause, share in found.items()
+        if share is not None
+    }
+
+
+def with_shares(built: Rod, shares: Sequence[FloatArray]) -> Rod:
+    """A rod whose stiffness is changed by factors (n,) while its weight stays: out of balance until bent."""
+    B, K = built.bending_stiffness or 1.0, built.stiffness
+    changed = K * np.prod([np.ones(K.size), *shares], axis=0)
+    made = built.with_stiffness(Profile.interpolate(built.s, changed))
+    if built.bending_stiffness is not None:
+        made = replace(made, bending_stiffness=B * float(changed.min()))
+    if built.gravity is None:
+        return made
+    weight = built.weight or Weight(beta=B / built.gravity.length**3)
+    alpha, beta = (
+        value(built.s) if isinstance(value, Profile) else np.full(K.size, value)
+        for value in (weight.alpha, weight.beta)
+    )
+    newtons = Profile.interpolate(built.s, alpha + beta * K)
+    return replace(made, weight=replace(weight, alpha=newtons, beta=0.0))
+
+
+def _beside_tabs(
+    width: Profile, tab_widths: tuple[float | None, float | None], s: FloatArray, slope: float
+) -> FloatArray | None:
+    """Share (n,) of the width that carries beside ends that are wider than their tabs."""
+    idle = np.zeros(s.size)
+    for end, tab in zip((0.0, width.length), tab_widths, strict=True):
+        shoulder = (float(width(end)) - (tab or np.inf)) / 2
+        idle += 2 * np.maximum(0.0, shoulder - np.abs(s - end) / slope)
+    return 1 - idle / width(s) if idle.any() else None
+
+
+def _leaning(layout: Layout, s: FloatArray) -> FloatArray | None:
+    pattern = layout.pattern
+    return 1 / np.hypot(1.0, pattern.slopes(s)) if isinstance(pattern, DiamondPattern) else None
+
+
+def _anticlastic(rod: Rod, layout: Layout, s: FloatArray) -> FloatArray | None:
+    """Stiffening (n,) of each station by what it is bent."""
+    nu = layout.sheet.poisson_ratio
+    if nu == 0:
+        return None
+    pieces = layout.pattern.ligaments if isinstance(layout.pattern, DiamondPattern) else 1
+    backing = 0.0 if layout.backing is None else layout.backing.sheet.thickness
+    rest = np.broadcast_to(np.asarray(rod.natural_curvature, dtype=float), rod.s.shape)
+    bent = np.interp(s, rod.s, rod.curvature - rest)
+    return anticlastic_factor(
+        layout.material(s) / pieces, bent, thickness=layout.sheet.thickness + backing, poisson_ratio=nu
+    )

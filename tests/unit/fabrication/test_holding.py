@@ -1,0 +1,159 @@
+"""Strips in holders that leave them room: where they come to rest, and what keeps them as designed."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.holders.base_plate import base_plate
+from elastica_cad.fabrication.holders.end_fixtures import EndFixture
+from elastica_cad.fabrication.holders.plate_pair import plate_pair
+from elastica_cad.fabrication.holders.tab_seats import held_shapes, rocking_tabs, tab_seats
+from elastica_cad.fabrication.holding.rest_in_seats import rest_in_seats
+from elastica_cad.fabrication.holding.tab_seat import TabSeat
+from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.strip.perforation import Perforated
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip.tabs import Tab
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+
+pytestmark = pytest.mark.core
+
+PLY = Sheet.named("birch-plywood-0.8")
+CARD = Sheet.named("card-200gsm")
+MDF = Sheet.named("mdf-3")
+ARCH = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
+
+
+@pytest.fixture(scope="module")
+def rod():
+    return optimal_rod(ARCH, samples=201)
+
+
+@pytest.fixture(scope="module")
+def strip(rod):
+    return Strip(rod, PLY, max_width=30.0, ends=(Tab(10), Tab(10)), label="A")
+
+
+def test_how_far_a_tab_turns_in_a_pocket():
+    """h / cos + L tan = h + 2 c where both corners touch."""
+    low, high = TabSeat.pocket(10.0, 0.8, 0.15).turning
+    assert low == pytest.approx(-high, abs=1e-12)
+    assert 0.8 / np.cos(high) + 10.0 * np.tan(high) == pytest.approx(1.1, abs=1e-9)
+
+
+def test_a_stiff_tab_rests_on_mouth_and_tip(rod):
+    """Its moment turns it until it touches on both sides, twice the play over its length."""
+    seat = TabSeat.pocket(10.0, 0.8, 0.15)
+    found, (start, end) = rest_in_seats(rod, rod, (seat, seat))
+    assert abs(end.turn) == pytest.approx(0.3 / 10, rel=0.02)
+    assert abs(end.shift) == pytest.approx(0.15, rel=0.02)
+    assert start.turn == pytest.approx(-end.turn, rel=1e-6)
+    for pose, way in ((start, -1), (end, 1)):
+        gaps = seat.gaps(pose.shift, pose.turn, way)
+        assert gaps.min() > -1e-9
+        assert np.sum(gaps < 1e-8) == 2
+    # both supports push: the strip's moment is carried by two forces of opposite sense, each into its wall
+    moment, force = found.moment[-1], -found.force[-1]
+    left = np.array([-np.sin(found.angle[-1]), np.cos(found.angle[-1])])
+    tip = -moment / 10.0
+    mouth = float(force @ left) - tip
+    assert tip * mouth < 0
+
+
+def test_a_soft_tab_bends_between_mouth_and_tip(rod):
+    """Held at two places it turns by M l / (3 E I) at the mouth."""
+    edges = np.array([(0.0, 0.4), (10.0, 0.4)]) + (0.0, 1e-4)  # a turned tab is thicker across, h / cos
+    seat = TabSeat(edges, edges * (1, -1), 0.8)
+    found, (_, end) = rest_in_seats(rod, rod, (None, seat), (np.inf, 2.0))
+    assert abs(end.shift) < 2e-4
+    assert end.turn == pytest.approx(-found.moment[-1] * 10.0 / (3 * 2.0), rel=0.01)
+
+
+def test_no_neighbouring_pose_has_less_energy(rod):
+    """The holders' forces do no work on any move that the walls allow."""
+    seat = TabSeat.pocket(12.0, 0.8, 0.1)
+    found, (_, end) = rest_in_seats(rod, rod, (None, seat))
+    left = np.array([-np.sin(rod.angle[-1]), np.cos(rod.angle[-1])])
+    gradient = np.array([-found.force[-1] @ left, found.moment[-1]])
+    rng = np.random.default_rng(1)
+    tried = 0
+    for step in rng.normal(size=(400, 2)) * (1e-4, 1e-5):
+        if seat.gaps(end.shift + step[0], end.turn + step[1], 1).min() > -1e-12:
+            tried += 1
+            assert gradient @ step > -1e-12
+    assert tried > 20
+
+
+def test_play_moves_the_shape_and_a_leaning_pocket_makes_up_for_it(strip):
+    length = strip.rod.length
+    blocks = [EndFixture.of(strip, end) for end in ("start", "end")]
+    straight = [replace(block, lean=(0.0, 0.0)) for block in blocks]
+    free = strip.held(*(block.seat for block in straight))
+    assert 1e-3 < free.deviation / length < 6e-3
+    assert set(free.parts) >= {"start: pocket", "end: pocket"}
+    assert strip.held(*(block.seat for block in blocks)).deviation / length < 1e-4
+    assert "strays" in str(free)
+
+
+def test_causes_are_listed_each_alone(rod):
+    narrow = Strip(rod, PLY, max_width=30.0, ends=(Tab(10, width=10), Tab(10)))
+    held = narrow.held()
+    assert set(held.parts) == {"narrow tabs", "anticlastic bending"}
+    assert held.parts["narrow tabs"] > 20 * held.parts["anticlastic bending"]
+    assert narrow.held_deviation == held.deviation
+    none = replace(PLY, poisson_ratio=0.0)
+    plain = Strip(rod, none, max_width=30.0).held()
+    assert not plain.parts
+    assert plain.deviation < 2e-5 * rod.length
+    style = Perforated(width=40, columns=2, rows=3)
+    leaning = Strip(rod, none, max_width=30.0, style=style).held()
+    assert leaning.parts["leaning ligaments"] > 1e-5 * rod.length
+
+
+def inclined(strip):
+    """The strip standing on the ground, its tabs at the angle of its curve."""
+    return [Placed(strip, (0, 0, -strip.rod.position[0, 1]), (1, 0, 0), (0, 0, 1))]
+
+
+def test_an_inclined_tab_rocks_in_one_plate_and_not_in_two():
+    """Ends that lean inward: what the strip does to its tabs turns them upright, where a slot is widest."""
+    bow = optimal_rod(PlaneCurve.ellipse((0, 0), (75.0, 60.0), 0.0, -0.5, np.pi + 0.5), samples=201)
+    strip = Strip(bow, PLY, max_width=30.0, ends=(Tab(30), Tab(30)), label="A")
+    placed = inclined(strip)
+    single = base_plate(placed, MDF)
+    told = rocking_tabs(placed, [single])
+    assert len(told) == 2
+    assert "rocks by" in told[0]
+    assert "two plates" in told[0]
+    (rocked,) = held_shapes(placed, [single])
+    assert rocked.deviation > 5e-3 * bow.length
+    pair = plate_pair(placed, MDF, gap=10)
+    assert [plate.name for plate in pair] == ["base", "base-lower"]
+    assert not rocking_tabs(placed, pair)
+    (held,) = held_shapes(placed, pair)
+    assert held.deviation < 5e-4 * bow.length
+    (seat,) = {seat.name for seat in tab_seats(pair).values()}
+    assert seat == "slot of base and base-lower"
+
+
+def test_slots_of_two_plates_are_offset_by_the_gap(rod):
+    strip = Strip(rod, PLY, max_width=30.0, ends=(Tab(30), Tab(30)), label="A")
+    placed = inclined(strip)
+    upper, lower = plate_pair(placed, MDF, gap=12)
+    for first, second, angle in zip(upper.slots, lower.slots, rod.angle[[0, -1]], strict=True):
+        along = (second.corners.mean(axis=0) - first.corners.mean(axis=0))[0]
+        # slots lean against their load by less than a millimetre
+        assert along == pytest.approx(-15.0 / np.tan(angle), abs=1.0)
+
+
+def test_a_tab_too_short_for_the_lower_plate_is_refused_with_its_length(strip):
+    placed = inclined(strip)
+    with pytest.raises(InputError, match=r"make it (\d+) mm long") as refused:
+        plate_pair(placed, MDF, gap=10)
+    needed = float(str(refused.value).split("make it ")[1].split(" ")[0])
+    longer = replace(strip, ends=(Tab(needed), Tab(needed)))
+    assert len(plate_pair(inclined(longer), MDF, gap=10)) == 2
