@@ -1,3 +1,4 @@
+from elastica_cad.fabrication.compensation import compensate_widths as compensate_widths
 from elastica_cad.fabrication.drawings.bridges import (
     HoldingTabs as HoldingTabs,
     add_holding_tabs as add_holding_tabs,

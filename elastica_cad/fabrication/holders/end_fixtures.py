@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 
@@ -139,7 +140,7 @@ class EndFixture:
         *,
         floor: Frame | None = None,
         number: str | None = None,
-        **sizes: float,
+        **sizes: Any,
     ) -> "EndFixture":
         """The fixture of a strip's "start" or "end", its curve drawn in `frame` (the xy plane unless told).
 
@@ -151,11 +152,13 @@ class EndFixture:
         return cls(PlacedTab.of(strip, end, frame), floor, number=number, **sizes).leaning(strip, end)
 
     def leaning(self, strip: Strip, end: End) -> "EndFixture":
-        """The fixture with its pocket leaned against what an end of the strip does to it."""
-        index = ENDS.index(end)
-        stiffness = strip.tab_stiffness[index] / strip.bending_stiffness
+        """The fixture with its pocket leaned against what an end of the strip does to it.
+
+        The walls that the tab is pressed against touch it where it is straight and in place; how far it then
+        bends is told by `Strip.held`.
+        """
         straight = replace(self, lean=(0.0, 0.0)).seat
-        return replace(self, lean=lean_against(strip.rod, index, straight, stiffness))
+        return replace(self, lean=lean_against(strip.rod, ENDS.index(end), straight))
 
     @property
     def label(self) -> str:
@@ -299,7 +302,7 @@ class EndFixture:
 
 
 def end_fixtures(
-    placed: Sequence[Placed], *, floor: Frame | None = None, **sizes: float
+    placed: Sequence[Placed], *, floor: Frame | None = None, **sizes: Any
 ) -> tuple[EndFixture, ...]:
     """Blocks for both ends of every strip that has tabs; sizes as in `EndFixture`.
 

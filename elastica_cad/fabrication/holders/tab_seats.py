@@ -27,7 +27,10 @@ def seat_in_slot(slot: TabSlot, plate: Slotted) -> TabSeat | None:
     tab = slot.tab
     if tab is None:
         return None
-    walls = [places[places[:, 0] <= tab.length] for places in slot_walls(slot, plate)]
+    # of a wall that begins beyond the tab's tip its edge counts
+    walls = [
+        places[places[:, 0] <= max(tab.length, places[:, 0].min())] for places in slot_walls(slot, plate)
+    ]
     left, right = sorted(walls, key=lambda places: -float(places[:, 1].mean()))
     return TabSeat(left, right, tab.thickness, f"slot of {plate.name}")
 

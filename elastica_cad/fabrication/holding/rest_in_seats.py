@@ -95,7 +95,9 @@ def rest_in_seats(
     return rod, (poses[0], poses[1])
 
 
-def lean_against(design: Rod, index: int, seat: TabSeat, tab_stiffness: float) -> tuple[float, float]:
+def lean_against(
+    design: Rod, index: int, seat: TabSeat, tab_stiffness: float = np.inf
+) -> tuple[float, float]:
     """How a holder is shifted and turned to the left, mm and rad, so that the loaded tab lies as designed.
 
     The strip's force and moment press the tab against some edges of the holder: moved by this, those edges are
@@ -109,7 +111,7 @@ def lean_against(design: Rod, index: int, seat: TabSeat, tab_stiffness: float) -
     seat : TabSeat
         The holder where it was designed.
     tab_stiffness : float
-        E I of the tab over the rod's B.
+        E I of the tab over the rod's B; a stiff tab unless given.
     """
     shift = turn = 0.0
     for _ in range(LEAN_STEPS):

@@ -16,6 +16,7 @@ from elastica_cad.fabrication.drawings.drawing import (
 )
 from elastica_cad.fabrication.drawings.lettering import Text, fit_label
 from elastica_cad.fabrication.holding.held_shape import HeldShape, hold
+from elastica_cad.fabrication.holding.rest_in_seats import rest_in_seats
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.slots.mating_marks import mating_marks
 from elastica_cad.fabrication.slots.slot import Slot
@@ -41,6 +42,9 @@ from elastica_cad.mechanics.rod.rod_record import Rod
 
 FINE_EDGES = 1600
 """At least, of the rod that is bent as built: its own error is then far below what it measures."""
+
+CORRECTION_TOLERANCE = 1e-6
+"""Of corrected stiffness, relative to its largest."""
 
 HELD_NODES = 241
 """Of the rod that is bent in its holders: its own error is some millionths of the length."""
@@ -114,6 +118,9 @@ class Strip:
         Cuts for other strips; they become part of the outline.
     label : str
         Engraved on the strip; empty for none.
+    correction : Profile, optional
+        Factor on the stiffness from which widths are made, to make up for what else changes it: see
+        `compensate_widths`.
 
     Raises
     ------
@@ -141,6 +148,7 @@ class Strip:
     ends: tuple[Tab, Tab] = (Tab(10.0), Tab(10.0))
     slots: tuple[Slot, ...] = ()
     label: str = ""
+    correction: Profile | None = None
 
     def __post_init__(self) -> None:
         for name in ("max_width", "min_width"):
@@ -174,7 +182,18 @@ class Strip:
     @cached_property
     def layout(self) -> Layout:
         """What the style makes of the rod."""
-        return self.style.laid_out(self.rod, self.sheet, max_width=self.max_width, min_width=self.min_width)
+        widths = {"max_width": self.max_width, "min_width": self.min_width}
+        if self.correction is None:
+            return self.style.laid_out(self.rod, self.sheet, **widths)
+        asked, correction = self.rod.profile, self.correction
+        corrected = Profile.fit(
+            lambda s: asked(s) * correction(s), self.rod.length, breaks=asked.breaks, knots=correction.knots,
+            tolerance=CORRECTION_TOLERANCE * float(asked.extremes[1]),
+        )  # fmt: skip
+        rod = self.rod.with_stiffness(corrected)
+        layout = self.style.laid_out(rod, self.sheet, **widths)
+        # E I where the rod's own K is 1; with_stiffness made the least corrected one 1
+        return replace(layout, bending_stiffness=layout.bending_stiffness / float(corrected(rod.s).min()))
 
     @property
     def width(self) -> Profile:
@@ -329,11 +348,23 @@ class Strip:
         alone = {cause: with_shares(bare, [share]) for cause, share in shares.items()}
         if self.layout.pattern is not None or self.layout.backing is not None:
             alone["fit of the drawing"] = bare
-        whole = with_shares(bare, list(shares.values()))
         return hold(
-            self._coarse, whole, alone, (start, end),
+            self.coarse_rod, self._whole, alone, (start, end),
             tab_stiffness=self.tab_stiffness, bending_stiffness=self.bending_stiffness,
         )  # fmt: skip
+
+    def rest(self, start: TabSeat | None = None, end: TabSeat | None = None) -> Rod:
+        """The shape of `held` alone, on the nodes of `coarse_rod`."""
+        whole = self._whole
+        B = whole.bending_stiffness or self.bending_stiffness
+        first, last = (EI / B for EI in self.tab_stiffness)
+        return rest_in_seats(whole, self.coarse_rod, (start, end), (first, last))[0]
+
+    @cached_property
+    def _whole(self) -> Rod:
+        """The rod with all that changes its stiffness."""
+        bare, shares = self._made
+        return with_shares(bare, list(shares.values()))
 
     @property
     def tab_stiffness(self) -> tuple[float, float]:
@@ -348,14 +379,14 @@ class Strip:
         return self._made[1]
 
     @cached_property
-    def _coarse(self) -> Rod:
+    def coarse_rod(self) -> Rod:
         """The rod on nodes enough to be held and bent."""
         return self.rod if self.rod.s.size <= HELD_NODES else resample(self.rod, HELD_NODES)
 
     @cached_property
     def _made(self) -> tuple[Rod, dict[str, FloatArray]]:
         """The rod as cut, without its slots, and what else changes its stiffness."""
-        rod = self._coarse
+        rod = self.coarse_rod
         whole = replace(self, slots=()) if self.slots else self
         tab_widths = (self.ends[0].width, self.ends[1].width)
         bare = rod_as_built(rod, self.layout, [layer.material for layer in whole.layers])

@@ -1,0 +1,89 @@
+"""Widths that make up for what slots, tabs, leaning ligaments and anticlastic bending do to a strip."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.fabrication.holding.held_shape import strayed
+from elastica_cad.fabrication.holding.tab_seat import TabSeat
+from elastica_cad.fabrication.holding.width_correction import correct_widths, width_basis
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.mechanics.rod.rod_record import Rod
+
+__all__ = ["compensate_widths"]
+
+ROUNDS = 10
+LEAST_STEP = 0.2  # of a correction: smaller parts of it change little
+LARGEST_GUESS = 0.5  # of the logarithm of a width's change
+ENOUGH_SHARE = 1e-5  # of the length: a deviation that needs no correction
+
+
+def compensate_widths(strip: Strip, start: TabSeat | None = None, end: TabSeat | None = None) -> Strip:
+    """The strip with widths that bring it, as it is made and held, back to its design.
+
+    Bent forward as made (`Strip.rest`) it strays; its widths are changed to first order, smoothly along the strip,
+    and that is repeated as long as it helps. What is left is `Strip.held().deviation`.
+
+    Parameters
+    ----------
+    strip : Strip
+    start, end : TabSeat, optional
+        What holds the ends.
+
+    Returns
+    -------
+    Strip
+        The same rod with another `correction`; the strip itself where nothing helps.
+
+    Examples
+    --------
+    >>> from elastica_cad.fabrication.strip.tabs import Tab
+    >>> from elastica_cad.fabrication.strip_spec import make_strip
+    >>> from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+    >>> arch = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
+    >>> tabs = (Tab(10, width=10), Tab(10, width=10))
+    >>> strip = make_strip(arch, "birch-plywood-0.8", max_width=30, ends=tabs)
+    >>> better = compensate_widths(strip)
+    >>> bool(better.held_deviation < strip.held_deviation / 5)
+    True
+    """
+    design = strip.coarse_rod
+    basis = width_basis(design.s)
+    # a first guess: as much wider as each place is softer, evened out along the strip
+    softer = -np.log(np.prod([np.ones(design.s.size), *strip.stiffness_shares.values()], axis=0))
+    even = basis @ np.linalg.lstsq(basis, softer - softer.mean(), rcond=None)[0]
+    best, least = strip, np.inf
+    change = kept = np.zeros(design.s.size)
+    step, share = np.clip(even, -LARGEST_GUESS, LARGEST_GUESS), 1.0
+    for _ in range(ROUNDS):
+        found = _rest(strip, change, start, end)
+        off = np.inf if found is None else strayed(design, found[1])
+        if found is not None and off < least:
+            (best, rest), least, kept, first = found, off, change, not change.any()
+            if off <= ENOUGH_SHARE * design.length:
+                break
+            share = 1.0
+            if not first:
+                step = correct_widths(rest, rest.position - design.position, basis)
+        elif share < LEAST_STEP:
+            break
+        else:
+            share /= 2
+        change = kept + share * step
+    return best
+
+
+def _rest(
+    strip: Strip, change: FloatArray, start: TabSeat | None, end: TabSeat | None
+) -> tuple[Strip, Rod] | None:
+    """The strip with its widths changed, and its shape as held; None where the style or the rest refuses it."""
+    try:
+        changed = strip
+        if change.any():
+            changed = replace(strip, correction=Profile.interpolate(strip.coarse_rod.s, np.exp(change)))
+        return changed, changed.rest(start, end)
+    except (InputError, NotConvergedError):
+        return None

@@ -1,0 +1,62 @@
+"""How widths must change for a strip that strays to come back to its design, to first order."""
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.mechanics.rod.banded_matrices import solve_tridiagonal
+from elastica_cad.mechanics.rod.rod_record import Rod
+
+__all__ = ["correct_widths", "width_basis"]
+
+SPACING_SHARE = 1 / 24  # of the length: between knots of a correction, so that outlines stay smooth
+SMOOTHING = 1e-3  # weight of the second differences of coefficients against the drift they remove
+SIZE = 1e-4  # weight of the coefficients themselves: of many corrections that serve, the smallest
+
+
+def width_basis(s: FloatArray) -> FloatArray:
+    """Cubic B-splines (n, m) at even stations s (n,) of a strip."""
+    from scipy.interpolate import BSpline
+
+    pieces = round(1 / SPACING_SHARE)
+    knots = np.concatenate([np.zeros(3), np.linspace(0.0, s[-1], pieces + 1), np.full(3, s[-1])])
+    return np.asarray(BSpline(knots, np.eye(pieces + 3), 3)(s))
+
+
+def correct_widths(made: Rod, drift: FloatArray, basis: FloatArray) -> FloatArray:
+    """Relative changes of width (n,) that take a drift back.
+
+    A change f of the width changes moment and weight by M f and p f at the same shape; the shape answers by
+    H d(alpha) + C^t d(lambda) = -d(imbalance), C d(alpha) = 0, with the Hessian H of the discrete energy (paper,
+    section 7.1) and the rows C of the ends. Many changes leave the shape alone (all that keep K kappa = M0 + <b,
+    gamma>); the smallest and smoothest one is taken.
+
+    Parameters
+    ----------
+    made : Rod
+        As made and held, in balance.
+    drift : (n, 2) array
+        Of its nodes from the design, mm.
+    basis : (n, m) array
+        Of the changes: see `width_basis`.
+    """
+    rod, n = made.discrete, made.s.size
+    diagonal, off = rod.hessian
+    moment = made.moment[:, None] * basis
+    load = np.zeros((n - 1, basis.shape[1], 2))
+    load[1:] = np.cumsum(made.nodal_load[1:-1, None, :] * basis[1:-1, :, None], axis=0)
+    tangents = rod.tangents
+    shear = load[..., 1] * tangents[:, None, 0] - load[..., 0] * tangents[:, None, 1]
+    lengths = rod.edge_lengths[:, None]
+    imbalance = moment[:-1] - moment[1:] + lengths * shear
+    rows = rod.constraint_rows
+    answers = solve_tridiagonal(diagonal, off, np.hstack([-imbalance, rows.T]))
+    free, forced = answers[:, : basis.shape[1]], answers[:, basis.shape[1] :]
+    turned = free - forced @ np.linalg.solve(rows @ forced, rows @ free) if len(rows) else free
+    normals = np.column_stack([-tangents[:, 1], tangents[:, 0]])
+    moved = np.cumsum(lengths[..., None] * turned[..., None] * normals[:, None, :], axis=0)
+    A = np.moveaxis(moved, 1, 2).reshape(-1, basis.shape[1])
+    scale = float(np.abs(A).max()) * np.sqrt(len(A))
+    bends = np.diff(np.eye(basis.shape[1]), n=2, axis=0)
+    system = np.concatenate([A, SMOOTHING * scale * bends, SIZE * scale * np.eye(basis.shape[1])])
+    wanted = np.concatenate([-drift[1:].ravel(), np.zeros(len(bends) + basis.shape[1])])
+    return np.asarray(basis @ np.linalg.lstsq(system, wanted, rcond=None)[0])
