@@ -13,8 +13,6 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.rod.rod_record import Rod
 
-__all__ = ["compensate_widths"]
-
 ROUNDS = 10
 LEAST_STEP = 0.2  # of a correction: smaller parts of it change little
 LARGEST_GUESS = 0.5  # of the logarithm of a width's change

@@ -6,8 +6,6 @@ from elastica_cad._types import FloatArray
 from elastica_cad.mechanics.rod.banded_matrices import solve_tridiagonal
 from elastica_cad.mechanics.rod.rod_record import Rod
 
-__all__ = ["correct_widths", "width_basis"]
-
 SPACING_SHARE = 1 / 24  # of the length: between knots of a correction, so that outlines stay smooth
 SMOOTHING = 1e-3  # weight of the second differences of coefficients against the drift they remove
 SIZE = 1e-4  # weight of the coefficients themselves: of many corrections that serve, the smallest

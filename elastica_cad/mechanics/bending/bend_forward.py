@@ -105,7 +105,7 @@ def bend(
     ends = rod.position[0], rod.position[-1]
     start, end = (own if given is None else given for given, own in zip((start, end), ends, strict=True))
     if samples is not None and samples != rod.s.size:
-        rod = _resample(rod, samples)
+        rod = resample(rod, samples)
     if not (gravity is None or isinstance(gravity, Gravity) or gravity == "keep"):
         raise InputError(f'gravity must be a Gravity record, None or "keep", not {gravity!r}')
     if side not in {None, 1, -1}:
@@ -238,7 +238,7 @@ def state_of(rod: Rod, system: RodSystem) -> RodState:
     return system.state(rod.discrete.angles, extra[list(system.held)])
 
 
-def _resample(rod: Rod, samples: int) -> Rod:
+def resample(rod: Rod, samples: int) -> Rod:
     """The same rod on another number of nodes: stiffness from its profile, the rest interpolated."""
     whole_number(samples, "samples", 4)
     s = np.linspace(0.0, rod.length, samples)
