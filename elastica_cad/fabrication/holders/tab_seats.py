@@ -22,7 +22,7 @@ Slotted: TypeAlias = BasePlate | Ring
 Key: TypeAlias = tuple[float, ...]
 
 
-def seat_in_slot(slot: TabSlot, plate: Slotted) -> TabSeat | None:
+def _seat_in_slot(slot: TabSlot, plate: Slotted) -> TabSeat | None:
     """The walls of a slot beside its tab, in the plane of the strip's curve; None for a tongue's slot."""
     tab = slot.tab
     if tab is None:
@@ -82,7 +82,7 @@ def _seated(holders: Iterable[object]) -> Iterator[tuple[PlacedTab, TabSeat]]:
             yield from _seated(holder.rails)
         elif isinstance(holder, BasePlate | Ring):
             for slot in holder.slots:
-                seat = seat_in_slot(slot, holder)
+                seat = _seat_in_slot(slot, holder)
                 if slot.tab is not None and seat is not None:
                     yield slot.tab, seat
 

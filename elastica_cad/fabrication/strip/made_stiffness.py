@@ -23,7 +23,7 @@ LEAST_SHARE = 0.01
 """Of the width: no less is counted as left, for a slot that reaches across."""
 
 
-def idle_width(slots: Sequence[Slot], width: Profile, s: FloatArray, *, slope: float) -> FloatArray:
+def _idle_width(slots: Sequence[Slot], width: Profile, s: FloatArray, *, slope: float) -> FloatArray:
     """Width (n,), mm, that carries nothing at the stations s (n,): the slots, and triangles beside them.
 
     Parameters
@@ -72,7 +72,7 @@ def stiffness_shares(
     width = layout.width(s)
     slope = dead_zone_slope(min(layout.sheet.poisson_ratio, 0.5))
     found = {
-        "slots": 1 - idle_width(slots, layout.width, s, slope=slope) / width if slots else None,
+        "slots": 1 - _idle_width(slots, layout.width, s, slope=slope) / width if slots else None,
         "narrow tabs": _beside_tabs(layout.width, tab_widths, s, slope),
         "leaning ligaments": _leaning(layout, s),
         "anticlastic bending": _anticlastic(rod, layout, s),
