@@ -1162,6 +1162,14 @@
         <source>Takes this feature's place and follows nothing any more</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>flat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>backing</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ElasticaBend</name>
@@ -2820,6 +2828,10 @@
     </message>
     <message>
         <source>%1: the slots of %2 and %3 run into each other near (%4, %5): give the strips narrower tabs or move them apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fit of the drawing</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1162,6 +1162,14 @@
         <source>Takes this feature's place and follows nothing any more</source>
         <translation>Tritt an die Stelle dieses Features und folgt nichts mehr</translation>
     </message>
+    <message>
+        <source>flat</source>
+        <translation>flach</translation>
+    </message>
+    <message>
+        <source>backing</source>
+        <translation>Verstärkung</translation>
+    </message>
 </context>
 <context>
     <name>ElasticaBend</name>
@@ -2821,6 +2829,10 @@
     <message>
         <source>%1: the slots of %2 and %3 run into each other near (%4, %5): give the strips narrower tabs or move them apart</source>
         <translation>%1: die Schlitze von %2 und %3 laufen bei (%4, %5) ineinander: den Streifen schmalere Laschen geben oder sie auseinanderrücken</translation>
+    </message>
+    <message>
+        <source>fit of the drawing</source>
+        <translation>Ausgleich der Zeichnung</translation>
     </message>
 </context>
 <context>

@@ -1162,6 +1162,14 @@
         <source>Takes this feature's place and follows nothing any more</source>
         <translation>取代此特征，且不再跟随任何对象</translation>
     </message>
+    <message>
+        <source>flat</source>
+        <translation>平面</translation>
+    </message>
+    <message>
+        <source>backing</source>
+        <translation>背层</translation>
+    </message>
 </context>
 <context>
     <name>ElasticaBend</name>
@@ -2821,6 +2829,10 @@
     <message>
         <source>%1: the slots of %2 and %3 run into each other near (%4, %5): give the strips narrower tabs or move them apart</source>
         <translation>%1：%2 与 %3 的槽在 (%4, %5) 附近相连：改窄插片，或移开</translation>
+    </message>
+    <message>
+        <source>fit of the drawing</source>
+        <translation>图形的拟合</translation>
     </message>
 </context>
 <context>

@@ -11,6 +11,7 @@ from freecad.elastica_wb.features.model import is_model, model_of
 from freecad.elastica_wb.features.proxy import Feature
 from freecad.elastica_wb.features.strip import is_strip, strip_of
 from freecad.elastica_wb.host.property_table import Property
+from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.view_providers import dress
 from freecad.elastica_wb.solving.strip_cache import flat_shape
 
@@ -48,7 +49,8 @@ def create(document: Any, strip: Any, layer: str = "Base") -> Any:
     FlatFeature(obj)
     obj.Strip = strip
     obj.Layer = layer
-    obj.Label = f"{strip.Label} {'flat' if layer == 'Base' else 'backing'}"
+    kind = translate("Elastica", "flat") if layer == "Base" else translate("Elastica", "backing")
+    obj.Label = f"{strip.Label} {kind}"
     obj.Placement = _beside(strip)
     group = strip.getParentGeoFeatureGroup()
     if group is not None and group.TypeId == "App::Part":

@@ -8,6 +8,7 @@ such as "The curve crosses itself (at %1 mm): ...", and a sentence is known agai
 """
 
 import re
+from dataclasses import dataclass
 from functools import lru_cache
 from xml.etree import ElementTree
 
@@ -20,9 +21,39 @@ CONTEXT = "ElasticaSentences"
 GAP = re.compile(r"%(\d)")
 BREAKS = ("\n", r"(?<=\.) (?=[A-Z])", "(?<=;) ")  # between sentences that were put together
 ONE = r"((?:(?!\. [A-Z]).)*?)"  # what fills a gap: no second sentence
-TELLING = (
-    12  # letters of a key that stands for a whole text; shorter ones are for parts that nothing else knows
-)
+TELLING = 12  # letters of a key that stands for a whole text; shorter ones are for parts of one
+
+
+@dataclass(frozen=True)
+class Key:
+    """What is known of a sentence: the texts between its gaps, the numbers of these, its translation."""
+
+    texts: tuple[str, ...]
+    gaps: tuple[str, ...]
+    words: str
+    pattern: re.Pattern[str]
+    letters: int
+
+    @classmethod
+    def of(cls, key: str, words: str) -> "Key":
+        """From the text of a translation file."""
+        parts = GAP.split(key)
+        texts = tuple(parts[0::2])
+        fill = ["(.*?)" if re.match(" [A-Z]", text) else ONE for text in texts[1:]]
+        pattern = "".join(
+            [re.escape(texts[0]), *(f + re.escape(t) for f, t in zip(fill, texts[1:], strict=True))]
+        )
+        letters = len(re.sub("[^a-zA-Z]", "", "".join(texts)))
+        return cls(texts, tuple(parts[1::2]), words, re.compile(pattern, re.DOTALL), letters)
+
+    def filled(self, sentence: str) -> dict[str, str] | None:
+        """What stands in the gaps; None for another sentence. Most are told apart without the pattern."""
+        if not (sentence.startswith(self.texts[0]) and sentence.endswith(self.texts[-1])):
+            return None
+        if not all(text in sentence for text in self.texts):
+            return None
+        match = self.pattern.fullmatch(sentence)
+        return None if match is None else dict(zip(self.gaps, match.groups(), strict=True))
 
 
 def translated(sentence: str) -> str:
@@ -45,25 +76,13 @@ def _language() -> str:
 
 
 @lru_cache(maxsize=2)
-def _keys(_language: str) -> list[tuple[str, re.Pattern[str], list[str], str]]:
-    """Beginning, pattern, numbers of the gaps and translation of every key; the longest come first."""
-    found = []
+def _keys(_language: str) -> list[Key]:
+    """All that are translated; the longest come first."""
     tree = ElementTree.parse(RESOURCES / "translations" / "Elastica.ts")
-    for context in tree.getroot().iter("context"):
-        for message in context.iter("message") if context.findtext("name") == CONTEXT else ():
-            key = message.findtext("source", "")
-            words = translate(CONTEXT, key)
-            if words != key:
-                text, *rest = GAP.split(key)
-                gaps = ["(.*?)" if re.match(" [A-Z]", part) else ONE for part in rest[1::2]]
-                ends = map(re.escape, rest[1::2])
-                pattern = re.escape(text) + "".join(g + end for g, end in zip(gaps, ends, strict=True))
-                found.append((text, re.compile(pattern, re.DOTALL), rest[0::2], words))
-    return sorted(found, key=lambda entry: -_letters(entry))
-
-
-def _letters(key: tuple[str, re.Pattern[str], list[str], str]) -> int:
-    return len(re.sub(r"[^a-zA-Z]", "", key[1].pattern.replace(ONE, "")))
+    contexts = [one for one in tree.getroot().iter("context") if one.findtext("name") == CONTEXT]
+    texts = [message.findtext("source", "") for one in contexts for message in one.iter("message")]
+    pairs = [(text, translate(CONTEXT, text)) for text in texts]
+    return sorted((Key.of(*pair) for pair in pairs if pair[0] != pair[1]), key=lambda key: -key.letters)
 
 
 @lru_cache(maxsize=500)
@@ -73,11 +92,10 @@ def _translated(sentence: str, language: str) -> str:
         return sentence
     for whole in (True, False):
         for key in keys:
-            start, pattern, numbers, words = key
-            match = pattern.fullmatch(sentence) if sentence.startswith(start) else None
-            if match is not None and (_letters(key) >= TELLING or not whole):
-                gaps = {n: _translated(gap, language) for n, gap in zip(numbers, match.groups(), strict=True)}
-                return GAP.sub(lambda gap, gaps=gaps: gaps.get(gap[1], gap[0]), words)
+            found = key.filled(sentence) if key.letters >= TELLING or not whole else None
+            if found is not None:
+                told = {gap: _translated(text, language) for gap, text in found.items()}
+                return GAP.sub(lambda gap, told=told: told.get(gap[1], gap[0]), key.words)
         for between in BREAKS:
             parts = re.split(between, sentence)
             if len(parts) > 1:
