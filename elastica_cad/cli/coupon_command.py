@@ -2,20 +2,26 @@
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import click
 
 from elastica_cad.cli.options import output_options
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.sheets.coupon import coupon_drawing
+from elastica_cad.fabrication.sheets.coupon import coupon_drawing, coupon_overhang
 from elastica_cad.files import save
 from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.sheet_library import library_folders
 from elastica_cad.mechanics.studies.calibration import calibrate_cantilever
+
+GUESSED_MPA, GUESSED_STRAIN = 4000.0, 0.004
+"""Of a sheet that nobody knows: E between card and plywood, for the length of its coupon; what most boards bear."""
 
 
 @click.command()
-@click.option("--sheet", required=True, metavar="NAME", help="The material, or the one most like it.")
+@click.option("--sheet", metavar="NAME|FILE",
+              help="The material, or the one most like it; of others give --thickness and --density.")  # fmt: skip
 @click.option("--overhang", type=float, metavar="MM", help="Longest free length [default: by the sheet].")
 @click.option(
     "--width", type=float, default=20.0, show_default=True, metavar="MM", help="Width of the coupon."
@@ -31,10 +37,14 @@ from elastica_cad.mechanics.studies.calibration import calibrate_cantilever
 @click.option("--density", type=float, metavar="KG/M3", help="Measured density [default: the sheet's].")
 @click.option("--least-radius", type=float, metavar="MM",
               help="Least radius that left no lasting bend [default: by the sheet's largest strain].")  # fmt: skip
+@click.option("--grain", type=click.Choice(["along", "across", "none"]),
+              help="How the coupon lies to the grain [default: as the sheet's].")  # fmt: skip
+@click.option("--kerf", type=float, metavar="MM", help="Width of the cut, measured [default: the sheet's].")
 @click.option("--name", help="What to call the measured sheet [default: my-NAME].")
+@click.option("--keep", is_flag=True, help="Write the measured sheet into the library, for every command.")
 @output_options
 def coupon(
-    sheet: str,
+    sheet: str | None,
     overhang: float | None,
     width: float,
     clamp: float,
@@ -43,7 +53,10 @@ def coupon(
     thickness: float | None,
     density: float | None,
     least_radius: float | None,
+    grain: str | None,
+    kerf: float | None,
     name: str | None,
+    keep: bool,
     force: bool,
     output: Path,
 ) -> None:
@@ -54,24 +67,26 @@ def coupon(
 
     \b
       elastica coupon --sheet card-200gsm --measured 160 74 --measured 160 71
+      elastica coupon --thickness 1.1 --density 720 --name felt          a sheet that is in no list
 
-    prints the stiffness and writes the sheet as NAME.toml, to be named as sheets_file in a design.
+    prints the stiffness and writes the sheet as NAME.toml, which every command takes: --sheet NAME.toml; with
+    --keep it joins the library, and --sheet NAME is enough.
     """
-    known = Sheet.named(sheet)
+    known = _known(sheet, thickness, density, name)
+    if name and ("/" in name or "\\" in name):
+        raise InputError(f"the name {name!r} is to name a file too: leave out / and \\")
     if measured:
-        if name and ("/" in name or "\\" in name):
-            raise InputError(f"the name {name!r} is to name a file too: leave out / and \\")
-        if thickness is not None:
-            known = replace(known, thickness=thickness, thickness_range=None)
-        if density is not None:
-            known = replace(known, density=density, density_range=None)
-        _calibrate(known, measured, reading_error, least_radius, name or f"my-{sheet}", output, force)
+        own = {
+            "grain": grain or known.grain,
+            "kerf": known.kerf if kerf is None else kerf,
+            "kind": known.kind,
+        }
+        folder = _kept() if keep else output
+        _calibrate(
+            known, measured, reading_error, least_radius, name or f"my-{known.name}", own, folder, force
+        )
         return
-    for value, option in (
-        (thickness, "--thickness"),
-        (density, "--density"),
-        (least_radius, "--least-radius"),
-    ):
+    for value, option in ((least_radius, "--least-radius"), (kerf, "--kerf"), (keep or None, "--keep")):
         if value is not None:
             raise InputError(f"{option} belongs to a measurement: give --measured OVERHANG DROOP too")
     drawing = coupon_drawing(known, overhang=overhang, width=width, clamp=clamp)
@@ -81,6 +96,44 @@ def coupon(
             save(drawing, workshop / file)
     for file in names:
         click.echo(f"wrote {output / file}")
+    free = coupon_overhang(known) if overhang is None else overhang
+    typed = (
+        f"--sheet {sheet}"
+        if sheet
+        else f"--thickness {thickness:g} --density {density:g} --name {known.name}"
+    )
+    click.echo(f"next: cut it, hang {free:g} mm of it over an edge, read the droop of its end in mm, and")
+    click.echo(f"  elastica coupon {typed} --measured {free:g} DROOP")
+
+
+def _known(sheet: str | None, thickness: float | None, density: float | None, name: str | None) -> Sheet:
+    """The sheet named, at the thickness and density measured; or a guess at one that nobody knows."""
+    if sheet is None:
+        if thickness is None or density is None:
+            raise InputError(
+                "name the material most like yours with --sheet NAME, or give --thickness MM and --density KG/M3 "
+                "of one that is in no list"
+            )
+        return Sheet(
+            name or "my-sheet",
+            thickness=thickness,
+            density=density,
+            youngs_modulus=GUESSED_MPA,
+            max_strain=GUESSED_STRAIN,
+        )
+    found = Sheet.named(sheet)
+    if thickness is not None:
+        found = replace(found, thickness=thickness, thickness_range=None)
+    return found if density is None else replace(found, density=density, density_range=None)
+
+
+def _kept() -> Path:
+    """The folder of the user's library."""
+    folder = next((place for place in library_folders() if place.suffix != ".toml"), None)
+    if folder is None:
+        raise InputError("--keep needs a folder: the variable ELASTICA_SHEETS names files only")
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder
 
 
 def _calibrate(
@@ -89,6 +142,7 @@ def _calibrate(
     reading_error: float,
     least_radius: float | None,
     name: str,
+    own: dict[str, Any],
     output: Path,
     force: bool,
 ) -> None:
@@ -100,14 +154,15 @@ def _calibrate(
         thickness=sheet.thickness,
         density=sheet.density,
     )
-    limit = {"max_strain": sheet.max_strain} if least_radius is None else {"least_radius": least_radius}
-    own = result.sheet(
-        name, **limit, kerf=sheet.kerf, poisson_ratio=sheet.poisson_ratio, grain=sheet.grain, kind=sheet.kind
+    limit: dict[str, Any] = (
+        {"max_strain": sheet.max_strain} if least_radius is None else {"least_radius": least_radius}
     )
+    found = result.sheet(name, **limit, poisson_ratio=sheet.poisson_ratio, **own)
     file = f"{name}.toml"
     with write_together(output, [file], force=force) as workshop:
-        (workshop / file).write_text(own.toml(), encoding="utf-8")
+        (workshop / file).write_text(found.toml(), encoding="utf-8")
     click.echo(str(result))
     click.echo(f"(in the list: {sheet.elasto_gravity_length:.2f} mm, E {sheet.youngs_modulus:.0f} MPa)\n")
-    click.echo(own.toml())
+    click.echo(found.toml())
     click.echo(f"wrote {output / file}")
+    click.echo(f"every command takes it: --sheet {name if output in library_folders() else output / file}")

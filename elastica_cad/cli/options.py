@@ -15,6 +15,7 @@ from elastica_cad.files import read_drawing
 from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, DrawnFile
 from elastica_cad.formats.file_access.source_file import LARGEST_FILE
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.theorem1.equilibrium_check import require_bendable
 
 F = TypeVar("F", bound=Callable[..., Any])
@@ -128,6 +129,29 @@ output_options = join_options(
     click.option("-o", "--output", type=click.Path(path_type=Path), default=Path(), help="Folder for files."),
 )
 """Where files are written, and over what."""
+
+
+def sheet_options(*, required: bool, use: str = "Material") -> Callable[[F], F]:
+    """The material, by name or from a file, and another thickness of it."""
+
+    return join_options(
+        click.option("--sheet", required=required, metavar="NAME|FILE",
+                     help=f"{use}: a name of `elastica sheets`, or a file of yours, my.toml or my.toml:NAME."),
+        click.option("--thickness", type=float, metavar="MM",
+                     help="Thickness, where it is not that of the sheet named."),
+    )  # fmt: skip
+
+
+def asked_sheet(chosen: Mapping[str, Any]) -> Sheet:
+    """The sheet that `sheet_options` name.
+
+    Raises
+    ------
+    InputError
+        No such sheet or file, or a thickness that no sheet has.
+    """
+    sheet = Sheet.named(chosen["sheet"])
+    return sheet if chosen["thickness"] is None else sheet.with_thickness(chosen["thickness"])
 
 
 def file_stem(path: Path, number: str | None = None) -> str:

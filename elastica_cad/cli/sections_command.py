@@ -9,7 +9,7 @@ from typing import Any
 import click
 import numpy as np
 
-from elastica_cad.cli.options import output_options, refuse_odd_numbers
+from elastica_cad.cli.options import asked_sheet, output_options, refuse_odd_numbers, sheet_options
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.files import read_surface
 from elastica_cad.formats.curve_files.json_curves import curves_json
@@ -31,7 +31,6 @@ from elastica_cad.forming.plane_sections.section_spec import (
     Surface,
 )
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
@@ -87,9 +86,7 @@ POSITIVE = click.FloatRange(0, min_open=True)
 @click.option("--tolerance", type=POSITIVE, default=0.3, show_default=True, metavar="MM",
               help="Largest distance of the curves from the sections.")  # fmt: skip
 @click.option("--wavelength", type=POSITIVE, metavar="MM", help="Smooth away waves shorter than this first.")
-@click.option(
-    "--sheet", metavar="NAME", help="Material of the strips: writes a design file for `elastica model`."
-)
+@sheet_options(required=False, use="Material of the strips, to write a design file for `elastica model`")
 @click.option("--max-width", type=POSITIVE, default=20.0, show_default=True, metavar="MM",
               help="Width of the strips' widest place, in the design file.")  # fmt: skip
 @click.option("--ratio", type=click.FloatRange(1), default=USUAL_RATIO, show_default=True, metavar="R",
@@ -112,7 +109,7 @@ def sections(mesh: Path, output: Path, force: bool, sheet: str | None, **chosen:
     """
     refuse_odd_numbers(chosen)
     if sheet is not None:
-        Sheet.named(sheet)
+        asked_sheet(chosen | {"sheet": sheet})
     require_file(mesh)
     named = {key: chosen[key] for key in ("unit", "scale") if chosen[key] is not None}
     family = _family_named(chosen)
@@ -127,7 +124,7 @@ def sections(mesh: Path, output: Path, force: bool, sheet: str | None, **chosen:
         click.echo(f"{curve.name}: {_told(curve)}")
     for text in reports:
         click.echo(f"Note: {text}{_option_for(text, chosen)}", err=True)
-    name, strips = f"{mesh.stem}-sections", None if sheet is None else _strip_keys(sheet, chosen)
+    name, strips = f"{mesh.stem}-sections", None if sheet is None else _strip_keys(sheet, chosen, output)
     for file in _write_files(name, curves, {"mesh": str(mesh)} | named, spec, strips, output, force):
         click.echo(f"wrote {output / file}")
     if sheet is None:
@@ -201,11 +198,13 @@ def _up(chosen: dict[str, Any], along: Any) -> Triple:
     return up
 
 
-def _strip_keys(sheet: str, chosen: dict[str, Any]) -> dict[str, Any]:
+def _strip_keys(sheet: str, chosen: dict[str, Any], output: Path) -> dict[str, Any]:
     """What a design file says of all strips."""
     limits = {"ratio": chosen["ratio"]}
     limits |= {} if chosen["margin"] is None else {"margin": chosen["margin"]}
-    strips: dict[str, Any] = {"sheet": sheet, "max_width": chosen["max_width"], "limits": limits}
+    strips: dict[str, Any] = {"sheet": _relative(sheet, output) if ".toml" in sheet else sheet}
+    strips |= {} if chosen["thickness"] is None else {"thickness": chosen["thickness"]}
+    strips |= {"max_width": chosen["max_width"], "limits": limits}
     return strips | ({"gravity": True} if chosen["gravity"] else {})
 
 

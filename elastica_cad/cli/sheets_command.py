@@ -2,15 +2,19 @@
 
 import click
 
-from elastica_cad.mechanics.material.sheet import Sheet, sheet_names
+from elastica_cad.mechanics.material.plywood_radii import PLYWOOD_SOURCE, least_plywood_radius
+from elastica_cad.mechanics.material.sheet import Sheet, library_sheets, sheet_names
+from elastica_cad.mechanics.material.sheet_library import library_folders
 
 
 @click.command()
 @click.argument("name", required=False)
 def sheets(name: str | None) -> None:
-    """List the built-in sheets, or all that is known of the sheet NAME, with its source.
+    """List all sheets, or all that is known of the sheet NAME (or of a file, my.toml), with its source.
 
-    Materials vary: cut a coupon and measure your own before a large job.
+    Materials vary: cut a coupon and measure your own before a large job. Sheets of your own are TOML files as
+    `elastica coupon` writes them: name one with --sheet my.toml, or put it into the library, a folder that the list
+    names (or that the environment variable ELASTICA_SHEETS does), and call it by its name.
     """
     if name is None:
         click.echo(
@@ -23,6 +27,9 @@ def sheets(name: str | None) -> None:
                 f"{100 * one.max_strain:8.2f} {one.least_radius:9.1f} {one.kerf:5.2f}"
             )
         click.echo("\nradius: the least advisable bending radius. Details and source: elastica sheets NAME")
+        click.echo(f"library: {', '.join(map(str, library_folders()))} ({len(library_sheets()[0])} sheets)")
+        for problem in library_sheets()[1]:
+            click.echo(f"Note: {problem}", err=True)
         return
     one = Sheet.named(name)
     rows = {
@@ -31,6 +38,7 @@ def sheets(name: str | None) -> None:
         "density": f"{one.density:g} kg/m3",
         "largest strain": f"{100 * one.max_strain:.3g} %",
         "least radius": f"{one.least_radius:.4g} mm",
+        **_published(one),
         "kerf": f"{one.kerf:g} mm",
         "grain": str(one.grain),
         "elasto-gravity length": f"{one.elasto_gravity_length:.4g} mm",
@@ -39,3 +47,12 @@ def sheets(name: str | None) -> None:
     click.echo(one.name)
     for label, text in rows.items():
         click.echo(f"  {label:22} {text}")
+
+
+def _published(sheet: Sheet) -> dict[str, str]:
+    """The published radii of plywood, along and across its face grain."""
+    along, across = (least_plywood_radius(sheet.thickness, way) for way in ("along", "across"))
+    if sheet.kind != "plywood" or along is None or across is None:
+        return {}
+    told = f"{along:.3g} mm along the face grain, {across:.3g} mm across it ({PLYWOOD_SOURCE})"
+    return {"published radius": told}

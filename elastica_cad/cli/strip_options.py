@@ -6,7 +6,14 @@ from typing import Any
 
 import click
 
-from elastica_cad.cli.options import join_options, refuse_odd_numbers, smooth_option, support_options
+from elastica_cad.cli.options import (
+    asked_sheet,
+    join_options,
+    refuse_odd_numbers,
+    sheet_options,
+    smooth_option,
+    support_options,
+)
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.strip.lamination import Laminated
@@ -56,7 +63,7 @@ class NotMetError(NotConvergedError):
 
 
 _WIDTHS = (
-    click.option("--sheet", required=True, metavar="NAME", help="Material; `elastica sheets` lists them."),
+    sheet_options(required=True),
     click.option("--max-width", type=float, metavar="MM", help="Width of the widest place."),
     click.option("--min-width", type=float, metavar="MM", help="Width of the narrowest place (or its limit)."),
 )  # fmt: skip
@@ -150,7 +157,7 @@ def spec_from_options(curve: PlaneCurve, label: str, chosen: Mapping[str, Any]) 
         Options that exclude each other, or what `StripSpec` refuses, with the options to look at.
     """
     refuse_odd_numbers(chosen)
-    sheet = Sheet.named(chosen["sheet"])
+    sheet = asked_sheet(chosen)
     limits, keep = _limits(chosen, sheet), _keep(chosen)
     if limits is None and keep is not None:
         raise InputError(

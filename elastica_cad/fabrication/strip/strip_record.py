@@ -36,6 +36,7 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Line
 from elastica_cad.mechanics.bending.bend_forward import bend, resample
+from elastica_cad.mechanics.material.plywood_radii import PLYWOOD_SOURCE
 from elastica_cad.mechanics.material.section_limits import LayerStrain
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
@@ -302,6 +303,15 @@ class Strip:
                     f"strain {100 * layer.largest:.2f} % at {s[at]:.1f} mm is beyond the {100 * layer.limit:.2f} % "
                     f"that {layer.name} bears: its radius there is {1 / bend[at]:.1f} mm, the least advisable "
                     f"{1 / bearable:.1f} mm; use a thinner sheet or a gentler curve"
+                )
+        tightest = int(np.argmax(bend))
+        for one, layer in zip(self.layers, self.strains, strict=False):
+            least = one.sheet.published_radius
+            if least is not None and not layer.exceeded and bend[tightest] * least > 1 + 1e-9:
+                found.append(
+                    f"it bends to a radius of {1 / bend[tightest]:.1f} mm at {s[tightest]:.1f} mm, but plywood of "
+                    f"{one.sheet.thickness:g} mm bends to {least:.1f} mm at least {one.sheet.grain} the face grain "
+                    f"({PLYWOOD_SOURCE}); use a thinner sheet or a gentler curve"
                 )
         return tuple(found)
 

@@ -52,7 +52,7 @@ def _read_base(
 ) -> tuple[Sheet, dict[str, Any], Nesting]:
     """Sheet and options of the base plate, or of two with a gap, and the sheets they are cut from."""
     sizes = ("play", "clearance", "slot_width", "border", "gap")
-    table.only("sheet", "height", "shape", "sheet_size", *sizes)
+    table.only("sheet", "thickness", "height", "shape", "sheet_size", *sizes)
     options: dict[str, Any] = {**table.numbers(*sizes)}
     options["frame"] = Frame((0.0, 0.0, table.number("height", 0.0)))
     options["shape"] = table.text("shape", "hull", ("hull", "rectangle"))
@@ -64,7 +64,7 @@ def _read_frame(
 ) -> tuple[Sheet, dict[str, Any], Nesting]:
     """Sheet and options of the slotted frame, and the sheets it is cut from."""
     sizes = ("depth", "tongue", "play", "clearance", "border")
-    table.only("sheet", "ribs", "sheet_size", *sizes)
+    table.only("sheet", "thickness", "ribs", "sheet_size", *sizes)
     options: dict[str, Any] = {**table.numbers(*sizes)}
     options["ribs"] = table.count("ribs", 3)
     return find_sheet(table, "sheet", sheets), options, _read_nesting(table, nesting)

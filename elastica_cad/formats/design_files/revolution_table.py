@@ -18,6 +18,9 @@ from elastica_cad.mechanics.material.sheet import Sheet
 NEAR_MM = 1e-3
 """A meridian this near to its points passes them: no cut is as exact."""
 
+USUAL_KEYS = (
+    "sheet", "thickness", "strips", "ring", "rings", "ends", "points", "curve", "shop", "anyway",
+)  # fmt: skip
 OWN_KEYS = ("a", "b", "start", "angle", "length")
 
 
@@ -88,7 +91,7 @@ def read_revolution(
     InputError
         Unknown keys, a meridian told in two ways or none, or one that cannot be; the place is named.
     """
-    table.only("sheet", "strips", "ring", "rings", "ends", "points", "curve", "shop", "anyway", *OWN_KEYS)
+    table.only(*USUAL_KEYS, *OWN_KEYS)
     ring = table.maybe("ring")
     ways = [way for way in ("points", "curve", "a") if table.has(way)]
     if len(ways) != 1:

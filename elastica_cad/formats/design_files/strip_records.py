@@ -57,7 +57,9 @@ def find_sheet(table: Table, key: str, sheets: dict[str, Sheet]) -> Sheet:
         raise InputError(f'{table.place(key)} is missing; name a sheet, e.g. sheet = "birch-plywood-0.8"')
     name = table.text(key)
     with table.naming(key):
-        return sheets[name] if name in sheets else Sheet.named(name)
+        found = sheets[name] if name in sheets else Sheet.named(name)
+        thickness = table.maybe("thickness") if key == "sheet" else None
+        return found if thickness is None else found.with_thickness(thickness)
 
 
 def read_supports(table: Table) -> Supports:

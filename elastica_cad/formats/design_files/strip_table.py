@@ -35,8 +35,8 @@ CurveReader: TypeAlias = Callable[..., list[PlaneCurve]]
 """`read_curves(path, unit=...)`."""
 
 MAKING_KEYS = (
-    "sheet", "max_width", "min_width", "gravity", "loads", "supports", "natural_curvature", "samples", "limits",
-    "keep", "ends", "style", "smooth", "shop", "anyway",
+    "sheet", "thickness", "max_width", "min_width", "gravity", "loads", "supports", "natural_curvature", "samples",
+    "limits", "keep", "ends", "style", "smooth", "shop", "anyway",
 )  # fmt: skip
 """Keys that may stand for all strips at the top of the file or for some in [[strips]]."""
 

@@ -1,16 +1,26 @@
 """Sheets that strips are cut from: thickness, elasticity, weight, strain limit and kerf."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from difflib import get_close_matches
-from math import isfinite
+from functools import lru_cache
 from pathlib import Path
 from typing import Any, Literal, TypeAlias, get_args
 
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
-from elastica_cad.mechanics.material.sheet_library import built_in_figures
+from elastica_cad.mechanics.material.plywood_radii import least_plywood_radius
+from elastica_cad.mechanics.material.sheet_keys import (
+    KEYS,
+    SCHEMA,
+    UNITS,
+    advise_key,
+    finite_number,
+    plausible_number,
+    quoted,
+)
+from elastica_cad.mechanics.material.sheet_library import built_in_figures, library_files
 
 Grain: TypeAlias = Literal["along", "across", "none"]
 Range: TypeAlias = tuple[float, float]
@@ -87,8 +97,8 @@ class Sheet:
     def __post_init__(self) -> None:
         if not isinstance(self.name, str) or not self.name.strip():
             raise InputError(f"a sheet needs a name, got {self.name!r}")
-        for field_name, unit in _UNITS.items():
-            value = _number(getattr(self, field_name), f"sheet {self.name!r}: {field_name}")
+        for field_name, unit in UNITS.items():
+            value = finite_number(getattr(self, field_name), f"sheet {self.name!r}: {field_name}")
             if value < 0 or (value == 0 and field_name != "kerf"):
                 least = "zero or positive" if field_name == "kerf" else "positive"
                 raise InputError(
@@ -96,7 +106,7 @@ class Sheet:
                 )
             object.__setattr__(self, field_name, value)
             self._check_range(field_name, value)
-        nu = _number(self.poisson_ratio, f"sheet {self.name!r}: poisson_ratio")
+        nu = finite_number(self.poisson_ratio, f"sheet {self.name!r}: poisson_ratio")
         if not 0 <= nu < 1:
             raise InputError(f"sheet {self.name!r}: poisson_ratio is {nu:g}; it must lie between 0 and 1")
         object.__setattr__(self, "poisson_ratio", nu)
@@ -106,7 +116,7 @@ class Sheet:
         object.__setattr__(self, "stock", sides or None)
         limits = {name: getattr(self, name) for name in ("least_width", "least_ligament", "least_bridge")}
         for limit, given in [*limits.items(), *(("stock", side) for side in sides)]:
-            if given is not None and not _number(given, f"sheet {self.name!r}: {limit}") > 0:
+            if given is not None and not finite_number(given, f"sheet {self.name!r}: {limit}") > 0:
                 raise InputError(f"sheet {self.name!r}: {limit} is {given:g}; it must be positive, in mm")
         if self.grain not in get_args(Grain):
             raise InputError(
@@ -120,7 +130,7 @@ class Sheet:
         where = f"sheet {self.name!r}: {field_name}_range"
         if not isinstance(given, list | tuple) or len(given) != 2:
             raise InputError(f"{where} is {given!r}; it must be two numbers, lowest and highest")
-        low, high = (_number(v, where) for v in given)
+        low, high = (finite_number(v, where) for v in given)
         if not 0 <= low <= value <= high:
             raise InputError(
                 f"{where} is {low:g} to {high:g}; it must hold {field_name} = {value:g}, lowest first"
@@ -128,20 +138,67 @@ class Sheet:
         object.__setattr__(self, f"{field_name}_range", (low, high))
 
     @classmethod
-    def named(cls, name: str) -> "Sheet":
-        """The built-in sheet called `name`; `sheet_names` lists them.
+    def named(cls, name: str, *, folder: Path | None = None) -> "Sheet":
+        """The sheet called `name`, built in or in the user's library, or the one in a file of sheets.
+
+        Parameters
+        ----------
+        name : str
+            A name that `sheet_names` lists; a file, "my.toml"; or one sheet of a file, "my.toml:NAME".
+        folder : Path, optional
+            Where files are looked for; the working folder unless given.
 
         Raises
         ------
         InputError
-            Unknown name; the message offers the nearest ones.
+            Unknown name, of which the nearest ones are offered; or a file that is not as `load_sheets` reads it.
         """
         figures = built_in_figures()
         if name in figures:
             return cls(name, **figures[name])
-        near = get_close_matches(str(name).lower(), figures, n=3, cutoff=0.4)
-        advice = f"did you mean {' or '.join(near)}?" if near else f"known sheets: {', '.join(figures)}"
-        raise InputError(f"unknown sheet {name!r}: {advice}")
+        if str(name).endswith(".toml") or ".toml:" in str(name):
+            return _sheet_of_file(str(name), folder)
+        own, problems = library_sheets()
+        if name in own:
+            return own[name]
+        known = [*own, *figures]
+        near = get_close_matches(str(name).lower(), known, n=3, cutoff=0.4)
+        advice = f"did you mean {' or '.join(near)}?" if near else f"known sheets: {', '.join(known)}"
+        raise InputError("; ".join((f"unknown sheet {name!r}: {advice}", *problems)))
+
+    def with_thickness(self, thickness: float) -> "Sheet":
+        """The same material at another thickness, mm; of plywood the strain limit follows the published radii.
+
+        Examples
+        --------
+        >>> thick = Sheet.named("birch-plywood-3").with_thickness(3.6)
+        >>> thick.name, round(thick.least_radius)
+        ('birch-plywood-3.6', 359)
+        """
+        changed = replace(self, thickness=thickness, thickness_range=None)
+        if changed.thickness == self.thickness:
+            return self
+        stem = self.name.removesuffix(f"-{self.thickness:g}")
+        before, after = self.published_radius, changed.published_radius
+        limit, spread = self.max_strain, self.max_strain_range
+        if before is not None and after is not None:
+            limit *= (changed.thickness / after) / (self.thickness / before)
+            spread = None
+        told = "; ".join(filter(None, (self.source, f"figures of {self.name} at another thickness")))
+        return replace(
+            changed,
+            name=f"{stem}-{changed.thickness:g}",
+            max_strain=limit,
+            max_strain_range=spread,
+            source=told,
+        )
+
+    @property
+    def published_radius(self) -> float | None:
+        """Least radius published for plywood of this thickness and grain, mm; None for other sheets."""
+        if self.kind != "plywood" or self.grain == "none":
+            return None
+        return least_plywood_radius(self.thickness, self.grain)
 
     @property
     def elasto_gravity_length(self) -> float:
@@ -164,35 +221,78 @@ class Sheet:
 
     def range_of(self, quantity: str) -> Range:
         """Lowest and highest `quantity` ("youngs_modulus", "thickness", ...); the number twice if certain."""
-        if quantity not in _UNITS:
-            raise InputError(f"a sheet has no range of {quantity!r}: use one of {', '.join(_UNITS)}")
+        if quantity not in UNITS:
+            raise InputError(f"a sheet has no range of {quantity!r}: use one of {', '.join(UNITS)}")
         given: Range | None = getattr(self, f"{quantity}_range")
         value = float(getattr(self, quantity))
         return (value, value) if given is None else given
 
     def toml(self) -> str:
         """The sheet as an entry of a sheets file, as `load_sheets` reads it."""
-        lines = [f"[sheets.{_quoted(self.name)}]"]
-        for key, (field_name, _) in _KEYS.items():
+        lines = [f"[sheets.{quoted(self.name)}]"]
+        for key, (field_name, _) in KEYS.items():
             value = getattr(self, field_name)
             if value is None or (field_name in ("kind", "source") and not value):
                 continue
             if isinstance(value, tuple):
                 lines.append(f"{key} = [{value[0]!r}, {value[1]!r}]")
             else:
-                lines.append(f"{key} = {_quoted(value) if isinstance(value, str) else repr(value)}")
+                lines.append(f"{key} = {quoted(value) if isinstance(value, str) else repr(value)}")
         return "\n".join(lines) + "\n"
 
 
 def sheet_names() -> list[str]:
-    """Names of the built-in sheets; `Sheet.named(name).source` says where the numbers come from.
+    """Names of the user's sheets and of the built-in ones; `Sheet.named(name).source` says where numbers come from.
 
     Examples
     --------
     >>> "birch-plywood-0.8" in sheet_names()
     True
     """
-    return list(built_in_figures())
+    return [*library_sheets()[0], *built_in_figures()]
+
+
+def library_sheets() -> tuple[Mapping[str, Sheet], tuple[str, ...]]:
+    """The sheets of the user's library by name, and a sentence for each file or sheet there that cannot be used.
+
+    The library is `elastica/sheets` in the user's folder for settings, or what the environment variable
+    `ELASTICA_SHEETS` names: folders of TOML files as `load_sheets` reads them. Names of built-in sheets are theirs.
+    """
+    own: dict[str, Sheet] = {}
+    problems: list[str] = []
+    for file in library_files():
+        try:
+            state = file.stat()
+            found = _library_file(file, state.st_mtime_ns, state.st_size)
+        except (InputError, OSError) as problem:
+            problems.append(str(problem))
+            continue
+        for name, sheet in found.items():
+            if name in built_in_figures() or name in own:
+                problems.append(f"{file}: the name {name!r} is taken: call that sheet otherwise")
+            else:
+                own[name] = sheet
+    return own, tuple(problems)
+
+
+@lru_cache(maxsize=64)
+def _library_file(path: Path, *_state: int) -> Mapping[str, Sheet]:
+    """The file as it is in this state; it is asked for often."""
+    return load_sheets(path)
+
+
+def _sheet_of_file(name: str, folder: Path | None) -> Sheet:
+    """The only sheet of "my.toml", or the one called NAME of "my.toml:NAME"."""
+    stem, sign, wanted = name.partition(".toml:")
+    path = (folder or Path()) / (f"{stem}.toml" if sign else name)
+    found = load_sheets(path)
+    if not wanted and len(found) == 1:
+        return next(iter(found.values()))
+    if wanted in found:
+        return found[wanted]
+    several = f"there is no sheet {wanted!r}" if wanted else f"there are {len(found)} sheets"
+    choices = " or ".join(f"{path.name}:{one}" for one in found)
+    raise InputError(f"{path}: {several}: name one, {choices}")
 
 
 def load_sheets(path: str | Path) -> dict[str, Sheet]:
@@ -257,9 +357,9 @@ def _sheet_from_entry(name: str, entry: object, file: str) -> Sheet:
         raise InputError(f"{where} must be a table [sheets.{name}], got {entry!r}")
     values: dict[str, Any] = {}
     for key, value in entry.items():
-        if key not in _KEYS:
-            raise InputError(f"{where}: unknown key {key!r}{_advice(key)}")
-        field_name, kind = _KEYS[key]
+        if key not in KEYS:
+            raise InputError(f"{where}: unknown key {key!r}{advise_key(key)}")
+        field_name, kind = KEYS[key]
         if kind == "text":
             if not isinstance(value, str):
                 raise InputError(f"{where}: {key} is {value!r}; it must be text in quotes")
@@ -267,9 +367,9 @@ def _sheet_from_entry(name: str, entry: object, file: str) -> Sheet:
         elif kind == "range":
             if not isinstance(value, list) or len(value) != 2:
                 raise InputError(f"{where}: {key} is {value!r}; it must be two numbers, [lowest, highest]")
-            values[field_name] = tuple(_plausible(v, key, where) for v in value)
+            values[field_name] = tuple(plausible_number(v, key, where) for v in value)
         else:
-            values[field_name] = _plausible(value, key, where)
+            values[field_name] = plausible_number(value, key, where)
     for key in ("thickness_mm", "youngs_modulus_MPa", "density_kg_m3", "max_strain"):
         if key not in entry:
             raise InputError(f"{where}: {key} is missing; give it a number")
@@ -277,89 +377,3 @@ def _sheet_from_entry(name: str, entry: object, file: str) -> Sheet:
         return Sheet(name=name, **values)
     except InputError as error:
         raise InputError(f"{file}: {error}") from error
-
-
-def _plausible(value: object, key: str, where: str) -> float:
-    """The number, unless it can only have been meant in another unit."""
-    number = _number(value, f"{where}: {key}")
-    low, high, hint = _PLAUSIBLE.get(key.replace("_range", ""), (float("-inf"), float("inf"), ""))
-    if not low <= number <= high and number > 0:
-        raise InputError(f"{where}: {key} = {number:g} looks like the wrong unit; {hint}")
-    return number
-
-
-def _advice(key: str) -> str:
-    """What was probably meant by an unknown key."""
-    for known in _KEYS:
-        stem = _KEYS[known][0]
-        if key.lower() == known.lower() or (
-            key.lower().startswith(stem) and "range" not in key.removeprefix(stem)
-        ):
-            return f"; write {known}{_PLAUSIBLE[known][2].join((' (', ')')) if known in _PLAUSIBLE else ''}"
-    near = get_close_matches(key, _KEYS, n=1, cutoff=0.5)
-    return f"; did you mean {near[0]}?" if near else f"; known keys are {', '.join(_KEYS)}"
-
-
-def _number(value: Any, where: str) -> float:
-    if isinstance(value, bool | str | bytes) or value is None:
-        raise InputError(f"{where} is {value!r}; it must be a number")
-    try:
-        number = float(value)
-    except (TypeError, ValueError) as error:
-        raise InputError(f"{where} is {value!r}; it must be a number") from error
-    if not isfinite(number):
-        raise InputError(f"{where} is {number}; it must be a finite number")
-    return number
-
-
-def _quoted(text: str) -> str:
-    """A TOML basic string."""
-    import json
-
-    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
-
-
-SCHEMA = 1
-
-_UNITS = {
-    "thickness": "mm",
-    "youngs_modulus": "MPa",
-    "density": "kg/m3",
-    "max_strain": "parts of the length (0.01 = 1 %)",
-    "kerf": "mm",
-}
-
-# key in the file -> (field, kind)
-_KEYS: dict[str, tuple[str, str]] = {
-    "thickness_mm": ("thickness", "number"),
-    "youngs_modulus_MPa": ("youngs_modulus", "number"),
-    "density_kg_m3": ("density", "number"),
-    "max_strain": ("max_strain", "number"),
-    "kerf_mm": ("kerf", "number"),
-    "poisson_ratio": ("poisson_ratio", "number"),
-    "grain": ("grain", "text"),
-    "kind": ("kind", "text"),
-    "source": ("source", "text"),
-    "thickness_range_mm": ("thickness_range", "range"),
-    "youngs_modulus_range_MPa": ("youngs_modulus_range", "range"),
-    "density_range_kg_m3": ("density_range", "range"),
-    "max_strain_range": ("max_strain_range", "range"),
-    "kerf_range_mm": ("kerf_range", "range"),
-    "least_width_mm": ("least_width", "number"),
-    "least_ligament_mm": ("least_ligament", "number"),
-    "least_bridge_mm": ("least_bridge", "number"),
-    "stock_mm": ("stock", "range"),
-}
-
-# key -> (lowest, highest that any sheet has, what the unit is)
-_PLAUSIBLE: dict[str, tuple[float, float, str]] = {
-    "thickness_mm": (1e-3, 1e3, "millimetres: 0.8 for a 0.8 mm sheet"),
-    "youngs_modulus_MPa": (0.1, 1.5e6, "N/mm2: 9000 for 9 GPa"),
-    "density_kg_m3": (5.0, 25000.0, "kg/m3: 680 for 0.68 g/cm3"),
-    "max_strain": (1e-6, 0.4, "a fraction: 0.008 for 0.8 %"),
-    "kerf_mm": (0.0, 20.0, "millimetres: 0.15 for a fine laser"),
-    "least_width_mm": (1e-2, 1e3, "millimetres: 3 for plywood"),
-    "least_ligament_mm": (1e-2, 1e3, "millimetres: 0.5 for card"),
-    "least_bridge_mm": (1e-2, 1e3, "millimetres: 3 for a board of 3 mm"),
-    "stock_mm": (10.0, 1e5, "millimetres: [1250, 2500]"),
-}

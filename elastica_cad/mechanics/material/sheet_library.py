@@ -1,10 +1,15 @@
-"""The built-in sheets: the figures of `sheets.toml`, with their sources and how far they spread."""
+"""The built-in sheets, the figures of `sheets.toml` with their sources; and where a user keeps his own."""
 
+import os
+import sys
 from collections.abc import Iterator, Mapping
 from functools import lru_cache
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
+
+LIBRARY_VARIABLE = "ELASTICA_SHEETS"
+"""Environment variable that names other folders of sheets, or files, as PATH does."""
 
 _WORDS = ("kind", "grain", "poisson_ratio")  # keys that are fields of `Sheet` as they stand
 _LIMITS = ("least_width_mm", "least_ligament_mm", "least_bridge_mm")
@@ -54,12 +59,46 @@ def _sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict[str, 
                 sources.append(f"{label} not published: measure it on a coupon")
                 continue
             figure = entry[key]
-            value = figure["value"][i] if isinstance(figure["value"], list) else figure["value"]
+            value, lowest = (
+                given[i] if isinstance(given, list) else given
+                for given in (figure["value"], figure.get("lowest"))
+            )
             fields[field] = value
             if "range" in figure:
                 fields[f"{field}_range"] = tuple(figure["range"])
-            elif "lowest" in figure:
-                fields[f"{field}_range"] = (figure["lowest"], value)
+            elif lowest is not None:
+                fields[f"{field}_range"] = (lowest, value)
             if "source" in figure:
                 sources.append(f"{label}: {figure['source']}")
         yield entry.get("name", f"{table}-{thickness:g}"), {**fields, "source": "; ".join(sources)}
+
+
+def library_folders() -> tuple[Path, ...]:
+    """Where a user keeps sheets of his own: folders of TOML files, or such files.
+
+    Those of the environment variable `ELASTICA_SHEETS`; without it `elastica/sheets` in the folder for settings:
+    `%APPDATA%` on Windows, `~/Library/Application Support` on macOS, `$XDG_CONFIG_HOME` or `~/.config` elsewhere.
+    """
+    named = [part for part in os.environ.get(LIBRARY_VARIABLE, "").split(os.pathsep) if part.strip()]
+    if named:
+        return tuple(Path(part.strip()).expanduser() for part in named)
+    try:
+        home = Path.home()
+    except RuntimeError:  # nobody's process
+        return ()
+    if sys.platform == "win32":
+        settings = Path(os.environ.get("APPDATA") or home / "AppData" / "Roaming")
+    elif sys.platform == "darwin":
+        settings = home / "Library" / "Application Support"
+    else:
+        settings = Path(os.environ.get("XDG_CONFIG_HOME") or home / ".config")
+    return (settings / "elastica" / "sheets",)
+
+
+def library_files() -> tuple[Path, ...]:
+    """The user's files of sheets, in the order of folders and names."""
+    return tuple(
+        file
+        for place in library_folders()
+        for file in (sorted(place.glob("*.toml")) if place.is_dir() else [place] if place.is_file() else [])
+    )

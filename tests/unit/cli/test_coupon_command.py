@@ -37,7 +37,8 @@ def test_a_measured_coupon_becomes_a_sheet(tmp_path):
     ("arguments", "message"),
     [
         (("--sheet", "paper"), "unknown sheet 'paper'"),
-        (("--sheet", "card-200gsm", "--density", 900), "--density belongs to a measurement"),
+        (("--sheet", "card-200gsm", "--kerf", 0.1), "--kerf belongs to a measurement"),
+        ((), "give --thickness MM and --density KG/M3 of one that is in no list"),
         (("--sheet", "card-200gsm", "--measured", 100, 120), "a droop of 120 mm is more than"),
         (("--sheet", "card-200gsm", "--measured", 160, 74, "--density", 0), "density is 0"),
         (("--sheet", "card-200gsm", "--measured", 160, 74, "--thickness", 0), "thickness is 0"),
@@ -49,3 +50,52 @@ def test_coupons_refuse_in_words(arguments, message):
     result = run("coupon", *arguments)
     assert result.exit_code == 2
     assert message in result.stderr
+
+
+def test_from_an_unknown_board_to_a_sheet_that_every_command_takes(tmp_path, monkeypatch):
+    """No list has it: a coupon, a reading, a file; then all commands take it, and by name from the library."""
+    library = tmp_path / "library"
+    monkeypatch.setenv("ELASTICA_SHEETS", str(library))
+    monkeypatch.chdir(tmp_path)
+    begun = run("coupon", "--thickness", 1.1, "--density", 720, "--name", "felt", "--overhang", 200)
+    assert begun.exit_code == 0, begun.output
+    assert (tmp_path / "coupon-felt.dxf").exists()
+    next_words = "elastica coupon --thickness 1.1 --density 720 --name felt --measured 200 DROOP"
+    assert next_words in begun.output
+    droop = float(ec.mechanics.cantilever_droop(200.0, 210.0))
+    words = [*next_words.split()[1:-1], droop, "--grain", "across", "--kerf", 0.2, "--least-radius", 60]
+    library.mkdir()
+    for kept, name in ((), "felt.toml"), (("--keep",), "felt"):
+        made = run(*words, *kept)
+        assert made.exit_code == 0, made.output
+        assert f"every command takes it: --sheet {name}\n" in made.output
+        told = run("sheets", name).output
+        assert "0.2 mm" in told
+        assert "across" in told
+    sheet = ec.Sheet.named("felt.toml")
+    assert sheet == ec.Sheet.named("felt")
+    assert (sheet.grain, sheet.kerf) == ("across", 0.2)
+    assert "felt " in run("sheets").output
+    ec.write_curves([ec.PlaneCurve.spline([(0, 0), (60, 120), (200, 150), (300, 0)], degree=3)], "arch.dxf")
+    assert run("new", "sections").exit_code == 0
+    design = (tmp_path / "sections.toml").read_text().replace("card-200gsm", "felt.toml")
+    (tmp_path / "deep").mkdir()
+    (tmp_path / "deep" / "felt.toml").write_text((tmp_path / "felt.toml").read_text())
+    (tmp_path / "deep" / "bowl.obj").write_bytes((tmp_path / "bowl.obj").read_bytes())
+    (tmp_path / "deep" / "sections.toml").write_text(
+        design.replace("max_width", "thickness = 0.9\nmax_width")
+    )
+    for command in (
+        "strip arch.dxf --max-width 30 --sheet felt.toml -o a",
+        "strip arch.dxf --max-width 30 --sheet felt --thickness 0.9 --kerf sheet -o b",
+        "bend arch.dxf --max-width 30 --sheet felt --thickness 0.9 --to 280 0 -o c",
+        "sections bowl.obj --unit mm --radial 3 --sheet felt.toml --thickness 0.9 -o d",
+        "model deep/sections.toml --no-step --no-pictures --no-parts -o e",
+        "coupon --sheet felt -o f",
+    ):
+        done = run(*command.split())
+        assert done.exit_code == 0, f"{command}\n{done.output}"
+    assert 'sheet = "../felt.toml"' in (tmp_path / "d" / "bowl-sections.toml").read_text()
+    assert run("model", "d/bowl-sections.toml", "--no-step", "--no-pictures", "-o", "g").exit_code == 0
+    cut = (tmp_path / "e" / "sections-cut-list.csv").read_text()
+    assert ",felt-0.9,0.9," in cut

@@ -1,10 +1,14 @@
+import os
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.mechanics.material.sheet import _KEYS, Sheet, load_sheets, sheet_names
+from elastica_cad.mechanics.material.plywood_radii import least_plywood_radius
+from elastica_cad.mechanics.material.sheet import Sheet, library_sheets, load_sheets, sheet_names
+from elastica_cad.mechanics.material.sheet_keys import KEYS
+from elastica_cad.mechanics.material.sheet_library import library_files, library_folders
 
 pytestmark = pytest.mark.core
 
@@ -43,6 +47,9 @@ def test_stiffness_and_radius():
 @pytest.mark.parametrize(("thickness", "radius"), [(0.89, 51.0), (1.78, 132.0), (2.54, 218.0), (3.18, 305.0)])
 def test_plywood_follows_the_published_bend_radii(thickness, radius):
     strains = {Sheet.named(n).thickness: Sheet.named(n).max_strain for n in sheet_names() if "birch" in n}
+    thick = {h: strains.pop(h) for h in (4.0, 6.0)}
+    for h, strain in thick.items():
+        assert h / (2 * strain) == pytest.approx(least_plywood_radius(h, "along"), rel=1e-3)
     h = np.array(sorted(strains))
     expected = np.interp(h, [0.89, 1.78, 2.54, 3.18], [0.89 / 102, 1.78 / 264, 2.54 / 436, 3.18 / 610])
     assert [strains[t] for t in h] == pytest.approx(expected)
@@ -103,7 +110,7 @@ def test_impossible_sheets_are_refused(change, words):
 
 
 def test_every_field_has_a_key_in_the_file():
-    assert {name for name, _ in _KEYS.values()} == set(Sheet.__dataclass_fields__) - {"name"}
+    assert {name for name, _ in KEYS.values()} == set(Sheet.__dataclass_fields__) - {"name"}
 
 
 def test_sheets_file_round_trip(tmp_path):
@@ -151,3 +158,85 @@ def test_sheets_file_that_cannot_be_read(tmp_path):
     (tmp_path / "b.toml").write_bytes(b"\xff\xfe\x00")
     with pytest.raises(InputError, match="not a TOML file"):
         load_sheets(tmp_path / "b.toml")
+
+
+@pytest.mark.parametrize(
+    ("inches", "along", "across"),
+    [(0.035, 2.0, 1.1), (0.125, 12.0, 7.1), (0.225, 27.0, 17.0), (0.250, 31.0, 20.0), (0.375, 54.0, 36.0)],
+)
+def test_the_published_radii_of_aircraft_plywood(inches, along, across):
+    """Rows of FAA AC 43.13-1B, table 1-2."""
+    assert least_plywood_radius(25.4 * inches, "along") == pytest.approx(25.4 * along)
+    assert least_plywood_radius(25.4 * inches, "across") == pytest.approx(25.4 * across)
+
+
+def test_radii_grow_with_thickness_and_end_with_the_table():
+    found = [least_plywood_radius(h, "along") for h in np.linspace(0.8, 9.5, 60)]
+    assert np.all(np.diff(found) > 0)
+    assert least_plywood_radius(0.4, "along") is least_plywood_radius(12.0, "across") is None
+    assert Sheet.named("pom-0.5").published_radius is None
+    assert Sheet.named("birch-plywood-6").published_radius == pytest.approx(730.6, abs=0.1)
+
+
+def test_another_thickness_of_the_same_material():
+    thin, thick = (
+        Sheet.named("pom-0.5").with_thickness(0.75),
+        Sheet.named("birch-plywood-3").with_thickness(6),
+    )
+    assert (thin.name, thin.thickness, thin.max_strain) == (
+        "pom-0.75",
+        0.75,
+        Sheet.named("pom-0.5").max_strain,
+    )
+    assert "figures of pom-0.5 at another thickness" in thin.source
+    assert thick.max_strain == pytest.approx(Sheet.named("birch-plywood-6").max_strain, rel=0.01)
+    assert Sheet.named("pom-1").with_thickness(1.0) is not None
+    with pytest.raises(InputError, match="thickness is -1"):
+        Sheet.named("pom-1").with_thickness(-1)
+
+
+def test_the_library_of_a_user(tmp_path, monkeypatch):
+    """Folders and files that the variable names; bad ones are told and do not hide the others."""
+    folder = tmp_path / "mine"
+    folder.mkdir()
+    (folder / "a.toml").write_text(f"[sheets.oak]\n{ENTRY}[sheets.pom-1]\n{ENTRY}")
+    (folder / "b.toml").write_text("[sheets.ash]\nthickness = 3\n")
+    monkeypatch.setenv("ELASTICA_SHEETS", f"{folder}{os.pathsep}{tmp_path / 'nowhere'}")
+    assert sheet_names()[0] == "oak"
+    assert "ash" not in sheet_names()
+    assert Sheet.named("oak") == Sheet("oak", **PLY)
+    assert Sheet.named("pom-1").youngs_modulus > 1000
+    problems = library_sheets()[1]
+    assert any("the name 'pom-1' is taken" in text for text in problems)
+    assert any("b.toml: sheet 'ash': unknown key 'thickness'" in text for text in problems)
+    with pytest.raises(InputError, match=r"unknown sheet 'ash'.*b.toml"):
+        Sheet.named("ash")
+    (folder / "a.toml").write_text(f"[sheets.elm]\n{ENTRY}")
+    assert sheet_names()[0] == "elm"
+    monkeypatch.setenv("ELASTICA_SHEETS", str(folder / "a.toml"))
+    assert sheet_names()[0] == "elm"
+
+
+@pytest.mark.parametrize(
+    ("platform", "variable", "place"),
+    [("linux", "XDG_CONFIG_HOME", "elastica/sheets"), ("win32", "APPDATA", "elastica/sheets")],
+)
+def test_where_the_library_is(platform, variable, place, tmp_path, monkeypatch):
+    monkeypatch.delenv("ELASTICA_SHEETS", raising=False)
+    monkeypatch.setattr("sys.platform", platform)
+    monkeypatch.setenv(variable, str(tmp_path))
+    assert library_folders() == (tmp_path / place,)
+    assert library_files() == ()
+
+
+def test_a_sheet_of_a_file(tmp_path):
+    path = written(tmp_path, f"[sheets.mine]\n{ENTRY}")
+    assert Sheet.named(str(path)) == Sheet.named("sheets.toml", folder=tmp_path) == Sheet("mine", **PLY)
+    written(tmp_path, f"[sheets.mine]\n{ENTRY}[sheets.other]\n{ENTRY}")
+    assert Sheet.named(f"{path}:other").name == "other"
+    with pytest.raises(
+        InputError, match=r"there are 2 sheets: name one, sheets.toml:mine or sheets.toml:other"
+    ):
+        Sheet.named(str(path))
+    with pytest.raises(InputError, match="there is no sheet 'third'"):
+        Sheet.named(f"{path}:third")

@@ -1,0 +1,93 @@
+"""Keys of a file of sheets: what field each sets, in which unit, and which values can be meant."""
+
+from difflib import get_close_matches
+from math import isfinite
+from typing import Any
+
+from elastica_cad.errors import InputError
+
+SCHEMA = 1
+
+UNITS = {
+    "thickness": "mm",
+    "youngs_modulus": "MPa",
+    "density": "kg/m3",
+    "max_strain": "parts of the length (0.01 = 1 %)",
+    "kerf": "mm",
+}
+
+# key in the file -> (field, kind)
+KEYS: dict[str, tuple[str, str]] = {
+    "thickness_mm": ("thickness", "number"),
+    "youngs_modulus_MPa": ("youngs_modulus", "number"),
+    "density_kg_m3": ("density", "number"),
+    "max_strain": ("max_strain", "number"),
+    "kerf_mm": ("kerf", "number"),
+    "poisson_ratio": ("poisson_ratio", "number"),
+    "grain": ("grain", "text"),
+    "kind": ("kind", "text"),
+    "source": ("source", "text"),
+    "thickness_range_mm": ("thickness_range", "range"),
+    "youngs_modulus_range_MPa": ("youngs_modulus_range", "range"),
+    "density_range_kg_m3": ("density_range", "range"),
+    "max_strain_range": ("max_strain_range", "range"),
+    "kerf_range_mm": ("kerf_range", "range"),
+    "least_width_mm": ("least_width", "number"),
+    "least_ligament_mm": ("least_ligament", "number"),
+    "least_bridge_mm": ("least_bridge", "number"),
+    "stock_mm": ("stock", "range"),
+}
+
+# key -> (lowest, highest that any sheet has, what the unit is)
+PLAUSIBLE: dict[str, tuple[float, float, str]] = {
+    "thickness_mm": (1e-3, 1e3, "millimetres: 0.8 for a 0.8 mm sheet"),
+    "youngs_modulus_MPa": (0.1, 1.5e6, "N/mm2: 9000 for 9 GPa"),
+    "density_kg_m3": (5.0, 25000.0, "kg/m3: 680 for 0.68 g/cm3"),
+    "max_strain": (1e-6, 0.4, "a fraction: 0.008 for 0.8 %"),
+    "kerf_mm": (0.0, 20.0, "millimetres: 0.15 for a fine laser"),
+    "least_width_mm": (1e-2, 1e3, "millimetres: 3 for plywood"),
+    "least_ligament_mm": (1e-2, 1e3, "millimetres: 0.5 for card"),
+    "least_bridge_mm": (1e-2, 1e3, "millimetres: 3 for a board of 3 mm"),
+    "stock_mm": (10.0, 1e5, "millimetres: [1250, 2500]"),
+}
+
+
+def plausible_number(value: object, key: str, where: str) -> float:
+    """The number, unless it can only have been meant in another unit."""
+    number = finite_number(value, f"{where}: {key}")
+    low, high, hint = PLAUSIBLE.get(key.replace("_range", ""), (float("-inf"), float("inf"), ""))
+    if not low <= number <= high and number > 0:
+        raise InputError(f"{where}: {key} = {number:g} looks like the wrong unit; {hint}")
+    return number
+
+
+def advise_key(key: str) -> str:
+    """What was probably meant by an unknown key."""
+    for known in KEYS:
+        stem = KEYS[known][0]
+        if key.lower() == known.lower() or (
+            key.lower().startswith(stem) and "range" not in key.removeprefix(stem)
+        ):
+            return f"; write {known}{PLAUSIBLE[known][2].join((' (', ')')) if known in PLAUSIBLE else ''}"
+    near = get_close_matches(key, KEYS, n=1, cutoff=0.5)
+    return f"; did you mean {near[0]}?" if near else f"; known keys are {', '.join(KEYS)}"
+
+
+def finite_number(value: Any, where: str) -> float:
+    """The number, unless it is none or not finite."""
+    if isinstance(value, bool | str | bytes) or value is None:
+        raise InputError(f"{where} is {value!r}; it must be a number")
+    try:
+        number = float(value)
+    except (TypeError, ValueError) as error:
+        raise InputError(f"{where} is {value!r}; it must be a number") from error
+    if not isfinite(number):
+        raise InputError(f"{where} is {number}; it must be a finite number")
+    return number
+
+
+def quoted(text: str) -> str:
+    """A TOML basic string."""
+    import json
+
+    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
