@@ -10,9 +10,11 @@ import numpy as np
 
 from elastica_cad.cli.options import (
     END_NAMES,
+    asked_sheet,
     curve_argument,
     output_options,
     pick_curve,
+    sheet_options,
     smooth_option,
     unit_option,
     which_options,
@@ -22,10 +24,11 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.travel import Travel, bend_strip
 from elastica_cad.formats.curve_files.json_curves import curves_json
 from elastica_cad.formats.file_access.file_transaction import write_together
+from elastica_cad.forming.limits import Limits
+from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import RodSpec, accepted_rod
 from elastica_cad.mechanics.bending.bend_forward import bend_path
 from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
 
@@ -35,8 +38,9 @@ from elastica_cad.mechanics.stability.stability_verdict import Stability, stabil
 @click.option("--straight", type=float, metavar="MM", help="A straight strip of even width instead of CURVE.")
 @which_options
 @smooth_option
+@click.option("--nearest", is_flag=True, help="Where no strip takes CURVE, bend that of the nearest curve.")
 @unit_option
-@click.option("--sheet", metavar="NAME", help="Material, for its weight; `elastica sheets` lists them.")
+@sheet_options(required=False, use="Material, for weight and forces")
 @click.option(
     "--max-width",
     type=float,
@@ -77,6 +81,8 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
         raise InputError("name a CURVE, or give the length of a straight strip with --straight MM")
     if chosen["gravity"] and chosen["sheet"] is None:
         raise InputError("--gravity needs to know the material: add --sheet NAME")
+    if chosen["thickness"] is not None and chosen["sheet"] is None:
+        raise InputError("--thickness is of a material: add --sheet NAME")
     if chosen["max_width"] is not None and chosen["sheet"] is None:
         raise InputError("--max-width tells newtons of a material: add --sheet NAME")
     rod = _rod(curve, chosen)
@@ -88,7 +94,7 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
         shapes = bend_path(rod, _steps(rod, chosen), side=side)
         verdicts = [stability(shape) for shape in shapes]
     else:
-        strip = Strip(rod, Sheet.named(chosen["sheet"]), max_width=chosen["max_width"])
+        strip = Strip(rod, asked_sheet(chosen), max_width=chosen["max_width"])
         moved = bend_strip(strip, _steps(rod, chosen), side=side)
         shapes, verdicts = moved.rods, moved.verdicts
     _tell(rod, shapes, verdicts)
@@ -100,15 +106,19 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
 
 def _rod(curve: Path | None, chosen: dict[str, Any]) -> Rod:
     """The strip before it is moved."""
-    sheet = None if chosen["sheet"] is None else Sheet.named(chosen["sheet"])
+    sheet = None if chosen["sheet"] is None else asked_sheet(chosen)
     gravity = sheet.gravity(chosen["down"]) if sheet is not None and chosen["gravity"] else None
     if curve is None:
         return Rod.straight(chosen["straight"], gravity=gravity)
     drawn = pick_curve(curve, chosen["number"], chosen["unit"], chosen["layer"])
-    spec = RodSpec(drawn, gravity, smooth=chosen["smooth"])
+    limits = Limits() if chosen["nearest"] else None
+    spec = RodSpec(drawn, gravity, smooth=chosen["smooth"], limits=limits)
     for note in spec.smoothing.notes:
         click.echo(note)
-    return accepted_rod(spec.solve())
+    found = spec.solve()
+    if isinstance(found, NearestRod):
+        click.echo(f"the strip is {found.deviation:.2g} mm off the drawn curve at most")
+    return accepted_rod(found)
 
 
 def _steps(rod: Rod, chosen: dict[str, Any]) -> list[dict[str, Any]]:
@@ -147,7 +157,11 @@ def _tell(rod: Rod, shapes: Sequence[Rod], verdicts: Sequence[Stability]) -> Non
         low, high = shape.position.min(axis=0), shape.position.max(axis=0)
         kappa = float(np.abs(shape.curvature).max())
         bent = f"least radius {1 / kappa:.4g} mm" if kappa * shape.length > 1e-6 else "straight"
-        stays = f"stable, margin {verdict.margin:.3g}" if verdict.stable else "unstable: it snaps away"
+        stays = (
+            f"stable, margin {verdict.margin:.3g} ({verdict.word})"
+            if verdict.stable
+            else "unstable: it snaps away"
+        )
         click.echo(
             f"({x0:.2f}, {y0:.2f}) to ({x1:.2f}, {y1:.2f}): {high[0] - low[0]:.2f} by {high[1] - low[1]:.2f} mm, "
             f"{bent}, {stays}"

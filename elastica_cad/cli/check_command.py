@@ -6,6 +6,7 @@ from typing import Any
 
 import click
 
+from elastica_cad.cli.cures import cure_for_curve
 from elastica_cad.cli.options import (
     bendable_curve,
     curve_options,
@@ -67,7 +68,9 @@ def check(
     else:
         for one, answer in answers:
             head = f"{curve.name}, {one.called} of {len(drawing)}:\n" if len(drawing) > 1 else ""
-            said = " ".join([answer["advice"], *answer.get("notes", ())])
+            said = " ".join(
+                filter(None, (answer["advice"], *answer.get("notes", ()), answer.get("cure", "")))
+            )
             click.echo(said if "problem" in answer else f"{head}{said}", err="problem" in answer)
     if worst:
         ctx.exit(worst)
@@ -89,4 +92,7 @@ def _judged(
     report = report_check(found)
     if doubt:
         report["advice"] = f"{doubt} As it stands: {report['advice']}"
-    return report | {"undecided": bool(doubt), "notes": list(smoothing.notes)}, found.realizable
+    which = ("--curve", str(one.number)) if count > 1 else ()
+    cure = "" if found.realizable else cure_for_curve(drawn, supports, natural_curvature, smooth, which)
+    told = {"undecided": bool(doubt), "notes": list(smoothing.notes)} | ({"cure": cure} if cure else {})
+    return report | told, found.realizable

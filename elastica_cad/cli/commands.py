@@ -8,7 +8,7 @@ import click
 from elastica_cad.cli.bend_command import bend_command
 from elastica_cad.cli.check_command import check
 from elastica_cad.cli.coupon_command import coupon
-from elastica_cad.cli.cures import TYPED
+from elastica_cad.cli.cures import TYPED, cure_by_trial
 from elastica_cad.cli.model_command import model
 from elastica_cad.cli.new_command import new
 from elastica_cad.cli.options import refuse_huge_numbers, refuse_odd_numbers
@@ -22,6 +22,13 @@ from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 
 NOT_REALIZABLE, BAD_INPUT = 1, 2
 
+TOLD: dict[type[ElasticaError], tuple[str, int]] = {
+    NotRealizable: ("Not realizable", NOT_REALIZABLE),
+    NotMetError: ("Not within these limits", NOT_REALIZABLE),
+    ElasticaError: ("Error", BAD_INPUT),
+}
+"""How a refusal begins, and the exit code, the first that fits."""
+
 
 def _version() -> str:
     try:
@@ -32,11 +39,16 @@ def _version() -> str:
 
 def _said(problem: ElasticaError) -> str:
     """The refusal, and the cure that was found for it."""
-    return " ".join(filter(None, (str(problem), *getattr(problem, "__notes__", ()))))
+    return _with_cure(str(problem), " ".join(getattr(problem, "__notes__", ())))
+
+
+def _with_cure(said: str, cure: str) -> str:
+    """Two sentences, or one."""
+    return f"{said}{'' if said.endswith(('.', '?', '!', ')')) else '.'} {cure}" if cure else said
 
 
 class _Sentences(click.Group):
-    """Errors of ours end as one sentence and an exit code, never as a traceback."""
+    """Errors of ours end as one sentence and an exit code, and with a command that works."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         ctx.meta[TYPED] = tuple(args)
@@ -45,15 +57,20 @@ class _Sentences(click.Group):
     def invoke(self, ctx: click.Context) -> Any:
         try:
             return super().invoke(ctx)
-        except NotRealizable as problem:
-            click.echo(f"Not realizable: {_said(problem)}", err=True)
-            ctx.exit(NOT_REALIZABLE)
-        except NotMetError as problem:
-            click.echo(f"Not within these limits: {_said(problem)}", err=True)
-            ctx.exit(NOT_REALIZABLE)
         except ElasticaError as problem:
-            click.echo(f"Error: {_said(problem)}", err=True)
-            ctx.exit(BAD_INPUT)
+            if not getattr(problem, "__notes__", None):
+                problem.add_note(self._cure(ctx, str(problem)))
+            begins, code = next((told for kind, told in TOLD.items() if isinstance(problem, kind)))
+            click.echo(f"{begins}: {_said(problem)}", err=True)
+            ctx.exit(code)
+        except click.UsageError as problem:
+            said = problem.format_message()
+            raise click.UsageError(
+                " ".join(filter(None, (said, self._cure(ctx, said)))), problem.ctx
+            ) from problem
+
+    def _cure(self, ctx: click.Context, said: str) -> str:
+        return cure_by_trial(self, ctx.meta.get(TYPED, ()), said)
 
 
 @click.group(

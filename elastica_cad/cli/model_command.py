@@ -10,6 +10,7 @@ from elastica_cad.fabrication.drawings.bridges import HoldingTabs
 from elastica_cad.fabrication.sheets.cut_list import cut_list
 from elastica_cad.files import read_curves, read_surface
 from elastica_cad.formats.design_files.design_file import read_design
+from elastica_cad.geometry.paths.point_distance import largest_deviation
 from elastica_cad.kit import Kit, kit_of, left_out, write_kit
 
 MOST_SAID = 6
@@ -30,6 +31,7 @@ MOST_SAID = 6
     help="Bend every strip again with its slots, and tell what they do.",
 )
 @holding_option
+@click.option("--nearest", is_flag=True, help="Let every strip leave its curve, as little as it must.")
 @click.option("--anyway", is_flag=True, help="Write parts that cannot be cut or handled, and say so.")
 @click.option("--force", is_flag=True, help="Overwrite files that exist.")
 def model(
@@ -40,6 +42,7 @@ def model(
     parts: bool,
     effects: bool,
     holding: float | None,
+    nearest: bool,
     anyway: bool,
     force: bool,
 ) -> None:
@@ -51,6 +54,7 @@ def model(
     --no-parts --no-effects --no-pictures --no-step.
     """
     read = read_design(design, read_curves, read_surface)
+    read = read.nearest() if nearest else read
     read = read.made_anyway() if anyway else read
     if holding is not None:
         cutting = replace(read.kit.cutting, holding=HoldingTabs(holding))
@@ -75,6 +79,15 @@ def _tell(kit: Kit, output: Path, *, step: bool, pictures: bool) -> None:
     strips = f"{len(kit.model.placed)} strips ({len(kit.model.parts)} different)"
     click.echo(f"{kit.model.name}: {strips}, {len(kit.model.joints)} joints; {listed.count} pieces, "
                f"{listed.cut_length / 1000:.1f} m of cuts, {listed.mass:.0f} g")  # fmt: skip
+    drawn = {entry.label: entry.curve for entry in kit.entries if entry.spec.may_change}
+    moved = [
+        (largest_deviation(drawn[part.strip.label], part.strip.rod.curve), part.name)
+        for part in kit.model.parts
+        if part.strip.label in drawn
+    ]
+    if moved:
+        far, name = max(moved)
+        click.echo(f"farthest from its drawn curve, {name}: {far:.2g} mm")
     for nest in kit.nests:
         click.echo(
             f"{nest.name}: {len(nest.pieces)} pieces, {100 * nest.filled / nest.used:.0f} % of the rows used"

@@ -3,7 +3,8 @@
 Every number may be a formula in quotes (see `formulae`); lengths are mm, angles rad (30 * degrees). Keys:
 
     schema = 1, name, let = {names for formulae}, sheets_file or [sheets.NAME] (as `load_sheets`)
-    for all strips, or in [[strips]] for some: sheet, max_width, min_width, samples, natural_curvature, supports,
+    for all strips, or in [[strips]] for some: sheet (a name, or "my.toml" beside the design), thickness (if it
+        is not the sheet's), max_width, min_width, samples, natural_curvature, supports,
         gravity = true, [x, y, z] (where things fall) or {length, direction = [x, y] in the curve's plane},
         loads = [{at, mass}] or {alpha, beta, own, masses = [{at, mass}]},
         style = {kind, and the sizes of that style},
@@ -59,6 +60,7 @@ from elastica_cad.formats.design_files.strip_table import (
 from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.formats.file_access.source_file import require_file
 from elastica_cad.formats.surface_files.file_surface import SurfaceReader, mesh_surface
+from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.plane_sections.section_curves import SectionCurve
 from elastica_cad.mechanics.material.sheet import Sheet, load_sheets, sheets_from_table
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
@@ -108,6 +110,14 @@ class Design:
             revolution=None if self.revolution is None else replace(self.revolution, anyway=True),
             kit=replace(self.kit, anyway=True),
         )
+
+    def nearest(self) -> "Design":
+        """The design with strips that may leave their curves, as little as they must."""
+        freed = (
+            one if one.spec.may_change else replace(one, spec=one.spec.changed(limits=Limits(), keep=Keep()))
+            for one in self.entries
+        )
+        return replace(self, entries=tuple(freed))
 
     def model(self, done: Callable[[str], None] | None = None) -> Model:
         """Make all strips, put them in their places, repeat and interlock them.
@@ -191,7 +201,7 @@ def read_design(
     if top.has("revolution"):
         inner = top.table("revolution")
         inner.defaults = Table(
-            {key: top.raw(key) for key in ("sheet", "ends", "shop", "anyway") if top.has(key)},
+            {key: top.raw(key) for key in ("sheet", "thickness", "ends", "shop", "anyway") if top.has(key)},
             top.where,
             top.scope,
         )
@@ -215,13 +225,26 @@ def read_design(
     )
 
 
+class _Sheets(dict[str, Sheet]):
+    """Sheets that a design brings along, by name; and those of files beside it, by the file's name."""
+
+    folder = Path()
+
+    def __contains__(self, name: object) -> bool:
+        return super().__contains__(name) or ".toml" in str(name)
+
+    def __missing__(self, name: str) -> Sheet:
+        return Sheet.named(name, folder=self.folder)
+
+
 def _own_sheets(top: Table, path: Path) -> dict[str, Sheet]:
     """Sheets that the design brings along."""
-    sheets: dict[str, Sheet] = {}
+    sheets = _Sheets()
+    sheets.folder = path.parent
     if top.has("sheets_file"):
-        sheets |= load_sheets(path.parent / top.text("sheets_file"))
+        sheets.update(load_sheets(path.parent / top.text("sheets_file")))
     if top.has("sheets"):
-        sheets |= sheets_from_table(top.raw("sheets"), where=str(path))
+        sheets.update(sheets_from_table(top.raw("sheets"), where=str(path)))
     return sheets
 
 

@@ -71,7 +71,12 @@ def report_strip(
         "nearest": None if near is None else _nearest_report(near),
         "stability": None
         if stability is None
-        else {"stable": stability.stable, "margin": round_numbers(stability.margin)},
+        else {
+            "stable": stability.stable,
+            "margin": round_numbers(stability.margin),
+            "word": stability.word,
+            "meaning": stability.meaning,
+        },
         "moved_by_snapping": round_numbers(rod.moved),
         "smoothing": None if smoothing is None else _smoothing_report(smoothing),
         "length": round_numbers(rod.length),

@@ -233,8 +233,9 @@ _CHANGES: dict[str, Callable[[NearestRod], _Change | None]] = {
 def _missed(near: NearestRod, binding: Binding) -> str:
     """What is broken, and what the rod has instead."""
     if binding.name == "margin" and binding.limit is not None:
-        margin = stability(near.rod).margin
-        return f"The stability margin of {binding.limit:.3g} is missed: this rod has {margin:.3g}."
+        found = stability(near.rod)
+        has = f"{found.margin:.3g} ({found.word})"
+        return f"The stability margin of {binding.limit:.3g} is missed: this rod has {has}."
     if binding.name == "curvature" and binding.limit is not None:
         radius = 1 / float(np.abs(near.rod.curvature).max())
         return f"The least radius of {1 / binding.limit:.3g} mm is missed: this rod has {radius:.3g} mm."

@@ -88,3 +88,68 @@ def test_a_long_thin_arch_is_refused(tmp_path):
     assert refused.returncode == 2
     assert "larger than the stock" in refused.stderr
     assert not (tmp_path / "out").exists()
+
+
+REFUSED = [
+    ("check wave.dxf", "--sheet card-200gsm --max-width 14 --nearest"),
+    ("check arch.dfx", "check arch.dxf"),
+    ("check tall.dxf --start clampd", "--start clamped"),
+    ("bend wave.dxf --to 130 0", "--nearest"),
+    ("bend two.dxf --to 130 0", "--curve 2"),
+    ("bend --straight 100 --to 200 0", "--to 90 0"),
+    ("bend --straight 100 --gravity --to 90 0", "--sheet birch-plywood-0.8"),
+    ("bend", "--straight 300 --to 200 0"),
+    ("sheets birch-ply", "sheets birch-plywood-"),
+    ("coupon", "--sheet birch-plywood-0.8"),
+    ("coupon --sheet card-200gsm --width 2", "--width 8"),
+    ("coupon --sheet crad-200gsm", "--sheet card-200gsm"),
+    ("strip tall.dxf --max-width 30", "--sheet birch-plywood-0.8"),
+    ("sections bowl.obj --unit mm", "--radial 8"),
+    ("sections bowl.obj --unit mm --radial 4 --count 3", "--radial 4"),
+    ("model design.toml --no-step --no-pictures", "--nearest"),
+    ("model thin.toml --no-step --no-pictures", "--nearest"),
+]
+DESIGN = """
+schema = 1
+name = "kit"
+sheet = "birch-plywood-0.8"
+max_width = 12
+[[strips]]
+label = "K1"
+"""
+
+
+@pytest.fixture(scope="module")
+def desk(tmp_path_factory):
+    """A folder with drawings and designs, a slip of a letter in some names."""
+    folder = tmp_path_factory.mktemp("desk")
+    drawn = {name: ec.PlaneCurve.spline(points, degree=4) for name, points in CURVES.items()}
+    for name, curve in drawn.items():
+        write_curves([curve], folder / f"{name}.dxf")
+    write_curves(
+        [drawn["wave"], drawn["tall"].transformed([[1, 0, 300], [0, 1, 0], [0, 0, 1]])], folder / "two.dxf"
+    )
+    (folder / "arch.dxf").write_bytes((folder / "tall.dxf").read_bytes())
+    (folder / "design.toml").write_text(f'{DESIGN}curve = "wave.dxf"\n')
+    (folder / "thin.toml").write_text(f'{DESIGN}curve = "tall.dxf"\n')
+    made = typed(["new", "sections"], folder)
+    assert made.returncode == 0, made.stderr
+    return folder
+
+
+@pytest.mark.parametrize(("words", "told"), REFUSED)
+def test_every_command_ends_a_refusal_with_one_that_works(words, told, desk, tmp_path):
+    before = sorted(desk.iterdir())
+    refused = typed(words.split(), desk)
+    assert refused.returncode in (1, 2)
+    assert sorted(desk.iterdir()) == before  # trials leave nothing
+    (command,) = re.findall(r"This works: `elastica ([^`]*)`", refused.stderr + refused.stdout)
+    assert told in command
+    aside = [] if command.startswith(("check", "sheets")) else ["-o", str(tmp_path)]
+    made = typed([*shlex.split(command), *aside], desk)
+    assert made.returncode == 0, made.stderr
+
+
+def test_margins_of_bent_strips_come_with_a_word(tmp_path):
+    made = typed(["bend", "--straight", "200", "--to", "150", "0", "-o", "out"], tmp_path)
+    assert re.search(r"stable, margin [0-9.]+ \((low|ample)\)", made.stdout)
