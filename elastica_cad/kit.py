@@ -1,7 +1,7 @@
 """Everything that a model becomes, written into one folder: all files together, or none."""
 
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from importlib.util import find_spec
 from pathlib import Path
@@ -15,6 +15,7 @@ from elastica_cad.fabrication.holders.tab_seats import held_shapes, rocking_tabs
 from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.makeability.faults import accept_faults, find_strip_faults
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
+from elastica_cad.fabrication.makeability.splices import Splice, spliced
 from elastica_cad.fabrication.model.assembly import Holder
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.sheets.cut_list import cut_list
@@ -110,7 +111,8 @@ def kit_of(
     """
     spec = spec or KitSpec()
     faults = _strip_faults(model, spec, entries)
-    pieces, holders = (*model.pieces, *spec.extras(model)), list[Holder]()
+    joined = _spliced(model, spec, entries)
+    pieces, holders = (*_cut(model, joined), *spec.extras(model)), list[Holder]()
     nests = _nest(pieces, spec.nesting, spec, f"{model.name}-nest")
     bases, frame = spec.base_plates(model), spec.slotted_frame(model)
     wanted: list[tuple[str, Asked, tuple[BasePlate | Rib, ...]]] = [
@@ -125,8 +127,28 @@ def kit_of(
     holders += spec.end_fixtures(model)
     held, notes = _held(model, (*model.plates, *holders)) if effects else ({}, ())
     told = [text for plate in (*model.plates, *holders) for text in getattr(plate, "warnings", ())]
+    told += [f"{name}: {splice}" for name, splice in joined.items()]
     notes = (*faults, *told, *notes)
     return Kit(model, spec, pieces, nests, tuple(holders), entries=tuple(entries), held=held, notes=notes)
+
+
+def _spliced(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> dict[str, Splice]:
+    """Strips that are longer than the stock, by name, where the shop joins pieces."""
+    asked = {entry.label: entry.spec.shop for entry in entries}
+    found = {
+        part.name: spliced(replace(part.strip, label=part.name), asked.get(part.strip.label, spec.shop))
+        for part in model.parts
+    }
+    return {name: splice for name, splice in found.items() if splice is not None}
+
+
+def _cut(model: Model, joined: Mapping[str, Splice]) -> tuple[Piece, ...]:
+    """What must be cut of a model, strips that are joined of pieces in these."""
+    pieces: list[Piece] = []
+    for piece in model.pieces:
+        whole = piece.name not in joined
+        pieces += [piece] if whole else [replace(one, count=piece.count) for one in joined[piece.name].pieces]
+    return tuple(pieces)
 
 
 def _strip_faults(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> tuple[str, ...]:

@@ -15,12 +15,15 @@ import click
 import numpy as np
 
 from elastica_cad.errors import ElasticaError
+from elastica_cad.fabrication.makeability.splices import SPLICED
 from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip.styles import Plain
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.rod.rod_record import Rod
 
 Words: TypeAlias = tuple[str, ...]
 
@@ -62,6 +65,9 @@ TRIED_SHEETS = ("birch-plywood-0.8", "pom-0.5", "card-200gsm", "spring-steel-0.2
 WIDTHS_MM = (8.0, 120.0)
 """Of a strip for a curve of which no width is said."""
 
+LAP_THICKNESSES = 20
+"""Of the plates that join a strip of pieces: glue holds as well as the sheet from a dozen on."""
+
 NEAR_SHARE = 0.01
 """Of the length: a strip that comes so near looks as drawn."""
 
@@ -85,7 +91,7 @@ def cure_for(spec: StripSpec) -> str:
     then with a free end, then a wider strip.
     """
     for added, fields in () if TRYING.get() else _ways(spec):
-        answer = _nearest(spec.changed, **fields)
+        answer = _solved(spec.changed, **fields)
         if answer is not None:
             return f"This works: `{_typed_command(*added)}` {_costs(*answer)}."
     return ""
@@ -116,9 +122,11 @@ def cure_for_curve(
     found: list[tuple[NearestRod, Strip]] = []
     for sheet in TRIED_SHEETS:
         asked = {"max_width": width, "supports": supports, "smooth": smooth}
-        answer = _nearest(StripSpec, drawn, sheet, limits=Limits(), keep=Keep(), **asked)
-        found += [] if answer is None else [answer]
-        if answer is not None and answer[0].deviation < NEAR_SHARE * drawn.length:
+        answer = _solved(StripSpec, drawn, sheet, limits=Limits(), keep=Keep(), **asked)
+        if answer is None or not isinstance(answer[0], NearestRod):
+            continue
+        found.append((answer[0], answer[1]))
+        if answer[0].deviation < NEAR_SHARE * drawn.length:
             break
     if not found:
         return ""
@@ -127,15 +135,16 @@ def cure_for_curve(
     return f"This works: `{_typed_command(*words, instead='strip')}` {_costs(near, made)}."
 
 
-def _nearest(asked: Callable[..., StripSpec], *values: Any, **fields: Any) -> tuple[NearestRod, Strip] | None:
-    """The nearest rod and its strip, where there is one."""
+def _solved(
+    asked: Callable[..., StripSpec], *values: Any, **fields: Any
+) -> tuple[Rod | NearestRod, Strip] | None:
+    """What answers a request, and its strip, where there is one."""
     try:
         spec = asked(*values, **fields)
         found = spec.rod_spec.solve()
-        made = spec.make(found)
+        return found, spec.make(found)
     except ElasticaError:
         return None
-    return (found, made) if isinstance(found, NearestRod) else None
 
 
 def _ways(spec: StripSpec) -> Iterator[tuple[tuple[str, ...], dict[str, Any]]]:
@@ -143,6 +152,13 @@ def _ways(spec: StripSpec) -> Iterator[tuple[tuple[str, ...], dict[str, Any]]]:
     if spec.natural_curvature or spec.loads or spec.samples is not None:
         return  # such strips follow their curve exactly
     limits, keep = spec.limits or Limits(), spec.keep or Keep()
+    flat = spec.curve.length + sum(tab.length for tab in spec.ends)
+    too_long = flat > spec.shop.stock_for(spec.material)[0]
+    if too_long and spec.shop.lap is None and isinstance(spec.style, Plain):
+        lap = round(LAP_THICKNESSES * spec.material.thickness)
+        joined = {"shop": replace(spec.shop, lap=float(lap))}
+        yield ("--lap", f"{lap}"), joined
+        yield ("--lap", f"{lap}", NEAREST), joined | {"limits": limits, "keep": keep}
     if not spec.may_change:
         yield (NEAREST,), {"limits": limits, "keep": keep}
     if keep.both_ends == (True, True):
@@ -153,11 +169,14 @@ def _ways(spec: StripSpec) -> Iterator[tuple[tuple[str, ...], dict[str, Any]]]:
         yield ("--max-width", f"{wider:g}", NEAREST), {"limits": limits, "keep": keep, "max_width": wider}
 
 
-def _costs(near: NearestRod, made: Strip) -> str:
+def _costs(found: Rod | NearestRod, made: Strip) -> str:
+    """What a strip gives up for being made."""
+    off = f"bends to within {found.deviation:.2g} mm of" if isinstance(found, NearestRod) else "keeps"
+    joined = "".join(f", {text}" for text in made.warnings if text.startswith(SPLICED))
     strain = 100 * made.max_strain / made.strain_limit
     return (
-        f"bends to within {near.deviation:.2g} mm of the drawn curve, ratio {made.rod.ratio:.2g}, "
-        f"{strain:.0f} % of the strain that {made.sheet.name} bears"
+        f"{off} the drawn curve, ratio {made.rod.ratio:.2g}, {strain:.0f} % of the strain that "
+        f"{made.sheet.name} bears{joined}"
     )
 
 

@@ -25,7 +25,9 @@ from elastica_cad.cli.options import (
 from elastica_cad.cli.strip_options import NotMetError, spec_from_options, strip_options
 from elastica_cad.errors import ElasticaError, InputError, NotConvergedError
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
+from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.drawings.lettering import engravable
+from elastica_cad.fabrication.makeability.splices import spliced
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import save
@@ -166,8 +168,10 @@ def _write_files(
     written = [folder / file for file in names.values()]
     if any(path.exists() and path.samefile(drawn_in) for path in written):
         raise InputError(f"{drawn_in} holds the drawn curve and is kept: name another folder, e.g. -o out")
+    joined = spliced(made, spec.shop)
+    drawings = made.drawings() if joined is None else (joined.drawing,)
     with write_together(folder, names.values(), force=chosen["force"]) as workshop:
-        for layer, drawing, prefix in zip(made.layers, made.drawings(), ("", "backing "), strict=False):
+        for layer, drawing, prefix in zip(made.layers, drawings, ("", "backing "), strict=False):
             called = replace(drawing, name=f"{name}-{prefix}".rstrip("- "))
             options = cutting.options(layer.sheet)
             save(called, workshop / names[f"{prefix}dxf"], version=cutting.version, **options)
@@ -181,7 +185,7 @@ def _write_files(
         if chosen["paper"]:
             from elastica_cad.plot.template_pages import save_template
 
-            save_template(replace(made.drawing(), name=name), workshop / names["pdf"], paper=chosen["paper"])
+            save_template(replace(drawings[0], name=name), workshop / names["pdf"], paper=chosen["paper"])
         if "step" in names:
             from elastica_cad.kernel.step_files import write_strip_step
 

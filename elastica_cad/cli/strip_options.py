@@ -140,6 +140,8 @@ _PATTERN = (
     click.option("--least-width", type=float, metavar="MM",
                  help="Narrowest strip, tab or tongue that the workshop can make [default: the sheet's]."),
     click.option("--stock", type=PAIR, metavar="MM MM", help="Sides of the largest sheet [default: 3050 1525]."),
+    click.option("--lap", type=float, metavar="MM",
+                 help="Cut a strip longer than the stock in pieces, joined by plates of this length."),
     click.option("--anyway", is_flag=True, help="Write a strip that cannot be cut or handled, and say so."),
 )  # fmt: skip
 
@@ -197,7 +199,7 @@ def _options_named(sentence: str) -> str:
 
 def _shop(chosen: Mapping[str, Any]) -> Shop:
     """Limits of the workshop; ligaments are as fine as the style is told to make them."""
-    given = {name: chosen[name] for name in ("least_width", "stock") if chosen[name] is not None}
+    given = {name: chosen[name] for name in ("least_width", "stock", "lap") if chosen[name] is not None}
     if chosen["least_ligament"] is not None:
         given["least_ligament"] = chosen["least_ligament"]
     return Shop(**given)

@@ -11,6 +11,7 @@ from elastica_cad._equality import EqualByValue
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.makeability.faults import accept_faults, find_strip_faults
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
+from elastica_cad.fabrication.makeability.splices import spliced
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -271,6 +272,8 @@ class StripSpec(EqualByValue):
             label=self.label,
         )
         told = accept_faults(find_strip_faults(made, self.shop), self.anyway)
+        joined = spliced(made, self.shop)
+        told += () if joined is None else (str(joined),)
         if not told:
             return made
         return replace(made, rod=replace(made.rod, warnings=(*made.rod.warnings, *told)))

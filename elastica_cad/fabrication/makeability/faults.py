@@ -16,6 +16,7 @@ from elastica_cad.fabrication.makeability.thin_places import ThinPlace, find_thi
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_record import Layer, Strip
+from elastica_cad.fabrication.strip.styles import Plain
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.mechanics.material.sheet import Sheet
 
@@ -79,6 +80,7 @@ def find_strip_faults(strip: Strip, shop: Shop | None = None) -> tuple[Fault, ..
     """
     shop = shop or Shop()
     name = strip.label or "strip"
+    joined = shop.lap is not None and isinstance(strip.style, Plain)  # of pieces
     found: list[Fault] = []
     for i, layer in enumerate(strip.layers):
         called = name if i == 0 else f"{name}, backing"
@@ -86,15 +88,17 @@ def find_strip_faults(strip: Strip, shop: Shop | None = None) -> tuple[Fault, ..
         if i and isinstance(strip.style, Laminated):  # glued on, it needs no strength of its own
             least = min(least, strip.style.least_backing)
         found += _thin_strip(called, strip, layer, least)
-        length, width = np.ptp(layer.outline.bounds, axis=0)
-        found += _too_large(called, float(length), float(width), layer.sheet, shop)
+        length, width = (float(side) for side in np.ptp(layer.outline.bounds, axis=0))
+        longest = shop.stock_for(layer.sheet)[0] if joined else np.inf
+        found += _too_large(called, min(length, longest), width, layer.sheet, shop)
     style = strip.style
     needed = shop.ligament_for(strip.sheet)
     if isinstance(style, Perforated) and style.least_ligament < needed:
         allowed = style.least_ligament
         what = f"ligaments down to {allowed:.3g} mm are allowed, {needed:.3g} mm are needed"
         found.append(Fault(name, what, "ask for wider ligaments, or fewer columns"))
-    slenderest = strip.rod.length / min(float(strip.width.extremes[0]), shop.stock_for(strip.sheet)[1])
+    longest = min(strip.rod.length, shop.stock_for(strip.sheet)[0] if joined else np.inf)
+    slenderest = longest / min(float(strip.width.extremes[0]), shop.stock_for(strip.sheet)[1])
     if slenderest > SLENDEREST:
         what = (
             f"{strip.rod.length:.4g} mm long and {strip.width.extremes[0]:.3g} mm wide: too slender to handle"
@@ -178,5 +182,5 @@ def _too_large(name: str, length: float, width: float, sheet: Sheet, shop: Shop)
         yield Fault(
             name,
             f"{long:.4g} x {short:.4g} mm is larger than the stock of {sides} mm in {sheet.name}",
-            "name a larger stock, split it, or scale the curve",
+            "name a larger stock, join a strip of pieces by plates (lap), or scale the curve",
         )

@@ -31,6 +31,9 @@ class Shop:
         Between the cuts of a ring or a plate, mm; where not given the sheet's own, or its thickness, 2 mm at least.
     stock : (float, float), optional
         Longer and shorter side of the largest sheet, mm; where not given the sheet's own, or 3050 by 1525 mm.
+    lap : float, optional
+        Length of the plates that join the pieces of a plain strip longer than the stock, mm; without it such strips
+        are refused.
 
     Raises
     ------
@@ -47,9 +50,10 @@ class Shop:
     least_ligament: float | None = None
     least_bridge: float | None = None
     stock: tuple[float, float] | None = None
+    lap: float | None = None
 
     def __post_init__(self) -> None:
-        for name in ("least_width", "least_ligament", "least_bridge"):
+        for name in ("least_width", "least_ligament", "least_bridge", "lap"):
             value = getattr(self, name)
             if value is not None and not (np.isfinite(value) and value > 0):
                 raise InputError(f"{name} is {value!r}: give a positive width in mm")

@@ -12,7 +12,7 @@ Every number may be a formula in quotes (see `formulae`); lengths are mm, angles
         t_slot = {depth, screw, nut, wall}} or two of them, and where the curve may change
         limits = {ratio, margin, curvature, strain, length, width, stiffness_bounds = {lower, upper},
         keep_out = [{point, normal} or {lower, upper}]}, keep = {ends, tangents, length, symmetry, points, line};
-        shop = {least_width, least_ligament, least_bridge, stock}, what the workshop can make, of rings, bases,
+        shop = {least_width, least_ligament, least_bridge, stock, lap}, what the workshop can make, of rings, bases,
         frames, and anyway = true to make what it cannot
     [[strips]] count (i = 1, 2, ...), label ("P{i}"), let, origin, x_axis, y_axis (the plane of the curve), slots,
         sections = {mesh (or STEP body), unit, scale, half, longest, split = {point, normal}, {points}, {corners =

@@ -94,7 +94,7 @@ def read_mass(table: Table) -> PointMass:
 
 def read_shop(table: Table) -> Shop:
     """What the workshop can make."""
-    widths = ("least_width", "least_ligament", "least_bridge")
+    widths = ("least_width", "least_ligament", "least_bridge", "lap")
     table.only(*widths, "stock")
     given: dict[str, Any] = {**table.numbers(*widths)}
     if table.has("stock"):

@@ -1,0 +1,54 @@
+"""What of a closed path lies between two lines across, as a closed path."""
+
+from itertools import pairwise
+
+import numpy as np
+
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.paths.path import JOIN, Path
+from elastica_cad.geometry.paths.path_intersections import segment_crossings
+from elastica_cad.geometry.paths.segments import Line, Segment
+from elastica_cad.geometry.paths.trim import trim_segment
+
+
+def clip_across(path: Path, low: float, high: float) -> Path:
+    """The part of a closed path with low <= x <= high, closed by straight lines; its curves stay exact.
+
+    Raises
+    ------
+    InputError
+        A line that meets the path more or less often than twice, so that there is not one part.
+
+    Examples
+    --------
+    >>> clip_across(Path.rectangle(40, 10), 5, 25).area
+    200.0
+    """
+    runs: list[list[Segment]] = [[]]
+    (left, bottom), (right, top) = path.bounds
+    walls = [Line((x, bottom - 1), (x, top + 1)) for x in (low, high) if left + JOIN < x < right - JOIN]
+    for segment in path.segments:
+        cuts = {u for wall in walls for u, _ in segment_crossings(segment, wall)}
+        edges = np.unique([0.0, *(u for u in cuts if 0 < u < 1), 1.0])
+        for u0, u1 in pairwise(edges.tolist()):
+            x = float(segment.at((u0 + u1) / 2)[0])
+            if low <= x <= high:
+                runs[-1].append(trim_segment(segment, u0, u1))
+            elif runs[-1]:
+                runs.append([])
+    if not runs[-1]:
+        runs.pop()
+    if len(runs) > 1 and _meets(runs[-1][-1], runs[0][0]):
+        runs[0] = runs.pop() + runs[0]
+    chain: list[Segment] = []
+    for run, following in zip(runs, [*runs[1:], runs[0]], strict=True):
+        chain += run
+        if not _meets(run[-1], following[0]):
+            if abs(run[-1].end[0] - following[0].start[0]) > JOIN:
+                raise InputError(f"the part between x = {low:g} and {high:g} mm is not in one piece")
+            chain.append(Line(run[-1].end, following[0].start))
+    return Path(chain, closed=True)
+
+
+def _meets(before: Segment, after: Segment) -> bool:
+    return float(np.hypot(*(before.end - after.start))) <= JOIN

@@ -1,0 +1,123 @@
+"""Strips longer than the stock: pieces that fit it, plates over the joints, and what these do to the shape."""
+
+import json
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+import elastica_cad as ec
+from elastica_cad.cli.commands import elastica
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.drawing import CUT_OUTER
+from elastica_cad.fabrication.makeability.splices import splice, spliced
+from elastica_cad.geometry.paths.clip import clip_across
+from elastica_cad.geometry.paths.path import Path
+
+PLY = ec.Sheet.named("birch-plywood-4")
+ARCH = ec.PlaneCurve.spline([(0, 0), (300, 900), (1500, 1400), (2700, 900), (3000, 0)])  # 3.7 m
+WAVE = ec.PlaneCurve.spline([(0, 0), (700, 300), (1500, 0), (2300, -300), (3000, 0)])  # level in its middle
+
+
+@pytest.fixture(scope="module")
+def arch():
+    return ec.make_strip(ARCH, PLY, max_width=120, label="A", shop=ec.Shop(stock=(4000, 1500)))
+
+
+def test_pieces_and_plates_are_the_strip_cut_across(arch):
+    joined = splice(arch, 1300.0, 80.0)
+    *pieces, one, two = joined.pieces
+    assert [piece.name for piece in joined.pieces] == ["A-1", "A-2", "A-3", "A-lap-1", "A-lap-2"]
+    assert sum(piece.area for piece in pieces) == pytest.approx(arch.outline.area)
+    assert max(piece.size[0] for piece in pieces) <= 1300
+    for plate, at in zip((one, two), joined.joints, strict=True):
+        assert plate.size[0] == pytest.approx(80.0)
+        assert plate.bounds.mean(axis=0)[0] == pytest.approx(at)
+        assert plate.area == pytest.approx(
+            np.mean(arch.width(np.linspace(at - 40, at + 40, 400))) * 80, rel=1e-4
+        )
+    (outline,) = pieces[1].drawing.on(CUT_OUTER)
+    assert outline.has_splines  # as exact as the strip
+
+
+def test_what_the_plates_do_is_bent_forward(arch):
+    """Eight times as stiff under a plate, so a strip turns an eighth there: longer plates move it more."""
+    moved = [splice(arch, 2200.0, lap).deviation for lap in (1.0, 40.0, 80.0, 160.0)]
+    assert moved[0] < 0.1 + arch.deviation_as_built
+    assert moved[0] < moved[1] < moved[2] < moved[3]
+    joined = splice(arch, 2200.0, 80.0)
+    (at,) = joined.joints
+    lost = 7 / 8 * np.ptp(np.interp([at - 40, at + 40], arch.rod.s, arch.rod.angle))
+    assert 0.02 * lost * 1000 < joined.deviation < lost * 2000  # rad on arms of about a metre, both ends held
+    assert "cut in 2 pieces at" in str(joined)
+    assert f"move the shape by {joined.deviation:.2g} mm" in str(joined)
+
+
+def test_joints_lie_where_the_strip_turns_least():
+    """At the inflection of a wave, where a stiffer place changes nothing."""
+    wave = ec.make_strip(WAVE, PLY, max_width=120, shop=ec.Shop(stock=(4000, 1500)))
+    (middle,) = wave.rod.curve.inflections
+    (at,) = splice(wave, 2600.0, 80.0).joints
+    assert at == pytest.approx(middle, abs=20)
+
+
+def test_joints_keep_off_slots(arch):
+    (at,) = splice(arch, 2200.0, 80.0).joints
+    slotted = ec.Strip(arch.rod, PLY, max_width=120, slots=(ec.Slot(at, 4.2),), label="A")
+    (moved,) = splice(slotted, 2200.0, 80.0).joints
+    assert abs(moved - at) > 44
+
+
+@pytest.mark.parametrize(
+    ("stock", "lap", "words"), [(1300.0, 500.0, "a lap of 500 mm"), (1300.0, -1.0, "a lap of -1")]
+)
+def test_laps_that_cannot_be(arch, stock, lap, words):
+    with pytest.raises(InputError, match=words):
+        splice(arch, stock, lap)
+
+
+def test_only_where_it_is_needed(arch):
+    assert spliced(arch, ec.Shop(stock=(4000, 1500), lap=80)) is None
+    assert spliced(arch, ec.Shop(stock=(2500, 1250))) is None
+    assert spliced(arch, ec.Shop(stock=(2500, 1250), lap=80)) is not None
+    with pytest.raises(InputError, match="larger than the stock of 2500 x 1250 mm"):
+        ec.make_strip(ARCH, PLY, max_width=120, shop=ec.Shop(stock=(2500, 1250)))
+    made = ec.make_strip(ARCH, PLY, max_width=120, shop=ec.Shop(stock=(2500, 1250), lap=80))
+    assert any(text.startswith("cut in 2 pieces") for text in made.warnings)
+
+
+def test_the_commands_cut_and_nest_pieces(tmp_path, check_drawing_file):
+    """The refusal tells the command with --lap; a kit nests the pieces on sheets of the stock."""
+    ec.write_curves([ARCH], tmp_path / "arch.dxf")
+    words = ["strip", str(tmp_path / "arch.dxf"), "--sheet", "birch-plywood-4", "--max-width", "120"]
+    words += ["--stock", "2500", "1250", "-o", str(tmp_path / "out")]
+    run = CliRunner().invoke
+    refused = run(elastica, words)
+    assert refused.exit_code == 2
+    assert "--lap 80` keeps the drawn curve" in refused.stderr
+    assert "cut in 2 pieces" in refused.stderr
+    made = run(elastica, [*words, "--lap", "80"])
+    assert made.exit_code == 0, made.output
+    curves = check_drawing_file(tmp_path / "out" / "arch.dxf")
+    assert sum(curve.layer == CUT_OUTER for curve in curves) == 3
+    (tmp_path / "arch.toml").write_text(
+        'schema = 1\nname = "kit"\nsheet = "birch-plywood-4"\nmax_width = 120\n'
+        "shop = { stock = [2500, 1250], lap = 80 }\nnest.sheet_size = [2500, 1250]\n"
+        '[[strips]]\nlabel = "A"\ncurve = "arch.dxf"\n'
+    )
+    kit = run(
+        elastica,
+        ["model", str(tmp_path / "arch.toml"), "-o", str(tmp_path / "kit"), "--no-step", "--no-pictures"],
+    )
+    assert kit.exit_code == 0, kit.output
+    report = json.loads((tmp_path / "kit" / "kit.json").read_text())
+    (sheet,) = report["sheets"]
+    assert sheet["pieces"] == {"A-1": 1, "A-2": 1, "A-lap-1": 1}
+
+
+def test_clips_of_simple_paths():
+    plate = Path.rectangle(40, 10)
+    assert clip_across(plate, -np.inf, 15).bounds.tolist() == [[0, 0], [15, 10]]
+    assert clip_across(plate, 15, np.inf).area == pytest.approx(250)
+    assert clip_across(plate, -5, 50).area == pytest.approx(400)
+    assert clip_across(Path.circle((0, 0), 5), 0, 10).area == pytest.approx(np.pi * 12.5)
