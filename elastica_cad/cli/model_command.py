@@ -77,7 +77,8 @@ def _tell(kit: Kit, output: Path, *, step: bool, pictures: bool) -> None:
     """What was made, in a few lines."""
     listed = cut_list(kit.pieces)
     strips = f"{len(kit.model.placed)} strips ({len(kit.model.parts)} different)"
-    click.echo(f"{kit.model.name}: {strips}, {len(kit.model.joints)} joints; {listed.count} pieces, "
+    pieces = f"{listed.count} pieces of {listed.shapes} {'shape' if listed.shapes == 1 else 'shapes'}"
+    click.echo(f"{kit.model.name}: {strips}, {len(kit.model.joints)} joints; {pieces}, "
                f"{listed.cut_length / 1000:.1f} m of cuts, {listed.mass:.0f} g")  # fmt: skip
     drawn = {entry.label: entry.curve for entry in kit.entries if entry.spec.may_change}
     moved = [
@@ -91,6 +92,7 @@ def _tell(kit: Kit, output: Path, *, step: bool, pictures: bool) -> None:
     for nest in kit.nests:
         click.echo(
             f"{nest.name}: {len(nest.pieces)} pieces, {100 * nest.filled / nest.used:.0f} % of the rows used"
+            f"{nest.grain and f', {nest.grain}'}"
         )
     if kit.held:
         worst = max(kit.held, key=lambda name: kit.held[name].deviation)

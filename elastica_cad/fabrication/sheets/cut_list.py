@@ -5,12 +5,19 @@ import io
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
+from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER
+from elastica_cad.fabrication.sheets.equal_strips import FlatShape
 from elastica_cad.fabrication.sheets.pieces import Piece
+from elastica_cad.fabrication.strip.strip_record import Layer
 
 
 @dataclass(frozen=True)
 class CutListRow:
-    """One line of the list; lengths in mm, masses in g, `cut_length` and `mass` of one piece."""
+    """One line of the list; lengths in mm, masses in g, `cut_length` and `mass` of one piece.
+
+    `grain` says how `length` lies to the grain of the sheet, empty without one; `like` names the first piece of the
+    same shape, turned about or over, which differs in what is engraved alone.
+    """
 
     part: str
     sheet: str
@@ -21,6 +28,8 @@ class CutListRow:
     cut_length: float
     mass: float
     file: str
+    grain: str = ""
+    like: str = ""
 
 
 @dataclass(frozen=True)
@@ -38,6 +47,11 @@ class CutList:
     def count(self) -> int:
         """Number of all pieces."""
         return sum(row.count for row in self.rows)
+
+    @property
+    def shapes(self) -> int:
+        """Number of different shapes, whatever is engraved on them."""
+        return sum(not row.like for row in self.rows)
 
     @property
     def cut_length(self) -> float:
@@ -65,6 +79,8 @@ class CutList:
                 "file",
                 "cut_length_mm",
                 "mass_g",
+                "grain",
+                "same_shape_as",
             ]
         )
         for row in self.rows:
@@ -78,13 +94,15 @@ class CutList:
                     row.file,
                     f"{row.cut_length:.1f}",
                     f"{row.mass:.3f}",
+                    row.grain,
+                    row.like,
                 ]
             )
         return stream.getvalue()
 
     def __str__(self) -> str:
         """A table for people, with the sums below."""
-        head = ("part", "sheet", "mm", "size mm", "count", "cut mm", "g", "file")
+        head = ("part", "sheet", "mm", "size mm", "count", "cut mm", "g", "grain", "shape as", "file")
         body = [
             (
                 row.part,
@@ -94,11 +112,24 @@ class CutList:
                 str(row.count),
                 f"{row.cut_length:.0f}",
                 f"{row.mass:.2f}",
+                row.grain,
+                row.like,
                 row.file,
             )
             for row in self.rows
         ]
-        total = ("in all", "", "", "", str(self.count), f"{self.cut_length:.0f}", f"{self.mass:.2f}", "")
+        total = (
+            "in all",
+            "",
+            "",
+            "",
+            str(self.count),
+            f"{self.cut_length:.0f}",
+            f"{self.mass:.2f}",
+            "",
+            "",
+            "",
+        )
         return _table([head, *body, total], right=(2, 3, 4, 5, 6))
 
 
@@ -112,6 +143,7 @@ def cut_list(pieces: Iterable[Piece], files: Mapping[str, str] | None = None) ->
         From a piece's name to its file; `file_stem` with .dxf where not given.
     """
     rows = []
+    seen: list[tuple[FlatShape, str]] = []
     for piece in pieces:
         length, width = piece.size
         file = (files or {}).get(piece.name, f"{piece.file_stem}.dxf")
@@ -126,9 +158,23 @@ def cut_list(pieces: Iterable[Piece], files: Mapping[str, str] | None = None) ->
                 piece.cut_length,
                 piece.mass,
                 file,
+                "" if piece.sheet.grain == "none" else piece.sheet.grain,
+                _like(piece, seen),
             )
         )
     return CutList(tuple(rows))
+
+
+def _like(piece: Piece, seen: list[tuple[FlatShape, str]]) -> str:
+    """The first piece of the same shape, among those seen; this one joins them where there is none."""
+    outer = piece.drawing.on(CUT_OUTER)
+    if len(outer) != 1:
+        return ""
+    shape = FlatShape((Layer(piece.sheet, outer[0], piece.drawing.on(CUT_INNER)),))
+    first = next((name for other, name in seen if other.equals(shape)), "")
+    if not first:
+        seen.append((shape, piece.name))
+    return first
 
 
 def _table(rows: Sequence[Sequence[str]], *, right: Sequence[int]) -> str:

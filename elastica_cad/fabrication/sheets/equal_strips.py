@@ -1,4 +1,4 @@
-"""Strips that are the same part: cut loops that cover each other, turned about or over."""
+"""Strips and pieces that are the same part: cut loops that cover each other, turned about or over."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -10,7 +10,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.drawings.drawing import SAME_MM
 from elastica_cad.fabrication.placed_strip import Placed, strip_names
 from elastica_cad.fabrication.strip.flat_outline import pace
-from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip.strip_record import Layer, Strip
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.point_distance import distances
 from elastica_cad.geometry.paths.segments import Segment, Spline
@@ -57,38 +57,45 @@ def group_equal_strips(placed: Sequence[Placed]) -> tuple[EqualStrips, ...]:
 
     Strips are equal where sheet, label and all cut loops are, after turning the part about or over.
     """
-    found: list[tuple[_FlatShape, list[int]]] = []
+    found: list[tuple[FlatShape, Strip, list[int]]] = []
     known: dict[int, list[int]] = {}  # one strip in several places need not be compared again
     for index, strip in enumerate(one.strip for one in placed):
         if id(strip) not in known:
-            shape = _FlatShape(strip)
-            alike = next((members for first, members in found if first.equals(shape)), None)
+            shape = FlatShape(strip.layers)
+            alike = next(
+                (
+                    members
+                    for first, other, members in found
+                    if _same_marks(other, strip) and first.equals(shape)
+                ),
+                None,
+            )
             if alike is None:
                 alike = []
-                found.append((shape, alike))
+                found.append((shape, strip, alike))
             known[id(strip)] = alike
         known[id(strip)].append(index)
     names = strip_names(placed)
-    return tuple(EqualStrips(shape.strip, names[members[0]], tuple(members)) for shape, members in found)
+    return tuple(EqualStrips(strip, names[members[0]], tuple(members)) for _, strip, members in found)
+
+
+def _same_marks(a: Strip, b: Strip) -> bool:
+    """Is the same engraved on both?"""
+    mates = [sorted(slot.mate for slot in strip.slots) for strip in (a, b)]
+    return a.label == b.label and mates[0] == mates[1]
 
 
 @dataclass(frozen=True, eq=False)
-class _FlatShape:
-    """A strip's cut loops, ready to be compared with many others."""
+class FlatShape:
+    """The cut loops of a part, of each of its layers, ready to be compared with many others."""
 
-    strip: Strip
+    layers: tuple[Layer, ...]
 
-    def equals(self, other: "_FlatShape") -> bool:
-        """Would one part serve for both? Sheet, style, label, mates and all loops must be the same."""
-        a, b = self.strip, other.strip
-        if a is b:
-            return True
-        mates = [sorted(slot.mate for slot in strip.slots) for strip in (a, b)]
-        if a.label != b.label or a.sheet != b.sheet or mates[0] != mates[1] or len(a.layers) != len(b.layers):
-            return False
-        if any(
+    def equals(self, other: "FlatShape") -> bool:
+        """Would one part serve for both, but for what is engraved? Sheets and all loops must be the same."""
+        if len(self.layers) != len(other.layers) or any(
             p.sheet != q.sheet or len(p.holes) != len(q.holes)
-            for p, q in zip(a.layers, b.layers, strict=True)
+            for p, q in zip(self.layers, other.layers, strict=True)
         ):
             return False
         if np.abs(self._size - other._size).max() > SAME_MM * self._size[0]:
@@ -99,24 +106,24 @@ class _FlatShape:
     @cached_property
     def _size(self) -> FloatArray:
         """Length, box and areas of the loops: cheap to compare."""
-        layers = self.strip.layers
+        layers = self.layers
         width, height = np.diff(layers[0].outline.bounds, axis=0)[0]
         return np.array([layers[0].outline.length, width, height, *(np.sqrt(layer.area) for layer in layers)])
 
     @cached_property
     def _lean(self) -> FloatArray:
         """From the middle of the box to the centroid (2,), mm: its signs change as the part is turned."""
-        x, y = self.strip.outline.points(CENTROID_MM).T
+        x, y = self.layers[0].outline.points(CENTROID_MM).T
         x1, y1 = np.roll(x, -1), np.roll(y, -1)
         cross = x * y1 - x1 * y
         centroid = np.array([((x + x1) * cross).sum(), ((y + y1) * cross).sum()]) / (3 * cross.sum())
-        return np.asarray(centroid - self.strip.outline.bounds.mean(axis=0), dtype=float)
+        return np.asarray(centroid - self.layers[0].outline.bounds.mean(axis=0), dtype=float)
 
-    def _covers(self, other: "_FlatShape", way: tuple[int, int]) -> bool:
+    def _covers(self, other: "FlatShape", way: tuple[int, int]) -> bool:
         """Do the other's loops, turned and laid onto the middle of this one's, run along these?"""
-        middles = [shape.strip.outline.bounds.mean(axis=0) for shape in (self, other)]
+        middles = [shape.layers[0].outline.bounds.mean(axis=0) for shape in (self, other)]
         shift = middles[0] - way * middles[1]
-        for own, others in zip(self.strip.layers, other.strip.layers, strict=True):
+        for own, others in zip(self.layers, other.layers, strict=True):
             if not _along(own.outline, _samples(others.outline) * way + shift):
                 return False
             moved = [(hole.length, _samples(hole) * way + shift) for hole in others.holes]

@@ -40,6 +40,13 @@ class NestedSheet(Drawing):
     filled: float = 0.0
 
     @property
+    def grain(self) -> str:
+        """How the sheet must lie: where its grain runs; empty for sheets without grain."""
+        if self.sheet is None or self.sheet.grain == "none":
+            return ""
+        return f"the grain runs along x, the side of {self.sheet_size[0]:g} mm"
+
+    @property
     def counts(self) -> dict[str, int]:
         """How often each piece is on this sheet."""
         return dict(Counter(self.pieces))

@@ -69,6 +69,7 @@ def report_model(
                 "drawing": nest.name,
                 "size": round_numbers(nest.sheet_size),
                 "pieces": nest.counts,
+                "grain": nest.grain,
                 "filled": round_numbers(nest.filled / nest.used),
             }
             for nest in nests

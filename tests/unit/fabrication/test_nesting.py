@@ -16,6 +16,7 @@ from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.sheets.cut_list import cut_list
 from elastica_cad.fabrication.sheets.nesting import nest_pieces
 from elastica_cad.fabrication.sheets.pieces import Piece
+from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -148,6 +149,31 @@ def test_cut_list_tells_sizes_and_sums():
     assert listed.count == 3
     assert "in all" in str(listed)
     assert str(listed).count("\n") == 6
+
+
+def test_equal_shapes_are_told_whatever_is_engraved():
+    """As it is, turned about, mirrored across, mirrored along; a little longer is another shape."""
+    uneven = Strip(
+        Rod.straight(120.0, [1.0, 2.0, 1.4]), CARD, max_width=20.0, slots=(Slot(30.0, 0.4),), label="A"
+    )
+    about = Strip(
+        Rod.straight(120.0, [1.4, 2.0, 1.0]), CARD, max_width=20.0, slots=(Slot(90.0, 0.4),), label="B"
+    )
+    other = Strip(
+        Rod.straight(121.0, [1.0, 2.0, 1.4]), CARD, max_width=20.0, slots=(Slot(30.0, 0.4),), label="D"
+    )
+    turned = replace(about.mirrored(), label="C")
+    listed = Model([Placed(one) for one in (uneven, about, turned, other)]).cut_list()
+    assert [(row.part, row.like) for row in listed.rows] == [("A", ""), ("B", "A"), ("C", "A"), ("D", "")]
+    assert listed.shapes == 2
+    assert [row.grain for row in listed.rows] == ["along"] * 4
+    assert "same_shape_as" in listed.csv
+
+
+@pytest.mark.parametrize(("sheet", "told"), [(CARD, "the grain runs along x, the side of 300 mm"), (MDF, "")])
+def test_nests_say_where_the_grain_runs(sheet, told):
+    (nest,) = nest_pieces([plate("g", 120, 30, sheet)], sheet_size=(300, 200))
+    assert nest.grain == told
 
 
 def test_different_parts_with_one_label_are_numbered():
