@@ -25,6 +25,9 @@ from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
 NOT_REALIZABLE, BAD_INPUT = 1, 2
 
+MOST_CURES = 3
+"""Curves of a file for which a strip is sought; each costs a few solves."""
+
 
 @click.command()
 @curve_options
@@ -52,10 +55,16 @@ def check(
     smooth curve.
     """
     drawing = drawn_curves(curve, unit, number, layer)
-    supports, answers, worst = Supports(start, end), [], 0
+    supports, worst = Supports(start, end), 0
+    answers: list[tuple[DrawnCurve, dict[str, Any]]] = []
     for one in drawing.chosen(number, layer):
         try:
             answer, good = _judged(curve, one, len(drawing), supports, natural_curvature, smooth)
+            cured = sum("cure" in told for _, told in answers)
+            if not good and cured < MOST_CURES:
+                which = ("--curve", str(one.number)) if len(drawing) > 1 else ()
+                cure = cure_for_curve(one.curve, supports, natural_curvature, smooth, which)
+                answer |= {"cure": cure} if cure else {}
         except ElasticaError as problem:
             if len(drawing) == 1:
                 raise
@@ -92,7 +101,4 @@ def _judged(
     report = report_check(found)
     if doubt:
         report["advice"] = f"{doubt} As it stands: {report['advice']}"
-    which = ("--curve", str(one.number)) if count > 1 else ()
-    cure = "" if found.realizable else cure_for_curve(drawn, supports, natural_curvature, smooth, which)
-    told = {"undecided": bool(doubt), "notes": list(smoothing.notes)} | ({"cure": cure} if cure else {})
-    return report | told, found.realizable
+    return report | {"undecided": bool(doubt), "notes": list(smoothing.notes)}, found.realizable

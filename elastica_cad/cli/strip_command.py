@@ -25,7 +25,6 @@ from elastica_cad.cli.options import (
 from elastica_cad.cli.strip_options import NotMetError, spec_from_options, strip_options
 from elastica_cad.errors import ElasticaError, InputError, NotConvergedError
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
-from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.drawings.lettering import engravable
 from elastica_cad.fabrication.makeability.splices import spliced
 from elastica_cad.fabrication.strip.strip_record import Strip
