@@ -94,6 +94,9 @@ def test_every_command(tmp_path):
     assert "can take this curve" in found["check"]
     assert found["check overlay"]["comb"] > 100
     assert found["nearest is realizable"]
+    before, changed, after = found["nearest after undo"]
+    assert changed != pytest.approx(before, rel=1e-3)
+    assert after == pytest.approx(before, rel=1e-9)
     assert found["replaced"] == [6, True]
     assert found["perforated"][0] == ["Up-to-date"]
     assert found["perforated"][1] > 30

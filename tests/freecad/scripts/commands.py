@@ -136,6 +136,18 @@ def nearest_command(document, bad):
     assert found.State == ["Up-to-date"], found.getStatusString()
     assert len(document.Objects) == count + 1
     answers["nearest is realizable"] = check_equilibrium(drawn_curve((found, ())).curve).realizable
+    length = found.Shape.Length
+    document.openTransaction("Draw")
+    curve = bad.Geometry[0]
+    curve.setPole(3, App.Vector(85, -40, 0))
+    bad.delGeometry(0)
+    bad.addGeometry(curve, False)
+    document.commitTransaction()
+    document.recompute()
+    changed = found.Shape.Length
+    document.undo()
+    wait(300)
+    answers["nearest after undo"] = (length, changed, found.Shape.Length)
 
 
 def bend_command(document, strip):

@@ -12,6 +12,7 @@ from freecad.elastica_wb.host.qt import QtCore
 from freecad.elastica_wb.live.sketches import (
     edited_sketch,
     followers,
+    is_curve,
     is_sketch,
     is_strip,
     recompute,
@@ -114,9 +115,9 @@ class Changes:
     def _after_undo(self, document: Any) -> None:
         changed = {name for place, name in self._changed if place == document.Name}
         self._changed.clear()
-        strips = [obj for obj in document.Objects if is_strip(obj)] if changed else []
-        if strips:
-            QtCore.QTimer.singleShot(0, lambda: recompute(_stale(strips, changed)))
+        ours = [obj for obj in document.Objects if is_strip(obj) or is_curve(obj)] if changed else []
+        if ours:
+            QtCore.QTimer.singleShot(0, lambda: recompute(_stale(ours, changed)))
         if _session() is not None:
             self._soon()
 
@@ -161,8 +162,11 @@ def _hide_failed(sketch: Any) -> None:
     hide_failed(followers(sketch))
 
 
-def _stale(strips: list[Any], changed: set[str]) -> list[Any]:
-    """Those whose shape was not made from what they ask for now."""
+def _stale(ours: list[Any], changed: set[str]) -> list[Any]:
+    """Strips whose shape was not made from what they ask for now, and curves made from what is not as it was."""
     from freecad.elastica_wb.features.strip import is_stale
 
-    return [strip for strip in strips if lives(strip) and is_stale(strip, changed)]
+    stale = [obj for obj in ours if lives(obj) and is_strip(obj) and is_stale(obj, changed)]
+    names = changed | {obj.Name for obj in stale}
+    curves = [obj for obj in ours if lives(obj) and is_curve(obj)]
+    return stale + [obj for obj in curves if any(source.Name in names for source in obj.OutList)]

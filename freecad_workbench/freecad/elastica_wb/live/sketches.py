@@ -15,7 +15,7 @@ from freecad.elastica_wb.host.qt import QtCore
 MEMORY = "ElasticaLive"
 """Property of a sketch that remembers whether it has the overlay."""
 
-STRIPS = "freecad.elastica_wb.features.strip"
+STRIPS, CURVES = "freecad.elastica_wb.features.strip", "freecad.elastica_wb.features.curves"
 AGAIN_MS = 20  # until a document that recomputes is asked again: its progress bar lets timers run
 
 listeners: list[Callable[[bool], None]] = []
@@ -73,3 +73,8 @@ def recompute(strips: list[Any]) -> None:
 def is_strip(obj: Any) -> bool:
     """Is this object a strip? Asked without importing what makes them."""
     return type(getattr(obj, "Proxy", None)).__module__ == STRIPS
+
+
+def is_curve(obj: Any) -> bool:
+    """Is this object a curve that follows others? Asked in the same way."""
+    return type(getattr(obj, "Proxy", None)).__module__ == CURVES
