@@ -19,7 +19,7 @@ from elastica_cad.errors import ElasticaError
 from elastica_cad.formats.curve_files.drawn_file import DrawnCurve
 from elastica_cad.formats.reports.strip_report import report_check
 from elastica_cad.forming.rounding_verdict import undecided_by_rounding
-from elastica_cad.forming.smoothing import smoothed
+from elastica_cad.forming.smoothing import smooth_curve
 from elastica_cad.mechanics.loads.supports import EndName, Supports
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
@@ -95,7 +95,7 @@ def _judged(
 ) -> tuple[dict[str, Any], bool]:
     """The report on one curve, and whether it can be bent."""
     drawn = bendable_curve(path, one, count)
-    smoothing = smoothed(drawn, smooth, supports=supports)
+    smoothing = smooth_curve(drawn, smooth, supports=supports)
     found = check_equilibrium(smoothing.curve, supports=supports, natural_curvature=natural_curvature)
     doubt = "" if natural_curvature else undecided_by_rounding(drawn, found.realizable, smooth, supports)
     report = report_check(found)

@@ -20,7 +20,7 @@ from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import LaminateLayers, RodSpec, accepted_rod
-from elastica_cad.forming.smoothing import smoothed
+from elastica_cad.forming.smoothing import smooth_curve
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.loads.arguments import require_curve, require_supports
@@ -75,7 +75,7 @@ class StripSpec(EqualByValue):
     smooth : float, optional
         How far the curve may be moved to make its curvature and the slope of that continuous, mm; 0: exactly as
         drawn. Unless given only curves of a pen tool whose curvature jumps, read from a drawing, are moved, by
-        0.1 mm or 5e-4 of the length at most (see `smoothed`).
+        0.1 mm or 5e-4 of the length at most (see `smooth_curve`).
     shop : Shop
         What the workshop can make: least widths and the largest sheet.
     anyway : bool
@@ -293,7 +293,7 @@ class StripSpec(EqualByValue):
     @property
     def _bent(self) -> PlaneCurve:
         """The curve that the strip takes where it may not change."""
-        return smoothed(self.curve, self.smooth, supports=require_supports(self.supports)).curve
+        return smooth_curve(self.curve, self.smooth, supports=require_supports(self.supports)).curve
 
     def _layers(self, style: Laminated, gravity: Gravity) -> LaminateLayers:
         """What the rod of a laminate is found from; its weight is known for sheets that stand upright only."""

@@ -10,7 +10,7 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod, Status
 from elastica_cad.forming.nearest.nearest_rod import nearest_rod
-from elastica_cad.forming.smoothing import Smoothing, checked_smooth, smoothed
+from elastica_cad.forming.smoothing import Smoothing, check_smooth, smooth_curve
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.loads.arguments import (
@@ -67,7 +67,7 @@ class RodSpec(EqualByValue):
     layers : LaminateLayers, optional
         Of a laminate that feels its weight.
     smooth : float, optional
-        How far the curve may be moved to make it fair, mm: see `smoothed`.
+        How far the curve may be moved to make it fair, mm: see `smooth_curve`.
 
     Raises
     ------
@@ -90,7 +90,7 @@ class RodSpec(EqualByValue):
         require_curve(self.curve)
         require_gravity(self.gravity)
         object.__setattr__(self, "supports", require_supports(self.supports))
-        object.__setattr__(self, "smooth", checked_smooth(self.smooth))
+        object.__setattr__(self, "smooth", check_smooth(self.smooth))
         if not (
             isinstance(self.natural_curvature, float | int | np.number)
             and np.isfinite(self.natural_curvature)
@@ -137,7 +137,7 @@ class RodSpec(EqualByValue):
     @cached_property
     def smoothing(self) -> Smoothing:
         """The drawn curve and the one that is bent instead."""
-        return smoothed(self.curve, self.smooth, supports=self.supports)
+        return smooth_curve(self.curve, self.smooth, supports=self.supports)
 
     def solve(self) -> "Rod | NearestRod":
         """The rod that rests in the curve, or where the curve may change the nearest one.

@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 
 from elastica_cad.errors import ElasticaError
-from elastica_cad.forming.smoothing import smoothed
+from elastica_cad.forming.smoothing import smooth_curve
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.curves.tangent_healing import healed_tangents
+from elastica_cad.geometry.curves.tangent_healing import heal_tangents
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
@@ -37,7 +37,7 @@ def undecided_by_rounding(
     realizable : bool
         The verdict on it.
     smooth, supports
-        As in `smoothed`.
+        As in `smooth_curve`.
     """
     drawn = curve.provenance
     if drawn is None or drawn.drawn != "pen" or drawn.rounding <= SLIGHT * curve.length:
@@ -47,9 +47,7 @@ def undecided_by_rounding(
         moved = curve.control_points + rng.uniform(
             -drawn.rounding, drawn.rounding, curve.control_points.shape
         )
-        healing = healed_tangents(
-            curve.knots, moved, curve.degree, curve.weights, rounding=2 * drawn.rounding
-        )
+        healing = heal_tangents(curve.knots, moved, curve.degree, curve.weights, rounding=2 * drawn.rounding)
         try:
             other = PlaneCurve(
                 healing.knots,
@@ -61,7 +59,7 @@ def undecided_by_rounding(
             if other.tangent_breaks:
                 continue
             if (
-                check_equilibrium(smoothed(other, smooth, supports=supports).curve, supports).realizable
+                check_equilibrium(smooth_curve(other, smooth, supports=supports).curve, supports).realizable
                 != realizable
             ):
                 return UNDECIDED.format(rounding=drawn.rounding)

@@ -6,7 +6,7 @@ from functools import cached_property
 import numpy as np
 
 from elastica_cad.errors import ElasticaError, InputError
-from elastica_cad.geometry.curve_editing.fairing import Fairing, faired, unasked_tolerance
+from elastica_cad.geometry.curve_editing.fairing import Fairing, choose_tolerance, fair_curve
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
@@ -80,7 +80,7 @@ class Smoothing:
         return tuple(found)
 
 
-def checked_smooth(smooth: object) -> float | None:
+def check_smooth(smooth: object) -> float | None:
     """The distance in mm that fairing may move a curve by, 0 for none; None leaves it to the curve.
 
     Raises
@@ -99,7 +99,7 @@ def checked_smooth(smooth: object) -> float | None:
     return float(smooth)
 
 
-def smoothed(
+def smooth_curve(
     curve: PlaneCurve, smooth: float | None = None, *, supports: Supports | None = None
 ) -> Smoothing:
     """The curve to be bent instead of a drawn one.
@@ -109,7 +109,7 @@ def smoothed(
     smooth : float, optional
         0: exactly the drawn one; more: fair within so many mm; None: only a curve of a pen tool whose
         curvature jumps
-        is moved (see `unasked_tolerance`), and only where it can be bent afterwards if it could before.
+        is moved (see `choose_tolerance`), and only where it can be bent afterwards if it could before.
     supports : Supports, optional
         What holds the ends.
 
@@ -122,18 +122,18 @@ def smoothed(
     --------
     >>> pen = PlaneCurve(np.repeat([0.0, 1.0, 2.0], [4, 3, 4]),
     ...                  [(0, 0), (0, 60), (40, 100), (100, 100), (150, 100), (200, 70), (200, 0)], 3)
-    >>> smoothed(pen).moved, round(smoothed(pen, 0.1).ratio_as_drawn, 2)
+    >>> smooth_curve(pen).moved, round(smooth_curve(pen, 0.1).ratio_as_drawn, 2)
     (0.0, 1.63)
     """
-    smooth = checked_smooth(smooth)
+    smooth = check_smooth(smooth)
     if smooth is not None:
-        fairing = faired(curve, smooth) if smooth > 0 else None
+        fairing = fair_curve(curve, smooth) if smooth > 0 else None
         return _with(curve, fairing, supports)
-    tolerance = unasked_tolerance(curve)
+    tolerance = choose_tolerance(curve)
     if tolerance == 0:
         return _with(curve, None, supports)
     try:
-        fairing = faired(curve, tolerance)
+        fairing = fair_curve(curve, tolerance)
     except InputError:
         return _with(curve, None, supports)
     if _can_be_bent(curve, supports) and not _can_be_bent(fairing.curve, supports):

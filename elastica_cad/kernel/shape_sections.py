@@ -7,7 +7,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.formats.curve_files.chains import chained
+from elastica_cad.formats.curve_files.chains import join_runs
 from elastica_cad.formats.curve_files.edges import Edge
 from elastica_cad.forming.plane_sections.mesh_sections import refuse_odd_planes
 from elastica_cad.forming.plane_sections.section_lines import PlaneSection, collect_section, tidy_points
@@ -95,7 +95,7 @@ def shape_surface(shape: Shape, scale: float = 1.0) -> Surface:
 
 
 def _section(cut: Shape, frame: Frame, half: bool, name: str) -> PlaneSection:
-    runs = chained([(edge,) for edge in drawn_edges(cut)], JOIN)
+    runs = join_runs([(edge,) for edge in drawn_edges(cut)], JOIN)
     return collect_section(name, frame, [_points(run, frame) for run in runs], half=half, apart=JOIN)
 
 

@@ -24,8 +24,8 @@ from elastica_cad.formats.curve_files.drawn_file import (
     list_things,
 )
 from elastica_cad.formats.curve_files.edges import Edge
-from elastica_cad.formats.curve_files.number_gate import checked_size
-from elastica_cad.formats.curve_files.placed_curve import placed_chain
+from elastica_cad.formats.curve_files.number_gate import check_size
+from elastica_cad.formats.curve_files.placed_curve import place_chain
 from elastica_cad.formats.file_access.atomic_write import write_atomically
 from elastica_cad.formats.file_access.source_file import name_source
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -202,8 +202,8 @@ def read_step_drawing(path: str | PathLike[str], *, scale: float = 1.0) -> Drawn
 
 
 def _scaled(chain: Sequence[Edge], scale: float) -> PlaneCurve:
-    curve, _ = placed_chain(chain)
-    checked_size(scale * curve.control_points)
+    curve, _ = place_chain(chain)
+    check_size(scale * curve.control_points)
     return curve if scale == 1.0 else curve.transformed(np.diag([scale, scale, 1.0]))
 
 

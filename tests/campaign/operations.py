@@ -129,7 +129,7 @@ class Build123d:
             "shell flat": lambda: bd.offset(flat, -WALL, openings=flat.faces().sort_by(bd.Axis.X)[-1]),
             "boolean": lambda: bent - box,
             "mirror": lambda: bent.mirror(bd.Plane.YZ),
-            "split": lambda: bd.Part(bd.Compound(flattened(bent.split(plane, bd.Keep.BOTH))).wrapped),
+            "split": lambda: bd.Part(bd.Compound(flatten_run(bent.split(plane, bd.Keep.BOTH))).wrapped),
         }
         if name in makers:
             made = makers[name]()
@@ -263,9 +263,9 @@ class FreeCAD:
         return min(body.Faces, key=lambda f: (f.CenterOfMass - self.app.Vector(*tip)).Length)
 
 
-def flattened(shapes: Any) -> list[Any]:
+def flatten_run(shapes: Any) -> list[Any]:
     """All shapes of nested lists."""
-    return [one for item in shapes for one in (flattened(item) if isinstance(item, list) else [item])]
+    return [one for item in shapes for one in (flatten_run(item) if isinstance(item, list) else [item])]
 
 
 def scratch(name: str) -> str:

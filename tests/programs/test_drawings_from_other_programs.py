@@ -9,7 +9,7 @@ import pytest
 
 from elastica_cad.errors import ElasticaError
 from elastica_cad.files import read_curves, read_drawing
-from elastica_cad.forming.smoothing import smoothed
+from elastica_cad.forming.smoothing import smooth_curve
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium, require_bendable
 
 PRECISION = """<inkscape xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" version="1">
@@ -44,7 +44,7 @@ def test_inkscape_saves_the_same_arch_at_every_precision(tmp_path, digits):
     subprocess.run(command, cwd=tmp_path, env=here, check=True, capture_output=True, timeout=120)
     (curve,) = read_curves(tmp_path / "saved.svg")
     require_bendable(curve)
-    smoothing = smoothed(curve)
+    smoothing = smooth_curve(curve)
     check = check_equilibrium(smoothing.curve)
     assert check.realizable
     assert not len(check.inflections)
@@ -57,10 +57,10 @@ def test_freecad_saves_one_curve_as_a_drawing_and_as_a_model(tmp_path):
     script.write_text(IN_FREECAD.format(folder=str(tmp_path)))
     subprocess.run(["freecadcmd", str(script)], check=True, capture_output=True, timeout=120)
     (drawn,) = read_curves(tmp_path / "f.svg")
-    assert smoothed(drawn).fairing is not None  # a pen's path
+    assert smooth_curve(drawn).fairing is not None  # a pen's path
     pytest.importorskip("OCP")
     (model,) = read_curves(tmp_path / "f.step")
-    assert smoothed(model).curve is model  # a kernel's edges never move
+    assert smooth_curve(model).curve is model  # a kernel's edges never move
     assert model.length == pytest.approx(drawn.length, rel=1e-9)
 
 

@@ -6,9 +6,9 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.curve_editing.fairing import faired, two_sided_distance
+from elastica_cad.geometry.curve_editing.fairing import fair_curve, two_sided_distance
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.curves.tangent_healing import SURE, healed_tangents
+from elastica_cad.geometry.curves.tangent_healing import SURE, heal_tangents
 
 pytestmark = pytest.mark.core
 
@@ -38,7 +38,7 @@ def test_fair_curves_stay_within_the_tolerance_and_keep_their_ends(drawn, tolera
     curve = PlaneCurve(*drawn, 3)
     assume(not curve.tangent_breaks)
     try:
-        fair = faired(curve, tolerance)
+        fair = fair_curve(curve, tolerance)
     except InputError:
         assume(False)
     assert fair.moved <= tolerance
@@ -59,10 +59,10 @@ def test_fairing_follows_turns_and_scales(drawn, degrees, scale):
     c, s = scale * np.cos(np.radians(degrees)), scale * np.sin(np.radians(degrees))
     image = curve.transformed(np.array([[c, -s, 7.0], [s, c, -3.0], [0, 0, 1]]))
     try:
-        here = faired(curve, 0.1)
+        here = fair_curve(curve, 0.1)
     except InputError:
         assume(False)
-    there = faired(image, 0.1 * scale)
+    there = fair_curve(image, 0.1 * scale)
     assert there.moved == pytest.approx(scale * here.moved, rel=0.02)
     assert there.curve.length == pytest.approx(scale * here.curve.length, rel=1e-5)
 
@@ -73,7 +73,7 @@ def test_rounding_is_healed_wherever_it_is_small(drawn, decimals, scale):
     knots, points = drawn
     rounded = scale * np.round(points / scale, decimals)
     rounding = scale * 0.5 * 10.0**-decimals
-    healing = healed_tangents(knots, rounded, 3, rounding=rounding)
+    healing = heal_tangents(knots, rounded, 3, rounding=rounding)
     curve = PlaneCurve(healing.knots, healing.control_points, 3)
     assert not curve.tangent_breaks or all(turn.angle > SURE for turn in healing.undecided)
     assert len(curve.tangent_breaks) <= len(healing.undecided)
@@ -88,7 +88,7 @@ def test_real_corners_are_never_healed(drawn, node, degrees, decimals):
     at = 3 * min(node, (len(points) - 1) // 3 - 1)
     c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
     points[at + 1] = points[at] + (points[at + 1] - points[at]) @ np.array([[c, s], [-s, c]])
-    healing = healed_tangents(knots, np.round(points, decimals), 3, rounding=0.5 * 10.0**-decimals)
+    healing = heal_tangents(knots, np.round(points, decimals), 3, rounding=0.5 * 10.0**-decimals)
     handles = healing.control_points[at - 1 : at + 2]
     before, after = np.diff(handles, axis=0)
     turn = np.degrees(abs(np.arctan2(before[0] * after[1] - before[1] * after[0], before @ after)))

@@ -9,16 +9,16 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.formats.curve_files.edges import Edge, Run, reversed_run
+from elastica_cad.formats.curve_files.edges import Edge, Run, reverse_run
 from elastica_cad.formats.curve_files.number_gate import (
     MOST_PIECES,
-    checked_count,
-    checked_size,
-    checked_tolerance,
+    check_count,
+    check_size,
+    check_tolerance,
 )
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.curves.provenance import Provenance
-from elastica_cad.geometry.curves.tangent_healing import healed_tangents
+from elastica_cad.geometry.curves.tangent_healing import heal_tangents
 from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
 
 JOIN_TOLERANCE = 0.01  # mm: files are written with three or four decimals
@@ -32,14 +32,14 @@ _Joints: TypeAlias = dict[
 ]  # end (run, 0 start or 1 end) -> the end it touches
 
 
-def chained(runs: Iterable[Sequence[Edge]], tolerance: float = JOIN_TOLERANCE) -> list[Run]:
+def join_runs(runs: Iterable[Sequence[Edge]], tolerance: float = JOIN_TOLERANCE) -> list[Run]:
     """Runs of edges joined wherever exactly two ends lie within `tolerance` mm of each other.
 
     A chain runs the way its first edge in the file was drawn. Where three or more ends meet nothing is
     joined, for no file says which way the strip goes on, and none across layers. An edge drawn twice counts once,
     one shorter than the tolerance not.
     """
-    checked_tolerance(tolerance, "tolerance for joining")
+    check_tolerance(tolerance, "tolerance for joining")
     long = [tuple(run) for run in runs if sum(e.size for e in run) > tolerance]
     if len(long) < 2:
         return long
@@ -52,7 +52,7 @@ def chained(runs: Iterable[Sequence[Edge]], tolerance: float = JOIN_TOLERANCE) -
         forward = _walk(first, 1, partner, used)
         backward = _walk(first, 0, partner, used)
         way = [(i, 1 - side) for i, side in reversed(backward)] + [(first, 1)] + forward
-        chains.append(tuple(e for i, side in way for e in (kept[i] if side else reversed_run(kept[i]))))
+        chains.append(tuple(e for i, side in way for e in (kept[i] if side else reverse_run(kept[i]))))
     return chains
 
 
@@ -131,7 +131,7 @@ def _same(one: Run, other: Run, tolerance: float) -> bool:
     mine = _probes(one)
     return any(
         float(np.abs(mine - _probes(candidate)).max()) <= tolerance
-        for candidate in (other, reversed_run(other))
+        for candidate in (other, reverse_run(other))
     )
 
 
@@ -169,8 +169,8 @@ def curve_from_run(
     InputError
         When the numbers make no curve.
     """
-    checked_size(np.concatenate([edge.points for edge in run]))
-    checked_count(
+    check_size(np.concatenate([edge.points for edge in run]))
+    check_count(
         sum(edge.spans.widths.size if edge.degree > 1 else len(edge.points) // 4 for edge in run),
         MOST_PIECES,
         "pieces in one curve",
@@ -190,7 +190,7 @@ def curve_from_run(
     dust = 1e-9 * sum(edge.size for edge in run)
     exact = [_exact(edge, fit_tolerance) for edge in run if edge.size > dust]
     one = exact[0] if len(exact) == 1 else _joined(exact, tolerance)
-    healing = healed_tangents(one.knots, one.points, one.degree, one.weights, rounding=drawn.rounding)
+    healing = heal_tangents(one.knots, one.points, one.degree, one.weights, rounding=drawn.rounding)
     return PlaneCurve(
         healing.knots,
         healing.control_points,

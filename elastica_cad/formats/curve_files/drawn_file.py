@@ -6,9 +6,9 @@ from functools import cached_property, partial
 from pathlib import Path
 
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.formats.curve_files.chains import chained, curve_from_run
+from elastica_cad.formats.curve_files.chains import curve_from_run, join_runs
 from elastica_cad.formats.curve_files.edges import Run, Source
-from elastica_cad.formats.curve_files.number_gate import MOST_CURVES, checked_count, checked_tolerance
+from elastica_cad.formats.curve_files.number_gate import MOST_CURVES, check_count, check_tolerance
 from elastica_cad.formats.file_access.source_file import name_source
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.curves.provenance import Provenance
@@ -82,7 +82,7 @@ class DrawnFile:
     skipped: Mapping[str, int] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        checked_count(len(self.curves), MOST_CURVES, "curves", "leave out what is no strip")
+        check_count(len(self.curves), MOST_CURVES, "curves", "leave out what is no strip")
 
     def __iter__(self) -> Iterator[DrawnCurve]:
         return iter(self.curves)
@@ -191,9 +191,9 @@ def collect_curves(
     InputError
         No curve, with what was found instead; tolerances that are not positive.
     """
-    checked_tolerance(fit_tolerance, "tolerance for fitting")
+    check_tolerance(fit_tolerance, "tolerance for fitting")
     runs = list(runs)
-    chains = chained((run for run in runs if run), tolerance)
+    chains = join_runs((run for run in runs if run), tolerance)
     if not chains:
         found = dict(sorted(skipped.items())) | ({"of no length": len(runs)} if runs else {})
         raise InputError(nothing + (f" (found only {list_things(found)})" if found else ""))

@@ -19,9 +19,9 @@ from elastica_cad.formats.curve_files.dxf_text import (
     dxf_rounding,
     refuse_many_inserts,
 )
-from elastica_cad.formats.curve_files.edge_plane import flattened
+from elastica_cad.formats.curve_files.edge_plane import flatten_run
 from elastica_cad.formats.curve_files.edges import Edge, Run, Source
-from elastica_cad.formats.curve_files.number_gate import checked_degree, checked_places
+from elastica_cad.formats.curve_files.number_gate import check_degree, check_places
 from elastica_cad.formats.file_access.source_file import look_up_unit, name_source
 from elastica_cad.geometry.curves.provenance import Provenance
 
@@ -79,7 +79,7 @@ def read_dxf_drawing(
         skipped: Counter[str] = Counter()
         place, called = np.diag([1 / scale, 1 / scale, 1.0]), "mm" if scale == 1 else "drawing units"
         return collect_curves(
-            file, _runs(document, scale, rounding, skipped), skipped, tolerance=tolerance, flat=flattened,
+            file, _runs(document, scale, rounding, skipped), skipped, tolerance=tolerance, flat=flatten_run,
             nothing="holds no curve in its model space: draw a SPLINE, ARC, ELLIPSE, LINE or polyline there",
             fit_tolerance=fit_tolerance, shown=Provenance(place=place, unit=called),
         )  # fmt: skip
@@ -102,7 +102,7 @@ def _runs(document: "Drawing", scale: float, rounding: float, skipped: Counter[s
             source = Source(f"{kind} {handle}" if handle else kind, layer, rounding * size)
             mapped = tuple(edge.mapped(scale * np.eye(3), np.zeros(3)).drawn_by(source) for edge in run)
             for edge in mapped:
-                checked_places(edge.points)
+                check_places(edge.points)
         except InputError as error:
             bad.append(error)
             skipped[f"{kind} that cannot be read ({error})"] += 1
@@ -266,7 +266,7 @@ def _spline(entity: Any) -> Edge:
     points = np.array([tuple(p) for p in entity.control_points], dtype=float)
     weights = np.array(entity.weights, dtype=float) if len(entity.weights) else None
     knots = np.array(entity.knots, dtype=float)
-    checked_degree(int(entity.dxf.degree))
+    check_degree(int(entity.dxf.degree))
     backwards = np.maximum.accumulate(knots) - knots
     if knots.size and backwards.max() <= 1e-9 * np.ptp(knots):  # knots written with too few decimals
         knots = knots + backwards

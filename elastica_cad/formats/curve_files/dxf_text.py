@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from elastica_cad.errors import InputError
-from elastica_cad.formats.curve_files.number_gate import MOST_SHAPES, checked_count, half_last_place
+from elastica_cad.formats.curve_files.number_gate import MOST_SHAPES, check_count, half_last_place
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
@@ -41,7 +41,7 @@ def refuse_many_inserts(document: "Drawing") -> None:
     """Refuse a drawing whose blocks, inserted as often as it says, come to more entities than are read."""
     known: dict[str, int] = {}
     total = _count(document, document.modelspace(), known, 0)
-    checked_count(
+    check_count(
         total,
         MOST_SHAPES,
         "entities, those of its blocks counted",

@@ -9,7 +9,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.edges import Edge, Run
 
 
-def flattened(run: Sequence[Edge], tolerance: float) -> Run:
+def flatten_run(run: Sequence[Edge], tolerance: float) -> Run:
     """The run of edges (m, 3) in the coordinates of its own plane (m, 2).
 
     In a plane z = const x and y are kept as drawn. Any other plane is looked at from the side from which its

@@ -186,6 +186,6 @@ Run = tuple[Edge, ...]
 """Edges that follow each other end to end."""
 
 
-def reversed_run(run: Sequence[Edge]) -> Run:
+def reverse_run(run: Sequence[Edge]) -> Run:
     """The run travelled the other way."""
     return tuple(edge.reversed() for edge in reversed(run))

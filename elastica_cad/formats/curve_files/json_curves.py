@@ -12,9 +12,9 @@ from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.drawn_file import CurveList, DrawnCurve, DrawnFile
 from elastica_cad.formats.curve_files.number_gate import (
     MOST_PIECES,
-    checked_count,
-    checked_degree,
-    checked_size,
+    check_count,
+    check_degree,
+    check_size,
 )
 from elastica_cad.formats.file_access.source_file import look_up_unit, name_source
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -102,9 +102,9 @@ def _curve(record: Any, where: str, scale: float) -> PlaneCurve:
     if points.ndim != 2 or points.shape[1] != 2:
         raise InputError(f"{where}: control_points must be rows of x and y")
     try:
-        checked_count(len(points), 4 * MOST_PIECES, "control points", "leave some out")
-        checked_degree(degree)
-        checked_size(scale * points)
+        check_count(len(points), 4 * MOST_PIECES, "control points", "leave some out")
+        check_degree(degree)
+        check_size(scale * points)
         return PlaneCurve(knots, scale * points, degree, weights)
     except InputError as error:
         raise InputError(f"{where}: {error}") from error

@@ -35,7 +35,7 @@ _PROGRAMS = 6  # significant digits, from which a program may count those instea
 _EVIDENCE = 2  # of the largest numbers that, not being round, would show all decimals that were written
 
 
-def checked_places(points: FloatArray) -> FloatArray:
+def check_places(points: FloatArray) -> FloatArray:
     """Coordinates in mm that are finite and not too far away.
 
     Raises
@@ -53,9 +53,9 @@ def checked_places(points: FloatArray) -> FloatArray:
     return points
 
 
-def checked_size(points: FloatArray) -> None:
+def check_size(points: FloatArray) -> None:
     """Refuse a curve whose control points (n, d), mm, spread over less or more than any strip does."""
-    checked_places(points)
+    check_places(points)
     size = float(np.ptp(points, axis=0).max()) if len(points) else 0.0
     if size != 0 and not SMALLEST_SIZE <= size <= LARGEST_SIZE:
         raise InputError(
@@ -64,14 +64,14 @@ def checked_size(points: FloatArray) -> None:
         )
 
 
-def checked_count(count: int, most: int, what: str, instead: str) -> int:
+def check_count(count: int, most: int, what: str, instead: str) -> int:
     """A count that is no larger than is worked on."""
     if count > most:
         raise InputError(f"has {_whole(count)} {what}, and at most {most} are read: {instead}")
     return count
 
 
-def checked_degree(degree: int) -> int:
+def check_degree(degree: int) -> int:
     """The degree of a spline, 1 or more."""
     if not 1 <= degree <= MOST_DEGREE:
         raise InputError(
@@ -80,7 +80,7 @@ def checked_degree(degree: int) -> int:
     return degree
 
 
-def checked_tolerance(value: float, name: str = "tolerance") -> float:
+def check_tolerance(value: float, name: str = "tolerance") -> float:
     """A distance in mm that readers join ends or fit points within."""
     if not (isinstance(value, int | float | np.number) and 1e-9 <= value <= 1e3):
         raise InputError(

@@ -7,7 +7,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.formats.curve_files.chains import chained, curve_from_run
+from elastica_cad.formats.curve_files.chains import curve_from_run, join_runs
 from elastica_cad.formats.curve_files.edge_plane import plane_axes
 from elastica_cad.formats.curve_files.edges import Edge, Run
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -44,7 +44,7 @@ def placed_curve(
         Edges that are not plane, have no length, do not meet or meet at a corner, that close, or that lie in
         another plane than `plane`.
     """
-    runs = chained([(edge,) for edge in edges], JOIN)
+    runs = join_runs([(edge,) for edge in edges], JOIN)
     if not runs:
         raise InputError("the edge has no length: draw a curve for the strip to follow")
     if len(runs) > 1:
@@ -52,15 +52,15 @@ def placed_curve(
             f"the edges make {len(runs)} separate chains: a strip follows one chain of edges that meet "
             "end to end"
         )
-    return placed_chain(runs[0], plane, AS_DRAWN if turned is None else np.asarray(turned, dtype=float))
+    return place_chain(runs[0], plane, AS_DRAWN if turned is None else np.asarray(turned, dtype=float))
 
 
 def edge_chains(edges: Sequence[Edge]) -> list[Run]:
-    """Every chain that the edges make end to end; `placed_chain` makes a curve of one."""
-    return chained([(edge,) for edge in edges], JOIN)
+    """Every chain that the edges make end to end; `place_chain` makes a curve of one."""
+    return join_runs([(edge,) for edge in edges], JOIN)
 
 
-def placed_chain(
+def place_chain(
     run: Sequence[Edge], plane: Frame | None = None, turned: FloatArray = AS_DRAWN
 ) -> tuple[PlaneCurve, Frame]:
     """The curve of one chain and its plane, as in `placed_curve`."""

@@ -13,10 +13,10 @@ from elastica_cad.formats.curve_files.drawn_file import CurveList, DrawnCurve, D
 from elastica_cad.formats.curve_files.number_gate import (
     MOST_PIECES,
     NUMBER,
-    checked_count,
-    checked_degree,
-    checked_size,
-    checked_tolerance,
+    check_count,
+    check_degree,
+    check_size,
+    check_tolerance,
     half_last_place,
 )
 from elastica_cad.formats.file_access.source_file import look_up_unit, name_source
@@ -54,7 +54,7 @@ def read_csv_drawing(path: str | Path, *, fit_tolerance: float, unit: str | None
     """The curves of a file of measured points one by one; all else as in `read_csv_curves`."""
     with name_source(path) as file:
         scale = look_up_unit(unit or "mm")
-        checked_tolerance(fit_tolerance, "tolerance for fitting")
+        check_tolerance(fit_tolerance, "tolerance for fitting")
         text = _text(file)
         blocks = _blocks(text)
         digits = Provenance(rounding=scale * half_last_place(re.findall(NUMBER, text)[:_DIGITS]))
@@ -63,8 +63,8 @@ def read_csv_drawing(path: str | Path, *, fit_tolerance: float, unit: str | None
 
 
 def _fitted(points: FloatArray, tolerance: float, digits: Provenance) -> PlaneCurve:
-    checked_size(points)
-    checked_count(len(points), 4 * MOST_PIECES, "points in one curve", "leave some out")
+    check_size(points)
+    check_count(len(points), 4 * MOST_PIECES, "points in one curve", "leave some out")
     return curve_from_points(points, tolerance=tolerance).drawn_as(digits)
 
 
@@ -99,14 +99,14 @@ def read_text_drawing(path: str | Path, *, unit: str | None) -> DrawnFile:
             raise InputError(
                 f"line {number} has a number of {max(len(w) for w in head)} digits: it cannot be meant"
             )
-        degree, count = checked_degree(int(head[0])), int(head[1])
-        checked_count(count, 4 * MOST_PIECES, "control points", "leave some out")
+        degree, count = check_degree(int(head[0])), int(head[1])
+        check_count(count, 4 * MOST_PIECES, "control points", "leave some out")
         if len(rows) - 1 != count:
             raise InputError(
                 f"line {number} announces {count} control points, but {len(rows) - 1} lines follow"
             )
         points = np.array([_numbers(row, n, 2) for n, row in rows[1:]]).reshape(-1, 2)
-        checked_size(scale * points)
+        check_size(scale * points)
         digits = Provenance(rounding=scale * half_last_place([word for _, row in rows[1:] for word in row]))
         knots = np.arange(-degree, count + 1, dtype=float)
         curve = PlaneCurve(knots, scale * points, degree, provenance=digits)

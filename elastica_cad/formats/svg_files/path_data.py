@@ -12,7 +12,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.edges import Edge
-from elastica_cad.formats.curve_files.number_gate import MOST_PIECES, NUMBER, checked_count, half_last_place
+from elastica_cad.formats.curve_files.number_gate import MOST_PIECES, NUMBER, check_count, half_last_place
 
 _SPACE = re.compile(r"[\s,]*")
 _NUMBER = re.compile(NUMBER)
@@ -72,7 +72,7 @@ def path_data(text: str) -> PathData:
     """
     pen, written, count = _Pen(), [], 0
     for command, words in _commands(text):
-        count = checked_count(count + 1, _MOST_SEGMENTS, "commands in one path or more", "simplify the path")
+        count = check_count(count + 1, _MOST_SEGMENTS, "commands in one path or more", "simplify the path")
         kind = command.upper()
         values = [float(word) for word in words]
         if not all(abs(value) < 1e15 for value in values):

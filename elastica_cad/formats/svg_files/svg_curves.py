@@ -14,7 +14,7 @@ from elastica_cad.errors import InputError, MissingDependencyError
 from elastica_cad.formats.curve_files.chains import FIT_TOLERANCE, JOIN_TOLERANCE
 from elastica_cad.formats.curve_files.drawn_file import CurveList, DrawnFile, collect_curves
 from elastica_cad.formats.curve_files.edges import Edge, Run, Source
-from elastica_cad.formats.curve_files.number_gate import MOST_EDGES, NUMBER, checked_count
+from elastica_cad.formats.curve_files.number_gate import MOST_EDGES, NUMBER, check_count
 from elastica_cad.formats.file_access.source_file import MILLIMETRES, look_up_unit, name_source
 from elastica_cad.formats.svg_files.path_data import PathData, bezier_edge, path_data
 from elastica_cad.formats.svg_files.svg_tree import LENGTH, MARK, MM, SvgTree, svg_tree
@@ -140,7 +140,7 @@ def _runs(path: Path, tree: SvgTree, to_mm: FloatArray) -> Iterator[Run]:
                 continue
             record = Source(source.name, source.layer, rounding * float(np.linalg.norm(to_mm @ matrix, 2)))
             for run in runs:
-                count = checked_count(count + len(run), MOST_EDGES, "pieces", "leave out what is no strip")
+                count = check_count(count + len(run), MOST_EDGES, "pieces", "leave out what is no strip")
                 yield tuple(edge.mapped(to_mm @ matrix, to_mm @ offset, record) for edge in run)
     except (
         ValueError,

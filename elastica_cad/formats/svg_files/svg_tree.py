@@ -7,7 +7,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 from elastica_cad.errors import InputError
-from elastica_cad.formats.curve_files.number_gate import MOST_SHAPES, NUMBER, checked_count, half_last_place
+from elastica_cad.formats.curve_files.number_gate import MOST_SHAPES, NUMBER, check_count, half_last_place
 from elastica_cad.formats.file_access.source_file import MILLIMETRES
 
 LENGTH = re.compile(rf"\s*({NUMBER})\s*(px|pt|pc|mm|cm|in|[qQ])?\s*")
@@ -115,9 +115,7 @@ def _refuse_bombs(tree: SvgTree) -> None:
             for one in below:
                 if one in state:
                     shapes, size = shapes + state[one][0], size + state[one][1]
-            checked_count(
-                shapes, MOST_SHAPES, "shapes, its clones counted", "leave out clones or unused parts"
-            )
+            check_count(shapes, MOST_SHAPES, "shapes, its clones counted", "leave out clones or unused parts")
             if size > _MOST_TEXT:
                 raise InputError("has clones that come to more than 64 MB of path data: leave out clones")
             state[element] = shapes, size

@@ -6,7 +6,7 @@ from typing import Protocol
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
-from elastica_cad.forming.nearest.rod_constraints import thinned
+from elastica_cad.forming.nearest.rod_constraints import thin_rows
 from elastica_cad.forming.nearest.rod_map import MappedRod, Sensitivities
 from elastica_cad.forming.nearest.target_curve import TargetCurve
 from elastica_cad.forming.optimizer.dense_solves import gram
@@ -118,7 +118,7 @@ class LargestDistance:
         off, normal = offsets(self.target, rod)
         signed = self.factors * (off * normal).sum(axis=1)
         size = np.abs(signed)
-        return signed, thinned(np.flatnonzero(size >= 0.5 * size.max()), size)
+        return signed, thin_rows(np.flatnonzero(size >= 0.5 * size.max()), size)
 
 
 def offsets(target: TargetCurve, rod: MappedRod) -> tuple[FloatArray, FloatArray]:

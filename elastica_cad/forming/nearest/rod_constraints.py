@@ -163,7 +163,7 @@ class CurvatureLimit(Constraint):
         """The nodes that are bent most."""
         rod = sensitivities.rod
         values = self.values(rod)
-        near = thinned(np.flatnonzero(values < 1 - _NEAR), -values)
+        near = thin_rows(np.flatnonzero(values < 1 - _NEAR), -values)
         K, M = rod.stiffness[near, None], rod.moments[near, None]
         rows = -np.sign(M) / K * sensitivities.moments[near] / self.limit
         rows[:, sensitivities.grid.unknowns.stiffness] += (
@@ -194,7 +194,7 @@ class KeepOut(Constraint):
         """The nodes that may come near in one step."""
         rod = sensitivities.rod
         value, gradient = self._clearance(rod)
-        near = thinned(np.flatnonzero(value < 0.1), -value)
+        near = thin_rows(np.flatnonzero(value < 0.1), -value)
         d = sensitivities.position[near]
         return near, gradient[near, 0, None] * d[:, 0] + gradient[near, 1, None] * d[:, 1]
 
@@ -370,7 +370,7 @@ def _lagrange(u: float) -> tuple[FloatArray, FloatArray]:
     return share, slope
 
 
-def thinned(indices: IntArray, urgency: FloatArray) -> IntArray:
+def thin_rows(indices: IntArray, urgency: FloatArray) -> IntArray:
     """At most MOST_ROWS of `indices`: the peaks of `urgency` (n,), then the others at equal steps.
 
     Rows left out may be broken by a step; the next program then finds them among the peaks.

@@ -61,7 +61,7 @@ def has_rough_curvature(curve: PlaneCurve) -> bool:
     return any(np.abs(kinks - t).min(initial=np.inf) <= near for t in zeros)
 
 
-def unasked_tolerance(curve: PlaneCurve) -> float:
+def choose_tolerance(curve: PlaneCurve) -> float:
     """How far a curve may be moved to make it fair when nobody says, mm; 0: not at all.
 
     Only curves of a pen tool, as readers of files record it, whose curvature jumps: by 0.1 mm or 5e-4 of the
@@ -78,7 +78,7 @@ def unasked_tolerance(curve: PlaneCurve) -> float:
     return max(usual, min(drawn.rounding, 4 * USUAL_SHARE * curve.length))
 
 
-def faired(curve: PlaneCurve, tolerance: float) -> Fairing:
+def fair_curve(curve: PlaneCurve, tolerance: float) -> Fairing:
     """The curve with its curvature evened out as far as `tolerance` (mm) allows, ends and end tangents kept.
 
     Raises
@@ -92,7 +92,7 @@ def faired(curve: PlaneCurve, tolerance: float) -> Fairing:
     >>> import numpy as np
     >>> pen = PlaneCurve(np.repeat([0.0, 1.0, 2.0], [4, 3, 4]),
     ...                  [(0, 0), (0, 60), (40, 100), (100, 100), (150, 100), (200, 70), (200, 0)], 3)
-    >>> fair = faired(pen, 0.1)
+    >>> fair = fair_curve(pen, 0.1)
     >>> [b.continuity for b in pen.breaks], fair.moved <= 0.1, min(b.continuity for b in fair.curve.breaks) >= 3
     ([1], True, True)
     """

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
-from elastica_cad.geometry.polynomials.degree_elevation import elevated
+from elastica_cad.geometry.polynomials.degree_elevation import elevate_degree
 
 ANYWAY = 1e-9
 """Turns below this, rad, are not worth a move."""
@@ -77,7 +77,7 @@ class Healing:
     undecided: tuple[Turn, ...]
 
 
-def healed_tangents(
+def heal_tangents(
     knots: FloatArray,
     control_points: FloatArray,
     degree: int,
@@ -113,7 +113,7 @@ def healed_tangents(
     if not wanted:
         return Healing(knots, control_points, degree, weights, 0.0, (), undecided)
     if degree == 2:
-        knots, control_points, weights = elevated(knots, control_points, degree, weights)
+        knots, control_points, weights = elevate_degree(knots, control_points, degree, weights)
         degree = 3
     points = control_points.copy()
     for node in _nodes(knots, degree):

@@ -6,7 +6,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
 
 
-def elevated(
+def elevate_degree(
     knots: FloatArray, control_points: FloatArray, degree: int, weights: FloatArray | None = None
 ) -> tuple[FloatArray, FloatArray, FloatArray | None]:
     """Knots, control points and weights of the same clamped spline with one degree more.
@@ -17,7 +17,7 @@ def elevated(
 
     Examples
     --------
-    >>> knots, points, _ = elevated(np.repeat([0.0, 1.0], 3), np.array([(0, 0), (3, 6), (6, 0)]), 2)
+    >>> knots, points, _ = elevate_degree(np.repeat([0.0, 1.0], 3), np.array([(0, 0), (3, 6), (6, 0)]), 2)
     >>> points.tolist()
     [[0.0, 0.0], [2.0, 4.0], [4.0, 4.0], [6.0, 0.0]]
     """

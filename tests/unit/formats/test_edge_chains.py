@@ -2,8 +2,8 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.formats.curve_files.chains import chained, curve_from_points, curve_from_run
-from elastica_cad.formats.curve_files.edge_plane import flattened
+from elastica_cad.formats.curve_files.chains import curve_from_points, curve_from_run, join_runs
+from elastica_cad.formats.curve_files.edge_plane import flatten_run
 from elastica_cad.formats.curve_files.edges import Edge
 
 pytestmark = pytest.mark.core
@@ -15,31 +15,31 @@ def line(*points):
 
 def test_ends_within_tolerance_join_and_others_do_not():
     runs = [line((0, 0), (10, 0)), line((20, 5), (10.009, 0)), line((30, 0), (20.02, 5))]
-    chains = chained(runs, 0.01)
+    chains = join_runs(runs, 0.01)
     assert [len(c) for c in chains] == [2, 1]
     assert chains[0][-1].end == pytest.approx((20, 5))
 
 
 def test_ring_is_one_chain_and_dust_is_dropped():
     runs = [line((0, 0), (10, 0)), line((10, 0), (5, 8)), line((0, 0), (5, 8)), line((3, 3), (3.001, 3))]
-    (ring,) = chained(runs, 0.01)
+    (ring,) = join_runs(runs, 0.01)
     assert len(ring) == 3
     assert ring[0].start == pytest.approx(ring[-1].end)
     assert curve_from_run(ring).is_closed
-    assert chained([line((3, 3), (3.001, 3))], 0.01) == []
-    assert chained([], 0.01) == []
+    assert join_runs([line((3, 3), (3.001, 3))], 0.01) == []
+    assert join_runs([], 0.01) == []
 
 
 @pytest.mark.parametrize("tolerance", [0.0, -1.0, float("nan")])
 def test_tolerance_must_be_positive(tolerance):
     with pytest.raises(InputError, match="tolerance for joining"):
-        chained([], tolerance)
+        join_runs([], tolerance)
 
 
 def test_nearly_closed_chain_of_arcs_closes():
     half = Edge.arc((0, 0), (10, 0), (0, 10), 0, np.pi)
     other = Edge.arc((0, 0.003), (10, 0), (0, 10), np.pi, 2 * np.pi)
-    (ring,) = chained([(half,), (other,)], 0.01)
+    (ring,) = join_runs([(half,), (other,)], 0.01)
     curve = curve_from_run(ring)
     assert curve.is_closed
     assert curve.length == pytest.approx(20 * np.pi, rel=1e-3)
@@ -99,13 +99,13 @@ def test_measured_points_are_met_within_the_tolerance():
 def test_planes_in_space_are_seen_with_up_up(normal, x_axis, y_axis):
     drawn = np.array([(0, 0), (10, 30), (40, 30), (50, -10)], dtype=float)
     space = drawn @ np.array([x_axis, y_axis]) + 7 * np.array(normal)
-    (edge,) = flattened((Edge.bezier(space),), 0.01)
+    (edge,) = flatten_run((Edge.bezier(space),), 0.01)
     shift = 7 * np.array(normal) @ np.array([x_axis, y_axis]).T
     assert edge.points == pytest.approx(drawn + shift, abs=1e-9)
 
 
 def test_line_in_space_is_seen_in_its_upright_plane():
-    (edge,) = flattened(line((0, 0, 0), (3, 4, 12)), 0.01)
+    (edge,) = flatten_run(line((0, 0, 0), (3, 4, 12)), 0.01)
     assert edge.end == pytest.approx((5, 12))
-    (edge,) = flattened(line((3, 0, 0), (3, 0, 12)), 0.01)
+    (edge,) = flatten_run(line((3, 0, 0), (3, 0, 12)), 0.01)
     assert edge.end == pytest.approx((3, 12))

@@ -8,7 +8,7 @@ import pytest
 
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.files import read_drawing
-from elastica_cad.forming.smoothing import smoothed
+from elastica_cad.forming.smoothing import smooth_curve
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium, require_bendable
 
 pytest.importorskip("svgelements")
@@ -59,7 +59,7 @@ def verdict(curve):
         require_bendable(curve)
     except InputError as problem:
         return "closed" if "closed" in str(problem) else "corner"
-    return "bends" if check_equilibrium(smoothed(curve).curve).realizable else "refused"
+    return "bends" if check_equilibrium(smooth_curve(curve).curve).realizable else "refused"
 
 
 def given(path):
@@ -70,7 +70,8 @@ def given(path):
         return "no curve" if "holds no curve" in str(problem) else str(problem)
     found = Counter("no curve" if one.problem else verdict(one.curve) for one in drawing)
     found["faired"] = sum(
-        not one.problem and verdict(one.curve) == "bends" and smoothed(one.curve).moved > 0 for one in drawing
+        not one.problem and verdict(one.curve) == "bends" and smooth_curve(one.curve).moved > 0
+        for one in drawing
     )
     found["skipped"] = sum(drawing.skipped.values())
     return {kind: count for kind, count in found.items() if count}

@@ -8,7 +8,7 @@ import pytest
 from elastica_cad.errors import InputError
 from elastica_cad.files import read_curves, read_drawing
 from elastica_cad.forming.rounding_verdict import undecided_by_rounding
-from elastica_cad.forming.smoothing import smoothed
+from elastica_cad.forming.smoothing import smooth_curve
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium, require_bendable
 
 pytest.importorskip("svgelements")
@@ -50,7 +50,7 @@ def test_the_verdict_is_the_same_at_every_number_of_decimals(tmp_path, points, i
         for relative in (False, True):
             (curve,) = read_curves(drawing(tmp_path, turned(points, degrees), decimals, unit, relative))
             require_bendable(curve)
-            smoothing = smoothed(curve)
+            smoothing = smooth_curve(curve)
             check = check_equilibrium(smoothing.curve)
             assert check.realizable
             assert len(check.inflections) == inflections
@@ -66,7 +66,7 @@ def test_near_the_border_a_coarse_file_is_undecided_and_a_fine_one_is_not(tmp_pa
     answers = []
     for decimals in (0, 6):
         (curve,) = read_curves(drawing(tmp_path, border, decimals))
-        answers.append(undecided_by_rounding(curve, check_equilibrium(smoothed(curve).curve).realizable))
+        answers.append(undecided_by_rounding(curve, check_equilibrium(smooth_curve(curve).curve).realizable))
     assert answers[0].startswith("Undecided at this precision: the numbers in the file are exact to 0.5 mm")
     assert answers[1] == ""
 
@@ -114,11 +114,11 @@ def test_arcs_splines_and_kernel_numbers_are_taken_exactly_as_drawn(tmp_path):
     space.add_arc((350, 40), 40, 270, 350)
     document.saveas(tmp_path / "a.dxf")
     for curve in read_curves(tmp_path / "a.dxf"):
-        assert smoothed(curve).curve is curve
-        assert smoothed(curve).moved == 0
+        assert smooth_curve(curve).curve is curve
+        assert smooth_curve(curve).moved == 0
     arc, *_ = read_curves(tmp_path / "a.dxf")
-    assert smoothed(arc, 0.2).moved <= 0.2
-    assert smoothed(arc, 0.2).curve is not arc
+    assert smooth_curve(arc, 0.2).moved <= 0.2
+    assert smooth_curve(arc, 0.2).curve is not arc
 
 
 def test_pen_curves_of_a_dxf_are_faired_and_healed_by_the_digits_of_its_text(tmp_path):
@@ -132,7 +132,7 @@ def test_pen_curves_of_a_dxf_are_faired_and_healed_by_the_digits_of_its_text(tmp
     assert curve.provenance.drawn == "pen"
     assert curve.provenance.rounding == pytest.approx(0.005)
     assert 0 < curve.provenance.healed < 0.015
-    assert check_equilibrium(smoothed(curve).curve).realizable
+    assert check_equilibrium(smooth_curve(curve).curve).realizable
 
 
 def test_points_of_text_files_know_their_digits(tmp_path):

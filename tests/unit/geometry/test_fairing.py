@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.curve_editing.fairing import faired, has_rough_curvature, two_sided_distance
+from elastica_cad.geometry.curve_editing.fairing import fair_curve, has_rough_curvature, two_sided_distance
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
@@ -25,7 +25,7 @@ S_NODE = pen((0, 0), (30, 60), (80, 70), (120, 40), (160, 10), (200, 10), (240, 
 @pytest.mark.parametrize("tolerance", [0.005, 0.02, 0.1, 0.5, 3.0])
 @pytest.mark.parametrize("drawn", [ARCH, S_NODE])
 def test_curvature_and_its_slope_become_continuous_within_the_tolerance(drawn, tolerance):
-    fair = faired(drawn, tolerance)
+    fair = fair_curve(drawn, tolerance)
     assert 0 < fair.moved <= tolerance
     dense = drawn.sample(20001).position
     from_fair = [np.hypot(*(dense - p).T).min() for p in fair.curve.sample(400).position]
@@ -40,7 +40,7 @@ def test_curvature_and_its_slope_become_continuous_within_the_tolerance(drawn, t
 
 def test_the_width_no_longer_steps_and_the_ratio_falls():
     drawn = pen((0, 0), (0, 60), (40, 100), (100, 100), (130, 100), (200, 70), (200, 0))
-    before, after = optimal_rod(drawn), optimal_rod(faired(drawn, 0.1).curve)
+    before, after = optimal_rod(drawn), optimal_rod(fair_curve(drawn, 0.1).curve)
     jumps = [np.abs(np.diff(r.curvature)).max() / np.abs(r.curvature).max() for r in (before, after)]
     assert jumps[0] > 0.1
     assert jumps[1] < 0.03
@@ -49,14 +49,14 @@ def test_the_width_no_longer_steps_and_the_ratio_falls():
 
 def test_bending_that_was_reversed_by_a_jump_can_be_bent_after():
     assert check_equilibrium(S_NODE).jumps
-    check = check_equilibrium(faired(S_NODE, 0.1).curve)
+    check = check_equilibrium(fair_curve(S_NODE, 0.1).curve)
     assert check.realizable
     assert len(check.inflections) == 1
 
 
 def test_a_curve_scaled_is_faired_alike():
-    small = faired(ARCH, 0.1)
-    large = faired(ARCH.transformed(np.diag([1000.0, 1000.0, 1.0])), 100.0)
+    small = fair_curve(ARCH, 0.1)
+    large = fair_curve(ARCH.transformed(np.diag([1000.0, 1000.0, 1.0])), 100.0)
     assert large.moved == pytest.approx(1000 * small.moved, rel=1e-3)
 
 
@@ -69,8 +69,8 @@ def test_distance_from_both_sides_sees_what_one_side_misses():
 def test_what_cannot_be_faired_is_told():
     corner = pen((0, 0), (10, 0), (20, 0), (30, 0), (30, 10), (30, 20), (30, 30))
     with pytest.raises(InputError, match="corners"):
-        faired(corner, 0.1)
+        fair_curve(corner, 0.1)
     with pytest.raises(InputError, match="positive distance"):
-        faired(ARCH, 0.0)
+        fair_curve(ARCH, 0.0)
     with pytest.raises(InputError, match="allow more"):
-        faired(ARCH, 1e-9)
+        fair_curve(ARCH, 1e-9)

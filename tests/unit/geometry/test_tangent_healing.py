@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.curves.tangent_healing import SURE, healed_tangents
-from elastica_cad.geometry.polynomials.degree_elevation import elevated
+from elastica_cad.geometry.curves.tangent_healing import SURE, heal_tangents
+from elastica_cad.geometry.polynomials.degree_elevation import elevate_degree
 
 pytestmark = pytest.mark.core
 
@@ -35,7 +35,7 @@ def test_rounded_handles_come_back_to_one_line(decimals, handle_in, handle_out):
     points = smooth_pair(handle_in, handle_out)
     rounding = 0.5 * 10.0**-decimals
     rounded = np.round(points, decimals)
-    healing = healed_tangents(KNOTS, rounded, 3, rounding=rounding)
+    healing = heal_tangents(KNOTS, rounded, 3, rounding=rounding)
     curve = PlaneCurve(healing.knots, healing.control_points, healing.degree)
     explained = healing.undecided[0].angle if healing.undecided else 0.0
     assert explained == 0 or explained > SURE
@@ -50,7 +50,7 @@ def test_the_bounds_of_two_handles_known_by_hand():
     for handle, rounding, degrees in ((30.0, 0.005, 0.0270), (1.0, 0.05, 8.13)):
         points = smooth_pair(handle, handle)
         points[4] += (0.0, 1e-4 * handle)
-        healing = healed_tangents(KNOTS, points, 3, rounding=rounding)
+        healing = heal_tangents(KNOTS, points, 3, rounding=rounding)
         (turn,) = healing.healed
         assert np.degrees(turn.bound) == pytest.approx(2 * degrees, rel=2e-3)
 
@@ -58,7 +58,7 @@ def test_the_bounds_of_two_handles_known_by_hand():
 def test_a_corner_larger_than_rounding_explains_stays_to_the_bit():
     points = smooth_pair(30.0, 30.0)
     points[4] += (0.0, 0.2)
-    healing = healed_tangents(KNOTS, points, 3, rounding=0.005)
+    healing = heal_tangents(KNOTS, points, 3, rounding=0.005)
     assert healing.control_points is points
     assert healing.moved == 0
     assert not healing.undecided
@@ -67,7 +67,7 @@ def test_a_corner_larger_than_rounding_explains_stays_to_the_bit():
 def test_a_large_turn_that_rounding_explains_is_left_and_told():
     points = smooth_pair(1.0, 1.0)
     points[4] = points[3] + np.array([np.cos(np.radians(45)), np.sin(np.radians(45))])
-    healing = healed_tangents(KNOTS, points, 3, rounding=0.05)
+    healing = heal_tangents(KNOTS, points, 3, rounding=0.05)
     (turn,) = healing.undecided
     assert np.degrees(turn.angle) == pytest.approx(8.0)
     assert healing.moved == 0
@@ -76,7 +76,7 @@ def test_a_large_turn_that_rounding_explains_is_left_and_told():
 def test_the_longer_handle_turns_less_and_both_ends_move_equally():
     points = smooth_pair(10.0, 40.0)
     points[4] += (0.0, 0.01)
-    healing = healed_tangents(KNOTS, points, 3, rounding=0.01)
+    healing = heal_tangents(KNOTS, points, 3, rounding=0.01)
     moves = np.hypot(*(healing.control_points - points).T)
     assert moves[2] == pytest.approx(moves[4], rel=1e-3)
     assert np.flatnonzero(moves).tolist() == [2, 4]
@@ -85,7 +85,7 @@ def test_the_longer_handle_turns_less_and_both_ends_move_equally():
 def test_a_straight_piece_is_kept_where_its_neighbour_can_turn():
     line = np.array([(-30.0, 0.0), (-20.0, 0.0), (-10.0, 0.0), (0.0, 0.0)])
     points = np.vstack([line, [(20.0, 0.02), (40.0, 20.0), (50.0, 50.0)]])
-    healing = healed_tangents(KNOTS, points, 3, rounding=0.01)
+    healing = heal_tangents(KNOTS, points, 3, rounding=0.01)
     assert healing.control_points[:4] == pytest.approx(line, abs=0)
     assert healing.control_points[4, 1] == pytest.approx(0.0, abs=1e-14)
 
@@ -95,7 +95,7 @@ def test_quadratic_pieces_are_raised_so_that_nodes_heal_apart():
     points = np.array(
         [(0, 0), (10, 20), (30, 30.004), (50, 40), (70, 30.003), (90, 20), (100, 0)], dtype=float
     )
-    healing = healed_tangents(knots, points, 2, rounding=0.005)
+    healing = heal_tangents(knots, points, 2, rounding=0.005)
     healed = PlaneCurve(healing.knots, healing.control_points, healing.degree)
     assert healing.degree == 3
     assert not healed.tangent_breaks
@@ -110,7 +110,7 @@ def test_elevation_changes_nothing():
     points = np.array([(0, 0), (1, 4), (4, 5), (7, 1), (9, 3), (10, 8), (14, 9)], dtype=float)
     weights = np.array([1, 2, 1, 0.5, 1, 1, 3], dtype=float)
     before = PlaneCurve(knots, points, 3, weights)
-    raised_knots, raised, raised_weights = elevated(knots, points, 3, weights)
+    raised_knots, raised, raised_weights = elevate_degree(knots, points, 3, weights)
     after = PlaneCurve(raised_knots, raised, 4, raised_weights)
     t = np.linspace(0, 3, 50)
     assert after.evaluate(t) == pytest.approx(before.evaluate(t), abs=1e-12)

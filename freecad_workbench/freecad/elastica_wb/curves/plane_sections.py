@@ -17,7 +17,7 @@ from freecad.elastica_wb.shapes.part_shapes import spline_geometry
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.formats.curve_files.chains import chained
+from elastica_cad.formats.curve_files.chains import join_runs
 from elastica_cad.formats.curve_files.edges import Edge
 from elastica_cad.forming.plane_sections.cutting_planes import parallel_planes, planes_along, radial_planes
 from elastica_cad.forming.plane_sections.mesh_sections import mesh_sections
@@ -274,7 +274,7 @@ def _shape_section(shape: Part.Shape, frame: Frame, name: str, half: bool) -> Pl
             points[-1] = points[0]
         pieces.append(points)
     closed = [p for p in pieces if np.all(p[0] == p[-1])]
-    runs = chained([(Edge.polyline(p),) for p in pieces if not np.all(p[0] == p[-1])], JOIN_MM)
+    runs = join_runs([(Edge.polyline(p),) for p in pieces if not np.all(p[0] == p[-1])], JOIN_MM)
     whole = closed + [np.concatenate([run[0].points, *(e.points[1:] for e in run[1:])]) for run in runs]
     flat = [frame.local(points)[:, :2] for points in whole]
     return collect_section(name, frame, flat, half=half, apart=JOIN_MM)
