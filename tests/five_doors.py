@@ -113,6 +113,12 @@ ASKED = {
         NEAREST | {"LimitStrain": True, "LeastWidth": 6.0, "MostWidth": 20.0, "KeepPoints": [40.0],
                    "KeepOut": ["point = [0, -1], normal = [0, 1]"], "StiffnessBounds": "upper = [3, 2.5, 3]"},
     ),
+    "compensated": Asked(
+        {"max_width": 20.0, "ends": (Tab(12, width=8), Tab(8)), "compensate": True},
+        "--max-width 20 --start-tab 'length = 12, width = 8' --end-tab 'length = 8' --compensate",
+        "max_width = 20\nends = [{ length = 12, width = 8 }, { length = 8 }]\ncompensate = true",
+        {"StartTabKeys": "length = 12, width = 8", "EndTabKeys": "length = 8", "Compensate": True},
+    ),
     "slotted": Asked(
         {"max_width": 20.0, "ends": (Tab(12, chamfer=2, holes=(Hole(6, 3),)), Tab(8, corner_radius=1)),
          "slots": (Slot(40.0, 1.2, side="lower"), Slot(80.0, 1.5, 4.0, lean=0.1, relief="round", mate="B"))},

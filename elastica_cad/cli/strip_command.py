@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import replace
 from importlib.util import find_spec
 from itertools import islice
@@ -212,6 +213,8 @@ def _tell(made: Strip, near: NearestRod | None, verdict: Stability, written: lis
         click.echo(f"stable, {said}")
     else:
         click.echo(f"Warning: {said}. --stable finds the nearest that stays.", err=True)
+    with suppress(NotConvergedError):
+        click.echo(str(made.held()))
     for warning in made.warnings:
         if near is not None and warning == near.status.value:
             continue  # told with the distance

@@ -69,6 +69,8 @@ _WIDTHS = (
 )  # fmt: skip
 
 _STYLE = (
+    click.option("--compensate", is_flag=True,
+                 help="Make up in the widths for slots, narrow tabs, leaning ligaments, anticlastic bending."),
     click.option("--style", type=click.Choice(["plain", "perforated", "laminated"]), default="plain",
                  show_default=True, help="How stiffness becomes material."),
     click.option("--outer-width", type=float, metavar="MM", help="Width of a perforated or laminated strip."),
@@ -185,6 +187,7 @@ def spec_from_options(curve: PlaneCurve, label: str, chosen: Mapping[str, Any]) 
             label=label,
             smooth=chosen["smooth"],
             shop=_shop(chosen),
+            compensate=chosen["compensate"],
             anyway=chosen["anyway"],
         )
     except InputError as problem:

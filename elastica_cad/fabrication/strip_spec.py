@@ -9,6 +9,7 @@ import numpy as np
 
 from elastica_cad._equality import EqualByValue
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.compensation import compensate_widths
 from elastica_cad.fabrication.makeability.faults import accept_faults, find_strip_faults
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.makeability.splices import spliced
@@ -78,6 +79,9 @@ class StripSpec(EqualByValue):
         0.1 mm or 5e-4 of the length at most (see `smooth_curve`).
     shop : Shop
         What the workshop can make: least widths and the largest sheet.
+    compensate : bool
+        Change the widths so that the strip as made (slots, narrow tabs, leaning ligaments, anticlastic bending,
+        its own weight) takes the curve, instead of the designed rod: see `compensate_widths`.
     anyway : bool
         Make a strip that the workshop cannot, and say so in its warnings.
 
@@ -114,6 +118,7 @@ class StripSpec(EqualByValue):
     label: str = ""
     smooth: float | None = None
     shop: Shop = DEFAULT_SHOP
+    compensate: bool = False
     anyway: bool = False
 
     def __post_init__(self) -> None:
@@ -271,6 +276,8 @@ class StripSpec(EqualByValue):
             slots=self.slots,
             label=self.label,
         )
+        if self.compensate:
+            made = compensate_widths(made)
         told = accept_faults(find_strip_faults(made, self.shop), self.anyway)
         joined = spliced(made, self.shop)
         told += () if joined is None else (str(joined),)

@@ -73,6 +73,7 @@ class StripOptions(TypedDict, total=False):
     slots: Slot | Sequence[Slot]
     label: str
     shop: Shop
+    compensate: bool
     anyway: bool
 
 

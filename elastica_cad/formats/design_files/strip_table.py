@@ -36,7 +36,7 @@ CurveReader: TypeAlias = Callable[..., list[PlaneCurve]]
 
 MAKING_KEYS = (
     "sheet", "thickness", "max_width", "min_width", "gravity", "loads", "supports", "natural_curvature", "samples",
-    "limits", "keep", "ends", "style", "smooth", "shop", "anyway",
+    "limits", "keep", "ends", "style", "smooth", "shop", "compensate", "anyway",
 )  # fmt: skip
 """Keys that may stand for all strips at the top of the file or for some in [[strips]]."""
 
@@ -122,6 +122,7 @@ def read_strip(
         "slots": tuple(read_slot(slot) for slot in table.tables("slots")),
         "smooth": table.maybe("smooth"),
         "shop": read_shop(table.table("shop")),
+        "compensate": table.flag("compensate"),
         "anyway": table.flag("anyway"),
     }
     curve = read_drawn_curve(table, folder, read_curves) if section is None else section.curve

@@ -80,6 +80,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Make up for slots, narrow tabs and holes in the widths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Make a strip that cannot be cut or handled, and say so</source>
         <translation type="unfinished"></translation>
     </message>

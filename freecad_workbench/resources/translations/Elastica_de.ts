@@ -80,6 +80,10 @@
         <translation>Schmalster Streifen, schmalste Lasche oder Zunge, die die Werkstatt machen kann; 0 für was die Platte verträgt</translation>
     </message>
     <message>
+        <source>Make up for slots, narrow tabs and holes in the widths</source>
+        <translation>Schlitze, schmale Laschen und Löcher in den Breiten ausgleichen</translation>
+    </message>
+    <message>
         <source>Make a strip that cannot be cut or handled, and say so</source>
         <translation>Einen Streifen machen, der sich nicht schneiden oder anfassen lässt, und es sagen</translation>
     </message>

@@ -80,6 +80,10 @@
         <translation>车间能制作的最窄的条、端片或舌片；0 取板材的值</translation>
     </message>
     <message>
+        <source>Make up for slots, narrow tabs and holes in the widths</source>
+        <translation>用宽度补偿槽口、窄接片和孔</translation>
+    </message>
+    <message>
         <source>Make a strip that cannot be cut or handled, and say so</source>
         <translation>制作无法切割或拿取的条，并给出提示</translation>
     </message>

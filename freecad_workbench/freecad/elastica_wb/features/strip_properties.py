@@ -47,6 +47,7 @@ PROPERTIES = (
         "How far the curve may be moved to smooth its curvature; 0 follows it as drawn",
         0.0,
     ),
+    Property("Bool", "Compensate", "Width", "Make up for slots, narrow tabs and holes in the widths", False),
     Property("Bool", "Anyway", "Width", "Make a strip that cannot be cut or handled, and say so", False),
     Property(
         "Length",

@@ -68,6 +68,7 @@ def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
         label=obj.EngravedText,
         smooth=obj.Smooth.Value or None,
         shop=_shop(obj),
+        compensate=obj.Compensate,
         anyway=obj.Anyway,
     )
 
