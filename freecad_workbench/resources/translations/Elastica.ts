@@ -2838,6 +2838,34 @@
         <source>fit of the drawing</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 %2 pieces at %3 mm, joined by plates of %4 mm, which are stiffer and move the shape by %5 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: a lap of %2 mm: give a length above 0 and below a third of %3 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: only plain strips are cut in pieces: take a larger stock, or a plain strip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: there is no room for %2 joints of %3 mm between its slots: take a shorter lap or a larger stock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it bends to a radius of %1 mm at %2 mm, but plywood of %3 mm bends to %4 mm at least %5 the face grain (%6); use a thinner sheet or a gentler curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>name a larger stock, join a strip of pieces by plates (lap), or scale the curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the grain runs along x, the side of %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ElasticaSheets</name>

@@ -2838,6 +2838,34 @@
         <source>fit of the drawing</source>
         <translation>Ausgleich der Zeichnung</translation>
     </message>
+    <message>
+        <source>%1 %2 pieces at %3 mm, joined by plates of %4 mm, which are stiffer and move the shape by %5 mm</source>
+        <translation>%1 %2 Stücke bei %3 mm, mit Laschen von %4 mm verbunden, die steifer sind und die Form um %5 mm bewegen</translation>
+    </message>
+    <message>
+        <source>%1: a lap of %2 mm: give a length above 0 and below a third of %3 mm</source>
+        <translation>%1: eine Überlappung von %2 mm: eine Länge über 0 und unter einem Drittel von %3 mm angeben</translation>
+    </message>
+    <message>
+        <source>%1: only plain strips are cut in pieces: take a larger stock, or a plain strip</source>
+        <translation>%1: nur schlichte Streifen werden in Stücke geteilt: größeres Rohmaterial oder einen schlichten Streifen nehmen</translation>
+    </message>
+    <message>
+        <source>%1: there is no room for %2 joints of %3 mm between its slots: take a shorter lap or a larger stock</source>
+        <translation>%1: zwischen den Schlitzen ist kein Platz für %2 Stöße von %3 mm: eine kürzere Überlappung oder größeres Rohmaterial nehmen</translation>
+    </message>
+    <message>
+        <source>it bends to a radius of %1 mm at %2 mm, but plywood of %3 mm bends to %4 mm at least %5 the face grain (%6); use a thinner sheet or a gentler curve</source>
+        <translation>er biegt sich bei %2 mm auf einen Radius von %1 mm, Sperrholz von %3 mm aber nur bis %4 mm, %5 zur Faser der Deckschicht (%6); dünneres Material oder eine sanftere Kurve nehmen</translation>
+    </message>
+    <message>
+        <source>name a larger stock, join a strip of pieces by plates (lap), or scale the curve</source>
+        <translation>größeres Rohmaterial nennen, einen Streifen aus Stücken mit Laschen verbinden oder die Kurve verkleinern</translation>
+    </message>
+    <message>
+        <source>the grain runs along x, the side of %1 mm</source>
+        <translation>die Faser läuft entlang x, der Seite von %1 mm</translation>
+    </message>
 </context>
 <context>
     <name>ElasticaSheets</name>

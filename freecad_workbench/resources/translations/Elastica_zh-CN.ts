@@ -2838,6 +2838,34 @@
         <source>fit of the drawing</source>
         <translation>图形的拟合</translation>
     </message>
+    <message>
+        <source>%1 %2 pieces at %3 mm, joined by plates of %4 mm, which are stiffer and move the shape by %5 mm</source>
+        <translation>%1 %2 段，接于 %3 mm，用 %4 mm 的搭板连接，搭板较硬，使形状移动 %5 mm</translation>
+    </message>
+    <message>
+        <source>%1: a lap of %2 mm: give a length above 0 and below a third of %3 mm</source>
+        <translation>%1：搭接 %2 mm：请给出大于 0 且小于 %3 mm 三分之一的长度</translation>
+    </message>
+    <message>
+        <source>%1: only plain strips are cut in pieces: take a larger stock, or a plain strip</source>
+        <translation>%1：只有普通条带可分段：使用更大的板料，或普通条带</translation>
+    </message>
+    <message>
+        <source>%1: there is no room for %2 joints of %3 mm between its slots: take a shorter lap or a larger stock</source>
+        <translation>%1：槽之间放不下 %2 个 %3 mm 的接头：请缩短搭接或使用更大的板料</translation>
+    </message>
+    <message>
+        <source>it bends to a radius of %1 mm at %2 mm, but plywood of %3 mm bends to %4 mm at least %5 the face grain (%6); use a thinner sheet or a gentler curve</source>
+        <translation>它在 %2 mm 处弯曲半径为 %1 mm，但 %3 mm 胶合板%5面层纹理最小只能弯到 %4 mm（%6）；使用更薄的板材或更平缓的曲线</translation>
+    </message>
+    <message>
+        <source>name a larger stock, join a strip of pieces by plates (lap), or scale the curve</source>
+        <translation>使用更大的板料，用搭板把条带分段连接，或缩小曲线</translation>
+    </message>
+    <message>
+        <source>the grain runs along x, the side of %1 mm</source>
+        <translation>纹理沿 x 方向，即 %1 mm 的一边</translation>
+    </message>
 </context>
 <context>
     <name>ElasticaSheets</name>
