@@ -407,3 +407,16 @@ def test_a_curve_pulled_by_handles(document, drawn):
     assert feature.Ratio != pytest.approx(before, rel=1e-3)
     straight = box_around(PlaneCurve.line((0, 0), (100, 0)))
     assert np.ptp(straight, axis=0) == pytest.approx([100, 20])
+
+
+def test_a_sheet_of_the_library_that_all_commands_share(document, sketch, tmp_path: Path, monkeypatch):
+    """What `elastica coupon --keep` writes can be chosen here."""
+    board = Sheet("felt", thickness=0.9, youngs_modulus=3000, density=720, max_strain=0.02)
+    (tmp_path / "felt.toml").write_text(board.toml(), encoding="utf-8")
+    monkeypatch.setenv("ELASTICA_SHEETS", str(tmp_path))
+    feature = strip.create(document, sketch)
+    feature.Sheet = "felt"
+    document.recompute()
+    assert feature.State == ["Up-to-date"]
+    assert feature.Thickness.Value == 0.9
+    assert strip.strip_of(feature).sheet == board
