@@ -88,7 +88,7 @@ def test_the_cut_list_names_every_file(folder):
 
 
 def test_the_base_has_a_slot_for_every_tab(model, design):
-    base = design.kit.base_plate(model)
+    (base,) = design.kit.base_plates(model)
     assert len(base.slots) == 62
     assert min(slot.size[1] for slot in base.slots) == pytest.approx(0.7)
     assert [slot.size[0] for slot in base.slots] == pytest.approx([19.0] * 62)

@@ -157,7 +157,7 @@ def test_own_sheets_extras_and_base(read):
     assert [piece.name for piece in design.kit.extras(design.model())] == ["coupon", "reference-bar"]
     assert design.kit.cutting.kerf is None
     assert design.kit.nesting.sheet_size == (500, 300)
-    base = design.kit.base_plate(design.model())
+    (base,) = design.kit.base_plates(design.model())
     assert base.frame.origin[2] == 11
     assert len(base.slots) == 2
     assert design.kit.base[2].sheet_size == (900, 400)
@@ -172,7 +172,7 @@ def test_frames_and_fixtures(read):
     model = design.model()
     frame = design.kit.slotted_frame(model)
     assert [piece.name for piece in frame.pieces] == ["rail-start", "rail-end", "rib-1", "rib-2"]
-    assert design.kit.base_plate(model) is None
+    assert design.kit.base_plates(model) == ()
     fixtures = model.fixtures(**design.kit.fixtures)
     assert [fixture.number for fixture in fixtures] == ["F1:1", "F1:2", "F2:1", "F2:2", "F3:1", "F3:2"]
     assert all(fixture.wall == 3 and fixture.floor.origin[2] == -60 for fixture in fixtures)
