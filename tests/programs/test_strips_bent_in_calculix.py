@@ -12,6 +12,7 @@ import elastica_cad as ec
 from tests.campaign.finite_elements.bent_strip import bend_cut_strip
 from tests.campaign.finite_elements.closed_forms import LENGTH, elastica, uniform_strip
 from tests.campaign.finite_elements.sideways import pushed_together
+from tests.campaign.finite_elements.strips_in_pockets import held_in_pockets
 
 
 def test_a_rectangle_bends_into_the_elastica_of_elliptic_functions(tmp_path):
@@ -55,3 +56,12 @@ def test_a_narrow_strip_pushed_together_leaves_its_plane_when_it_nearly_loops(k,
     strip = uniform_strip(width=5.0, poisson_ratio=0.3)
     bent = bend_cut_strip(strip, tmp_path, size=5.0, curve=pushed_together(k), modes=3)
     assert (bent.eigenvalues[bent.sideways].min() > 0) == stays
+
+
+def test_pockets_with_play_move_a_strip_as_far_as_it_says(tmp_path):
+    curve = ec.PlaneCurve.spline([(0, 0), (60, 120), (140, 160), (240, 120), (300, 0)], degree=4)
+    sheet = replace(ec.Sheet.named("birch-plywood-0.8"), poisson_ratio=0.0)
+    strip = ec.Strip(ec.optimal_rod(curve), sheet, max_width=9.0)
+    found = held_in_pockets(strip, tmp_path, name="arch", size=5.0)
+    assert found.strayed == pytest.approx(found.told, rel=0.03)
+    assert found.strayed > 0.5

@@ -11,7 +11,10 @@ from pathlib import Path
 from tests.campaign.finite_elements.cases import CASES
 from tests.campaign.finite_elements.closed_forms import known_answers
 from tests.campaign.finite_elements.sideways import swings
+from tests.campaign.finite_elements.strips_in_pockets import strips_in_pockets
 from tests.campaign.finite_elements.table import keep, measured
+
+WIDTHS = {"plain widths": False, "compensated": True}
 
 
 def main() -> None:
@@ -20,9 +23,9 @@ def main() -> None:
     )
     parser.add_argument("--out", type=Path, default=Path("out/campaign"), help="for decks and answers of ccx")
     parser.add_argument(
-        "--only", nargs="+", default=[""], help="parts of names of strips, or: known, sideways"
+        "--only", nargs="+", default=[""], help="parts of names of strips, or: known, sideways, pockets"
     )
-    parser.add_argument("--part", default="now", help='the list that strips are kept in: "now" or "before"')
+    parser.add_argument("--widths", nargs="+", choices=list(WIDTHS), default=list(WIDTHS))
     asked = parser.parse_args()
     folder = asked.out / "finite_elements"
     folder.mkdir(parents=True, exist_ok=True)
@@ -40,9 +43,13 @@ def main() -> None:
     if wanted("sideways"):
         for swung in swings(folder):
             told("sideways", swung)
+    if wanted("pockets"):
+        for held in strips_in_pockets(folder):
+            told("pockets", held)
     for case in CASES:
         if wanted(f"{case.group}, {case.name}"):
-            told(asked.part, measured(case, folder))
+            for widths in asked.widths:
+                told(widths, measured(case, folder, compensated=WIDTHS[widths]))
 
 
 main()

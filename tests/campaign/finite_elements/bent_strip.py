@@ -13,7 +13,7 @@ from tests.campaign.finite_elements.bricks import Bricks, extrude
 from tests.campaign.finite_elements.calculix import Answer, Material, solve
 from tests.campaign.finite_elements.flat_mesh import mesh_cut_files
 
-__all__ = ["BentStrip", "bend_cut_strip"]
+__all__ = ["BentStrip", "bend_cut_strip", "flat_body", "middle_line", "on_curve"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,13 +73,9 @@ def bend_cut_strip(
     curve : PlaneCurve, optional
         The drawn curve, where it is not the rod's.
     """
-    folder.mkdir(parents=True, exist_ok=True)
-    files = [folder / f"layer{i}.dxf" for i in range(len(strip.layers))]
-    for drawing, path in zip(strip.drawings(), files, strict=True):
-        write_drawing(drawing, path, force=True)
     drawn = strip.rod.curve if curve is None else curve
     length = strip.rod.length
-    body = extrude(mesh_cut_files(files, size=size, at=(0.0, length)), _levels(strip))
+    body = flat_body(strip, folder, size=size)
     stays = _in_tabs(strip, body.nodes) if held is None else held(body.nodes)
     materials = [Material(layer.sheet.youngs_modulus, layer.sheet.poisson_ratio, layer.sheet.density)
                  for layer in strip.layers]  # fmt: skip
@@ -88,9 +84,18 @@ def bend_cut_strip(
         body, materials, on_curve(drawn, body.nodes), stays, folder, gravity=falls, modes=modes
     )
     position = body.nodes + answer.displacement
-    stations, strayed = _middle(body, position - on_curve(drawn, body.nodes), length)
+    stations, strayed = middle_line(body, position - on_curve(drawn, body.nodes), length)
     sideways = [_leaves_plane(body, mode, length) for mode in answer.modes]
     return BentStrip(body, position, answer.eigenvalues, np.array(sideways, dtype=bool), stations, strayed)
+
+
+def flat_body(strip: Strip, folder: Path, *, size: float) -> Bricks:
+    """A strip as its cut files have it, written to a folder and read again."""
+    folder.mkdir(parents=True, exist_ok=True)
+    files = [folder / f"layer{i}.dxf" for i in range(len(strip.layers))]
+    for drawing, path in zip(strip.drawings(), files, strict=True):
+        write_drawing(drawing, path, force=True)
+    return extrude(mesh_cut_files(files, size=size, at=(0.0, strip.rod.length)), _levels(strip))
 
 
 def on_curve(curve: PlaneCurve, nodes: np.ndarray) -> np.ndarray:
@@ -126,11 +131,11 @@ def _levels(strip: Strip) -> list[float]:
 
 def _leaves_plane(body: Bricks, mode: np.ndarray, length: float) -> bool:
     """Is the middle line at rest in the plane, up to a tenth of what moves most, while the strip swings?"""
-    _, middle = _middle(body, mode, length)
+    _, middle = middle_line(body, mode, length)
     return bool(np.abs(middle).max() < 0.1 * np.abs(mode).max())
 
 
-def _middle(
+def middle_line(
     body: Bricks, strayed: np.ndarray, length: float, bins: int = 120
 ) -> tuple[np.ndarray, np.ndarray]:
     """Mean over the section, in bins along the strip, of how far the base's middle strayed in the curve's plane.

@@ -10,7 +10,7 @@ import numpy as np
 
 from tests.campaign.finite_elements.bricks import Bricks
 
-__all__ = ["Answer", "Material", "displaced", "model_cards", "run", "solve", "strict"]
+__all__ = ["Answer", "Material", "displaced", "model_cards", "run", "solve", "strict", "weight_cards"]
 
 GRAVITY_MM_S2 = 9806.65
 
@@ -114,7 +114,7 @@ def _put(body: Bricks, pose: np.ndarray, held: np.ndarray, gravity: Sequence[flo
     placed = [displaced(i, j, moved) for i in range(len(moved)) for j in (0, 2)]
     kept = [displaced(i, 1, moved) for i in np.flatnonzero(held)]
     begin = ["*STEP, NLGEOM", "*STATIC, DIRECT", "1., 1.", *strict()]
-    return [*begin, "*BOUNDARY", *placed, *kept, *_weight(gravity), "*END STEP"]
+    return [*begin, "*BOUNDARY", *placed, *kept, *weight_cards(gravity), "*END STEP"]
 
 
 def _let_go(body: Bricks, pose: np.ndarray, held: np.ndarray, gravity: Sequence[float] | None) -> list[str]:
@@ -122,7 +122,7 @@ def _let_go(body: Bricks, pose: np.ndarray, held: np.ndarray, gravity: Sequence[
     fixed = [displaced(i, j, pose - body.nodes) for i in np.flatnonzero(held) for j in range(3)]
     begin = ["*STEP, NLGEOM, INC=200", "*STATIC", "1., 1., 1e-6", *strict()]
     told = ["*NODE PRINT, NSET=ALL", "U", "*NODE FILE", "U", "*END STEP"]
-    return [*begin, "*BOUNDARY, OP=NEW", *fixed, *_weight(gravity), *told]
+    return [*begin, "*BOUNDARY, OP=NEW", *fixed, *weight_cards(gravity), *told]
 
 
 def displaced(node: int, direction: int, moved: np.ndarray) -> str:
@@ -130,7 +130,8 @@ def displaced(node: int, direction: int, moved: np.ndarray) -> str:
     return f"{node + 1}, {direction + 1}, {direction + 1}, {moved[node, direction]:.12g}"
 
 
-def _weight(gravity: Sequence[float] | None) -> list[str]:
+def weight_cards(gravity: Sequence[float] | None) -> list[str]:
+    """Weight of the body, falling along a direction; none without one."""
     if gravity is None:
         return []
     x, y, z = np.asarray(gravity, dtype=float) / np.linalg.norm(gravity)
