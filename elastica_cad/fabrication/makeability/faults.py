@@ -20,6 +20,12 @@ from elastica_cad.fabrication.strip.styles import Plain
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.mechanics.material.sheet import Sheet
 
+WIDE = 1.5
+"""Least widths between edges that lean to each other by less than `STEEPEST`: straight across there is one left."""
+
+STEEPEST = 1.0
+"""Slope of a width along the strip."""
+
 MOST_TOLD = 3  # thin places of one part that are named; the count tells the rest
 
 
@@ -88,7 +94,7 @@ def find_strip_faults(strip: Strip, shop: Shop | None = None) -> tuple[Fault, ..
         if i and isinstance(strip.style, Laminated):  # glued on, it needs no strength of its own
             least = min(least, strip.style.least_backing)
         found += _thin_strip(called, strip, layer, least)
-        length, width = (float(side) for side in np.ptp(layer.outline.bounds, axis=0))
+        length, width = _size(strip)
         longest = shop.stock_for(layer.sheet)[0] if joined else np.inf
         found += _too_large(called, min(length, longest), width, layer.sheet, shop)
     style = strip.style
@@ -141,7 +147,26 @@ def find_slot_faults(name: str, slots: Sequence[tuple[str, float, float]]) -> tu
     return (Fault(name, what, cure),)
 
 
+def _size(strip: Strip) -> tuple[float, float]:
+    """Length and width of the flat part, mm: its tabs included, its slots filled."""
+    length = strip.rod.length + sum(tab.length for tab in strip.ends)
+    return length, max(float(strip.width.extremes[1]), *(tab.width or 0.0 for tab in strip.ends))
+
+
+def _is_clearly_wide(strip: Strip, least: float) -> bool:
+    """Nothing but its two edges, and these far enough apart everywhere? Then there is nothing to be measured."""
+    if strip.slots or strip.layout.backing is not None or strip.layout.pattern is not None:
+        return False
+    if any(tab.holes or tab.t_slot or tab.taper for tab in strip.ends):
+        return False
+    across = (float(strip.width.extremes[0]), *(tab.width or np.inf for tab in strip.ends))
+    slope = np.abs(strip.width(strip.rod.s, 1)).max()
+    return bool(min(across) > WIDE * least and slope < STEEPEST)
+
+
 def _thin_strip(name: str, strip: Strip, layer: Layer, least: float) -> Iterator[Fault]:
+    if _is_clearly_wide(strip, least):
+        return
     pattern = strip.layout.pattern is not None
     holes = () if pattern else layer.holes  # ligaments have a limit of their own
     places = find_thin_places([layer.outline], holes, least)
