@@ -5,12 +5,13 @@ from dataclasses import replace
 from math import radians
 from typing import Any, Literal, TypeAlias, Unpack, overload
 
+from elastica_cad.errors import InputError, how_to_install
+
 try:
     import build123d as bd
 except ImportError as error:
-    raise ImportError("elastica_cad.build123d needs build123d: pip install build123d") from error
+    raise ImportError(f"elastica_cad.build123d needs build123d: {how_to_install('build123d')}") from error
 
-from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.sheet_colors import FIXTURE_COLOR, sheet_color
 from elastica_cad.fabrication.model.assembly import (
     AssemblyPart,

@@ -9,12 +9,13 @@ from typing import Any, Literal, TypeAlias, TypeVar, Unpack
 
 import numpy as np
 
+from elastica_cad.errors import InputError, how_to_install
+
 try:
     import cadquery as cq
 except ImportError as error:
-    raise ImportError("elastica_cad.cadquery needs CadQuery: pip install cadquery") from error
+    raise ImportError(f"elastica_cad.cadquery needs CadQuery: {how_to_install('cadquery')}") from error
 
-from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
 from elastica_cad.fabrication.model.assembly import (
     AssemblyPart,

@@ -1,5 +1,8 @@
 """The one family of errors: every message says what is wrong, where (mm), and what to do."""
 
+import sys
+from pathlib import Path
+
 
 class ElasticaError(Exception):
     """Base of every error raised on purpose by elastica_cad."""
@@ -15,3 +18,18 @@ class NotConvergedError(ElasticaError, RuntimeError):
 
 class MissingDependencyError(ElasticaError, ImportError, RuntimeError):
     """An optional library is needed for what was asked and is not installed, or of an unknown version."""
+
+
+def how_to_install(package: str) -> str:
+    """The command that installs a package where this program runs.
+
+    Examples
+    --------
+    >>> how_to_install("matplotlib").endswith(" -m pip install matplotlib")
+    True
+    """
+    here = sys.executable if Path(sys.executable).stem.startswith("python") else "python"
+    words = (
+        f'"{word}"' if set(word) & set(" []") else word for word in (here, "-m", "pip", "install", package)
+    )
+    return " ".join(words)

@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import Any
 
-from elastica_cad.errors import InputError, MissingDependencyError
+from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
 from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.formats.curve_files.chains import FIT_TOLERANCE, JOIN_TOLERANCE
 from elastica_cad.formats.curve_files.drawn_file import CurveList, DrawnFile
@@ -138,7 +138,7 @@ def read_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.
 
 def _no_kernel(path: Path) -> MissingDependencyError:
     return MissingDependencyError(
-        f'reading {path.name} needs a CAD kernel: pip install "elastica-cad[build123d]"'
+        f"reading {path.name} needs a CAD kernel: {how_to_install('elastica-cad[build123d]')}"
     )
 
 

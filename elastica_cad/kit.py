@@ -7,10 +7,9 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, TypeAlias
 
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import InputError, NotConvergedError, how_to_install
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
-from elastica_cad.fabrication.holders.base_plate import BasePlate
-from elastica_cad.fabrication.holders.slotted_frame import Rib
+from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.tab_seats import held_shapes, rocking_tabs
 from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.makeability.faults import accept_faults, find_strip_faults
@@ -20,16 +19,19 @@ from elastica_cad.fabrication.model.assembly import Holder
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.sheets.cut_list import cut_list
 from elastica_cad.fabrication.sheets.nesting import NestedSheet, nest_pieces
-from elastica_cad.fabrication.sheets.pieces import Piece, file_word
+from elastica_cad.fabrication.sheets.pieces import Piece, file_word, strip_pieces
 from elastica_cad.files import save
 from elastica_cad.formats.design_files.kit_spec import Cutting, KitSpec, Nesting
 from elastica_cad.formats.design_files.strip_table import StripEntry
 from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.formats.reports.model_report import report_model
+from elastica_cad.formats.reports.start_page import compose_start_page
 from elastica_cad.mechanics.material.sheet import Sheet
 
 Writer: TypeAlias = Callable[[Path], object]
-Asked: TypeAlias = tuple[Sheet, Any, Nesting] | None
+
+PARTS, SHEETS, MODEL = "parts", "sheets", "model"
+"""Folders of a kit; the start page, lists and the report lie beside them."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,7 +51,7 @@ class Kit:
     held: dict[str, HeldShape] = field(default_factory=dict)
     """The shape of each strip as made and held, by its name, where it was asked for."""
     notes: tuple[str, ...] = ()
-    """What rocks in its holder or finds no rest there, and what was made although it cannot be cut or handled."""
+    """What was chosen to hold it, what rocks there or finds no rest, what was made although it cannot be cut."""
 
 
 @dataclass(frozen=True)
@@ -83,7 +85,7 @@ def left_out(*, step: bool = True, pictures: bool = True) -> tuple[str, ...]:
     """What of the assembly and the pictures cannot be written here, and which package would."""
     wanted = ((pictures, "matplotlib", "matplotlib", "pictures"), (step, "OCP", "build123d", "STEP"))
     return tuple(
-        f"no {kind}: pip install {package}"
+        f"no {kind}: {how_to_install(package)}"
         for asked, module, package, kind in wanted
         if asked and find_spec(module) is None
     )
@@ -110,26 +112,24 @@ def kit_of(
         Parts larger than a sheet; strips, base or frame that cannot be cut and handled, unless `spec.anyway`.
     """
     spec = spec or KitSpec()
-    faults = _strip_faults(model, spec, entries)
+    told, holders = [*_strip_faults(model, spec, entries)], list[Holder]()
     joined = _spliced(model, spec, entries)
-    pieces, holders = (*_cut(model, joined), *spec.extras(model)), list[Holder]()
+    strips = strip_pieces(model.parts, numbered=bool(spec.holders or model.plates))
+    pieces = (*_cut(strips, joined), *(plate.piece for plate in model.plates), *spec.extras(model))
     nests = _nest(pieces, spec.nesting, spec, f"{model.name}-nest")
-    bases, frame = spec.base_plates(model), spec.slotted_frame(model)
-    wanted: list[tuple[str, Asked, tuple[BasePlate | Rib, ...]]] = [
-        ("base", spec.base, bases),
-        ("frame", spec.frame, () if frame is None else (*frame.rails, *frame.ribs)),
-    ]
-    for what, asked, plates in wanted:
-        if asked is not None:
-            cut = tuple(replace(plate.piece, name=f"{model.name}-{plate.name}") for plate in plates)
-            nests += _nest(cut, asked[2], spec, f"{model.name}-{what}-nest")
-            pieces, holders = (*pieces, *cut), [*holders, *plates]
-    holders += spec.end_fixtures(model)
+    for asked in spec.holders:
+        made, sentence = asked.made(model, spec.shop, anyway=spec.anyway)
+        plates = [one for one in made if not isinstance(one, EndFixture)]
+        cut = tuple(replace(plate.piece, name=f"{model.name}-{plate.name}") for plate in plates)
+        nests += _nest(cut, asked.nesting, spec, f"{model.name}-{asked.name}-nest")
+        pieces, holders = (*pieces, *cut), [*holders, *made]
+        told += [sentence] if sentence else []
     held, notes = _held(model, (*model.plates, *holders)) if effects else ({}, ())
-    told = [text for plate in (*model.plates, *holders) for text in getattr(plate, "warnings", ())]
-    told += [f"{name}: {splice}" for name, splice in joined.items()]
-    notes = (*faults, *told, *notes)
-    return Kit(model, spec, pieces, nests, tuple(holders), entries=tuple(entries), held=held, notes=notes)
+    told += [text for plate in (*model.plates, *holders) for text in getattr(plate, "warnings", ())]
+    told += [*(f"{name}: {splice}" for name, splice in joined.items()), *notes]
+    return Kit(
+        model, spec, pieces, nests, tuple(holders), entries=tuple(entries), held=held, notes=tuple(told)
+    )
 
 
 def _spliced(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> dict[str, Splice]:
@@ -142,10 +142,10 @@ def _spliced(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> dict
     return {name: splice for name, splice in found.items() if splice is not None}
 
 
-def _cut(model: Model, joined: Mapping[str, Splice]) -> tuple[Piece, ...]:
-    """What must be cut of a model, strips that are joined of pieces in these."""
+def _cut(strips: Sequence[Piece], joined: Mapping[str, Splice]) -> tuple[Piece, ...]:
+    """What must be cut for strips, those that are joined of pieces in these."""
     pieces: list[Piece] = []
-    for piece in model.pieces:
+    for piece in strips:
         whole = piece.name not in joined
         pieces += [piece] if whole else [replace(one, count=piece.count) for one in joined[piece.name].pieces]
     return tuple(pieces)
@@ -289,30 +289,66 @@ def save_model(
 def _plan(kit: Kit, *, step: bool, pictures: bool, parts: bool) -> None:
     """Say which files there will be, and how each is written."""
     name, files = file_word(kit.model.name), kit.files
+    if pictures:
+        files[f"{name}-assembly.pdf"] = ("assembly sheet", lambda path: _draw_assembly(kit, path))
+    listed = cut_list(kit.pieces, _homes(kit, parts=parts))
+    files[f"{name}-cut-list.csv"] = ("cut list", lambda path: _write_text(path, listed.csv))
+    files[f"{name}-cut-list.txt"] = ("cut list", lambda path: _write_text(path, str(listed)))
+    if step:
+        files[f"{MODEL}/{name}.step"] = ("assembly for CAD programs", lambda path: _write_step(kit, path))
+        files[f"{MODEL}/{name}.glb"] = (
+            "assembly for browsers and phones",
+            lambda path: _write_glb(kit, path),
+        )
+    if pictures:
+        files[f"{MODEL}/{name}.png"] = ("picture of the model", lambda path: _draw_model(kit, path))
     for nest in kit.nests:
+        stem = f"{SHEETS}/{file_word(nest.name)}"
         if nest.sheet is not None:
-            _add_drawing(kit, file_word(nest.name), nest, nest.sheet, "nested sheet")
-    on_sheets = {
-        piece: f"{file_word(nest.name)}.{_suffix(kit)}" for nest in kit.nests for piece in nest.pieces
-    }
+            _add_drawing(kit, stem, nest, nest.sheet, "nested sheet")
+        if pictures:
+            files[f"{stem}.png"] = ("picture of a sheet", _nest_picture(nest))
     for piece in kit.pieces if parts else ():
-        if any(file.casefold() == f"{piece.file_stem}.svg".casefold() for file in files):
+        stem = f"{PARTS}/{piece.file_stem}"
+        if any(file.casefold() == f"{stem}.svg".casefold() for file in files):
             raise InputError(
                 f"{piece.name}: another part would be written to {piece.file_stem}.svg too; choose labels that "
                 "differ in more than capitals and signs"
             )
-        _add_drawing(kit, piece.file_stem, piece.drawing, piece.sheet, "part")
-    own = {piece.name: f"{piece.file_stem}.{_suffix(kit)}" for piece in kit.pieces}
-    listed = cut_list(kit.pieces, own if parts else on_sheets)
-    files[f"{name}-cut-list.csv"] = ("cut list", lambda path: _write_text(path, listed.csv))
-    files[f"{name}-cut-list.txt"] = ("cut list", lambda path: _write_text(path, str(listed)))
-    if step:
-        files[f"{name}.step"] = ("assembly", lambda path: _write_step(kit, path))
-    if pictures:
-        files[f"{name}.png"] = ("picture of the model", lambda path: _draw_model(kit, path))
-        for nest in kit.nests:
-            files[f"{file_word(nest.name)}.png"] = ("picture of a sheet", _nest_picture(nest))
-    files[f"{name}.json"] = ("report", lambda path: _write_report(kit, path))
+        _add_drawing(kit, stem, piece.drawing, piece.sheet, "part")
+    files[f"{name}.json"] = (
+        "report",
+        lambda path: _write_text(path, json.dumps(kit_report(kit), indent=1) + "\n"),
+    )
+    files["index.html"] = ("this page", lambda path: _write_text(path, _start_page(kit)))
+
+
+def _homes(kit: Kit, *, parts: bool) -> dict[str, str]:
+    """The file that each piece is cut from: its own, or that of its sheet."""
+    if parts:
+        return {piece.name: f"{PARTS}/{piece.file_stem}.{_suffix(kit)}" for piece in kit.pieces}
+    return {
+        piece: f"{SHEETS}/{file_word(nest.name)}.{_suffix(kit)}"
+        for nest in kit.nests
+        for piece in nest.pieces
+    }
+
+
+def _start_page(kit: Kit) -> str:
+    """What was made, in sentences, with links."""
+    listed, count = cut_list(kit.pieces), len(kit.model.placed)
+    lines = [
+        f"{count} {'strip' if count == 1 else 'strips'}, {len(kit.model.parts)} different; {listed.count} pieces, "
+        f"{listed.cut_length / 1000:.1f} m of cuts, {listed.mass:.0f} g.",
+        *(
+            f"{nest.name}: {len(nest.pieces)} pieces take {100 * nest.share:.0f} % of a sheet of "
+            f"{nest.sheet_size[0]:g} by {nest.sheet_size[1]:g} mm."
+            for nest in kit.nests
+        ),
+        "Ends are numbered: end 1 is where a strip's label begins, end 2 where it ends; slot A:1 takes end 1 of A.",
+    ]
+    files = {file: what for file, (what, _) in kit.files.items() if file != "index.html"}
+    return compose_start_page(kit.model.name, lines, kit_report(kit)["reports"], files)
 
 
 def _suffix(kit: Kit) -> str:
@@ -333,7 +369,8 @@ def _write_text(path: Path, text: str) -> None:
     path.write_text(text, encoding="utf-8", newline="\n")
 
 
-def _write_report(kit: Kit, path: Path) -> None:
+def kit_report(kit: Kit) -> dict[str, Any]:
+    """All numbers of a kit, as its report file has them."""
     kinds = {name: kind for name, (kind, _) in kit.files.items()}
     listed = cut_list(kit.pieces)
     report = report_model(
@@ -345,13 +382,26 @@ def _write_report(kit: Kit, path: Path) -> None:
         entries=kit.entries,
     )
     report["reports"] += kit.notes
-    _write_text(path, json.dumps(report, indent=1) + "\n")
+    return report
 
 
 def _write_step(kit: Kit, path: Path) -> None:
     from elastica_cad.kernel.step_files import write_model_step
 
     write_model_step(kit.model, path, others=kit.holders)
+
+
+def _write_glb(kit: Kit, path: Path) -> None:
+    from elastica_cad.kernel.glb_files import write_model_glb
+
+    write_model_glb(kit.model, path, others=kit.holders)
+
+
+def _draw_assembly(kit: Kit, path: Path) -> None:
+    from elastica_cad.plot.assembly_sheet import save_assembly_sheet
+
+    listed = cut_list(kit.pieces, _homes(kit, parts=True))
+    save_assembly_sheet(kit.model, path, holders=kit.holders, cut_list=listed)
 
 
 def _draw_model(kit: Kit, path: Path) -> None:

@@ -8,8 +8,8 @@ from xml.etree import ElementTree
 
 import numpy as np
 
-ORDER = ("ENGRAVE", "MARK", "CUT_INNER", "CUT_OUTER")
-CUTS = ORDER[2:]
+ORDER = ("SHEET", "ENGRAVE", "MARK", "CUT_INNER", "CUT_OUTER")
+CUTS = ORDER[3:]
 SVG = "{http://www.w3.org/2000/svg}"
 LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
 
@@ -38,7 +38,7 @@ def check_drawing_file(path, *, open_cuts=False):
     curves = {".dxf": _dxf_curves, ".svg": _svg_curves}[path.suffix](path)
     assert curves, "the file is empty"
     ranks = [ORDER.index(curve.layer) for curve in curves]
-    assert ranks == sorted(ranks), "engraving, marks, inner cuts, outer cuts, in this order"
+    assert ranks == sorted(ranks), "the border, engraving, marks, inner cuts, outer cuts, in this order"
     for curve in curves:
         assert np.all(np.isfinite(curve.points))
         assert curve.closed or open_cuts or curve.layer not in CUTS, f"an open cut at {curve.points[0]}"

@@ -3,6 +3,8 @@
 import gc
 import sys
 
+from elastica_cad.errors import how_to_install
+
 __all__ = ["main"]
 
 RARE_COLLECTIONS = (100_000, 20, 20)
@@ -21,7 +23,7 @@ def main(arguments: list[str] | None = None) -> None:
     try:
         import click  # noqa: F401 - only its presence is asked
     except ImportError:
-        sys.exit("the elastica command needs click: pip install elastica-cad")
+        sys.exit(f"the elastica command needs click: {how_to_install('click')}")
     if arguments is not None:
         from elastica_cad.cli.commands import elastica
     else:

@@ -19,6 +19,8 @@ from elastica_cad.cli.options import (
     unit_option,
     which_options,
 )
+from elastica_cad.cli.running.lengths import LENGTH, POINT
+from elastica_cad.cli.running.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.travel import Travel, bend_strip
@@ -35,7 +37,9 @@ from elastica_cad.mechanics.stability.stability_verdict import Stability, stabil
 
 @click.command("bend")
 @curve_argument(required=False)
-@click.option("--straight", type=float, metavar="MM", help="A straight strip of even width instead of CURVE.")
+@click.option(
+    "--straight", type=LENGTH, metavar="MM", help="A straight strip of even width instead of CURVE."
+)
 @which_options
 @smooth_option
 @click.option("--nearest", is_flag=True, help="Where no strip takes CURVE, bend that of the nearest curve.")
@@ -43,15 +47,15 @@ from elastica_cad.mechanics.stability.stability_verdict import Stability, stabil
 @sheet_options(required=False, use="Material, for weight and forces")
 @click.option(
     "--max-width",
-    type=float,
+    type=LENGTH,
     metavar="MM",
     help="Width of the widest place: with --sheet it tells newtons, strain and safety.",
 )
 @click.option("--gravity", is_flag=True, help="The strip feels its weight (needs --sheet).")
 @click.option("--down", type=(float, float), default=(0.0, -1.0), show_default=True, metavar="X Y",
               help="The direction in which things fall.")  # fmt: skip
-@click.option("--from", "start", type=(float, float), metavar="X Y", help="Move the start there, mm.")
-@click.option("--to", "end", type=(float, float), metavar="X Y", help="Move the end there, mm.")
+@click.option("--from", "start", type=POINT, metavar="X Y", help="Move the start there, mm.")
+@click.option("--to", "end", type=POINT, metavar="X Y", help="Move the end there, mm.")
 @click.option("--start-angle", type=float, metavar="DEG", help="Turn the start to this direction.")
 @click.option(
     "--end-angle", type=float, metavar="DEG", help="Turn the end to this direction, counted along the strip."
@@ -100,8 +104,10 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     _tell(rod, shapes, verdicts)
     if moved is not None:
         _tell_forces(moved)
-    for path in _write_files(name, rod, shapes, moved, chosen["output"], chosen["force"]):
-        click.echo(f"wrote {path}")
+    told = [_told(*pair) for pair in zip(shapes, verdicts, strict=True)]
+    table = None if moved is None else moved.table()
+    answer({"length": rod.length, "ratio": rod.ratio, "shapes": told, "travel": table})
+    wrote(_write_files(name, rod, shapes, moved, chosen["output"], chosen["force"]))
 
 
 def _rod(curve: Path | None, chosen: dict[str, Any]) -> Rod:
@@ -114,10 +120,10 @@ def _rod(curve: Path | None, chosen: dict[str, Any]) -> Rod:
     limits = Limits() if chosen["nearest"] else None
     spec = RodSpec(drawn, gravity, smooth=chosen["smooth"], limits=limits)
     for note in spec.smoothing.notes:
-        click.echo(note)
+        say(note)
     found = spec.solve()
     if isinstance(found, NearestRod):
-        click.echo(f"the strip is {found.deviation:.2g} mm off the drawn curve at most")
+        say(f"the strip is {found.deviation:.2g} mm off the drawn curve at most")
     return accepted_rod(found)
 
 
@@ -149,9 +155,18 @@ def _steps(rod: Rod, chosen: dict[str, Any]) -> list[dict[str, Any]]:
     ]
 
 
+def _told(shape: Rod, verdict: Stability) -> dict[str, Any]:
+    """One shape, for programs."""
+    return {
+        "start": shape.position[0], "end": shape.position[-1], "angles": shape.angle[[0, -1]],
+        "size": np.ptp(shape.position, axis=0), "largest_curvature": np.abs(shape.curvature).max(),
+        "stable": verdict.stable, "margin": verdict.margin,
+    }  # fmt: skip
+
+
 def _tell(rod: Rod, shapes: Sequence[Rod], verdicts: Sequence[Stability]) -> None:
     """Every shape in a line."""
-    click.echo(f"{rod.length:.2f} mm long, stiffness ratio {rod.ratio:.4g}")
+    say(f"{rod.length:.2f} mm long, stiffness ratio {rod.ratio:.4g}")
     for shape, verdict in zip(shapes, verdicts, strict=True):
         (x0, y0), (x1, y1) = np.round(shape.position[[0, -1]], 2) + 0.0
         low, high = shape.position.min(axis=0), shape.position.max(axis=0)
@@ -162,12 +177,12 @@ def _tell(rod: Rod, shapes: Sequence[Rod], verdicts: Sequence[Stability]) -> Non
             if verdict.stable
             else "unstable: it snaps away"
         )
-        click.echo(
+        say(
             f"({x0:.2f}, {y0:.2f}) to ({x1:.2f}, {y1:.2f}): {high[0] - low[0]:.2f} by {high[1] - low[1]:.2f} mm, "
             f"{bent}, {stays}"
         )
         for warning in shape.warnings:
-            click.echo(f"Warning: {warning}", err=True)
+            warn(f"Warning: {warning}")
 
 
 def _tell_forces(moved: Travel) -> None:
@@ -175,17 +190,16 @@ def _tell_forces(moved: Travel) -> None:
     for k in range(len(moved.rods)):
         size = float(np.hypot(*moved.end_force[k]))
         x, y = np.where(np.abs(moved.end_force[k]) < 1e-9 * size, 0.0, moved.end_force[k])
-        click.echo(
+        say(
             f"travel {moved.travel[k]:.4g} mm: end pushed by ({x:.4g}, {y:.4g}) N and {moved.end_moment[k]:.4g} "
             f"N mm, energy {moved.energy[k]:.4g} N mm, strain {100 * moved.strain[k]:.3g} %, "
             f"stress {moved.stress[k]:.4g} MPa, safety {moved.safety[k]:.3g}"
         )
     if moved.safety.min() < 1:
         k = int(np.argmin(moved.safety))
-        click.echo(
+        warn(
             f"Warning: at {moved.travel[k]:.4g} mm of travel it is strained beyond what the sheet bears (safety "
-            f"{moved.safety[k]:.2g}): take a thinner sheet, a longer strip or less travel",
-            err=True,
+            f"{moved.safety[k]:.2g}): take a thinner sheet, a longer strip or less travel"
         )
 
 

@@ -1,6 +1,5 @@
 """`elastica check`: can this curve be bent from a flat strip?"""
 
-import json
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +14,7 @@ from elastica_cad.cli.options import (
     support_options,
     which_options,
 )
+from elastica_cad.cli.running.voice import answer, say, warn
 from elastica_cad.errors import ElasticaError
 from elastica_cad.formats.curve_files.drawn_file import DrawnCurve
 from elastica_cad.formats.reports.strip_report import report_check
@@ -34,7 +34,6 @@ MOST_CURES = 3
 @which_options
 @support_options
 @smooth_option
-@click.option("--json", "as_json", is_flag=True, help="Print the answer as JSON.")
 @click.pass_context
 def check(
     ctx: click.Context,
@@ -46,7 +45,6 @@ def check(
     end: EndName,
     natural_curvature: float,
     smooth: float | None,
-    as_json: bool,
 ) -> None:
     """Tell whether the curves in CURVE can be bent from a flat strip, and if not, where and why.
 
@@ -59,28 +57,26 @@ def check(
     answers: list[tuple[DrawnCurve, dict[str, Any]]] = []
     for one in drawing.chosen(number, layer):
         try:
-            answer, good = _judged(curve, one, len(drawing), supports, natural_curvature, smooth)
+            found, good = _judged(curve, one, len(drawing), supports, natural_curvature, smooth)
             cured = sum("cure" in told for _, told in answers)
             if not good and cured < MOST_CURES:
                 which = ("--curve", str(one.number)) if len(drawing) > 1 else ()
                 cure = cure_for_curve(one.curve, supports, natural_curvature, smooth, which)
-                answer |= {"cure": cure} if cure else {}
+                found |= {"cure": cure} if cure else {}
         except ElasticaError as problem:
             if len(drawing) == 1:
                 raise
-            answer, good = {"realizable": False, "problem": str(problem), "advice": str(problem)}, False
+            found, good = {"realizable": False, "problem": str(problem), "advice": str(problem)}, False
             worst = BAD_INPUT
         worst = max(worst, 0 if good else NOT_REALIZABLE)
-        answers.append((one, answer))
-    if as_json:
-        click.echo(json.dumps([answer for _, answer in answers], indent=1))
-    else:
-        for one, answer in answers:
-            head = f"{curve.name}, {one.called} of {len(drawing)}:\n" if len(drawing) > 1 else ""
-            said = " ".join(
-                filter(None, (answer["advice"], *answer.get("notes", ()), answer.get("cure", "")))
-            )
-            click.echo(said if "problem" in answer else f"{head}{said}", err="problem" in answer)
+        answers.append((one, found))
+        head = f"{curve.name}, {one.called} of {len(drawing)}:\n" if len(drawing) > 1 else ""
+        said = " ".join(filter(None, (found["advice"], *found.get("notes", ()), found.get("cure", ""))))
+        if "problem" in found:
+            warn(said)
+        else:
+            say(f"{head}{said}")
+    answer([found for _, found in answers])
     if worst:
         ctx.exit(worst)
 

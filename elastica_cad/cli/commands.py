@@ -1,4 +1,4 @@
-"""The group of commands, and how errors become plain sentences and exit codes."""
+"""The group of commands, and what all do alike: errors as sentences, JSON, the gate for numbers, watching files."""
 
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any
@@ -13,6 +13,9 @@ from elastica_cad.cli.model_command import model
 from elastica_cad.cli.new_command import new
 from elastica_cad.cli.options import refuse_huge_numbers, refuse_odd_numbers
 from elastica_cad.cli.reshape_command import reshape
+from elastica_cad.cli.running.lengths import UNITS
+from elastica_cad.cli.running.voice import voice
+from elastica_cad.cli.running.watching import remake_on_change
 from elastica_cad.cli.sections_command import sections
 from elastica_cad.cli.sheets_command import sheets
 from elastica_cad.cli.strip_command import strip
@@ -60,9 +63,7 @@ class _Sentences(click.Group):
         except ElasticaError as problem:
             if not getattr(problem, "__notes__", None):
                 problem.add_note(self._cure(ctx, str(problem)))
-            begins, code = next((told for kind, told in TOLD.items() if isinstance(problem, kind)))
-            click.echo(f"{begins}: {_said(problem)}", err=True)
-            ctx.exit(code)
+            ctx.exit(_refuse(problem))
         except click.UsageError as problem:
             said = problem.format_message()
             raise click.UsageError(
@@ -90,24 +91,85 @@ def elastica() -> None:
       elastica sections pot.obj --radial 16         curves for strips along a mesh or a STEP body
 
     Curves come from DXF, SVG, CSV, JSON, text files of control points, and STEP with a CAD kernel installed.
-    Lengths are mm. Exit code: 0 done, 1 not realizable (or too much strain with --strict), 2 bad input.
+    Lengths are mm, or as they say: 1.5in, 4cm. Every command knows --json, -q and -v; those that read files
+    --watch. Exit code: 0 done, 1 not realizable (or too much strain with --strict), 2 bad input.
     """
 
 
-def _gated(command: click.Command) -> click.Command:
-    """The command behind the gate for numbers, which no option passes by."""
-    run = command.callback
+def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
+    """The command with what all have: `--json`, `-q`, `-v`, `--units`, and `--watch` where it reads files.
 
-    def behind(*values: Any, **chosen: Any) -> Any:
-        chosen_now = click.get_current_context().params
-        refuse_odd_numbers(chosen_now)
-        if command is not sections:  # which has sentences of its own
-            refuse_huge_numbers(chosen_now)
-        return None if run is None else run(*values, **chosen)
+    With `huge` it has sentences of its own for numbers that no drawing holds.
+    """
+    run, own = command.callback, {param.name for param in command.params}
+    assert run is not None
+    command.params += [
+        _speaking("--json", "as_json", help="Print the answer as one JSON record (docs/json.md)."),
+        _speaking("-q", "--quiet", help="Print errors only."),
+        _speaking("-v", "--verbose", help="Print every step with its seconds, and all notes."),
+        click.Option(["--units"], type=click.Choice(list(UNITS)), default="mm", show_default=True, is_eager=True,
+                     help="Of lengths in options; one may name its own: 1.5in."),
+    ]  # fmt: skip
+    if any(isinstance(one, click.Argument) and isinstance(one.type, click.Path) for one in command.params):
+        text = "Run again whenever a file that was read is saved, until Ctrl-C."
+        command.params.append(click.Option(["--watch"], is_flag=True, is_eager=True, help=text))
+
+    def behind(**chosen: Any) -> None:
+        watched = chosen.pop("watch", False)
+        chosen.pop("units")
+        refuse_odd_numbers(chosen)
+        if not huge:
+            refuse_huge_numbers(chosen)
+        if not watched:
+            _once(run, chosen)
+            return
+
+        def make() -> None:
+            try:
+                _once(run, chosen)
+            except click.exceptions.Exit:
+                pass
+            except ElasticaError as problem:
+                _refuse(problem)
+                return
+            if "force" in own:
+                chosen["force"] = True  # what it made itself is made anew
+
+        remake_on_change(make, lambda text: click.echo(text, err=True))
 
     command.callback = behind
     return command
 
 
+def _speaking(*names: str, help: str) -> click.Option:
+    """An option about how the command speaks: it says so to the voice before all else is read."""
+
+    def tell(_: click.Context, param: click.Parameter, value: bool) -> None:
+        if value:
+            setattr(voice(), str(param.name), True)
+
+    return click.Option(
+        list(names), is_flag=True, is_eager=True, expose_value=False, callback=tell, help=help
+    )
+
+
+def _once(run: Any, chosen: dict[str, Any]) -> None:
+    """The command's own work, and its record at the end, whatever its exit code."""
+    voice().begin()
+    try:
+        run(**chosen)
+    except click.exceptions.Exit:
+        voice().conclude()
+        raise
+    voice().conclude()
+
+
+def _refuse(problem: ElasticaError) -> int:
+    """Say what is wrong, with the cure that was found, and give the exit code."""
+    begins, code = next((told for kind, told in TOLD.items() if isinstance(problem, kind)))
+    voice().refuse(f"{begins}: {_said(problem)}", code)
+    return code
+
+
 for command in (new, check, strip, model, bend_command, reshape, sections, coupon, sheets):
-    elastica.add_command(_gated(command))
+    elastica.add_command(_complete(command, huge=command is sections))

@@ -7,6 +7,9 @@ from typing import Any
 import click
 
 from elastica_cad.cli.options import output_options
+from elastica_cad.cli.running.lengths import LENGTH, POINT
+from elastica_cad.cli.running.program import name_program
+from elastica_cad.cli.running.voice import answer, say, wrote
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.sheets.coupon import coupon_drawing, coupon_overhang
 from elastica_cad.files import save
@@ -22,24 +25,24 @@ GUESSED_MPA, GUESSED_STRAIN = 4000.0, 0.004
 @click.command()
 @click.option("--sheet", metavar="NAME|FILE",
               help="The material, or the one most like it; of others give --thickness and --density.")  # fmt: skip
-@click.option("--overhang", type=float, metavar="MM", help="Longest free length [default: by the sheet].")
+@click.option("--overhang", type=LENGTH, metavar="MM", help="Longest free length [default: by the sheet].")
 @click.option(
-    "--width", type=float, default=20.0, show_default=True, metavar="MM", help="Width of the coupon."
+    "--width", type=LENGTH, default=20.0, show_default=True, metavar="MM", help="Width of the coupon."
 )
 @click.option(
-    "--clamp", type=float, default=40.0, show_default=True, metavar="MM", help="Length to be clamped."
+    "--clamp", type=LENGTH, default=40.0, show_default=True, metavar="MM", help="Length to be clamped."
 )
-@click.option("--measured", type=(float, float), multiple=True, metavar="OVERHANG DROOP",
+@click.option("--measured", type=POINT, multiple=True, metavar="OVERHANG DROOP",
               help="A reading, mm: free length, how far its end hangs below the clamp; repeatable.")  # fmt: skip
-@click.option("--reading-error", type=float, default=0.5, show_default=True, metavar="MM",
+@click.option("--reading-error", type=LENGTH, default=0.5, show_default=True, metavar="MM",
               help="How exactly both were read (standard deviation).")  # fmt: skip
-@click.option("--thickness", type=float, metavar="MM", help="Measured thickness [default: the sheet's].")
+@click.option("--thickness", type=LENGTH, metavar="MM", help="Measured thickness [default: the sheet's].")
 @click.option("--density", type=float, metavar="KG/M3", help="Measured density [default: the sheet's].")
-@click.option("--least-radius", type=float, metavar="MM",
+@click.option("--least-radius", type=LENGTH, metavar="MM",
               help="Least radius that left no lasting bend [default: by the sheet's largest strain].")  # fmt: skip
 @click.option("--grain", type=click.Choice(["along", "across", "none"]),
               help="How the coupon lies to the grain [default: as the sheet's].")  # fmt: skip
-@click.option("--kerf", type=float, metavar="MM", help="Width of the cut, measured [default: the sheet's].")
+@click.option("--kerf", type=LENGTH, metavar="MM", help="Width of the cut, measured [default: the sheet's].")
 @click.option("--name", help="What to call the measured sheet [default: my-NAME].")
 @click.option("--keep", is_flag=True, help="Write the measured sheet into the library, for every command.")
 @output_options
@@ -94,16 +97,16 @@ def coupon(
     with write_together(output, names, force=force) as workshop:
         for file in names:
             save(drawing, workshop / file)
-    for file in names:
-        click.echo(f"wrote {output / file}")
+    answer({"sheet": known, "measured": None})
+    wrote([output / file for file in names])
     free = coupon_overhang(known) if overhang is None else overhang
     typed = (
         f"--sheet {sheet}"
         if sheet
         else f"--thickness {thickness:g} --density {density:g} --name {known.name}"
     )
-    click.echo(f"next: cut it, hang {free:g} mm of it over an edge, read the droop of its end in mm, and")
-    click.echo(f"  elastica coupon {typed} --measured {free:g} DROOP")
+    say(f"next: cut it, hang {free:g} mm of it over an edge, read the droop of its end in mm, and")
+    say(f"  {name_program()} coupon {typed} --measured {free:g} DROOP")
 
 
 def _known(sheet: str | None, thickness: float | None, density: float | None, name: str | None) -> Sheet:
@@ -161,8 +164,9 @@ def _calibrate(
     file = f"{name}.toml"
     with write_together(output, [file], force=force) as workshop:
         (workshop / file).write_text(found.toml(), encoding="utf-8")
-    click.echo(str(result))
-    click.echo(f"(in the list: {sheet.elasto_gravity_length:.2f} mm, E {sheet.youngs_modulus:.0f} MPa)\n")
-    click.echo(found.toml())
-    click.echo(f"wrote {output / file}")
-    click.echo(f"every command takes it: --sheet {name if output in library_folders() else output / file}")
+    answer({"sheet": found, "measured": result})
+    say(str(result))
+    say(f"(in the list: {sheet.elasto_gravity_length:.2f} mm, E {sheet.youngs_modulus:.0f} MPa)\n")
+    say(found.toml())
+    wrote([output / file])
+    say(f"every command takes it: --sheet {name if output in library_folders() else output / file}")

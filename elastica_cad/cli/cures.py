@@ -14,6 +14,7 @@ from typing import Any, TypeAlias
 import click
 import numpy as np
 
+from elastica_cad.cli.running.program import name_program
 from elastica_cad.errors import ElasticaError
 from elastica_cad.fabrication.makeability.splices import SPLICED
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -81,7 +82,7 @@ def _typed_command(*added: str, instead: str | None = None) -> str:
     words: Sequence[str] = context.meta.get(TYPED, ())
     if instead is not None:
         words = [instead if word == context.info_name else word for word in words if word != "--json"]
-    return shlex.join(["elastica", *(word for word in words if word != NEAREST), *added])
+    return f"{name_program()} {shlex.join([*(word for word in words if word != NEAREST), *added])}"
 
 
 def cure_for(spec: StripSpec) -> str:
@@ -234,8 +235,12 @@ def cure_by_trial(group: click.Group, words: Sequence[str], said: str) -> str:
     for changed in islice(dict.fromkeys(_changes(group, tuple(words), said)), MOST_TRIALS):
         gave = _run(group, changed)
         if gave is not None:
-            return f"This works: `{shlex.join(['elastica', *changed])}`{gave and f', which gives: {gave}'}."
+            return f"This works: `{name_program()} {shlex.join(changed)}`{gave and f', which gives: {gave}'}."
     return ""
+
+
+SPOKEN = ("--watch", "--json", "-q", "--quiet", "-v", "--verbose")
+"""How a command speaks, which a trial leaves out."""
 
 
 def _run(group: click.Group, words: Words) -> str | None:
@@ -249,7 +254,9 @@ def _run(group: click.Group, words: Words) -> str | None:
     try:
         with TemporaryDirectory() as folder:
             aside = ("-o", folder) if any("-o" in option.opts for option in command.params) else ()
-            ran = CliRunner().invoke(group, [*words, *QUICK.get(words[0], ()), *aside])
+            ran = CliRunner().invoke(
+                group, [*(word for word in words if word not in SPOKEN), *QUICK.get(words[0], ()), *aside]
+            )
     finally:
         TRYING.reset(token)
     if ran.exit_code != 0:

@@ -1,17 +1,19 @@
 """`elastica model`: from a design file to a folder with everything that is needed to build it."""
 
 from dataclasses import replace
+from itertools import count
 from pathlib import Path
 
 import click
 
 from elastica_cad.cli.options import holding_option
+from elastica_cad.cli.running.voice import answer, say, say_step, voice, warn
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
 from elastica_cad.fabrication.sheets.cut_list import cut_list
 from elastica_cad.files import read_curves, read_surface
 from elastica_cad.formats.design_files.design_file import read_design
 from elastica_cad.geometry.paths.point_distance import largest_deviation
-from elastica_cad.kit import Kit, kit_of, left_out, write_kit
+from elastica_cad.kit import Kit, kit_of, kit_report, left_out, write_kit
 
 MOST_SAID = 6
 """Notes that are printed; the report holds all."""
@@ -59,26 +61,23 @@ def model(
     if holding is not None:
         cutting = replace(read.kit.cutting, holding=HoldingTabs(holding))
         read = replace(read, kit=replace(read.kit, cutting=cutting))
-    with click.progressbar(length=len(read.entries) + 1, label="strips", item_show_func=str) as bar:
-        made = read.model(lambda label: bar.update(1, label))
-        bar.update(1, "nesting")
-        kit = kit_of(made, read.kit, entries=read.entries, effects=effects)
-    with click.progressbar(length=1, label="files ", item_show_func=str) as bar:
-
-        def written(name: str, total: int) -> None:
-            bar.length = total
-            bar.update(1, name)
-
-        write_kit(kit, output, step=step, pictures=pictures, parts=parts, force=force, done=written)
+    strips, files = count(1), count(1)
+    made = read.model(lambda label: say_step(f"made strip {label}", next(strips), len(read.entries)))
+    say_step("laying parts on sheets" + (", bending strips with their slots" if effects else ""))
+    kit = kit_of(made, read.kit, entries=read.entries, effects=effects)
+    write_kit(kit, output, step=step, pictures=pictures, parts=parts, force=force,
+              done=lambda name, total: say_step(f"wrote {name}", next(files), total))  # fmt: skip
     _tell(kit, output, step=step, pictures=pictures)
 
 
 def _tell(kit: Kit, output: Path, *, step: bool, pictures: bool) -> None:
     """What was made, in a few lines."""
+    answer(kit_report(kit) | {"folder": output})
+    voice().files += [str(output / name) for name in kit.files]
     listed = cut_list(kit.pieces)
     strips = f"{len(kit.model.placed)} strips ({len(kit.model.parts)} different)"
     pieces = f"{listed.count} pieces of {listed.shapes} {'shape' if listed.shapes == 1 else 'shapes'}"
-    click.echo(f"{kit.model.name}: {strips}, {len(kit.model.joints)} joints; {pieces}, "
+    say(f"{kit.model.name}: {strips}, {len(kit.model.joints)} joints; {pieces}, "
                f"{listed.cut_length / 1000:.1f} m of cuts, {listed.mass:.0f} g")  # fmt: skip
     drawn = {entry.label: entry.curve for entry in kit.entries if entry.spec.may_change}
     moved = [
@@ -88,21 +87,23 @@ def _tell(kit: Kit, output: Path, *, step: bool, pictures: bool) -> None:
     ]
     if moved:
         far, name = max(moved)
-        click.echo(f"farthest from its drawn curve, {name}: {far:.2g} mm")
+        say(f"farthest from its drawn curve, {name}: {far:.2g} mm")
     for nest in kit.nests:
-        click.echo(
-            f"{nest.name}: {len(nest.pieces)} pieces, {100 * nest.filled / nest.used:.0f} % of the rows used"
+        say(
+            f"{nest.name}: {len(nest.pieces)} pieces, {100 * nest.share:.0f} % of the sheet, "
+            f"{100 * nest.filled / nest.used:.0f} % of the rows used"
             f"{nest.grain and f', {nest.grain}'}"
         )
     if kit.held:
         worst = max(kit.held, key=lambda name: kit.held[name].deviation)
-        click.echo(f"{worst}, the one that strays most: {kit.held[worst]}")
+        say(f"{worst}, the one that strays most: {kit.held[worst]}")
     warnings = [f"{part.name}: {text}" for part in kit.model.parts for text in part.strip.warnings]
     said = list(dict.fromkeys((*kit.notes, *kit.model.reports, *warnings)))
-    for text in said[:MOST_SAID]:
-        click.echo(f"Note: {text}", err=True)
-    if len(said) > MOST_SAID:
-        click.echo(f"Note: {len(said) - MOST_SAID} more in {kit.model.name}.json", err=True)
+    most = len(said) if voice().verbose else MOST_SAID
+    for text in said[:most]:
+        warn(f"Note: {text}")
+    if len(said) > most:
+        warn(f"Note: {len(said) - most} more in {kit.model.name}.json, or with -v")
     for text in left_out(step=step, pictures=pictures):
-        click.echo(text)
-    click.echo(f"wrote {len(kit.files)} files to {output}")
+        say(text)
+    say(f"wrote {len(kit.files)} files to {output}")

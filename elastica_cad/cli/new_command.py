@@ -6,10 +6,20 @@ from pathlib import Path
 import click
 import numpy as np
 
+from elastica_cad.cli.running.program import name_program
+from elastica_cad.cli.running.voice import answer, say, wrote
+from elastica_cad.formats.curve_files.write_curves import write_curves
 from elastica_cad.formats.file_access.file_transaction import write_together
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
 KINDS = ("arch", "lamp", "pavilion", "revolution", "sections")
 
+GIVEN = {"arch": ("arch.dxf",), "sections": ("bowl.obj",)}
+"""Drawings that go with a design file."""
+
+ARCH_MM = (
+    (0, 0), (40, 5), (80, 40), (125, 160), (200, 175), (275, 160), (320, 40), (360, 5), (400, 0),
+)  # fmt: skip
 BOWL_MM = (60.0, 45.0, 140.0)  # least radius, bulge and height of the mesh that `sections` starts with
 AROUND, UP = 48, 25  # its points
 
@@ -21,18 +31,22 @@ AROUND, UP = 48, 25  # its points
 def new(kind: str, output: Path, force: bool) -> None:
     """Write KIND.toml, a commented design file that `elastica model` makes as it is.
 
-    arch: one strip between two printed blocks; lamp: a ring above and below twelve strips; pavilion: strips that
-    lock into each other on a base; revolution: a closed surface of equal strips; sections: strips along a mesh.
+    arch: the curve arch.dxf as one strip between two printed blocks; lamp: a ring above and below twelve strips;
+    pavilion: strips that lock into each other on a base; revolution: a closed surface of equal strips; sections:
+    strips along the mesh bowl.obj.
     """
     text = files("elastica_cad.cli").joinpath("templates", f"{kind}.toml").read_bytes()
-    written = {f"{kind}.toml": text}
-    if kind == "sections":
-        written["bowl.obj"] = _bowl().encode("ascii")
+    written = [f"{kind}.toml", *GIVEN.get(kind, ())]
     with write_together(output, written, force=force) as folder:
-        for name, content in written.items():
-            (folder / name).write_bytes(content)
-    click.echo(f"wrote {' and '.join(str(output / name) for name in written)}")
-    click.echo(f"next: elastica model {output / f'{kind}.toml'} -o {output / f'{kind}-kit'}")
+        (folder / written[0]).write_bytes(text)
+        if kind == "arch":
+            write_curves([PlaneCurve.spline(ARCH_MM, degree=4)], folder / "arch.dxf")
+        if kind == "sections":
+            (folder / "bowl.obj").write_text(_bowl(), encoding="ascii", newline="\n")
+    wrote([output / name for name in written])
+    following = f"{name_program()} model {output / f'{kind}.toml'} -o {output / f'{kind}-kit'}"
+    say(f"next: {following}")
+    answer({"kind": kind, "next": following})
 
 
 def _bowl() -> str:

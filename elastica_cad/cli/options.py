@@ -10,6 +10,8 @@ from typing import Any, TypeVar
 import click
 import numpy as np
 
+from elastica_cad.cli.running.lengths import LENGTH
+from elastica_cad.cli.running.voice import warn
 from elastica_cad.errors import InputError
 from elastica_cad.files import read_drawing
 from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, DrawnFile
@@ -57,6 +59,8 @@ def _standard_input(ctx: click.Context) -> Path:
     InputError
         Nothing, or more than is read.
     """
+    if ctx.params.get("watch"):
+        raise InputError("standard input does not change: give --watch a file")
     data = sys.stdin.buffer.read(LARGEST_FILE + 1)
     if not data.strip():
         raise InputError("standard input is empty: pipe a drawing into it (cat arch.svg | elastica check -)")
@@ -94,7 +98,7 @@ curve_options = join_options(curve_argument(), unit_option)
 """The CURVE argument and how to read it."""
 
 holding_option = click.option(
-    "--holding", type=float, metavar="MM",
+    "--holding", type=LENGTH, metavar="MM",
     help="Leave bridges of this width in the outer cuts, which hold the parts in the sheet.",
 )  # fmt: skip
 """Bridges that hold parts in the sheet."""
@@ -111,7 +115,7 @@ support_options = join_options(
 """What the ends are held by, and a pre-curved rest shape."""
 
 smooth_option = click.option(
-    "--smooth", type=float, metavar="MM",
+    "--smooth", type=LENGTH, metavar="MM",
     help="Make the curve fair (curvature without jumps) within this distance; 0: exactly as drawn  [default: "
     "0.1 or 5e-4 of the length for pen curves whose curvature jumps, 0 for all others]",
 )  # fmt: skip
@@ -137,7 +141,7 @@ def sheet_options(*, required: bool, use: str = "Material") -> Callable[[F], F]:
     return join_options(
         click.option("--sheet", required=required, metavar="NAME|FILE",
                      help=f"{use}: a name of `elastica sheets`, or a file of yours, my.toml or my.toml:NAME."),
-        click.option("--thickness", type=float, metavar="MM",
+        click.option("--thickness", type=LENGTH, metavar="MM",
                      help="Thickness, where it is not that of the sheet named."),
     )  # fmt: skip
 
@@ -173,7 +177,7 @@ def drawn_curves(
     """
     drawing = read_drawing(path, unit=unit)
     if drawing.left_out:
-        click.echo(f"{path.name}: {drawing.left_out}", err=True)
+        warn(f"{path.name}: {drawing.left_out}")
     if not drawing.chosen(number, layer):
         drawing.one(number, layer, CHOICE)
     return drawing

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import click
 
@@ -13,6 +14,8 @@ from elastica_cad.cli.options import (
     refuse_odd_numbers,
     which_options,
 )
+from elastica_cad.cli.running.lengths import LENGTH, POINT
+from elastica_cad.cli.running.voice import answer, say, wrote
 from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.write_curves import write_curves
 from elastica_cad.formats.design_files.reshaping import CORNERS, map_corners
@@ -29,13 +32,11 @@ KINDS = ("dxf", "svg", "json")
 @curve_argument()
 @which_options
 @click.option("--unit", type=click.Choice(["mm", "cm", "m", "in", "px"]), help="Unit of the file's numbers.")
-@click.option(
-    "--bottom-left", type=(float, float), metavar="X Y", help="Where this corner of the box goes, mm."
-)
-@click.option("--bottom-right", type=(float, float), metavar="X Y", help="The same of that corner.")
-@click.option("--top-right", type=(float, float), metavar="X Y", help="The same of that corner.")
-@click.option("--top-left", type=(float, float), metavar="X Y", help="The same of that corner.")
-@click.option("--handle", "handles", type=(float, float, float, float), multiple=True, metavar="X Y TO_X TO_Y",
+@click.option("--bottom-left", type=POINT, metavar="X Y", help="Where this corner of the box goes, mm.")
+@click.option("--bottom-right", type=POINT, metavar="X Y", help="The same of that corner.")
+@click.option("--top-right", type=POINT, metavar="X Y", help="The same of that corner.")
+@click.option("--top-left", type=POINT, metavar="X Y", help="The same of that corner.")
+@click.option("--handle", "handles", type=(LENGTH,) * 4, multiple=True, metavar="X Y TO_X TO_Y",
               help="Instead of corners, four times: a handle and where it goes, mm.")  # fmt: skip
 @output_options
 @click.pass_context
@@ -70,14 +71,16 @@ def reshape(
     with write_together(output, names, force=force) as workshop:
         for name in names:
             write_curves(changed, workshop / name)
+    told = []
     for count, pair in enumerate(zip(drawn, changed, strict=True), start=1):
         if len(drawn) > 1:
-            click.echo(f"curve {count} of {len(drawn)}:")
-        for word, one in zip(("before", "after"), pair, strict=True):
-            click.echo(f"{word}: {_verdict(one)}")
-    for name in names:
-        click.echo(f"wrote {output / name}")
-    if not all(check_equilibrium(one).realizable for one in changed):
+            say(f"curve {count} of {len(drawn)}:")
+        told.append({word: _verdict(one) for word, one in zip(("before", "after"), pair, strict=True)})
+        for word, verdict in told[-1].items():
+            say(f"{word}: {_sentence(verdict)}")
+    answer({"map": matrix, "curves": told})
+    wrote([output / name for name in names])
+    if not all(one["after"]["realizable"] for one in told):
         ctx.exit(1)
 
 
@@ -101,15 +104,21 @@ def _map(
     return four_point_map([one[:2] for one in handles], [one[2:] for one in handles])
 
 
-def _verdict(curve: PlaneCurve) -> str:
+def _verdict(curve: PlaneCurve) -> dict[str, Any]:
     """Can it be bent, and what it asks of the strip."""
     check = check_equilibrium(curve)
-    at = ", ".join(f"{s:.1f}" for s in check.inflections)
-    shape = (
-        f"{curve.length:.2f} mm long, inflections at {at} mm"
-        if at
-        else f"{curve.length:.2f} mm long, no inflection"
-    )
-    if not check.realizable:
-        return f"{shape}, cannot be bent: {check.reasons[0]}"
-    return f"{shape}, can be bent, stiffness ratio {optimal_rod(curve).ratio:.4g}"
+    return {
+        "length": curve.length,
+        "inflections": check.inflections,
+        "realizable": check.realizable,
+        "reasons": check.reasons,
+        "ratio": optimal_rod(curve).ratio if check.realizable else None,
+    }
+
+
+def _sentence(verdict: dict[str, Any]) -> str:
+    at = ", ".join(f"{s:.1f}" for s in verdict["inflections"])
+    shape = f"{verdict['length']:.2f} mm long, {f'inflections at {at} mm' if at else 'no inflection'}"
+    if not verdict["realizable"]:
+        return f"{shape}, cannot be bent: {verdict['reasons'][0]}"
+    return f"{shape}, can be bent, stiffness ratio {verdict['ratio']:.4g}"

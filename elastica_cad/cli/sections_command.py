@@ -10,6 +10,8 @@ import click
 import numpy as np
 
 from elastica_cad.cli.options import asked_sheet, output_options, refuse_odd_numbers, sheet_options
+from elastica_cad.cli.running.lengths import LENGTH, SPACE_POINT, Length
+from elastica_cad.cli.running.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.files import read_surface
 from elastica_cad.formats.curve_files.json_curves import curves_json
@@ -61,14 +63,14 @@ POSITIVE = click.FloatRange(0, min_open=True)
               help="Half planes about the axis at these angles; repeatable.")  # fmt: skip
 @click.option("--parallel", type=click.IntRange(1, 1000), metavar="N",
               help="N planes across the axis, through equal slices.")  # fmt: skip
-@click.option("--offset", "offsets", type=float, multiple=True, metavar="MM",
+@click.option("--offset", "offsets", type=LENGTH, multiple=True, metavar="MM",
               help="Planes across the axis, so far from the point; repeatable.")  # fmt: skip
 @click.option("--along", type=click.Path(path_type=Path), metavar="FILE",
               help="Planes across a path: rows x, y, z in mm, text or CSV.")  # fmt: skip
 @click.option("--count", type=click.IntRange(1, 1000), metavar="N",
               help=f"Planes along the path  [default: {ALONG}]")  # fmt: skip
 @click.option(
-    "--point", type=TRIPLE, metavar="X Y Z", help="On the axis [default: the middle of the mesh's box]."
+    "--point", type=SPACE_POINT, metavar="X Y Z", help="On the axis [default: the middle of the mesh's box]."
 )
 @click.option("--axis", type=TRIPLE, metavar="X Y Z",
               help="Direction [default: up; for parallel planes the longest side of the box].")  # fmt: skip
@@ -76,18 +78,19 @@ POSITIVE = click.FloatRange(0, min_open=True)
     "--zero", type=TRIPLE, metavar="X Y Z", help="Where the angle 0 of half planes points [default: x]."
 )
 @click.option("--up", type=TRIPLE, metavar="X Y Z", help="Upward in the planes [default: z].")
-@click.option("--split", "splits", type=(*TRIPLE, *TRIPLE), multiple=True, metavar="X Y Z NX NY NZ",
+@click.option("--split", "splits", type=(*SPACE_POINT, *TRIPLE), multiple=True, metavar="X Y Z NX NY NZ",
               help="Split sections at a spine: the plane through a point across a normal; repeatable.")  # fmt: skip
-@click.option("--split-at", "split_at", type=TRIPLE, multiple=True, metavar="X Y Z",
+@click.option("--split-at", "split_at", type=SPACE_POINT, multiple=True, metavar="X Y Z",
               help="Split sections at their places nearest to these points; repeatable.")  # fmt: skip
 @click.option("--split-corners", type=click.FloatRange(0, 180, min_open=True, max_open=True), metavar="DEG",
               help="Split sections where they turn by more than this at a corner.")  # fmt: skip
 @click.option("--longest", is_flag=True, help="Only the longest line of every section.")
-@click.option("--tolerance", type=POSITIVE, default=0.3, show_default=True, metavar="MM",
+@click.option("--tolerance", type=Length(positive=True), default=0.3, show_default=True, metavar="MM",
               help="Largest distance of the curves from the sections.")  # fmt: skip
-@click.option("--wavelength", type=POSITIVE, metavar="MM", help="Smooth away waves shorter than this first.")
+@click.option("--wavelength", type=Length(positive=True), metavar="MM",
+              help="Smooth away waves shorter than this first.")  # fmt: skip
 @sheet_options(required=False, use="Material of the strips, to write a design file for `elastica model`")
-@click.option("--max-width", type=POSITIVE, default=20.0, show_default=True, metavar="MM",
+@click.option("--max-width", type=Length(positive=True), default=20.0, show_default=True, metavar="MM",
               help="Width of the strips' widest place, in the design file.")  # fmt: skip
 @click.option("--ratio", type=click.FloatRange(1), default=USUAL_RATIO, show_default=True, metavar="R",
               help="Largest stiffness ratio, in the design file: curves change as little as it takes.")  # fmt: skip
@@ -95,6 +98,8 @@ POSITIVE = click.FloatRange(0, min_open=True)
 @click.option(
     "--gravity", is_flag=True, help="Strips carry their weight, falling along -z, in the design file."
 )
+@click.option("--stand", metavar="NAME", default="hdf-1.5", show_default=True,
+              help="Sheet of what holds the strips, in the design file; `none` for nothing.")  # fmt: skip
 @output_options
 def sections(mesh: Path, output: Path, force: bool, sheet: str | None, **chosen: Any) -> None:
     """Cut a MESH (OBJ, STL, PLY) or a CAD body (STEP) by planes, and fit a curve for a strip to each section.
@@ -110,6 +115,8 @@ def sections(mesh: Path, output: Path, force: bool, sheet: str | None, **chosen:
     refuse_odd_numbers(chosen)
     if sheet is not None:
         asked_sheet(chosen | {"sheet": sheet})
+    if chosen["stand"] != "none":
+        asked_sheet({"sheet": chosen["stand"], "thickness": None})
     require_file(mesh)
     named = {key: chosen[key] for key in ("unit", "scale") if chosen[key] is not None}
     family = _family_named(chosen)
@@ -120,15 +127,17 @@ def sections(mesh: Path, output: Path, force: bool, sheet: str | None, **chosen:
     except InputError as problem:
         told = str(problem) if str(mesh) in str(problem) else f"{mesh}: {problem}"
         raise InputError(f"{told}{_option_for(told, chosen)}") from None
-    for curve in curves:
-        click.echo(f"{curve.name}: {_told(curve)}")
+    verdicts = [_verdict(curve) for curve in curves]
+    for one in verdicts:
+        say(f"{one['name']}: {_sentence(one)}")
     for text in reports:
-        click.echo(f"Note: {text}{_option_for(text, chosen)}", err=True)
+        warn(f"Note: {text}{_option_for(text, chosen)}")
+    answer({"sections": verdicts})
     name, strips = f"{mesh.stem}-sections", None if sheet is None else _strip_keys(sheet, chosen, output)
-    for file in _write_files(name, curves, {"mesh": str(mesh)} | named, spec, strips, output, force):
-        click.echo(f"wrote {output / file}")
+    files = _write_files(name, curves, {"mesh": str(mesh)} | named, spec, strips, output, force)
+    wrote([output / file for file in files])
     if sheet is None:
-        click.echo("for strips along them add --sheet NAME, or give the curves to elastica strip")
+        say("for strips along them add --sheet NAME, or give the curves to elastica strip")
 
 
 def _option_for(text: str, chosen: dict[str, Any]) -> str:
@@ -205,7 +214,8 @@ def _strip_keys(sheet: str, chosen: dict[str, Any], output: Path) -> dict[str, A
     strips: dict[str, Any] = {"sheet": _relative(sheet, output) if ".toml" in sheet else sheet}
     strips |= {} if chosen["thickness"] is None else {"thickness": chosen["thickness"]}
     strips |= {"max_width": chosen["max_width"], "limits": limits}
-    return strips | ({"gravity": True} if chosen["gravity"] else {})
+    strips |= {"gravity": True} if chosen["gravity"] else {}
+    return strips if chosen["stand"] == "none" else strips | {"stand": {"sheet": chosen["stand"]}}
 
 
 def _path_points(path: Path) -> list[list[float]]:
@@ -236,16 +246,24 @@ def _path_points(path: Path) -> list[list[float]]:
     return rows
 
 
-def _told(curve: SectionCurve) -> str:
-    """The curve in a line."""
-    found = f"{curve.curve.length:.2f} mm long, {curve.deviation:.2g} mm off the section"
+def _verdict(curve: SectionCurve) -> dict[str, Any]:
+    """Whether a strip takes the curve of a section, and if not, why."""
+    told: dict[str, Any] = {
+        "name": curve.name, "length": curve.curve.length, "deviation": curve.deviation, "realizable": False,
+        "ratio": None, "problem": None,
+    }  # fmt: skip
     try:
         check = check_equilibrium(curve.curve)
         if check.realizable:
-            return f"{found}, can be bent, stiffness ratio {optimal_rod(curve.curve).ratio:.4g}"
+            return told | {"realizable": True, "ratio": optimal_rod(curve.curve).ratio}
     except (InputError, NotConvergedError) as problem:
-        return f"{found}, no strip: {problem}"
-    return f"{found}, cannot be bent as it is: {check.reasons[0]}"
+        return told | {"problem": f"no strip: {problem}"}
+    return told | {"problem": f"cannot be bent as it is: {check.reasons[0]}"}
+
+
+def _sentence(told: dict[str, Any]) -> str:
+    verdict = told["problem"] or f"can be bent, stiffness ratio {told['ratio']:.4g}"
+    return f"{told['length']:.2f} mm long, {told['deviation']:.2g} mm off the section, {verdict}"
 
 
 def _write_files(

@@ -2,6 +2,7 @@
 
 import click
 
+from elastica_cad.cli.running.voice import answer, say, warn
 from elastica_cad.mechanics.material.plywood_radii import PLYWOOD_SOURCE, least_plywood_radius
 from elastica_cad.mechanics.material.sheet import Sheet, library_sheets, sheet_names
 from elastica_cad.mechanics.material.sheet_library import library_folders
@@ -17,21 +18,21 @@ def sheets(name: str | None) -> None:
     names (or that the environment variable ELASTICA_SHEETS does), and call it by its name.
     """
     if name is None:
-        click.echo(
-            f"{'name':26} {'mm':>5} {'E MPa':>8} {'kg/m3':>6} {'strain %':>8} {'radius mm':>9} {'kerf':>5}"
-        )
+        answer({"sheets": [Sheet.named(known) for known in sheet_names()]})
+        say(f"{'name':26} {'mm':>5} {'E MPa':>8} {'kg/m3':>6} {'strain %':>8} {'radius mm':>9} {'kerf':>5}")
         for known in sheet_names():
             one = Sheet.named(known)
-            click.echo(
+            say(
                 f"{one.name:26} {one.thickness:5.2f} {one.youngs_modulus:8.0f} {one.density:6.0f} "
                 f"{100 * one.max_strain:8.2f} {one.least_radius:9.1f} {one.kerf:5.2f}"
             )
-        click.echo("\nradius: the least advisable bending radius. Details and source: elastica sheets NAME")
-        click.echo(f"library: {', '.join(map(str, library_folders()))} ({len(library_sheets()[0])} sheets)")
+        say("\nradius: the least advisable bending radius. Details and source: elastica sheets NAME")
+        say(f"library: {', '.join(map(str, library_folders()))} ({len(library_sheets()[0])} sheets)")
         for problem in library_sheets()[1]:
-            click.echo(f"Note: {problem}", err=True)
+            warn(f"Note: {problem}")
         return
     one = Sheet.named(name)
+    answer({"sheets": [one]})
     rows = {
         "thickness": f"{one.thickness:g} mm",
         "Young's modulus": f"{one.youngs_modulus:g} MPa",
@@ -44,9 +45,9 @@ def sheets(name: str | None) -> None:
         "elasto-gravity length": f"{one.elasto_gravity_length:.4g} mm",
         "source": one.source,
     }
-    click.echo(one.name)
+    say(one.name)
     for label, text in rows.items():
-        click.echo(f"  {label:22} {text}")
+        say(f"  {label:22} {text}")
 
 
 def _published(sheet: Sheet) -> dict[str, str]:

@@ -23,8 +23,10 @@ from elastica_cad.cli.options import (
     pick_curve,
     which_options,
 )
+from elastica_cad.cli.running.lengths import LENGTH, Length
+from elastica_cad.cli.running.voice import answer, say, say_step, warn, wrote
 from elastica_cad.cli.strip_options import NotMetError, spec_from_options, strip_options
-from elastica_cad.errors import ElasticaError, InputError, NotConvergedError
+from elastica_cad.errors import ElasticaError, InputError, NotConvergedError, how_to_install
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
 from elastica_cad.fabrication.drawings.lettering import engravable
 from elastica_cad.fabrication.makeability.splices import spliced
@@ -46,11 +48,11 @@ MOST_ADVICE = 1
 
 
 _CUT = (
-    click.option("--kerf", default="0", metavar="MM|sheet", show_default=True,
+    click.option("--kerf", type=Length(words=("sheet",)), default=0.0, metavar="MM|sheet", show_default=True,
                  help="Width that the laser burns away; `sheet`: the sheet's. Most shops add it themselves."),
     click.option("--curves", type=click.Choice(["spline", "arc", "polyline"]), default="spline",
                  show_default=True, help="How curved edges are written."),
-    click.option("--tolerance", type=float, default=0.02, show_default=True, metavar="MM",
+    click.option("--tolerance", type=LENGTH, default=0.02, show_default=True, metavar="MM",
                  help="Largest error of arcs and polylines."),
     click.option("--dxf-version", default="R2010", show_default=True,
                  help="R12, R2000, R2004, R2007, R2010, R2013 or R2018."),
@@ -63,11 +65,8 @@ _CUT = (
 
 def _cutting(chosen: Mapping[str, Any]) -> Cutting:
     """How the options ask for cutting files to be written."""
-    kerf, holding = chosen["kerf"], chosen["holding"]
-    try:
-        width = None if kerf == "sheet" else float(kerf)
-    except ValueError:
-        raise InputError(f"--kerf {kerf!r} is neither a number of mm nor the word sheet") from None
+    width = None if chosen["kerf"] == "sheet" else chosen["kerf"]
+    holding = chosen["holding"]
     bridges = None if holding is None else HoldingTabs(holding)
     return Cutting(width, chosen["curves"], chosen["tolerance"], chosen["dxf_version"], bridges)
 
@@ -95,39 +94,46 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
     """
     path, number, layer = chosen["curve"], chosen["number"], chosen["layer"]
     if not chosen["every"]:
-        _one_strip(ctx, pick_curve(path, number, chosen["unit"], layer), file_stem(path, number), chosen)
+        drawn = pick_curve(path, number, chosen["unit"], layer)
+        report, good = _one_strip(drawn, file_stem(path, number), chosen)
+        answer({"strips": [report]})
+        if not good:
+            ctx.exit(1)
         return
     drawing = drawn_curves(path, chosen["unit"], number, layer)
-    wrong = 0
+    reports, wrong = [], 0
     for one in drawing.chosen(number, layer):
         try:
             drawn = bendable_curve(path, one, len(drawing))
-            _one_strip(ctx, drawn, file_stem(path, str(one.number)), chosen)
-        except (ElasticaError, click.exceptions.Exit) as problem:
+            report, good = _one_strip(drawn, file_stem(path, str(one.number)), chosen)
+            reports.append(report)
+            wrong += not good
+        except ElasticaError as problem:
             wrong += 1
-            if isinstance(problem, ElasticaError):
-                click.echo(f"{one.called}: {problem}", err=True)
+            warn(f"{one.called}: {problem}")
+    answer({"strips": reports})
     if wrong:
-        click.echo(f"{wrong} of {len(drawing.chosen(number, layer))} curves made no strip", err=True)
+        warn(f"{wrong} of {len(drawing.chosen(number, layer))} curves made no strip")
         ctx.exit(1)
 
 
-def _one_strip(ctx: click.Context, drawn: PlaneCurve, name: str, chosen: dict[str, Any]) -> None:
-    """The strip of one curve, and its files."""
+def _one_strip(drawn: PlaneCurve, name: str, chosen: dict[str, Any]) -> tuple[dict[str, Any], bool]:
+    """The report on the strip of one curve, whose files are written, and whether it is as good as asked."""
     cutting = _cutting(chosen)
     label = engravable(name) if chosen["label"] is None else chosen["label"]
     spec = spec_from_options(drawn, label, chosen)
     made, near = _made(spec, drawn)
     verdict = stability(made.rod)
-    written = _write_files(made, spec, name, chosen, cutting, near, verdict)
+    say_step(f"writing the files of {name}")
+    written, report = _write_files(made, spec, name, chosen, cutting, near, verdict)
     _tell(made, near, verdict, written)
-    if chosen["strict"] and made.max_strain > made.sheet.max_strain:
-        ctx.exit(1)
+    return report, not (chosen["strict"] and made.max_strain > made.sheet.max_strain)
 
 
 def _made(spec: StripSpec, drawn: PlaneCurve) -> tuple[Strip, NearestRod | None]:
     """The strip; a refusal says whether the file's digits decide it, and ends with the command that would work."""
     near = None
+    say_step("looking for the nearest curve that can be made" if spec.may_change else "finding the widths")
     try:
         found = spec.rod_spec.solve()
         near = found if isinstance(found, NearestRod) else None
@@ -152,7 +158,7 @@ def _write_files(
     cutting: Cutting,
     near: NearestRod | None,
     verdict: Stability,
-) -> list[Path]:
+) -> tuple[list[Path], dict[str, Any]]:
     """Write every file that the installed libraries allow: all of them, or after any error none."""
     # R12 has no header for its unit, so the name says it
     names = {"dxf": f"{name}-mm.dxf" if cutting.version == "R12" else f"{name}.dxf"}
@@ -194,33 +200,32 @@ def _write_files(
             made, name=name, files=names, near=near, stability=verdict, smoothing=spec.rod_spec.smoothing
         )
         (workshop / names["json"]).write_text(json.dumps(report, indent=1) + "\n", encoding="utf-8")
-    return written
+    return written, report
 
 
 def _tell(made: Strip, near: NearestRod | None, verdict: Stability, written: list[Path]) -> None:
     """What was made, in a few lines."""
     rod, (low, high) = made.rod, made.width.extremes
-    click.echo(f"{made.label or 'strip'}: {rod.length:.2f} mm long, {low:.2f} to {high:.2f} mm wide, "
+    say(f"{made.label or 'strip'}: {rod.length:.2f} mm long, {low:.2f} to {high:.2f} mm wide, "
                f"stiffness ratio {rod.ratio:.4g}, {made.mass:.3g} g")  # fmt: skip
-    click.echo(f"largest strain {100 * made.max_strain:.2f} % at {made.max_strain_at:.1f} mm "
+    say(f"largest strain {100 * made.max_strain:.2f} % at {made.max_strain_at:.1f} mm "
                f"({made.sheet.name} bears {100 * made.sheet.max_strain:.2f} %)")  # fmt: skip
     if near is not None:
-        click.echo(f"largest distance from the drawn curve {near.deviation:.2f} mm. {near.status.value}")
+        say(f"largest distance from the drawn curve {near.deviation:.2f} mm. {near.status.value}")
         for advice in islice(advise(near), MOST_ADVICE):
-            click.echo(advice)
+            say(advice)
     said = f"margin {verdict.margin:.3g} ({verdict.word}): {verdict.meaning}"
     if verdict.stable:
-        click.echo(f"stable, {said}")
+        say(f"stable, {said}")
     else:
-        click.echo(f"Warning: {said}. --stable finds the nearest that stays.", err=True)
+        warn(f"Warning: {said}. --stable finds the nearest that stays.")
     with suppress(NotConvergedError):
-        click.echo(str(made.held()))
+        say(str(made.held()))
     for warning in made.warnings:
         if near is not None and warning == near.status.value:
             continue  # told with the distance
-        click.echo(f"Warning: {warning}", err=True)
+        warn(f"Warning: {warning}")
     for kind, package in (("png", "matplotlib"), ("step", "build123d")):
         if not any(path.suffix == f".{kind}" for path in written):
-            click.echo(f"no .{kind}: it needs {package} (pip install {package})")
-    for path in written:
-        click.echo(f"wrote {path}")
+            say(f"no .{kind}: it needs {package} ({how_to_install(package)})")
+    wrote(written)

@@ -14,6 +14,7 @@ from elastica_cad.cli.options import (
     smooth_option,
     support_options,
 )
+from elastica_cad.cli.running.lengths import LENGTH, POINT, SPACE_POINT
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.strip.lamination import Laminated
@@ -64,8 +65,8 @@ class NotMetError(NotConvergedError):
 
 _WIDTHS = (
     sheet_options(required=True),
-    click.option("--max-width", type=float, metavar="MM", help="Width of the widest place."),
-    click.option("--min-width", type=float, metavar="MM", help="Width of the narrowest place (or its limit)."),
+    click.option("--max-width", type=LENGTH, metavar="MM", help="Width of the widest place."),
+    click.option("--min-width", type=LENGTH, metavar="MM", help="Width of the narrowest place (or its limit)."),
 )  # fmt: skip
 
 _STYLE = (
@@ -73,17 +74,17 @@ _STYLE = (
                  help="Make up in the widths for slots, narrow tabs, leaning ligaments, anticlastic bending."),
     click.option("--style", type=click.Choice(["plain", "perforated", "laminated"]), default="plain",
                  show_default=True, help="How stiffness becomes material."),
-    click.option("--outer-width", type=float, metavar="MM", help="Width of a perforated or laminated strip."),
+    click.option("--outer-width", type=LENGTH, metavar="MM", help="Width of a perforated or laminated strip."),
     click.option("--columns", type=click.IntRange(1), metavar="N", help="Perforated: holes side by side."),
     click.option("--rows", type=click.IntRange(1), metavar="N", help="Perforated: rows of holes."),
     click.option("--hole-ratio", type=float, metavar="SHARE", help="Perforated: most that holes take."),
-    click.option("--least-ligament", type=float, metavar="MM", help="Perforated: narrowest ligament."),
-    click.option("--least-hole", type=float, metavar="MM", help="Perforated: narrowest hole."),
-    click.option("--corner-radius", type=float, metavar="MM", help="Perforated: rounding of holes."),
+    click.option("--least-ligament", type=LENGTH, metavar="MM", help="Perforated: narrowest ligament."),
+    click.option("--least-hole", type=LENGTH, metavar="MM", help="Perforated: narrowest hole."),
+    click.option("--corner-radius", type=LENGTH, metavar="MM", help="Perforated: rounding of holes."),
     click.option("--sides", type=click.Choice(["spline", "arc"]), help="Perforated: what holes are made of."),
     click.option("--backing", metavar="NAME", help="Laminated: the sheet that is glued on."),
-    click.option("--least-backing", type=float, metavar="MM", help="Laminated: narrowest backing."),
-    click.option("--dots", type=float, metavar="MM", help="Laminated: holes that align the layers; 0: none."),
+    click.option("--least-backing", type=LENGTH, metavar="MM", help="Laminated: narrowest backing."),
+    click.option("--dots", type=LENGTH, metavar="MM", help="Laminated: holes that align the layers; 0: none."),
 )  # fmt: skip
 
 _WEIGHT = (
@@ -92,12 +93,12 @@ _WEIGHT = (
                  help="The direction in which things fall, in the drawing  [default: 0 -1]"),
     click.option("--down-in-space", type=TRIPLE, metavar="X Y Z",
                  help="The same in space, with --y-axis for a drawing that is not upright there."),
-    click.option("--gravity-length", type=float, metavar="MM",
+    click.option("--gravity-length", type=LENGTH, metavar="MM",
                  help="Elasto-gravity length, instead of the sheet's."),
-    click.option("--origin", type=TRIPLE, metavar="X Y Z", help="Where the drawing's origin lies in space."),
+    click.option("--origin", type=SPACE_POINT, metavar="X Y Z", help="Where the drawing's origin lies in space."),
     click.option("--x-axis", type=TRIPLE, metavar="X Y Z", help="The drawing's x in space  [default: 1 0 0]"),
     click.option("--y-axis", type=TRIPLE, metavar="X Y Z", help="The drawing's y in space  [default: 0 0 1]"),
-    click.option("--hang", "hung", type=PAIR, multiple=True, metavar="MM GRAMS",
+    click.option("--hang", "hung", type=(LENGTH, float), multiple=True, metavar="MM GRAMS",
                  help="A mass at this place along the strip, with --gravity; repeatable."),
     click.option("--loads", metavar="KEYS", help="All weight in newtons: 'alpha = 0.001, masses = [...]'."),
 )  # fmt: skip
@@ -111,8 +112,8 @@ _NEAREST = (
     click.option("--keep-strain", is_flag=True, help="Keep within the strain that the sheet bears."),
     click.option("--max-strain", type=float, metavar="SHARE", help="Keep within this strain: 0.01 is 1 %."),
     click.option("--max-curvature", type=float, metavar="1/MM", help="Keep within this curvature."),
-    click.option("--length-range", type=PAIR, metavar="MM MM", help="Least and largest length."),
-    click.option("--width-range", type=PAIR, metavar="MM MM", help="Bound the ratio by two widths."),
+    click.option("--length-range", type=POINT, metavar="MM MM", help="Least and largest length."),
+    click.option("--width-range", type=POINT, metavar="MM MM", help="Bound the ratio by two widths."),
     click.option("--keep-out", multiple=True, metavar="KEYS",
                  help="'point = [x, y], normal = [x, y]', or 'lower = [x, y], upper = [x, y]'; repeatable."),
     click.option("--stiffness-bounds", metavar="KEYS", help="'lower = 1.5, upper = [2, 3, 2]', along the strip."),
@@ -121,17 +122,17 @@ _NEAREST = (
     click.option("--keep-tangent", type=click.Choice(["start", "end"]), help="Keep the tangent of one end."),
     click.option("--keep-length", is_flag=True, help="When the curve changes, keep its length."),
     click.option("--keep-symmetry", type=click.Choice(["mirror", "turn"]), help="Keep its symmetry."),
-    click.option("--keep-point", "keep_points", type=float, multiple=True, metavar="MM",
+    click.option("--keep-point", "keep_points", type=LENGTH, multiple=True, metavar="MM",
                  help="Still pass through this place along the curve; repeatable."),
     click.option("--keep-line", is_flag=True, help="Keep inflections on the drawn curve's inflection line."),
-    click.option("--inflection-line", type=(*PAIR, *PAIR), metavar="X Y X Y",
+    click.option("--inflection-line", type=(*POINT, *POINT), metavar="X Y X Y",
                  help="Keep inflections on the line through two points."),
 )  # fmt: skip
 
 _PATTERN = (
-    click.option("--tab", type=float, default=TAB_LENGTH_MM, show_default=True, metavar="MM",
+    click.option("--tab", type=LENGTH, default=TAB_LENGTH_MM, show_default=True, metavar="MM",
                  help="Length of both tabs."),
-    click.option("--tab-radius", type=float, default=0.0, metavar="MM", help="Rounding of the tabs' corners."),
+    click.option("--tab-radius", type=LENGTH, default=0.0, metavar="MM", help="Rounding of the tabs' corners."),
     click.option("--start-tab", metavar="KEYS",
                  help="The first tab: 'length = 12, holes = [{at = 6, diameter = 3}]'."),
     click.option("--end-tab", metavar="KEYS", help="The last tab, in the same way."),
@@ -139,10 +140,10 @@ _PATTERN = (
                  help="A slot: 'at = 40, width = 1.2, side = \"lower\"'; repeatable."),
     click.option("--label", help="Text engraved on the strip [default: the file's name]."),
     click.option("--samples", type=int, help="Number of samples along the curve [default: chosen]."),
-    click.option("--least-width", type=float, metavar="MM",
+    click.option("--least-width", type=LENGTH, metavar="MM",
                  help="Narrowest strip, tab or tongue that the workshop can make [default: the sheet's]."),
-    click.option("--stock", type=PAIR, metavar="MM MM", help="Sides of the largest sheet [default: 3050 1525]."),
-    click.option("--lap", type=float, metavar="MM",
+    click.option("--stock", type=POINT, metavar="MM MM", help="Sides of the largest sheet [default: 3050 1525]."),
+    click.option("--lap", type=LENGTH, metavar="MM",
                  help="Cut a strip longer than the stock in pieces, joined by plates of this length."),
     click.option("--anyway", is_flag=True, help="Write a strip that cannot be cut or handled, and say so."),
 )  # fmt: skip

@@ -13,7 +13,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad.errors import InputError, MissingDependencyError
+from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
 from elastica_cad.fabrication.solids.boundary_records import (
     Boundary,
     CylinderSurface,
@@ -38,15 +38,17 @@ CONFUSION = 1e-7  # mm: OpenCASCADE's own tolerance of edges
 CORNER = 1e-6  # mm: gap that paths may have between segments
 
 MODULES = (
-    "APIHeaderSection", "BOPAlgo", "BRep", "BRepAdaptor", "BRepPrimAPI", "BRepTools", "GeomAbs", "GeomConvert",
-    "Geom", "Geom2d", "IFSelect", "Interface", "Message", "Quantity", "STEPCAFControl", "STEPControl",
-    "TCollection", "TDataStd", "TDocStd", "TopAbs", "TopExp", "TopLoc", "TopoDS", "XCAFDoc", "gp",
+    "APIHeaderSection", "BOPAlgo", "BRep", "BRepAdaptor", "BRepMesh", "BRepPrimAPI", "BRepTools", "GeomAbs",
+    "GeomConvert", "Geom", "Geom2d", "IFSelect", "Interface", "Message", "Quantity", "RWGltf", "RWMesh",
+    "STEPCAFControl", "STEPControl", "TCollection", "TDataStd", "TDocStd", "TopAbs", "TopExp", "TopLoc",
+    "TopoDS", "XCAFDoc", "gp",
 )  # fmt: skip
 ARRAYS = {
     "7": "TColgp.TColgp_Array1OfPnt TColgp.TColgp_Array1OfPnt2d TColgp.TColgp_Array2OfPnt "
-    "TColStd.TColStd_Array1OfReal TColStd.TColStd_Array1OfInteger",
+    "TColStd.TColStd_Array1OfReal TColStd.TColStd_Array1OfInteger TColStd.TColStd_IndexedDataMapOfStringString",
     "8": "collections.Array1_gp_Pnt collections.Array1_gp_Pnt2d collections.Array2_gp_Pnt "
-    "collections.Array1_double collections.Array1_int",
+    "collections.Array1_double collections.Array1_int "
+    "collections.IndexedDataMap_TCollection_AsciiString_TCollection_AsciiString",
 }
 
 
@@ -63,7 +65,7 @@ def kernel() -> SimpleNamespace:
         import OCP
     except ImportError as error:
         raise MissingDependencyError(
-            "solids and STEP need OpenCASCADE: pip install build123d (or pip install cadquery)"
+            f"solids and STEP need OpenCASCADE: {how_to_install('build123d')} (or cadquery)"
         ) from error
     version = str(getattr(OCP, "__version__", "?"))
     arrays = ARRAYS.get(version.split(".", maxsplit=1)[0])
@@ -75,7 +77,8 @@ def kernel() -> SimpleNamespace:
     names: dict[str, Any] = {}
     for module in MODULES:
         names |= {k: v for k, v in vars(import_module(f"OCP.{module}")).items() if not k.startswith("_")}
-    for name, place in zip(("Points", "Points2d", "Grid", "Reals", "Integers"), arrays.split(), strict=True):
+    called = ("Points", "Points2d", "Grid", "Reals", "Integers", "Remarks")
+    for name, place in zip(called, arrays.split(), strict=True):
         module, own = place.split(".")
         names[name] = getattr(import_module(f"OCP.{module}"), own)
     names["as_edge"] = getattr(names["TopoDS"], "Edge_s", None) or names["TopoDS"].Edge

@@ -84,8 +84,8 @@ def write_step(
     write_atomically(path, step_bytes(parts, name=name or Path(path).stem), force=force)
 
 
-def step_bytes(parts: Sequence[NamedShape], *, name: str) -> bytes:
-    """The STEP file of the parts; several of them make one assembly called `name`."""
+def make_document(parts: Sequence[NamedShape], *, name: str) -> Any:
+    """OpenCASCADE's document of named and coloured parts, mm; several of them make one assembly called `name`."""
     k = kernel()
     document = k.TDocStd_Document(k.TCollection_ExtendedString("XmlOcaf"))
     shapes = k.XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
@@ -106,6 +106,13 @@ def step_bytes(parts: Sequence[NamedShape], *, name: str) -> bytes:
             _set_name(shapes.AddComponent(root, drawn[id(part.shape)], place), part.name)
         _set_name(root, name)
         shapes.UpdateAssemblies()
+    return document
+
+
+def step_bytes(parts: Sequence[NamedShape], *, name: str) -> bytes:
+    """The STEP file of the parts; several of them make one assembly called `name`."""
+    k = kernel()
+    document = make_document(parts, name=name)
     stream = BytesIO()
     with _own_settings():
         writer = k.STEPCAFControl_Writer()

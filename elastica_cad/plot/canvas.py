@@ -6,7 +6,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from elastica_cad.errors import InputError, MissingDependencyError
+from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
 from elastica_cad.formats.file_access.atomic_write import write_atomically
 
 Figure: TypeAlias = Any
@@ -42,7 +42,7 @@ def new_figure(height: float) -> Figure:
     try:
         from matplotlib.figure import Figure as MatplotlibFigure
     except ImportError as error:
-        raise MissingDependencyError("pictures need matplotlib: pip install matplotlib") from error
+        raise MissingDependencyError(f"pictures need matplotlib: {how_to_install('matplotlib')}") from error
 
     class Page(MatplotlibFigure):
         """A figure that a notebook shows where it is the last thing of a cell, once."""

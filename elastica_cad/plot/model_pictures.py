@@ -44,7 +44,7 @@ def model(model: Model, *, elevation: float = 25.0, azimuth: float = -60.0, flat
     faces = [frame for ring in model.plates for frame in _faces(ring)]
     bent = np.concatenate([one.frame.point(one.strip.rod.position) for one in model.placed])
     rim = MODEL_RIM_SHARE * float(np.ptp(bent, axis=0).max())
-    strips = [_ruled(placed, faces, rim) for placed in model.placed]
+    strips = [rule_strip(placed, faces, rim) for placed in model.placed]
     strips = [_outside(one, model.plates) for one in strips]
     drawn = [*strips, *map(_ring, model.plates)]
     patches, colors = (np.concatenate(part) for part in zip(*drawn, strict=True))
@@ -91,7 +91,7 @@ def bodies(
         raise InputError("there is nothing to draw: give one mesh or more")
     corners, tints = np.concatenate(patches), np.concatenate(colors)
     outward = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    faced = outward @ _toward(elevation, azimuth) > 0
+    faced = outward @ look_from(elevation, azimuth) > 0
     longest = float(np.ptp(corners.reshape(-1, 3), axis=0).max()) / 60
     corners, tints = _fine(corners[faced], tints[faced], longest)
     return _seen(corners, _lit(corners) * tints, title, elevation, azimuth)
@@ -112,7 +112,7 @@ def _seen(
     """
     from matplotlib.collections import PolyCollection
 
-    toward = _toward(elevation, azimuth)
+    toward = look_from(elevation, azimuth)
     right = np.array([-np.sin(np.radians(azimuth)), np.cos(np.radians(azimuth)), 0.0])
     plane = patches @ np.column_stack([right, np.cross(toward, right)])
     middle = patches.mean(axis=1)
@@ -163,7 +163,7 @@ def _draw_flats(axes: Axes, parts: Sequence[EqualStrips], longest: float) -> Non
     axes.set_axis_off()
 
 
-def _toward(elevation: float, azimuth: float) -> FloatArray:
+def look_from(elevation: float, azimuth: float) -> FloatArray:
     """Unit vector from the scene to the eye."""
     e, a = np.radians([elevation, azimuth])
     return np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
@@ -191,7 +191,9 @@ def _fine(triangles: FloatArray, colors: FloatArray, longest: float) -> tuple[Fl
         colors = np.concatenate([colors[~large], colors[large], colors[large]])
 
 
-def _ruled(placed: Placed, faces: Sequence[Frame], rim_most: float) -> tuple[FloatArray, FloatArray]:
+def rule_strip(
+    placed: Placed, faces: Sequence[Frame] = (), rim_most: float = np.inf
+) -> tuple[FloatArray, FloatArray]:
     """The strip in space with tabs, slots and holes: patches (n, 4, 3) with dark rims, and colours (n, 3)."""
     strip = placed.strip
     rod = strip.rod

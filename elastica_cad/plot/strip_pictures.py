@@ -17,7 +17,13 @@ from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Figure, new_figure
 Axes: TypeAlias = Any
 
 COMB, LINE, FAINT, WISH = "#2f6db3", "#c2452d", "#8a8f98", "#e0962b"
-LAYER_COLORS = {"CUT_OUTER": "#c2452d", "CUT_INNER": "#2f6db3", "ENGRAVE": INK, "MARK": "#3a8f4d"}
+LAYER_COLORS = {
+    "CUT_OUTER": "#c2452d",
+    "CUT_INNER": "#2f6db3",
+    "ENGRAVE": INK,
+    "MARK": "#3a8f4d",
+    "SHEET": "#8a8f98",
+}
 SMOOTH_MM = 0.02
 """How closely polylines follow splines in pictures: less than a printed dot."""
 

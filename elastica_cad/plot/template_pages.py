@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import InputError, MissingDependencyError
+from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
 from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.formats.file_access.atomic_write import write_atomically
 from elastica_cad.plot.canvas import INK
@@ -153,7 +153,9 @@ def save_template(
         from matplotlib.backends.backend_pdf import PdfPages
         from matplotlib.figure import Figure
     except ImportError as error:
-        raise MissingDependencyError("PDF templates need matplotlib: pip install matplotlib") from error
+        raise MissingDependencyError(
+            f"PDF templates need matplotlib: {how_to_install('matplotlib')}"
+        ) from error
     tiling = _tile_drawing(drawing, paper, overlap=overlap)
     stream = BytesIO()
     with PdfPages(stream, metadata={"CreationDate": None, "Title": drawing.name}) as pages:

@@ -68,12 +68,12 @@ def test_a_script_writes_its_kit(name, run, capsys):
     out = run(name)
     told = capsys.readouterr().out
     assert TOLD.get(name, "") in told
-    written = {path.parent.relative_to(out).as_posix() for path in out.rglob("*") if path.is_file()}
-    assert written == set(FOLDERS[name])
+    assert {page.parent.relative_to(out).as_posix() for page in out.rglob("index.html")} == set(FOLDERS[name])
     for folder in FOLDERS[name]:
         (report,) = (out / folder).glob("*.json")
         listed = json.loads(report.read_text())["files"]
-        names = {path.name for path in (out / folder).iterdir()}
+        kit = out / folder
+        names = {path.relative_to(kit).as_posix() for path in kit.rglob("*") if path.is_file()}
         assert set(listed) == names
         assert sum(file.endswith(".dxf") for file in names) >= 2
         assert f"wrote {len(names)} files to out/{folder}" in told

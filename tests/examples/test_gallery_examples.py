@@ -368,7 +368,8 @@ def test_surfaces_of_revolution_can_be_made(example, collisions):
 
 def test_a_model_is_saved_as_a_folder(built, tmp_path, check_drawing_file):
     saved = ec.save_model(built("vase"), tmp_path / "vase", step=False, pictures=False)
-    folder, names = saved.folder, {path.name for path in saved.folder.iterdir()}
+    folder = saved.folder
+    names = {path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file()}
     assert folder == tmp_path / "vase"
     assert names == set(saved.files)
     assert saved.left_out == ()
@@ -376,8 +377,8 @@ def test_a_model_is_saved_as_a_folder(built, tmp_path, check_drawing_file):
         "vase: 20 strips (1 different) on 3 sheets",
         f"wrote {len(names)} files to {folder}",
     ]
-    assert {"vase.json", "vase-cut-list.csv", "vase-nest-1-card-200gsm.dxf"} <= names
-    check_drawing_file(folder / "vase-nest-1-card-200gsm.dxf")
+    assert {"vase.json", "vase-cut-list.csv", "index.html", "sheets/vase-nest-1-card-200gsm.dxf"} <= names
+    check_drawing_file(folder / "sheets" / "vase-nest-1-card-200gsm.dxf")
 
 
 def test_the_table_comes_from_a_run(project_root):

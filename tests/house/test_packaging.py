@@ -1,11 +1,19 @@
 """The floors of the house as a contract, and what the wheel holds."""
 
+import re
 import shutil
 import subprocess
 import sys
+import tarfile
 import zipfile
 
-DATA = ("py.typed", "__init__.pyi", "mechanics/material/sheets.toml", "fabrication/drawings/glyphs.toml")
+DATA = (
+    "cli/templates/arch.toml",
+    "py.typed",
+    "__init__.pyi",
+    "mechanics/material/sheets.toml",
+    "fabrication/drawings/glyphs.toml",
+)
 
 
 def run(*arguments, cwd):
@@ -22,6 +30,26 @@ def test_no_packages_in_tests_and_examples(project_root):
     """The Addon Manager puts the checkout's root on FreeCAD's path: these folders must not be importable."""
     found = [p for folder in ("tests", "examples") for p in (project_root / folder).rglob("__init__.py")]
     assert found == []
+
+
+def test_the_source_archive_holds_what_the_readme_names(project_root, tmp_path):
+    tracked = subprocess.run(
+        ["git", "ls-files"], cwd=project_root, capture_output=True, text=True, check=True
+    )
+    for name in tracked.stdout.split("\n"):
+        if name and (project_root / name).is_file():
+            (tmp_path / "source" / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(project_root / name, tmp_path / "source" / name)
+    code = f"from setuptools import build_meta; build_meta.build_sdist({str(tmp_path)!r})"
+    result = run("-c", code, cwd=tmp_path / "source")
+    assert result.returncode == 0, result.stderr
+    (archive,) = tmp_path.glob("*.tar.gz")
+    with tarfile.open(archive) as packed:
+        held = {name.partition("/")[2] for name in packed.getnames()}
+    page = (project_root / "README.md").read_text(encoding="utf-8")
+    linked = {target for target in re.findall(r"\]\(([^)#]+)", page) if not target.startswith("http")}
+    named = set(re.findall(r"\b(?:examples|docs|tests|freecad_workbench)/[\w./-]+\.\w+", page))
+    assert (linked | named) - {name for name in named if "NAME" in name} <= held
 
 
 def test_wheel_holds_the_package_only(project_root, tmp_path):

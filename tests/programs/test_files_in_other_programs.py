@@ -1,8 +1,10 @@
 """Our files opened by programs nobody here wrote: their size to 0.01 mm, their layers, their closed loops.
 
-`tests/programs/setup.sh` installs Inkscape, LibreCAD, OpenSCAD and Poppler from Debian.
+`tests/programs/setup.sh` installs Inkscape, LibreCAD, OpenSCAD and Poppler from Debian,
+`tests/freecad/setup.sh` FreeCAD.
 """
 
+import json
 import re
 import subprocess
 import sys
@@ -25,6 +27,26 @@ def run(*words, cwd, screen=False, seconds=120):
     done = subprocess.run(words, cwd=cwd, capture_output=True, text=True, check=False, timeout=seconds)
     assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout
+
+
+IN_FREECAD = """
+import json
+import FreeCAD, Import, Part, importSVG
+def loops(edges):
+    wires = [Part.Wire(group) for group in Part.sortEdges(edges)]
+    points = [wire.discretize(40000) for wire in wires if wire.isClosed()]
+    return [(max(p.x for p in line) - min(p.x for p in line), max(p.y for p in line) - min(p.y for p in line))
+            for line in points]
+found = {{}}
+for kind, read in (("svg", importSVG.insert), ("dxf", Import.readDXF)):
+    document = FreeCAD.newDocument()
+    read({file!r} + "." + kind, document.Name)
+    found[kind] = loops([edge for one in document.Objects if hasattr(one, "Shape") for edge in one.Shape.Edges])
+solids = Part.Shape()
+solids.read({file!r} + ".step")
+found["step"] = [(one.isClosed() and one.isValid(), one.Volume) for one in solids.Solids]
+open({file!r} + ".freecad.json", "w").write(json.dumps(found))
+"""
 
 
 @pytest.fixture(scope="module")
@@ -63,6 +85,34 @@ def test_inkscape_measures_the_svg(cut):
     stroke = stroke_width(folder / "exact" / "bow.svg")
     measured = rows["CUT_OUTER"][2:] * MM_PER_PX - stroke
     np.testing.assert_allclose(measured, outline_size(strip), atol=SIZE_MM)
+
+
+def test_inkscape_draws_closed_loops_on_the_layers(cut):
+    folder, strip = cut
+    words = ("exact/bow.svg", "--export-plain-svg", "--export-filename=plain.svg")
+    run("inkscape", *words, cwd=folder)
+    root = ElementTree.parse(folder / "plain.svg").getroot()
+    groups = {group.get("id"): group for group in root.iter("{http://www.w3.org/2000/svg}g")}
+    loops = [path.get("d") for path in groups["CUT_OUTER"].iter("{http://www.w3.org/2000/svg}path")]
+    assert len(loops) == 1
+    assert loops[0].strip().lower().endswith("z")
+    assert not [one for one in groups if one.startswith("CUT_INNER")]
+    assert not strip.holes
+
+
+def test_freecad_reads_drawings_and_solids(cut):
+    folder, strip = cut
+    pytest.importorskip("OCP")
+    file = str(folder / "exact" / "bow")
+    (folder / "read.py").write_text(IN_FREECAD.format(file=file))
+    run("freecadcmd", str(folder / "read.py"), cwd=folder, seconds=300)
+    found = json.loads((folder / "exact" / "bow.freecad.json").read_text())
+    for kind in ("svg", "dxf"):
+        largest = max(found[kind], key=lambda size: size[0])
+        np.testing.assert_allclose(largest, outline_size(strip), atol=SIZE_MM)
+    assert [closed for closed, _ in found["step"]] == [True, True]
+    volume = strip.area * strip.sheet.thickness
+    assert [size for _, size in found["step"]] == pytest.approx([volume, volume], rel=1e-4)
 
 
 def stroke_width(file):

@@ -18,15 +18,17 @@ CUT_OUTER = "CUT_OUTER"
 CUT_INNER = "CUT_INNER"
 ENGRAVE = "ENGRAVE"
 MARK = "MARK"
+SHEET = "SHEET"
 
-LAYERS = (ENGRAVE, MARK, CUT_INNER, CUT_OUTER)
-"""All layers in the order in which a machine should work: a part comes loose last."""
+LAYERS = (SHEET, ENGRAVE, MARK, CUT_INNER, CUT_OUTER)
+"""All layers in the order in which a machine should work: a part comes loose last. The border of the sheet is for
+people, and no machine follows it."""
 
 SAME_MM = 1e-6
 """Paths nearer to each other than this everywhere are one: files keep six digits behind the point."""
 
 CHORD_SHARE = 1e-4  # of the diagonal: how closely a notebook's picture follows splines
-LAYER_INK = {CUT_OUTER: RED, CUT_INNER: BLUE, ENGRAVE: INK, MARK: GREY}
+LAYER_INK = {CUT_OUTER: RED, CUT_INNER: BLUE, ENGRAVE: INK, MARK: GREY, SHEET: GREY}
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,6 +85,11 @@ class Drawing:
         written = [LayeredPath(text.layer, stroke) for text in self.texts for stroke in text_strokes(text)]
         everything = [*written, *self.paths]
         return _without_twins([item for layer in LAYERS for item in everything if item.layer == layer])
+
+    @property
+    def layers(self) -> tuple[str, ...]:
+        """The layers that files of it have: all but the sheet's, and that where it is drawn."""
+        return LAYERS if self.on(SHEET) else tuple(layer for layer in LAYERS if layer != SHEET)
 
     @cached_property
     def bounds(self) -> FloatArray:

@@ -11,7 +11,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text, text_width
-from elastica_cad.fabrication.holders.placed_tab import PlacedTab, place_tabs
+from elastica_cad.fabrication.holders.placed_tab import ENDS, End, PlacedTab, place_tabs
 from elastica_cad.fabrication.makeability.faults import accept_faults, find_plate_faults, find_slot_faults
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.placed_strip import Placed
@@ -27,13 +27,16 @@ from elastica_cad.mechanics.material.sheet import Sheet
 FLATTEST_RAD = np.radians(15.0)
 """Tabs at less than this angle to a plate would need slots over four times its thickness wide."""
 
+LEAST_OPENING_SHARE = 0.4
+"""A round plate whose opening would be smaller than this share of it has none: it would save little."""
+
 LABEL_MM = 4.0
 """Height of engraved names, where there is room."""
 
 BELOW_MM = 1e-6
 """A tab that ends no farther below a plate's face does not go through it: rounding."""
 
-Shape = Literal["hull", "rectangle"]
+Shape = Literal["hull", "rectangle", "ring"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,6 +87,8 @@ class BasePlate:
     name : str
     warnings : tuple of str
         Why it should not be cut, where it was made all the same.
+    opening : Path or None
+        A closed loop in its middle that is cut out.
     """
 
     sheet: Sheet
@@ -92,18 +97,23 @@ class BasePlate:
     slots: tuple[TabSlot, ...]
     name: str = "base"
     warnings: tuple[str, ...] = ()
+    opening: Path | None = None
+
+    @property
+    def _inner(self) -> tuple[Path, ...]:
+        """All loops that are cut out."""
+        return (*(slot.path for slot in self.slots), *(() if self.opening is None else (self.opening,)))
 
     @property
     def solid(self) -> FlatSolid:
         """The plate in space, below its frame."""
         thickness = self.sheet.thickness
-        holes = tuple(slot.path for slot in self.slots)
-        return FlatSolid(self.outline, holes, thickness, self.frame.shifted(z=-thickness))
+        return FlatSolid(self.outline, self._inner, thickness, self.frame.shifted(z=-thickness))
 
     @cached_property
     def drawing(self) -> Drawing:
         """The cut pattern seen from above, every slot with the name of its tab."""
-        paths = [LayeredPath(CUT_INNER, slot.path) for slot in self.slots]
+        paths = [LayeredPath(CUT_INNER, path) for path in self._inner]
         texts = [self._label(slot) for slot in self.slots]
         return Drawing(self.name, (*paths, LayeredPath(CUT_OUTER, self.outline)), tuple(texts))
 
@@ -150,6 +160,7 @@ def base_plate(
     slot_width: float | None = None,
     border: float = 12.0,
     shape: Shape = "hull",
+    ends: Sequence[End] = ENDS,
     name: str = "base",
     shop: Shop | None = None,
     anyway: bool = False,
@@ -175,8 +186,10 @@ def base_plate(
         Least width of slots, mm.
     border : float
         Least distance of slots from the edge, mm.
-    shape : "hull" or "rectangle"
-        The outline around all slots.
+    shape : "hull", "rectangle" or "ring"
+        The outline around all slots; "ring" is round, with an opening where that would leave some.
+    ends : sequence of "start" and "end"
+        Which tabs may stand on it.
     name : str
     shop : Shop, optional
         What the workshop can make: bridges between slots, the largest sheet.
@@ -198,9 +211,9 @@ def base_plate(
     ):
         if not (np.isfinite(value) and value >= 0):
             raise InputError(f"{name}: {what} is {value}: it must be 0 mm or more")
-    if shape not in ("hull", "rectangle"):
-        raise InputError(f'{name}: the outline is "hull" or "rectangle", not {shape!r}')
-    standing = [tab for tab in place_tabs(placed) if stands_in(tab, ground)]
+    if shape not in ("hull", "rectangle", "ring"):
+        raise InputError(f'{name}: the outline is "hull", "rectangle" or "ring", not {shape!r}')
+    standing = [tab for tab in place_tabs(placed, ends) if stands_in(tab, ground)]
     if not standing:
         raise InputError(
             f"{name}: no tab of the model goes through the plate: move the plate to where the strips end, or give "
@@ -227,10 +240,16 @@ def plate_with(
     anyway: bool = False,
 ) -> BasePlate:
     """The plate around slots; refused where two of them meet, and without `anyway` where it cannot be made."""
-    points = np.concatenate([slot.corners for slot in slots])
-    outline = _outline(points, border, shape)
-    told = check_slots(name, sheet, outline, slots, shop=shop, anyway=anyway)
-    return BasePlate(sheet, frame, outline, tuple(slots), name, told)
+    points, opening = np.concatenate([slot.corners for slot in slots]), None
+    outline = _outline(points, border, "hull" if shape == "ring" else shape)
+    if shape == "ring":
+        center = np.mean([slot.corners.mean(axis=0) for slot in slots], axis=0)
+        inner, outer = around([slot.corners for slot in slots], center, border)
+        if inner > LEAST_OPENING_SHARE * outer:
+            outline, opening = Path.circle(center, outer), Path.circle(center, inner)
+    others = () if opening is None else (opening,)
+    told = check_slots(name, sheet, outline, slots, others, shop=shop, anyway=anyway)
+    return BasePlate(sheet, frame, outline, tuple(slots), name, told, opening)
 
 
 def check_slots(
@@ -252,6 +271,13 @@ def check_slots(
         *find_plate_faults(name, sheet, outline, loops, shop, called),
     )
     return accept_faults(faults, anyway)
+
+
+def around(loops: Sequence[FloatArray], center: FloatArray, border: float) -> tuple[float, float]:
+    """Radii about a point (2,) that stay `border` mm clear of loops (4, 2), inside and outside of them."""
+    points = np.concatenate([(loop + np.roll(loop, shift, axis=0)) / 2 for loop in loops for shift in (0, 1)])
+    away = np.hypot(*(points - center).T)
+    return float(away.min()) - border, float(away.max()) + border
 
 
 def stands_in(tab: PlacedTab, ground: Frame) -> bool:

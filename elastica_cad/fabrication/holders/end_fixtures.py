@@ -302,15 +302,15 @@ class EndFixture:
 
 
 def end_fixtures(
-    placed: Sequence[Placed], *, floor: Frame | None = None, **sizes: Any
+    placed: Sequence[Placed], *, floor: Frame | None = None, ends: Sequence[End] = ENDS, **sizes: Any
 ) -> tuple[EndFixture, ...]:
-    """Blocks for both ends of every strip that has tabs; sizes as in `EndFixture`.
+    """Blocks for these ends of every strip that has tabs; sizes as in `EndFixture`.
 
     Without `floor`, blocks whose strips stand upright share a horizontal floor that just touches the lowest of
     them; the others stand square to their tabs.
     """
-    ends = [(one.strip, end) for one in placed for end in ENDS]
-    held = [(tab, *of) for tab, of in zip(place_tabs(placed), ends, strict=True) if tab.length > 0]
+    of_tabs = [(one.strip, end) for one in placed for end in ends]
+    held = [(tab, *of) for tab, of in zip(place_tabs(placed, ends), of_tabs, strict=True) if tab.length > 0]
     if floor is not None:
         grounds: list[Frame | None] = [floor] * len(held)
     else:

@@ -10,7 +10,15 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text, text_width
-from elastica_cad.fabrication.holders.base_plate import FLATTEST_RAD, LABEL_MM, TabSlot, check_slots, tab_slot
+from elastica_cad.fabrication.holders.base_plate import (
+    FLATTEST_RAD,
+    LABEL_MM,
+    LEAST_OPENING_SHARE,
+    TabSlot,
+    around,
+    check_slots,
+    tab_slot,
+)
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.sheets.pieces import Piece
@@ -25,9 +33,6 @@ PLAY_MM = 0.3
 
 LYING_RAD = np.radians(5.0)
 """Tabs at no larger angle to the ring lie on it: glue fills the wedge."""
-
-LEAST_HOLE_SHARE = 0.4
-"""A ring whose hole would be smaller than this share of it is a cap: the hole would save little."""
 
 LEAST_LABEL_MM = 1.5
 """Smaller names are left out: they could not be read."""
@@ -50,6 +55,8 @@ class Ring:
         Engraved outlines of tabs that lie on it.
     holes : tuple of Path
         Of the bolts of such tabs.
+    seated : tuple of str
+        Names of such tabs.
     name : str
     warnings : tuple of str
         Why it should not be cut, where it was made all the same.
@@ -62,6 +69,7 @@ class Ring:
     seats: tuple[Path, ...] = ()
     holes: tuple[Path, ...] = ()
     name: str = "ring"
+    seated: tuple[str, ...] = ()
     warnings: tuple[str, ...] = ()
 
     @property
@@ -200,7 +208,8 @@ def ring_plate(
         for hole in tab.holes
     )
     loops = tuple(Path.polygon(seat) for seat in seats)
-    found = Ring(sheet, frame, _radii(seats, border), seats=loops, holes=holes, name=name)
+    found = Ring(sheet, frame, _radii(seats, border), seats=loops, holes=holes, name=name,
+                 seated=tuple(tab.name for tab in tabs))  # fmt: skip
     return found.checked(shop, anyway=anyway)
 
 
@@ -218,10 +227,8 @@ def _seat(tab: PlacedTab, frame: Frame) -> FloatArray:
 
 def _radii(loops: Sequence[FloatArray], border: float) -> tuple[float, float]:
     """Of the ring around loops (4, 2): inner, 0 where too little would be left open, and outer."""
-    points = np.concatenate([(loop + np.roll(loop, shift, axis=0)) / 2 for loop in loops for shift in (0, 1)])
-    away = np.hypot(*points.T)
-    inner, outer = float(away.min()) - border, float(away.max()) + border
-    return (inner if inner > LEAST_HOLE_SHARE * outer else 0.0), outer
+    inner, outer = around(loops, np.zeros(2), border)
+    return (inner if inner > LEAST_OPENING_SHARE * outer else 0.0), outer
 
 
 def _refuse_meeting_seats(seats: Sequence[FloatArray], count: int, name: str) -> None:

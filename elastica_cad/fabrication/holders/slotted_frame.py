@@ -10,8 +10,9 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text, text_width
-from elastica_cad.fabrication.holders.base_plate import FLATTEST_RAD, BasePlate, TabSlot, plate_with, tab_slot
-from elastica_cad.fabrication.holders.placed_tab import ENDS, End, PlacedTab, place_tabs
+from elastica_cad.fabrication.holders.base_plate import BasePlate, TabSlot, plate_with
+from elastica_cad.fabrication.holders.end_plates import tab_plane, through_slots
+from elastica_cad.fabrication.holders.placed_tab import ENDS, End, place_tabs
 from elastica_cad.fabrication.holders.ring_plate import PLAY_MM
 from elastica_cad.fabrication.makeability.faults import accept_faults, find_plate_faults
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
@@ -33,9 +34,6 @@ SLOT_ROOM_MM = 3.0
 
 LABEL_MM = 6.0
 """Height of a rib's name, where there is room."""
-
-LEVEL_GAIN_MM = 0.5
-"""Tabs that begin this much more level are worth a rail that is not square to their mean direction."""
 
 ON_SIDE_MM = 1e-6
 """Points of a tongue this near to a side of the rib lie on it: rounding."""
@@ -216,17 +214,8 @@ class _RailPlan:
         """The plane that the tabs of one end go through, with their slots."""
         name = f"rail-{end}"
         tabs = place_tabs(placed, [end])
-        frame = _plane(tabs, name)
-        for tab in tabs:
-            tip = float(frame.local(tab.tip)[2])
-            if tab.length <= 0 or tip > -0.5 * sheet.thickness:
-                raise InputError(
-                    f"{name}: the tab of {tab.name} ends {max(tip, 0.0):.4g} mm in front of the rail or within it: "
-                    "give that strip a longer tab, or bring the ends of the strips into a plane"
-                )
-        slots = [
-            tab_slot(tab, frame, sheet.thickness, play=play, clearance=clearance, name=name) for tab in tabs
-        ]
+        frame = tab_plane(tabs, name)
+        slots = through_slots(tabs, frame, sheet, play=play, clearance=clearance, name=name)
         return cls(name, frame, slots)
 
     def seat(self, station: float, across: FloatArray) -> "_Seat":
@@ -318,33 +307,6 @@ class _Corner:
         """The point (2,)."""
         point = self.seat.point + inward * self.inward - behind * self.seat.normal
         return self.frame.local(point)[:2]
-
-
-def _plane(tabs: Sequence[PlacedTab], name: str) -> Frame:
-    """The plane that suits the tabs: through the lowest of their origins, z against the way they go."""
-    points = np.array([tab.frame.origin for tab in tabs])
-    outs = np.array([tab.frame.x_axis for tab in tabs])
-    down = outs.mean(axis=0)
-    center = points.mean(axis=0)
-    _, _, axes = np.linalg.svd(points - center)
-    along = axes[0] if len(tabs) > 1 else tabs[0].frame.y_axis
-    square = down - (down @ along) * along
-    normals = [-square / max(float(np.linalg.norm(square)), 1e-12)]
-    if len(tabs) > 2:
-        normals.append(-np.sign(axes[2] @ down) * axes[2])
-    fit = [float((outs @ n).max()) < -np.sin(FLATTEST_RAD) for n in normals]
-    if not any(fit):
-        raise InputError(
-            f"{name}: the tabs point in too many directions for one plane rail: hold them with fixtures, or "
-            "give their ends more alike directions"
-        )
-    spread = [float(np.ptp(points @ n)) if ok else np.inf for n, ok in zip(normals, fit, strict=True)]
-    better = len(spread) > 1 and spread[1] < spread[0] - LEVEL_GAIN_MM
-    z = normals[1 if better else 0]
-    x = along - (along @ z) * z
-    x = x / np.linalg.norm(x)
-    lowest = float((points @ z).min())
-    return Frame(center + (lowest - center @ z) * z, x, np.cross(z, x))
 
 
 def _across(rails: Sequence[_RailPlan]) -> FloatArray:

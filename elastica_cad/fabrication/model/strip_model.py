@@ -116,7 +116,7 @@ class Model:
         """What must be cut, drawn: as `parts`, each layer of a laminate a piece of its own, then the plates."""
         return (*strip_pieces(self.parts), *(plate.piece for plate in self.plates))
 
-    def fixtures(self, *, floor: Frame | None = None, **sizes: float) -> tuple[EndFixture, ...]:
+    def fixtures(self, *, floor: Frame | None = None, **sizes: Any) -> tuple[EndFixture, ...]:
         """Printed blocks that hold both ends of every strip; sizes are those of `EndFixture`."""
         return end_fixtures(self.placed, floor=floor, **sizes)
 

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.drawing import Drawing
+from elastica_cad.fabrication.drawings.drawing import SHEET, Drawing, LayeredPath
 from elastica_cad.fabrication.sheets.pieces import Piece
+from elastica_cad.geometry.paths.path import Path
 from elastica_cad.mechanics.material.sheet import Sheet
 
 SLACK_MM = 1e-9
@@ -17,7 +18,7 @@ SLACK_MM = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class NestedSheet(Drawing):
-    """The drawing of one sheet with its pieces; the sheet's lower left corner is the origin.
+    """The drawing of one sheet with its pieces and its border; the sheet's lower left corner is the origin.
 
     Attributes
     ----------
@@ -31,6 +32,8 @@ class NestedSheet(Drawing):
         Area of the rows that hold pieces, margins included, mm2.
     filled : float
         Area of the pieces' bounding boxes, each with its margin, mm2.
+    share : float
+        Of the whole sheet, what the pieces themselves take.
     """
 
     sheet: Sheet | None = None
@@ -38,6 +41,7 @@ class NestedSheet(Drawing):
     pieces: tuple[str, ...] = ()
     used: float = 0.0
     filled: float = 0.0
+    share: float = 0.0
 
     @property
     def grain(self) -> str:
@@ -244,13 +248,14 @@ def _drawing(
     rows = max(place.y + place.box.wide for place in places)
     return NestedSheet(
         merged.name,
-        merged.paths,
+        (LayeredPath(SHEET, Path.rectangle(*size)), *merged.paths),
         merged.texts,
         sheet=sheet,
         sheet_size=size,
         pieces=tuple(pieces[place.box.piece].name for place in sorted(places, key=lambda p: p.box.piece)),
         used=rows * room,
         filled=sum(place.box.long * place.box.wide for place in places),
+        share=sum(pieces[place.box.piece].area for place in places) / (size[0] * size[1]),
     )
 
 

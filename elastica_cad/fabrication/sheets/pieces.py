@@ -11,8 +11,10 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, Drawing
+from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, MARK, Drawing
+from elastica_cad.fabrication.drawings.lettering import Text
 from elastica_cad.fabrication.sheets.equal_strips import EqualStrips
+from elastica_cad.fabrication.slots.mating_marks import end_numbers
 from elastica_cad.mechanics.material.sheet import Sheet
 
 
@@ -102,10 +104,11 @@ def file_word(text: str) -> str:
     return re.sub(r"[^\w.-]+", "-", text).strip("-.") or "part"
 
 
-def strip_pieces(parts: Sequence[EqualStrips]) -> tuple[Piece, ...]:
+def strip_pieces(parts: Sequence[EqualStrips], *, numbered: bool = False) -> tuple[Piece, ...]:
     """Each group of equal strips as a piece with its count; each layer of a laminate is one.
 
-    Different parts with the same label get a number behind it, on the part and in its name.
+    Different parts with the same label get a number behind it, on the part and in its name. With `numbered` ends
+    are engraved 1 and 2, as the slots that hold them are.
     """
     pieces: list[Piece] = []
     taken = {part.name for part in parts}
@@ -119,5 +122,10 @@ def strip_pieces(parts: Sequence[EqualStrips]) -> tuple[Piece, ...]:
             strip = replace(strip, label=name)
         for i, (drawing, layer) in enumerate(zip(strip.drawings(), strip.layers, strict=True)):
             called = name if i == 0 else f"{name}-backing"
-            pieces.append(Piece(called, replace(drawing, name=called), layer.sheet, part.count))
+            marks: tuple[Text, ...] = ()
+            if numbered and i == 0:
+                lines = (*layer.holes, layer.outline, *drawing.on(MARK))
+                marks = end_numbers(strip.width, lines, drawing.texts)
+            texts = (*drawing.texts, *marks)
+            pieces.append(Piece(called, replace(drawing, name=called, texts=texts), layer.sheet, part.count))
     return tuple(pieces)

@@ -1,11 +1,12 @@
-"""Mating marks: beside every slot the name of the strip that goes in."""
+"""Mating marks: beside every slot the name of the strip that goes in, at the ends their numbers."""
 
 from collections.abc import Iterator, Sequence
+from itertools import product
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.fabrication.drawings.drawing import MARK
+from elastica_cad.fabrication.drawings.drawing import ENGRAVE, MARK
 from elastica_cad.fabrication.drawings.lettering import Text, text_width
 from elastica_cad.fabrication.slots.slot import Slot, slot_rim
 from elastica_cad.geometry.paths.path import Path
@@ -14,6 +15,9 @@ from elastica_cad.geometry.paths.profile import Profile
 
 LETTER_HEIGHTS_MM = (2.0, 1.5, 1.0)
 """Tried in turn; below 1 mm engraved letters run together."""
+
+NUMBER_PLACES_MM = (2.0, 4.0, 7.0, 11.0)
+"""From the end of the free part to its number, tried in turn: beside the holder's face, to be seen in place."""
 
 CLEARANCE_MM = 0.5
 """Letters keep this far from every cut, so that no stroke is a notch."""
@@ -37,13 +41,36 @@ def mating_marks(
     for slot, cut in zip(slots, cuts, strict=True):
         for text in _choices(slot, cut, width) if slot.mate else ():
             box = _box(text)
-            if _on_strip(box, width) and not any(_meet(box, other) for other in boxes):
-                rim = np.concatenate([box, box[:1]])
-                if not any(_within(line, box) or polylines_cross(rim, line) is not None for line in lines):
-                    marks.append(text)
-                    boxes.append(box)
-                    break
+            if _clear(box, width, boxes, lines):
+                marks.append(text)
+                boxes.append(box)
+                break
     return tuple(marks)
+
+
+def end_numbers(width: Profile, cuts: Sequence[Path], taken: Sequence[Text] = ()) -> tuple[Text, ...]:
+    """ "1" where the free part starts and "2" where it ends, as slots of bases call them, clear of cuts and texts.
+
+    A number that finds no room is left out.
+    """
+    lines, boxes, numbers = [_line(path) for path in cuts], [_box(text) for text in taken], []
+    for number, end, way in (("1", 0.0, 1.0), ("2", width.length, -1.0)):
+        for height, off in product(LETTER_HEIGHTS_MM, NUMBER_PLACES_MM):
+            x = end + way * (off + height / 2) - text_width(number, height) / 2
+            text = Text((float(x), -height / 2), number, height, layer=ENGRAVE)
+            box = _box(text)
+            if _clear(box, width, boxes, lines):
+                numbers.append(text)
+                break
+    return tuple(numbers)
+
+
+def _clear(box: FloatArray, width: Profile, boxes: Sequence[FloatArray], lines: Sequence[FloatArray]) -> bool:
+    """Does a box lie on the free part, off other boxes and off lines?"""
+    if not _on_strip(box, width) or any(_meet(box, other) for other in boxes):
+        return False
+    rim = np.concatenate([box, box[:1]])
+    return not any(_within(line, box) or polylines_cross(rim, line) is not None for line in lines)
 
 
 def _choices(slot: Slot, cut: FloatArray, width: Profile) -> Iterator[Text]:

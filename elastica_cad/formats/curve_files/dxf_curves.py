@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import InputError, MissingDependencyError
+from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
 from elastica_cad.formats.curve_files.chains import FIT_TOLERANCE, JOIN_TOLERANCE
 from elastica_cad.formats.curve_files.drawn_file import CurveList, DrawnFile, collect_curves
 from elastica_cad.formats.curve_files.dxf_text import (
@@ -125,7 +125,7 @@ def _opened(path: Path) -> "Drawing":
         from ezdxf.lldxf.const import DXFError
     except ImportError as error:
         raise MissingDependencyError(
-            f"reading {path.name} needs ezdxf, which is not installed: pip install ezdxf"
+            f"reading {path.name} needs ezdxf, which is not installed: {how_to_install('ezdxf')}"
         ) from error
     # what ezdxf meets in a file cut short or overwritten in places
     damage = (

@@ -25,9 +25,13 @@ Every number may be a formula in quotes (see `formulae`); lengths are mm, angles
     revolution = {points = [[x, y]] from the axis, or curve (as above), or a, b, start, angle and length; strips,
         ring, rings = "SHEET", sheet, ends, shop, anyway}: a surface of revolution about z, tiled by equal strips
     [[patterns]] mirror = {point, normal, keep}, rotate = {count, axis, point, step}, repeat = {count, step}
-    interlock = {clearance, fit, relief, above}, fixtures = {floor, clearance, wall, foot, foot_height, screw}
-    base = {sheet, height, play, clearance, slot_width, border, shape, sheet_size}
-    frame = {sheet, ribs, depth, tongue, play, clearance, border, sheet_size}
+    interlock = {clearance, fit, relief, above}
+    what holds strips, each a table or a list of tables, each for strips = ["A*", ...] (labels; all unless given):
+        base = {sheet, height, ends, play, clearance, slot_width, border, shape, sheet_size, name}
+        rings = {sheet, ends, play, clearance, border, shape, sheet_size, name}: a plate for each end
+        frame = {sheet, ribs, depth, tongue, play, clearance, border, sheet_size}
+        fixtures = {floor, ends, clearance, wall, foot, foot_height, screw}
+        stand = {sheet, sheet_size}: the simplest of them that holds all tabs
     nest = {sheet_size, margin}, extras = {coupon, reference_bar}
     cut = {kerf, curves, tolerance, version, holding = {width, spacing, least, inner}}
 """
@@ -47,7 +51,7 @@ from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.design_files.kit_spec import KitSpec
-from elastica_cad.formats.design_files.model_tables import read_interlock, read_kit
+from elastica_cad.formats.design_files.model_tables import HOLDER_SIZES, read_interlock, read_kit
 from elastica_cad.formats.design_files.revolution_table import RevolutionEntry, read_revolution
 from elastica_cad.formats.design_files.sections_table import read_sections
 from elastica_cad.formats.design_files.strip_table import (
@@ -68,8 +72,8 @@ from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 DESIGN_SCHEMA = 1
 
 TOP_KEYS = (
-    *MAKING_KEYS, "schema", "name", "let", "sheets", "sheets_file", "strips", "patterns", "interlock", "base",
-    "frame", "fixtures", "nest", "cut", "extras", "revolution",
+    *MAKING_KEYS, "schema", "name", "let", "sheets", "sheets_file", "strips", "patterns", "interlock",
+    "nest", "cut", "extras", "revolution", *HOLDER_SIZES,
 )  # fmt: skip
 
 
@@ -242,7 +246,7 @@ def _own_sheets(top: Table, path: Path) -> dict[str, Sheet]:
     sheets = _Sheets()
     sheets.folder = path.parent
     if top.has("sheets_file"):
-        sheets.update(load_sheets(path.parent / top.text("sheets_file")))
+        sheets.update(load_sheets(require_file(path.parent / top.text("sheets_file"))))
     if top.has("sheets"):
         sheets.update(sheets_from_table(top.raw("sheets"), where=str(path)))
     return sheets

@@ -23,8 +23,8 @@ LARGEST_NUMBER = 1e300
 MOST_NESTED = 60
 """Brackets, signs and operators inside each other: Python's own parser gives up not much later."""
 
-CONSTANTS = {"pi": float(np.pi), "e": float(np.e), "degrees": float(np.pi / 180)}
-"""`degrees` turns 30*degrees into radians."""
+CONSTANTS = {"pi": float(np.pi), "e": float(np.e), "degrees": float(np.pi / 180), "inch": 25.4}
+"""`degrees` turns 30*degrees into radians, `inch` 1.5*inch into mm."""
 
 FUNCTIONS: dict[str, tuple[Callable[..., Value], int]] = {
     "abs": (np.abs, 1), "sqrt": (np.sqrt, 1), "exp": (np.exp, 1), "log": (np.log, 1),

@@ -1,16 +1,21 @@
 """What goes with the strips of a model: sheets, cutting files, base, frame, fixtures, further pieces."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from fnmatch import fnmatchcase
+from typing import Any, Literal
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
-from elastica_cad.fabrication.holders.base_plate import BasePlate
-from elastica_cad.fabrication.holders.end_fixtures import EndFixture
+from elastica_cad.fabrication.holders.base_plate import BasePlate, base_plate
+from elastica_cad.fabrication.holders.end_fixtures import EndFixture, end_fixtures
+from elastica_cad.fabrication.holders.end_plates import end_plates
 from elastica_cad.fabrication.holders.plate_pair import plate_pair
-from elastica_cad.fabrication.holders.slotted_frame import SlottedFrame
+from elastica_cad.fabrication.holders.slotted_frame import Rib, slotted_frame
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
+from elastica_cad.fabrication.model.stand import stand
 from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.placed_strip import strip_names
 from elastica_cad.fabrication.sheets.coupon import coupon_drawing, reference_bar
 from elastica_cad.fabrication.sheets.pieces import Piece
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -50,6 +55,74 @@ class Cutting:
         return {"kerf": kerf, "curves": self.curves, "tolerance": self.tolerance, "holding": self.holding}
 
 
+HolderKind = Literal["base", "rings", "frame", "fixtures", "stand"]
+
+
+@dataclass(frozen=True, eq=False)
+class HolderSpec:
+    """What is asked to hold strips.
+
+    Attributes
+    ----------
+    kind : "base", "rings", "frame", "fixtures" or "stand"
+        One plate, a plate for each end, two rails with ribs, printed blocks, or the simplest of these.
+    sheet : Sheet or None
+        Of plates; None for blocks.
+    options : mapping
+        Of `base_plate`, `end_plates`, `slotted_frame`, `end_fixtures`.
+    nesting : Nesting
+        The sheets that plates are cut from.
+    strips : tuple of str
+        Which strips: labels, with * and ? for letters.
+    where : str
+        What messages call it.
+    """
+
+    kind: HolderKind
+    sheet: Sheet | None = None
+    options: Mapping[str, Any] = field(default_factory=dict)
+    nesting: Nesting = field(default_factory=Nesting)
+    strips: tuple[str, ...] = ("*",)
+    where: str = ""
+
+    @property
+    def name(self) -> str:
+        """Its own, or its kind."""
+        return str(self.options.get("name", self.kind))
+
+    def made(
+        self, model: Model, shop: Shop = DEFAULT_SHOP, *, anyway: bool = False
+    ) -> tuple[tuple[BasePlate | Rib | EndFixture, ...], str]:
+        """Plates, ribs and blocks, and a sentence on what was chosen, or an empty one.
+
+        Raises
+        ------
+        InputError
+            No such strips, or what these cannot be held by.
+        """
+        named = zip(model.placed, strip_names(model.placed), strict=True)
+        placed = [one for one, name in named if any(fnmatchcase(name, text) for text in self.strips)]
+        if not placed:
+            labels = ", ".join(dict.fromkeys(strip_names(model.placed)))
+            raise InputError(
+                f"{self.where}: no strip is called {' or '.join(self.strips)}: there are {labels}"
+            )
+        if self.sheet is None:
+            return end_fixtures(placed, **self.options), ""
+        if self.kind == "stand":
+            chosen = stand(placed, self.sheet, shop=shop, anyway=anyway)
+            return chosen.holders, f"{model.name}: {chosen.sentence}"
+        options = {**self.options, "shop": shop, "anyway": anyway}
+        if self.kind == "frame":
+            frame = slotted_frame(placed, self.sheet, **options)
+            return (*frame.rails, *frame.ribs), ""
+        if self.kind == "rings":
+            return end_plates(placed, self.sheet, **options), ""
+        if "gap" in options:
+            return plate_pair(placed, self.sheet, **options), ""
+        return (base_plate(placed, self.sheet, **options),), ""
+
+
 @dataclass(frozen=True, eq=False)
 class KitSpec:
     """What is asked of a kit beside its strips.
@@ -58,10 +131,8 @@ class KitSpec:
     ----------
     nesting : Nesting
     cutting : Cutting
-    base, frame : (Sheet, dict, Nesting) or None
-        Sheet and options of the base plate, of the slotted frame, and the sheet size they are cut from.
-    fixtures : dict or None
-        Options of `Model.fixtures`, where asked for.
+    holders : tuple of HolderSpec
+        What holds the strips.
     coupon : bool
         Cut a coupon of every sheet.
     reference_bar : float or None
@@ -74,34 +145,11 @@ class KitSpec:
 
     nesting: Nesting = field(default_factory=Nesting)
     cutting: Cutting = field(default_factory=Cutting)
-    base: tuple[Sheet, dict[str, Any], Nesting] | None = None
-    frame: tuple[Sheet, dict[str, Any], Nesting] | None = None
-    fixtures: dict[str, Any] | None = None
+    holders: tuple[HolderSpec, ...] = ()
     coupon: bool = False
     reference_bar: float | None = None
     shop: Shop = DEFAULT_SHOP
     anyway: bool = False
-
-    def base_plates(self, model: Model) -> tuple[BasePlate, ...]:
-        """The base plate, or the two with a gap that are asked for."""
-        if self.base is None:
-            return ()
-        sheet, options, _ = self.base
-        made = {"shop": self.shop, "anyway": self.anyway, **options}
-        if "gap" in options:
-            return plate_pair(model.placed, sheet, **made)
-        return (model.base_plate(sheet, **made),)
-
-    def slotted_frame(self, model: Model) -> SlottedFrame | None:
-        """The slotted frame, where one is asked for."""
-        if self.frame is None:
-            return None
-        sheet, options, _ = self.frame
-        return model.slotted_frame(sheet, shop=self.shop, anyway=self.anyway, **options)
-
-    def end_fixtures(self, model: Model) -> tuple[EndFixture, ...]:
-        """The fixtures, where they are asked for."""
-        return () if self.fixtures is None else model.fixtures(**self.fixtures)
 
     def extras(self, model: Model) -> tuple[Piece, ...]:
         """Coupons of the model's sheets and the reference bar, where they are asked for."""

@@ -1,9 +1,11 @@
 """What a design file says about all that goes with its strips: joints, base, fixtures, sheets, cutting."""
 
+from collections.abc import Iterator
 from typing import Any
 
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
-from elastica_cad.formats.design_files.kit_spec import Cutting, KitSpec, Nesting
+from elastica_cad.fabrication.holders.placed_tab import ENDS
+from elastica_cad.formats.design_files.kit_spec import Cutting, HolderKind, HolderSpec, KitSpec, Nesting
 from elastica_cad.formats.design_files.strip_records import find_sheet, read_shop
 from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.formats.drawing_files.dxf_drawing import DXF_VERSIONS
@@ -27,9 +29,7 @@ def read_kit(top: Table, sheets: dict[str, Sheet]) -> KitSpec:
     return KitSpec(
         nesting=nesting,
         cutting=_read_cutting(top.table("cut")),
-        base=_read_base(top.table("base"), sheets, nesting) if top.has("base") else None,
-        frame=_read_frame(top.table("frame"), sheets, nesting) if top.has("frame") else None,
-        fixtures=_read_fixtures(top.table("fixtures")) if top.has("fixtures") else None,
+        holders=tuple(_read_holders(top, sheets, nesting)),
         coupon=extras.flag("coupon"),
         reference_bar=extras.maybe("reference_bar"),
         shop=read_shop(top.table("shop")),
@@ -37,37 +37,60 @@ def read_kit(top: Table, sheets: dict[str, Sheet]) -> KitSpec:
     )
 
 
-def _read_fixtures(table: Table) -> dict[str, Any]:
-    """Options of `Model.fixtures`."""
-    sizes = ("clearance", "wall", "foot", "foot_height", "screw")
-    table.only("floor", *sizes)
+HOLDER_SIZES: dict[HolderKind, tuple[str, ...]] = {
+    "base": ("play", "clearance", "slot_width", "border", "gap"),
+    "rings": ("play", "clearance", "border"),
+    "frame": ("depth", "tongue", "play", "clearance", "border"),
+    "fixtures": ("clearance", "wall", "foot", "foot_height", "screw"),
+    "stand": (),
+}
+"""Lengths that a holder may be given, in the order in which kits hold them."""
+
+OWN_KEYS = {
+    "base": ("height", "shape", "ends", "name"), "rings": ("shape", "ends", "name"), "frame": ("ribs",),
+    "fixtures": ("floor", "ends"), "stand": (),
+}  # fmt: skip
+
+
+def _read_holders(top: Table, sheets: dict[str, Sheet], nesting: Nesting) -> Iterator[HolderSpec]:
+    """Base plates, rings, frames, fixtures: one table of each, or a list of them."""
+    for kind in HOLDER_SIZES:
+        if isinstance(top.raw(kind), list):
+            tables = top.tables(kind)
+        else:
+            tables = [top.table(kind)] if top.has(kind) else []
+        for number, table in enumerate(tables, start=1):
+            yield _read_holder(kind, table, number if len(tables) > 1 else 0, sheets, nesting)
+
+
+def _read_holder(
+    kind: HolderKind, table: Table, number: int, sheets: dict[str, Sheet], nesting: Nesting
+) -> HolderSpec:
+    """One of them; those of a list have numbers in their names unless they bring their own."""
+    sizes, own = HOLDER_SIZES[kind], OWN_KEYS[kind]
+    plates = () if kind == "fixtures" else ("sheet", "thickness", "sheet_size")
+    table.only("strips", *plates, *sizes, *own)
     options: dict[str, Any] = {**table.numbers(*sizes)}
+    if "name" in own and (number or table.has("name")):
+        options["name"] = table.text("name", f"{kind.removesuffix('s')}-{number}")
+    if table.has("ends"):
+        options["ends"] = (table.text("ends", choices=ENDS),)
+    if "shape" in own and table.has("shape"):
+        options["shape"] = table.text("shape", choices=("hull", "rectangle", "ring"))
+    if kind == "base":
+        options["frame"] = Frame((0.0, 0.0, table.number("height", 0.0)))
+    if kind == "frame":
+        options["ribs"] = table.count("ribs", 3)
     if table.has("floor"):
         options["floor"] = Frame((0.0, 0.0, table.number("floor")))
-    return options
-
-
-def _read_base(
-    table: Table, sheets: dict[str, Sheet], nesting: Nesting
-) -> tuple[Sheet, dict[str, Any], Nesting]:
-    """Sheet and options of the base plate, or of two with a gap, and the sheets they are cut from."""
-    sizes = ("play", "clearance", "slot_width", "border", "gap")
-    table.only("sheet", "thickness", "height", "shape", "sheet_size", *sizes)
-    options: dict[str, Any] = {**table.numbers(*sizes)}
-    options["frame"] = Frame((0.0, 0.0, table.number("height", 0.0)))
-    options["shape"] = table.text("shape", "hull", ("hull", "rectangle"))
-    return find_sheet(table, "sheet", sheets), options, _read_nesting(table, nesting)
-
-
-def _read_frame(
-    table: Table, sheets: dict[str, Sheet], nesting: Nesting
-) -> tuple[Sheet, dict[str, Any], Nesting]:
-    """Sheet and options of the slotted frame, and the sheets it is cut from."""
-    sizes = ("depth", "tongue", "play", "clearance", "border")
-    table.only("sheet", "thickness", "ribs", "sheet_size", *sizes)
-    options: dict[str, Any] = {**table.numbers(*sizes)}
-    options["ribs"] = table.count("ribs", 3)
-    return find_sheet(table, "sheet", sheets), options, _read_nesting(table, nesting)
+    return HolderSpec(
+        kind,
+        find_sheet(table, "sheet", sheets) if plates else None,
+        options,
+        _read_nesting(table, nesting),
+        table.texts("strips", ("*",)),
+        table.where,
+    )
 
 
 def _read_nesting(table: Table, usual: Nesting) -> Nesting:

@@ -140,6 +140,14 @@ class Table:
             raise InputError(f"{self.place(key)} is {value!r}: use one of {', '.join(choices)}")
         return value
 
+    def texts(self, key: str, default: Sequence[str]) -> tuple[str, ...]:
+        """A text, or a list of texts."""
+        value = self.raw(key, list(default))
+        rows = [value] if isinstance(value, str) else value
+        if not isinstance(rows, list) or not rows or not all(isinstance(row, str) for row in rows):
+            raise InputError(f"{self.place(key)} is {value!r}: it must be text in quotes, or a list of texts")
+        return tuple(rows)
+
     def flag(self, key: str, default: bool = False) -> bool:
         """True or false."""
         value = self.raw(key, default)

@@ -3,7 +3,7 @@
 import io
 import logging
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from importlib import import_module
 from threading import Lock
@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from elastica_cad.errors import InputError, MissingDependencyError
-from elastica_cad.fabrication.drawings.drawing import LAYERS, Drawing
+from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
+from elastica_cad.fabrication.drawings.drawing import SHEET, Drawing
 from elastica_cad.formats.drawing_files.curve_style import EXACT, check_curve_style, shape_path
 from elastica_cad.formats.drawing_files.layers import LayerChoice, LayerStyle, style_layers
 from elastica_cad.geometry.paths.path import Path
@@ -77,7 +77,7 @@ def encode_dxf(
         curves = "arc" if curves in ("spline", EXACT) else curves
     bounds = drawing.bounds
     with _plain_ezdxf():
-        document = _new_document(version, styles, bounds)
+        document = _new_document(version, styles, drawing.layers, bounds)
         _Writer(document, curves, tolerance).draw(drawing, styles)
         _sort_classes(document)
         stream = io.StringIO()
@@ -151,15 +151,19 @@ def _up_to_half_turns(segment: Segment) -> list[Segment]:
     return [segment]
 
 
-def _new_document(version: str, styles: Mapping[str, LayerStyle], bounds: np.ndarray) -> "Document":
+def _new_document(
+    version: str, styles: Mapping[str, LayerStyle], layers: Sequence[str], bounds: np.ndarray
+) -> "Document":
     ezdxf = _ezdxf()
     document: Document = ezdxf.new(version, setup=False, units=ezdxf.units.MM)
-    for layer in LAYERS:
+    for layer in layers:
         style = styles[layer]
         index = _nearest_index(style.rgb)
         row = document.layers.add(style.name, color=index)
         if version in _TRUE_COLOR and ezdxf.colors.aci2rgb(index) != style.rgb:
             row.rgb = style.rgb
+        if layer == SHEET and version != "R12":
+            row.dxf.plot = 0  # seen, not worked
     low, high = bounds
     document.modelspace().reset_extents((*low, 0.0), (*high, 0.0))
     width, height = high - low
@@ -194,7 +198,7 @@ def _ezdxf() -> Any:
     try:
         return import_module("ezdxf")
     except ImportError:
-        raise MissingDependencyError("writing DXF needs ezdxf: pip install ezdxf") from None
+        raise MissingDependencyError(f"writing DXF needs ezdxf: {how_to_install('ezdxf')}") from None
 
 
 @contextmanager

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, LAYERS, MARK
+from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, LAYERS, MARK, SHEET
 
 
 @dataclass(frozen=True)
@@ -44,6 +44,7 @@ _STANDARD = {
     CUT_INNER: LayerStyle(CUT_INNER, "#0000ff"),
     ENGRAVE: LayerStyle(ENGRAVE, "#000000"),
     MARK: LayerStyle(MARK, "#00ff00"),
+    SHEET: LayerStyle(SHEET, "#808080"),
 }
 
 

@@ -21,7 +21,7 @@ def write_together(
     folder : path-like
         Where the files are to be; made if need be.
     names : iterable of str
-        File names that the block will write into the folder it is given.
+        File names that the block will write into the folder it is given, in folders of their own where they have /.
     force : bool
         Overwrite files of those names.
 
@@ -49,13 +49,21 @@ def write_together(
         raise InputError(f"{folder} is a file, not a folder: choose another folder for the files")
     if target.is_dir():
         for name in names:
-            check_target(target / name, force=force)
+            folders = [one for one in (target / name).parents if one.exists() and not one.is_dir()]
+            if folders:
+                raise InputError(
+                    f"{folders[0]} is a file, and a folder is to be there: choose another folder"
+                )
+            if (target / name).parent.is_dir():
+                check_target(target / name, force=force)
     ground = next(parent for parent in (target, *target.parents) if parent.is_dir())
     try:
         with TemporaryDirectory(prefix=".elastica-", dir=ground) as workshop:
-            yield Path(workshop)
-            target.mkdir(parents=True, exist_ok=True)
             for name in names:
+                Path(workshop, name).parent.mkdir(parents=True, exist_ok=True)
+            yield Path(workshop)
+            for name in names:
+                (target / name).parent.mkdir(parents=True, exist_ok=True)
                 os.replace(Path(workshop, name), target / name)
     except OSError as problem:
         reason = "no permission" if isinstance(problem, PermissionError) else problem.strerror or str(problem)

@@ -2,9 +2,16 @@
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from contextvars import ContextVar
 from pathlib import Path
+from typing import TypeAlias
 
 from elastica_cad.errors import InputError, NotConvergedError
+
+FileMark: TypeAlias = tuple[int, int, int] | None
+"""What changes when a file does: time, size and number on the disk; None where there is no file."""
+
+_read: ContextVar[dict[Path, FileMark] | None] = ContextVar("files read", default=None)
 
 LARGEST_FILE = 256 * 2**20
 """Bytes."""
@@ -30,7 +37,9 @@ def require_file(path: str | Path) -> Path:
     InputError
         Nothing there, a folder, no permission, no bytes, or more than are read.
     """
-    path = Path(path)
+    path, noted = Path(path), _read.get()
+    if noted is not None:
+        noted.setdefault(path.absolute(), mark_file(path))
     if path.is_dir():
         raise InputError(f"{path} is a folder: name one file in it")
     try:
@@ -50,6 +59,26 @@ def require_file(path: str | Path) -> Path:
             "curve, or simplify it"
         )
     return path
+
+
+def mark_file(path: Path) -> FileMark:
+    """The file's mark: two that are equal are of the same contents."""
+    try:
+        found = path.stat()
+    except OSError:
+        return None
+    return found.st_mtime_ns, found.st_size, found.st_ino
+
+
+@contextmanager
+def note_reads() -> Iterator[dict[Path, FileMark]]:
+    """The files that the block asks for with `require_file`, with their marks just before they were read."""
+    noted: dict[Path, FileMark] = {}
+    token = _read.set(noted)
+    try:
+        yield noted
+    finally:
+        _read.reset(token)
 
 
 def look_up_unit(unit: str) -> float:

@@ -71,6 +71,7 @@ def report_model(
                 "pieces": nest.counts,
                 "grain": nest.grain,
                 "filled": round_numbers(nest.filled / nest.used),
+                "share": round_numbers(nest.share),
             }
             for nest in nests
         ],

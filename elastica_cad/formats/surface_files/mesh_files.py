@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
-from elastica_cad.errors import InputError, MissingDependencyError
+from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
 from elastica_cad.formats.file_access.source_file import look_up_unit, name_source, require_file
 from elastica_cad.forming.plane_sections.triangle_mesh import Mesh
 
@@ -59,7 +59,7 @@ def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) 
         from trimesh import load
     except ImportError as error:
         raise MissingDependencyError(
-            f'reading {path.name} needs trimesh: pip install "elastica-cad[mesh]"'
+            f"reading {path.name} needs trimesh: {how_to_install('elastica-cad[mesh]')}"
         ) from error
     with name_source(path):
         try:

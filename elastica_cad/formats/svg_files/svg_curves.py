@@ -10,7 +10,7 @@ from xml.etree import ElementTree
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import InputError, MissingDependencyError
+from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
 from elastica_cad.formats.curve_files.chains import FIT_TOLERANCE, JOIN_TOLERANCE
 from elastica_cad.formats.curve_files.drawn_file import CurveList, DrawnFile, collect_curves
 from elastica_cad.formats.curve_files.edges import Edge, Run, Source
@@ -105,7 +105,7 @@ def _runs(path: Path, tree: SvgTree, to_mm: FloatArray) -> Iterator[Run]:
         from svgelements import SVG, Matrix, Shape
     except ImportError as error:
         raise MissingDependencyError(
-            f"reading {path.name} needs svgelements, which is not installed: pip install svgelements"
+            f"reading {path.name} needs svgelements, which is not installed: {how_to_install('svgelements')}"
         ) from error
     read: dict[int, PathData] = {}
     bad: dict[int, InputError] = {}

@@ -1,14 +1,20 @@
 """`elastica model` as a user meets it: one folder of files, messages, exit codes."""
 
 import json
+import re
+from urllib.parse import unquote
 
+import numpy as np
 import pytest
 from click.testing import CliRunner
 
 import elastica_cad as ec
 from elastica_cad.cli.commands import elastica
+from elastica_cad.fabrication.model.assembly_steps import list_assembly_steps
 from elastica_cad.formats.curve_files.json_curves import curves_json
 from elastica_cad.formats.design_files.design_file import read_design
+from elastica_cad.kit import kit_of
+from elastica_cad.plot.assembly_sheet import save_assembly_sheet
 
 DESIGN = """
 schema = 1
@@ -51,28 +57,33 @@ def test_a_model_becomes_one_folder(design, tmp_path):
     result = run("model", design, "-o", out)
     assert result.exit_code == 0, result.output
     assert "kit: 2 strips (2 different), 0 joints; 3 pieces" in result.output
-    names = {path.name for path in out.iterdir()}
+    names = {path.relative_to(out).as_posix() for path in out.rglob("*") if path.is_file()}
     assert {
-        "kit.png",
+        "index.html",
+        "kit-assembly.pdf",
         "kit.json",
         "kit-cut-list.csv",
         "kit-cut-list.txt",
-        "K1_birch-plywood-0.8_0.8mm_x1.svg",
+        "model/kit.png",
+        "parts/K1_birch-plywood-0.8_0.8mm_x1.svg",
+        "parts/K1_birch-plywood-0.8_0.8mm_x1.mm.dxf",
+        "sheets/kit-nest-1-birch-plywood-0.8.mm.dxf",
     } <= names
-    assert {"K1_birch-plywood-0.8_0.8mm_x1.mm.dxf", "kit-nest-1-birch-plywood-0.8.mm.dxf"} <= names
     report = json.loads((out / "kit.json").read_text())
     assert set(report["files"]) == names
-    assert "kit-base_mdf-3_3mm_x1.mm.dxf" in (out / "kit-cut-list.txt").read_text()
-    if "kit.step" in names:
-        text = (out / "kit.step").read_text()
+    assert "parts/kit-base_mdf-3_3mm_x1.mm.dxf" in (out / "kit-cut-list.txt").read_text()
+    if "model/kit.step" in names:
+        text = (out / "model" / "kit.step").read_text()
         assert all(f"'{name}'" in text for name in ("K1", "K2", "base", "fixture K1:1", "fixture K2:2"))
 
 
 def test_the_same_design_gives_the_same_files(design, tmp_path):
     for folder in ("one", "two"):
         assert run("model", design, "-o", tmp_path / folder, "--no-step", "--no-pictures").exit_code == 0
-    for path in (tmp_path / "one").iterdir():
-        assert path.read_bytes() == (tmp_path / "two" / path.name).read_bytes()
+    written = [path for path in (tmp_path / "one").rglob("*") if path.is_file()]
+    assert len(written) > 10
+    for path in written:
+        assert path.read_bytes() == (tmp_path / "two" / path.relative_to(tmp_path / "one")).read_bytes()
 
 
 def test_nothing_is_left_of_a_model_that_fails(design, tmp_path):
@@ -119,7 +130,7 @@ def test_file_names_suit_every_system(design, tmp_path):
     design.write_text(text.replace('"K{i}"', '"K/{i}"') + own)
     result = run("model", design, "-o", tmp_path / "out", "--no-step", "--no-pictures")
     assert result.exit_code == 0, result.output
-    names = {path.name for path in (tmp_path / "out").iterdir()}
+    names = {path.name for path in (tmp_path / "out").rglob("*")}
     assert {"my-kit-2.json", "my-kit-2-nest-1-felt-1-2.svg", "K-1_felt-1-2_1mm_x1.svg"} <= names
     second = "\n[[strips]]\nlabel = 'k1'\ncurve.ellipse = { semi_axes = [150, 100], start = 0.1, end = 2 }\n"
     design.write_text(DESIGN + second)
@@ -182,10 +193,10 @@ def test_the_sheets_alone(crossed, tmp_path):
     assert "strays" not in result.output
     sheet = "crossed-nest-1-birch-plywood-0.8"
     ends = ("-cut-list.csv", "-cut-list.txt", ".json")
-    assert {path.name for path in out.iterdir()} == {
-        f"{sheet}.dxf", f"{sheet}.svg", *(f"crossed{end}" for end in ends)
+    assert {path.relative_to(out).as_posix() for path in out.rglob("*") if path.is_file()} == {
+        "index.html", f"sheets/{sheet}.dxf", f"sheets/{sheet}.svg", *(f"crossed{end}" for end in ends)
     }  # fmt: skip
-    assert (out / "crossed-cut-list.csv").read_text().count(f"{sheet}.dxf") == 2
+    assert (out / "crossed-cut-list.csv").read_text().count(f"sheets/{sheet}.dxf") == 2
     report = json.loads((out / "crossed.json").read_text())
     assert not report["held"]
 
@@ -198,7 +209,7 @@ def test_bridges_hold_the_parts(crossed, drawn, tmp_path):
         out = tmp_path / f"out{width}"
         result = run("model", crossed, "-o", out, "--no-step", "--no-pictures", "--no-effects", *given)
         assert result.exit_code == 0, result.output
-        (part,) = out.glob("A_*.dxf")
+        (part,) = out.glob("parts/A_*.dxf")
         cuts = [e for e in ezdxf.readfile(part).modelspace() if e.dxf.layer == "CUT_OUTER"]
         assert cuts
         assert not any(cut.dxftype() == "LWPOLYLINE" and cut.closed for cut in cuts)
@@ -238,3 +249,68 @@ def test_the_stock_of_a_design_holds_for_its_plates_too(design, tmp_path):
     refused = run("model", design, "-o", tmp_path / "out")
     assert refused.exit_code == 2
     assert "base: 324.3 x 147.5 mm is larger than the stock of 600 x 120 mm in mdf-3" in refused.output
+
+
+def test_the_start_page_shows_and_links_every_file(design, tmp_path):
+    out = tmp_path / "out"
+    assert run("model", design, "-o", out, "--no-step").exit_code == 0
+    page = (out / "index.html").read_text(encoding="utf-8")
+    linked = {unquote(one) for one in re.findall(r'(?:href|src)="([^"]+)"', page)}
+    written = {path.relative_to(out).as_posix() for path in out.rglob("*") if path.is_file()}
+    assert linked == written - {"index.html"}
+    assert "kit-nest-1-birch-plywood-0.8: 2 pieces take 8 % of a sheet of 600 by 400 mm." in page
+
+
+def test_base_and_strips_carry_matching_numbers(design):
+    read = read_design(design, ec.read_curves)
+    kit = kit_of(read.model(), read.kit)
+    engraved = {piece.name: [text.text for text in piece.drawing.texts] for piece in kit.pieces}
+    assert engraved["K1"] == ["K1", "1", "2"]
+    assert engraved["kit-base"] == ["K1:1", "K1:2", "K2:1", "K2:2"]
+    (piece,) = (piece for piece in kit.pieces if piece.name == "K1")
+    first, second = (text.position[0] for text in piece.drawing.texts[1:])
+    assert 0 < first < 15
+    assert second > piece.bounds[1, 0] - 30
+    steps = list_assembly_steps(kit.model, kit.holders)
+    assert steps[1].ends == ("slot K2:1 of base and block K2:1", "slot K2:2 of base and block K2:2")
+
+
+def test_a_nested_sheet_has_a_border_and_tells_its_share(design, tmp_path):
+    import ezdxf
+
+    out = tmp_path / "out"
+    design.write_text(DESIGN.replace('version = "R12"', ""))
+    said = run("model", design, "-o", out, "--no-step", "--no-pictures").output
+    assert "kit-nest-1-birch-plywood-0.8: 2 pieces, 8 % of the sheet," in said
+    document = ezdxf.readfile(out / "sheets" / "kit-nest-1-birch-plywood-0.8.dxf")
+    (border,) = (one for one in document.modelspace() if one.dxf.layer == "SHEET")
+    assert border.closed
+    corners = np.array(border.get_points("xy"))
+    assert (corners.min(axis=0).tolist(), corners.max(axis=0).tolist()) == ([0, 0], [600, 400])
+    assert document.layers.get("SHEET").dxf.plot == 0
+    part = ezdxf.readfile(next((out / "parts").glob("K1_*.dxf")))
+    assert "SHEET" not in part.layers
+
+
+def test_the_assembly_sheet_names_every_end(design, tmp_path):
+    out = tmp_path / "out"
+    assert run("model", design, "-o", out, "--no-step").exit_code == 0
+    steps = save_assembly_sheet(read_design(design, ec.read_curves).model(), tmp_path / "alone.pdf")
+    assert [step.ends for step in steps] == [("free", "free")] * 2
+    content = (out / "kit-assembly.pdf").read_bytes()
+    assert content.startswith(b"%PDF")
+    assert content.count(b"/Type /Page ") == 3
+
+
+def test_the_model_is_written_for_screens(design, tmp_path):
+    pytest.importorskip("OCP")
+    import trimesh
+
+    out = tmp_path / "out"
+    assert run("model", design, "-o", out, "--no-pictures").exit_code == 0
+    scene = trimesh.load(out / "model" / "kit.glb")
+    names = {str(name) for name in scene.graph.nodes}
+    assert {"K1", "K2", "base", "fixture K1:1"} <= names
+    low, high = scene.bounds * 1000  # y is up, in m
+    assert high[1] == pytest.approx(100.4, abs=0.2)
+    assert low[1] < 0

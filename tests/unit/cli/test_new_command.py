@@ -1,6 +1,7 @@
 """`elastica new KIND`: every file it writes runs as it is."""
 
 import json
+import shlex
 import subprocess
 import sys
 
@@ -19,12 +20,13 @@ def typed(*words, cwd):
 def test_written_and_made(kind, tmp_path):
     wrote = typed("new", kind, cwd=tmp_path)
     assert wrote.returncode == 0, wrote.stderr
-    next_command = wrote.stdout.splitlines()[-1].removeprefix("next: elastica ").split()
-    made = typed(*next_command, "--no-step", "--no-pictures", "--no-effects", cwd=tmp_path)
+    command = shlex.split(wrote.stdout.splitlines()[-1].removeprefix("next: "))
+    command += ["--no-step", "--no-pictures", "--no-effects"]
+    made = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert made.returncode == 0, made.stderr
     report = json.loads((tmp_path / f"{kind}-kit" / f"{kind}.json").read_text())
     assert report["name"] == kind
-    assert list((tmp_path / f"{kind}-kit").glob("*nest*.dxf"))
+    assert list((tmp_path / f"{kind}-kit").glob("sheets/*nest*.dxf"))
 
 
 def test_nothing_is_overwritten_unasked(tmp_path):

@@ -29,7 +29,7 @@ def test_the_command_that_is_told_works(name, tmp_path):
     refused = typed(words, tmp_path)
     assert refused.returncode in (1, 2)
     assert not (tmp_path / "out").exists()
-    (command, said) = re.search(r"This works: `elastica ([^`]*)` (.*)", refused.stderr).groups()
+    (command, said) = re.search(r"This works: `.* -m elastica_cad ([^`]*)` (.*)", refused.stderr).groups()
     made = typed(shlex.split(command), tmp_path)
     assert made.returncode == 0, made.stderr
     far = float(re.search(r"to within ([0-9.]+) mm", said)[1])
@@ -46,7 +46,7 @@ def test_a_wider_strip_is_told_where_the_sheet_asks_for_one(tmp_path):
     )
     assert refused.returncode == 2
     assert "mm wide at" in refused.stderr
-    (command,) = re.findall(r"This works: `elastica ([^`]*)`", refused.stderr)
+    (command,) = re.findall(r"This works: `.* -m elastica_cad ([^`]*)`", refused.stderr)
     assert "--max-width 4" in command
     made = typed(shlex.split(command), tmp_path)
     assert made.returncode == 0, made.stderr

@@ -104,13 +104,13 @@ def test_bolts_go_through_both(globe):
 
 def test_rings_are_among_the_files(vase, tmp_path, check_drawing_file):
     ec.save_model(vase, tmp_path / "vase", step=False, pictures=False)
-    names = {path.name for path in (tmp_path / "vase").iterdir()}
+    names = {path.name for path in (tmp_path / "vase").rglob("*")}
     assert {
         "ring-start_hdf-1.5_1.5mm_x1.dxf",
         "ring-end_hdf-1.5_1.5mm_x1.dxf",
         "vase-nest-1-hdf-1.5.dxf",
     } <= names
-    curves = check_drawing_file(tmp_path / "vase" / "ring-start_hdf-1.5_1.5mm_x1.dxf")
+    curves = check_drawing_file(tmp_path / "vase" / "parts" / "ring-start_hdf-1.5_1.5mm_x1.dxf")
     assert sum(curve.layer == "CUT_INNER" for curve in curves) == 21
     report = json.loads((tmp_path / "vase" / "vase.json").read_text())
     assert report["pieces"] == 22

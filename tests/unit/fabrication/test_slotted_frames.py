@@ -122,7 +122,7 @@ def test_frames_turn_with_the_model(model, frame):
     [
         (row(100, 96), {"ribs": 1}, "a frame of 1 ribs"),
         (row(100, 96), {"depth": 0}, "frame depth is 0"),
-        (row(100, 96, tab=1), {}, "rail-start: the tab of H1:1 ends 0 mm in front of the rail or within it"),
+        (row(100, 96, tab=1), {}, "rail-start: the tab of H1:1 ends 0 mm in front of the plate or within it"),
         (Model([Placed(arch("A")), Placed(arch("B"), (0, 0, 200), (-1, 0, 0), (0, -1, 0))]), {},
          "rail-start: the tabs point in too many directions"),
         (Model([Placed(arch("A")), Placed(arch("B"), (0, 0, 3))]), {}, "the slots of A:1 and B:1 run into"),

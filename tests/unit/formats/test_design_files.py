@@ -157,10 +157,10 @@ def test_own_sheets_extras_and_base(read):
     assert [piece.name for piece in design.kit.extras(design.model())] == ["coupon", "reference-bar"]
     assert design.kit.cutting.kerf is None
     assert design.kit.nesting.sheet_size == (500, 300)
-    (base,) = design.kit.base_plates(design.model())
+    (base,), _ = design.kit.holders[0].made(design.model())
     assert base.frame.origin[2] == 11
     assert len(base.slots) == 2
-    assert design.kit.base[2].sheet_size == (900, 400)
+    assert design.kit.holders[0].nesting.sheet_size == (900, 400)
 
 
 def test_frames_and_fixtures(read):
@@ -170,12 +170,57 @@ def test_frames_and_fixtures(read):
         "[frame]\nsheet = 'mdf-3'\nribs = 2\ndepth = 15\n[fixtures]\nwall = 3\nfloor = -60\n"
     )
     model = design.model()
-    frame = design.kit.slotted_frame(model)
-    assert [piece.name for piece in frame.pieces] == ["rail-start", "rail-end", "rib-1", "rib-2"]
-    assert design.kit.base_plates(model) == ()
-    fixtures = model.fixtures(**design.kit.fixtures)
+    plates, fixtures = (holder.made(model)[0] for holder in design.kit.holders)
+    assert [plate.name for plate in plates] == ["rail-start", "rail-end", "rib-1", "rib-2"]
     assert [fixture.number for fixture in fixtures] == ["F1:1", "F1:2", "F2:1", "F2:2", "F3:1", "F3:2"]
     assert all(fixture.wall == 3 and fixture.floor.origin[2] == -60 for fixture in fixtures)
+
+
+RIB = "curve.spline = [[60, 0], [90, 60], [90, 120], [60, 180]]\ncurve.degree = 3\n"
+AROUND = (
+    "[[strips]]\ncount = 6\nlabel = 'R{i}'\nlet.t = '60 * i * degrees'\nx_axis = ['cos(t)', 'sin(t)', 0]\n"
+    f"y_axis = [0, 0, 1]\n{RIB}"
+)
+
+
+def test_rings_and_bases_for_some_of_the_strips(read):
+    design = read(
+        HEAD + f"ends.length = 12\n{AROUND}[rings]\nsheet = 'hdf-1.5'\n"
+        "[[base]]\nsheet = 'hdf-1.5'\nstrips = ['R1', 'R2', 'R3']\nends = 'start'\n"
+        "[[base]]\nsheet = 'card-200gsm'\nstrips = 'R[456]'\nname = 'foot'\nshape = 'ring'\n"
+    )
+    model = design.model()
+    plates = [plate for holder in design.kit.holders for plate in holder.made(model)[0]]
+    assert [plate.name for plate in plates] == ["base-1", "foot", "ring-start", "ring-end"]
+    assert [slot.name for slot in plates[0].slots] == ["R1:1", "R2:1", "R3:1"]
+    assert [slot.name for slot in plates[2].slots] == [f"R{i}:1" for i in range(1, 7)]
+    for ring in plates[2:]:
+        inner, outer = ring.opening.bounds, ring.outline.bounds
+        assert np.all(inner[0] > outer[0] + 16)
+        assert np.all(inner[1] < outer[1] - 16)
+        x, y = np.concatenate([slot.corners for slot in ring.slots]).T
+        assert np.hypot(x, y).max() < outer[1].max() - 7.9
+    (holder,) = read(HEAD + f"{AROUND}[rings]\nsheet = 'hdf-1.5'\nstrips = 'Q*'\n").kit.holders
+    with pytest.raises(InputError, match=r"rings: no strip is called Q\*: there are R1, R2"):
+        holder.made(model)
+
+
+def test_a_stand_is_the_simplest_holder_that_takes_all_tabs(read):
+    arches = f"[[strips]]\ncount = 3\nlabel = 'A{{i}}'\norigin = [0, '50 * i', 0]\n{ARC}\n"
+    turned = arches.replace("end = 2.9", "end = 2.9, rotation = '0.12 * i'")
+    for strips, said, names in (
+        (arches, "stands on one plate", ["base"]),
+        (AROUND, "held by two plates", ["ring-low", "ring-high"]),
+        (turned, "held by a slotted frame", ["rail-start", "rail-end", "rib-1", "rib-2", "rib-3"]),
+    ):
+        design = read(HEAD + f"ends.length = 9\n{strips}[stand]\nsheet = 'hdf-1.5'\n")
+        plates, sentence = design.kit.holders[0].made(design.model())
+        assert [plate.name for plate in plates] == names
+        assert sentence.endswith(said)
+    bare = read(HEAD + f"ends.length = 0\n{arches}[stand]\nsheet = 'hdf-1.5'\n")
+    (holder,), model = bare.kit.holders, bare.model()
+    with pytest.raises(InputError, match="nothing can hold strips without tabs"):
+        holder.made(model)
 
 
 def test_equal_curves_are_solved_once(read):

@@ -3,13 +3,13 @@
 
 """Cutting files; where ezdxf is missing, DXF of version R12: closed polylines of lines and arcs on layers, mm."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from importlib.util import find_spec
 from pathlib import Path as FilePath
 
 import numpy as np
 
-from elastica_cad.fabrication.drawings.drawing import LAYERS, Drawing
+from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.drawings.kerf import compensate_kerf
 from elastica_cad.formats.drawing_files.curve_style import shape_path
 from elastica_cad.formats.drawing_files.layers import LayerStyle, style_layers
@@ -46,7 +46,7 @@ def plain_dxf(drawing: Drawing, *, curves: str = "arc", tolerance: float = 0.02)
     groups = [
         (999, "all lengths in mm"),
         *_section("HEADER", _header(bounds)),
-        *_section("TABLES", _layers(styles)),
+        *_section("TABLES", _layers(styles, drawing.layers)),
         *_section("ENTITIES", _entities(drawing, styles, style, tolerance)),
         (0, "EOF"),
     ]
@@ -73,9 +73,9 @@ def _header(bounds: np.ndarray) -> Iterator[Group]:
         yield from ((10, x), (20, y), (30, 0.0))
 
 
-def _layers(styles: Mapping[str, LayerStyle]) -> Iterator[Group]:
-    yield from ((0, "TABLE"), (2, "LAYER"), (70, len(LAYERS)))
-    for layer in LAYERS:
+def _layers(styles: Mapping[str, LayerStyle], layers: Sequence[str]) -> Iterator[Group]:
+    yield from ((0, "TABLE"), (2, "LAYER"), (70, len(layers)))
+    for layer in layers:
         style = styles[layer]
         yield from ((0, "LAYER"), (2, style.name), (70, 0), (62, INKS.get(style.rgb, 7)), (6, "CONTINUOUS"))
     yield 0, "ENDTAB"

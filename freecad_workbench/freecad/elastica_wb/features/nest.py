@@ -34,16 +34,12 @@ class NestFeature(Feature):
         sheets = nest_pieces(pieces_of(obj.Sources), sheet_size=size, margin=obj.Margin.Value)
         wires = []
         for i, sheet in enumerate(sheets):
-            border = Part.makePolygon([App.Vector(x * size[0], y * size[1], 0) for x, y in CORNERS])
-            drawn = [border, *(make_wire(item.path) for item in sheet.paths)]
+            drawn = [make_wire(item.path) for item in sheet.paths]
             for wire in drawn:
                 wire.translate(App.Vector(i * (size[0] + SHEET_GAP_MM), 0, 0))
             wires += drawn
         obj.Shape = Part.Compound(wires)
         put(obj, Sheets=len(sheets))
-
-
-CORNERS = ((0, 0), (1, 0), (1, 1), (0, 1), (0, 0))  # of a sheet, in its sizes
 
 
 def create(document: Any, sources: list[Any]) -> Any:

@@ -1,0 +1,149 @@
+"""What a command says: lines for people as it goes, or at its end one JSON record for programs."""
+
+import json
+import sys
+import time
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, fields, is_dataclass
+from enum import Enum
+from pathlib import PurePath
+from typing import Any
+
+import click
+import numpy as np
+
+from elastica_cad.formats.reports.strip_report import round_numbers
+
+_KEY = "elastica.voice"
+
+
+@dataclass
+class Voice:
+    """How the running command speaks, and what it has to say to programs.
+
+    Attributes
+    ----------
+    command : str
+        Its schema is "elastica-COMMAND/1".
+    as_json, quiet, verbose : bool
+        One record instead of lines; problems only; every step and all notes.
+    """
+
+    command: str
+    as_json: bool = False
+    quiet: bool = False
+    verbose: bool = False
+    record: dict[str, Any] | list[dict[str, Any]] = field(default_factory=dict)
+    notes: list[str] = field(default_factory=list)
+    files: list[str] = field(default_factory=list)
+    since: float = field(default_factory=time.perf_counter)
+
+    @property
+    def schema(self) -> str:
+        """Of its record."""
+        return f"elastica-{self.command}/1"
+
+    def begin(self) -> None:
+        """Nothing is said yet."""
+        self.record, self.notes, self.files = {}, [], []
+        self.since = time.perf_counter()
+
+    def conclude(self) -> None:
+        """Print the record, where one is asked for."""
+        _clear_step()
+        if not self.as_json:
+            return
+        if isinstance(self.record, list):
+            _print_json([{"schema": self.schema, **one} for one in self.record])
+        else:
+            told = {"notes": self.notes, "files": self.files}
+            _print_json({"schema": self.schema, **self.record, **told})
+
+    def refuse(self, sentence: str, code: int) -> None:
+        """Say why there is no answer."""
+        _clear_step()
+        click.echo(sentence, err=True)
+        if self.as_json:
+            _print_json(
+                {"schema": "elastica-error/1", "command": self.command, "error": sentence, "exit_code": code}
+            )
+
+
+def voice() -> Voice:
+    """That of the running command."""
+    ctx = click.get_current_context()
+    found: Voice = ctx.meta.setdefault(_KEY, Voice(ctx.info_name or "elastica"))
+    return found
+
+
+def say(text: str = "") -> None:
+    """A line of the answer, for people."""
+    if not (voice().as_json or voice().quiet):
+        _clear_step()
+        click.echo(text)
+
+
+def warn(text: str) -> None:
+    """What people should know besides, on the other stream; programs find it among the notes."""
+    voice().notes.append(text)
+    if not voice().quiet:
+        _clear_step()
+        click.echo(text, err=True)
+
+
+def wrote(paths: Iterable[PurePath]) -> None:
+    """Files that are there now."""
+    for path in paths:
+        voice().files.append(str(path))
+        say(f"wrote {path}")
+
+
+def answer(record: Mapping[str, Any] | list[dict[str, Any]]) -> None:
+    """The answer for programs: records, arrays and paths become plain JSON."""
+    voice().record = _simplify(record)
+
+
+def say_step(text: str, number: int = 0, count: int = 0) -> None:
+    """What is being done, on the other stream: on a terminal one line that passes, with -v a line each."""
+    speaker = voice()
+    counted = f"{text} ({number} of {count})" if count > 1 else text
+    if speaker.verbose:
+        click.echo(f"{time.perf_counter() - speaker.since:7.2f} s  {counted}", err=True)
+    elif not (speaker.quiet or speaker.as_json) and sys.stderr.isatty():
+        click.echo(f"\r\x1b[2K{counted} ...", nl=False, err=True)
+
+
+def _clear_step() -> None:
+    if sys.stderr.isatty():
+        click.echo("\r\x1b[2K", nl=False, err=True)
+
+
+def _print_json(record: Any) -> None:
+    click.echo(json.dumps(record, indent=1, ensure_ascii=False))
+
+
+def _simplify(value: Any) -> Any:
+    """The value as JSON has it; numbers to ten digits, those that are not finite as null.
+
+    Examples
+    --------
+    >>> _simplify({"at": np.array([1.0, np.inf]), "file": PurePath("a.dxf")})
+    {'at': [1.0, None], 'file': 'a.dxf'}
+    """
+    if is_dataclass(value) and not isinstance(value, type):
+        return {one.name: _simplify(getattr(value, one.name)) for one in fields(value)}
+    if isinstance(value, Mapping):
+        return {str(key): _simplify(one) for key, one in value.items()}
+    if isinstance(value, np.ndarray):
+        return _simplify(value.tolist())
+    if isinstance(value, list | tuple):
+        return [_simplify(one) for one in value]
+    if isinstance(value, Enum):
+        return value.name.lower()
+    if isinstance(value, PurePath):
+        return str(value)
+    if isinstance(value, np.generic):
+        return _simplify(value.item())
+    if isinstance(value, float):
+        return round_numbers(value) if np.isfinite(value) else None
+    return value

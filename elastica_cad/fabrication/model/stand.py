@@ -1,0 +1,96 @@
+"""What makes a model stand: the simplest holder that takes all its tabs."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.holders.base_plate import BasePlate
+from elastica_cad.fabrication.holders.end_fixtures import EndFixture, end_fixtures
+from elastica_cad.fabrication.holders.end_plates import end_plates, facing_plates
+from elastica_cad.fabrication.holders.slotted_frame import Rib, slotted_frame
+from elastica_cad.fabrication.makeability.shop import Shop
+from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.mechanics.material.sheet import Sheet
+
+LEAST_SPREAD = 0.2
+"""Two plates hold each other through the strips where slots spread at least so much across as along."""
+
+
+@dataclass(frozen=True, eq=False)
+class Stand:
+    """What holds the strips.
+
+    Attributes
+    ----------
+    holders : tuple of BasePlate, Rib or EndFixture
+    sentence : str
+        What they are, and where no plates hold all tabs, why.
+    """
+
+    holders: tuple[BasePlate | Rib | EndFixture, ...]
+    sentence: str
+
+
+def stand(placed: Sequence[Placed], sheet: Sheet, *, shop: Shop | None = None, anyway: bool = False) -> Stand:
+    """One plate for all tabs, or two that the strips hold apart, or a frame, or a block for every end.
+
+    Parameters
+    ----------
+    placed : sequence of Placed
+    sheet : Sheet
+        Of plates; blocks are printed.
+    shop : Shop, optional
+        What the workshop can make; plates that it cannot are passed by.
+    anyway : bool
+        Take them all the same.
+
+    Raises
+    ------
+    InputError
+        Strips without tabs.
+
+    Examples
+    --------
+    >>> from elastica_cad.fabrication.strip_spec import make_strip
+    >>> from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+    >>> arch = make_strip(PlaneCurve.arc((0, 0), 60, 3.1, 0.04), "birch-plywood-0.8", max_width=20)
+    >>> arches = [Placed(arch, (0, y, 0), (1, 0, 0), (0, 0, 1)) for y in (0, 40, 80)]
+    >>> print(stand(arches, Sheet.named("mdf-3")).sentence)
+    stands on one plate
+    """
+    gate: dict[str, Any] = {"shop": shop, "anyway": anyway}
+    ways: tuple[tuple[str, Callable[[], tuple[BasePlate | Rib, ...]]], ...] = (
+        ("stands on one plate", partial(end_plates, placed, sheet, together=True, name="base", **gate)),
+        ("held by two plates", partial(_plates_apart, placed, sheet, gate)),
+        ("held by a slotted frame", partial(_frame, placed, sheet, gate)),
+    )
+    problem = ""
+    for sentence, make in ways:
+        try:
+            return Stand(make(), sentence)
+        except InputError as error:
+            problem = str(error)
+    blocks = end_fixtures(placed)
+    if not blocks:
+        raise InputError(f"nothing can hold strips without tabs: give them ends of some length ({problem})")
+    return Stand(blocks, f"held by a printed block at every end, for plates cannot hold all tabs: {problem}")
+
+
+def _plates_apart(placed: Sequence[Placed], sheet: Sheet, gate: Mapping[str, Any]) -> tuple[BasePlate, ...]:
+    """Two plates, where strips stand around and so hold them apart."""
+    plates = facing_plates(placed, sheet, **gate)
+    for plate in plates:
+        centers = np.array([slot.corners.mean(axis=0) for slot in plate.slots])
+        long, short = np.linalg.svd(centers - centers.mean(axis=0), compute_uv=False)[:2]
+        if len(plate.slots) < 3 or short < LEAST_SPREAD * long:
+            raise InputError(f"{plate.name}: the slots lie in a row, so that the plate would tip")
+    return plates
+
+
+def _frame(placed: Sequence[Placed], sheet: Sheet, gate: Mapping[str, Any]) -> tuple[BasePlate | Rib, ...]:
+    made = slotted_frame(placed, sheet, **gate)
+    return (*made.rails, *made.ribs)

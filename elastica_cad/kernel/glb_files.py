@@ -1,0 +1,48 @@
+"""GLB files, which browsers, phones and Blender show: models written by OpenCASCADE's own exporter."""
+
+from collections.abc import Iterable
+from os import PathLike
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.model.assembly import Holder
+from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.formats.file_access.atomic_write import write_atomically
+from elastica_cad.kernel.occt import kernel
+from elastica_cad.kernel.step_files import make_document, model_shapes
+
+CHORD_MM, TURN_RAD = 0.1, 0.2
+"""How closely triangles follow faces: finer than a screen shows."""
+
+
+def write_model_glb(
+    model: Model, path: str | PathLike[str], *, others: Iterable[Holder] = (), force: bool = False
+) -> None:
+    """Write the bent strips of a model, in their places, to one GLB file: m, y up, named and coloured.
+
+    `others` are its base plates, frames and fixtures, if these are wanted in the file.
+
+    Raises
+    ------
+    InputError
+        A file that is there already (without `force`), or one that cannot be written.
+    """
+    k = kernel()
+    parts = model_shapes(model, others)
+    for part in parts:
+        k.BRepMesh_IncrementalMesh(getattr(part.shape, "wrapped", part.shape), CHORD_MM, False, TURN_RAD)
+    document = make_document(parts, name=model.name)
+    with TemporaryDirectory(prefix="elastica-") as folder:
+        file = Path(folder, "model.glb")
+        writer = k.RWGltf_CafWriter(k.TCollection_AsciiString(str(file)), True)
+        converter = writer.ChangeCoordinateSystemConverter()
+        converter.SetInputLengthUnit(0.001)
+        converter.SetInputCoordinateSystem(k.RWMesh_CoordinateSystem.RWMesh_CoordinateSystem_Zup)
+        converter.SetOutputLengthUnit(1.0)
+        converter.SetOutputCoordinateSystem(k.RWMesh_CoordinateSystem.RWMesh_CoordinateSystem_glTF)
+        about = k.Remarks()
+        if not writer.Perform(document, about, k.Message_ProgressRange()):
+            raise InputError("OpenCASCADE could not write this model as GLB: check that its parts are valid")
+        content = file.read_bytes()
+    write_atomically(path, content, force=force)

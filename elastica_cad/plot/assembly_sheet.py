@@ -1,0 +1,227 @@
+"""The assembly sheet: an exploded picture with numbered ends, and which strip goes where, in order, as PDF."""
+
+from collections.abc import Iterator, Sequence
+from io import BytesIO
+from os import PathLike
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import MissingDependencyError, how_to_install
+from elastica_cad.fabrication.holders.base_plate import BasePlate
+from elastica_cad.fabrication.holders.end_fixtures import EndFixture
+from elastica_cad.fabrication.holders.placed_tab import PlacedTab, place_tabs
+from elastica_cad.fabrication.holders.ring_plate import Ring
+from elastica_cad.fabrication.holders.slotted_frame import Rib, SlottedFrame
+from elastica_cad.fabrication.model.assembly import Holder
+from elastica_cad.fabrication.model.assembly_steps import AssemblyStep, list_assembly_steps
+from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.sheets.cut_list import CutList
+from elastica_cad.formats.file_access.atomic_write import write_atomically
+from elastica_cad.plot.canvas import INK
+from elastica_cad.plot.model_pictures import look_from, rule_strip
+
+PAGE_INCHES = (11.69, 8.27)  # A4 in landscape
+ELEVATION_DEG, AZIMUTH_DEG = 24.0, -60.0  # of the eye
+APART = 0.3  # of the model's extent: how far plates and blocks are drawn from the strips
+SPREAD = 0.25  # of its distance from the middle: how much further out each strip is drawn
+ROWS = 34  # of a table on a page
+EDGE_MM = 0.5  # how closely outlines are followed
+PLATE, HOLE, LEAD = "#d9c9a3", "#ffffff", "#c2452d"
+MOST_NUMBERS = 120  # more would cover the picture
+
+Plate: TypeAlias = BasePlate | Ring | Rib
+
+
+def save_assembly_sheet(
+    model: Model,
+    path: str | PathLike[str],
+    *,
+    holders: Sequence[Holder] = (),
+    cut_list: CutList | None = None,
+    force: bool = False,
+) -> tuple[AssemblyStep, ...]:
+    """Write a PDF for the bench: the model taken apart, numbered ends, order, places, and what is cut.
+
+    Parameters
+    ----------
+    model : Model
+        Its strips in the order of assembly.
+    path : path-like
+    holders : sequence of BasePlate, Ring, Rib, SlottedFrame or EndFixture
+        Besides the model's own plates.
+    cut_list : CutList, optional
+        Printed on the last pages.
+    force : bool
+        Overwrite a file of that name.
+
+    Returns
+    -------
+    tuple of AssemblyStep
+        The order that is printed.
+
+    Raises
+    ------
+    InputError
+        The file exists.
+    MissingDependencyError
+        matplotlib is not installed.
+    """
+    try:
+        from matplotlib.backends.backend_pdf import PdfPages
+    except ImportError as error:
+        raise MissingDependencyError(
+            f"assembly sheets need matplotlib: {how_to_install('matplotlib')}"
+        ) from error
+    steps = list_assembly_steps(model, holders)
+    stream = BytesIO()
+    with PdfPages(stream, metadata={"CreationDate": None, "Title": f"{model.name}: assembly"}) as pages:
+        for figure in _pages(model, holders, steps, cut_list):
+            pages.savefig(figure)
+    write_atomically(path, stream.getvalue(), force=force)
+    return steps
+
+
+def _pages(
+    model: Model, holders: Sequence[Holder], steps: Sequence[AssemblyStep], cut_list: CutList | None
+) -> Iterator[Any]:
+    yield _exploded(model, holders)
+    rows = [
+        (str(step.number), step.strip, step.part, *step.ends, ", ".join(step.locks_into)) for step in steps
+    ]
+    head = ("step", "strip", "cut as", "end 1 goes to", "end 2 goes to", "locks into")
+    yield from _tables(f"{model.name}: order of assembly", head, rows)
+    if cut_list is not None:
+        cut = [
+            (row.part, str(row.count), row.sheet, f"{row.length:.1f} x {row.width:.1f}", row.file)
+            for row in cut_list.rows
+        ]
+        yield from _tables(f"{model.name}: what is cut", ("part", "count", "sheet", "size, mm", "file"), cut)
+
+
+def _page(title: str) -> Any:
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=PAGE_INCHES)
+    figure.suptitle(title, x=0.05, y=0.96, ha="left", fontsize=13, color=INK)
+    return figure
+
+
+def _tables(title: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> Iterator[Any]:
+    """A page for every few rows; columns as wide as their longest words ask for."""
+    longest = [max(len(row[k]) for row in [head, *rows]) + 2 for k in range(len(head))]
+    left = 0.05 + 0.9 * np.concatenate([[0.0], np.cumsum(longest)[:-1]]) / sum(longest)
+    size = min(9.0, 9.0 * 150 / sum(longest))
+    for first in range(0, len(rows), ROWS):
+        figure = _page(title)
+        for line, row in enumerate([head, *rows[first : first + ROWS]]):
+            for x, text in zip(left, row, strict=True):
+                weight = "bold" if line == 0 else "normal"
+                y = 0.9 - 0.85 * line / (ROWS + 1)
+                figure.text(x, y, text, fontsize=size, color=INK, fontweight=weight)
+        yield figure
+
+
+def _exploded(model: Model, holders: Sequence[Holder]) -> Any:
+    """Strips spread out, holders drawn off their tabs, a line from every tab to where it goes."""
+    from matplotlib.collections import PolyCollection
+
+    bent = np.concatenate([one.frame.point(one.strip.rod.position) for one in model.placed])
+    middle, extent = bent.mean(axis=0), float(np.ptp(bent, axis=0).max())
+    toward = look_from(ELEVATION_DEG, AZIMUTH_DEG)
+    right = np.array([-np.sin(np.radians(AZIMUTH_DEG)), np.cos(np.radians(AZIMUTH_DEG)), 0.0])
+    screen = np.column_stack([right, np.cross(toward, right)])
+    figure = _page(f"{model.name}: {len(model.placed)} strips, taken apart")
+    axes = figure.add_axes((0.03, 0.03, 0.94, 0.87))
+    drawn: list[tuple[float, FloatArray, FloatArray | str]] = []
+    spread = []
+    for one in model.placed:
+        center = one.frame.point(one.strip.rod.position).mean(axis=0)
+        out = SPREAD * (center - middle)
+        spread.append(Placed(one.strip, one.origin + out, one.x_axis, one.y_axis))
+        patches, colors = rule_strip(spread[-1])
+        drawn += [(float(p.mean(axis=0) @ toward), p, c) for p, c in zip(patches, colors, strict=True)]
+    far = APART * extent
+    for outline, depth_at, color in _outlines([*model.plates, *holders], far):
+        drawn.append((float(depth_at @ toward), outline, color))
+    drawn.sort(key=lambda item: item[0])
+    axes.add_collection(
+        PolyCollection(
+            [shape @ screen for _, shape, _ in drawn],
+            facecolors=[color for _, _, color in drawn],
+            edgecolors=[INK if isinstance(color, str) else color for _, _, color in drawn],
+            linewidths=0.4,
+        )
+    )
+    numbered = len(model.placed) * 2 <= MOST_NUMBERS
+    targets = dict(_targets([*model.plates, *holders], far))
+    for tab in place_tabs(spread):
+        start = tab.tip @ screen
+        if tab.name in targets:
+            axes.plot(
+                *np.array([start, targets[tab.name] @ screen]).T, color=LEAD, linewidth=0.5, linestyle=":"
+            )
+        if numbered:
+            text = tab.name.removeprefix("strip ")
+            axes.text(*start, text, fontsize=6, color=INK, ha="center", va="center",
+                      bbox={"boxstyle": "round,pad=0.15", "fc": "white", "ec": LEAD, "lw": 0.4})  # fmt: skip
+    axes.autoscale_view()
+    axes.set_aspect("equal")
+    axes.set_axis_off()
+    return figure
+
+
+def _flat(holders: Sequence[Holder]) -> Iterator[Plate | EndFixture]:
+    for holder in holders:
+        if isinstance(holder, SlottedFrame):
+            yield from holder.rails
+            yield from holder.ribs
+        elif isinstance(holder, BasePlate | Ring | Rib | EndFixture):
+            yield holder
+
+
+def _outlines(holders: Sequence[Holder], far: float) -> Iterator[tuple[FloatArray, FloatArray, str]]:
+    """Loops (n, 3) of plates and blocks, drawn off by `far` mm, the place that tells their depth, their colour."""
+    for holder in _flat(holders):
+        shift = _shift(holder, far)
+        if isinstance(holder, EndFixture):
+            yield _block(holder.tab) + shift, holder.tab.tip + shift, PLATE
+            continue
+        solid = holder.solid
+        for k, path in enumerate((solid.outline, *solid.holes)):
+            points = path.points(EDGE_MM)
+            loop = solid.frame.point(np.column_stack([points, np.full(len(points), solid.thickness)])) + shift
+            if k == 0:
+                depth = loop.mean(axis=0)
+            above = 1e-6 * k * look_from(ELEVATION_DEG, AZIMUTH_DEG)
+            yield loop, depth + above, HOLE if k else PLATE
+
+
+def _shift(holder: Plate | EndFixture, far: float) -> FloatArray:
+    """Away from the strips; a rib further than the rails that it joins."""
+    if isinstance(holder, EndFixture):
+        return 0.5 * far * holder.tab.frame.x_axis
+    if isinstance(holder, Rib):
+        return np.array([0.0, 0.0, -1.6 * far])
+    return -far * holder.frame.z_axis
+
+
+def _block(tab: PlacedTab) -> FloatArray:
+    """A block's side along the tab, as a rectangle."""
+    half, long = tab.width / 2 + 4.0, tab.length + 4.0
+    corners = [(0.0, -half, 0.0), (long, -half, 0.0), (long, half, 0.0), (0.0, half, 0.0)]
+    return np.asarray(tab.frame.point(corners), dtype=float)
+
+
+def _targets(holders: Sequence[Holder], far: float) -> Iterator[tuple[str, FloatArray]]:
+    """Where each tab goes, as drawn."""
+    for holder in _flat(holders):
+        shift = _shift(holder, far)
+        if isinstance(holder, EndFixture):
+            yield holder.tab.name, holder.tab.frame.origin + shift
+        elif not isinstance(holder, Rib):
+            for slot in holder.slots:
+                x, y = slot.corners.mean(axis=0)
+                yield slot.name, holder.frame.point((x, y, 0.0)) + shift

@@ -1,0 +1,183 @@
+"""What every command does alike, as typed: JSON records as documented, silence, steps, inches, watching files."""
+
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+pytest.importorskip("click")
+
+ROOT = Path(__file__).resolve().parents[3]
+SHEET = ("--sheet", "birch-plywood-0.8")
+BOW = "2 4\n0 0\n40 60\n90 60\n130 0\n"
+TOLD = re.findall(
+    r"^\| `elastica-(\w+)/1` \| ([^|]+) \|", (ROOT / "docs" / "json.md").read_text(), re.MULTILINE
+)
+KEYS = {name: set(re.findall(r"`(\w+)`", keys)) for name, keys in TOLD}
+TYPED = {
+    "check": ("bow.txt",),
+    "strip": ("bow.txt", *SHEET, "--max-width", "20", "-o", "out"),
+    "model": ("arch.toml", "-o", "kit", "--no-step", "--no-pictures"),
+    "bend": ("--straight", "100", *SHEET, "--max-width", "10", "--to", "70", "0", "-o", "out"),
+    "reshape": ("bow.txt", "--top-right", "120", "80", "-o", "out"),
+    "sections": ("bowl.obj", "--unit", "mm", "--radial", "2", "--sheet", "card-200gsm", "-o", "out"),
+    "coupon": (*SHEET, "-o", "out"),
+    "sheets": (),
+    "new": ("lamp", "-o", "out"),
+}  # fmt: skip
+
+
+def command(*words):
+    return [sys.executable, "-m", "elastica_cad", *map(str, words)]
+
+
+def typed(*words, cwd):
+    return subprocess.run(command(*words), cwd=cwd, capture_output=True, text=True, check=False)
+
+
+@pytest.fixture
+def folder(tmp_path):
+    (tmp_path / "bow.txt").write_text(BOW)
+    for kind in ("arch", "sections"):
+        assert typed("new", kind, "-q", cwd=tmp_path).returncode == 0
+    return tmp_path
+
+
+def test_every_command_is_documented_and_tried():
+    from elastica_cad.cli.commands import elastica
+
+    assert set(elastica.commands) | {"error"} == set(KEYS)
+    assert set(elastica.commands) == set(TYPED)
+
+
+@pytest.mark.parametrize("name", TYPED)
+def test_a_command_prints_one_record_with_the_documented_keys(folder, name):
+    done = typed(name, *TYPED[name], "--json", cwd=folder)
+    assert done.returncode == 0, done.stderr
+    record = json.loads(done.stdout)
+    usual = {"schema", "notes", "files"}
+    if name == "check":
+        (record,) = record
+        usual = {"schema"}
+    assert set(record) == KEYS[name] | usual
+    assert record["schema"] == f"elastica-{name}/1"
+    written = record.get("files", [])
+    assert all((folder / file).is_file() for file in written)
+    assert bool(written) == (name not in ("check", "sheets"))
+
+
+def test_a_refusal_is_a_record_too(folder):
+    done = typed("strip", "bow.txt", "--sheet", "no such sheet", "--json", cwd=folder)
+    record = json.loads(done.stdout)
+    assert set(record) == KEYS["error"] | {"schema"}
+    assert record["exit_code"] == done.returncode == 2
+    assert record["error"] == done.stderr.strip()
+
+
+def test_quiet_says_nothing_and_verbose_every_step(folder):
+    quiet = typed("strip", "bow.txt", *SHEET, "--max-width", 20, "-q", "-o", "a", cwd=folder)
+    assert (quiet.returncode, quiet.stdout, quiet.stderr) == (0, "", "")
+    assert (folder / "a" / "bow.dxf").exists()
+    wordy = typed("model", "arch.toml", "-o", "b", "--no-step", "--no-pictures", "-v", cwd=folder)
+    assert re.search(r"^ +[0-9.]+ s  made strip ARCH$", wordy.stderr, re.MULTILINE)
+    assert re.search(r"s  wrote \S+ \(1 of \d+\)$", wordy.stderr, re.MULTILINE)
+
+
+@pytest.mark.parametrize(
+    "words", [("--max-width", "1.5in"), ("--max-width", '1.5"'), ("--units", "inch", "--max-width", "1.5")]
+)
+def test_lengths_may_be_inches(folder, words):
+    said = typed("strip", "bow.txt", *SHEET, *words, "-o", "out", "--json", cwd=folder).stdout
+    (report,) = json.loads(said)["strips"]
+    assert report["width"]["largest"] == pytest.approx(38.1)
+
+
+def test_lengths_without_sense_are_refused(folder):
+    done = typed("strip", "bow.txt", *SHEET, "--max-width", "3parsec", cwd=folder)
+    assert done.returncode == 2
+    assert (
+        "'3parsec' is no length: give a number of mm, or a length with its unit such as 1.5in" in done.stderr
+    )
+
+
+def test_hints_name_the_program_that_runs(folder):
+    done = typed("new", "lamp", "-o", "out", cwd=folder)
+    assert f"next: {sys.executable} -m elastica_cad model" in done.stdout
+
+
+def test_a_shell_completes_commands_and_options(folder):
+    asked = {"_ELASTICA_COMPLETE": "bash_complete", "COMP_WORDS": "elastica re", "COMP_CWORD": "1"}
+    done = subprocess.run(
+        command(), cwd=folder, capture_output=True, text=True, check=False, env=os.environ | asked
+    )
+    assert "plain,reshape" in done.stdout
+
+
+def wait_for(found, process, seconds=60):
+    """The first answer of `found` that is true."""
+    end = time.monotonic() + seconds
+    while not (answer := found()):
+        assert process.poll() is None, process.communicate()
+        assert time.monotonic() < end, "nothing came"
+        time.sleep(0.05)
+    return answer
+
+
+def test_watching_remakes_what_changes_and_survives_mistakes(folder):
+    words = ("strip", "bow.txt", *SHEET, "--max-width", 20, "-o", "out", "--watch")
+    file, log = folder / "out" / "bow.json", folder / "said.txt"
+
+    def length():
+        return json.loads(file.read_text())["length"]
+
+    with log.open("w") as said:
+        process = subprocess.Popen(command(*words), cwd=folder, stdout=said, stderr=said)
+        try:
+            wait_for(lambda: log.read_text().count("save to run again") == 1, process)
+            first = length()
+            (folder / "bow.txt").write_text("no curve")
+            wait_for(lambda: log.read_text().count("save to run again") == 2, process)
+            assert "Error: " in log.read_text()
+            assert length() == first
+            (folder / "new.txt").write_text(BOW.replace("130", "150"))
+            (folder / "new.txt").replace(folder / "bow.txt")  # as careful editors save
+            wait_for(lambda: log.read_text().count("save to run again") == 3, process)
+            assert length() > first + 5
+            process.send_signal(signal.SIGINT)
+            assert process.wait(timeout=30) == 0
+        finally:
+            process.kill()
+            process.wait()
+    assert "no longer watching" in log.read_text()
+    assert "Traceback" not in log.read_text()
+
+
+def test_a_model_is_made_again_when_a_drawing_changes_that_it_names(folder):
+    (folder / "one.toml").write_text(
+        'schema = 1\nsheet = "birch-plywood-0.8"\nmax_width = 20\n[[strips]]\nlabel = "A"\ncurve = "bow.txt"\n'
+    )
+    log = folder / "said.txt"
+    words = ("model", "one.toml", "-o", "kit", "--no-step", "--no-pictures", "--watch")
+    with log.open("w") as said:
+        process = subprocess.Popen(command(*words), cwd=folder, stdout=said, stderr=said)
+        try:
+            wait_for(lambda: "watching one.toml, bow.txt" in log.read_text(), process)
+            (folder / "bow.txt").write_text(BOW.replace("130", "150"))
+            wait_for(lambda: log.read_text().count("save to run again") == 2, process)
+        finally:
+            process.kill()
+            process.wait()
+
+
+def test_what_does_not_change_cannot_be_watched(folder):
+    done = subprocess.run(
+        command("check", "-", "--watch"), input=b"0 0\n", cwd=folder, capture_output=True, check=False
+    )
+    assert done.returncode == 2
+    assert b"standard input does not change: give --watch a file" in done.stderr
