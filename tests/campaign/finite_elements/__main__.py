@@ -11,7 +11,7 @@ from pathlib import Path
 from tests.campaign.finite_elements.cases import CASES
 from tests.campaign.finite_elements.closed_forms import known_answers
 from tests.campaign.finite_elements.sideways import swings
-from tests.campaign.finite_elements.strips_in_pockets import strips_in_pockets
+from tests.campaign.finite_elements.strips_in_pockets import strips_in_pockets, strips_posed
 from tests.campaign.finite_elements.table import keep, measured
 
 WIDTHS = {"plain widths": False, "compensated": True}
@@ -44,7 +44,7 @@ def main() -> None:
         for swung in swings(folder):
             told("sideways", swung)
     if wanted("pockets"):
-        for held in strips_in_pockets(folder):
+        for held in (*strips_in_pockets(folder), *strips_posed(folder)):
             told("pockets", held)
     for case in CASES:
         if wanted(f"{case.group}, {case.name}"):

@@ -37,7 +37,7 @@ makes up for that yet, nor for what nu adds to it."""
 
 POCKETS = """Rigid walls 0.15 mm off either face of the tabs, 10 mm deep, without friction; weight included. A tab
 touches where the free part ends and at its bottom, on the faces where the walls push. "Told" is what `Strip.held`
-says."""
+says. Strips of the Pavilion (card, with slots) are led to the pose of the tabs that it finds."""
 
 
 @dataclass(frozen=True)
