@@ -14,7 +14,9 @@ from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 ROUNDS = 10
-LEAST_STEP = 0.2  # of a correction: smaller parts of it change little
+FIRST_DAMPING, MOST_DAMPING = 3e-4, 1.0  # of corrections: the first, and the last that is tried
+DAMPED = 5.0  # times as much after a correction that did not help
+LEAST_GAIN = 0.9  # of what is left in one round: a round that leaves more is the last
 LARGEST_GUESS = 0.5  # of the logarithm of a width's change
 ENOUGH_SHARE = 1e-5  # of the length: a deviation that needs no correction
 
@@ -50,27 +52,29 @@ def compensate_widths(strip: Strip, start: TabSeat | None = None, end: TabSeat |
     """
     design = strip.coarse_rod
     basis = width_basis(design.s)
+    best, least, damping = strip, np.inf, FIRST_DAMPING
     # a first guess: as much wider as each place is softer, evened out along the strip
     softer = -np.log(np.prod([np.ones(design.s.size), *strip.stiffness_shares.values()], axis=0))
-    even = basis @ np.linalg.lstsq(basis, softer - softer.mean(), rcond=None)[0]
-    best, least = strip, np.inf
-    change = kept = np.zeros(design.s.size)
-    step, share = np.clip(even, -LARGEST_GUESS, LARGEST_GUESS), 1.0
+    guess = np.clip(
+        np.linalg.lstsq(basis, softer - softer.mean(), rcond=None)[0], -LARGEST_GUESS, LARGEST_GUESS
+    )
+    rest, kept = None, np.zeros(basis.shape[1])
+    for coefficients in (kept, guess):
+        found = _rest(strip, basis @ coefficients, start, end)
+        if found is not None and strayed(design, found[1]) < least:
+            (best, rest), kept, least = found, coefficients, strayed(design, found[1])
     for _ in range(ROUNDS):
-        found = _rest(strip, change, start, end)
-        off = np.inf if found is None else strayed(design, found[1])
-        if found is not None and off < least:
-            (best, rest), least, kept, first = found, off, change, not change.any()
-            if off <= ENOUGH_SHARE * design.length:
-                break
-            share = 1.0
-            if not first:
-                step = correct_widths(rest, rest.position - design.position, basis)
-        elif share < LEAST_STEP:
+        if rest is None or least <= ENOUGH_SHARE * design.length or damping > MOST_DAMPING:
             break
-        else:
-            share /= 2
-        change = kept + share * step
+        coefficients = correct_widths(rest, rest.position - design.position, basis, kept, damping)
+        found = _rest(strip, basis @ coefficients, start, end)
+        if found is None or strayed(design, found[1]) >= least:
+            damping *= DAMPED
+            continue
+        gain = strayed(design, found[1]) / least
+        (best, rest), kept, least, damping = found, coefficients, gain * least, damping / 3
+        if gain > LEAST_GAIN:
+            break
     return best
 
 

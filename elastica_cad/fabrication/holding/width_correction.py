@@ -7,8 +7,8 @@ from elastica_cad.mechanics.rod.banded_matrices import solve_tridiagonal
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 SPACING_SHARE = 1 / 24  # of the length: between knots of a correction, so that outlines stay smooth
-SMOOTHING = 1e-3  # weight of the second differences of coefficients against the drift they remove
-SIZE = 1e-4  # weight of the coefficients themselves: of many corrections that serve, the smallest
+SMOOTHING = 2e-3  # weight of the second differences of coefficients against the drift that is left
+SIZE = 2e-3  # the same of the coefficients themselves: of many changes that serve, the smallest
 
 
 def width_basis(s: FloatArray) -> FloatArray:
@@ -20,8 +20,10 @@ def width_basis(s: FloatArray) -> FloatArray:
     return np.asarray(BSpline(knots, np.eye(pieces + 3), 3)(s))
 
 
-def correct_widths(made: Rod, drift: FloatArray, basis: FloatArray) -> FloatArray:
-    """Relative changes of width (n,) that take a drift back.
+def correct_widths(
+    made: Rod, drift: FloatArray, basis: FloatArray, kept: FloatArray, damping: float
+) -> FloatArray:
+    """Coefficients (m,) of the change of width that takes a drift back, to first order.
 
     A change f of the width changes moment and weight by M f and p f at the same shape; the shape answers by
     H d(alpha) + C^t d(lambda) = -d(imbalance), C d(alpha) = 0, with the Hessian H of the discrete energy (paper,
@@ -36,6 +38,10 @@ def correct_widths(made: Rod, drift: FloatArray, basis: FloatArray) -> FloatArra
         Of its nodes from the design, mm.
     basis : (n, m) array
         Of the changes: see `width_basis`.
+    kept : (m,) array
+        Coefficients of the change that the rod has already.
+    damping : float
+        Weight of the step against the drift, relative: larger for shorter steps.
     """
     rod, n = made.discrete, made.s.size
     diagonal, off = rod.hessian
@@ -54,7 +60,10 @@ def correct_widths(made: Rod, drift: FloatArray, basis: FloatArray) -> FloatArra
     moved = np.cumsum(lengths[..., None] * turned[..., None] * normals[:, None, :], axis=0)
     A = np.moveaxis(moved, 1, 2).reshape(-1, basis.shape[1])
     scale = float(np.abs(A).max()) * np.sqrt(len(A))
-    bends = np.diff(np.eye(basis.shape[1]), n=2, axis=0)
-    system = np.concatenate([A, SMOOTHING * scale * bends, SIZE * scale * np.eye(basis.shape[1])])
-    wanted = np.concatenate([-drift[1:].ravel(), np.zeros(len(bends) + basis.shape[1])])
-    return np.asarray(basis @ np.linalg.lstsq(system, wanted, rcond=None)[0])
+    one = np.eye(basis.shape[1])
+    bends = np.diff(one, n=2, axis=0)
+    # the step is damped; the whole change is to be small and smooth
+    whole = np.concatenate([SMOOTHING * bends, SIZE * one])
+    system = np.concatenate([A, damping * scale * one, scale * whole])
+    wanted = np.concatenate([-drift[1:].ravel(), np.zeros(len(one)), -scale * whole @ kept])
+    return np.asarray(kept + np.linalg.lstsq(system, wanted, rcond=None)[0])

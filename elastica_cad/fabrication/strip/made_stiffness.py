@@ -19,6 +19,9 @@ from elastica_cad.mechanics.rod.rod_record import Rod
 DEPTHS = 64
 """Depths of a slot at which its idle width is summed: right to a sixty-fourth of its depth."""
 
+SHOULDER_SLOPE = 0.62
+"""Length, over depth, of the idle corner beside a tab: fitted to the strips of `docs/finite_elements.md`."""
+
 LEAST_SHARE = 0.01
 """Of the width: no less is counted as left, for a slot that reaches across."""
 
@@ -73,7 +76,7 @@ def stiffness_shares(
     slope = dead_zone_slope(min(layout.sheet.poisson_ratio, 0.5))
     found = {
         "slots": 1 - _idle_width(slots, layout.width, s, slope=slope) / width if slots else None,
-        "narrow tabs": _beside_tabs(layout.width, tab_widths, s, slope),
+        "narrow tabs": _beside_tabs(layout.width, tab_widths, s),
         "leaning ligaments": _leaning(layout, s),
         "anticlastic bending": _anticlastic(rod, layout, s),
     }
@@ -104,13 +107,13 @@ def with_shares(built: Rod, shares: Sequence[FloatArray]) -> Rod:
 
 
 def _beside_tabs(
-    width: Profile, tab_widths: tuple[float | None, float | None], s: FloatArray, slope: float
+    width: Profile, tab_widths: tuple[float | None, float | None], s: FloatArray
 ) -> FloatArray | None:
     """Share (n,) of the width that carries beside ends that are wider than their tabs."""
     idle = np.zeros(s.size)
     for end, tab in zip((0.0, width.length), tab_widths, strict=True):
         shoulder = (float(width(end)) - (tab or np.inf)) / 2
-        idle += 2 * np.maximum(0.0, shoulder - np.abs(s - end) / slope)
+        idle += 2 * np.maximum(0.0, shoulder - np.abs(s - end) / SHOULDER_SLOPE)
     return 1 - idle / width(s) if idle.any() else None
 
 

@@ -98,12 +98,10 @@ def test_play_moves_the_shape_and_a_leaning_pocket_makes_up_for_it(strip):
     free = strip.held(*(block.seat for block in straight))
     assert 1e-3 < free.deviation / length < 6e-3
     assert set(free.parts) >= {"start: pocket", "end: pocket"}
-    leaned = strip.held(*(block.seat for block in blocks))
+    seats = [block.seat for block in blocks]
+    leaned = strip.held(*seats)
     assert leaned.deviation < 0.5 * free.deviation
-    assert compensate_widths(strip, *(block.seat for block in blocks)).rest(
-        *(block.seat for block in blocks)
-    ).position == pytest.approx(strip.rod.position, abs=5e-4 * length)
-    assert "strays" in str(free)
+    assert compensate_widths(strip, *seats).held(*seats).deviation < 0.8 * leaned.deviation
 
 
 def test_causes_are_listed_each_alone(rod):
