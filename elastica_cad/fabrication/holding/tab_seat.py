@@ -33,9 +33,8 @@ class TabSeat:
     Examples
     --------
     >>> seat = TabSeat.pocket(length=10, thickness=0.8, play=0.15)
-    >>> low, high = np.degrees(seat.turning)
-    >>> round(high, 2), round(low, 2)
-    (1.72, -1.72)
+    >>> [round(float(np.degrees(turn)), 2) for turn in seat.turning]
+    [-1.72, 1.72]
     """
 
     left: FloatArray
