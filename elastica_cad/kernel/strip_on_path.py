@@ -13,6 +13,7 @@ from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.model.assembly import layer_names
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.solids.self_contact import self_contact
 from elastica_cad.fabrication.solids.smooth_pieces import in_smooth_pieces
 from elastica_cad.fabrication.solids.strip_solids import BentSolid
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -44,7 +45,7 @@ OF_STYLES = {
 
 
 class StripWarning(UserWarning):
-    """The strip can be made, but should not be bent as it is: a strain beyond the limit of its sheet."""
+    """The strip can be made, but not bent as it is: strained beyond the limit of its sheet, or through itself."""
 
 
 class UnknownOptionError(InputError, TypeError):
@@ -207,6 +208,7 @@ def make_strip_on(
                 f"{', '.join(late)} cannot be given for a strip that is made: leave out, or give the curve"
             )
         if isinstance(path, Strip):
+            _warn_of_contact(path)
             return MadeStrip(path, frame or Frame())
         return MadeStrip(path.strip, frame or path.frame, path.deviation)
     if sheet is None:
@@ -227,6 +229,7 @@ def make_strip_on(
             text = next(text for text in strip.warnings if text.startswith("strain"))
             warnings.warn(text, StripWarning, stacklevel=4)
             break
+    _warn_of_contact(strip)
     return MadeStrip(strip, frame, deviation)
 
 
@@ -254,6 +257,19 @@ def _made(spec: StripSpec) -> tuple[Strip, float]:
     """The strip and its deviation."""
     found = spec.rod_spec.solve()
     return spec.make(found), found.deviation if isinstance(found, NearestRod) else 0.0
+
+
+def _warn_of_contact(strip: Strip) -> None:
+    """Tell of a strip that meets itself when it is bent."""
+    meeting = self_contact(strip)
+    if meeting is not None:
+        low, high = meeting
+        warnings.warn(
+            f"bent, the strip runs through itself: {low:.1f} mm along it meets {high:.1f} mm (tabs lie below 0 "
+            f"and beyond {strip.rod.length:.1f}); shorten the tabs, open the curve, or cut a slot there",
+            StripWarning,
+            stacklevel=5,
+        )
 
 
 def _refuse_unknown(asked: Mapping[str, Any]) -> None:
