@@ -143,7 +143,7 @@ def test_every_command_ends_a_refusal_with_one_that_works(words, told, desk, tmp
     refused = typed(words.split(), desk)
     assert refused.returncode in (1, 2)
     assert sorted(desk.iterdir()) == before  # trials leave nothing
-    (command,) = re.findall(r"This works: `elastica ([^`]*)`", refused.stderr + refused.stdout)
+    (command,) = re.findall(r"This works: `.* -m elastica_cad ([^`]*)`", refused.stderr + refused.stdout)
     assert told in command
     aside = [] if command.startswith(("check", "sheets")) else ["-o", str(tmp_path)]
     made = typed([*shlex.split(command), *aside], desk)
