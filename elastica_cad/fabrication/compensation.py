@@ -50,6 +50,7 @@ def compensate_widths(strip: Strip, start: TabSeat | None = None, end: TabSeat |
     >>> bool(better.held_deviation < strip.held_deviation / 5)
     True
     """
+    strip = replace(strip, correction=None) if strip.correction is not None else strip
     design = strip.coarse_rod
     basis = width_basis(design.s)
     best, least, damping = strip, np.inf, FIRST_DAMPING

@@ -9,8 +9,8 @@ import numpy as np
 
 from elastica_cad._equality import EqualByValue
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.compensation import compensate_widths
 from elastica_cad.fabrication.makeability.faults import accept_faults, find_strip_faults
+from elastica_cad.fabrication.makeability.makeable_widths import compensate_within
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.makeability.splices import spliced
 from elastica_cad.fabrication.slots.slot import Slot
@@ -277,7 +277,7 @@ class StripSpec(EqualByValue):
             label=self.label,
         )
         if self.compensate:
-            made = compensate_widths(made)
+            made = compensate_within(made, self.shop)
         told = accept_faults(find_strip_faults(made, self.shop), self.anyway)
         joined = spliced(made, self.shop)
         told += () if joined is None else (str(joined),)

@@ -7,8 +7,8 @@ from elastica_cad.mechanics.rod.banded_matrices import solve_tridiagonal
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 SPACING_SHARE = 1 / 24  # of the length: between knots of a correction, so that outlines stay smooth
-SMOOTHING = 2e-3  # weight of the second differences of coefficients against the drift that is left
-SIZE = 2e-3  # the same of the coefficients themselves: of many changes that serve, the smallest
+SMOOTHING = 2e-2  # weight of the second differences of coefficients against the drift that is left
+SIZE = 1e-2  # the same of the coefficients themselves: of many changes that serve, the smallest
 
 
 def width_basis(s: FloatArray) -> FloatArray:

@@ -47,6 +47,7 @@ import numpy as np
 from elastica_cad._equality import value_key
 from elastica_cad.errors import ElasticaError, InputError, NotConvergedError
 from elastica_cad.fabrication.holders.ring_plate import Ring
+from elastica_cad.fabrication.model.compensated_model import interlock_compensated
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -164,7 +165,14 @@ class Design:
         model = Model(tuple(placed), self.name, reports=(*without, *self.reports), plates=plates)
         for kind, options in self.patterns:
             model = getattr(model, _PATTERNS[kind])(**options)
-        return model if self.interlock is None else model.interlock(**self.interlock)
+        if self.interlock is None:
+            return model
+        which = {entry.label for entry in self.entries if entry.spec.compensate}
+        return (
+            interlock_compensated(model, which, **self.interlock)
+            if which
+            else model.interlock(**self.interlock)
+        )
 
 
 _PATTERNS = {"mirror": "mirrored", "rotate": "rotated", "repeat": "repeated"}
