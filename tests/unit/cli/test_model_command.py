@@ -185,6 +185,23 @@ def test_what_slots_do_is_told(crossed, tmp_path):
     assert held["A"]["deviation"] == pytest.approx(model.held()[0].deviation, abs=1e-3)
 
 
+def test_widths_make_up_for_slots_when_asked(crossed, tmp_path):
+    found = {}
+    for asked in ("false", "true"):
+        path = tmp_path / f"{asked}.toml"
+        path.write_text(
+            crossed.read_text().replace("max_width = 24", f"max_width = 24\ncompensate = {asked}")
+        )
+        result = run("model", path, "-o", tmp_path / asked, "--no-step", "--no-pictures")
+        assert result.exit_code == 0, result.output
+        (report,) = (tmp_path / asked).glob("**/crossed.json")
+        found[asked] = {
+            name: held["deviation"] for name, held in json.loads(report.read_text())["held"].items()
+        }
+    for name in ("A", "B"):
+        assert found["true"][name] < 0.2 * found["false"][name]
+
+
 def test_the_sheets_alone(crossed, tmp_path):
     out = tmp_path / "out"
     quick = ("--no-step", "--no-pictures", "--no-parts", "--no-effects")

@@ -175,7 +175,7 @@ def test_widths_that_make_up_bring_the_strip_back(rod, asked):
     strip = Strip(rod, replace(PLY, poisson_ratio=0.3), max_width=30.0, **asked)
     better = compensate_widths(strip)
     assert strip.held_deviation > 1e-4 * rod.length
-    assert better.held_deviation < 0.1 * strip.held_deviation
+    assert better.held_deviation < 0.2 * strip.held_deviation
     assert better.width.extremes[1] == pytest.approx(30.0, abs=1e-4)
     assert better.rod is strip.rod
 
@@ -197,7 +197,7 @@ def test_a_heavy_strip_carries_the_weight_of_its_corrected_widths():
     newtons = CARD.density * 1e-9 * 9.80665 * h * width
     load = made.bending_stiffness * -made.nodal_load[:, 1] / made.node_lengths
     assert load[inner] == pytest.approx(newtons[inner], rel=2e-3)
-    assert better.held_deviation < 3e-4 * heavy.length
+    assert better.held_deviation < 5e-4 * heavy.length
 
 
 def test_a_strip_that_strays_little_is_left_alone(rod):
