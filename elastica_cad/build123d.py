@@ -95,6 +95,11 @@ class _Made(StripBody):
         return tuple(found)
 
     @property
+    def assembly(self) -> bd.Compound:
+        """The sheets of the bent strip as children of one compound, with names and colours."""
+        return bd.Compound(label=self.strip.label or "strip", children=list(self.layers))
+
+    @property
     def backing(self) -> bd.Solid:
         """The bent backing of a laminated strip."""
         self._require_backing()
@@ -436,7 +441,8 @@ class PlacedStrip(_Made, bd.Part):
 def model_compound(model: Model, *, others: Iterable[Holder] = ()) -> bd.Compound:
     """The bent strips of a model as an assembly: a compound whose children are called like the parts.
 
-    Equal strips share one body. Every child has the joints of `BentStrip` and knows its `strip`.
+    Equal strips share one body. Every child has the joints of `BentStrip` and knows its `strip`; the sheets of a
+    laminate are its children.
 
     Parameters
     ----------
@@ -468,6 +474,12 @@ def _child(part: AssemblyPart, solids: list[bd.Solid]) -> bd.Part:
         child = PlacedStrip(bd.Compound(solids).wrapped)
         base: Any = part.solids[0]
         child._made = MadeStrip(part.strip, Frame(), home=base.joints["start"])
+        if len(solids) > 1:
+            # new wrappers: equal strips share shapes, but a child has one parent
+            layers = [bd.Solid(solid.wrapped) for solid in solids]
+            for layer, name, color in zip(layers, part.names, part.colors, strict=True):
+                layer.label, layer.color = name, bd.Color(*color)
+            child.children = layers
     _join(child, part.solids[0])
     child.label, child.color = part.name, bd.Color(*part.colors[0])
     child.location = bd.Location(occt.make_location(part.frame))

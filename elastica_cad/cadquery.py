@@ -103,10 +103,25 @@ class _Made(StripBody, cq.Shape):
     def backing(self) -> cq.Solid:
         """The bent backing of a laminated strip."""
         self._require_backing()
-        shape, name, _ = tuple(self._layers())[1]
-        solid: cq.Solid = cq.Solid(shape)
-        solid.label = name
-        return solid
+        return self.layers[1]
+
+    @property
+    def layers(self) -> tuple[cq.Solid, ...]:
+        """The sheets of the bent strip, the base first, with labels."""
+        found = []
+        for shape, name, _ in self._layers():
+            solid: cq.Solid = cq.Solid(shape)
+            solid.label = name
+            found.append(solid)
+        return tuple(found)
+
+    @property
+    def assembly(self) -> cq.Assembly:
+        """The sheets of the bent strip as children of one assembly, with names and colours."""
+        made = cq.Assembly(name=_plain(self.strip.label or "strip"))
+        for solid, layer in zip(self.layers, self.strip.layers, strict=True):
+            made.add(solid, name=_called(solid.label, made), color=cq.Color(*sheet_color(layer.sheet)))
+        return made
 
     def fixture(self, end: "End" = "start", **sizes: Any) -> "FixtureSolid":
         """The block that holds an end of the bent strip, in place; `sizes` as in `end_fixture`."""
@@ -539,10 +554,15 @@ def _moved(frame: Frame, transformation: Any) -> Frame:
     return Frame((at.X(), at.Y(), at.Z()), x, np.cross(z, x))
 
 
+def _plain(name: str) -> str:
+    """A name that CadQuery's queries can hold."""
+    plain = re.sub(r"\W", "_", name, flags=re.ASCII)
+    return plain if plain[:1].isalpha() else f"strip_{plain}"
+
+
 def _called(name: str, assembly: cq.Assembly) -> str:
     """A name that CadQuery's queries can hold, unlike those in the assembly."""
-    plain = re.sub(r"\W", "_", name, flags=re.ASCII)
-    plain = plain if plain[:1].isalpha() else f"strip_{plain}"
+    plain = _plain(name)
     tries = (plain, *(f"{plain}_{number}" for number in range(2, len(assembly.children) + 3)))
     return next(text for text in tries if text not in assembly.objects)
 

@@ -29,11 +29,24 @@ def plane_curve(
     Raises
     ------
     InputError
-        Edges that are not plane, have no length, do not meet or meet at a corner, a closed wire, or another plane.
+        Faces and bodies; edges that are not plane, have no length, do not meet or meet at a corner, a closed wire,
+        or another plane.
     """
+    if _has_faces(shape):
+        raise InputError(
+            "a face or a body is no curve: give one of its edges, or the edges in which a plane cuts it"
+        )
     if plane is not None:
         return placed_curve(drawn_edges(shape), plane=plane)
     return placed_curve(drawn_edges(shape), turned=_turned(shape) if turned is None else turned)
+
+
+def _has_faces(shape: Shape | Iterable[Shape]) -> bool:
+    k = kernel()
+    shape = getattr(shape, "wrapped", shape)
+    if isinstance(shape, k.TopoDS_Shape):
+        return bool(sub_shapes(shape, k.TopAbs_ShapeEnum.TopAbs_FACE))
+    return isinstance(shape, list | tuple) and any(map(_has_faces, shape))
 
 
 def _turned(shape: Shape | Iterable[Shape]) -> FloatArray | None:

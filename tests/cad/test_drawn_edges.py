@@ -14,7 +14,7 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Line, Spline
 from elastica_cad.kernel import occt
-from elastica_cad.kernel.drawn_edges import plane_curve
+from elastica_cad.kernel.drawn_edges import drawn_edges, plane_curve
 
 XY = gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1))
 
@@ -142,7 +142,7 @@ class TestRefused:
         from OCP.BRepPrimAPI import BRepPrimAPI_MakeCone
 
         with pytest.raises(InputError, match="degenerate"):
-            plane_curve(BRepPrimAPI_MakeCone(5, 0, 10).Shape())
+            drawn_edges(BRepPrimAPI_MakeCone(5, 0, 10).Shape())
 
 
 def tilted_continuation():

@@ -71,8 +71,10 @@ class TestBuild123d:
         again = bd.Location((1, 0, 0)) * moved.bent()
         assert (again.center() - moved.center()).length == pytest.approx(1, abs=1e-6)
 
-    def test_laminate(self):
-        from elastica_cad.build123d import BentStrip
+    def test_laminate(self, tmp_path):
+        import build123d as bd
+
+        from elastica_cad.build123d import BentStrip, model_compound
 
         base = Sheet.named(SHEET)
         style = Laminated(width=24.0, backing=Sheet.named("hdf-1.5"), least_backing=0.2)
@@ -80,8 +82,32 @@ class TestBuild123d:
         assert [layer.label for layer in rib.layers] == ["L", "L backing"]
         assert tuple(rib.layers[0].color) != tuple(rib.layers[1].color)
         assert rib.backing.label == "L backing"
+        parts = (bd.Pos(0, 0, 9) * rib.assembly).children
+        assert [part.label for part in parts] == ["L", "L backing"]
+        assert sum(part.volume for part in parts) == pytest.approx(rib.volume)
+        bd.export_step(rib.assembly, tmp_path / "laminate.step")
+        read = bd.import_step(tmp_path / "laminate.step")
+        assert [part.label for part in read.children] == ["L", "L_backing"]
+        assert [tuple(part.color) for part in read.children] == [
+            pytest.approx(tuple(part.color), abs=1e-3) for part in parts
+        ]
+        above = (bd.Pos(0, 0, 90) * rib).placed
+        (child, twin) = model_compound(Model([rib.placed, above])).children
+        assert [part.label for part in child.children] == ["L_1", "L_1 backing"]
+        assert [part.label for part in twin.children] == ["L_2", "L_2 backing"]
+        assert pytest.approx(90) == (twin.center() - child.center()).Z
         with pytest.raises(InputError, match="no backing"):
             _ = BentStrip(CURVE, SHEET, **OPTIONS).backing
+
+    def test_faces_and_bodies_are_no_curves(self):
+        import build123d as bd
+
+        from elastica_cad.build123d import BentStrip
+
+        for drawn in (bd.Box(30, 20, 10), bd.Face.make_rect(30, 20), bd.Box(30, 20, 10).faces()):
+            with pytest.raises(InputError, match="give one of its edges"):
+                BentStrip(drawn, SHEET, max_width=5)
+        BentStrip(bd.Box(30, 20, 10).edges()[0], SHEET, max_width=5)
 
     def test_bent_further(self, rib):
         near = rib.bent(end=(140.0, 0.0))
@@ -160,6 +186,19 @@ class TestCadQuery:
             assert face.geomType() == "PLANE"
             tip = made.joints[end] * cq.Location((12, 0, 0))
             assert (face.Center() - cq.Vector(*tip.toTuple()[0])).Length < 1e-6
+
+    def test_laminate(self):
+        from elastica_cad.cadquery import bent_strip
+
+        style = Laminated(width=24.0, backing=Sheet.named("hdf-1.5"), least_backing=0.2)
+        rib = bent_strip(CURVE, SHEET, style=style, label="L")
+        assert [layer.label for layer in rib.layers] == ["L", "L backing"]
+        base, backing = rib.assembly.children
+        assert (rib.assembly.name, base.name, backing.name) == ("L", "L_2", "L_backing")
+        assert base.color.toTuple() != backing.color.toTuple()
+        with pytest.raises(InputError, match="give one of its edges"):
+            bent_strip(base.obj, SHEET, max_width=5)
+        assert base.obj.Volume() + backing.obj.Volume() == pytest.approx(rib.Volume())
 
     def test_in_its_place(self, rib):
         frame = rib.translate((1, 2, 3)).rotate((0, 0, 0), (1, 0, 0), 90).placed.frame
