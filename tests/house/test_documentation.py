@@ -15,6 +15,7 @@ PAGES = (
     "CONTRIBUTING.md",
     "CHANGELOG.md",
     "docs/architecture.md",
+    "docs/code_cad.md",
     "freecad_workbench/README.md",
 )
 PLACES = ("elastica_cad", "freecad_workbench", "tests", "docs", "examples")

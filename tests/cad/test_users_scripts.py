@@ -1,0 +1,112 @@
+"""Scripts as users of both libraries write them: arrays, assemblies, and what they export."""
+
+import math
+
+import numpy as np
+import pytest
+
+from elastica_cad.fabrication.strip.tabs import Hole, Tab
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+
+CURVE = PlaneCurve.arc((60, 0), 50, -0.6, 0.9)
+END = 60 + 50 * math.cos(0.9), 50 * math.sin(0.9)
+OPTIONS = {"max_width": 12.0, "ends": (Tab(12, holes=(Hole(6, 3.2),)),) * 2, "label": "rib"}
+SHEET = "birch-plywood-0.8"
+
+
+def stl_volume(path):
+    """What the triangles of a binary STL file enclose, mm3; they must close."""
+    triangle = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("spare", "<u2")])
+    a, b, c = (
+        np.frombuffer(path.read_bytes(), triangle, offset=84)["corners"].astype(float).transpose(1, 0, 2)
+    )
+    areas = np.cross(b - a, c - a) / 2
+    assert np.abs(areas.sum(axis=0)).max() < 1e-4 * np.linalg.norm(areas, axis=1).sum()
+    return (a * np.cross(b, c)).sum() / 6
+
+
+@pytest.mark.build123d
+class TestBuild123d:
+    @pytest.fixture
+    def rib(self):
+        import build123d as bd
+
+        from elastica_cad.build123d import BentStrip
+
+        return BentStrip(CURVE, SHEET, plane=bd.Plane.XZ, **OPTIONS)
+
+    def test_polar_locations(self, rib):
+        import build123d as bd
+
+        from elastica_cad.build123d import BentStrip
+
+        around = bd.PolarLocations(0, 5) * rib
+        assert all(body.strip is rib.strip for body in around)
+        with bd.BuildPart() as part, bd.PolarLocations(0, 5):
+            BentStrip(rib, mode=bd.Mode.ADD)
+        assert len(part.part.solids()) == 5
+        assert part.part.volume == pytest.approx(5 * rib.volume, rel=1e-6)
+        for k, body in enumerate(around):
+            place = tuple(body.joints["end"].location.position)
+            turn = 2 * math.pi * k / 5
+            assert place == pytest.approx(
+                (END[0] * math.cos(turn), END[0] * math.sin(turn), END[1]), abs=1e-6
+            )
+
+    def test_exporters(self, rib, tmp_path):
+        import build123d as bd
+
+        bd.export_stl(rib, tmp_path / "rib.stl", tolerance=1e-3)
+        assert stl_volume(tmp_path / "rib.stl") == pytest.approx(rib.volume, rel=2e-3)
+        bd.export_step(rib, tmp_path / "rib.step")
+        read = bd.import_step(tmp_path / "rib.step")
+        assert (read.label, read.volume) == ("rib", pytest.approx(rib.volume, rel=1e-4))
+        bd.export_gltf(rib, str(tmp_path / "rib.glb"), binary=True)
+        assert (tmp_path / "rib.glb").read_bytes()[:4] == b"glTF"
+        drawing = bd.ExportSVG()
+        drawing.add_shape(rib.outline)
+        drawing.write(tmp_path / "rib.svg")
+        size = bd.Compound(bd.import_svg(tmp_path / "rib.svg")).bounding_box().size
+        assert pytest.approx((rib.rod.length + 24, 12), abs=0.2) == (size.X, size.Y)
+
+
+@pytest.mark.cadquery
+class TestCadQuery:
+    @pytest.fixture
+    def rib(self):
+        import cadquery as cq
+
+        from elastica_cad.cadquery import bent_strip
+
+        return bent_strip(CURVE, SHEET, plane=cq.Plane.XZ(), **OPTIONS)
+
+    def test_assembly_that_is_solved(self, rib):
+        """A foot finds its place on the strip's end face."""
+        import cadquery as cq
+
+        work = cq.Workplane(obj=rib)
+        work.newObject([rib.end_face("start")]).tag("start")
+        foot = cq.Workplane().box(20, 20, 5)
+        foot.faces(">Z").tag("top")
+        made = (
+            cq.Assembly(name="lamp").add(work, name="rib").add(foot, name="foot", loc=cq.Location((5, 5, 5)))
+        )
+        made.constrain("rib", "Fixed").constrain("rib?start", "foot?top", "Plane")
+        made.solve()
+        there = made.objects["foot"].loc * cq.Location((0, 0, 2.5))
+        assert (cq.Vector(*there.toTuple()[0]) - rib.end_face("start").Center()).Length < 1e-3
+
+    def test_exporters(self, rib, tmp_path):
+        import cadquery as cq
+
+        cq.exporters.export(cq.Workplane(obj=rib), str(tmp_path / "rib.stl"), tolerance=1e-3)
+        assert stl_volume(tmp_path / "rib.stl") == pytest.approx(rib.Volume(), rel=2e-3)
+        cq.exporters.export(cq.Workplane(obj=rib), str(tmp_path / "rib.step"))
+        read = cq.importers.importStep(str(tmp_path / "rib.step")).val()
+        assert read.isValid()
+        assert read.Volume() == pytest.approx(rib.Volume(), rel=1e-4)
+        made = cq.Assembly(rib, name="rib", color=rib.color)
+        made.export(str(tmp_path / "rib.glb"))
+        assert (tmp_path / "rib.glb").read_bytes()[:4] == b"glTF"
+        cq.exporters.export(cq.Workplane(obj=rib.outline), str(tmp_path / "rib.svg"))
+        assert "<path" in (tmp_path / "rib.svg").read_text()
