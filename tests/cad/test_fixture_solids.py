@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from elastica_cad.fabrication.drawings.lettering import Text, text_strokes
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
@@ -15,7 +14,6 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.kernel import occt
-from elastica_cad.kernel.step_files import NamedShape, write_step
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
@@ -59,24 +57,6 @@ def test_letters_take_a_little_away(strip, measure):
     assert measure.is_valid(marked)
     gone = measure.volume(plain, bent=False) - measure.volume(marked, bent=False)
     assert 0.5 < gone < 12
-
-
-def test_letters_stay_small_in_a_file(strip, tmp_path):
-    sizes = []
-    for number in ("", "A:1", "S8"):
-        body = occt.make_solid(EndFixture.of(strip, number=number).solid)
-        write_step([NamedShape("block", body)], tmp_path / f"{len(sizes)}.step")
-        sizes.append((tmp_path / f"{len(sizes)}.step").stat().st_size)
-    assert max(sizes[1:]) < 3 * sizes[0]
-
-
-@pytest.mark.parametrize("number", ["80O", "B&g", "abc*#"])
-def test_letters_that_close_cross_and_turn_tightly(strip, measure, number):
-    plain, marked = (occt.make_solid(EndFixture.of(strip, number=text).solid) for text in ("", number))
-    assert measure.is_valid(marked)
-    strokes = text_strokes(Text((0, 0), number, 4.0))
-    gone = measure.volume(plain, bent=False) - measure.volume(marked, bent=False)
-    assert gone == pytest.approx(0.6 * 0.4 * sum(stroke.length for stroke in strokes), rel=0.25)
 
 
 def test_a_tab_goes_through_the_base_plate(strip, measure):

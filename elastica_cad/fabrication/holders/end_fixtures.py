@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -18,9 +19,7 @@ from elastica_cad.fabrication.solids.prisms import PrismSolid, convex_corners
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.paths.offset import offset_path
 from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.segments import Line
 
 LEAST_WALL_MM = 0.8
 """Two lines of a 0.4 mm nozzle."""
@@ -30,6 +29,9 @@ GROOVE_MM = 0.6
 
 GROOVE_DEPTH_MM = 0.4
 """Two layers of a print."""
+
+STROKE_MM = 0.08
+"""Flatness of engraved strokes, little beside their width."""
 
 LABEL_MM = 4.0
 """Height of the part number, where there is room."""
@@ -293,9 +295,9 @@ class EndFixture:
         side = Frame(tab.point((0.0, self.across / 2, 0.0)), tab.x_axis, -tab.z_axis)
         strokes = text_strokes(Text((start, -height / 2), self.number, height))
         return [
-            FlatSolid(outline, holes, GROOVE_DEPTH_MM + 0.2, side.shifted(z=-GROOVE_DEPTH_MM))
+            FlatSolid(_groove(p, q), (), GROOVE_DEPTH_MM + 0.2, side.shifted(z=-GROOVE_DEPTH_MM))
             for stroke in strokes
-            for outline, holes in _grooves(stroke)
+            for p, q in _chords(stroke)
         ]
 
 
@@ -335,26 +337,14 @@ def _polygon(corners: FloatArray) -> Path:
     return path if path.area > 0 else path.reversed()
 
 
-def _grooves(stroke: Path) -> list[tuple[Path, tuple[Path, ...]]]:
-    """Outlines and holes of the bands about a stroke: several where it crosses itself or is bent too tightly."""
-    half = GROOVE_MM / 2
-    try:
-        if np.hypot(*(stroke.end - stroke.start)) < LEVEL:
-            ring = Path(stroke.segments, closed=True)
-            return [(offset_path(ring, half), (offset_path(ring, -half),))]
-        left, right = offset_path(stroke, half), offset_path(stroke, -half).reversed()
-    except InputError:
-        pieces, middle = stroke.segments, len(stroke.segments) // 2
-        if not middle:
-            return [(_groove(stroke.start, stroke.end), ())]
-        return [*_grooves(Path(pieces[:middle])), *_grooves(Path(pieces[middle:]))]
-    ends = Line(left.end, right.start), Line(right.end, left.start)
-    band = Path([*left.segments, ends[0], *right.segments, ends[1]], closed=True)
-    return [(band if band.area > 0 else band.reversed(), ())]
+def _chords(stroke: Path) -> list[tuple[FloatArray, FloatArray]]:
+    points = stroke.points(STROKE_MM)
+    points = np.concatenate([points, points[:1]]) if stroke.closed else points
+    return list(pairwise(points))
 
 
 def _groove(start: FloatArray, end: FloatArray) -> Path:
-    """A rectangle about the chord of a piece bent more tightly than a groove, longer by the groove's width."""
+    """A rectangle about a stroke's chord, longer than it by the groove's width."""
     t = (end - start) / np.hypot(*(end - start)) * GROOVE_MM / 2
     n = np.array([-t[1], t[0]])
     return Path.polygon([start - t - n, end + t - n, end + t + n, start - t + n])
