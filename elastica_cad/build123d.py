@@ -38,6 +38,7 @@ from elastica_cad.kernel.strip_on_path import (
     StripWarning,
     make_fixture_on,
     make_strip_on,
+    warn_of_missing_slots,
 )
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.bending.between_clamps import elastica_between
@@ -461,6 +462,7 @@ def model_compound(model: Model, *, others: Iterable[Holder] = ()) -> bd.Compoun
         Something else among `others`.
     """
     parts = assembly_parts(model.placed, (*model.plates, *others))
+    warn_of_missing_slots(model.placed)
     children = [
         _child(part, solids) for part, solids in shape_parts(parts, lambda part: _solids(part.solids))
     ]

@@ -42,6 +42,7 @@ from elastica_cad.kernel.strip_on_path import (
     StripWarning,
     make_fixture_on,
     make_strip_on,
+    warn_of_missing_slots,
 )
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.bending.between_clamps import elastica_between
@@ -380,6 +381,7 @@ def model_assembly(model: Model, *, others: Iterable[Holder] = ()) -> cq.Assembl
     """
     assembly = cq.Assembly(name=model.name)
     parts = assembly_parts(model.placed, (*model.plates, *others))
+    warn_of_missing_slots(model.placed)
     for part, solid in shape_parts(parts, _part_shape):
         name, color, place = _called(part.name, assembly), cq.Color(*part.colors[0]), _location(part.frame)
         if not isinstance(solid, _Ended):

@@ -9,6 +9,7 @@ from typing import Any, Literal, TypeAlias, TypedDict
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
+from elastica_cad.fabrication.interlocking.missing_slots import missing_slots
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.model.assembly import layer_names
 from elastica_cad.fabrication.placed_strip import Placed
@@ -45,7 +46,7 @@ OF_STYLES = {
 
 
 class StripWarning(UserWarning):
-    """The strip can be made, but not bent as it is: strained beyond the limit of its sheet, or through itself."""
+    """Strips can be made, but not bent as they are: strained beyond their sheet's limit, or through each other."""
 
 
 class UnknownOptionError(InputError, TypeError):
@@ -250,6 +251,12 @@ def make_fixture_on(
     made = make_strip_on(path, sheet, **asked)
     ground = None if floor is None else _frame_of(floor)
     return made, EndFixture.of(made.strip, end, made.frame, floor=ground, number=number, **sizes)
+
+
+def warn_of_missing_slots(placed: Sequence[Placed]) -> None:
+    """Tell of strips of a model that run through each other."""
+    for text in missing_slots(placed):
+        warnings.warn(text, StripWarning, stacklevel=3)
 
 
 @lru_cache(maxsize=KEPT_REQUESTS)

@@ -5,9 +5,12 @@ import warnings
 import numpy as np
 import pytest
 
+from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.solids.self_contact import self_contact
 from elastica_cad.fabrication.strip.tabs import Tab
+from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.kernel.strip_on_path import StripWarning
 
@@ -90,3 +93,34 @@ def test_slot_makes_room():
     with warnings.catch_warnings():
         warnings.filterwarnings("error", message=".*through itself")
         BentStrip(LOOP, SHEET, max_width=20, slots=Slot(at, width=1.0))
+
+
+@pytest.mark.parametrize("library", LIBRARIES)
+class TestModels:
+    def shown(self, library, model):
+        """What showing a model warns of."""
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter("always", StripWarning)
+            if library == "build123d":
+                from elastica_cad.build123d import model_compound
+
+                model_compound(model)
+            else:
+                from elastica_cad.cadquery import model_assembly
+
+                model_assembly(model)
+        assert all(one.filename == __file__ for one in told)
+        return [str(one.message) for one in told]
+
+    def test_strips_that_cross_without_slots(self, library):
+        # two arcs of standing strips, one beside the other
+        curve = PlaneCurve.arc((0, 0), 50, np.pi / 6, 5 * np.pi / 6)
+        arch = make_strip(curve, SHEET, max_width=8)
+        crossed, apart = (
+            Model(tuple(Placed(arch, (x, 0, z), (1, 0, 0), (0, 1, 0)) for x, z in ((0, 0), (40, beside))))
+            for beside in (1, 10)
+        )
+        assert self.shown(library, apart) == []
+        (text,) = self.shown(library, crossed)
+        assert "Model.interlock" in text
+        assert self.shown(library, crossed.interlock()) == []

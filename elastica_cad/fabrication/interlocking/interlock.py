@@ -176,7 +176,7 @@ class _Cutter:
             last = crossing.beyond(which, end)
             p = crossing.at(crossing.evenly(crossing.middle, float(end if last is None else last), PITCH_MM))
             rows = (p.first, p.second)[which]
-            own, other = (_thickness(self.strips[i]) for i in _turned(members, which))
+            own, other = (strip_thickness(self.strips[i]) for i in _turned(members, which))
             widths = slot_width(p.angle, own=own, other=other, clearance=self.clearance, fit=self.fit)
             strip = self.strips[members[which]]
             if self.clearance >= float(strip.width(rows[0, 0])):
@@ -226,7 +226,7 @@ class _Cutter:
         a, b = ruled
         if np.linalg.norm(np.cross(a.axis, b.axis)) > PARALLEL_RAD or not a.may_meet(b):
             return
-        reach = sum(_thickness(self.strips[i]) for i in members) / 2
+        reach = sum(strip_thickness(self.strips[i]) for i in members) / 2
         own, other = (a.frame.local(strip.motion(strip.stations)[0]) for strip in (a, b))
         distance = np.hypot(*(own[:, None, :2] - other[None, :, :2]).transpose(2, 0, 1))
         nearest = distance.argmin(axis=1)
@@ -249,7 +249,7 @@ class _Cutter:
         )
 
 
-def _thickness(strip: Strip) -> float:
+def strip_thickness(strip: Strip) -> float:
     """Of all layers, mm."""
     backing = strip.layout.backing
     return strip.sheet.thickness + (0.0 if backing is None else backing.sheet.thickness)
