@@ -30,6 +30,8 @@ from elastica_cad.errors import ElasticaError, InputError, NotConvergedError, ho
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
 from elastica_cad.fabrication.drawings.lettering import engravable
 from elastica_cad.fabrication.makeability.splices import spliced
+from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import save
@@ -40,6 +42,7 @@ from elastica_cad.forming.nearest.advice import advise
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.forming.rounding_verdict import undecided_by_rounding
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 
@@ -59,6 +62,8 @@ _CUT = (
     holding_option,
     click.option("--paper", type=click.Choice(["A4", "A3", "A2", "A1", "A0", "letter", "tabloid"]),
                  help="Write NAME.pdf too: full size on this paper, tiles with marks to join them by."),
+    click.option("--glb", is_flag=True,
+                 help="Write NAME.glb too: the bent strip for browsers, phones and Blender (needs build123d)."),
     output_options,
 )  # fmt: skip
 
@@ -84,7 +89,7 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
 
     Writes NAME.dxf and NAME.svg (the cut pattern), NAME.json (the report), NAME.png (the picture; needs
     matplotlib) and NAME.step (flat and bent strip; needs build123d or CadQuery); NAME is that of the file read.
-    NAME-backing.dxf and .svg are what is glued on a laminate.
+    NAME-backing.dxf and .svg are what is glued on a laminate. --glb and --paper add a model and a template.
 
     The curve is taken exactly as drawn, or refused; only a pen curve whose curvature jumps from piece to piece is
     made fair within 0.1 mm or so, which is told (--smooth 0 leaves it alone). With --nearest, --ratio, --stable,
@@ -170,6 +175,7 @@ def _write_files(
     names |= {"png": f"{name}.png"} if find_spec("matplotlib") else {}
     names |= {"pdf": f"{name}.pdf"} if chosen["paper"] else {}
     names |= {"step": f"{name}.step"} if find_spec("OCP") else {}
+    names |= {"glb": f"{name}.glb"} if chosen["glb"] else {}
     drawn_in, folder = chosen["curve"], chosen["output"]
     written = [folder / file for file in names.values()]
     if any(path.exists() and path.samefile(drawn_in) for path in written):
@@ -196,6 +202,12 @@ def _write_files(
             from elastica_cad.kernel.step_files import write_strip_step
 
             write_strip_step(made, workshop / names["step"], frame=spec.frame)
+        if chosen["glb"]:
+            from elastica_cad.kernel.glb_files import write_model_glb
+
+            frame = spec.frame or Frame(y_axis=(0.0, 0.0, 1.0))  # upright, as screens show it
+            placed = Placed(made, frame.origin, frame.x_axis, frame.y_axis)
+            write_model_glb(Model((placed,), name), workshop / names["glb"])
         report = report_strip(
             made, name=name, files=names, near=near, stability=verdict, smoothing=spec.rod_spec.smoothing
         )

@@ -51,6 +51,32 @@ def test_strip_writes_every_file_and_a_report(drawn, tmp_path):
         assert f"bow.{suffix}" in result.stdout
 
 
+def test_the_bent_strip_is_written_for_screens(drawn, tmp_path):
+    pytest.importorskip("OCP")
+    import trimesh
+
+    asked = ("strip", drawn, "--sheet", "birch-plywood-0.8", "--max-width", 40)
+    result = elastica(*asked, "--glb", "-o", tmp_path / "up")
+    assert result.returncode == 0, result.stderr
+    assert "bow.glb" in result.stdout
+    assert json.loads((tmp_path / "up" / "bow.json").read_text())["files"]["glb"] == "bow.glb"
+    lying = ("--x-axis", 0, 1, 0, "--y-axis", 1, 0, 0, "--origin", 0, 0, 500)
+    assert elastica(*asked, *lying, "--glb", "-o", tmp_path / "lying").returncode == 0
+    (curve,) = ec.read_curves(drawn)
+    x, y = np.subtract(*curve.bounds[::-1])
+    up, flat = (trimesh.load(tmp_path / folder / "bow.glb") for folder in ("up", "lying"))
+    assert "bow" in {str(name).lower() for name in up.graph.nodes}
+    around = 10.5  # the tabs, and half the thickness
+    for scene, (along, high, across) in ((up, (x, y, 40)), (flat, (y, 40, x))):  # glTF: m, y up
+        size = scene.extents * 1000
+        assert np.all(size > np.array([along, high, across]) - 0.2)
+        assert np.all(size < np.array([along, high, across]) + 2 * around)
+    assert flat.bounds.mean(axis=0)[1] * 1000 == pytest.approx(500, abs=0.1)
+    plain = elastica(*asked, "-o", tmp_path / "plain")
+    assert plain.returncode == 0
+    assert not (tmp_path / "plain" / "bow.glb").exists()
+
+
 def test_nothing_is_overwritten_without_force(drawn, tmp_path):
     arguments = ("strip", drawn, "--sheet", "card-200gsm", "--max-width", 40, "-o", tmp_path / "out")
     assert elastica(*arguments).returncode == 0
