@@ -18,7 +18,9 @@ import elastica_cad as ec
 from elastica_cad.plot import save_template
 
 SIZE_MM = 0.01
-DOT_MM = 0.0053  # in which LibreCAD prints
+LAYERS = {"CUT_OUTER", "CUT_INNER", "ENGRAVE", "MARK"}
+PAPER_MM = (3302, 635)  # whole points, to which LibreCAD rounds paper; large, as it prints in dots of 0.02 mm
+ENLARGED = 10
 MM_PER_PX, MM_PER_PT = 25.4 / 96, 25.4 / 72
 
 
@@ -29,11 +31,14 @@ def run(*words, cwd, screen=False, seconds=120):
     return done.stdout
 
 
+FINE = ("--tolerance", "0.002")
+
 IN_FREECAD = """
 import json
 import FreeCAD, Import, Part, importSVG
-def loops(edges):
-    wires = [Part.Wire(group) for group in Part.sortEdges(edges)]
+def wires_of(edges):
+    return [Part.Wire(group) for group in Part.sortEdges(edges)]
+def loops(wires):
     points = [wire.discretize(40000) for wire in wires if wire.isClosed()]
     return [(max(p.x for p in line) - min(p.x for p in line), max(p.y for p in line) - min(p.y for p in line))
             for line in points]
@@ -41,7 +46,11 @@ found = {{}}
 for kind, read in (("svg", importSVG.insert), ("dxf", Import.readDXF)):
     document = FreeCAD.newDocument()
     read({file!r} + "." + kind, document.Name)
-    found[kind] = loops([edge for one in document.Objects if hasattr(one, "Shape") for edge in one.Shape.Edges])
+    found[kind] = loops(wires_of([edge for one in document.Objects for edge in one.Shape.Edges]))
+FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/Draft").SetBool("groupLayers", True)
+document = FreeCAD.newDocument()
+Import.readDXF({file!r} + ".dxf", document.Name)
+found["layers"] = {{one.Label: [wire.isClosed() for wire in wires_of(one.Shape.Edges)] for one in document.Objects}}
 solids = Part.Shape()
 solids.read({file!r} + ".step")
 found["step"] = [(one.isClosed() and one.isValid(), one.Volume) for one in solids.Solids]
@@ -56,16 +65,18 @@ def cut(tmp_path_factory):
     curve = ec.PlaneCurve.spline([(0, 0), (40, 80), (110, 100), (190, 50), (240, 0)], degree=4)
     ec.formats.write_curves([curve], folder / "bow.dxf")
     asked = ["--sheet", "birch-plywood-0.8", "--max-width", "30", "--label", "BOW"]
+    asked += ["--start-tab", "length = 12, holes = [{at = 6, diameter = 3}]"]
     for name, options in {
-        "exact": [], "arc": ["--curves", "arc"], "lines": ["--curves", "polyline"], "old": ["--dxf-version", "R12"],
-        "paper": ["--paper", "A3"],
+        "exact": [], "arc": ["--curves", "arc"], "lines": ["--curves", "polyline", *FINE],
+        "old": ["--dxf-version", "R12", *FINE], "paper": ["--paper", "A3"],
     }.items():  # fmt: skip
         run(
             sys.executable, "-m", "elastica_cad", "strip", "bow.dxf", *asked, *options, "-o", name, cwd=folder
         )
     sheet = ec.Sheet.named("birch-plywood-0.8")
     (drawn,) = ec.read_curves(folder / "bow.dxf")
-    return folder, ec.Strip(ec.optimal_rod(drawn), sheet, max_width=30.0, label="BOW")
+    ends = ec.Tab(12.0, holes=(ec.Hole(6.0, 3.0),)), ec.Tab(10.0)
+    return folder, ec.Strip(ec.optimal_rod(drawn), sheet, max_width=30.0, label="BOW", ends=ends)
 
 
 def cutting_file(kind):
@@ -81,23 +92,22 @@ def test_inkscape_measures_the_svg(cut):
     folder, strip = cut
     said = run("inkscape", "--query-all", "exact/bow.svg", cwd=folder)
     rows = {row.split(",")[0]: np.array(row.split(",")[1:], float) for row in said.splitlines() if "," in row}
-    assert {"CUT_OUTER", "ENGRAVE", "MARK"} <= set(rows)
+    assert set(rows) >= LAYERS
     stroke = stroke_width(folder / "exact" / "bow.svg")
     measured = rows["CUT_OUTER"][2:] * MM_PER_PX - stroke
     np.testing.assert_allclose(measured, outline_size(strip), atol=SIZE_MM)
 
 
 def test_inkscape_draws_closed_loops_on_the_layers(cut):
-    folder, strip = cut
+    folder, _ = cut
     words = ("exact/bow.svg", "--export-plain-svg", "--export-filename=plain.svg")
     run("inkscape", *words, cwd=folder)
     root = ElementTree.parse(folder / "plain.svg").getroot()
     groups = {group.get("id"): group for group in root.iter("{http://www.w3.org/2000/svg}g")}
-    loops = [path.get("d") for path in groups["CUT_OUTER"].iter("{http://www.w3.org/2000/svg}path")]
-    assert len(loops) == 1
-    assert loops[0].strip().lower().endswith("z")
-    assert not [one for one in groups if one.startswith("CUT_INNER")]
-    assert not strip.holes
+    for layer in ("CUT_OUTER", "CUT_INNER"):
+        loops = [path.get("d") for path in groups[layer].iter("{http://www.w3.org/2000/svg}path")]
+        assert len(loops) == 1
+        assert loops[0].strip().lower().endswith("z")
 
 
 def test_freecad_reads_drawings_and_solids(cut):
@@ -105,11 +115,14 @@ def test_freecad_reads_drawings_and_solids(cut):
     pytest.importorskip("OCP")
     file = str(folder / "exact" / "bow")
     (folder / "read.py").write_text(IN_FREECAD.format(file=file))
-    run("freecadcmd", str(folder / "read.py"), cwd=folder, seconds=300)
+    run("freecadcmd", "-u", str(folder / "user.cfg"), str(folder / "read.py"), cwd=folder, seconds=300)
     found = json.loads((folder / "exact" / "bow.freecad.json").read_text())
     for kind in ("svg", "dxf"):
         largest = max(found[kind], key=lambda size: size[0])
         np.testing.assert_allclose(largest, outline_size(strip), atol=SIZE_MM)
+    layers = found["layers"]
+    assert set(layers) == LAYERS
+    assert layers["CUT_OUTER"] == layers["CUT_INNER"] == [True]
     assert [closed for closed, _ in found["step"]] == [True, True]
     volume = strip.area * strip.sheet.thickness
     assert [size for _, size in found["step"]] == pytest.approx([volume, volume], rel=1e-4)
@@ -121,55 +134,84 @@ def stroke_width(file):
     return float(re.search(r'stroke-width[=:]"?([0-9.]+)', text)[1])
 
 
-@pytest.mark.parametrize("kind", ["arc", "lines", "old"])
+@pytest.mark.parametrize("kind", ["lines", "old"])
 def test_openscad_extrudes_the_dxf(cut, kind):
     folder, strip = cut
-    (folder / f"{kind}.scad").write_text(f'$fn = 720; import("{cutting_file(kind)}", layer="CUT_OUTER");')
+    # $fn: pieces of a whole turn, also of arcs of 10 m radius
+    (folder / f"{kind}.scad").write_text(f'$fn = 20000; import("{cutting_file(kind)}", layer="CUT_OUTER");')
     run("openscad", "-o", f"{kind}.svg", f"{kind}.scad", cwd=folder)
     root = ElementTree.parse(folder / f"{kind}.svg").getroot()
     (path,) = root.findall("{http://www.w3.org/2000/svg}path")
     loops = [part for part in path.get("d").split("M") if part.strip()]
     assert len(loops) == 1, "one closed loop"
-    points = np.array(re.findall(r"(-?[0-9.e+-]+),(-?[0-9.e+-]+)", loops[0]), float)
-    np.testing.assert_allclose(
-        np.ptp(points, axis=0), outline_size(strip), atol=0.06 if kind == "arc" else 0.03
-    )
-    x, y = points.T
-    area = abs(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1))) / 2
-    assert area == pytest.approx(strip.outline.area, rel=2e-3)
+    points = np.array(re.findall(r"(-?[0-9.e+-]+),(-?[0-9.e+-]+)", loops[0]), float) * (1, -1)
+    np.testing.assert_allclose(np.ptp(points, axis=0), outline_size(strip), atol=SIZE_MM)
+    with_middles = np.concatenate([points, (points + np.roll(points, -1, axis=0)) / 2])
+    assert distances(with_middles, strip.outline.points(1e-3)).max() < SIZE_MM
 
 
-@pytest.mark.parametrize("kind", ["exact", "arc", "old"])
-def test_librecad_prints_the_dxf_at_full_size(cut, kind):
+def distances(points, corners):
+    """How far points (n, 2) lie from a closed polyline, mm."""
+    side = np.roll(corners, -1, axis=0) - corners
+    from_corner = points[:, None] - corners
+    share = np.clip(np.sum(from_corner * side, axis=-1) / np.sum(side**2, axis=-1), 0, 1)
+    return np.linalg.norm(from_corner - share[..., None] * side, axis=-1).min(axis=1)
+
+
+@pytest.mark.parametrize("kind", ["exact", "arc", "lines", "old"])
+def test_librecad_prints_each_layer_at_full_size_in_closed_loops(cut, kind):
     folder, strip = cut
-    printed = librecad_size(folder, cutting_file(kind), (1, 0, 0))
-    # LibreCAD rounds the paper to whole points: a plate that ezdxf wrote says by how much it then scales
-    document = ezdxf.new(units=4)
-    document.modelspace().add_lwpolyline(
-        [(0, 0), (300, 0), (300, 40), (0, 40)], close=True, dxfattribs={"color": 1}
+    printed = {layer: librecad_lines(folder, cutting_file(kind), layer) for layer in LAYERS}
+    for layer, size in {"CUT_OUTER": outline_size(strip), "CUT_INNER": (3, 3)}.items():
+        np.testing.assert_allclose(np.ptp(np.concatenate(printed[layer]), axis=0), size, atol=SIZE_MM)
+        assert [is_closed(chain) for chain in joined(printed[layer])] == [True]
+    assert len(printed["ENGRAVE"]) > 3
+    assert [is_closed(chain) for chain in joined(printed["MARK"])] == [False, False]  # where both tabs begin
+
+
+def librecad_lines(folder, file, layer):
+    """The lines (n, 2), mm, that LibreCAD prints of one layer, while all others are frozen."""
+    target = folder / f"librecad-{file.replace('/', '-')}-{layer}"
+    target.mkdir()
+    text, papers = re.subn(
+        r"(\$PLIMMAX\s+10\s+)\S+(\s+20\s+)\S+",
+        rf"\g<1>{PAPER_MM[0]}\g<2>{PAPER_MM[1]}",
+        (folder / file).read_text(),
     )
-    document.saveas(folder / "plate.dxf")
-    scale = librecad_size(folder, "plate.dxf", (1, 0, 0)) / (300, 40)
-    np.testing.assert_allclose(scale, 1, atol=1e-3)
-    np.testing.assert_allclose(printed / scale, outline_size(strip), atol=3 * DOT_MM)
-
-
-def librecad_size(folder, file, color):
-    """Width and height (mm) of the lines of a colour on the paper that LibreCAD prints."""
-    target = folder / f"librecad-{file.replace('/', '-')}"
-    target.mkdir(exist_ok=True)
-    words = ["librecad", "dxf2pdf", "-c", "-s", "1", "-r", "4800", "-t", str(target), file]
+    table = r"(\n  0\nLAYER\n(?:(?!  0\n).*\n.*\n)*?  2\n(.*)\n 70\n)0\n"
+    text, layers = re.subn(table, lambda found: f"{found[1]}{int(found[2] != layer)}\n", text)
+    assert papers == 1
+    assert layers >= len(LAYERS)
+    (target / "one.dxf").write_text(text)
+    words = ("librecad", "dxf2pdf", "-c", "-s", str(ENLARGED), "-t", str(target), str(target / "one.dxf"))
     run(*words, cwd=folder, screen=True)
-    (pdf,) = target.glob("*.pdf")
-    return printed_size(pdf, color)
+    return [line / ENLARGED for line in printed_lines(target / "one.pdf")]
+
+
+def is_closed(chain):
+    return len(chain) > 2 and np.linalg.norm(chain[0] - chain[-1]) < SIZE_MM
+
+
+def joined(lines):
+    """Lines that meet end to end as chains."""
+    lines, chains = list(lines), []
+    while lines:
+        chain, found = lines.pop(), True
+        while found and not is_closed(chain):
+            turned = ((i, line[::step]) for i, line in enumerate(lines) for step in (1, -1))
+            found = next((one for one in turned if np.linalg.norm(one[1][0] - chain[-1]) < SIZE_MM), None)
+            if found:
+                chain = np.concatenate([chain, found[1][1:]])
+                del lines[found[0]]
+        chains.append(chain)
+    return chains
 
 
 def test_poppler_measures_the_paper_template(cut):
     folder, strip = cut
     color = (194 / 255, 69 / 255, 45 / 255)
-    np.testing.assert_allclose(
-        printed_size(folder / "paper" / "bow.pdf", color), outline_size(strip), atol=SIZE_MM
-    )
+    lines = np.concatenate(printed_lines(folder / "paper" / "bow.pdf", color))
+    np.testing.assert_allclose(np.ptp(lines, axis=0), outline_size(strip), atol=SIZE_MM)
 
 
 def test_tiles_join_at_their_marks(cut):
@@ -184,22 +226,24 @@ def test_tiles_join_at_their_marks(cut):
     assert np.all(tiling.origins[-1] + tiling.size >= high)
 
 
-def printed_size(pdf, color):
-    """Width and height (mm) of all lines of a colour (r, g, b) on the first page, as Poppler draws it."""
+def printed_lines(pdf, color=None):
+    """The lines (n, 2), mm, of a colour (r, g, b), or of all, on the first page, as Poppler draws it."""
     svg = pdf.with_suffix(".poppler.svg")
     run("pdftocairo", "-svg", "-f", "1", "-l", "1", "-noshrink", pdf.name, svg.name, cwd=pdf.parent)
     found = []
     pattern = r'stroke:rgb\(([^)]*)\)[^>]* d="([^"]+)"(?: transform="matrix\(([^)]*)\)")?'
     for stroke, d, matrix in re.findall(pattern, svg.read_text()):
-        if np.allclose([float(part.rstrip("%")) / 100 for part in stroke.split(",")], color, atol=0.01):
+        if color is None or np.allclose(
+            [float(part.rstrip("%")) / 100 for part in stroke.split(",")], color, atol=0.01
+        ):
             points = np.array(re.findall(r"(-?[0-9.]+) (-?[0-9.]+)", d), float)
             a, b, c, e, x, y = (float(v) for v in (matrix or "1,0,0,1,0,0").split(","))
-            found.append(points @ np.array([[a, b], [c, e]]) + (x, y))
-    return np.ptp(np.concatenate(found), axis=0) * MM_PER_PT
+            found.append((points @ np.array([[a, b], [c, e]]) + (x, y)) * MM_PER_PT)
+    return found
 
 
 def test_layers_stand_in_the_dxf_for_every_reader(cut):
     folder, _ = cut
     for kind in ("exact", "arc", "lines", "old"):
         document = ezdxf.readfile(folder / cutting_file(kind))
-        assert {entity.dxf.layer for entity in document.modelspace()} == {"CUT_OUTER", "ENGRAVE", "MARK"}
+        assert {entity.dxf.layer for entity in document.modelspace()} == LAYERS
