@@ -116,8 +116,9 @@ def _rod(curve: Path | None, chosen: dict[str, Any]) -> Rod:
     gravity = sheet.gravity(chosen["down"]) if sheet is not None and chosen["gravity"] else None
     if curve is None:
         return Rod.straight(chosen["straight"], gravity=gravity)
-    drawn = pick_curve(curve, chosen["number"], chosen["unit"], chosen["layer"])
-    limits = Limits() if chosen["nearest"] else None
+    number, layer, nearest = chosen["number"], chosen["layer"], chosen["nearest"]
+    drawn = pick_curve(curve, number, chosen["unit"], layer, may_change=nearest)
+    limits = Limits() if nearest else None
     spec = RodSpec(drawn, gravity, smooth=chosen["smooth"], limits=limits)
     for note in spec.smoothing.notes:
         say(note)

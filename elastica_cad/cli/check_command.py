@@ -58,16 +58,18 @@ def check(
     for one in drawing.chosen(number, layer):
         try:
             found, good = _judged(curve, one, len(drawing), supports, natural_curvature, smooth)
-            cured = sum("cure" in told for _, told in answers)
-            if not good and cured < MOST_CURES:
-                which = ("--curve", str(one.number)) if len(drawing) > 1 else ()
-                cure = cure_for_curve(one.curve, supports, natural_curvature, smooth, which)
-                found |= {"cure": cure} if cure else {}
         except ElasticaError as problem:
             if len(drawing) == 1:
+                if not one.problem:
+                    problem.add_note(cure_for_curve(one.curve, supports, natural_curvature, smooth, ()))
                 raise
-            found, good = {"realizable": False, "problem": str(problem), "advice": str(problem)}, False
+            found, good = {"realizable": False, "problem": str(problem), "advice": f"{problem}."}, False
             worst = BAD_INPUT
+        cured = sum("cure" in told for _, told in answers)
+        if not good and not one.problem and cured < MOST_CURES:
+            which = ("--curve", str(one.number)) if len(drawing) > 1 else ()
+            cure = cure_for_curve(one.curve, supports, natural_curvature, smooth, which)
+            found |= {"cure": cure} if cure else {}
         worst = max(worst, 0 if good else NOT_REALIZABLE)
         answers.append((one, found))
         head = f"{curve.name}, {one.called} of {len(drawing)}:\n" if len(drawing) > 1 else ""

@@ -183,11 +183,15 @@ def drawn_curves(
     return drawing
 
 
-def bendable_curve(path: Path, drawn: DrawnCurve, count: int) -> PlaneCurve:
-    """A curve of a file that is open and without corners; a complaint names the file and the curve."""
+def bendable_curve(path: Path, drawn: DrawnCurve, count: int, *, may_change: bool = False) -> PlaneCurve:
+    """A curve of a file that is open and without corners; a complaint names the file and the curve.
+
+    With `may_change` any curve will do: the strip leaves it where it must.
+    """
     try:
         curve = drawn.curve
-        require_bendable(curve)
+        if not may_change:
+            require_bendable(curve)
     except InputError as problem:
         which = f", {drawn.called} of {count}" if count > 1 else ""
         message = str(problem)
@@ -203,10 +207,18 @@ def bendable_curves(
     return [bendable_curve(path, one, len(drawing)) for one in drawing.chosen(number, layer)]
 
 
-def pick_curve(path: Path, number: str | None, unit: str | None, layer: str | None = None) -> PlaneCurve:
+def pick_curve(
+    path: Path,
+    number: str | None,
+    unit: str | None,
+    layer: str | None = None,
+    *,
+    may_change: bool = False,
+) -> PlaneCurve:
     """The one curve of a file, or the one asked for by its number from 1, its id or its layer."""
     drawing = drawn_curves(path, unit, number, layer)
-    return bendable_curve(path, drawing.one(number, layer, CHOICE), len(drawing))
+    one = drawing.one(number, layer, CHOICE)
+    return bendable_curve(path, one, len(drawing), may_change=may_change)
 
 
 def refuse_odd_numbers(chosen: Mapping[str, Any]) -> None:

@@ -13,6 +13,7 @@ import click
 
 from elastica_cad.cli.cures import cure_for
 from elastica_cad.cli.options import (
+    CHOICE,
     bendable_curve,
     curve_options,
     drawn_curves,
@@ -20,7 +21,6 @@ from elastica_cad.cli.options import (
     holding_option,
     join_options,
     output_options,
-    pick_curve,
     which_options,
 )
 from elastica_cad.cli.running.lengths import LENGTH, Length
@@ -35,6 +35,7 @@ from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import save
+from elastica_cad.formats.curve_files.drawn_file import DrawnCurve
 from elastica_cad.formats.design_files.kit_spec import Cutting
 from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.formats.reports.strip_report import report_strip
@@ -99,8 +100,9 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
     """
     path, number, layer = chosen["curve"], chosen["number"], chosen["layer"]
     if not chosen["every"]:
-        drawn = pick_curve(path, number, chosen["unit"], layer)
-        report, good = _one_strip(drawn, file_stem(path, number), chosen)
+        drawing = drawn_curves(path, chosen["unit"], number, layer)
+        one = drawing.one(number, layer, CHOICE)
+        report, good = _one_strip(one, len(drawing), file_stem(path, number), chosen)
         answer({"strips": [report]})
         if not good:
             ctx.exit(1)
@@ -109,8 +111,7 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
     reports, wrong = [], 0
     for one in drawing.chosen(number, layer):
         try:
-            drawn = bendable_curve(path, one, len(drawing))
-            report, good = _one_strip(drawn, file_stem(path, str(one.number)), chosen)
+            report, good = _one_strip(one, len(drawing), file_stem(path, str(one.number)), chosen)
             reports.append(report)
             wrong += not good
         except ElasticaError as problem:
@@ -122,11 +123,18 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
         ctx.exit(1)
 
 
-def _one_strip(drawn: PlaneCurve, name: str, chosen: dict[str, Any]) -> tuple[dict[str, Any], bool]:
+def _one_strip(one: DrawnCurve, count: int, name: str, chosen: dict[str, Any]) -> tuple[dict[str, Any], bool]:
     """The report on the strip of one curve, whose files are written, and whether it is as good as asked."""
     cutting = _cutting(chosen)
+    drawn = bendable_curve(chosen["curve"], one, count, may_change=True)
     label = engravable(name) if chosen["label"] is None else chosen["label"]
     spec = spec_from_options(drawn, label, chosen)
+    if not spec.may_change:
+        try:
+            bendable_curve(chosen["curve"], one, count)
+        except InputError as problem:
+            problem.add_note(cure_for(spec))
+            raise
     made, near = _made(spec, drawn)
     verdict = stability(made.rod)
     say_step(f"writing the files of {name}")

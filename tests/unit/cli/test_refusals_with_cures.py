@@ -94,6 +94,12 @@ REFUSED = [
     ("check wave.dxf", "--sheet card-200gsm --max-width 14 --nearest"),
     ("check arch.dfx", "check arch.dxf"),
     ("check tall.dxf --start clampd", "--start clamped"),
+    ("strip corner.svg --sheet birch-plywood-0.8 --max-width 20", "--nearest"),
+    ("strip ring.svg --sheet birch-plywood-0.8 --max-width 20", "--nearest"),
+    ("check corner.svg", "strip corner.svg --sheet"),
+    ("check ring.svg", "strip ring.svg --sheet"),
+    ("check both.svg --curve 2", "strip both.svg --curve 2 --sheet"),
+    ("bend corner.svg --to 100 0", "--nearest"),
     ("bend wave.dxf --to 130 0", "--nearest"),
     ("bend two.dxf --to 130 0", "--curve 2"),
     ("bend --straight 100 --to 200 0", "--to 90 0"),
@@ -109,6 +115,10 @@ REFUSED = [
     ("model design.toml --no-step --no-pictures", "--nearest"),
     ("model thin.toml --no-step --no-pictures", "--nearest"),
 ]
+CORNER, RING = (
+    '<path d="M 10 100 C 40 60 70 60 100 100 C 130 60 160 60 190 100"/>',
+    '<circle cx="100" cy="100" r="50"/>',
+)
 DESIGN = """
 schema = 1
 name = "kit"
@@ -129,6 +139,11 @@ def desk(tmp_path_factory):
     write_curves(
         [drawn["wave"], drawn["tall"].transformed([[1, 0, 300], [0, 1, 0], [0, 0, 1]])], folder / "two.dxf"
     )
+    for name, paths in (("corner", CORNER), ("ring", RING), ("both", RING + CORNER)):
+        (folder / f"{name}.svg").write_text(
+            '<svg xmlns="http://www.w3.org/2000/svg" width="300mm" height="200mm" viewBox="0 0 300 200">'
+            f"{paths}</svg>"
+        )
     (folder / "arch.dxf").write_bytes((folder / "tall.dxf").read_bytes())
     (folder / "design.toml").write_text(f'{DESIGN}curve = "wave.dxf"\n')
     (folder / "thin.toml").write_text(f'{DESIGN}curve = "tall.dxf"\n')
