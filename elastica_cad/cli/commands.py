@@ -47,7 +47,7 @@ def _said(problem: ElasticaError) -> str:
 
 def _with_cure(said: str, cure: str) -> str:
     """Two sentences, or one."""
-    return f"{said}{'' if said.endswith(('.', '?', '!', ')')) else '.'} {cure}" if cure else said
+    return f"{said}{'' if said.endswith(('.', '?', '!', '.)')) else '.'} {cure}" if cure else said
 
 
 class _Sentences(click.Group):

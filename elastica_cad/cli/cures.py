@@ -3,10 +3,11 @@
 import re
 import shlex
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from contextvars import ContextVar
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
-from itertools import islice, product
+from itertools import chain, islice, product
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any, TypeAlias
@@ -14,12 +15,15 @@ from typing import Any, TypeAlias
 import click
 import numpy as np
 
+from elastica_cad.cli.running.design_mends import mends
 from elastica_cad.cli.running.program import name_program
 from elastica_cad.errors import ElasticaError
 from elastica_cad.fabrication.makeability.splices import SPLICED
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.styles import Plain
 from elastica_cad.fabrication.strip_spec import StripSpec
+from elastica_cad.files import read_drawing
+from elastica_cad.formats.design_files.reshaping import CORNERS, box_around
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -69,6 +73,9 @@ WIDTHS_MM = (8.0, 120.0)
 LAP_THICKNESSES = 20
 """Of the plates that join a strip of pieces: glue holds as well as the sheet from a dozen on."""
 
+PULLED = 1.1
+"""Of the box: where a corner of it goes when nobody says."""
+
 NEAR_SHARE = 0.01
 """Of the length: a strip that comes so near looks as drawn."""
 
@@ -82,7 +89,12 @@ def _typed_command(*added: str, instead: str | None = None) -> str:
     words: Sequence[str] = context.meta.get(TYPED, ())
     if instead is not None:
         words = [instead if word == context.info_name else word for word in words if word != "--json"]
-    return f"{name_program()} {shlex.join([*(word for word in words if word != NEAREST), *added])}"
+    return _command(*(word for word in words if word != NEAREST), *added)
+
+
+def _command(*words: str) -> str:
+    """A command as it is typed."""
+    return f"{name_program()} {shlex.join(words)}"
 
 
 def cure_for(spec: StripSpec) -> str:
@@ -104,6 +116,8 @@ def cure_for_curve(
     natural_curvature: float,
     smooth: float | None,
     which: Sequence[str],
+    *,
+    file: Path | None = None,
 ) -> str:
     """A sentence with the command `elastica strip` that comes nearest to a curve that no strip takes.
 
@@ -116,6 +130,8 @@ def cure_for_curve(
         As asked of the check.
     which : sequence of str
         Words that choose this curve in its file.
+    file : Path, optional
+        That holds the curve, where it is not the one that was typed.
     """
     if natural_curvature or TRYING.get():
         return ""
@@ -133,7 +149,8 @@ def cure_for_curve(
         return ""
     near, made = min(found, key=lambda one: one[0].deviation)
     words = ["--sheet", made.sheet.name, "--max-width", f"{width:g}", NEAREST, *which]
-    return f"This works: `{_typed_command(*words, instead='strip')}` {_costs(near, made)}."
+    typed = _typed_command(*words, instead="strip") if file is None else _command("strip", str(file), *words)
+    return f"This works: `{typed}` {_costs(near, made)}."
 
 
 def _solved(
@@ -232,11 +249,35 @@ def cure_by_trial(group: click.Group, words: Sequence[str], said: str) -> str:
     """
     if TRYING.get() or "-" in words:  # standard input has been read
         return ""
+    for mended, result in _mended(group, tuple(words), said):
+        return f"This works: {mended}, then `{_command(*words)}`{result}."
     for changed in islice(dict.fromkeys(_changes(group, tuple(words), said)), MOST_TRIALS):
         gave = _run(group, changed)
         if gave is not None:
-            return f"This works: `{name_program()} {shlex.join(changed)}`{gave and f', which gives: {gave}'}."
+            return f"This works: `{_command(*changed)}`{gave}."
     return ""
+
+
+def _mended(group: click.Group, words: Words, said: str) -> Iterator[tuple[str, str]]:
+    """What to write in a file of tables that was typed, and what the same command then gives.
+
+    The changed file is tried in a folder that shows all that stands beside the file.
+    """
+    for i, word in enumerate(words):
+        path = Path(word)
+        if path.suffix != ".toml" or not path.is_file():
+            continue
+        beside = [one for one in path.absolute().parent.iterdir() if one.name != path.name]
+        text = path.read_text(encoding="utf-8", errors="replace")
+        for changed, told in islice(mends(text, said, [one.name for one in beside]), MOST_TRIALS):
+            with TemporaryDirectory() as folder, suppress(OSError):
+                for one in beside:
+                    (Path(folder) / one.name).symlink_to(one)
+                tried = Path(folder) / path.name
+                tried.write_text(changed, encoding="utf-8")
+                gave = _run(group, (*words[:i], str(tried), *words[i + 1 :]))
+                if gave is not None:
+                    yield told.format(file=path.name), gave
 
 
 SPOKEN = ("--watch", "--json", "-q", "--quiet", "-v", "--verbose")
@@ -244,7 +285,7 @@ SPOKEN = ("--watch", "--json", "-q", "--quiet", "-v", "--verbose")
 
 
 def _run(group: click.Group, words: Words) -> str | None:
-    """What a command tells in its first line with a number, its files thrown away; None where it is refused."""
+    """What a command gives: its first line with a number, its files thrown away; None where it is refused."""
     from click.testing import CliRunner
 
     command = group.commands.get(words[0])
@@ -262,7 +303,7 @@ def _run(group: click.Group, words: Words) -> str | None:
     if ran.exit_code != 0:
         return None
     lines = [line.strip() for line in ran.stdout.splitlines() if re.search(r"\d", line)]
-    return lines[0].rstrip(".") if lines and folder not in lines[0] else ""
+    return f", which gives: {lines[0].rstrip('.')}" if lines and folder not in lines[0] else ""
 
 
 def _changes(group: click.Group, words: Words, said: str) -> Iterator[Words]:
@@ -314,6 +355,45 @@ def _closer(refused: _Refused) -> Iterator[Words]:
         yield (*refused.words[: start + 1], *near, *refused.words[end:])
 
 
+def _handled(refused: _Refused) -> Iterator[Words]:
+    """Handles of `reshape` that make a map: those typed, pulled less far, or one corner of the box."""
+    if refused.name != "reshape" or not re.search(r"handle|corner.? of the box|infinity", refused.said):
+        return
+    try:
+        asked = refused.command.make_context(refused.name, list(refused.words)).params
+        drawing = read_drawing(asked["curve"], unit=asked["unit"])
+        curves = [one.curve for one in drawing.chosen(asked["number"], asked["layer"])]
+    except (click.UsageError, ElasticaError):
+        return
+    (left, low), (right, high) = box_around(curves)
+    home = dict(zip(CORNERS, ((left, low), (right, low), (right, high), (left, high)), strict=True))
+    places = {name: asked[name] for name in CORNERS if asked[name] is not None}
+    handles = asked["handles"]
+    pulls = [option for option in refused.command.params if option.name in (*CORNERS, "handles")]
+    gone = {i for option in pulls for span in refused.typed(option) for i in range(*span)}
+    rest = tuple(word for i, word in enumerate(refused.words) if i not in gone)
+
+    def towards(start: Sequence[float], end: Sequence[float], share: float) -> list[str]:
+        return [f"{a + share * (b - a):.6g}" for a, b in zip(start, end, strict=True)]
+
+    for share in (1.0, 0.5, 0.2) if handles and places else (0.5, 0.2, 0.05):
+        if places:
+            moved = ((_option(name), *towards(home[name], place, share)) for name, place in places.items())
+            yield (*rest, *chain.from_iterable(moved))
+        elif len(handles) == 4:
+            moved = (
+                ("--handle", *towards(one[:2], one[2:], 0.0), *towards(one[:2], one[2:], share))
+                for one in handles
+            )
+            yield (*rest, *chain.from_iterable(moved))
+    yield (*rest, "--top-right", *towards((left, low), (right, high), PULLED))
+
+
+def _option(name: str) -> str:
+    """The option that sets a parameter."""
+    return f"--{name.replace('_', '-')}"
+
+
 def _within(refused: _Refused) -> Iterator[Words]:
     """A number that is told instead of one that was typed: use 8 mm or more."""
     told = re.findall(r"(?:use|give|make it|at most|at least|below) (\d[\d.]*\d|\d)", refused.said)
@@ -338,5 +418,5 @@ def _dropped(refused: _Refused) -> Iterator[Words]:
 
 
 WAYS: tuple[Callable[[_Refused], Iterator[Words]], ...] = (
-    _nearly_named, _chosen, _closer, _within, _added, _dropped,
+    _nearly_named, _chosen, _closer, _handled, _within, _added, _dropped,
 )  # fmt: skip

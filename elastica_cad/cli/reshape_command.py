@@ -7,6 +7,7 @@ from typing import Any
 import click
 
 from elastica_cad._types import FloatArray
+from elastica_cad.cli.cures import cure_for_curve
 from elastica_cad.cli.options import (
     bendable_curves,
     curve_argument,
@@ -15,15 +16,18 @@ from elastica_cad.cli.options import (
     which_options,
 )
 from elastica_cad.cli.running.lengths import LENGTH, POINT
-from elastica_cad.cli.running.voice import answer, say, wrote
+from elastica_cad.cli.running.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.write_curves import write_curves
 from elastica_cad.formats.design_files.reshaping import CORNERS, map_corners
 from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.curves.projective_maps import four_point_map
+from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+
+NO_MAP = "No such map makes a curve that can be bent of one that cannot: redraw it."
 
 KINDS = ("dxf", "svg", "json")
 
@@ -80,7 +84,11 @@ def reshape(
             say(f"{word}: {_sentence(verdict)}")
     answer({"map": matrix, "curves": told})
     wrote([output / name for name in names])
-    if not all(one["after"]["realizable"] for one in told):
+    bad = [i for i, one in enumerate(told) if not one["after"]["realizable"]]
+    if bad:
+        which = ("--curve", str(bad[0] + 1)) if len(changed) > 1 else ()
+        file = output / names[0]
+        warn(cure_for_curve(changed[bad[0]], Supports(), 0.0, None, which, file=file) or NO_MAP)
         ctx.exit(1)
 
 

@@ -14,6 +14,12 @@ CORNERS = ("bottom_left", "bottom_right", "top_right", "top_left")
 """Handles of the box around the drawn curves, by name."""
 
 
+def box_around(curves: Sequence[PlaneCurve]) -> FloatArray:
+    """Lower left and upper right corner (2, 2) of the box around curves, mm."""
+    bounds = np.array([curve.bounds for curve in curves])
+    return np.array([bounds[:, 0].min(axis=0), bounds[:, 1].max(axis=0)])
+
+
 def map_corners(curves: Sequence[PlaneCurve], places: Mapping[str, ArrayLike]) -> FloatArray:
     """The projective map that takes corners of the box around curves to `places`, mm; other corners stay.
 
@@ -32,8 +38,7 @@ def map_corners(curves: Sequence[PlaneCurve], places: Mapping[str, ArrayLike]) -
     for name in places:
         if name not in CORNERS:
             raise InputError(f"a box has no corner {name!r}: use {', '.join(CORNERS)}")
-    bounds = np.array([curve.bounds for curve in curves])
-    (left, low), (right, high) = bounds[:, 0].min(axis=0), bounds[:, 1].max(axis=0)
+    (left, low), (right, high) = box_around(curves)
     if min(right - left, high - low) <= 1e-9 * max(right - left, high - low):
         raise InputError(
             f"the box around the curve measures {right - left:.4g} by {high - low:.4g} mm: too thin for handles "

@@ -102,6 +102,15 @@ REFUSED = [
     ("bend corner.svg --to 100 0", "--nearest"),
     ("bend wave.dxf --to 130 0", "--nearest"),
     ("bend two.dxf --to 130 0", "--curve 2"),
+    ("reshape tall.dxf", "--top-right 165"),
+    ("reshape tall.dxf --handle 0 0 0 0", "--top-right 165"),
+    ("reshape tall.dxf --handle 0 0 0 0 --top-right 200 200", "--top-right 200 200"),
+    ("reshape tall.dxf --top-right 0 0", "--top-right 120"),
+    ("reshape tall.dxf --top-right 150 -200", "--top-right 150 36"),
+    (
+        "reshape tall.dxf --handle 0 0 0 0 --handle 150 0 150 0 --handle 150 90 0 0 --handle 0 90 0 90",
+        "--handle 150 90 120 72",
+    ),
     ("bend --straight 100 --to 200 0", "--to 90 0"),
     ("bend --straight 100 --gravity --to 90 0", "--sheet birch-plywood-0.8"),
     ("bend", "--straight 300 --to 200 0"),
@@ -162,6 +171,53 @@ def test_every_command_ends_a_refusal_with_one_that_works(words, told, desk, tmp
     assert told in command
     aside = [] if command.startswith(("check", "sheets")) else ["-o", str(tmp_path)]
     made = typed([*shlex.split(command), *aside], desk)
+    assert made.returncode == 0, made.stderr
+
+
+SLIPS = {
+    "sheet": ("birch-plywood-0.8", "birch-plywod-0.8", "write `birch-plywood-0.8`"),
+    "key": ("max_width", "max_widht", "write `max_width`"),
+    "key of a strip": ("curve =", "curv =", "write `curve`"),
+    "file": ("wide.dxf", "wdie.dxf", "write `wide.dxf`"),
+    "schema": ("schema = 1", "", "write `schema = 1`"),
+    "quotes": ('"wide.dxf"', "wide.dxf", 'write `curve = "wide.dxf"`'),
+}
+
+
+@pytest.mark.parametrize("slip", SLIPS)
+def test_a_slip_in_a_design_ends_with_what_to_write_and_the_command_to_run_again(slip, tmp_path):
+    right, wrong, told = SLIPS[slip]
+    write_curves([ec.PlaneCurve.spline([(0, 0), (50, 50), (100, 0)], degree=2)], tmp_path / "wide.dxf")
+    design = tmp_path / "kit.toml"
+    design.write_text(f'{DESIGN}curve = "wide.dxf"\n'.replace(right, wrong))
+    refused = typed(["model", "kit.toml", "--no-step", "--no-pictures", "-o", "out"], tmp_path)
+    assert refused.returncode == 2
+    assert told in refused.stderr
+    assert sorted(one.name for one in tmp_path.iterdir()) == ["kit.toml", "wide.dxf"]
+    write, old, line = re.search(
+        r"This works: write `(.*?)`(?: for `(.*?)`)? in (?:a first line|line (\d+)) of kit.toml, then",
+        refused.stderr,
+    ).groups()
+    lines = design.read_text().splitlines()
+    if line is None:
+        lines.insert(0, write)
+    else:
+        at = int(line) - 1
+        lines[at] = write if old is None else lines[at].replace(old, write)
+    design.write_text("\n".join(lines))
+    (command,) = re.findall(r"then `.* -m elastica_cad ([^`]*)`", refused.stderr)
+    made = typed(shlex.split(command), tmp_path)
+    assert made.returncode == 0, made.stderr
+
+
+def test_a_reshaped_curve_that_cannot_be_bent_ends_with_a_strip_near_it(tmp_path):
+    write_curves([ec.PlaneCurve.spline(CURVES["wave"], degree=4)], tmp_path / "wave.dxf")
+    refused = typed(["reshape", "wave.dxf", "--top-right", "265", "190"], tmp_path)
+    assert refused.returncode == 1
+    (command,) = re.findall(
+        r"This works: `.* -m elastica_cad (strip wave-reshaped.dxf [^`]*)`", refused.stderr
+    )
+    made = typed([*shlex.split(command), "-o", "out"], tmp_path)
     assert made.returncode == 0, made.stderr
 
 
