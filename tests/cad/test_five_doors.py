@@ -81,7 +81,7 @@ def cuts(path):
 def assert_same_cuts(folder, strip, *files):
     for i, drawing in enumerate(strip.drawings()):
         save(drawing, folder / f"core{i}.dxf")
-        (made,) = (folder / "out").glob(files[i])
+        (made,) = (folder / "out").rglob(files[i])
         ours, theirs = cuts(folder / f"core{i}.dxf"), cuts(made)
         assert [kind for kind, _ in ours] == [kind for kind, _ in theirs]
         assert ours
