@@ -99,7 +99,7 @@ class TestBuild123d:
             block = EndFixture(ARCH, PLY, end=end, **options)
             assert block.is_valid
             assert not strip & block
-            assert block.distance_to(strip) == pytest.approx(0.14, abs=0.012)
+            assert block.distance_to(strip) < 1e-3  # the pocket leans against the load: its walls touch there
             joint, mate = block.joints["tab"].location, strip.joints[end].location
             assert [*joint.position] == pytest.approx([*mate.position], abs=1e-9)
             assert block.strip.label == "A"
@@ -130,5 +130,5 @@ class TestCadQuery:
         strip = bent_strip(ARCH, PLY, **options)
         block = end_fixture(ARCH, PLY, end="end", **options)
         assert block.isValid()
-        assert block.distance(strip) == pytest.approx(0.14, abs=0.012)
+        assert block.distance(strip) < 1e-3  # the pocket leans against the load: its walls touch there
         assert block.joints["tab"].toTuple()[0] == pytest.approx(strip.joints["end"].toTuple()[0], abs=1e-9)
