@@ -122,8 +122,9 @@ def test_ways_out_of_limits_that_exclude_each_other():
     near = nearest_rod(WAVE, Limits(ratio=1.05, margin=30.0), keep)
     assert near.status is Status.NOT_MET
     advice = list(islice(advise(near), 3))
-    assert advice[0] == (
-        f"The stability margin of 30 is missed: this rod has {stability(near.rod).margin:.3g}."
+    found = stability(near.rod)
+    assert (
+        advice[0] == f"The stability margin of 30 is missed: this rod has {found.margin:.3g} ({found.word})."
     )
     other = nearest_rod(WAVE, Limits(ratio=1.05, margin=30.0), Keep(tangents=True))
     assert other.met
