@@ -7,7 +7,6 @@ import signal
 import subprocess
 import sys
 import time
-from functools import partial
 from pathlib import Path
 
 import pytest
@@ -138,9 +137,10 @@ def test_watching_remakes_what_changes_and_survives_mistakes(folder):
         return json.loads(file.read_text())["length"]
 
     with log.open("w") as said:
-        # a runner in the background hands down a Ctrl-C that is ignored
-        heard = partial(signal.signal, signal.SIGINT, signal.SIG_DFL)
-        process = subprocess.Popen(command(*words), cwd=folder, stdout=said, stderr=said, preexec_fn=heard)
+        # a runner in the background would hand down a Ctrl-C that is ignored
+        before = signal.signal(signal.SIGINT, signal.default_int_handler)
+        process = subprocess.Popen(command(*words), cwd=folder, stdout=said, stderr=said)
+        signal.signal(signal.SIGINT, before)
         try:
             wait_for(lambda: log.read_text().count("save to run again") == 1, process)
             first = length()

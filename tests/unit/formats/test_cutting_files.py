@@ -242,7 +242,7 @@ def test_empty_drawings_and_unknown_suffixes_are_refused(tmp_path):
 
 def test_without_ezdxf_one_sentence_says_so(monkeypatch, tmp_path):
     monkeypatch.setitem(sys.modules, "ezdxf", None)
-    with pytest.raises(MissingDependencyError, match="writing DXF needs ezdxf: .*pip install ezdxf"):
+    with pytest.raises(MissingDependencyError, match=r"writing DXF needs ezdxf: .*pip install ezdxf"):
         write_drawing(drawing(), tmp_path / "strip.dxf")
     assert not list(tmp_path.iterdir())
     assert write_drawing(drawing(), tmp_path / "strip.svg").exists()
