@@ -107,22 +107,25 @@ def held_shapes(placed: Sequence[Placed], holders: Iterable[object] = ()) -> tup
 
 
 def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
-    """A sentence for each tab that rocks in its holder: between which angles, and what holds it instead."""
-    seats, told = tab_seats(holders), []
+    """A sentence for all tabs that rock alike: between which angles, and what holds them instead."""
+    seats, alike = tab_seats(holders), dict[str, list[str]]()
     for one, name in zip(placed, distinct_names(placed), strict=True):
         for end in ENDS:
-            tab = PlacedTab.of(one.strip, end, one.frame)
-            seat = seats.get(tab_key(tab))
+            seat = seats.get(tab_key(PlacedTab.of(one.strip, end, one.frame)))
             if seat is None:
                 continue
             low, high = seat.turning
             if high - low > 2 * ROCKING_RAD:
-                told.append(
-                    f"{name}: in the {seat.name} the tab at its {end} rocks by {np.degrees(low):+.0f} to "
+                told = (
+                    f"in the {seat.name} the tab at its {end} rocks by {np.degrees(low):+.0f} to "
                     f"{np.degrees(high):+.0f} degrees and does not hold the drawn angle: use two plates with a gap "
                     "(gap = 20), end fixtures, or glue it at its angle"
                 )
-    return tuple(told)
+                alike.setdefault(told, []).append(name)
+    return tuple(
+        f"{names[0]}{f' (and {len(names) - 1} more)' if names[1:] else ''}: {told}"
+        for told, names in alike.items()
+    )
 
 
 def tab_key(tab: PlacedTab) -> Key:

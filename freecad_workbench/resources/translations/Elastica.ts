@@ -1719,6 +1719,10 @@
 <context>
     <name>ElasticaSentences</name>
     <message>
+        <source>its widths do not make up for how it is made, since it would then be %1; give it tabs as wide as its ends, or shallower slots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Every line through the inflection at %1 mm meets the curve again or touches it there (the curve is in the way %2): wind the curve less, or support the strip between.</source>
         <translation type="unfinished"></translation>
     </message>

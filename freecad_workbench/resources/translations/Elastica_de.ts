@@ -1719,6 +1719,10 @@
 <context>
     <name>ElasticaSentences</name>
     <message>
+        <source>its widths do not make up for how it is made, since it would then be %1; give it tabs as wide as its ends, or shallower slots</source>
+        <translation>Die Breiten gleichen nicht aus, wie er gemacht ist, denn dann wäre er %1; geben Sie ihm Laschen, so breit wie seine Enden, oder flachere Schlitze</translation>
+    </message>
+    <message>
         <source>Every line through the inflection at %1 mm meets the curve again or touches it there (the curve is in the way %2): wind the curve less, or support the strip between.</source>
         <translation>Jede Gerade durch den Wendepunkt bei %1 mm trifft die Kurve noch einmal oder berührt sie dort (die Kurve ist %2 im Weg): die Kurve weniger winden oder den Streifen dazwischen stützen.</translation>
     </message>

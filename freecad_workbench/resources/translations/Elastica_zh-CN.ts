@@ -1719,6 +1719,10 @@
 <context>
     <name>ElasticaSentences</name>
     <message>
+        <source>its widths do not make up for how it is made, since it would then be %1; give it tabs as wide as its ends, or shallower slots</source>
+        <translation>宽度没有补偿其做法，否则它会是 %1；请让接片与条的端部同宽，或减小槽口深度</translation>
+    </message>
+    <message>
         <source>Every line through the inflection at %1 mm meets the curve again or touches it there (the curve is in the way %2): wind the curve less, or support the strip between.</source>
         <translation>过 %1 mm 处拐点的每条直线都会再次与曲线相交或在该处相切（曲线%2处阻挡）：减小曲线的缠绕，或在其间支撑条带。</translation>
     </message>
