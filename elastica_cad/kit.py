@@ -10,13 +10,14 @@ from typing import Any, TypeAlias
 from elastica_cad.errors import InputError, NotConvergedError, how_to_install
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
-from elastica_cad.fabrication.holders.tab_seats import held_shapes, rocking_tabs
+from elastica_cad.fabrication.holders.tab_seats import hold_each, rocking_tabs
 from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.makeability.faults import accept_faults, find_strip_faults
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.makeability.splices import Splice, spliced
 from elastica_cad.fabrication.model.assembly import Holder
 from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.placed_strip import distinct_names
 from elastica_cad.fabrication.sheets.cut_list import cut_list
 from elastica_cad.fabrication.sheets.nesting import NestedSheet, nest_pieces
 from elastica_cad.fabrication.sheets.pieces import Piece, file_word, strip_pieces
@@ -173,12 +174,11 @@ def _nest(pieces: Sequence[Piece], nesting: Nesting, spec: KitSpec, name: str) -
 def _held(model: Model, holders: Sequence[Holder]) -> tuple[dict[str, HeldShape], tuple[str, ...]]:
     """Of every strip its shape as made and held; of those that find none, why, and which tabs rock."""
     found, notes = dict[str, HeldShape](), list(rocking_tabs(model.placed, holders))
-    for index, one in enumerate(model.placed):
-        name = model.single_name_of(index)
-        try:
-            (found[name],) = held_shapes((one,), holders)
-        except NotConvergedError as problem:
-            notes.append(f"{name}: {problem}")
+    for name, shape in zip(distinct_names(model.placed), hold_each(model.placed, holders), strict=True):
+        if isinstance(shape, NotConvergedError):
+            notes.append(f"{name}: {shape}")
+        else:
+            found[name] = shape
     return found, tuple(notes)
 
 

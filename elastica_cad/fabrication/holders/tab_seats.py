@@ -1,14 +1,15 @@
 """What the holders of a model leave free, and the shapes that its strips take in them."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TypeAlias
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad.errors import NotConvergedError
 from elastica_cad.fabrication.holders.base_plate import BasePlate, TabSlot
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
-from elastica_cad.fabrication.holders.placed_tab import ENDS, PlacedTab
+from elastica_cad.fabrication.holders.placed_tab import ENDS, End, PlacedTab
 from elastica_cad.fabrication.holders.ring_plate import Ring
 from elastica_cad.fabrication.holders.slotted_frame import SlottedFrame
 from elastica_cad.fabrication.holding.held_shape import HeldShape
@@ -93,17 +94,30 @@ def held_shapes(placed: Sequence[Placed], holders: Iterable[object] = ()) -> tup
     Raises
     ------
     NotConvergedError
-        A strip finds no rest; it is named.
+        A strip finds no rest.
     """
-    seats = tab_seats(holders)
-    found, known = list[HeldShape](), dict[tuple[int, Key], HeldShape]()
-    for one in placed:
-        start, end = (seats.get(tab_key(PlacedTab.of(one.strip, k, one.frame))) for k in ENDS)
-        alike = (id(one.strip), (*_places(start), np.nan, *_places(end)))
-        if alike not in known:
-            known[alike] = one.strip.held(start, end)
-        found.append(known[alike])
+    found = []
+    for shape in hold_each(placed, holders):
+        if isinstance(shape, NotConvergedError):
+            raise shape
+        found.append(shape)
     return tuple(found)
+
+
+def hold_each(
+    placed: Sequence[Placed], holders: Iterable[object] = ()
+) -> Iterator[HeldShape | NotConvergedError]:
+    """The same one by one, with the reason where a strip finds no rest; strips held alike are bent once."""
+    seats, known = tab_seats(holders), dict[tuple[int, Key, Key], HeldShape | NotConvergedError]()
+    for one in placed:
+        start, end = (_seat_of(seats, one, k) for k in ENDS)
+        alike = (id(one.strip), _places(start), _places(end))
+        if alike not in known:
+            try:
+                known[alike] = one.strip.held(start, end)
+            except NotConvergedError as problem:
+                known[alike] = problem
+        yield known[alike]
 
 
 def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
@@ -111,7 +125,7 @@ def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
     seats, alike = tab_seats(holders), dict[str, list[str]]()
     for one, name in zip(placed, distinct_names(placed), strict=True):
         for end in ENDS:
-            seat = seats.get(tab_key(PlacedTab.of(one.strip, end, one.frame)))
+            seat = _seat_of(seats, one, end)
             if seat is None:
                 continue
             low, high = seat.turning
@@ -131,6 +145,11 @@ def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
 def tab_key(tab: PlacedTab) -> Key:
     """Where a tab is, rounded: how holders and strips are matched."""
     return tuple(np.round([*tab.frame.origin, *tab.frame.x_axis], 6).tolist())
+
+
+def _seat_of(seats: Mapping[Key, TabSeat], one: Placed, end: End) -> TabSeat | None:
+    """What holds an end of a placed strip."""
+    return seats.get(tab_key(PlacedTab.of(one.strip, end, one.frame)))
 
 
 def _places(seat: TabSeat | None) -> Key:
