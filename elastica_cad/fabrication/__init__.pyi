@@ -71,7 +71,8 @@ from elastica_cad.fabrication.solids.prisms import PrismSolid as PrismSolid
 from elastica_cad.fabrication.solids.strip_solids import BentSolid as BentSolid, FlatSolid as FlatSolid
 from elastica_cad.fabrication.strip.lamination import Laminated as Laminated
 from elastica_cad.fabrication.strip.perforation import Perforated as Perforated
-from elastica_cad.fabrication.strip.strip_record import Layer as Layer, Reactions as Reactions, Strip as Strip
+from elastica_cad.fabrication.strip.strip_layers import Layer as Layer
+from elastica_cad.fabrication.strip.strip_record import Reactions as Reactions, Strip as Strip
 from elastica_cad.fabrication.strip_spec import StripSpec as StripSpec, make_strip as make_strip
 from elastica_cad.fabrication.strip.styles import Plain as Plain
 from elastica_cad.fabrication.strip.tabs import Hole as Hole, TSlot as TSlot, Tab as Tab

@@ -24,7 +24,7 @@ ENOUGH_SHARE = 1e-5  # of the length: a deviation that needs no correction
 def compensate_widths(strip: Strip, start: TabSeat | None = None, end: TabSeat | None = None) -> Strip:
     """The strip with widths that bring it, as it is made and held, back to its design.
 
-    Bent forward as made (`Strip.rest`) it strays; its widths are changed to first order, smoothly along the strip,
+    Bent forward as made (`Strip.held`) it strays; its widths are changed to first order, smoothly along the strip,
     and that is repeated as long as it helps. What is left is `Strip.held().deviation`.
 
     Parameters
@@ -51,11 +51,11 @@ def compensate_widths(strip: Strip, start: TabSeat | None = None, end: TabSeat |
     True
     """
     strip = replace(strip, correction=None) if strip.correction is not None else strip
-    design = strip.coarse_rod
+    design = strip.as_made.design
     basis = width_basis(design.s)
     best, least, damping = strip, np.inf, FIRST_DAMPING
     # a first guess: as much wider as each place is softer, evened out along the strip
-    softer = -np.log(np.prod([np.ones(design.s.size), *strip.stiffness_shares.values()], axis=0))
+    softer = -np.log(np.prod([np.ones(design.s.size), *strip.as_made.shares.values()], axis=0))
     guess = np.clip(
         np.linalg.lstsq(basis, softer - softer.mean(), rcond=None)[0], -LARGEST_GUESS, LARGEST_GUESS
     )
@@ -86,7 +86,7 @@ def _rest(
     try:
         changed = strip
         if change.any():
-            changed = replace(strip, correction=Profile.interpolate(strip.coarse_rod.s, np.exp(change)))
-        return changed, changed.rest(start, end)
+            changed = replace(strip, correction=Profile.interpolate(strip.as_made.design.s, np.exp(change)))
+        return changed, changed.as_made.rest((start, end))
     except (InputError, NotConvergedError):
         return None

@@ -78,7 +78,7 @@ def _leaned(placed: Sequence[Placed], plates: tuple[BasePlate, BasePlate]) -> tu
             for index, end in enumerate(ENDS):
                 key = tab_key(PlacedTab.of(one.strip, end, one.frame))
                 if key in seats:
-                    stiffness = one.strip.tab_stiffness[index] / one.strip.bending_stiffness
+                    stiffness = one.strip.as_made.tab_ratios()[index]
                     moves[key] = lean_against(one.strip.rod, index, seats[key], stiffness)
         upper, lower = (
             replace(plate, slots=tuple(_moved(slot, plate, moves) for slot in plate.slots))

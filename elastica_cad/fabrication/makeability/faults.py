@@ -15,7 +15,8 @@ from elastica_cad.fabrication.makeability.shop import (
 from elastica_cad.fabrication.makeability.thin_places import ThinPlace, find_thin_places
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.perforation import Perforated
-from elastica_cad.fabrication.strip.strip_record import Layer, Strip
+from elastica_cad.fabrication.strip.strip_layers import Layer
+from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.styles import Plain
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.mechanics.material.sheet import Sheet

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER
 from elastica_cad.fabrication.sheets.equal_strips import FlatShape
 from elastica_cad.fabrication.sheets.pieces import Piece
-from elastica_cad.fabrication.strip.strip_record import Layer
+from elastica_cad.fabrication.strip.strip_layers import Layer
 
 
 @dataclass(frozen=True)

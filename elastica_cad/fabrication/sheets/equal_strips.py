@@ -10,7 +10,8 @@ from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.drawings.drawing import SAME_MM
 from elastica_cad.fabrication.placed_strip import Placed, strip_names
 from elastica_cad.fabrication.strip.flat_outline import pace
-from elastica_cad.fabrication.strip.strip_record import Layer, Strip
+from elastica_cad.fabrication.strip.strip_layers import Layer
+from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.point_distance import distances
 from elastica_cad.geometry.paths.segments import Segment, Spline

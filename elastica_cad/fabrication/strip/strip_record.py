@@ -5,37 +5,22 @@ from functools import cached_property
 
 import numpy as np
 
-from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import (
-    CUT_INNER,
-    CUT_OUTER,
-    MARK,
     Drawing,
-    LayeredPath,
 )
-from elastica_cad.fabrication.drawings.lettering import Text, fit_label
-from elastica_cad.fabrication.holding.held_shape import HeldShape, hold
-from elastica_cad.fabrication.holding.rest_in_seats import rest_in_seats
+from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
-from elastica_cad.fabrication.slots.mating_marks import mating_marks
 from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.slots.slotted_outline import cut_slots
-from elastica_cad.fabrication.strip.as_built import material_width, rod_as_built
-from elastica_cad.fabrication.strip.flat_outline import (
-    Ends,
-    add_register_holes,
-    end_holes,
-    fix_tab_widths,
-    flat_rim,
-)
-from elastica_cad.fabrication.strip.made_stiffness import stiffness_shares, with_shares
+from elastica_cad.fabrication.strip.as_built import rod_as_built
+from elastica_cad.fabrication.strip.strip_as_made import StripAsMade
+from elastica_cad.fabrication.strip.strip_layers import Layer, cut_layers, draw_layers
 from elastica_cad.fabrication.strip.styles import PLAIN, Layout, Style
 from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.geometry.paths.segments import Line
-from elastica_cad.mechanics.bending.bend_forward import bend, resample
+from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.material.plywood_radii import PLYWOOD_SOURCE
 from elastica_cad.mechanics.material.section_limits import LayerStrain
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -46,9 +31,6 @@ FINE_EDGES = 1600
 
 CORRECTION_TOLERANCE = 1e-6
 """Of corrected stiffness, relative to its largest."""
-
-HELD_NODES = 241
-"""Of the rod that is bent in its holders: its own error is some millionths of the length."""
 
 CURVATURE_STATIONS = 2001
 """At which strain is looked for, spread over the curve's smooth panels."""
@@ -62,38 +44,6 @@ class Reactions:
     start_moment: float
     end_force: FloatArray
     end_moment: float
-
-
-@dataclass(frozen=True, eq=False)
-class Layer:
-    """One sheet of a strip as it is cut, in the flat frame of the strip.
-
-    Attributes
-    ----------
-    sheet : Sheet
-    outline : Path
-        Closed, anticlockwise.
-    holes : tuple of Path
-        Closed inner loops.
-    """
-
-    sheet: Sheet
-    outline: Path
-    holes: tuple[Path, ...] = ()
-
-    @cached_property
-    def area(self) -> float:
-        """mm2."""
-        return abs(self.outline.area) - sum(abs(hole.area) for hole in self.holes)
-
-    @property
-    def mass(self) -> float:
-        """g."""
-        return self.area * self.sheet.thickness * self.sheet.density * 1e-6
-
-    def material(self, s: ArrayLike) -> FloatArray:
-        """Summed width (n,), mm, that is really left at stations `s` (n,)."""
-        return material_width(self.outline, self.holes, s)
 
 
 @dataclass(frozen=True, eq=False)
@@ -202,42 +152,19 @@ class Strip:
         return self.layout.width
 
     @cached_property
-    def outline(self) -> Path:
-        """The closed outer loop with its slots, anticlockwise; its long sides are B-splines."""
-        return cut_slots(self._rim, self.holes, self.slots, self.width, name=self.label or "strip")
-
-    @cached_property
-    def _rim(self) -> Path:
-        """The outer loop without slots."""
-        return flat_rim(self.width, self.ends)
-
-    @cached_property
-    def holes(self) -> tuple[Path, ...]:
-        """Closed inner loops."""
-        return (
-            *end_holes(self.width, self._registered),
-            *self.layout.hole_paths(self.ends, self.slots),
-        )
-
-    @property
-    def _registered(self) -> Ends:
-        """The tabs with the holes by which a laminate's layers are aligned."""
-        return add_register_holes(self.ends, self.layout.dots) if self.layout.dots else self.ends
-
-    @cached_property
     def layers(self) -> tuple[Layer, ...]:
         """The sheets that the strip is made of, the base first."""
-        base = Layer(self.sheet, self.outline, self.holes)
-        if self.layout.backing is None:
-            return (base,)
-        sheet, width = self.layout.backing.sheet, self.layout.backing.drawn
-        held = fix_tab_widths(self.width, self._registered)
-        reaching = [slot for slot in self.slots if _reaches(slot, self.width, width)]
-        holes = end_holes(width, held)
-        rim = cut_slots(
-            flat_rim(width, held), holes, reaching, self.width, name=f"{self.label or 'strip'}, backing"
-        )
-        return base, Layer(sheet, rim, holes)
+        return cut_layers(self.layout, self.ends, self.slots, name=self.label or "strip")
+
+    @property
+    def outline(self) -> Path:
+        """The closed outer loop with its slots, anticlockwise; its long sides are B-splines."""
+        return self.layers[0].outline
+
+    @property
+    def holes(self) -> tuple[Path, ...]:
+        """Closed inner loops."""
+        return self.layers[0].holes
 
     def mirrored(self) -> "Strip":
         """The strip turned over about its centre line (y to -y), bent into the same curve."""
@@ -346,6 +273,11 @@ class Strip:
         bent = bend(self.as_built, end=self.rod.position[-1], samples=finer * edges + 1)
         return float(np.hypot(*(bent.position[::finer] - self.rod.position).T).max())
 
+    @cached_property
+    def as_made(self) -> StripAsMade:
+        """The strip with all that changes its stiffness, to be held: see `held`."""
+        return StripAsMade.of(self.rod, self.layout, self.ends, self.slots)
+
     def held(self, start: TabSeat | None = None, end: TabSeat | None = None) -> HeldShape:
         """The shape of the strip as it is made, in its holders; without one an end is held as designed.
 
@@ -354,53 +286,8 @@ class Strip:
         NotConvergedError
             No rest shape was found.
         """
-        bare, shares = self._made
-        alone = {cause: with_shares(bare, [share]) for cause, share in shares.items()}
-        if self.layout.pattern is not None or self.layout.backing is not None:
-            alone["fit of the drawing"] = bare
-        return hold(
-            self.coarse_rod, self._whole, alone, (start, end),
-            tab_stiffness=self.tab_stiffness, bending_stiffness=self.bending_stiffness,
-        )  # fmt: skip
-
-    def rest(self, start: TabSeat | None = None, end: TabSeat | None = None) -> Rod:
-        """The shape of `held` alone, on the nodes of `coarse_rod`."""
-        whole = self._whole
-        B = whole.bending_stiffness or self.bending_stiffness
-        first, last = (EI / B for EI in self.tab_stiffness)
-        return rest_in_seats(whole, self.coarse_rod, (start, end), (first, last))[0]
-
-    @cached_property
-    def _whole(self) -> Rod:
-        """The rod with all that changes its stiffness."""
-        bare, shares = self._made
-        return with_shares(bare, list(shares.values()))
-
-    @property
-    def tab_stiffness(self) -> tuple[float, float]:
-        """E I of the tabs at start and end, N mm2."""
-        widths = np.array([tab.width or own for tab, own in zip(self.ends, self.end_widths, strict=True)])
-        first, last = self.layout.stiffness(widths, None if self.layout.backing is None else widths).tolist()
-        return first, last
-
-    @property
-    def stiffness_shares(self) -> dict[str, FloatArray]:
-        """Factors (n,) on the designed stiffness at even stations, by cause: see `made_stiffness`."""
-        return self._made[1]
-
-    @cached_property
-    def coarse_rod(self) -> Rod:
-        """The rod on nodes enough to be held and bent."""
-        return self.rod if self.rod.s.size <= HELD_NODES else resample(self.rod, HELD_NODES)
-
-    @cached_property
-    def _made(self) -> tuple[Rod, dict[str, FloatArray]]:
-        """The rod as cut, without its slots, and what else changes its stiffness."""
-        rod = self.coarse_rod
-        whole = replace(self, slots=()) if self.slots else self
-        tab_widths = (self.ends[0].width, self.ends[1].width)
-        bare = rod_as_built(rod, self.layout, [layer.material for layer in whole.layers])
-        return bare, stiffness_shares(rod, self.layout, self.slots, tab_widths)
+        asked = self.as_made if self.correction is None else replace(self, correction=None).as_made
+        return self.as_made.held((start, end), asked)
 
     @cached_property
     def held_deviation(self) -> float:
@@ -424,50 +311,4 @@ class Strip:
 
         Where the backing of a laminate comes to lie is marked on the base.
         """
-        name = self.label or "strip"
-        names = (name, f"{name}-backing")
-        drawn = []
-        for i, layer in enumerate(self.layers):
-            marks = (*self._ticks(i), *(() if i else self.layout.guides))
-            paths = (
-                *(LayeredPath(MARK, mark) for mark in marks),
-                *(LayeredPath(CUT_INNER, hole) for hole in layer.holes),
-                LayeredPath(CUT_OUTER, layer.outline),
-            )
-            texts: tuple[Text, ...] = (self._label_text(i),) if self.label else ()
-            if i == 0:
-                texts += mating_marks(self.slots, self.width, (*marks, *layer.holes), texts)
-            drawn.append(Drawing(name=names[i], paths=paths, texts=texts))
-        return tuple(drawn)
-
-    def _ticks(self, layer: int) -> tuple[Path, ...]:
-        """Where the free part ends; not along the flat ends of the first and last holes."""
-        if self.layout.pattern is not None:
-            return ()
-        width = self._layer_width(layer)
-        return tuple(_tick(x, float(width(x))) for x in (0.0, self.rod.length))
-
-    def _layer_width(self, layer: int) -> Profile:
-        return self.width if layer == 0 or self.layout.backing is None else self.layout.backing.width
-
-    def _label_text(self, layer: int = 0) -> Text:
-        """The label: along the middle, or across the first tab where there are holes."""
-        if self.layout.pattern is not None:
-            room, across = self.end_widths[0], self.ends[0].length
-            x, y, angle = -across / 2, 0.0, np.pi / 2
-        else:
-            x, y, angle = self.rod.length / 2, 0.0, 0.0
-            room, across = self.rod.length, float(self._layer_width(layer)(x))
-        return fit_label(self.label, (x, y), angle=angle, room=room, across=across)
-
-
-def _reaches(slot: Slot, outer: Profile, inner: Profile) -> bool:
-    """Does a slot of a strip of one width go deep enough to cut a narrower one?"""
-    points, _ = slot.center_line(outer)
-    return bool(abs(points[0, 1]) < float(inner(np.clip(points[0, 0], 0.0, inner.length))) / 2)
-
-
-def _tick(x: float, width: float) -> Path:
-    """A mark across the strip where the free part ends, kept off its edges so that it is no notch."""
-    y = 0.3 * width
-    return Path((Line((x, -y), (x, y)),), closed=False)
+        return draw_layers(self.layout, self.layers, self.ends, self.slots, self.label)

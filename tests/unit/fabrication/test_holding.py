@@ -176,6 +176,10 @@ def test_widths_that_make_up_bring_the_strip_back(rod, asked):
     better = compensate_widths(strip)
     assert strip.held_deviation > 1e-4 * rod.length
     assert better.held_deviation < 0.2 * strip.held_deviation
+    assert better.held().parts == pytest.approx(
+        strip.held().parts
+    )  # causes, not what the correction leaves of them
+    assert "without its correction" in str(better.held())
     assert better.width.extremes[1] == pytest.approx(30.0, abs=1e-4)
     assert better.rod is strip.rod
 
@@ -187,7 +191,7 @@ def test_a_heavy_strip_carries_the_weight_of_its_corrected_widths():
     better = compensate_widths(
         Strip(heavy, CARD, max_width=60.0, ends=(Tab(10, width=30), Tab(10, width=30)))
     )
-    made = better.rest()
+    made = better.as_made.rest()
     h, nu = CARD.thickness, CARD.poisson_ratio
     width = better.width(made.s)
     EI = CARD.youngs_modulus * h**3 / 12 * width

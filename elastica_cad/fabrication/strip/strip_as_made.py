@@ -1,0 +1,105 @@
+"""A strip as it is made: all that changes its stiffness, and the shape that it takes in its holders."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.fabrication.holding.held_shape import HeldShape, Seats, strayed
+from elastica_cad.fabrication.holding.rest_in_seats import rest_in_seats
+from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.strip.as_built import rod_as_built
+from elastica_cad.fabrication.strip.flat_outline import Ends, fix_tab_widths
+from elastica_cad.fabrication.strip.made_stiffness import stiffness_shares, with_shares
+from elastica_cad.fabrication.strip.strip_layers import cut_layers
+from elastica_cad.fabrication.strip.styles import Layout
+from elastica_cad.mechanics.bending.bend_forward import resample
+from elastica_cad.mechanics.rod.rod_record import Rod
+
+HELD_NODES = 241
+"""Of the rod that is bent in its holders: its own error is some millionths of the length."""
+
+
+@dataclass(frozen=True, eq=False)
+class StripAsMade:
+    """What is bent when a strip is held.
+
+    Attributes
+    ----------
+    design : Rod
+        In the shape that is wanted, on nodes enough to be bent.
+    bending_stiffness : float
+        B of the design, N mm2.
+    tab_stiffness : pair of float
+        E I of the tabs at start and end, N mm2.
+    cut : Rod
+        With the stiffness and weight of what is cut, slots apart.
+    shares : mapping of str to (n,) array
+        Factors on that stiffness at the nodes by cause: see `stiffness_shares`.
+    approximated : bool
+        Does the drawing only come near to the stiffness, as holes and backings do?
+    """
+
+    design: Rod
+    bending_stiffness: float
+    tab_stiffness: tuple[float, float]
+    cut: Rod
+    shares: Mapping[str, FloatArray]
+    approximated: bool
+
+    @classmethod
+    def of(cls, rod: Rod, layout: Layout, ends: Ends, slots: Sequence[Slot]) -> "StripAsMade":
+        """What a rod becomes when its layout is cut with tabs and slots."""
+        design = rod if rod.s.size <= HELD_NODES else resample(rod, HELD_NODES)
+        widths = np.array([tab.width for tab in fix_tab_widths(layout.width, ends)])
+        first, last = layout.stiffness(widths, None if layout.backing is None else widths).tolist()
+        whole = cut_layers(layout, ends, (), name="strip")
+        return cls(
+            design,
+            layout.bending_stiffness,
+            (first, last),
+            rod_as_built(design, layout, [layer.material for layer in whole]),
+            stiffness_shares(design, layout, slots, (ends[0].width, ends[1].width)),
+            layout.pattern is not None or layout.backing is not None,
+        )
+
+    @cached_property
+    def rod(self) -> Rod:
+        """The rod with all causes together, out of balance until bent."""
+        return with_shares(self.cut, list(self.shares.values()))
+
+    def tab_ratios(self, rod: Rod | None = None) -> tuple[float, float]:
+        """E I of the tabs at start and end over the B of a rod made of the design, or of the design itself."""
+        B = self.bending_stiffness if rod is None else rod.bending_stiffness or self.bending_stiffness
+        return self.tab_stiffness[0] / B, self.tab_stiffness[1] / B
+
+    def rest(self, seats: Seats = (None, None)) -> Rod:
+        """The shape that the strip takes.
+
+        Raises
+        ------
+        NotConvergedError
+            No rest shape was found.
+        """
+        return rest_in_seats(self.rod, self.design, seats, self.tab_ratios(self.rod))[0]
+
+    def held(self, seats: Seats, asked: "StripAsMade") -> HeldShape:
+        """The same with what each cause does alone to the strip as it was asked for, before any correction."""
+        rod, poses = rest_in_seats(self.rod, self.design, seats, self.tab_ratios(self.rod))
+        parts = asked.deviations_alone(seats)
+        return HeldShape(rod, strayed(self.design, rod), parts, *poses, corrected=asked is not self)
+
+    def deviations_alone(self, seats: Seats) -> dict[str, float]:
+        """How far, mm, each cause alone takes the strip from its design."""
+        alone = {cause: with_shares(self.cut, [share]) for cause, share in self.shares.items()}
+        if self.approximated:
+            alone["fit of the drawing"] = self.cut
+        shapes = {cause: rest_in_seats(made, self.design, (None, None))[0] for cause, made in alone.items()}
+        one_seat: tuple[Seats, Seats] = (seats[0], None), (None, seats[1])
+        for end, seat, one in zip(("start", "end"), seats, one_seat, strict=True):
+            if seat is not None:
+                bent, _ = rest_in_seats(self.design, self.design, one, self.tab_ratios())
+                shapes[f"{end}: {seat.name}"] = bent
+        return {cause: strayed(self.design, shape) for cause, shape in shapes.items()}

@@ -1,0 +1,136 @@
+"""The layers of a strip: what is cut out of each sheet, and how it is drawn."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.fabrication.drawings.drawing import (
+    CUT_INNER,
+    CUT_OUTER,
+    MARK,
+    Drawing,
+    LayeredPath,
+)
+from elastica_cad.fabrication.drawings.lettering import Text, fit_label
+from elastica_cad.fabrication.slots.mating_marks import mating_marks
+from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.slots.slotted_outline import cut_slots
+from elastica_cad.fabrication.strip.as_built import material_width
+from elastica_cad.fabrication.strip.flat_outline import (
+    Ends,
+    add_register_holes,
+    end_holes,
+    fix_tab_widths,
+    flat_rim,
+)
+from elastica_cad.fabrication.strip.styles import Layout
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.geometry.paths.segments import Line
+from elastica_cad.mechanics.material.sheet import Sheet
+
+TICK_SHARE = 0.3
+"""Of the width on each side of the middle: a mark across is kept off the edges, so that it is no notch."""
+
+
+@dataclass(frozen=True, eq=False)
+class Layer:
+    """One sheet of a strip as it is cut, in the flat frame of the strip.
+
+    Attributes
+    ----------
+    sheet : Sheet
+    outline : Path
+        Closed, anticlockwise.
+    holes : tuple of Path
+        Closed inner loops.
+    """
+
+    sheet: Sheet
+    outline: Path
+    holes: tuple[Path, ...] = ()
+
+    @cached_property
+    def area(self) -> float:
+        """mm2."""
+        return abs(self.outline.area) - sum(abs(hole.area) for hole in self.holes)
+
+    @property
+    def mass(self) -> float:
+        """g."""
+        return self.area * self.sheet.thickness * self.sheet.density * 1e-6
+
+    def material(self, s: ArrayLike) -> FloatArray:
+        """Summed width (n,), mm, that is really left at stations `s` (n,)."""
+        return material_width(self.outline, self.holes, s)
+
+
+def cut_layers(layout: Layout, ends: Ends, slots: Sequence[Slot], *, name: str) -> tuple[Layer, ...]:
+    """What is cut of each sheet, the base first, with tabs and slots.
+
+    Raises
+    ------
+    InputError
+        A slot meets an end, a hole or another slot; `name` is what the message calls the strip.
+    """
+    width = layout.width
+    # the layers of a laminate are aligned by holes in their tabs
+    ends_held = add_register_holes(ends, layout.dots) if layout.dots else ends
+    holes = (*end_holes(width, ends_held), *layout.hole_paths(ends, slots))
+    outline = cut_slots(flat_rim(width, ends), holes, slots, width, name=name)
+    base = Layer(layout.sheet, outline, holes)
+    if layout.backing is None:
+        return (base,)
+    drawn = layout.backing.drawn
+    held = fix_tab_widths(width, ends_held)
+    reaching = [slot for slot in slots if _reaches(slot, width, drawn)]
+    holes = end_holes(drawn, held)
+    rim = cut_slots(flat_rim(drawn, held), holes, reaching, width, name=f"{name}, backing")
+    return base, Layer(layout.backing.sheet, rim, holes)
+
+
+def draw_layers(
+    layout: Layout, layers: Sequence[Layer], ends: Ends, slots: Sequence[Slot], label: str
+) -> tuple[Drawing, ...]:
+    """The cut pattern of each layer: label, marks, inner cuts, outer cut."""
+    name = label or "strip"
+    drawn = []
+    for i, layer in enumerate(layers):
+        width = layout.width if i == 0 or layout.backing is None else layout.backing.width
+        marks = (*_ticks(layout, width), *(() if i else layout.guides))
+        paths = (
+            *(LayeredPath(MARK, mark) for mark in marks),
+            *(LayeredPath(CUT_INNER, hole) for hole in layer.holes),
+            LayeredPath(CUT_OUTER, layer.outline),
+        )
+        texts: tuple[Text, ...] = (_label_text(label, layout, width, ends[0].length),) if label else ()
+        if i == 0:
+            texts += mating_marks(slots, layout.width, (*marks, *layer.holes), texts)
+        drawn.append(Drawing(name=f"{name}-backing" if i else name, paths=paths, texts=texts))
+    return tuple(drawn)
+
+
+def _reaches(slot: Slot, outer: Profile, inner: Profile) -> bool:
+    """Does a slot of a strip of one width go deep enough to cut a narrower one?"""
+    points, _ = slot.center_line(outer)
+    return bool(abs(points[0, 1]) < float(inner(np.clip(points[0, 0], 0.0, inner.length))) / 2)
+
+
+def _ticks(layout: Layout, width: Profile) -> tuple[Path, ...]:
+    """Marks across where the free part ends; not along the flat ends of the first and last holes."""
+    if layout.pattern is not None:
+        return ()
+    heights = [(x, TICK_SHARE * float(width(x))) for x in (0.0, width.length)]
+    return tuple(Path((Line((x, -y), (x, y)),), closed=False) for x, y in heights)
+
+
+def _label_text(label: str, layout: Layout, width: Profile, tab_length: float) -> Text:
+    """The label: along the middle, or across the first tab where there are holes."""
+    if layout.pattern is not None:
+        room = float(layout.width(0.0))
+        return fit_label(label, (-tab_length / 2, 0.0), angle=np.pi / 2, room=room, across=tab_length)
+    middle = width.length / 2
+    return fit_label(label, (middle, 0.0), angle=0.0, room=width.length, across=float(width(middle)))
