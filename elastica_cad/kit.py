@@ -3,6 +3,7 @@
 import json
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, TypeAlias
@@ -137,7 +138,7 @@ def _spliced(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> dict
     """Strips that are longer than the stock, by name, where the shop joins pieces."""
     asked = {entry.label: entry.spec.shop for entry in entries}
     found = {
-        part.name: spliced(replace(part.strip, label=part.name), asked.get(part.strip.label, spec.shop))
+        part.name: spliced(part.strip.labelled(part.name), asked.get(part.strip.label, spec.shop))
         for part in model.parts
     }
     return {name: splice for name, splice in found.items() if splice is not None}
@@ -159,7 +160,7 @@ def _strip_faults(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) ->
     for part in model.parts:
         own = asked.get(part.strip.label)
         shop, anyway = (spec.shop, False) if own is None else (own.shop, own.anyway)
-        found = find_strip_faults(replace(part.strip, label=part.name), shop)
+        found = find_strip_faults(part.strip.labelled(part.name), shop)
         told += accept_faults(found, anyway or spec.anyway)
     known = {text for strip in model.strips for text in strip.warnings} | {*model.reports}
     return tuple(text for text in dict.fromkeys(told) if text not in known)
@@ -295,11 +296,7 @@ def _plan(kit: Kit, *, step: bool, pictures: bool, parts: bool) -> None:
     files[f"{name}-cut-list.csv"] = ("cut list", lambda path: _write_text(path, listed.csv))
     files[f"{name}-cut-list.txt"] = ("cut list", lambda path: _write_text(path, str(listed)))
     if step:
-        files[f"{MODEL}/{name}.step"] = ("assembly for CAD programs", lambda path: _write_step(kit, path))
-        files[f"{MODEL}/{name}.glb"] = (
-            "assembly for browsers and phones",
-            lambda path: _write_glb(kit, path),
-        )
+        files.update(_assemblies(kit, f"{MODEL}/{name}"))
     if pictures:
         files[f"{MODEL}/{name}.png"] = ("picture of the model", lambda path: _draw_model(kit, path))
     for nest in kit.nests:
@@ -385,16 +382,20 @@ def kit_report(kit: Kit) -> dict[str, Any]:
     return report
 
 
-def _write_step(kit: Kit, path: Path) -> None:
-    from elastica_cad.kernel.step_files import write_model_step
+def _assemblies(kit: Kit, stem: str) -> dict[str, tuple[str, Writer]]:
+    """The files that a CAD kernel writes, and how; the bodies are made once for all."""
+    from elastica_cad.kernel.glb_files import write_glb
+    from elastica_cad.kernel.step_files import model_shapes, write_step
 
-    write_model_step(kit.model, path, others=kit.holders)
-
-
-def _write_glb(kit: Kit, path: Path) -> None:
-    from elastica_cad.kernel.glb_files import write_model_glb
-
-    write_model_glb(kit.model, path, others=kit.holders)
+    shapes = cache(lambda: model_shapes(kit.model, kit.holders))
+    name = kit.model.name
+    return {
+        f"{stem}.step": ("assembly for CAD programs", lambda path: write_step(shapes(), path, name=name)),
+        f"{stem}.glb": (
+            "assembly for browsers and phones",
+            lambda path: write_glb(shapes(), path, name=name),
+        ),
+    }
 
 
 def _draw_assembly(kit: Kit, path: Path) -> None:

@@ -211,11 +211,12 @@ def _write_files(
 
             write_strip_step(made, workshop / names["step"], frame=spec.frame)
         if chosen["glb"]:
-            from elastica_cad.kernel.glb_files import write_model_glb
+            from elastica_cad.kernel.glb_files import write_glb
+            from elastica_cad.kernel.step_files import model_shapes
 
             frame = spec.frame or Frame(y_axis=(0.0, 0.0, 1.0))  # upright, as screens show it
             placed = Placed(made, frame.origin, frame.x_axis, frame.y_axis)
-            write_model_glb(Model((placed,), name), workshop / names["glb"])
+            write_glb(model_shapes(Model((placed,), name)), workshop / names["glb"], name=name)
         report = report_strip(
             made, name=name, files=names, near=near, stability=verdict, smoothing=spec.rod_spec.smoothing
         )

@@ -1,27 +1,23 @@
 """GLB files, which browsers, phones and Blender show: models written by OpenCASCADE's own exporter."""
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 from os import PathLike
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.model.assembly import Holder
-from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.formats.file_access.atomic_write import write_atomically
 from elastica_cad.kernel.occt import kernel
-from elastica_cad.kernel.step_files import make_document, model_shapes
+from elastica_cad.kernel.step_files import NamedShape, make_document
 
-CHORD_MM, TURN_RAD = 0.1, 0.2
+CHORD_MM, TURN_RAD = 0.2, 0.4
 """How closely triangles follow faces: finer than a screen shows."""
 
 
-def write_model_glb(
-    model: Model, path: str | PathLike[str], *, others: Iterable[Holder] = (), force: bool = False
+def write_glb(
+    parts: Sequence[NamedShape], path: str | PathLike[str], *, name: str, force: bool = False
 ) -> None:
-    """Write the bent strips of a model, in their places, to one GLB file: m, y up, named and coloured.
-
-    `others` are its base plates, frames and fixtures, if these are wanted in the file.
+    """Write parts, each in its place, to one GLB file called `name`: m, y up, named and coloured.
 
     Raises
     ------
@@ -29,10 +25,9 @@ def write_model_glb(
         A file that is there already (without `force`), or one that cannot be written.
     """
     k = kernel()
-    parts = model_shapes(model, others)
     for part in parts:
         k.BRepMesh_IncrementalMesh(getattr(part.shape, "wrapped", part.shape), CHORD_MM, False, TURN_RAD)
-    document = make_document(parts, name=model.name)
+    document = make_document(parts, name=name)
     with TemporaryDirectory(prefix="elastica-") as folder:
         file = Path(folder, "model.glb")
         writer = k.RWGltf_CafWriter(k.TCollection_AsciiString(str(file)), True)

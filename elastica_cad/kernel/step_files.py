@@ -57,16 +57,6 @@ def model_shapes(model: Model, others: Iterable[Holder] = ()) -> list[NamedShape
     ]
 
 
-def write_model_step(
-    model: Model, path: str | PathLike[str], *, others: Iterable[Holder] = (), force: bool = False
-) -> None:
-    """Write the bent strips of a model, in their places, to one STEP file.
-
-    `others` are its base plates, frames and fixtures, if these are wanted in the file.
-    """
-    write_step(model_shapes(model, others), path, name=model.name, force=force)
-
-
 def write_step(
     parts: Sequence[NamedShape], path: str | PathLike[str], *, name: str | None = None, force: bool = False
 ) -> None:

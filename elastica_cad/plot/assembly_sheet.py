@@ -30,6 +30,7 @@ SPREAD = 0.25  # of its distance from the middle: how much further out each stri
 ROWS = 34  # of a table on a page
 EDGE_MM = 0.5  # how closely outlines are followed
 PLATE, HOLE, LEAD = "#d9c9a3", "#ffffff", "#c2452d"
+PAINT_DPI = 300  # of painted strips: thousands of vector patches take minutes to open
 MOST_NUMBERS = 120  # more would cover the picture
 
 Plate: TypeAlias = BasePlate | Ring | Rib
@@ -79,7 +80,7 @@ def save_assembly_sheet(
     stream = BytesIO()
     with PdfPages(stream, metadata={"CreationDate": None, "Title": f"{model.name}: assembly"}) as pages:
         for figure in _pages(model, holders, steps, cut_list):
-            pages.savefig(figure)
+            pages.savefig(figure, dpi=PAINT_DPI)
     write_atomically(path, stream.getvalue(), force=force)
     return steps
 
@@ -127,6 +128,7 @@ def _tables(title: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> I
 def _exploded(model: Model, holders: Sequence[Holder]) -> Any:
     """Strips spread out, holders drawn off their tabs, a line from every tab to where it goes."""
     from matplotlib.collections import PolyCollection
+    from matplotlib.colors import to_rgb
 
     bent = np.concatenate([one.frame.point(one.strip.rod.position) for one in model.placed])
     middle, extent = bent.mean(axis=0), float(np.ptp(bent, axis=0).max())
@@ -135,24 +137,27 @@ def _exploded(model: Model, holders: Sequence[Holder]) -> Any:
     screen = np.column_stack([right, np.cross(toward, right)])
     figure = _page(f"{model.name}: {len(model.placed)} strips, taken apart")
     axes = figure.add_axes((0.03, 0.03, 0.94, 0.87))
-    drawn: list[tuple[float, FloatArray, FloatArray | str]] = []
+    drawn: list[tuple[float, FloatArray, FloatArray, FloatArray]] = []
+    ink = np.array(to_rgb(INK))
     spread = []
     for one in model.placed:
         center = one.frame.point(one.strip.rod.position).mean(axis=0)
         out = SPREAD * (center - middle)
         spread.append(Placed(one.strip, one.origin + out, one.x_axis, one.y_axis))
         patches, colors = rule_strip(spread[-1])
-        drawn += [(float(p.mean(axis=0) @ toward), p, c) for p, c in zip(patches, colors, strict=True)]
+        depths = (patches.mean(axis=1) @ toward).tolist()
+        drawn += zip(depths, patches, colors, colors, strict=True)
     far = APART * extent
     for outline, depth_at, color in _outlines([*model.plates, *holders], far):
-        drawn.append((float(depth_at @ toward), outline, color))
+        drawn.append((float(depth_at @ toward), outline, np.array(to_rgb(color)), ink))
     drawn.sort(key=lambda item: item[0])
     axes.add_collection(
         PolyCollection(
-            [shape @ screen for _, shape, _ in drawn],
-            facecolors=[color for _, _, color in drawn],
-            edgecolors=[INK if isinstance(color, str) else color for _, _, color in drawn],
+            [shape @ screen for _, shape, _, _ in drawn],
+            facecolors=np.array([fill for _, _, fill, _ in drawn]),
+            edgecolors=np.array([rim for _, _, _, rim in drawn]),
             linewidths=0.4,
+            rasterized=True,
         )
     )
     numbered = len(model.placed) * 2 <= MOST_NUMBERS

@@ -43,7 +43,7 @@ def middle_of(placed, s):
 
 def test_step_has_each_body_once(model, tmp_path):
     path = tmp_path / "crown.step"
-    step.write_model_step(model, path)
+    step.write_step(step.model_shapes(model), path, name=model.name)
     text = path.read_text()
     assert re.findall(r"NEXT_ASSEMBLY_USAGE_OCCURRENCE\('\d+','([^']*)'", text) == NAMES
     assert "PRODUCT('crown'" in text
@@ -54,7 +54,7 @@ def test_step_is_read_back_in_place(model, tmp_path, measure):
     from OCP.STEPControl import STEPControl_Reader
 
     path = tmp_path / "crown.step"
-    step.write_model_step(model, path)
+    step.write_step(step.model_shapes(model), path, name=model.name)
     reader = STEPControl_Reader()
     reader.ReadFile(str(path))
     reader.TransferRoots()
@@ -152,7 +152,7 @@ class TestWhatHoldsTheStrips:
         from OCP.STEPControl import STEPControl_Reader
 
         path = tmp_path / "crown.step"
-        step.write_model_step(crown, path, others=holders)
+        step.write_step(step.model_shapes(crown, holders), path, name=crown.name)
         text = path.read_text()
         names = re.findall(r"NEXT_ASSEMBLY_USAGE_OCCURRENCE\('\d+','([^']*)'", text)
         assert names == ["arch_1", "arch_2", "arch_3", *self.NAMES]

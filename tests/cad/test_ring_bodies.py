@@ -5,7 +5,7 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad.kernel.occt import make_location
-from elastica_cad.kernel.step_files import model_shapes, write_model_step
+from elastica_cad.kernel.step_files import model_shapes, write_step
 
 CARD, MDF = ec.Sheet.named("card-200gsm"), ec.Sheet.named("mdf-3")
 
@@ -30,5 +30,5 @@ def test_rings_stand_with_the_strips_and_tabs_go_through_them(tmp_path):
         assert volume(part.shape) == pytest.approx(ring.piece.area * MDF.thickness, rel=1e-9)
         common = BRepAlgoAPI_Common(strip, part.shape).Shape()
         assert volume(common) < 0.1  # the wedge under a leaning shoulder
-    write_model_step(model, tmp_path / "globe.step")
+    write_step(model_shapes(model), tmp_path / "globe.step", name=model.name)
     assert "'ring-end'" in (tmp_path / "globe.step").read_text()

@@ -69,7 +69,7 @@ def test_flat_laminate_is_stacked(laminate):
 
 def test_step_names_both_sheets(laminate, tmp_path):
     step.write_strip_step(laminate, tmp_path / "L.step")
-    step.write_model_step(Model((Placed(laminate),), name="M"), tmp_path / "M.step")
+    step.write_step(step.model_shapes(Model((Placed(laminate),))), tmp_path / "M.step", name="M")
     one, many = ((tmp_path / name).read_text() for name in ("L.step", "M.step"))
     for name in ("L flat", "L backing flat", "L bent", "L backing bent"):
         assert f"PRODUCT('{name}'" in one

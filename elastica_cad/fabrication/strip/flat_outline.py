@@ -79,7 +79,8 @@ def graph(knots: FloatArray, values: FloatArray, degree: int = 3, *, backward: b
     points = np.column_stack([greville(knots, degree), values])
     if backward:
         knots, points = knots[0] + knots[-1] - knots[::-1], points[::-1]
-    return Spline(PlaneCurve(knots, points, degree))
+    # x rises with the parameter, so the curve stands still nowhere and needs no check
+    return Spline(PlaneCurve.of_sound(knots, points, degree, None))
 
 
 def pace(segment: Segment) -> tuple[float, float] | None:

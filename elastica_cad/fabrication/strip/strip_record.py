@@ -166,6 +166,10 @@ class Strip:
         """Closed inner loops."""
         return self.layers[0].holes
 
+    def labelled(self, label: str) -> "Strip":
+        """The strip under another name; itself where it has it, with all that was worked out."""
+        return self if label == self.label else replace(self, label=label)
+
     def mirrored(self) -> "Strip":
         """The strip turned over about its centre line (y to -y), bent into the same curve."""
         start, end = self.ends
