@@ -28,7 +28,7 @@ from elastica_cad.fabrication.holders.end_fixtures import (
     end_fixtures as end_fixtures,
 )
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab as PlacedTab
-from elastica_cad.fabrication.holders.plate_pair import plate_pair as plate_pair
+from elastica_cad.fabrication.holders.plate_pair import plate_pair as plate_pair, ring_pair as ring_pair
 from elastica_cad.fabrication.holders.ring_plate import Ring as Ring, ring_plate as ring_plate
 from elastica_cad.fabrication.holders.slotted_frame import (
     Rib as Rib,

@@ -15,6 +15,7 @@ from elastica_cad.fabrication.holders.base_plate import (
     tab_slot,
 )
 from elastica_cad.fabrication.holders.placed_tab import ENDS, End, PlacedTab, place_tabs
+from elastica_cad.fabrication.holders.plate_pair import add_second, require_gap
 from elastica_cad.fabrication.holders.ring_plate import PLAY_MM
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.placed_strip import Placed
@@ -37,6 +38,7 @@ def end_plates(
     clearance: float = CLEARANCE_MM,
     shape: Shape = "ring",
     name: str = "ring",
+    gap: float | None = None,
     shop: Shop | None = None,
     anyway: bool = False,
 ) -> tuple[BasePlate, ...]:
@@ -58,6 +60,9 @@ def end_plates(
         "ring" is round with a round opening, where the slots stand about one; else the hull of the slots.
     name : str
         The plates are called NAME-start and NAME-end, or NAME where there is one.
+    gap : float, optional
+        Two plates instead of each, so far apart, mm, that hold inclined tabs at their angle; the second is called
+        NAME-start-outer and so on.
     shop : Shop, optional
         What the workshop can make.
     anyway : bool
@@ -84,10 +89,29 @@ def end_plates(
     names = [name] if len(groups) == 1 else [f"{name}-{end}" for (end,) in groups]
     sizes: dict[str, Any] = {"border": border, "play": play, "clearance": clearance, "shape": shape}
     sizes |= {"shop": shop, "anyway": anyway}
-    return tuple(
-        _plate(place_tabs(placed, group), sheet, called, **sizes)
-        for group, called in zip(groups, names, strict=True)
-    )
+    found: list[BasePlate] = []
+    for group, called in zip(groups, names, strict=True):
+        plate = _plate(place_tabs(placed, group), sheet, called, **sizes)
+        found += [plate] if gap is None else _pair_plate(placed, plate, gap=gap, **sizes)
+    return tuple(found)
+
+
+def _pair_plate(
+    placed: Sequence[Placed],
+    plate: BasePlate,
+    *,
+    gap: float,
+    play: float = PLAY_MM,
+    clearance: float = CLEARANCE_MM,
+    **rest: Any,
+) -> tuple[BasePlate, BasePlate]:
+    """A plate and another behind it, so that inclined tabs keep their angle; the rest as for `plate_with`."""
+    require_gap(gap)
+
+    def outer(slots: Sequence[TabSlot], ground: Frame) -> BasePlate:
+        return plate_with(slots, plate.sheet, ground, name=f"{plate.name}-outer", **rest)
+
+    return add_second(placed, plate, outer, gap=gap, play=play, clearance=clearance)
 
 
 def facing_plates(

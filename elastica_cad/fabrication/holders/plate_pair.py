@@ -1,27 +1,41 @@
 """Two plates that hold inclined tabs at their angle."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.holders.base_plate import BasePlate, TabSlot, base_plate, stands_in
+from elastica_cad.fabrication.holders.base_plate import (
+    BasePlate,
+    TabSlot,
+    base_plate,
+    plate_with,
+    stands_in,
+    tab_slot,
+)
 from elastica_cad.fabrication.holders.placed_tab import ENDS, PlacedTab
+from elastica_cad.fabrication.holders.ring_plate import Ring, ring_around, ring_plate
 from elastica_cad.fabrication.holders.tab_seats import slot_walls, tab_key, tab_seats
 from elastica_cad.fabrication.holding.rest_in_seats import lean_against
 from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.material.sheet import Sheet
 
 LEAN_ROUNDS = 5
 """Of moving slots: what a tab touches changes little after the first."""
 
+GAP_MM = 20.0
+"""Between two plates, unless told."""
+
+Plate = TypeVar("Plate", BasePlate, Ring)
+
 
 def plate_pair(
-    placed: Sequence[Placed], sheet: Sheet, *, gap: float = 20.0, frame: Frame | None = None, **options: Any
+    placed: Sequence[Placed], sheet: Sheet, *, gap: float = GAP_MM, frame: Frame | None = None, **options: Any
 ) -> tuple[BasePlate, BasePlate]:
     """Two plates, one below the other, whose slots hold inclined tabs at their angle.
 
@@ -51,43 +65,140 @@ def plate_pair(
     InputError
         A tab too short for the lower plate, with the length it needs; and as `base_plate`.
     """
+    require_gap(gap)
+    upper = base_plate(placed, sheet, frame=frame, **options)
+
+    def lower(slots: Sequence[TabSlot], ground: Frame) -> BasePlate:
+        kept = {key: options[key] for key in ("shape", "shop", "anyway") if key in options}
+        border = options.get("border", 12.0)
+        return plate_with(slots, sheet, ground, border=border, name=f"{upper.name}-lower", **kept)
+
+    room = {"play": options.get("play", 0.5), "clearance": options.get("clearance", CLEARANCE_MM)}
+    return add_second(placed, upper, lower, gap=gap, least=options.get("slot_width") or 0.0, **room)
+
+
+def ring_pair(
+    placed: Sequence[Placed],
+    tabs: Sequence[PlacedTab],
+    sheet: Sheet,
+    *,
+    gap: float = GAP_MM,
+    name: str = "ring",
+    **options: Any,
+) -> tuple[Ring, ...]:
+    """Two rings about the z axis, one behind the other, that hold one end of all strips at its angle.
+
+    Tabs that lie on a ring are glued to it: then it is one ring.
+
+    Parameters
+    ----------
+    placed : sequence of Placed
+        All strips of the surface.
+    tabs : sequence of PlacedTab
+        Of the same end of every strip.
+    sheet : Sheet
+        Of both rings.
+    gap : float
+        Between the rings, mm.
+    name : str
+        The second is called NAME-outer.
+    **options
+        All others of `ring_plate`.
+
+    Raises
+    ------
+    InputError
+        A tab too short for the second ring, with the length it needs; and as `ring_plate`.
+    """
+    require_gap(gap)
+    first = ring_plate(tabs, sheet, name=name, **options)
+    if first.seats:
+        return (first,)
+
+    def outer(slots: Sequence[TabSlot], ground: Frame) -> Ring:
+        kept = {key: options[key] for key in ("border", "shop", "anyway") if key in options}
+        return ring_around(slots, sheet, ground, name=f"{name}-outer", **kept)
+
+    room = {key: options[key] for key in ("play", "clearance") if key in options}
+    return add_second(placed, first, outer, gap=gap, **room)
+
+
+def require_gap(gap: float) -> None:
+    """Refuse a gap between two plates that is none."""
     if not (np.isfinite(gap) and gap > 0):
         raise InputError(f"the gap between two plates is {gap} mm: it must be positive")
-    upper = base_plate(placed, sheet, frame=frame, **options)
-    ground = upper.frame.shifted(z=-sheet.thickness - gap)
-    for slot in upper.slots:
-        tab = slot.tab
-        if tab is not None and not stands_in(tab, ground.shifted(z=-sheet.thickness)):
-            missing = ground.shifted(z=-sheet.thickness).local(tab.tip)[2] / -(
-                ground.z_axis @ tab.frame.x_axis
-            )
-            raise InputError(
-                f"{upper.name}: the tab of {tab.name} does not reach through the lower plate: make it "
-                f"{np.ceil(tab.length + missing + 0.5):.0f} mm long, or the gap smaller"
-            )
-    lower = base_plate(placed, sheet, frame=ground, **{**options, "name": f"{upper.name}-lower"})
-    return _leaned(placed, (upper, lower))
 
 
-def _leaned(placed: Sequence[Placed], plates: tuple[BasePlate, BasePlate]) -> tuple[BasePlate, BasePlate]:
+def add_second(
+    placed: Sequence[Placed],
+    first: Plate,
+    second: Callable[[Sequence[TabSlot], Frame], Plate],
+    *,
+    gap: float,
+    play: float = 0.3,
+    clearance: float = CLEARANCE_MM,
+    least: float = 0.0,
+) -> tuple[Plate, Plate]:
+    """A plate and another behind it, `gap` mm further along the tabs, both leaned against their loads.
+
+    Parameters
+    ----------
+    second : callable
+        Makes the other plate of its slots and its upper face.
+    play, clearance, least : float
+        As in `tab_slot`.
+
+    Raises
+    ------
+    InputError
+        A tab too short, with the length it needs.
+    """
+    sheet, ground = first.sheet, first.frame.shifted(z=-first.sheet.thickness - gap)
+    tabs = [slot.tab for slot in first.slots if slot.tab is not None]
+    under = ground.shifted(z=-sheet.thickness)
+    short = [tab for tab in tabs if not stands_in(tab, under)]
+    if short:
+        needed = max(_needed(tab, under) for tab in short)
+        raise InputError(
+            f"{first.name}: the tab of {short[0].name} does not reach through the second plate: make it "
+            f"{needed:.0f} mm long, or the gap smaller"
+        )
+    slots = [
+        tab_slot(tab, ground, sheet.thickness, play=play, clearance=clearance, least=least, name=first.name)
+        for tab in tabs
+    ]
+    return lean_pair(placed, (first, second(slots, ground)))
+
+
+def _needed(tab: PlacedTab, under: Frame) -> float:
+    """Length, mm, that a tab needs to reach through a plate's lower face."""
+    missing = float(under.local(tab.tip)[2] / -(under.z_axis @ tab.frame.x_axis))
+    return float(np.ceil(tab.length + missing + 0.5))
+
+
+def lean_pair(placed: Sequence[Placed], plates: tuple[Plate, Plate]) -> tuple[Plate, Plate]:
     """The plates with their slots moved so that every loaded tab, play taken up and bent, lies as designed."""
-    upper, lower = plates
+    first, second = plates
     for _ in range(LEAN_ROUNDS):
-        seats, moves = tab_seats((upper, lower)), dict[tuple[float, ...], tuple[float, float]]()
+        seats, moves = tab_seats((first, second)), dict[tuple[float, ...], tuple[float, float]]()
+        known = dict[tuple[int, int, tuple[float, ...]], tuple[float, float]]()
         for one in placed:
             for index, end in enumerate(ENDS):
                 key = tab_key(PlacedTab.of(one.strip, end, one.frame))
                 if key in seats:
-                    stiffness = one.strip.as_made.tab_ratios()[index]
-                    moves[key] = lean_against(one.strip.rod, index, seats[key], stiffness)
-        upper, lower = (
+                    alike = (id(one.strip), index, seats[key].places)
+                    if alike not in known:
+                        ratio = one.strip.as_made.tab_ratios()[index]
+                        known[alike] = lean_against(one.strip.rod, index, seats[key], ratio)
+                    moves[key] = known[alike]
+        first, second = (
             replace(plate, slots=tuple(_moved(slot, plate, moves) for slot in plate.slots))
-            for plate in (upper, lower)
+            for plate in (first, second)
         )
-    return upper, lower
+    return first, second
 
 
-def _moved(slot: TabSlot, plate: BasePlate, moves: dict[tuple[float, ...], tuple[float, float]]) -> TabSlot:
+def _moved(slot: TabSlot, plate: Plate, moves: dict[tuple[float, ...], tuple[float, float]]) -> TabSlot:
     """A slot moved within its plate by what its tab's holder is to be shifted and turned."""
     tab = slot.tab
     if tab is None or tab_key(tab) not in moves:

@@ -31,6 +31,9 @@ from elastica_cad.mechanics.material.sheet import Sheet
 PLAY_MM = 0.3
 """Room beside a tab in its slot on either side; narrow, for tabs that stand close."""
 
+BORDER_MM = 8.0
+"""Least width of material beside slots and seats, unless told."""
+
 LYING_RAD = np.radians(5.0)
 """Tabs at no larger angle to the ring lie on it: glue fills the wedge."""
 
@@ -140,7 +143,7 @@ def ring_plate(
     sheet: Sheet,
     *,
     middle: float = np.inf,
-    border: float = 8.0,
+    border: float = BORDER_MM,
     play: float = PLAY_MM,
     clearance: float = CLEARANCE_MM,
     name: str = "ring",
@@ -190,8 +193,7 @@ def ring_plate(
         slots = tuple(
             tab_slot(tab, frame, sheet.thickness, play=play, clearance=clearance, name=name) for tab in tabs
         )
-        found = Ring(sheet, frame, _radii([slot.corners for slot in slots], border), slots, name=name)
-        return found.checked(shop, anyway=anyway)
+        return ring_around(slots, sheet, frame, border=border, name=name, shop=shop, anyway=anyway)
     if abs(rise) > np.sin(LYING_RAD):
         lean, steep, flat = np.degrees([np.arcsin(abs(rise)), FLATTEST_RAD, LYING_RAD])
         raise InputError(
@@ -211,6 +213,21 @@ def ring_plate(
     found = Ring(sheet, frame, _radii(seats, border), seats=loops, holes=holes, name=name,
                  seated=tuple(tab.name for tab in tabs))  # fmt: skip
     return found.checked(shop, anyway=anyway)
+
+
+def ring_around(
+    slots: Sequence[TabSlot],
+    sheet: Sheet,
+    frame: Frame,
+    *,
+    border: float = BORDER_MM,
+    name: str = "ring",
+    shop: Shop | None = None,
+    anyway: bool = False,
+) -> Ring:
+    """The ring about the axis of its frame that has these slots; see `ring_plate`."""
+    radii = _radii([slot.corners for slot in slots], border)
+    return Ring(sheet, frame, radii, tuple(slots), name=name).checked(shop, anyway=anyway)
 
 
 def _facing(height: float, *, up: bool) -> Frame:

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -13,6 +14,7 @@ from elastica_cad.fabrication.drawings.lettering import Text, text_width
 from elastica_cad.fabrication.holders.base_plate import BasePlate, TabSlot, plate_with
 from elastica_cad.fabrication.holders.end_plates import tab_plane, through_slots
 from elastica_cad.fabrication.holders.placed_tab import ENDS, End, place_tabs
+from elastica_cad.fabrication.holders.plate_pair import lean_pair, require_gap
 from elastica_cad.fabrication.holders.ring_plate import PLAY_MM
 from elastica_cad.fabrication.makeability.faults import accept_faults, find_plate_faults
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
@@ -34,6 +36,9 @@ SLOT_ROOM_MM = 3.0
 
 LABEL_MM = 6.0
 """Height of a rib's name, where there is room."""
+
+STEP_MM = 2.5
+"""By which a tongue is narrower at either side in the first of two rails: the step keeps the gap between them."""
 
 ON_SIDE_MM = 1e-6
 """Points of a tongue this near to a side of the rib lie on it: rounding."""
@@ -97,12 +102,12 @@ class SlottedFrame:
 
     Attributes
     ----------
-    rails : (BasePlate, BasePlate)
-        One holds the tabs at the strips' starts, one those at their ends.
+    rails : tuple of BasePlate
+        One holds the tabs at the strips' starts, one those at their ends; or two each.
     ribs : tuple of Rib
     """
 
-    rails: tuple[BasePlate, BasePlate]
+    rails: tuple[BasePlate, ...]
     ribs: tuple[Rib, ...]
 
     @property
@@ -127,6 +132,7 @@ def slotted_frame(
     play: float = PLAY_MM,
     clearance: float = CLEARANCE_MM,
     border: float = 8.0,
+    gap: float | None = None,
     shop: Shop | None = None,
     anyway: bool = False,
 ) -> SlottedFrame:
@@ -148,6 +154,9 @@ def slotted_frame(
         Room beside tabs and tongues on either side, and added to the width of slots, mm.
     border : float
         Least distance of slots from the edge of a rail, mm.
+    gap : float, optional
+        Two rails instead of each, so far apart, mm, that hold inclined tabs at their angle; the steps of the ribs'
+        tongues keep the gap.
     shop : Shop, optional
         What the workshop can make: bridges between slots, the largest sheet.
     anyway : bool
@@ -178,25 +187,37 @@ def slotted_frame(
             raise InputError(f"frame {name} is {value}: it must be {least:g} mm or more")
     if ribs < 2:
         raise InputError(f"a frame of {ribs} ribs: two rails need 2 or more to stay apart")
+    if gap is not None:
+        require_gap(gap)
+    step, behind = (0.0, 0.0) if gap is None else (STEP_MM, sheet.thickness + gap)
+    if tongue <= 2 * step:
+        raise InputError(
+            f"frame tongue is {tongue:g}: between two rails it must be more than {2 * step:g} mm"
+        )
     rails = [_RailPlan.of(placed, end, sheet, play=play, clearance=clearance) for end in ENDS]
+    outer = [] if gap is None else [
+        _RailPlan.of(placed, end, sheet, play=play, clearance=clearance, behind=behind) for end in ENDS
+    ]  # fmt: skip
     across = _across(rails)
     room = max(SLOT_ROOM_MM, (shop or DEFAULT_SHOP).bridge_for(sheet))
-    stations = _stations(rails, across, ribs, sheet.thickness + 2 * (room + clearance))
+    stations = _stations([*rails, *outer], across, ribs, sheet.thickness + 2 * (room + clearance))
     plans = [
         _RibPlan(f"rib-{n}", station, across, tuple(rail.seat(station, across) for rail in rails))
         for n, station in enumerate(stations, start=1)
     ]
-    for k, rail in enumerate(rails):
-        size = (tongue + 2 * play, sheet.thickness + clearance)
-        rail.slots += [rail.tongue_slot(plan.name, plan.seats[k], size, sheet.thickness) for plan in plans]
-    first, second = (
-        plate_with(
-            rail.slots, sheet, rail.frame, border=border, name=rail.name, shop=shop, anyway=anyway
-        )
-        for rail in rails
-    )  # fmt: skip
-    made = (plan.rib(sheet, tongue, depth) for plan in plans)
-    return SlottedFrame((first, second), tuple(rib.checked(shop, anyway=anyway) for rib in made))
+    plates: list[BasePlate] = []
+    gate: dict[str, Any] = {"shop": shop, "anyway": anyway}
+    for group, narrower in ((rails, step), (outer, 0.0)):
+        size = (tongue - 2 * narrower + 2 * play, sheet.thickness + clearance)
+        for k, rail in enumerate(group):
+            slots = [rail.tongue_slot(plan.name, plan.seats[k], size, sheet.thickness) for plan in plans]
+            held = [*rail.slots, *slots]
+            plates.append(plate_with(held, sheet, rail.frame, border=border, name=rail.name, **gate))
+    if gap is not None:
+        pairs = [lean_pair(placed, (plates[k], plates[k + 2])) for k in (0, 1)]
+        plates = [pair[k] for k in (0, 1) for pair in pairs]
+    made = (plan.rib(sheet, tongue, depth, behind=behind, step=step) for plan in plans)
+    return SlottedFrame(tuple(plates), tuple(rib.checked(shop, anyway=anyway) for rib in made))
 
 
 @dataclass
@@ -209,12 +230,19 @@ class _RailPlan:
 
     @classmethod
     def of(
-        cls, placed: Sequence[Placed], end: End, sheet: Sheet, *, play: float, clearance: float
+        cls,
+        placed: Sequence[Placed],
+        end: End,
+        sheet: Sheet,
+        *,
+        play: float,
+        clearance: float,
+        behind: float = 0.0,
     ) -> "_RailPlan":
-        """The plane that the tabs of one end go through, with their slots."""
-        name = f"rail-{end}"
+        """The plane that the tabs of one end go through, or one so far behind it, with their slots."""
+        name = f"rail-{end}{'-outer' if behind else ''}"
         tabs = place_tabs(placed, [end])
-        frame = tab_plane(tabs, name)
+        frame = tab_plane(tabs, name).shifted(z=-behind)
         slots = through_slots(tabs, frame, sheet, play=play, clearance=clearance, name=name)
         return cls(name, frame, slots)
 
@@ -262,11 +290,11 @@ class _RibPlan:
     across: FloatArray
     seats: tuple[_Seat, ...]
 
-    def rib(self, sheet: Sheet, tongue: float, depth: float) -> Rib:
-        """The plate behind both rails, with a tongue through each."""
+    def rib(self, sheet: Sheet, tongue: float, depth: float, *, behind: float, step: float) -> Rib:
+        """The plate behind all rails, with a tongue through each, which is narrower in the first of two rails."""
         x_axis = self.seats[0].along
         frame = Frame(self.seats[0].point, x_axis, np.cross(self.across, x_axis))
-        rest, under = tongue / 2 + SHOULDER_MM, sheet.thickness
+        rest, under = tongue / 2 + SHOULDER_MM, sheet.thickness + behind
         a, b = (_Corner(frame, seat, other) for seat, other in zip(self.seats, self.seats[::-1], strict=True))
         bases = [np.array([c.at(side * tongue / 2, under) for side in (-1, 1)]) for c in (a, b)]
         block = [
@@ -280,7 +308,7 @@ class _RibPlan:
         for loop in (convex_corners(np.array(block)), _anticlockwise(np.array(bar))):
             drawn: FloatArray | None = loop
             for base in bases:
-                drawn = None if drawn is None else _with_tongue(drawn, base, under)
+                drawn = None if drawn is None else _with_tongue(drawn, base, (behind, under), step)
             if drawn is not None and self_crossing(drawn, closed=True) is None:
                 label = self._label(a.at(0.0, half), 2 * rest, depth)
                 return Rib(self.name, sheet, frame, Path.polygon(drawn), label)
@@ -340,17 +368,24 @@ def _anticlockwise(loop: FloatArray) -> FloatArray:
     return loop if np.sum(p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0]) > 0 else loop[::-1]
 
 
-def _with_tongue(loop: FloatArray, base: FloatArray, height: float) -> FloatArray | None:
+def _with_tongue(
+    loop: FloatArray, base: FloatArray, heights: tuple[float, float], step: float
+) -> FloatArray | None:
     """The anticlockwise loop with a tongue drawn outward over `base`, two points inside one of its sides.
 
-    None where they lie on no side.
+    The tongue ends at the second height; from the first on it is narrower by `step` at either side. None where the
+    points lie on no side.
     """
+    low, high = heights
     for i, (p, q) in enumerate(zip(loop, np.roll(loop, -1, axis=0), strict=True)):
         side = (q - p) / np.hypot(*(q - p))
         outward = np.array([side[1], -side[0]])
         off, along = (base - p) @ outward, (base - p) @ side
         if np.abs(off).max() < ON_SIDE_MM and along.min() > 0 and along.max() < np.hypot(*(q - p)):
             a, b = base[np.argsort(along)]
-            corners = [a, a + height * outward, b + height * outward, b]
+            rise, inset = (high * outward, step * side)
+            stepped = [a + low * outward, a + low * outward + inset] if step else []
+            back = [b + low * outward - inset, b + low * outward] if step else []
+            corners = [a, *stepped, a + rise + inset, b + rise - inset, *back, b]
             return np.concatenate([loop[: i + 1], corners, loop[i + 1 :]])
     return None

@@ -11,7 +11,6 @@ from elastica_cad.fabrication.holders.base_plate import BasePlate, TabSlot
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.placed_tab import ENDS, End, PlacedTab
 from elastica_cad.fabrication.holders.ring_plate import Ring
-from elastica_cad.fabrication.holders.slotted_frame import SlottedFrame
 from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.holding.tab_seat import WALL_PLACES, TabSeat
 from elastica_cad.fabrication.placed_strip import Placed, distinct_names
@@ -79,8 +78,10 @@ def _seated(holders: Iterable[object]) -> Iterator[tuple[PlacedTab, TabSeat]]:
     for holder in holders:
         if isinstance(holder, EndFixture):
             yield holder.tab, holder.seat
-        elif isinstance(holder, SlottedFrame):
-            yield from _seated(holder.rails)
+        elif rails := getattr(
+            holder, "rails", ()
+        ):  # of a slotted frame, which is made by means of this module
+            yield from _seated(rails)
         elif isinstance(holder, BasePlate | Ring):
             for slot in holder.slots:
                 seat = _seat_in_slot(slot, holder)
@@ -108,10 +109,10 @@ def hold_each(
     placed: Sequence[Placed], holders: Iterable[object] = ()
 ) -> Iterator[HeldShape | NotConvergedError]:
     """The same one by one, with the reason where a strip finds no rest; strips held alike are bent once."""
-    seats, known = tab_seats(holders), dict[tuple[int, Key, Key], HeldShape | NotConvergedError]()
+    seats, known = tab_seats(holders), dict[object, HeldShape | NotConvergedError]()
     for one in placed:
         start, end = (_seat_of(seats, one, k) for k in ENDS)
-        alike = (id(one.strip), _places(start), _places(end))
+        alike = id(one.strip), *(None if seat is None else seat.places for seat in (start, end))
         if alike not in known:
             try:
                 known[alike] = one.strip.held(start, end)
@@ -150,7 +151,3 @@ def tab_key(tab: PlacedTab) -> Key:
 def _seat_of(seats: Mapping[Key, TabSeat], one: Placed, end: End) -> TabSeat | None:
     """What holds an end of a placed strip."""
     return seats.get(tab_key(PlacedTab.of(one.strip, end, one.frame)))
-
-
-def _places(seat: TabSeat | None) -> Key:
-    return () if seat is None else tuple(np.round([*seat.left.ravel(), *seat.right.ravel()], 9).tolist())

@@ -66,6 +66,11 @@ class TabSeat:
         """How far into the tab the holder reaches, mm."""
         return float(max(self.left[:, 0].max(), self.right[:, 0].max()))
 
+    @property
+    def places(self) -> tuple[float, ...]:
+        """All edges, rounded: of seats that are alike the same."""
+        return tuple(np.round([*self.left.ravel(), *self.right.ravel()], 9).tolist())
+
     def moved(self, shift: float, turn: float) -> "TabSeat":
         """The holder shifted to the left, mm, and turned towards the left, rad, about the end of the free part."""
         cos, sin = np.cos(turn), np.sin(turn)

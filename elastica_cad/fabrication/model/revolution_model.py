@@ -1,12 +1,15 @@
 """Models of surfaces of revolution: equal strips that touch along all their edges."""
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.holders.base_plate import FLATTEST_RAD
 from elastica_cad.fabrication.holders.placed_tab import ENDS, place_tabs
+from elastica_cad.fabrication.holders.plate_pair import ring_pair
 from elastica_cad.fabrication.holders.ring_plate import PLAY_MM, Ring, ring_plate, slot_reach
 from elastica_cad.fabrication.makeability.faults import accept_faults, find_strip_faults
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
@@ -22,6 +25,9 @@ MOST_STRIPS = 1000
 
 TAB_MM = 8.0
 """Length of a tab that is not given: through a 3 mm ring with room for glue."""
+
+BEYOND_MM = 2.0
+"""How far a tab reaches beyond the second of two rings."""
 
 TAB_GAP_MM = 0.5
 """Between the tabs of neighbours where they are nearest."""
@@ -45,6 +51,7 @@ def revolution(
     ring: float | None = None,
     ends: tuple[Tab, Tab] | None = None,
     rings: Sheet | str | None = None,
+    gap: float | None = None,
     name: str = "revolution",
     shop: Shop = DEFAULT_SHOP,
     anyway: bool = False,
@@ -60,9 +67,12 @@ def revolution(
     sheet : Sheet or str
         Or its name.
     ends : pair of Tab, optional
-        Of each strip; 8 mm long and so wide that neighbours' tabs keep apart, unless given.
+        Of each strip; 8 mm long, or as two rings need, and so wide that neighbours' tabs keep apart, unless given.
     rings : Sheet or str, optional
         Of a ring at each end, or a cap near the pole, which join the model as its `plates`; see `ring_plate`.
+    gap : float, optional
+        Two rings instead of each where tabs go through, so far apart, mm, that hold the tabs at their angle; see
+        `ring_pair`.
     name : str
     shop : Shop
         What the workshop can make.
@@ -87,6 +97,7 @@ def revolution(
         sheet=sheet,
         ends=ends,
         rings=rings,
+        gap=gap,
         name=name,
         shop=shop,
         anyway=anyway,
@@ -100,6 +111,7 @@ def revolve(
     sheet: Sheet | str,
     ends: tuple[Tab, Tab] | None = None,
     rings: Sheet | str | None = None,
+    gap: float | None = None,
     name: str = "revolution",
     shop: Shop = DEFAULT_SHOP,
     anyway: bool = False,
@@ -125,7 +137,7 @@ def revolve(
         )
     sheet = Sheet.named(sheet) if isinstance(sheet, str) else sheet
     rings = Sheet.named(rings) if isinstance(rings, str) else rings
-    asked = _Asked(strips, sheet, ends, rings, shop, anyway)
+    asked = _Asked(strips, sheet, ends, rings, gap, shop, anyway)
     try:
         placed, plates, told = asked.made(meridian)
     except InputError as problem:
@@ -145,6 +157,7 @@ class _Asked:
     sheet: Sheet
     ends: tuple[Tab, Tab] | None
     rings: Sheet | None
+    gap: float | None
     shop: Shop
     anyway: bool
 
@@ -159,18 +172,15 @@ class _Asked:
             return placed, (), told
         heights = strip.rod.position[:, 1]
         middle = float(heights.min() + heights.max()) / 2
-        plates = tuple(
-            ring_plate(
-                place_tabs(placed, [end]),
-                self.rings,
-                middle=middle,
-                name=f"ring-{end}",
-                shop=self.shop,
-                anyway=self.anyway,
-            )
-            for end in ENDS
-        )
-        return placed, plates, told
+        options: dict[str, Any] = {"middle": middle, "shop": self.shop, "anyway": self.anyway}
+        plates: list[Ring] = []
+        for end in ENDS:
+            tabs, called = place_tabs(placed, [end]), f"ring-{end}"
+            if self.gap is None:
+                plates.append(ring_plate(tabs, self.rings, name=called, **options))
+            else:
+                plates += ring_pair(placed, tabs, self.rings, gap=self.gap, name=called, **options)
+        return placed, tuple(plates), told
 
     def _tabs(self, meridian: Meridian) -> tuple[Tab, Tab]:
         """Tabs that go straight on, narrower than the room between the planes to both neighbours.
@@ -179,7 +189,13 @@ class _Asked:
         """
         ends = meridian.curve.sample(2)
         outward = ends.angle + np.array([np.pi, 0.0])
-        near = np.minimum(ends.position[:, 0], ends.position[:, 0] + TAB_MM * np.cos(outward))
+        steep = np.abs(np.sin(outward))
+        lengths, through = np.full(2, TAB_MM), 0.0 if self.rings is None else self.rings.thickness
+        if self.rings is not None and self.gap is not None:
+            through += self.gap + self.rings.thickness
+            needed = through / np.maximum(steep, np.sin(FLATTEST_RAD)) + BEYOND_MM
+            lengths = np.where(steep > np.sin(FLATTEST_RAD), np.maximum(needed, TAB_MM), TAB_MM)
+        near = np.minimum(ends.position[:, 0], ends.position[:, 0] + lengths * np.cos(outward))
         gap = TAB_GAP_MM
         if self.rings is not None:
             # what separates two slots is seen along the sides of either, turned by half the angle between them
@@ -188,14 +204,14 @@ class _Asked:
                 + BRIDGE_FACTOR * self.shop.bridge_for(self.rings) / float(np.cos(np.pi / self.strips)) ** 2
             )
             inner = [
-                slot_reach(float(r), float(angle), self.rings.thickness, self.sheet.thickness)
+                slot_reach(float(r), float(angle), through, self.sheet.thickness)
                 for r, angle in zip(ends.position[:, 0], outward, strict=True)
             ]
             near = np.minimum(near, inner)
         room = 2 * np.tan(np.pi / self.strips) * near - gap
         first, last = (
-            Tab(TAB_MM, width=float(wide)) if wide >= self.shop.width_for(self.sheet) else Tab(TAB_MM)
-            for wide in room
+            Tab(float(long), width=float(wide) if wide >= self.shop.width_for(self.sheet) else None)
+            for long, wide in zip(lengths, room, strict=True)
         )
         return first, last
 

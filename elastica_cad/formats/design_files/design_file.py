@@ -23,13 +23,14 @@ Every number may be a formula in quotes (see `formulae`); lengths are mm, angles
         with reshape = {bottom_left, bottom_right, top_right, top_left: where corners of its box go} or
         {handles = four points, to = four points}
     revolution = {points = [[x, y]] from the axis, or curve (as above), or a, b, start, angle and length; strips,
-        ring, rings = "SHEET", sheet, ends, shop, anyway}: a surface of revolution about z, tiled by equal strips
+        ring, rings = "SHEET", gap, sheet, ends, shop, anyway}: a surface about z, tiled by equal strips
     [[patterns]] mirror = {point, normal, keep}, rotate = {count, axis, point, step}, repeat = {count, step}
     interlock = {clearance, fit, relief, above}
     what holds strips, each a table or a list of tables, each for strips = ["A*", ...] (labels; all unless given):
-        base = {sheet, height, ends, play, clearance, slot_width, border, shape, sheet_size, name}
-        rings = {sheet, ends, play, clearance, border, shape, sheet_size, name}: a plate for each end
-        frame = {sheet, ribs, depth, tongue, play, clearance, border, sheet_size}
+        base = {sheet, height, ends, play, clearance, slot_width, border, shape, sheet_size, name, gap}
+        rings = {sheet, ends, play, clearance, border, gap, shape, sheet_size, name}: a plate for each end
+        frame = {sheet, ribs, depth, tongue, play, clearance, border, gap, sheet_size}
+        (with gap two plates hold inclined tabs, so many mm apart)
         fixtures = {floor, ends, clearance, wall, foot, foot_height, screw}
         stand = {sheet, sheet_size}: the simplest of them that holds all tabs
     nest = {sheet_size, margin}, extras = {coupon, reference_bar}

@@ -39,8 +39,8 @@ def read_kit(top: Table, sheets: dict[str, Sheet]) -> KitSpec:
 
 HOLDER_SIZES: dict[HolderKind, tuple[str, ...]] = {
     "base": ("play", "clearance", "slot_width", "border", "gap"),
-    "rings": ("play", "clearance", "border"),
-    "frame": ("depth", "tongue", "play", "clearance", "border"),
+    "rings": ("play", "clearance", "border", "gap"),
+    "frame": ("depth", "tongue", "play", "clearance", "border", "gap"),
     "fixtures": ("clearance", "wall", "foot", "foot_height", "screw"),
     "stand": (),
 }

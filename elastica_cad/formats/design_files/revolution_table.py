@@ -19,7 +19,7 @@ NEAR_MM = 1e-3
 """A meridian this near to its points passes them: no cut is as exact."""
 
 USUAL_KEYS = (
-    "sheet", "thickness", "strips", "ring", "rings", "ends", "points", "curve", "shop", "anyway",
+    "sheet", "thickness", "strips", "ring", "rings", "gap", "ends", "points", "curve", "shop", "anyway",
 )  # fmt: skip
 OWN_KEYS = ("a", "b", "start", "angle", "length")
 
@@ -37,6 +37,8 @@ class RevolutionEntry:
         None for tabs that keep apart.
     rings : Sheet or None
         Of the rings at both ends.
+    gap : float or None
+        Between two rings that hold inclined tabs, mm; one ring each without.
     shop : Shop
         What the workshop can make.
     anyway : bool
@@ -48,6 +50,7 @@ class RevolutionEntry:
     sheet: Sheet
     ends: tuple[Tab, Tab] | None = None
     rings: Sheet | None = None
+    gap: float | None = None
     shop: Shop = DEFAULT_SHOP
     anyway: bool = False
 
@@ -65,6 +68,7 @@ class RevolutionEntry:
             sheet=self.sheet,
             ends=self.ends,
             rings=self.rings,
+            gap=self.gap,
             name=name,
             shop=self.shop,
             anyway=self.anyway,
@@ -116,6 +120,7 @@ def read_revolution(
         find_sheet(table, "sheet", sheets),
         read_tabs(table) if table.has("ends") else None,
         find_sheet(table, "rings", sheets) if table.has("rings") else None,
+        table.maybe("gap"),
         read_shop(table.table("shop")),
         table.flag("anyway"),
     )

@@ -9,15 +9,19 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.compensation import compensate_widths
 from elastica_cad.fabrication.holders.base_plate import base_plate
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
+from elastica_cad.fabrication.holders.end_plates import end_plates
 from elastica_cad.fabrication.holders.plate_pair import plate_pair
+from elastica_cad.fabrication.holders.slotted_frame import slotted_frame
 from elastica_cad.fabrication.holders.tab_seats import held_shapes, rocking_tabs, tab_seats
 from elastica_cad.fabrication.holding.rest_in_seats import rest_in_seats
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
+from elastica_cad.fabrication.model.revolution_model import revolve
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import Tab
+from elastica_cad.forming.revolution.meridian import meridian_through
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.material.anticlastic import anticlastic_factor
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -162,6 +166,78 @@ def test_a_tab_too_short_for_the_lower_plate_is_refused_with_its_length(strip):
     needed = float(str(refused.value).split("make it ")[1].split(" ")[0])
     longer = replace(strip, ends=(Tab(needed), Tab(needed)))
     assert len(plate_pair(inclined(longer), MDF, gap=10)) == 2
+
+
+def test_two_rings_hold_a_surface_of_revolution_at_its_angle():
+    profile = meridian_through([(70, 0), (85, 16), (125, 55), (90, 115), (75, 140)])
+    single = revolve(profile, 16, sheet="card-200gsm", rings="hdf-1.5")
+    assert len(rocking_tabs(single.placed, single.plates)) == 2
+    pair = revolve(profile, 16, sheet="card-200gsm", rings="hdf-1.5", gap=10)
+    assert [ring.name for ring in pair.plates] == [
+        "ring-start", "ring-start-outer", "ring-end", "ring-end-outer",
+    ]  # fmt: skip
+    assert not rocking_tabs(pair.placed, pair.plates)
+    assert pair.held()[0].deviation < 0.25 * single.held()[0].deviation
+    assert pair.held()[0].deviation < 1e-3 * profile.rod.length
+    with pytest.raises(InputError, match=r"make it (\d+) mm long"):
+        revolve(
+            profile,
+            16,
+            sheet="card-200gsm",
+            rings="hdf-1.5",
+            gap=10,
+            ends=(Tab(10, width=18), Tab(10, width=18)),
+        )
+
+
+def leaning_row():
+    """Arches side by side whose tabs lean to the plane that holds them."""
+    bows = [
+        optimal_rod(PlaneCurve.ellipse((0, 0), (90.0 - 6 * i, 60.0), 0.0, -0.5, np.pi + 0.5), samples=201)
+        for i in range(3)
+    ]
+    strips = [
+        Strip(bow, PLY, max_width=16.0, ends=(Tab(30), Tab(30)), label=f"H{i}") for i, bow in enumerate(bows)
+    ]
+    return [Placed(strip, (0, 45.0 * i, 0), (1, 0, 0), (0, 0, 1)) for i, strip in enumerate(strips)]
+
+
+def test_plates_of_ends_come_in_pairs_too():
+    placed = leaning_row()
+    single, pair = (end_plates(placed, MDF, together=True, gap=gap) for gap in (None, 10.0))
+    assert rocking_tabs(placed, single)
+    assert [plate.name for plate in pair] == ["ring", "ring-outer"]
+    assert not rocking_tabs(placed, pair)
+    assert max(shape.deviation for shape in held_shapes(placed, pair)) < 5e-4 * placed[0].strip.rod.length
+
+
+def test_a_frame_of_double_rails_whose_ribs_keep_the_gap():
+    placed = leaning_row()
+    frame = slotted_frame(placed, MDF, ribs=3, gap=10.0)
+    assert [rail.name for rail in frame.rails] == [
+        "rail-start", "rail-end", "rail-start-outer", "rail-end-outer",
+    ]  # fmt: skip
+    for first, second in zip(frame.rails[:2], frame.rails[2:], strict=True):
+        assert first.frame.local(second.frame.origin)[2] == pytest.approx(-13.0)
+        for rib in frame.ribs:
+            corners = first.frame.local(rib.frame.point(rib.outline.points(1e-3)))
+            near = corners[np.hypot(*(corners - first.frame.local(_middle(first, rib))).T[:2]) < 13.0]
+            heights = set(np.round(near[:, 2], 6).tolist())
+            # through the first rail, a step at its back, through the second, a shoulder behind that
+            assert {0.0, -3.0, -16.0} <= heights
+            steps = near[np.abs(near[:, 2] + 3.0) < 1e-6]
+            slot = next(slot for slot in first.slots if slot.name == rib.name)
+            assert slot.size[0] < np.ptp(steps @ (steps[-1] - steps[0])) / np.linalg.norm(
+                steps[-1] - steps[0]
+            )
+    assert not rocking_tabs(placed, [frame])
+    assert max(shape.deviation for shape in held_shapes(placed, [frame])) < 1e-3 * placed[0].strip.rod.length
+
+
+def _middle(rail, rib):
+    """The middle of a rib's slot in a rail, in space."""
+    slot = next(slot for slot in rail.slots if slot.name == rib.name)
+    return rail.frame.point([*slot.corners.mean(axis=0), 0.0])
 
 
 TABS = (Tab(10, width=10), Tab(10, width=10))
