@@ -86,20 +86,20 @@ def read_drawing(
 
     Arguments and errors as in `read_curves`; the problem of a single curve is told by that curve.
     """
-    path = require_file(path)
-    suffix = path.suffix.lower()
-    if suffix == ".dxf":
-        return read_dxf_drawing(path, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit)
-    if suffix == ".svg":
-        return read_svg_drawing(path, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit)
-    if suffix == ".csv":
-        return read_csv_drawing(path, fit_tolerance=fit_tolerance, unit=unit)
-    if suffix == ".txt":
-        return read_text_drawing(path, unit=unit)
-    if suffix == ".json":
-        return read_json_drawing(path, unit=unit)
-    if suffix in CURVE_SUFFIXES:
-        return _kernel_drawing(path, unit)
+    with name_source(path) as file:
+        suffix = file.suffix.lower()
+        if suffix == ".dxf":
+            return read_dxf_drawing(file, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit)
+        if suffix == ".svg":
+            return read_svg_drawing(file, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit)
+        if suffix == ".csv":
+            return read_csv_drawing(file, fit_tolerance=fit_tolerance, unit=unit)
+        if suffix == ".txt":
+            return read_text_drawing(file, unit=unit)
+        if suffix == ".json":
+            return read_json_drawing(file, unit=unit)
+        if suffix in KERNEL_SUFFIXES:
+            return _kernel_drawing(file, unit)
     raise InputError(
         f"{path} ends in {suffix!r}, which is no curve file known here: use {', '.join(CURVE_SUFFIXES)}"
     )

@@ -2,17 +2,10 @@ from elastica_cad.formats.curve_files.chains import (
     FIT_TOLERANCE as FIT_TOLERANCE,
     JOIN_TOLERANCE as JOIN_TOLERANCE,
 )
-from elastica_cad.formats.curve_files.dxf_curves import read_dxf_curves as read_dxf_curves
 from elastica_cad.formats.curve_files.json_curves import (
     curve_record as curve_record,
     curves_json as curves_json,
-    read_json_curves as read_json_curves,
 )
-from elastica_cad.formats.curve_files.point_files import (
-    read_csv_curves as read_csv_curves,
-    read_text_curves as read_text_curves,
-)
-from elastica_cad.formats.svg_files.svg_curves import read_svg_curves as read_svg_curves
 from elastica_cad.formats.curve_files.write_curves import write_curves as write_curves
 from elastica_cad.formats.design_files.design_file import Design as Design, read_design as read_design
 from elastica_cad.formats.drawing_files.curve_style import CURVES as CURVES

@@ -18,7 +18,6 @@ from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid, frame_beside
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.curve_files.drawn_file import (
-    CurveList,
     DrawnCurve,
     DrawnFile,
     list_things,
@@ -27,7 +26,6 @@ from elastica_cad.formats.curve_files.edges import Edge
 from elastica_cad.formats.curve_files.number_gate import check_size
 from elastica_cad.formats.curve_files.placed_curve import place_chain
 from elastica_cad.formats.file_access.atomic_write import write_atomically
-from elastica_cad.formats.file_access.source_file import name_source
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.drawn_edges import free_chains
@@ -173,29 +171,24 @@ def write_strip_step(
     write_step(parts, path, name=name, force=force)
 
 
-def read_step_curves(path: str | PathLike[str]) -> CurveList:
-    """The plane curves drawn in a STEP (or BREP) file; edges that belong to faces are not curves of strips.
+def read_step_drawing(file: Path, *, scale: float = 1.0) -> DrawnFile:
+    """The curves of a STEP (or BREP) file one by one, `scale` times as large; what is no curve is counted.
+
+    Edges that belong to faces are not curves of strips.
 
     Raises
     ------
     InputError
-        No such file, no STEP file, no free edges in it, or edges that no strip can follow.
+        No STEP file, or no free edges in it.
     """
-    return read_step_drawing(path).read()
-
-
-def read_step_drawing(path: str | PathLike[str], *, scale: float = 1.0) -> DrawnFile:
-    """The curves of a STEP (or BREP) file one by one, `scale` times as large; what is no curve is counted."""
-    with name_source(Path(path)) as file:
-        chains, skipped = free_chains(read_step_shape(file))
-        if not chains:
-            found = f" (found {list_things(skipped)})" if skipped else ""
-            raise InputError(
-                "the file holds no free edges or wires: export the curves themselves, not solids or faces"
-                + found
-            )
-        curves = [DrawnCurve(i, partial(_scaled, chain, scale)) for i, chain in enumerate(chains, start=1)]
-        return DrawnFile(file, curves, dict(sorted(skipped.items())))
+    chains, skipped = free_chains(read_step_shape(file))
+    if not chains:
+        found = f" (found {list_things(skipped)})" if skipped else ""
+        raise InputError(
+            "the file holds no free edges or wires: export the curves themselves, not solids or faces" + found
+        )
+    curves = [DrawnCurve(i, partial(_scaled, chain, scale)) for i, chain in enumerate(chains, start=1)]
+    return DrawnFile(file, curves, dict(sorted(skipped.items())))
 
 
 def _scaled(chain: Sequence[Edge], scale: float) -> PlaneCurve:

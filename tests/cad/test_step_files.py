@@ -8,6 +8,7 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
+from elastica_cad.files import read_curves
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path as Chain
 from elastica_cad.geometry.paths.segments import Spline
@@ -72,7 +73,7 @@ def test_outline_is_a_few_spline_edges(plain, tmp_path):
 def test_curves_come_back_from_a_file(curve, tilted, tmp_path):
     path = tmp_path / "curve.step"
     step.write_step([step.NamedShape("curve", occt.make_wire(Chain([Spline(curve)]), tilted))], path)
-    (back,) = step.read_step_curves(path)
+    (back,) = read_curves(path)
     assert back.length == pytest.approx(curve.length, rel=1e-9)
     assert back.degree == curve.degree
     mine, theirs = curve.sample(9), back.sample(9)
@@ -92,7 +93,7 @@ def test_several_curves_and_a_solid_in_one_file(plain, tmp_path):
         ],
         path,
     )
-    assert sorted(c.length for c in step.read_step_curves(path)) == pytest.approx([20, 30])
+    assert sorted(c.length for c in read_curves(path)) == pytest.approx([20, 30])
 
 
 def test_brep_files_are_read_too(curve, tmp_path):
@@ -100,7 +101,7 @@ def test_brep_files_are_read_too(curve, tmp_path):
 
     path = tmp_path / "curve.brep"
     BRepTools.Write_s(occt.make_wire(Chain([Spline(curve)])), str(path))
-    (back,) = step.read_step_curves(path)
+    (back,) = read_curves(path)
     assert np.array_equal(back.control_points, curve.control_points)
 
 
@@ -150,14 +151,14 @@ class TestBadInput:
         path = tmp_path / "odd.step"
         path.write_text(text)
         with pytest.raises(InputError, match=r"odd\.step.*STEP"):
-            step.read_step_curves(path)
+            read_curves(path)
 
     def test_only_solids(self, plain, tmp_path):
         path = tmp_path / "solid.step"
         step.write_step([step.NamedShape("body", occt.make_solid(FlatSolid.of(plain)))], path)
         with pytest.raises(InputError, match=r"solid\.step.*no free edges"):
-            step.read_step_curves(path)
+            read_curves(path)
 
     def test_missing_file(self, tmp_path):
         with pytest.raises(InputError, match=r"none\.step"):
-            step.read_step_curves(tmp_path / "none.step")
+            read_curves(tmp_path / "none.step")

@@ -11,8 +11,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
-from elastica_cad.formats.curve_files.chains import FIT_TOLERANCE, JOIN_TOLERANCE
-from elastica_cad.formats.curve_files.drawn_file import CurveList, DrawnFile, collect_curves
+from elastica_cad.formats.curve_files.drawn_file import DrawnFile, collect_curves
 from elastica_cad.formats.curve_files.dxf_text import (
     DEEPEST_BLOCK,
     ODDITIES,
@@ -22,7 +21,7 @@ from elastica_cad.formats.curve_files.dxf_text import (
 from elastica_cad.formats.curve_files.edge_plane import flatten_run
 from elastica_cad.formats.curve_files.edges import Edge, Run, Source
 from elastica_cad.formats.curve_files.number_gate import check_degree, check_places
-from elastica_cad.formats.file_access.source_file import look_up_unit, name_source
+from elastica_cad.formats.file_access.source_file import look_up_unit
 from elastica_cad.geometry.curves.provenance import Provenance
 
 if TYPE_CHECKING:
@@ -35,54 +34,30 @@ _INSUNITS = {
 }  # fmt: skip
 
 
-def read_dxf_curves(
-    path: str | Path,
-    *,
-    tolerance: float = JOIN_TOLERANCE,
-    fit_tolerance: float = FIT_TOLERANCE,
-    unit: str | None = None,
-) -> CurveList:
-    """All curves of the model space, whatever their layer, in mm.
+def read_dxf_drawing(file: Path, *, tolerance: float, fit_tolerance: float, unit: str | None) -> DrawnFile:
+    """The curves of a DXF file one by one, with handles and layers, in mm; arguments as in `read_curves`.
 
-    LINE, ARC, CIRCLE, ELLIPSE, SPLINE and polylines are read, those inside of blocks too. True curves stay
-    exact; pieces whose ends meet are joined to one curve; a polyline without arcs is fitted. The unit is the
-    file's $INSUNITS; a file without unit is read as mm.
-
-    Parameters
-    ----------
-    tolerance : float
-        Ends nearer than this are joined, and a curve may leave its plane by as much, mm.
-    fit_tolerance : float
-        Largest distance of a polyline's vertex from its curve, mm.
-    unit : str, optional
-        "mm", "cm", "m", "in", ...; overrides what the file says.
+    LINE, ARC, CIRCLE, ELLIPSE, SPLINE and polylines of the model space are read, those inside of blocks too. True
+    curves stay exact, a polyline without arcs is fitted. The unit is the file's $INSUNITS; without one it is mm.
 
     Raises
     ------
     InputError
-        No such file, not a DXF file, an unknown unit, nothing usable in it, a curve that lies in no plane.
+        Not a DXF file, an unknown unit, nothing usable in it, a curve that lies in no plane.
     MissingDependencyError
         ezdxf is not installed.
     """
-    return read_dxf_drawing(path, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit).read()
-
-
-def read_dxf_drawing(
-    path: str | Path, *, tolerance: float, fit_tolerance: float, unit: str | None
-) -> DrawnFile:
-    """The curves of a DXF file one by one, with handles and layers; all else as in `read_dxf_curves`."""
-    with name_source(path) as file:
-        document = _opened(file)
-        scale = look_up_unit(unit) if unit else _scale(document)
-        refuse_many_inserts(document)
-        rounding = scale * dxf_rounding(file)
-        skipped: Counter[str] = Counter()
-        place, called = np.diag([1 / scale, 1 / scale, 1.0]), "mm" if scale == 1 else "drawing units"
-        return collect_curves(
-            file, _runs(document, scale, rounding, skipped), skipped, tolerance=tolerance, flat=flatten_run,
-            nothing="holds no curve in its model space: draw a SPLINE, ARC, ELLIPSE, LINE or polyline there",
-            fit_tolerance=fit_tolerance, shown=Provenance(place=place, unit=called),
-        )  # fmt: skip
+    document = _opened(file)
+    scale = look_up_unit(unit) if unit else _scale(document)
+    refuse_many_inserts(document)
+    rounding = scale * dxf_rounding(file)
+    skipped: Counter[str] = Counter()
+    place, called = np.diag([1 / scale, 1 / scale, 1.0]), "mm" if scale == 1 else "drawing units"
+    return collect_curves(
+        file, _runs(document, scale, rounding, skipped), skipped, tolerance=tolerance, flat=flatten_run,
+        nothing="holds no curve in its model space: draw a SPLINE, ARC, ELLIPSE, LINE or polyline there",
+        fit_tolerance=fit_tolerance, shown=Provenance(place=place, unit=called),
+    )  # fmt: skip
 
 
 def _runs(document: "Drawing", scale: float, rounding: float, skipped: Counter[str]) -> Iterator[Run]:

@@ -9,14 +9,14 @@ from typing import Any
 import numpy as np
 
 from elastica_cad.errors import InputError
-from elastica_cad.formats.curve_files.drawn_file import CurveList, DrawnCurve, DrawnFile
+from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, DrawnFile
 from elastica_cad.formats.curve_files.number_gate import (
     MOST_PIECES,
     check_count,
     check_degree,
     check_size,
 )
-from elastica_cad.formats.file_access.source_file import look_up_unit, name_source
+from elastica_cad.formats.file_access.source_file import look_up_unit
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
 CURVES_SCHEMA = "elastica-curves/1"
@@ -33,39 +33,33 @@ def curve_record(curve: PlaneCurve) -> dict[str, Any]:
 
 
 def curves_json(curves: Sequence[PlaneCurve]) -> str:
-    """The text of a JSON file that holds the curves; `read_json_curves` returns them bit by bit."""
+    """The text of a JSON file that holds the curves; `read_json_drawing` reads them bit by bit."""
     data = {"schema": CURVES_SCHEMA, "units": "mm", "curves": [curve_record(curve) for curve in curves]}
     return json.dumps(data, indent=1) + "\n"
 
 
-def read_json_curves(path: str | Path, *, unit: str | None = None) -> CurveList:
-    """The curves of a JSON file: one written by `curves_json`, or the report of a strip.
+def read_json_drawing(file: Path, *, unit: str | None = None) -> DrawnFile:
+    """The curves of a JSON file one by one: one written by `curves_json`, or the report of a strip.
 
     Raises
     ------
     InputError
-        Not JSON, another schema, a missing or bad entry: file and entry are named.
+        Not JSON, another schema, a missing or bad entry, which is named.
     """
-    return read_json_drawing(path, unit=unit).read()
-
-
-def read_json_drawing(path: str | Path, *, unit: str | None = None) -> DrawnFile:
-    """The curves of a JSON file one by one; all else as in `read_json_curves`."""
-    with name_source(path) as file:
-        try:
-            data = json.loads(file.read_bytes())
-        except (ValueError, RecursionError) as error:  # a whole number of thousands of digits too
-            raise InputError(f"is not JSON ({str(error).partition(';')[0]}): export it anew") from error
-        if not isinstance(data, dict):
-            raise InputError(f"holds {type(data).__name__}, not a record with the schema {CURVES_SCHEMA!r}")
-        scale = _scale(data, unit)
-        if "curve" in data:
-            return DrawnFile(file, [DrawnCurve(1, partial(_curve, data["curve"], "curve", scale))])
-        curves = data.get("curves")
-        if not isinstance(curves, list) or not curves:
-            raise InputError("holds no curves: 'curves' must be a list of records")
-        makers = [partial(_curve, record, f"curve {i}", scale) for i, record in enumerate(curves, start=1)]
-        return DrawnFile(file, [DrawnCurve(i, make) for i, make in enumerate(makers, start=1)])
+    try:
+        data = json.loads(file.read_bytes())
+    except (ValueError, RecursionError) as error:  # a whole number of thousands of digits too
+        raise InputError(f"is not JSON ({str(error).partition(';')[0]}): export it anew") from error
+    if not isinstance(data, dict):
+        raise InputError(f"holds {type(data).__name__}, not a record with the schema {CURVES_SCHEMA!r}")
+    scale = _scale(data, unit)
+    if "curve" in data:
+        return DrawnFile(file, [DrawnCurve(1, partial(_curve, data["curve"], "curve", scale))])
+    curves = data.get("curves")
+    if not isinstance(curves, list) or not curves:
+        raise InputError("holds no curves: 'curves' must be a list of records")
+    makers = [partial(_curve, record, f"curve {i}", scale) for i, record in enumerate(curves, start=1)]
+    return DrawnFile(file, [DrawnCurve(i, make) for i, make in enumerate(makers, start=1)])
 
 
 def _scale(data: dict[str, Any], unit: str | None) -> float:

@@ -8,8 +8,8 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.formats.curve_files.chains import FIT_TOLERANCE, curve_from_points
-from elastica_cad.formats.curve_files.drawn_file import CurveList, DrawnCurve, DrawnFile
+from elastica_cad.formats.curve_files.chains import curve_from_points
+from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, DrawnFile
 from elastica_cad.formats.curve_files.number_gate import (
     MOST_PIECES,
     NUMBER,
@@ -19,47 +19,32 @@ from elastica_cad.formats.curve_files.number_gate import (
     check_tolerance,
     half_last_place,
 )
-from elastica_cad.formats.file_access.source_file import look_up_unit, name_source
+from elastica_cad.formats.file_access.source_file import look_up_unit
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.curves.provenance import Provenance
 
 _DIGITS = 20_000  # numbers whose digits are looked at
 
 
-def read_csv_curves(
-    path: str | Path, *, fit_tolerance: float = FIT_TOLERANCE, unit: str | None = None
-) -> CurveList:
+def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> DrawnFile:
     """Curves fitted to measured points, one "x, y" a row; blank rows part one curve from the next.
 
     Columns are parted by commas, semicolons, tabs or blanks; rows that start with # are remarks, and the
     first row may be a heading. With semicolons, or with tabs, decimals may have commas. A third column is
     taken when it is constant: points of a plane z = const.
 
-    Parameters
-    ----------
-    fit_tolerance : float
-        Largest distance of a point from its curve, mm.
-    unit : str, optional
-        Unit of the numbers: "mm" unless told ("cm", "m", "in", ...).
-
     Raises
     ------
     InputError
-        A row that is not two or three finite numbers, too few points: file and row are named.
+        A row that is not two or three finite numbers, which is named; too few points.
     """
-    return read_csv_drawing(path, fit_tolerance=fit_tolerance, unit=unit).read()
-
-
-def read_csv_drawing(path: str | Path, *, fit_tolerance: float, unit: str | None) -> DrawnFile:
-    """The curves of a file of measured points one by one; all else as in `read_csv_curves`."""
-    with name_source(path) as file:
-        scale = look_up_unit(unit or "mm")
-        check_tolerance(fit_tolerance, "tolerance for fitting")
-        text = _text(file)
-        blocks = _blocks(text)
-        digits = Provenance(rounding=scale * half_last_place(re.findall(NUMBER, text)[:_DIGITS]))
-        makers = [partial(_fitted, scale * block, fit_tolerance, digits) for block in blocks]
-        return DrawnFile(file, [DrawnCurve(number, make) for number, make in enumerate(makers, start=1)])
+    scale = look_up_unit(unit or "mm")
+    check_tolerance(fit_tolerance, "tolerance for fitting")
+    text = _text(file)
+    blocks = _blocks(text)
+    digits = Provenance(rounding=scale * half_last_place(re.findall(NUMBER, text)[:_DIGITS]))
+    makers = [partial(_fitted, scale * block, fit_tolerance, digits) for block in blocks]
+    return DrawnFile(file, [DrawnCurve(number, make) for number, make in enumerate(makers, start=1)])
 
 
 def _fitted(points: FloatArray, tolerance: float, digits: Provenance) -> PlaneCurve:
@@ -68,7 +53,7 @@ def _fitted(points: FloatArray, tolerance: float, digits: Provenance) -> PlaneCu
     return curve_from_points(points, tolerance=tolerance).drawn_as(digits)
 
 
-def read_text_curves(path: str | Path, *, unit: str | None = None) -> CurveList:
+def read_text_drawing(file: Path, *, unit: str | None) -> DrawnFile:
     """The curve of a control point file: first line "degree count", then `count` lines "x y".
 
     Its knots are the whole numbers from -degree to count: a uniform spline, not clamped at its ends.
@@ -78,39 +63,31 @@ def read_text_curves(path: str | Path, *, unit: str | None = None) -> CurveList:
     InputError
         A first line that does not say degree and count, or other than `count` good points after it.
     """
-    return read_text_drawing(path, unit=unit).read()
-
-
-def read_text_drawing(path: str | Path, *, unit: str | None) -> DrawnFile:
-    """What a control point file draws; all else as in `read_text_curves`."""
-    with name_source(path) as file:
-        scale = look_up_unit(unit or "mm")
-        rows = [(n, line.split()) for n, line in enumerate(_text(file).splitlines(), 1) if line.strip()]
-        rows = [(n, row) for n, row in rows if not row[0].startswith("#")]
-        if not rows:
-            raise InputError("there are no numbers in it: the first line must be 'degree count'")
-        number, head = rows[0]
-        if len(head) != 2 or not all(re.fullmatch(r"\d+", word) for word in head):
-            raise InputError(
-                f"line {number} is {' '.join(head)!r}; it must be two whole numbers, degree and count of "
-                "control points (measured points belong into a .csv file)"
-            )
-        if max(len(word) for word in head) > 9:
-            raise InputError(
-                f"line {number} has a number of {max(len(w) for w in head)} digits: it cannot be meant"
-            )
-        degree, count = check_degree(int(head[0])), int(head[1])
-        check_count(count, 4 * MOST_PIECES, "control points", "leave some out")
-        if len(rows) - 1 != count:
-            raise InputError(
-                f"line {number} announces {count} control points, but {len(rows) - 1} lines follow"
-            )
-        points = np.array([_numbers(row, n, 2) for n, row in rows[1:]]).reshape(-1, 2)
-        check_size(scale * points)
-        digits = Provenance(rounding=scale * half_last_place([word for _, row in rows[1:] for word in row]))
-        knots = np.arange(-degree, count + 1, dtype=float)
-        curve = PlaneCurve(knots, scale * points, degree, provenance=digits)
-        return DrawnFile(file, [DrawnCurve(1, lambda: curve)])
+    scale = look_up_unit(unit or "mm")
+    rows = [(n, line.split()) for n, line in enumerate(_text(file).splitlines(), 1) if line.strip()]
+    rows = [(n, row) for n, row in rows if not row[0].startswith("#")]
+    if not rows:
+        raise InputError("there are no numbers in it: the first line must be 'degree count'")
+    number, head = rows[0]
+    if len(head) != 2 or not all(re.fullmatch(r"\d+", word) for word in head):
+        raise InputError(
+            f"line {number} is {' '.join(head)!r}; it must be two whole numbers, degree and count of "
+            "control points (measured points belong into a .csv file)"
+        )
+    if max(len(word) for word in head) > 9:
+        raise InputError(
+            f"line {number} has a number of {max(len(w) for w in head)} digits: it cannot be meant"
+        )
+    degree, count = check_degree(int(head[0])), int(head[1])
+    check_count(count, 4 * MOST_PIECES, "control points", "leave some out")
+    if len(rows) - 1 != count:
+        raise InputError(f"line {number} announces {count} control points, but {len(rows) - 1} lines follow")
+    points = np.array([_numbers(row, n, 2) for n, row in rows[1:]]).reshape(-1, 2)
+    check_size(scale * points)
+    digits = Provenance(rounding=scale * half_last_place([word for _, row in rows[1:] for word in row]))
+    knots = np.arange(-degree, count + 1, dtype=float)
+    curve = PlaneCurve(knots, scale * points, degree, provenance=digits)
+    return DrawnFile(file, [DrawnCurve(1, lambda: curve)])
 
 
 def _text(path: Path) -> str:

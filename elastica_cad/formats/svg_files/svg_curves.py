@@ -11,11 +11,10 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
-from elastica_cad.formats.curve_files.chains import FIT_TOLERANCE, JOIN_TOLERANCE
-from elastica_cad.formats.curve_files.drawn_file import CurveList, DrawnFile, collect_curves
+from elastica_cad.formats.curve_files.drawn_file import DrawnFile, collect_curves
 from elastica_cad.formats.curve_files.edges import Edge, Run, Source
 from elastica_cad.formats.curve_files.number_gate import MOST_EDGES, NUMBER, check_count
-from elastica_cad.formats.file_access.source_file import MILLIMETRES, look_up_unit, name_source
+from elastica_cad.formats.file_access.source_file import MILLIMETRES, look_up_unit
 from elastica_cad.formats.svg_files.path_data import PathData, bezier_edge, path_data
 from elastica_cad.formats.svg_files.svg_tree import LENGTH, MARK, MM, SvgTree, svg_tree
 from elastica_cad.geometry.curves.provenance import Provenance
@@ -25,57 +24,32 @@ _LEAST_UNIT = 1e-9  # mm
 _LARGEST = 1e15  # of any number: what comes of two of them is still a number
 
 
-def read_svg_curves(
-    path: str | Path,
-    *,
-    tolerance: float = JOIN_TOLERANCE,
-    fit_tolerance: float = FIT_TOLERANCE,
-    unit: str | None = None,
-) -> CurveList:
-    """All paths and basic shapes of the drawing, in mm, with up on the screen up: y is minus SVG's y.
+def read_svg_drawing(file: Path, *, tolerance: float, fit_tolerance: float, unit: str | None) -> DrawnFile:
+    """The curves of an SVG file one by one, with ids and layers, in mm; arguments as in `read_curves`.
 
-    Bezier curves and arcs stay exact, with all transforms applied; pieces whose ends meet are joined to one
-    curve; a path of straight lines only is fitted. The size of a user unit follows from width, height and
-    viewBox of the drawing; without a width in mm or the like it is a CSS pixel, 25.4/96 mm. The origin is the
-    one of the user units. Text, images, definitions and what is not displayed are left out and counted.
-
-    Parameters
-    ----------
-    tolerance : float
-        Ends nearer than this are joined, mm.
-    fit_tolerance : float
-        Largest distance of a polyline's vertex from its curve, mm.
-    unit : str, optional
-        "mm", "in", "px", ...: what a user unit of the drawing is; overrides what the file says.
+    Up on the screen is up: y is minus SVG's y. Bezier curves and arcs stay exact, with all transforms applied; a
+    path of straight lines only is fitted. The size of a user unit follows from width, height and viewBox of the
+    drawing; without a width in mm or the like it is a CSS pixel, 25.4/96 mm. The origin is the one of the user
+    units. Text, images, definitions and what is not displayed are left out and counted.
 
     Raises
     ------
     InputError
-        No such file, not an SVG file, an unknown unit, path data that break off, nothing usable in it.
-    MissingDependencyError
-        svgelements is not installed.
+        Not an SVG file, an unknown unit, path data that break off, nothing usable in it.
     """
-    return read_svg_drawing(path, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit).read()
-
-
-def read_svg_drawing(
-    path: str | Path, *, tolerance: float, fit_tolerance: float, unit: str | None
-) -> DrawnFile:
-    """The curves of an SVG file one by one, with ids and layers; arguments and errors as in `read_svg_curves`."""
-    with name_source(path) as file:
-        tree = svg_tree(file)
-        scale = np.full(2, look_up_unit(unit)) if unit else _scale(tree.root)
-        if not (np.all(scale >= _LEAST_UNIT) and np.all(scale <= 1 / _LEAST_UNIT)):
-            raise InputError(
-                f"has user units of {scale[0]:.3g} by {scale[1]:.3g} mm: check width, height and viewBox"
-            )
-        to_mm = np.diag(scale * (1.0, -1.0))
-        place = np.diag([1 / scale[0], -1 / scale[1], 1.0])
-        return collect_curves(
-            file, _runs(file, tree, to_mm), tree.skipped, tolerance=tolerance, fit_tolerance=fit_tolerance,
-            nothing="holds no curve: draw a path, line, polyline, circle, ellipse or rectangle that is shown",
-            shown=Provenance(place=place, unit="mm" if np.all(scale == 1) else "user units"),
-        )  # fmt: skip
+    tree = svg_tree(file)
+    scale = np.full(2, look_up_unit(unit)) if unit else _scale(tree.root)
+    if not (np.all(scale >= _LEAST_UNIT) and np.all(scale <= 1 / _LEAST_UNIT)):
+        raise InputError(
+            f"has user units of {scale[0]:.3g} by {scale[1]:.3g} mm: check width, height and viewBox"
+        )
+    to_mm = np.diag(scale * (1.0, -1.0))
+    place = np.diag([1 / scale[0], -1 / scale[1], 1.0])
+    return collect_curves(
+        file, _runs(file, tree, to_mm), tree.skipped, tolerance=tolerance, fit_tolerance=fit_tolerance,
+        nothing="holds no curve: draw a path, line, polyline, circle, ellipse or rectangle that is shown",
+        shown=Provenance(place=place, unit="mm" if np.all(scale == 1) else "user units"),
+    )  # fmt: skip
 
 
 def _scale(root: ElementTree.Element) -> FloatArray:

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError, MissingDependencyError
-from elastica_cad.formats.curve_files.dxf_curves import read_dxf_curves
+from elastica_cad.files import read_curves
 
 S_POINTS = np.array([(0, 0), (30, 40), (60, -40), (90, 10), (120, 0)], dtype=float)
 
@@ -19,7 +19,7 @@ def drawing(tmp_path):
         what(document.modelspace(), document)
         path = tmp_path / "drawn.dxf"
         document.saveas(path)
-        return read_dxf_curves(path, **options)
+        return read_curves(path, **options)
 
     return draw
 
@@ -336,7 +336,7 @@ def test_other_files_are_no_dxf_files(tmp_path, data):
     path = tmp_path / "bad.dxf"
     path.write_bytes(data)
     with pytest.raises(InputError, match=r"bad\.dxf: (is not a DXF file|holds no curve)"):
-        read_dxf_curves(path)
+        read_curves(path)
 
 
 def test_damaged_number_is_not_guessed(drawing, tmp_path, capfd):
@@ -344,7 +344,7 @@ def test_damaged_number_is_not_guessed(drawing, tmp_path, capfd):
     path = tmp_path / "drawn.dxf"
     path.write_bytes(path.read_bytes().replace(b"123.75", b"12x.75"))
     with pytest.raises(InputError, match=r"drawn\.dxf: is damaged .*12x\.75.* near line \d+"):
-        read_dxf_curves(path)
+        read_curves(path)
     assert capfd.readouterr() == ("", "")
 
 
@@ -356,7 +356,7 @@ def test_a_file_cut_short_anywhere_is_refused_in_words_or_read(drawing, tmp_path
     for size in np.linspace(1, len(whole) - 1, 40).astype(int):
         path.write_bytes(whole[:size])
         try:
-            (curve,) = read_dxf_curves(path)
+            (curve,) = read_curves(path)
         except InputError as error:
             unread += 1
             named += str(error).startswith(str(path))
@@ -383,4 +383,4 @@ def test_missing_library_is_said_in_one_sentence(drawing, tmp_path, monkeypatch)
     drawing(lambda space, _: space.add_line((0, 0), (1, 1)))
     monkeypatch.setitem(sys.modules, "ezdxf", None)
     with pytest.raises(MissingDependencyError, match=r"reading drawn\.dxf needs ezdxf.*pip install ezdxf"):
-        read_dxf_curves(tmp_path / "drawn.dxf")
+        read_curves(tmp_path / "drawn.dxf")

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
+from elastica_cad.files import read_curves
 from elastica_cad.formats.curve_files.json_curves import (
     curve_record,
     curves_json,
-    read_json_curves,
 )
 from elastica_cad.formats.curve_files.write_curves import write_curves
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -25,7 +25,7 @@ def read(tmp_path):
     def written(content, **options):
         path = tmp_path / "curves.json"
         path.write_text(content if isinstance(content, str) else json.dumps(content), encoding="utf-8")
-        return read_json_curves(path, **options)
+        return read_curves(path, **options)
 
     return written
 
@@ -43,11 +43,11 @@ def test_round_trip_is_bit_by_bit_and_reproducible(read):
 
 def test_written_file_is_whole_and_not_overwritten(tmp_path):
     path = write_curves(CURVES, tmp_path / "a.json")
-    assert [c.length for c in read_json_curves(path)] == [c.length for c in CURVES]
+    assert [c.length for c in read_curves(path)] == [c.length for c in CURVES]
     with pytest.raises(InputError, match="exists already"):
         write_curves(CURVES[:1], path)
     write_curves(CURVES[:1], path, force=True)
-    assert len(read_json_curves(path)) == 1
+    assert len(read_curves(path)) == 1
     assert [p.name for p in tmp_path.iterdir()] == ["a.json"]
 
 

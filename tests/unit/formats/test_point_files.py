@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.formats.curve_files.point_files import read_csv_curves, read_text_curves
+from elastica_cad.files import read_curves
 
 pytestmark = pytest.mark.core
 
@@ -15,7 +15,7 @@ def csv(tmp_path):
     def read(text, **options):
         path = tmp_path / "points.csv"
         path.write_bytes(text if isinstance(text, bytes) else text.encode("utf-8"))
-        return read_csv_curves(path, **options)
+        return read_curves(path, **options)
 
     return read
 
@@ -98,7 +98,7 @@ def text(tmp_path):
     def read(content, **options):
         path = tmp_path / "spline.txt"
         path.write_text(content, encoding="utf-8")
-        return read_text_curves(path, **options)
+        return read_curves(path, **options)
 
     return read
 
@@ -117,7 +117,7 @@ def test_control_points_make_the_uniform_unclamped_spline(text):
 
 
 def test_published_spline(reference_data):
-    (curve,) = read_text_curves(reference_data / "hafner" / "spline_infl_simple.txt")
+    (curve,) = read_curves(reference_data / "hafner" / "spline_infl_simple.txt")
     assert curve.degree == 4
     assert len(curve.control_points) == 22
     assert len(curve.inflections) == 3

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError, MissingDependencyError
-from elastica_cad.formats.svg_files.svg_curves import read_svg_curves
+from elastica_cad.files import read_curves
 
 PX = 25.4 / 96
 
@@ -16,7 +16,7 @@ def svg(tmp_path):
     def read(body, head='width="200mm" height="100mm" viewBox="0 0 200 100"', **options):
         path = tmp_path / "drawn.svg"
         path.write_text(f'<svg xmlns="http://www.w3.org/2000/svg" {head}>{body}</svg>', encoding="utf-8")
-        return read_svg_curves(path, **options)
+        return read_curves(path, **options)
 
     return read
 
@@ -183,7 +183,7 @@ def test_other_files_get_one_sentence(tmp_path, data, words):
     file = tmp_path / "bad.svg"
     file.write_bytes(data)
     with pytest.raises(InputError, match=rf"bad\.svg: .*{words}") as caught:
-        read_svg_curves(file)
+        read_curves(file)
     assert "\n" not in str(caught.value)
 
 
@@ -191,4 +191,4 @@ def test_missing_library_is_said_in_one_sentence(svg, tmp_path, monkeypatch):
     svg(path("M 0 0 L 1 1"))
     monkeypatch.setitem(sys.modules, "svgelements", None)
     with pytest.raises(MissingDependencyError, match=r"reading drawn\.svg needs svgelements"):
-        read_svg_curves(tmp_path / "drawn.svg")
+        read_curves(tmp_path / "drawn.svg")
