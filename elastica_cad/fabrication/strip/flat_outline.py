@@ -143,8 +143,8 @@ def _side(width: Profile, factor: float, *, backward: bool = False) -> Spline:
 
 
 def _flush(tab: Tab, width: float) -> Tab:
-    """The tab without shoulders too small to cut: their ends would count as the same point in a file."""
-    small = tab.width is not None and abs(tab.width - width) < SHOULDER_MM
+    """The tab without shoulders too small to cut (their ends would be one point in a file), or of no length."""
+    small = tab.width is not None and min(abs(tab.width - width), tab.length) < SHOULDER_MM
     return replace(tab, width=None) if small else tab
 
 

@@ -106,12 +106,12 @@ class LargestDistance:
         signed, far = self._peaks(rod)
         p = rod.z.size
         across = _across(normal, sensitivities)
-        rows = (self.factors * np.sign(signed))[far, None] * across[far]
-        peaks = np.abs(signed[far])
-        if rows.shape[1] > p:
-            peaks = peaks + rows[:, p]
+        slopes, at = self.factors[far, None] * across[far], signed[far]
+        if slopes.shape[1] > p:
+            at = at + slopes[:, p]  # a node near the target may change sides
+        rows = np.sign(at)[:, None] * slopes[:, :p]
         # the mean-square curvature only decides what the peaks leave open
-        return LocalModel(0.0, 1e-3 / signed.size * gram(across[:, :p]), np.zeros(p), peaks, rows[:, :p])
+        return LocalModel(0.0, 1e-3 / signed.size * gram(across[:, :p]), np.zeros(p), np.abs(at), rows)
 
     def _peaks(self, rod: MappedRod) -> tuple[FloatArray, IntArray]:
         """Signed distances (n+1,) and the nodes that count."""

@@ -78,6 +78,8 @@ def solve_quadratic(program: QuadraticProgram, *, accuracy: float = TOLERANCE) -
     >>> float(solve_quadratic(program).x[0].round(8))
     3.0
     """
+    if not program.gradient.size:
+        return _without_unknowns(program)
     lower, upper = program.lower, program.upper
     fixed = upper - lower < 1e-14 * (1 + np.abs(lower))
     if np.any(fixed):
@@ -230,6 +232,13 @@ def _solved(
 
 def _largest(values: FloatArray) -> float:
     return float(np.abs(values).max()) if values.size else 0.0
+
+
+def _without_unknowns(program: QuadraticProgram) -> QuadraticSolution:
+    """Nothing to choose: rows that are broken cost their price."""
+    none = np.zeros(0)
+    broken = np.where(program.one_sided, program.right > 0, np.sign(program.right))
+    return QuadraticSolution(none, program.price * broken, none, none, True, 0)
 
 
 def _without(program: QuadraticProgram, fixed: BoolArray, accuracy: float) -> QuadraticSolution:

@@ -206,3 +206,15 @@ def test_backing_that_fills_the_base_under_its_own_weight(name):
     assert len(strip.drawings()) == 2
     assert strip.as_built.ratio == pytest.approx(laminate.rod.ratio, rel=1e-3)
     assert 0 < strip.max_strain < 1
+
+
+@pytest.mark.parametrize("ends", [(0.0, 0.0), (0.0, 8.0), (1e-7, 0.0)])
+def test_a_backing_that_ends_without_a_tab_ends_square(rod, ends):
+    """No whiskers as wide as the base: the backing's rim is as long as its sides and ends ask, not more."""
+    tabs = tuple(ec.Tab(length) for length in ends)
+    strip = ec.Strip(rod, CARD, style=Laminated(width=24.0, backing=THICK), ends=tabs)
+    rim, width = strip.layers[1].outline.points(1e-3), strip.layout.backing.width
+    for tab, x, at in zip(tabs, (0.0, rod.length), (-1, 1), strict=True):
+        if tab.length < 1:
+            beyond = rim[at * (rim[:, 0] - x) > -1e-3]
+            assert np.ptp(beyond[:, 1]) == pytest.approx(float(width(x)), abs=1e-3)

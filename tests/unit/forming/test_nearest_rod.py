@@ -70,6 +70,23 @@ def test_ratio_ends_and_balance(curve, measure):
     np.testing.assert_allclose(rod.stiffness, rod.profile(rod.s), rtol=1e-12)
 
 
+def test_largest_distance_of_a_rod_that_crosses_the_wish():
+    wish = PlaneCurve.spline([(0, 0), (40, 60), (90, 60), (130, 0)], degree=3)
+    near = nearest_rod(wish, Limits(margin=0, curvature=0.01), Keep(ends=(True, False)), measure="max")
+    assert near.met
+    assert np.abs(near.rod.curvature).max() <= 0.01 * (1 + 1e-6)
+
+
+def test_a_rod_of_which_nothing_is_free():
+    wish = PlaneCurve.spline([(0, 0), (40, 60), (90, 60), (130, 0)], degree=3)
+    keep = Keep(ends=(True, False), tangents=(True, False), length=True)
+    near = nearest_rod(wish, Limits(ratio=1.0), keep, Gravity(96.0), supports=Supports("free", "clamped"),
+                       measure="closest")  # fmt: skip
+    assert near.status is Status.FAR
+    assert near.rod.length == pytest.approx(wish.length, rel=1e-9)
+    assert near.rod.ratio == pytest.approx(1.0)
+
+
 def test_largest_distance_is_least_when_asked_for():
     by = {m: nearest_rod(WAVE, Limits(ratio=2.0), measure=m).deviation for m in ("mean", "closest", "max")}
     assert by["max"] < by["mean"]

@@ -74,6 +74,15 @@ def test_a_row_that_cannot_be_met_is_broken_at_its_price():
     assert solve_quadratic(q).x[0] == pytest.approx(0.5, abs=1e-6)
 
 
+def test_without_unknowns_broken_rows_cost_their_price():
+    price, none = np.array([2.0, 3.0, 4.0, 5.0]), np.zeros(0)
+    q = QuadraticProgram(
+        np.zeros((0, 0)), none, none, none, np.zeros((4, 0)), np.array([1.0, -1.0, 1.0, -1.0]), price,
+        np.array([True, True, False, False]),
+    )  # fmt: skip
+    assert solve_quadratic(q).row_multipliers.tolist() == [2.0, 0.0, 4.0, -5.0]
+
+
 def test_fixed_unknowns_stay():
     q = program(3)
     lower, upper = q.lower.copy(), q.upper.copy()
