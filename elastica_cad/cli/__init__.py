@@ -2,6 +2,7 @@
 
 import gc
 import sys
+import warnings
 
 from elastica_cad.errors import how_to_install
 
@@ -27,6 +28,8 @@ def main(arguments: list[str] | None = None) -> None:
     if arguments is not None:
         from elastica_cad.cli.commands import elastica
     else:
+        if not sys.warnoptions:
+            warnings.simplefilter("ignore")  # Python's own are for programmers; what matters here is said
         # a command is short: looking for cycles among what imports made is a tenth of its time
         gc.disable()
         from elastica_cad.cli.commands import elastica

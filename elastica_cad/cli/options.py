@@ -15,6 +15,7 @@ from elastica_cad.cli.running.voice import warn
 from elastica_cad.errors import InputError
 from elastica_cad.files import read_drawing
 from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, DrawnFile
+from elastica_cad.formats.curve_files.number_gate import LARGEST_NUMBER
 from elastica_cad.formats.file_access.source_file import LARGEST_FILE
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -23,9 +24,6 @@ from elastica_cad.mechanics.theorem1.equilibrium_check import require_bendable
 F = TypeVar("F", bound=Callable[..., Any])
 
 CHOICE = "--curve 1 .. --curve {count}, --curve ID or --layer NAME"
-
-LARGEST_NUMBER = 1e9
-"""Of any option, whatever its unit; what it stands for has its own range."""
 
 END_NAMES = ["clamped", "pinned", "slide-x", "slide-y", "guided", "free"]
 

@@ -124,23 +124,23 @@ def step_bytes(parts: Sequence[NamedShape], *, name: str) -> bytes:
 
 @contextmanager
 def _own_settings() -> Iterator[None]:
-    """Quiet, and with our own format of STEP, while OpenCASCADE works; its settings are then as they were."""
+    """Silent, and with our own format of STEP, while OpenCASCADE works; its settings are then as they were."""
     k = kernel()
     k.STEPControl_Writer()  # settings are there from the first use on
     before = {name: k.Interface_Static.CVal_s(name) for name in SETTINGS}
-    printers = list(k.Message.DefaultMessenger_s().Printers())
-    levels = [printer.GetTraceLevel() for printer in printers]
+    messenger = k.Message.DefaultMessenger_s()
+    printers = list(messenger.Printers())
     try:
         for printer in printers:
-            printer.SetTraceLevel(k.Message_Gravity.Message_Fail)
+            messenger.RemovePrinter(printer)
         for setting, value in SETTINGS.items():
             k.Interface_Static.SetCVal_s(setting, value)
         yield
     finally:
         for setting, value in before.items():
             k.Interface_Static.SetCVal_s(setting, value)
-        for printer, level in zip(printers, levels, strict=True):
-            printer.SetTraceLevel(level)
+        for printer in printers:
+            messenger.AddPrinter(printer)
 
 
 def _set_name(label: Any, name: str) -> None:
@@ -208,7 +208,9 @@ def read_step_shape(path: Path) -> Shape:
     k = kernel()
     if path.suffix.lower() in (".brep", ".brp"):
         shape = k.TopoDS_Shape()
-        if not k.BRepTools.Read_s(shape, str(path), k.BRep_Builder()):
+        with path.open("rb") as file:
+            begins = file.read(200)
+        if b"CASCADE Topology V" not in begins or not k.BRepTools.Read_s(shape, str(path), k.BRep_Builder()):
             raise InputError("this is no BREP file that OpenCASCADE can read")
         return shape
     with _own_settings():

@@ -11,6 +11,7 @@ from OCP.Message import Message, Message_Gravity
 from OCP.STEPControl import STEPControl_Writer
 from OCP.TopoDS import TopoDS_Iterator
 
+from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.step_files import read_step_shape, write_strip_step
 
@@ -39,6 +40,15 @@ def test_settings_and_messages_stay(arch_strip, tmp_path):
         assert "SI_UNIT(.MILLI.,.METRE.)" in (tmp_path / "a.step").read_text()
     finally:
         put("write.step.unit", "MM")
+
+
+@pytest.mark.parametrize("suffix", ["step", "brep"])
+def test_a_broken_file_is_one_sentence_and_nothing_else(tmp_path, capfd, suffix):
+    """OpenCASCADE would write its own complaints to standard output, where programs look for JSON."""
+    (tmp_path / f"a.{suffix}").write_text("ISO-10303-21;\nHEADER;\nENDSEC;\n")
+    with pytest.raises(InputError, match="that OpenCASCADE can read"):
+        read_step_shape(tmp_path / f"a.{suffix}")
+    assert capfd.readouterr() == ("", "")
 
 
 def test_names(arch_strip, tmp_path):

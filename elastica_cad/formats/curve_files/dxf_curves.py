@@ -1,9 +1,8 @@
 """Curves drawn in a DXF file, exact where the file is exact."""
 
-import logging
+import struct
 from collections import Counter
 from collections.abc import Iterable, Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -21,7 +20,7 @@ from elastica_cad.formats.curve_files.dxf_text import (
 from elastica_cad.formats.curve_files.edge_plane import flatten_run
 from elastica_cad.formats.curve_files.edges import Edge, Run, Source
 from elastica_cad.formats.curve_files.number_gate import check_degree, check_places
-from elastica_cad.formats.file_access.source_file import look_up_unit
+from elastica_cad.formats.file_access.source_file import look_up_unit, quiet_log
 from elastica_cad.geometry.curves.provenance import Provenance
 
 if TYPE_CHECKING:
@@ -112,8 +111,9 @@ def _opened(path: Path) -> "Drawing":
         TypeError,
         AttributeError,
         AssertionError,
+        struct.error,
     )
-    with _quiet("ezdxf"):
+    with quiet_log("ezdxf"):
         try:
             document = readfile(str(path))
             document.modelspace()
@@ -132,17 +132,6 @@ def _opened(path: Path) -> "Drawing":
     if guessed:
         raise InputError(f"is damaged ({guessed[0].message}): export it anew")
     return document
-
-
-@contextmanager
-def _quiet(name: str) -> Iterator[None]:
-    """Keep a library's log off the user's screen unless somebody listens to it."""
-    logger, silence = logging.getLogger(name), logging.NullHandler()
-    logger.addHandler(silence)
-    try:
-        yield
-    finally:
-        logger.removeHandler(silence)
 
 
 def _scale(document: "Drawing") -> float:

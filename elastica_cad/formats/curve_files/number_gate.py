@@ -14,6 +14,9 @@ SMALLEST_SIZE, LARGEST_SIZE = 1e-3, 1e6
 FARTHEST = 1e10
 """Largest coordinate, mm: maps in metres lie thousands of kilometres from their origin."""
 
+LARGEST_NUMBER = 1e9
+"""Of any option or value in a design, whatever its unit; what it stands for has its own range."""
+
 MOST_SHAPES = 20_000
 """Shapes of a drawing, those of its blocks and clones counted as often as they are shown."""
 

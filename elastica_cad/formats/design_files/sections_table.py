@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from elastica_cad.errors import InputError
+from elastica_cad.formats.curve_files.number_gate import LARGEST_NUMBER
 from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.formats.surface_files.file_surface import SurfaceReader, read_sized_surface
 from elastica_cad.forming.plane_sections.section_curves import SectionCurve
@@ -22,6 +23,7 @@ from elastica_cad.forming.plane_sections.section_spec import (
     Split,
 )
 
+MANY = LARGEST_NUMBER  # planes: sections say themselves how many they cut
 FAMILIES = ("radial", "parallel", "along")
 
 
@@ -85,7 +87,7 @@ def _radial(table: Table) -> RadialCuts:
     table.only("point", "axis", "zero", "count", "angles")
     given: dict[str, Any] = {key: _triple(table, key) for key in ("point", "axis", "zero") if table.has(key)}
     angles = _list(table, "angles") if table.has("angles") else None
-    return RadialCuts(table.count("count", RadialCuts.count), angles, **given)
+    return RadialCuts(table.count("count", RadialCuts.count, MANY), angles, **given)
 
 
 def _parallel(table: Table) -> ParallelCuts:
@@ -95,12 +97,12 @@ def _parallel(table: Table) -> ParallelCuts:
         raise InputError(f"{table.place('count')} means nothing beside offsets: leave one of them out")
     given: dict[str, Any] = {key: _triple(table, key) for key in ("point", "up") if table.has(key)}
     offsets = None if table.has("count") else _list(table, "offsets")
-    return ParallelCuts(_triple(table, "normal"), table.count("count", 1), offsets, **given)
+    return ParallelCuts(_triple(table, "normal"), table.count("count", 1, MANY), offsets, **given)
 
 
 def _along(table: Table) -> AlongPath:
     table.only("path", "count", "ends", "up")
-    count, up = table.count("count", AlongPath.count), _triple(table, "up", AlongPath.up)
+    count, up = table.count("count", AlongPath.count, MANY), _triple(table, "up", AlongPath.up)
     return AlongPath(np.array(table.points("path", 3)), count, table.flag("ends"), up)
 
 

@@ -6,7 +6,11 @@ from difflib import get_close_matches
 from typing import Any
 
 from elastica_cad.errors import InputError
+from elastica_cad.formats.curve_files.number_gate import LARGEST_NUMBER
 from elastica_cad.formats.design_files.formulae import Formula, Value
+
+MOST = 10_000
+"""Of anything that a file asks for a number of: strips, sections, repeats."""
 
 _AXES = {2: "[x, y]", 3: "[x, y, z]"}
 _COUNTS = {None: "", 2: "two ", 4: "four "}
@@ -24,6 +28,9 @@ def _compute_number(value: object, where: str, scope: Mapping[str, Value]) -> fl
         value = Formula(value, where)(scope)
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise InputError(f"{where} is {value!r}: it must be a number or a formula in quotes")
+    if not -LARGEST_NUMBER <= value <= LARGEST_NUMBER:
+        told = f"{value:.3g}" if isinstance(value, float) else "a whole number of many digits"
+        raise InputError(f"{where} is {told}: give a finite number of at most {LARGEST_NUMBER:g}")
     return float(value)
 
 
@@ -102,11 +109,13 @@ class Table:
         """A number, or None where it is not given."""
         return self.number(key) if self.has(key) else None
 
-    def count(self, key: str, default: int) -> int:
-        """A whole number, at least 1."""
+    def count(self, key: str, default: int, most: float = MOST) -> int:
+        """A whole number, 1 to `most`."""
         value = self.number(key, default)
         if value != int(value) or value < 1:
             raise InputError(f"{self.place(key)} is {value:g}: it must be a whole number, 1 or more")
+        if value > most:
+            raise InputError(f"{self.place(key)} is {value:g}, and at most {most} are made: ask for fewer")
         return int(value)
 
     def vector(self, key: str, size: int, default: Sequence[float] | None = None) -> tuple[float, ...]:

@@ -1,5 +1,6 @@
 """What every reader asks of a file before and while it reads: one clear sentence when something is wrong."""
 
+import logging
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
@@ -92,6 +93,17 @@ def look_up_unit(unit: str) -> float:
     if unit not in MILLIMETRES:
         raise InputError(f"unknown unit {unit!r}: use one of {', '.join(MILLIMETRES)}")
     return MILLIMETRES[unit]
+
+
+@contextmanager
+def quiet_log(name: str) -> Iterator[None]:
+    """Keep a library's log off the user's screen unless somebody listens to it."""
+    logger, silence = logging.getLogger(name), logging.NullHandler()
+    logger.addHandler(silence)
+    try:
+        yield
+    finally:
+        logger.removeHandler(silence)
 
 
 @contextmanager

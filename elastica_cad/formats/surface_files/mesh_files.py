@@ -5,7 +5,12 @@ from pathlib import Path
 import numpy as np
 
 from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
-from elastica_cad.formats.file_access.source_file import look_up_unit, name_source, require_file
+from elastica_cad.formats.file_access.source_file import (
+    look_up_unit,
+    name_source,
+    quiet_log,
+    require_file,
+)
 from elastica_cad.forming.plane_sections.triangle_mesh import Mesh
 
 MESH_SUFFIXES = (".obj", ".stl", ".ply")
@@ -63,10 +68,12 @@ def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) 
         ) from error
     with name_source(path):
         try:
-            mesh = load(path, file_type=suffix[1:], force="mesh", process=False)
+            with quiet_log("trimesh"):
+                mesh = load(path, file_type=suffix[1:], force="mesh", process=False)
             vertices, faces = np.array(mesh.vertices, dtype=float), np.array(mesh.faces, dtype=int)
         except Exception as error:  # parsers of trimesh raise errors of any kind
-            raise InputError(f"this is no {suffix[1:].upper()} mesh ({error}): export it anew") from error
+            said = " ".join(str(error).split())[:200]
+            raise InputError(f"this is no {suffix[1:].upper()} mesh ({said}): export it anew") from error
         if not len(faces):
             raise InputError("holds no faces: export a mesh, not points or lines")
         found = Mesh(vertices * factor, faces)

@@ -29,6 +29,7 @@ _NOT_SHOWN = (
 _NO_CURVES = ("text", "image", "foreignObject", "flowRoot", "switch")
 _INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}"
 _DEEPEST = 200  # elements within elements
+_MOST_ELEMENTS = 5 * MOST_SHAPES  # once clones are put in place: groups and texts take time too
 _MOST_TEXT = 64 * 2**20  # characters once clones are put in place
 MARK = "data-shape"
 """The attribute that says which shape of the tree an expanded one is."""
@@ -102,7 +103,7 @@ def _refuse_bombs(tree: SvgTree) -> None:
         order += [(child, depth + 1) for child in element]
     named = {str(e.get("id")): e for e, _ in reversed(order) if e.get("id") is not None}
     links = {e: _target(e, named) for e, _ in order if _tag(e) == "use"}
-    state: dict[ElementTree.Element, tuple[int, int]] = {}
+    state: dict[ElementTree.Element, tuple[int, int, int]] = {}
     open_now: set[ElementTree.Element] = set()
     stack: list[tuple[ElementTree.Element, bool]] = [(tree.root, False)]
     while stack:
@@ -110,21 +111,29 @@ def _refuse_bombs(tree: SvgTree) -> None:
         below = [*element, *([links[element]] if links.get(element) is not None else [])]
         if done:
             open_now.discard(element)
-            shapes = int(_tag(element) in _SHAPES)
+            shapes, elements = int(_tag(element) in _SHAPES), 1
             size = len(element.get("d", "")) + len(element.get("points", ""))
             for one in below:
-                if one in state:
-                    shapes, size = shapes + state[one][0], size + state[one][1]
+                if one is links.get(element) and one in state and not state[one][0]:
+                    _cut(element)  # what it would put in place holds nothing to be read
+                elif one in state:
+                    shapes, elements, size = (
+                        mine + its for mine, its in zip((shapes, elements, size), state[one], strict=True)
+                    )
             check_count(shapes, MOST_SHAPES, "shapes, its clones counted", "leave out clones or unused parts")
             if size > _MOST_TEXT:
                 raise InputError("has clones that come to more than 64 MB of path data: leave out clones")
-            state[element] = shapes, size
+            check_count(
+                elements, _MOST_ELEMENTS, "elements, its clones counted", "leave out groups, texts or clones"
+            )
+            state[element] = shapes, elements, size
         elif element not in state and element not in open_now:
             open_now.add(element)
             stack.append((element, True))
             for one in below:
                 if one in open_now:
-                    _cut(element, tree)
+                    _cut(element)
+                    tree.skipped["clone of itself"] += 1
                 elif one not in state:
                     stack.append((one, False))
 
@@ -136,11 +145,10 @@ def _target(
     return named.get(link[1:]) if link.startswith("#") else None
 
 
-def _cut(element: ElementTree.Element, tree: SvgTree) -> None:
-    """Take the link off a clone that contains itself."""
+def _cut(element: ElementTree.Element) -> None:
+    """Take the link off a clone."""
     for name in ("href", "{http://www.w3.org/1999/xlink}href"):
         element.attrib.pop(name, None)
-    tree.skipped["clone of itself"] += 1
 
 
 def _mark(tree: SvgTree) -> None:

@@ -95,6 +95,8 @@ class FoundMeridian:
     @cached_property
     def missed(self) -> float:
         """By how much the curve anywhere misses x kappa = a + <b, gamma> and unit speed, or crosses the axis."""
+        if not np.all(self.lengths > 0):
+            return np.inf
         station = np.linspace(-1.0, 1.0, BETWEEN * self.series.shape[2])
         worst = 0.0
         for start, length, rows in zip(self.points, self.lengths, self.series, strict=False):

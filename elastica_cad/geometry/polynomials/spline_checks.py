@@ -30,6 +30,10 @@ def whole_degree(degree: int) -> int:
     return int(degree)
 
 
+SHORTEST_DOMAIN, FARTHEST_KNOT = 1e-9, 1e12
+"""Of knots that are computed with."""
+
+
 def check_knots(knots: FloatArray, count: int, degree: int) -> None:
     """Refuse a knot vector that does not fit the control points or breaks the curve apart."""
     if count < degree + 1:
@@ -45,6 +49,11 @@ def check_knots(knots: FloatArray, count: int, degree: int) -> None:
     start, end = knots[degree], knots[-degree - 1]
     if not end > start:
         raise InputError("the knots leave no domain: the first and last inner knot coincide")
+    if not (end - start >= SHORTEST_DOMAIN and np.abs(knots).max() <= FARTHEST_KNOT):
+        raise InputError(
+            f"the knots run from {start:.3g} to {end:.3g}, where cubes of differences overflow or vanish: scale "
+            "them to 0..1"
+        )
     values, counts = np.unique(knots, return_counts=True)
     inside = (values > start) & (values < end)
     if inside.any() and counts[inside].max() > degree:

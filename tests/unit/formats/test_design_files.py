@@ -264,6 +264,11 @@ BAD = {
     HEAD + "base.sheet = 'stone'\n[[strips]]\n" + ARC: "base: sheet: unknown sheet 'stone'",
     HEAD + "[[patterns]]\nspin = 1\n[[strips]]\n" + ARC: "unknown key 'spin'",
     HEAD + "cut.version = 'R99'\n[[strips]]\n" + ARC: "version is 'R99': use one of R12",
+    HEAD + "[[strips]]\ncount = 1e6\n" + ARC: "count is 1e.06, and at most 10000 are made: ask for fewer",
+    HEAD + "min_width = 1e200\n[[strips]]\n" + ARC: "min_width is 1e.200: give a finite number of at most 1e.09",
+    HEAD + "min_width = nan\n[[strips]]\n" + ARC: "min_width is nan: give a finite number",
+    HEAD + f"let.a = {'9' * 400}\n[[strips]]\n" + ARC: "let.a is a whole number of many digits: give",
+    HEAD + "let.a = '10 ** 300'\n[[strips]]\n" + ARC: "let.a is 1e.300: give a finite number",
     "a = [": "is no TOML file",
 }  # fmt: skip
 

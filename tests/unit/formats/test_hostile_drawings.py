@@ -16,6 +16,9 @@ pytest.importorskip("svgelements")
 ezdxf = pytest.importorskip("ezdxf")
 
 
+PUBLIC = Path(__file__).resolve().parents[2] / "data" / "public"
+
+
 def svg(folder, body, head=""):
     path = Path(folder, "a.svg")
     links = 'xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"'
@@ -39,6 +42,19 @@ def test_clones_are_counted_before_they_are_made(tmp_path):
     )
     thirty = [levels[0]] + [f'<g id="g{k}">' + f'<use href="#g{k - 1}"/>' * 9 + "</g>" for k in range(1, 30)]
     refused(svg(tmp_path, f"<defs>{''.join(thirty)}</defs><use href='#g29'/>"), "shapes, its clones counted")
+
+
+@pytest.mark.parametrize("body", ["", "<g/>", "<text>A</text>"])
+def test_clones_of_nothing_are_not_put_in_place(tmp_path, body):
+    levels = [f'<g id="g0">{body}</g>']
+    levels += [f'<g id="g{k}">' + f'<use href="#g{k - 1}"/>' * 9 + "</g>" for k in range(1, 30)]
+    arch = '<path d="M0 0C10 20 30 20 40 0"/>'
+    assert len(read_drawing(svg(tmp_path, f"<defs>{''.join(levels)}</defs>{arch}<use href='#g29'/>"))) == 1
+
+
+def test_what_stands_beside_a_shape_in_clones_is_counted_too(tmp_path):
+    group = '<g id="a"><path d="M0 0C1 2 3 2 4 0"/>' + "<g/>" * 200 + "</g>"
+    refused(svg(tmp_path, group + "<use href='#a'/>" * 1000), "elements, its clones counted")
 
 
 def test_a_clone_of_itself_is_left_out_and_the_rest_is_read(tmp_path):
@@ -124,6 +140,14 @@ def test_counts_and_sizes_in_json_and_csv(tmp_path):
 @pytest.mark.parametrize("tolerance", [0.0, -1.0, 1e-12, 1e9, float("nan"), float("inf")])
 def test_tolerances_that_make_no_sense(tmp_path, tolerance):
     refused(svg(tmp_path, '<path d="M0 0C10 20 30 20 40 0"/>'), "tolerance", tolerance=tolerance)
+
+
+def test_a_binary_drawing_that_breaks_off(tmp_path):
+    whole = (PUBLIC / "ezdxf" / "bin_dxf_r2000.dxf").read_bytes()
+    for part in (0.01, 0.1, 0.5, 0.9):
+        for beyond in range(4):
+            (tmp_path / "a.dxf").write_bytes(whole[: int(part * len(whole)) + beyond])
+            assert "\n" not in problem_of(tmp_path / "a.dxf")
 
 
 def test_an_entity_that_no_version_knows_is_left_out_and_named(tmp_path):

@@ -34,6 +34,16 @@ def test_three_formats(tmp_path, name, text, faces):
     assert np.ptp(mesh.vertices[:, 0]) in (90, 40)
 
 
+def test_a_broken_mesh_is_one_sentence_and_nothing_else(tmp_path, capfd):
+    for size in (90, 130, 200):
+        file = tmp_path / "a.stl"
+        file.write_bytes((bytes(80) + b"\xff\xff\x00\x00" + bytes(300))[:size])
+        with pytest.raises(InputError) as refused:
+            read_mesh(file)
+        assert "\n" not in str(refused.value)
+    assert capfd.readouterr() == ("", "")
+
+
 def test_metres_are_asked_for(tmp_path):
     small = TENT.replace("90", "0.9").replace("50", "0.5")
     file = written(tmp_path, "tent.obj", small)
