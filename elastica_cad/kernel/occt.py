@@ -40,8 +40,8 @@ CORNER = 1e-6  # mm: gap that paths may have between segments
 MODULES = (
     "APIHeaderSection", "BOPAlgo", "BRep", "BRepAdaptor", "BRepMesh", "BRepPrimAPI", "BRepTools", "GeomAbs",
     "GeomConvert", "Geom", "Geom2d", "IFSelect", "Interface", "Message", "Quantity", "RWGltf", "RWMesh",
-    "STEPCAFControl", "STEPControl", "TCollection", "TDataStd", "TDocStd", "TopAbs", "TopExp", "TopLoc",
-    "TopoDS", "XCAFDoc", "gp",
+    "STEPCAFControl", "STEPControl", "ShapeUpgrade", "TCollection", "TDataStd", "TDocStd", "TopAbs", "TopExp",
+    "TopLoc", "TopoDS", "XCAFDoc", "gp",
 )  # fmt: skip
 ARRAYS = {
     "7": "TColgp.TColgp_Array1OfPnt TColgp.TColgp_Array1OfPnt2d TColgp.TColgp_Array2OfPnt "
@@ -120,7 +120,7 @@ def make_solid(record: FlatSolid | BentSolid | PrismSolid) -> Shape:
         first, *rest = (make_solid(prism) for prism in record.added)
         whole = _combined(first, rest, k.BOPAlgo_Operation.BOPAlgo_FUSE)
         holes = [make_solid(prism) for prism in record.removed]
-        return _only_solid(_combined(whole, holes, k.BOPAlgo_Operation.BOPAlgo_CUT))
+        return _only_solid(_with_few_faces(_combined(whole, holes, k.BOPAlgo_Operation.BOPAlgo_CUT)))
     if isinstance(record, FlatSolid):
         face = make_face(record.outline, record.holes, record.frame)
         return k.BRepPrimAPI_MakePrism(face, k.gp_Vec(*(record.frame.z_axis * record.thickness))).Shape()
@@ -145,6 +145,13 @@ def _combined(shape: Shape, others: Sequence[Shape], operation: Any) -> Shape:
             "OpenCASCADE could not combine the prisms of a body: move them so that none just touch"
         )
     return builder.Shape()
+
+
+def _with_few_faces(shape: Shape) -> Shape:
+    """The shape with faces that go on in one plane joined, and edges that go on in one line."""
+    joined = kernel().ShapeUpgrade_UnifySameDomain(shape, True, True, False)
+    joined.Build()
+    return joined.Shape()
 
 
 def _only_solid(shape: Shape) -> Shape:

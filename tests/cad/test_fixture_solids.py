@@ -2,7 +2,10 @@
 
 import numpy as np
 import pytest
+from scipy.spatial import cKDTree
 
+from elastica_cad.fabrication.drawings.grooves import grooves
+from elastica_cad.fabrication.drawings.lettering import Text, text_strokes
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
@@ -14,6 +17,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.kernel import occt
+from elastica_cad.kernel.step_files import NamedShape, step_bytes
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
@@ -57,6 +61,35 @@ def test_letters_take_a_little_away(strip, measure):
     assert measure.is_valid(marked)
     gone = measure.volume(plain, bent=False) - measure.volume(marked, bent=False)
     assert 0.5 < gone < 12
+
+
+def test_letters_stay_small_in_a_file(strip):
+    sizes = {}
+    for number in ("", "A:1", "S8", "PAVILION"):
+        body = occt.make_solid(EndFixture.of(strip, number=number).solid)
+        sizes[number] = len(step_bytes([NamedShape("block", body)], name="block"))
+    assert max(sizes["A:1"], sizes["S8"]) < 5.5 * sizes[""]
+    assert sizes["PAVILION"] < 11 * sizes[""]
+
+
+def along(stroke):
+    """Points every tenth of a millimetre or closer."""
+    return np.concatenate([piece.at(np.linspace(0, 1, 80)) for piece in stroke.segments])
+
+
+@pytest.mark.parametrize("number", ["80O", "B&g", "abc*#", "pqGd%"])
+@pytest.mark.parametrize("height", [1.2, 4.0])
+def test_letters_that_close_cross_and_turn_tightly(measure, number, height):
+    strokes = text_strokes(Text((0, 0), number, height))
+    bands = [band for stroke in strokes for band in grooves(stroke, 0.6, 0.15)]
+    letters = tuple(FlatSolid(outline, holes, 0.6, Frame().shifted(z=-0.4)) for outline, holes in bands)
+    block = FlatSolid(Path.rectangle(20, 12, corner=(-2, -4)), (), 4.0, Frame().shifted(z=-4))
+    marked = occt.make_solid(PrismSolid((block,), letters))
+    assert measure.is_valid(marked)
+    gone = block.volume - measure.volume(marked, bent=False)
+    dots = np.stack(np.meshgrid(np.arange(-1, 16, 0.05), np.arange(-3, 6, 0.05)), axis=-1).reshape(-1, 2)
+    inside = [cKDTree(along(stroke)).query(dots)[0] < 0.3 for stroke in strokes]
+    assert gone == pytest.approx(0.4 * 0.05**2 * np.any(inside, axis=0).sum(), rel=0.12)
 
 
 def test_a_tab_goes_through_the_base_plate(strip, measure):

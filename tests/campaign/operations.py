@@ -10,8 +10,6 @@ from typing import Any
 
 import numpy as np
 
-from elastica_cad.fabrication.solids.joint_places import joint_places
-from elastica_cad.fabrication.solids.smooth_pieces import in_smooth_pieces
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
 from elastica_cad.fabrication.strip.flat_outline import graph
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -36,16 +34,13 @@ class Bodies:
     """A strip's records, and the places on its bent body by which edges and faces are found in every kernel."""
 
     def __init__(self, strip: Strip, *, plain: bool = False) -> None:
-        self.strip = strip
-        self.flat = FlatSolid.of(strip)
-        self.bent = BentSolid.of(strip)
+        self.strip, self.joints = strip, BentSolid.of(strip).joints
+        # of a laminate the backing, whose width follows the stiffness
+        self.flat, self.bent = FlatSolid.layers(strip)[-1], BentSolid.layers(strip)[-1]
         if plain:
             outline = Path(tuple(map(drawn_anew, self.flat.outline.segments)), closed=True)
-            half = self.flat.thickness / 2
             self.flat = replace(self.flat, outline=outline)
-            self.bent = BentSolid.wrapped(
-                strip.rod, outline, self.flat.holes, heights=(-half, half), joints=joint_places(strip)
-            )
+            self.bent = BentSolid.wrapped(strip.rod, outline, self.flat.holes, heights=self.bent.heights)
         self.volume = self.flat.volume
 
     @property
@@ -55,7 +50,7 @@ class Bodies:
         ends = np.array([m.knots[-1] for m in maps])
         edges = np.array([0.0, *ends])
         found = []
-        for segment in in_smooth_pieces(self.strip.outline).segments:
+        for segment in self.flat.outline.segments:
             if not isinstance(segment, Spline):
                 continue
             low, high = sorted((segment.start[0], segment.end[0]))
@@ -70,7 +65,7 @@ class Bodies:
     @property
     def tip(self) -> np.ndarray:
         """The middle of the face that closes the strip at its end."""
-        frame = self.bent.joints["end"]
+        frame = self.joints["end"]
         length = self.strip.ends[1].length
         return frame.point((length, 0.0, (self.bent.heights[0] + self.bent.heights[1]) / 2))
 

@@ -1,35 +1,48 @@
 """Thirty curves x five styles x three kernels: what users do to bodies of strips, as a table.
 
-    python tests/campaign/solids.py --kernels build123d cadquery --out out/campaign
+    python tests/campaign/solids.py --kernels build123d cadquery --minutes 60 --out out/campaign
 
-Every body is asked in a process of its own, so that a kernel that crashes or hangs costs one answer. Needs gmsh.
+Bodies come in an order shuffled by `--seed`, so that a run that ends in time has asked every kernel and style
+alike; the next run goes on where the log ends. What fails is asked again of a plain body with the same faces, whose
+long sides are splines through nine points: where that fails too, the kernel does. Every body has a process of its
+own, so that a kernel that crashes or hangs costs one answer. Needs gmsh.
 """
 
 import argparse
 import json
 import multiprocessing
 import os
+import random
+import resource
+import signal
 import sys
 import time
 from collections import Counter
+from collections.abc import Iterable
+from itertools import product
 from pathlib import Path
 from typing import Any
 
 ROOT = Path(__file__).resolve().parents[2]
 HERE = str(Path(__file__).resolve().parent)
 FREECAD = ("/usr/lib/freecad-python3/lib", "/usr/lib/freecad/lib", "/usr/share/freecad/Ext")
-PATIENCE = 120.0  # s, for one operation
 
 
-def asked(kernel: str, curve: str, style: str, plain: bool, names: list[str], pipe: Any) -> None:
-    """Answers of one body, one message an operation."""
+Body = tuple[str, str, str]
+"""Kernel, style and curve."""
+
+
+def asked(body: Body, plain: bool, names: list[str], patience: int, pipe: Any) -> None:
+    """Answers of one body, one message an operation; one that takes longer than `patience` ends the process."""
     from bank import made
     from operations import Bodies, kernel_named
 
+    kernel, style, curve = body
     bodies = Bodies(made(curve, style), plain=plain)
     runner = kernel_named(kernel)(bodies)
     for name in names:
-        start = time.perf_counter()
+        start = time.process_time()
+        resource.setrlimit(resource.RLIMIT_CPU, (int(start) + patience, resource.RLIM_INFINITY))
         try:
             valid, size = runner.run(name)
             answer = "ok" if valid else "invalid"
@@ -38,54 +51,70 @@ def asked(kernel: str, curve: str, style: str, plain: bool, names: list[str], pi
                 answer = answer if error < 0.02 else f"volume off by {error:.1e}"
         except Exception as error:
             answer, size = f"{type(error).__name__}: {str(error)[:70]}", 0.0
-        pipe.send((name, answer, size, bodies.volume, time.perf_counter() - start))
+        pipe.send((name, answer, size, bodies.volume, time.process_time() - start))
     pipe.close()
 
 
-def answers(kernel: str, curve: str, style: str, plain: bool, operations: list[str]) -> list[dict[str, Any]]:
+def answers(body: Body, plain: bool, operations: list[str], patience: int) -> list[dict[str, Any]]:
     """All answers of one body, started anew after a crash or a hang."""
     rows: list[dict[str, Any]] = []
     left = list(operations)
     context = multiprocessing.get_context("fork")
+    who = dict(zip(("kernel", "style", "curve"), body, strict=True))
     while left:
         here, there = context.Pipe(False)
-        process = context.Process(target=asked, args=(kernel, curve, style, plain, left, there))
+        process = context.Process(target=asked, args=(body, plain, left, patience, there))
         process.start()
         there.close()
         try:
-            while left and here.poll(PATIENCE):
+            while left:
                 name, answer, size, whole, seconds = here.recv()
                 left.remove(name)
-                rows.append({"kernel": kernel, "curve": curve, "style": style, "operation": name, "answer": answer,
-                             "size": size, "volume": whole, "seconds": round(seconds, 3)})  # fmt: skip
+                told = {"operation": name, "answer": answer, "size": size, "volume": whole}
+                rows.append(who | told | {"seconds": round(seconds, 3)})
         except EOFError:
-            pass
-        if left:
-            ended = "hangs" if process.is_alive() else "crashes"
-            process.kill()
-            rows.append(
-                {"kernel": kernel, "curve": curve, "style": style, "operation": left.pop(0), "answer": ended}
-            )
+            process.join()
+            long = process.exitcode == -signal.SIGXCPU
+            answer = f"longer than {patience} s" if long else "crashes"
+            rows.append(who | {"operation": left.pop(0), "answer": answer})
         process.join()
     return rows
 
 
-def table(rows: list[dict[str, Any]]) -> str:
-    """Markdown: a line an operation and kernel with the number that succeed, then every failure."""
-    lines = ["| operation | kernel | asked | succeed | answers else |", "| --- | --- | ---: | ---: | --- |"]
-    keys = sorted({(r["operation"], r["kernel"]) for r in rows})
-    for operation, kernel in keys:
-        mine = [r for r in rows if (r["operation"], r["kernel"]) == (operation, kernel)]
-        bad = Counter(str(r["answer"])[:60] for r in mine if r["answer"] != "ok")
-        told = "; ".join(f"{count} x {text}" for text, count in bad.most_common(3)).replace("|", "/")
-        good = sum(r["answer"] == "ok" for r in mine)
-        lines.append(f"| {operation} | {kernel} | {len(mine)} | {good} | {told} |")
-    lines += ["", "| curve | style | kernel | operation | answer |", "| --- | --- | --- | --- | --- |"]
-    lines += [
-        f"| {r['curve']} | {r['style']} | {r['kernel']} | {r['operation']} | {str(r['answer']).replace('|', '/')} |"
-        for r in rows
-        if r["answer"] != "ok"
+def with_control(body: Body, operations: list[str], patience: int) -> list[dict[str, Any]]:
+    """The answers of one body, those that failed with what a plain body with the same faces answers."""
+    rows = answers(body, False, operations, patience)
+    failed = [row for row in rows if row["answer"] != "ok"]
+    told = answers(body, True, [row["operation"] for row in failed], patience)
+    for row, plain in zip(failed, told, strict=True):
+        row["plain"] = plain["answer"]
+    return rows
+
+
+def table(rows: list[dict[str, Any]], styles: Iterable[str]) -> str:
+    """Markdown: a line an operation and kernel, succeeded of asked in every style, then every failure."""
+    lines = [
+        f"| operation | kernel | {' | '.join(styles)} | fails on the plain body too | fails on ours only |",
+        f"| --- | --- |{' ---: |' * len(list(styles))} ---: | ---: |",
     ]
+    order = list(dict.fromkeys(r["operation"] for r in rows))
+    for operation, kernel in product(order, dict.fromkeys(sorted(r["kernel"] for r in rows))):
+        mine = [r for r in rows if (r["operation"], r["kernel"]) == (operation, kernel)]
+        cells = []
+        for style in styles:
+            good = Counter(r["answer"] == "ok" for r in mine if r["style"] == style)
+            cells.append(f"{good[True]}/{good.total()}")
+        both = Counter(r["plain"] == "ok" for r in mine if r["answer"] != "ok")
+        lines.append(f"| {operation} | {kernel} | {' | '.join(cells)} | {both[False]} | {both[True]} |")
+    lines += [
+        "",
+        "| curve | style | kernel | operation | answer | plain body |",
+        "| --- | --- | --- | --- | --- | --- |",
+    ]
+    for r in rows:
+        if r["answer"] != "ok":
+            cells = [str(r[k]) for k in ("curve", "style", "kernel", "operation", "answer", "plain")]
+            lines.append(f"| {' | '.join(cell.replace('|', '/') for cell in cells)} |".replace("\n", " "))
     return "\n".join(lines) + "\n"
 
 
@@ -98,26 +127,33 @@ def main() -> None:
     parser.add_argument("--curves", nargs="+", choices=list(CURVES), default=list(CURVES))
     parser.add_argument("--styles", nargs="+", choices=list(STYLES), default=list(STYLES))
     parser.add_argument("--operations", nargs="+", choices=list(OPERATIONS), default=list(OPERATIONS))
-    parser.add_argument(
-        "--control",
-        action="store_true",
-        help="plain bodies with the same faces: what fails there is the kernel's",
-    )
+    parser.add_argument("--seed", type=int, default=1, help="of the order of the curves")
+    parser.add_argument("--minutes", type=float, default=180.0, help="after which no other body is begun")
+    parser.add_argument("--patience", type=int, default=60, help="processor seconds for one operation")
     parser.add_argument("--out", type=Path, default=Path("out/campaign"))
     wanted = parser.parse_args()
     wanted.out.mkdir(parents=True, exist_ok=True)
-    rows = []
-    with (wanted.out / "solids.jsonl").open("w") as log:
-        for kernel in wanted.kernels:
-            for style in wanted.styles:
-                for curve in wanted.curves:
-                    found = answers(kernel, curve, style, wanted.control, wanted.operations)
-                    rows += found
-                    log.writelines(json.dumps(row) + "\n" for row in found)
-                    log.flush()
-                    good = sum(row["answer"] == "ok" for row in found)
-                    print(f"{kernel}, {style}, {curve}: {good} of {len(found)}", flush=True)
-                    (wanted.out / "solids.md").write_text(table(rows))
+    log = wanted.out / "solids.jsonl"
+    rows = [json.loads(line) for line in log.read_text().splitlines()] if log.exists() else []
+    done = {(row["kernel"], row["style"], row["curve"], row["operation"]) for row in rows}
+    curves = list(wanted.curves)
+    random.Random(wanted.seed).shuffle(curves)
+    end = time.monotonic() + 60 * wanted.minutes
+    for curve, style, kernel in product(curves, wanted.styles, wanted.kernels):
+        body = kernel, style, curve
+        left = [name for name in wanted.operations if (*body, name) not in done]
+        if not left:
+            continue
+        if time.monotonic() > end:
+            print(f"time is up: go on with --out {wanted.out}", flush=True)
+            break
+        found = with_control(body, left, wanted.patience)
+        rows += found
+        with log.open("a") as file:
+            file.writelines(json.dumps(row) + "\n" for row in found)
+        good = sum(row["answer"] == "ok" for row in found)
+        print(f"{kernel}, {style}, {curve}: {good} of {len(found)}", flush=True)
+    (wanted.out / "solids.md").write_text(table(rows, wanted.styles))
 
 
 if __name__ == "__main__":

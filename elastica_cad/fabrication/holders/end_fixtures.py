@@ -3,13 +3,13 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.grooves import grooves
 from elastica_cad.fabrication.drawings.lettering import Text, text_strokes, text_width
 from elastica_cad.fabrication.holders.placed_tab import ENDS, End, PlacedTab, place_tabs
 from elastica_cad.fabrication.holding.rest_in_seats import lean_against
@@ -30,8 +30,8 @@ GROOVE_MM = 0.6
 GROOVE_DEPTH_MM = 0.4
 """Two layers of a print."""
 
-STROKE_MM = 0.08
-"""Flatness of engraved strokes, little beside their width."""
+STROKE_MM = 0.15
+"""Flatness of engraved strokes, a quarter of their width."""
 
 LABEL_MM = 4.0
 """Height of the part number, where there is room."""
@@ -295,9 +295,9 @@ class EndFixture:
         side = Frame(tab.point((0.0, self.across / 2, 0.0)), tab.x_axis, -tab.z_axis)
         strokes = text_strokes(Text((start, -height / 2), self.number, height))
         return [
-            FlatSolid(_groove(p, q), (), GROOVE_DEPTH_MM + 0.2, side.shifted(z=-GROOVE_DEPTH_MM))
+            FlatSolid(outline, holes, GROOVE_DEPTH_MM + 0.2, side.shifted(z=-GROOVE_DEPTH_MM))
             for stroke in strokes
-            for p, q in _chords(stroke)
+            for outline, holes in grooves(stroke, GROOVE_MM, STROKE_MM)
         ]
 
 
@@ -335,16 +335,3 @@ def _on_floor(
 def _polygon(corners: FloatArray) -> Path:
     path = Path.polygon(corners)
     return path if path.area > 0 else path.reversed()
-
-
-def _chords(stroke: Path) -> list[tuple[FloatArray, FloatArray]]:
-    points = stroke.points(STROKE_MM)
-    points = np.concatenate([points, points[:1]]) if stroke.closed else points
-    return list(pairwise(points))
-
-
-def _groove(start: FloatArray, end: FloatArray) -> Path:
-    """A rectangle about a stroke's chord, longer than it by the groove's width."""
-    t = (end - start) / np.hypot(*(end - start)) * GROOVE_MM / 2
-    n = np.array([-t[1], t[0]])
-    return Path.polygon([start - t - n, end + t - n, end + t + n, start - t + n])

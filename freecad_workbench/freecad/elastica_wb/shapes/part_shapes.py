@@ -72,7 +72,7 @@ def make_solid(record: FlatSolid | BentSolid | PrismSolid) -> Part.Shape:
         first, *rest = (make_solid(prism) for prism in record.added)
         whole = first.multiFuse(rest) if rest else first
         holes = [make_solid(prism) for prism in record.removed]
-        return whole.cut(holes) if holes else whole
+        return (whole.cut(holes) if holes else whole).removeSplitter()
     if isinstance(record, FlatSolid):
         face = make_face(record.outline, record.holes, record.frame)
         return face.extrude(_vector(record.frame.z_axis * record.thickness))
