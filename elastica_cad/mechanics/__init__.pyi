@@ -33,6 +33,15 @@ from elastica_cad.mechanics.material.sheet import (
     load_sheets as load_sheets,
     sheet_names as sheet_names,
 )
+from elastica_cad.mechanics.material.stiffness_law import (
+    BoundedLaw as BoundedLaw,
+    StiffnessLaw as StiffnessLaw,
+)
+from elastica_cad.mechanics.material.tapered_sections import (
+    RoundLaw as RoundLaw,
+    ThicknessLaw as ThicknessLaw,
+    WidthLaw as WidthLaw,
+)
 from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod as DiscreteRod
 from elastica_cad.mechanics.rod.rod_record import Rod as Rod
 from elastica_cad.mechanics.stability.conjugate_points import (

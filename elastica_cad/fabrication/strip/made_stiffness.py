@@ -98,10 +98,7 @@ def with_shares(built: Rod, shares: Sequence[FloatArray]) -> Rod:
     if built.gravity is None:
         return made
     weight = built.weight or Weight(beta=B / built.gravity.length**3)
-    alpha, beta = (
-        value(built.s) if isinstance(value, Profile) else np.full(K.size, value)
-        for value in (weight.alpha, weight.beta)
-    )
+    alpha, beta = weight.along(built.s)
     newtons = Profile.interpolate(built.s, alpha + beta * K)
     return replace(made, weight=replace(weight, alpha=newtons, beta=0.0))
 

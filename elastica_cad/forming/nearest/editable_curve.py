@@ -219,7 +219,12 @@ class _Refinement:
         if kappa_0.ndim:
             kappa_0 = np.interp(x, np.linspace(0, 1, kappa_0.size), kappa_0)
         e = np.zeros(2) if rod.gravity is None else rod.gravity.e * rod.length**3
-        return StripGrid(np.asarray(basis), e, kappa_0)
+        if rod.gravity is None or rod.weight is None:
+            return StripGrid(np.asarray(basis), e, kappa_0)
+        over = rod.length**3 / (rod.bending_stiffness or 1.0)
+        alpha, beta = (over * part for part in rod.weight.along(x * rod.length))
+        up = -np.asarray(rod.gravity.direction)
+        return StripGrid(np.asarray(basis), up, kappa_0, weight=lambda K: (alpha + beta * K, beta))
 
 
 def _extrapolated(a: MappedRod, b: MappedRod, rod: Rod) -> _Shape:

@@ -14,6 +14,7 @@ from elastica_cad.forming.nearest.starts import MET, mean_distance, search
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.rod.node_counts import SEARCH_SAMPLES
 
 _FAR = 0.05  # largest distance, in diagonals of the target, beyond which a rod no longer looks like it
@@ -30,6 +31,7 @@ def nearest_rod(
     measure: Measure = "mean",
     samples: int = SEARCH_SAMPLES,
     coefficients: int | None = None,
+    section: BoundedLaw | None = None,
 ) -> NearestRod:
     """The rod nearest to a drawn curve, realizable or not, that meets all limits.
 
@@ -58,6 +60,9 @@ def nearest_rod(
         Nodes of the rod.
     coefficients : int
         B-spline coefficients of the stiffness; unless given 20, and 4 more for each half turn of the curve.
+    section : BoundedLaw, optional
+        What stiffness is made of, as in `optimal_rod`: its limits bound the ratio, under gravity (of which only the
+        direction counts) it carries its own weight, and a limit `sheet` bounds its strain.
 
     Returns
     -------
@@ -80,7 +85,7 @@ def nearest_rod(
     >>> near.met, round(near.rod.ratio, 6)
     (True, 1.5)
     """
-    task = NearestTask.of(curve, limits, keep, gravity, supports, weights, samples, coefficients)
+    task = NearestTask.of(curve, limits, keep, gravity, supports, weights, samples, coefficients, section)
     problem, outcome, steps = search(task, measure)
     target = task.target
     deviation = measure_deviation(target, outcome.point.position) * target.size
@@ -100,6 +105,6 @@ def nearest_rod(
         advise=advise,
         again=partial(
             nearest_rod, curve, gravity=gravity, supports=supports, weights=task.weights, measure=measure,
-            samples=task.nodes, coefficients=task.coefficients,
+            samples=task.nodes, coefficients=task.coefficients, section=section,
         ),
     )  # fmt: skip

@@ -1,8 +1,8 @@
 """What is asked of a nearest rod, in lengths of the drawn curve, and the nonlinear program made of it."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
-from functools import lru_cache
+from dataclasses import dataclass, replace
+from functools import lru_cache, partial
 from typing import Literal, TypeAlias
 
 import numpy as np
@@ -20,6 +20,7 @@ from elastica_cad.forming.nearest.curve_distance import (
 from elastica_cad.forming.nearest.rod_map import MappedRod, StripGrid
 from elastica_cad.forming.nearest.rod_problem import RodProblem
 from elastica_cad.forming.nearest.target_curve import TargetCurve, symmetry_frame
+from elastica_cad.forming.section_scale import SectionScale
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.loads.arguments import (
@@ -30,6 +31,7 @@ from elastica_cad.mechanics.loads.arguments import (
 )
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.rod.node_counts import SEARCH_SAMPLES
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.rod.rod_system import RodSystem
@@ -60,6 +62,8 @@ class NearestTask:
     nodes, coefficients : int
     line : pair of points or None
         Inflection line to be kept, mm.
+    section : SectionScale or None
+        What K is made of, where its weight or strain is not that of a plain strip.
     """
 
     target: TargetCurve
@@ -71,11 +75,13 @@ class NearestTask:
     nodes: int
     coefficients: int
     line: tuple[FloatArray, FloatArray] | None = None
+    section: SectionScale | None = None
 
     @classmethod
     def of(
         cls, curve: PlaneCurve, limits: Limits | None, keep: Keep | None, gravity: Gravity | None,
         supports: Supports | None, weights: Weights, samples: int, coefficients: int | None,
+        section: BoundedLaw | None = None,
     ) -> "NearestTask":  # fmt: skip
         """Checked input of `nearest_rod`.
 
@@ -105,6 +111,13 @@ class NearestTask:
                 f"many as there are edges ({samples - 1})"
             )
         limits, keep = limits or Limits(), keep or Keep()
+        scale = None
+        if section is not None:
+            bent = np.interp(
+                np.linspace(0, 1, samples), np.linspace(0, 1, target.curvature.size), target.curvature
+            )
+            scale = SectionScale.of(section.bent(bent / target.size), limits)
+            limits = replace(limits, ratio=scale.ratio)
         for region in limits.keep_out:
             ends = zip(("start", "end"), keep.both_ends, target.position[[0, -1]], strict=True)
             for side, kept, point in ends:
@@ -117,7 +130,7 @@ class NearestTask:
         return cls(
             target=target, limits=limits, keep=keep, supports=supports, gravity=gravity,
             weights=_node_weights(weights, samples, target.size), nodes=int(samples),
-            coefficients=int(coefficients), line=_inflection_line(curve, keep, gravity),
+            coefficients=int(coefficients), line=_inflection_line(curve, keep, gravity), section=scale,
         )  # fmt: skip
 
     def problem(self, measure: Measure, *, weight: float = 1.0, with_margin: bool = True) -> RodProblem:
@@ -131,9 +144,14 @@ class NearestTask:
 
     def grid(self, weight: float = 1.0) -> StripGrid:
         """The nodes, with a share `weight` of gravity."""
-        e = np.zeros(2) if self.gravity is None else self.gravity.e * self.target.size**3 * weight
         basis = self._paired(_nodal_basis(self.nodes, self.coefficients))
-        return StripGrid(basis, e, supports=self.supports)
+        if self.gravity is None:
+            return StripGrid(basis, np.zeros(2), supports=self.supports)
+        if self.section is None:
+            return StripGrid(basis, self.gravity.e * self.target.size**3 * weight, supports=self.supports)
+        up = -weight * np.asarray(self.gravity.direction)
+        carried = partial(self.section.weight, size=self.target.size)
+        return StripGrid(basis, up, supports=self.supports, weight=carried)
 
     def basis(self, s: FloatArray) -> FloatArray:
         """Values of the basis of K at s (n,) in 0..1, its functions in mirrored pairs where symmetry is kept."""
@@ -165,6 +183,8 @@ class NearestTask:
         profile = Profile(knots, self.coefficients_of(mapped.z) / least)
         nodes = self.nodes
         blank = Rod.straight(length, profile, samples=nodes, gravity=self.gravity, supports=self.supports)
+        if self.section is not None:
+            blank = self.section.carried_by(blank, mapped.stiffness)
         position = mapped.position * size + self.target.origin
         system = RodSystem(
             stiffness=blank.stiffness, edge_length=length / (nodes - 1), load=blank.nodal_load,
@@ -271,7 +291,9 @@ class NearestTask:
             found.append(
                 rows.InflectionLine(point=_pair(a), direction=_pair(direction), scale=self.moment_scale)
             )
-        curvature = limits.largest_curvature
+        curvature = limits.largest_curvature if self.section is None else limits.curvature
+        if self.section is not None and limits.sheet is not None:
+            found.append(rows.StrainLimit(section=self.section, strain=limits.strain, size=target.size))
         if curvature is not None:
             found.append(rows.CurvatureLimit(limit=curvature * target.size))
         found += [

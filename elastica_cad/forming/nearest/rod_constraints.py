@@ -9,9 +9,11 @@ import numpy as np
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.forming.limits import Box, HalfPlane
 from elastica_cad.forming.nearest.rod_map import MappedRod, Sensitivities
+from elastica_cad.forming.section_scale import SectionScale
 
 MOST_ROWS = 56  # of one constraint in one program: with its ends below 64, where factorisations start threads
 _NEAR = 0.6  # of a limit: values within it enter the quadratic program, as a step may use them up
+_STEP = 1e-5  # relative step of K for derivatives of strain
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -170,6 +172,39 @@ class CurvatureLimit(Constraint):
             np.abs(M) / K**2 * sensitivities.grid.basis[near] / self.limit
         )
         return near, rows
+
+
+@dataclass(frozen=True, kw_only=True)
+class StrainLimit(Constraint):
+    """The strain of every node at most its limit, whatever the section is there."""
+
+    section: SectionScale
+    strain: float | None
+    size: float
+    name: str = "strain"
+    one_sided: bool = True
+    price: float = 1.0
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """1 - strain / limit, (n+1,)."""
+        return np.asarray(1 - self._share(rod.stiffness) * np.abs(rod.moments / rod.stiffness))
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """The nodes that are strained most."""
+        rod = sensitivities.rod
+        values = self.values(rod)
+        near = thin_rows(np.flatnonzero(values < 1 - _NEAR), -values)
+        K, M = rod.stiffness, rod.moments
+        share = self._share(K)
+        slope = (self._share(K * (1 + _STEP)) - self._share(K * (1 - _STEP))) / (2 * _STEP * K)
+        by_moment, by_stiffness = -np.sign(M) * share / K, np.abs(M) * (share / K - slope) / K
+        rows = by_moment[near, None] * sensitivities.moments[near]
+        basis = sensitivities.grid.basis[near]
+        rows[:, sensitivities.grid.unknowns.stiffness] += by_stiffness[near, None] * basis
+        return near, rows
+
+    def _share(self, stiffness: FloatArray) -> FloatArray:
+        return self.section.strain(stiffness, self.strain) / self.size
 
 
 @dataclass(frozen=True, kw_only=True)

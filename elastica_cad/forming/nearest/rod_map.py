@@ -6,7 +6,7 @@ Everything here is in lengths of the target curve, not in millimetres.
 from collections.abc import Callable, Hashable
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple, TypeAlias, cast
 
 import numpy as np
 
@@ -14,6 +14,8 @@ from elastica_cad._types import FloatArray
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod, edge_forces, node_weights
 from elastica_cad.mechanics.rod.shooting import shoot
+
+WeightLaw: TypeAlias = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
 
 
 @dataclass(frozen=True)
@@ -97,23 +99,37 @@ class Sensitivities:
 
     def along_forces(self, weights: FloatArray) -> FloatArray:
         """Gradient (p,) of sum(weights * edge forces), weights (n, 2)."""
-        grid, z = self.grid, self.rod.z
+        grid = self.grid
         u, out = grid.unknowns, np.zeros(self.angles.shape[1])
         out[u.force] = weights.sum(axis=0)
         if grid.heavy:
             pull = weights @ grid.e
-            out[u.stiffness] = -self.rod.length * (pull @ grid.running[:-1])
-            out[u.length] = -float(pull @ (grid.running[:-1] @ z[u.stiffness]))
+            out[u.stiffness] = -self.rod.length * (pull @ self.carried.slopes[:-1])
+            out[u.length] = -float(pull @ self.carried.sums[:-1])
         return out
 
     def last_load_row(self, axis: int) -> FloatArray:
-        """Gradient (p,) of the last node's load -w K e along `axis` (0: x, 1: y)."""
-        grid, z = self.grid, self.rod.z
+        """Gradient (p,) of the last node's load -w q(K) e along `axis` (0: x, 1: y)."""
+        grid, carried = self.grid, self.carried
         u, out = grid.unknowns, np.zeros(self.angles.shape[1])
-        per_length = -grid.shares[-1] * grid.e[axis]
-        out[u.stiffness] = per_length * self.rod.length * grid.basis[-1]
-        out[u.length] = per_length * float(grid.basis[-1] @ z[u.stiffness])
+        out[u.stiffness] = -grid.e[axis] * self.rod.length * (carried.slopes[-1] - carried.slopes[-2])
+        out[u.length] = -grid.e[axis] * float(carried.sums[-1] - carried.sums[-2])
         return out
+
+    @property
+    def carried(self) -> "CarriedWeight":
+        """The weight of the rod."""
+        return self.grid.carried(self.rod)
+
+
+class CarriedWeight(NamedTuple):
+    """Integral up to and with each node, for a rod of length 1, of its weight q: `sums` (n+1,).
+
+    `slopes` (n+1, m) are derivatives by the coefficients of K.
+    """
+
+    sums: FloatArray
+    slopes: FloatArray
 
 
 @dataclass(frozen=True, eq=False)
@@ -126,6 +142,8 @@ class StripGrid:
         Values of the basis functions of K at the nodes; they sum to 1.
     e : (2,) array
         Weight vector of Eq. 5 (it points up), times the unit of length cubed.
+    weight : callable, optional
+        Weight q (n+1,) of K (n+1,) at the nodes, which `e` multiplies, and its derivative; K itself unless given.
     natural_curvature : float or (n+1,) array
         Times the unit of length.
     supports : Supports
@@ -135,6 +153,7 @@ class StripGrid:
     e: FloatArray
     natural_curvature: float | FloatArray = 0.0
     supports: Supports = field(default_factory=Supports)
+    weight: WeightLaw | None = None
 
     @property
     def edges(self) -> int:
@@ -159,6 +178,18 @@ class StripGrid:
     def running(self) -> FloatArray:
         """Integral of every basis function up to and with each node, for a rod of length 1 (n+1, m)."""
         return np.asarray(np.cumsum(self.shares[:, None] * self.basis, axis=0))
+
+    def carried(self, rod: MappedRod) -> CarriedWeight:
+        """The weight of a rod, computed once."""
+
+        def summed() -> CarriedWeight:
+            if self.weight is None:
+                return CarriedWeight(np.cumsum(self.shares * rod.stiffness), self.running)
+            q, slope = self.weight(rod.stiffness)
+            by_coefficient = (self.shares * slope)[:, None] * self.basis
+            return CarriedWeight(np.cumsum(self.shares * q), np.cumsum(by_coefficient, axis=0))
+
+        return cast(CarriedWeight, rod.remembered("carried weight", summed))
 
     @property
     def heavy(self) -> bool:
@@ -205,8 +236,11 @@ class StripGrid:
         drive_moment[0, u.moment] += 1
         if self.heavy:
             lift = self.e[1] * T[:, 0] - self.e[0] * T[:, 1]
-            np.multiply((-edge * length * lift)[:, None], self.running[:-1], out=drive_moment[:, u.stiffness])
-            drive_moment[:, u.length] -= edge * lift * (self.running[:-1] @ rod.z[u.stiffness])
+            carried = self.carried(rod)
+            np.multiply(
+                (-edge * length * lift)[:, None], carried.slopes[:-1], out=drive_moment[:, u.stiffness]
+            )
+            drive_moment[:, u.length] -= edge * lift * carried.sums[:-1]
         if closing:
             late = rod.z[u.moment] - M[0]
             drive_angle[:, -1] = (
@@ -250,7 +284,8 @@ class StripGrid:
         u = self.unknowns
         length = float(z[u.length])
         K = self.basis @ z[u.stiffness]
-        load = (-length * self.shares * K)[:, None] * self.e
+        weight = K if self.weight is None else self.weight(K)[0]
+        load = (-length * self.shares * weight)[:, None] * self.e
         force = np.empty((self.edges + 2, 2))
         force[0] = z[u.force]
         force[1:-1] = edge_forces(z[u.force] + load[0], load)

@@ -50,15 +50,22 @@ class Weight:
             if not isinstance(value, Profile) and not (np.isfinite(value) and value >= 0):
                 raise InputError(f"weight {name} is {value:g}: it can't be negative, in N/mm")
 
+    def along(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """alpha and beta (n,) at arc lengths (n,), N/mm."""
+        alpha, beta = (
+            value(s) if isinstance(value, Profile) else np.full(s.shape, float(value))
+            for value in (self.alpha, self.beta)
+        )
+        return alpha, beta
+
     def lumped(self, s: FloatArray, stiffness: FloatArray, node_lengths: FloatArray) -> FloatArray:
         """Weight of each node (n,), N; a point mass is shared by its two neighbours."""
         if self.own:
             raise InputError(
                 "a strip's own weight has no value before optimal_rod has found it: give beta in N/mm"
             )
-        at = [value(s) if isinstance(value, Profile) else np.full(s.shape, float(value))
-              for value in (self.alpha, self.beta)]  # fmt: skip
-        weight = node_lengths * (at[0] + at[1] * stiffness)
+        alpha, beta = self.along(s)
+        weight = node_lengths * (alpha + beta * stiffness)
         for point in self.masses:
             if not 0 <= point.at <= s[-1]:
                 raise InputError(f"point mass at {point.at:.6g} mm lies off the rod of {s[-1]:.6g} mm")

@@ -7,6 +7,9 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 
+HALVINGS = 52
+"""Of a bracket: a double's bits."""
+
 
 def anticlastic_factor(
     width: ArrayLike, curvature: ArrayLike, *, thickness: float, poisson_ratio: float
@@ -57,6 +60,27 @@ def anticlastic_factor(
     x = (3 * (1 - nu**2)) ** 0.25 * w * np.sqrt(kappa / h)
     ratio, slope = _curl(x)
     return np.asarray((1 - nu**2 * (2 * ratio + x * slope / 2)) / (1 - nu**2))
+
+
+def plate_width(
+    effective: ArrayLike, curvature: ArrayLike, *, thickness: float, poisson_ratio: float
+) -> FloatArray:
+    """Widths w with w `anticlastic_factor`(w, curvature) = `effective`, the width of a strip that bends with E.
+
+    Examples
+    --------
+    >>> round(plate_width(1000.0, 0.01, thickness=1.0, poisson_ratio=0.3).item(), 1)
+    912.1
+    """
+    h, nu = _checked(thickness, poisson_ratio)
+    aim, kappa = np.broadcast_arrays(np.asarray(effective, dtype=float), np.asarray(curvature, dtype=float))
+    # the factor grows with the width, beyond its limit by less than 5 %
+    low, high = (1 - nu**2) * aim / 1.05, aim.astype(float)
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        small = middle * anticlastic_factor(middle, kappa, thickness=h, poisson_ratio=nu) < aim
+        low, high = np.where(small, middle, low), np.where(small, high, middle)
+    return np.asarray((low + high) / 2)
 
 
 @dataclass(frozen=True, eq=False)
@@ -142,12 +166,7 @@ def anticlastic_widths(
 
     # every station could be the widest one: the scale c is the largest that keeps them all within max_width
     scale = float(np.min(effective(max_width) / K))
-    low, high = (1 - nu**2) * scale * K / 1.05, np.full(K.shape, float(max_width))
-    for _ in range(60):
-        middle = (low + high) / 2
-        small = effective(middle) < scale * K
-        low, high = np.where(small, middle, low), np.where(small, high, middle)
-    width = (low + high) / 2
+    width = np.minimum(plate_width(scale * K, kappa, thickness=h, poisson_ratio=nu), max_width)
     plain = max_width * K / K.max()
     relative = np.abs(width - plain) / plain
     i = int(np.argmax(relative))

@@ -26,3 +26,18 @@ class StiffnessLaw(Protocol):
         self, curvature: ArrayLike, parameter: ArrayLike, /, *, natural_curvature: float = 0.0
     ) -> tuple[LayerStrain, ...]:
         """Strain of each layer's outermost fibre, of curvatures (n,), 1/mm, and parameters (n,), mm."""
+
+
+class BoundedLaw(StiffnessLaw, Protocol):
+    """A law whose parameter has limits: what `optimal_rod` and `nearest_rod` take as `section`."""
+
+    @property
+    def quantity(self) -> str:
+        """What the parameter is: "width", "thickness" or "diameter"."""
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """Least (0: none) and largest parameter, mm."""
+
+    def bent(self, curvature: ArrayLike, /) -> "BoundedLaw":
+        """The law at stations bent by kappa - kappa_0 (n,), 1/mm; itself where bending does not change it."""

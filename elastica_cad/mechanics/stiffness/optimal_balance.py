@@ -10,7 +10,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2, Weight
+from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2, PointMass, Weight
 from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
 from elastica_cad.mechanics.stiffness.moment_conditions import (
     NO_GAIN_SHARE,
@@ -42,7 +42,7 @@ def balance_without_weight(
 ) -> BalancedStiffness:
     """Eq. 4 on the continuous curve, or with its ratio judged at the parameters `nodes` only."""
     cuts, kinks = _law_places(check, natural_curvature, law)
-    panels = _panels(check, natural_curvature, law, cuts)
+    panels = cut_panels(check, natural_curvature, law, cuts)
     problem = ConditionedRows(check, supports, panels, moment_rows(panels), nodes)
     state = problem.least(problem.homogeneous(3), smooth=False)
     return replace(problem.balance(problem.steadied(state)), kinks=kinks)
@@ -61,15 +61,15 @@ def balance_with_weight(
 ) -> BalancedStiffness:
     """Eq. 6 on the continuous curve, with weight proportional to the stiffness, or in newtons."""
     cuts, kinks = _law_places(check, natural_curvature, law)
-    load_cuts, load_kinks = _load_places(check, weight)
+    load_cuts, load_kinks = load_places(check, weight)
     cuts, kinks = [*cuts, *load_cuts], [*kinks, *load_kinks]
-    panels = _panels(check, natural_curvature, law, cuts)
+    panels = cut_panels(check, natural_curvature, law, cuts)
     if weight is None or weight.own:
-        cuts = [*cuts, *_heavy_cuts(panels, gravity)]
-        panels = _panels(check, natural_curvature, law, cuts)
+        cuts = [*cuts, *heavy_cuts(panels, gravity)]
+        panels = cut_panels(check, natural_curvature, law, cuts)
     tau = None if bending_stiffness is None else 1 / bending_stiffness
     for _ in range(REFINEMENTS):
-        load = _Load(check, supports, panels, gravity, weight, nodes)
+        load = WeightedPanels(check, supports, panels, gravity, weight, nodes)
         if weight is None:
             problem = load.against(0.0)
             balance = problem.balance(problem.least(problem.homogeneous(3)))
@@ -81,7 +81,7 @@ def balance_with_weight(
         if not rough.any():
             break
         cuts = [*cuts, *((panels.edges[1:] + panels.edges[:-1]) / 2)[rough]]
-        panels = _panels(check, natural_curvature, law, cuts)
+        panels = cut_panels(check, natural_curvature, law, cuts)
     if weight is None or tau is None:
         return replace(balance, kinks=kinks)
     beta = _raised(weight.beta, gravity.length**-3 / tau) if weight.own else weight.beta
@@ -90,7 +90,7 @@ def balance_with_weight(
 
 
 @dataclass(frozen=True, eq=False)
-class _Load:
+class WeightedPanels:
     """A curve cut into panels, with the weight it is to carry."""
 
     check: EquilibriumCheck
@@ -105,16 +105,17 @@ class _Load:
         panels, weight = self.panels, self.weight
         proportional = self.gravity.length**-3
         own = np.full(panels.t.shape, proportional if weight is None or weight.own else 0.0)
-        dead, points = np.zeros(panels.t.shape), np.zeros(panels.count + 1)
+        dead = np.zeros(panels.t.shape)
         if weight is not None:
             own += _along(weight.beta, panels.s) * tau
             dead = _along(weight.alpha, panels.s)
-            for mass in weight.masses:
-                points[int(np.abs(panels.edge_s - mass.at).argmin())] += (
-                    mass.mass * 1e-3 * STANDARD_GRAVITY_M_S2
-                )
-        load = LineLoad(-np.asarray(self.gravity.direction), own, dead, points)
-        rows = moment_rows(panels, load)
+        points = point_weights(panels, () if weight is None else weight.masses)
+        return self.carrying(own, dead, points)
+
+    def carrying(self, own: FloatArray, dead: FloatArray, points: FloatArray) -> "ConditionedRows":
+        """The problem with weights at the nodes and ends of the panels: see `LineLoad`."""
+        panels = self.panels
+        rows = moment_rows(panels, LineLoad(-np.asarray(self.gravity.direction), own, dead, points))
         if not np.all(np.isfinite(rows.stiffness)):
             reason = (
                 "The weight is far too much for the stiffness (a gravity length of "
@@ -125,7 +126,15 @@ class _Load:
         return ConditionedRows(self.check, self.supports, panels, rows, self.nodes)
 
 
-def _least_compliance(load: _Load, weight: Weight) -> float:
+def point_weights(panels: Panels, masses: Sequence[PointMass]) -> FloatArray:
+    """Newtons (N + 1,) hung on the ends of the panels."""
+    points = np.zeros(panels.count + 1)
+    for mass in masses:
+        points[int(np.abs(panels.edge_s - mass.at).argmin())] += mass.mass * 1e-3 * STANDARD_GRAVITY_M_S2
+    return points
+
+
+def _least_compliance(load: WeightedPanels, weight: Weight) -> float:
     """tau = 1 / B of least ratio; where lighter is always better, the largest within 1 % of the best."""
     if isinstance(weight.beta, Profile) or weight.beta:
         return _searched_compliance(load, weight)
@@ -146,7 +155,7 @@ def _least_compliance(load: _Load, weight: Weight) -> float:
     return largest_number(rows, numbers.basis[3], light[1] * (1 + SMOOTHING_SHARE))
 
 
-def _searched_compliance(load: _Load, weight: Weight) -> float:
+def _searched_compliance(load: WeightedPanels, weight: Weight) -> float:
     """The same where an own weight in newtons makes tau enter twice: by search along tau."""
     from scipy.optimize import brentq, minimize_scalar
 
@@ -181,14 +190,15 @@ def _searched_compliance(load: _Load, weight: Weight) -> float:
     return float(np.exp(brentq(lambda x: min(ratio(x), 2 * limit) - limit, low, high, xtol=1e-6)))
 
 
-def _panels(
+def cut_panels(
     check: EquilibriumCheck, natural_curvature: float, law: MaterialLaw | None, cuts: Sequence[float]
 ) -> Panels:
+    """The curve cut into panels at the parameters `cuts`, at its zeros and where the law is not smooth."""
     zeros = [z.t for z in check.zeros]
     return cut_into_panels(check.curve, zeros, cuts=cuts, natural_curvature=natural_curvature, law=law)
 
 
-def _heavy_cuts(panels: Panels, gravity: Gravity) -> FloatArray:
+def heavy_cuts(panels: Panels, gravity: Gravity) -> FloatArray:
     """Parameters at which to cut panels longer than sqrt(kappa l_eg^3), on which a heavy K varies."""
     steep = np.sqrt(gravity.length**-3 / np.abs(panels.curvature).max(axis=1))
     parts = np.clip(np.ceil(np.diff(panels.edge_s) * steep / 2), 1, 50).astype(int)
@@ -210,7 +220,7 @@ def _law_places(
     return [place.t for place, _ in found], [(place.s, continuity) for place, continuity in found]
 
 
-def _load_places(
+def load_places(
     check: EquilibriumCheck, weight: Weight | None
 ) -> tuple[list[float], list[tuple[float, int]]]:
     """Parameters at which panels must end, and kinks (s, continuity) of the stiffness that the load makes."""

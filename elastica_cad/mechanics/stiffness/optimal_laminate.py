@@ -15,6 +15,7 @@ from elastica_cad.mechanics.material.cross_sections import LaminatedSection
 from elastica_cad.mechanics.material.section_limits import ScaleRange
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.mechanics.stiffness.section_balance import extrapolated
 
 _SETTLED_SHARE = 1e-5
 """Relative change from round to round that ends them."""
@@ -148,7 +149,7 @@ def optimal_laminate(
             return built(rod, scale, rounds)
         history.append(np.log(scale))
         if len(history) == 3:
-            scale = float(np.exp(_extrapolated(*history)))
+            scale = float(np.exp(extrapolated(*history)))
             history.clear()
     raise NotConvergedError(
         f"weight and stiffness of the laminate do not settle (the stiffness still moves by {change:.2g}): "
@@ -158,14 +159,6 @@ def optimal_laminate(
 
 def _along(width: float | Profile, s: FloatArray) -> FloatArray:
     return width(s) if isinstance(width, Profile) else np.full(s.shape, float(width))
-
-
-def _extrapolated(first: float, second: float, third: float) -> float:
-    """Aitken's limit of a sequence that closes in by the same factor each time; else the last one."""
-    step, before = third - second, second - first
-    if before == 0 or not -0.9 < step / before < 0.9:
-        return third
-    return third + step**2 / (before - step)
 
 
 def _stiffness(rod: Rod, s: FloatArray) -> FloatArray:

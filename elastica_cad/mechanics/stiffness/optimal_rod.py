@@ -18,11 +18,13 @@ from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
+from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.rod.node_counts import DEFAULT_SAMPLES
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.moment_conditions import BalancedStiffness
 from elastica_cad.mechanics.stiffness.optimal_balance import balance_with_weight, balance_without_weight
 from elastica_cad.mechanics.stiffness.quadrature_panels import values_at
+from elastica_cad.mechanics.stiffness.section_balance import balance_with_section
 from elastica_cad.mechanics.stiffness.stiffness_profile import stiffness_profile
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium, examine_curvature
 from elastica_cad.mechanics.theorem1.inflection_line import InflectionLine
@@ -42,6 +44,7 @@ def optimal_rod(
     weight: Weight | None = None,
     bending_stiffness: float | None = None,
     law: MaterialLaw | None = None,
+    section: BoundedLaw | None = None,
     tolerance: float = 1e-4,
 ) -> Rod:
     """The rod whose rest shape is the curve, with the least possible ratio of largest to least stiffness.
@@ -66,6 +69,11 @@ def optimal_rod(
         whose ratio is within 1 % of the weightless one.
     law : MaterialLaw, optional
         Nonlinear material: its effective curvature takes the place of kappa - kappa_0 (Appendix D).
+    section : BoundedLaw, optional
+        What stiffness is made of: a thickness, a diameter, a width that bends as a plate. It is made as large as
+        its limits allow, which settles the bending stiffness; under gravity (of which only the direction counts)
+        the rod carries the section's own weight and the masses of `weight`. Then the program is not linear and
+        the ratio is a local optimum: see `balance_with_section`.
     tolerance : float
         Inflections this near to one line, in lengths of the curve, are moved onto it; `Rod.moved` tells how
         far the curve moved, and `Rod.shape` is the moved curve.
@@ -98,6 +106,8 @@ def optimal_rod(
     require_gravity(gravity)
     supports = require_supports(supports)
     _check_options(gravity, samples, weight, bending_stiffness)
+    if section is not None:
+        _check_section(section, weight, bending_stiffness, law)
     if gravity is None:
         check = check_equilibrium(curve, supports, natural_curvature, tolerance=tolerance)
     else:
@@ -110,11 +120,23 @@ def optimal_rod(
         law.require_design(
             float(np.abs(check.curve.sample(_LAW_SAMPLES).curvature - natural_curvature).max())
         )
-    problem = _Problem(check, gravity, supports, natural_curvature, samples, weight, bending_stiffness, law)
+    problem = _Problem(
+        check, gravity, supports, natural_curvature, samples, weight, bending_stiffness, law, section
+    )
     if check.any_stiffness:
         return _unbent_rod(problem)
     nodes = None if samples is None else check.curve.parameter(_stations(problem))
-    if gravity is None:
+    if section is not None:
+        balance = balance_with_section(
+            check,
+            supports,
+            natural_curvature,
+            section,
+            gravity,
+            masses=() if weight is None else weight.masses,
+            nodes=nodes,
+        )
+    elif gravity is None:
         balance = balance_without_weight(check, supports, natural_curvature, law=law, nodes=nodes)
     else:
         balance = balance_with_weight(
@@ -140,6 +162,23 @@ class _Problem:
     weight: Weight | None
     bending_stiffness: float | None
     law: MaterialLaw | None
+    section: BoundedLaw | None
+
+
+def _check_section(
+    section: BoundedLaw, weight: Weight | None, bending_stiffness: float | None, law: MaterialLaw | None
+) -> None:
+    missing = [name for name in ("limits", "bent", "bending_stiffness") if not hasattr(section, name)]
+    if missing:
+        raise InputError(
+            f"section is {section!r}: give a law with limits, such as ThicknessLaw(sheet, 3, 8, width=20)"
+        )
+    alone = weight is None or (weight.own and not isinstance(weight.alpha, Profile) and weight.alpha == 0)
+    if bending_stiffness is not None or law is not None or not alone:
+        raise InputError(
+            "a section settles its own stiffness and weight: leave out bending_stiffness and law, and give masses "
+            "only, as Weight(masses=..., own=True)"
+        )
 
 
 def _check_options(
@@ -197,6 +236,8 @@ def _unbent_rod(problem: _Problem) -> Rod:
         natural_curvature=problem.natural_curvature, weight=problem.weight, law=problem.law,
         bending_stiffness=problem.bending_stiffness, shape=curve, check=check, warnings=check.warnings,
     )  # fmt: skip
+    if problem.section is not None:
+        rod = _even_rod(rod, problem.section)
     if problem.gravity is None:
         return rod
     down = np.asarray(problem.gravity.direction)
@@ -206,7 +247,7 @@ def _unbent_rod(problem: _Problem) -> Rod:
         reason = "Under its weight an unbent strip sags, unless it is upright: draw the shape it may hang in."
         refused = replace(check, realizable=False, any_stiffness=False, reasons=(reason,))
         raise NotRealizable(refused)
-    if problem.weight is not None and problem.bending_stiffness is None:
+    if rod.weight is not None and rod.bending_stiffness is None:
         raise InputError(
             "an upright straight strip takes any stiffness: give bending_stiffness for its weight"
         )
@@ -216,6 +257,16 @@ def _unbent_rod(problem: _Problem) -> Rod:
     force[0], force[-1] = 0.0, load.sum(axis=0)
     lower = problem.supports.ends[1]
     return replace(rod, force=force if lower.x and lower.y else force - load.sum(axis=0))
+
+
+def _even_rod(rod: Rod, section: BoundedLaw) -> Rod:
+    """A straight rod of the largest section throughout."""
+    EI = section.bent(np.zeros(1)).bending_stiffness(section.limits[1])
+    scale = float(np.ravel(EI)[0])
+    newtons = float(np.ravel(section.bent(0.0).weight_per_length(section.limits[1]))[0])
+    masses = () if rod.weight is None else rod.weight.masses
+    weight = None if rod.gravity is None else Weight(alpha=newtons, masses=masses)
+    return replace(rod, bending_stiffness=scale, weight=weight)
 
 
 def _bent_rod(problem: _Problem, balance: BalancedStiffness) -> Rod:

@@ -8,6 +8,7 @@ from elastica_cad.mechanics.material.cross_sections import LaminatedSection, Per
 from elastica_cad.mechanics.material.section_limits import ScaleRange
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.stiffness_law import StiffnessLaw
+from elastica_cad.mechanics.material.tapered_sections import RoundLaw, ThicknessLaw, WidthLaw
 
 pytestmark = pytest.mark.core
 
@@ -152,6 +153,12 @@ def test_scale_range_of_touching_limits_is_feasible():
         (lambda: two_layers().scale_range(5.0, 1.0, least_backing=-1.0), "can't be negative"),
         (lambda: PerforatedSection(sheet(), ligaments=0), "whole number"),
         (lambda: PerforatedSection(sheet(), least_ligament=-0.1), "can't be negative"),
+        (lambda: ThicknessLaw(sheet(), 8.0, 3.0, width=20.0), "thickness limits are 8 and 3 mm"),
+        (lambda: ThicknessLaw(sheet(), 3.0, 8.0, width=0.0), "width is 0: it must be positive"),
+        (lambda: ThicknessLaw("ply", 3.0, 8.0, width=5.0), "a Sheet is needed"),
+        (lambda: RoundLaw(sheet(), 3.0, 8.0, bore=1.0), "bore is 1: give the inner over the outer"),
+        (lambda: RoundLaw(sheet(), 0.0, "8"), "diameter limit is '8': give a finite number"),
+        (lambda: WidthLaw(sheet(), 0.0, 0.0), "width limits are 0 and 0 mm"),
     ],
 )
 def test_bad_input_is_one_sentence(call, message):
@@ -165,6 +172,10 @@ def test_bad_input_is_one_sentence(call, message):
         (PlainSection(sheet()), 40.0),
         (PerforatedSection(sheet(), ligaments=3), 40.0),
         (LaminatedSection(sheet(), sheet(0.5, name="backing")).on([25.0, 30.0, 40.0]), 20.0),
+        (ThicknessLaw(sheet(), 1.0, 50.0, width=30.0), 40.0),
+        (RoundLaw(sheet(), 1.0, 50.0), 40.0),
+        (RoundLaw(sheet(), 1.0, 50.0, bore=0.8), 40.0),
+        (WidthLaw(sheet(), 1.0, 50.0).bent([0.01, 0.03, 0.02]), 40.0),
     ],
 )
 def test_every_law_turns_its_parameter_into_stiffness_and_back(law: StiffnessLaw, dearest):

@@ -1,0 +1,74 @@
+"""A section with limits as the search for a nearest rod sees it: K of one scale, its weight and its strain."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.forming.limits import Limits
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.mechanics.loads.weight import Weight
+from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stiffness.section_balance import TangentWeight
+
+
+@dataclass(frozen=True, eq=False)
+class SectionScale:
+    """E I = `scale` K with 1 <= K <= `ratio` within the limits of a section.
+
+    Attributes
+    ----------
+    law : BoundedLaw
+    scale : float
+        N mm2.
+    ratio : float
+    """
+
+    law: BoundedLaw
+    scale: float
+    ratio: float
+
+    @classmethod
+    def of(cls, law: BoundedLaw, limits: Limits) -> "SectionScale":
+        """The largest scale; where another limit allows a smaller ratio, of the largest sections.
+
+        Raises
+        ------
+        InputError
+            The limits do not leave any section.
+        """
+        least, largest = law.limits
+        most = float(np.min(law.bending_stiffness(largest)))
+        ratio = limits.largest_ratio
+        if least > 0:
+            low = float(np.max(law.bending_stiffness(least)))
+            if low > most:
+                raise InputError(
+                    f"{law.quantity} limits {least:g} and {largest:g} mm are too close: widen them"
+                )
+            ratio = min(ratio, most / low)
+        return cls(law, most / ratio, ratio)
+
+    def weight(self, stiffness: FloatArray, *, size: float) -> tuple[FloatArray, FloatArray]:
+        """Weight over the scale (n,) of K (n,), times `size` mm cubed, and its derivative."""
+        EI = self.scale * stiffness
+        tangent = TangentWeight.of(self.law, EI)
+        over = size**3
+        return (tangent.fixed / self.scale + tangent.slope * stiffness) * over, tangent.slope * over
+
+    def carried_by(self, rod: Rod, stiffness: FloatArray) -> Rod:
+        """The rod with its scale, and under gravity the weight of nodal K (n,) of the search."""
+        EI = self.scale * stiffness
+        scaled = replace(rod, bending_stiffness=float(EI.min()))
+        if rod.gravity is None:
+            return scaled
+        tangent = TangentWeight.of(self.law, EI)
+        alpha = Profile.interpolate(rod.s, tangent.fixed)
+        return replace(scaled, weight=Weight(alpha, Profile.interpolate(rod.s, tangent.slope * EI.min())))
+
+    def strain(self, stiffness: FloatArray, limit: float | None) -> FloatArray:
+        """Share (n,) of what the skin bears that a curvature of 1/mm takes, of K (n,)."""
+        layers = self.law.strains(np.ones(stiffness.size), self.law.parameter(self.scale * stiffness))
+        return np.asarray(np.max([layer.strain / (limit or layer.limit) for layer in layers], axis=0))

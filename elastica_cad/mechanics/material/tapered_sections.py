@@ -1,0 +1,246 @@
+"""Cross-sections whose size varies: tapered strips, round rods and tubes, wide strips that bend as plates."""
+
+from dataclasses import dataclass, replace
+from typing import Self
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
+from elastica_cad.mechanics.material.anticlastic import anticlastic_factor, plate_width
+from elastica_cad.mechanics.material.section_limits import LayerStrain, positive
+from elastica_cad.mechanics.material.sheet import Sheet
+
+
+@dataclass(frozen=True)
+class _PowerLaw:
+    """E I = E `inertia` p^`power` and area = `area` p^(`power` - 2): sections of one parameter p, mm.
+
+    Attributes
+    ----------
+    sheet : Sheet
+        Modulus, density and largest strain; its thickness does not count.
+    least, largest : float
+        Limits of the parameter, mm.
+    """
+
+    sheet: Sheet
+    least: float
+    largest: float
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.sheet, Sheet):
+            raise InputError(f"a Sheet is needed for the material of the section, not {self.sheet!r}")
+        low, high = (_number(value, f"{self.quantity} limit") for value in (self.least, self.largest))
+        if not 0 < low <= high:
+            raise InputError(
+                f"{self.quantity} limits are {low:g} and {high:g} mm: give the least first, such as 3 and 8"
+            )
+
+    @property
+    def quantity(self) -> str:
+        """What the parameter is."""
+        raise NotImplementedError
+
+    @property
+    def _shape(self) -> tuple[int, float, float]:
+        """Power of the parameter in E I, second moment and area for p = 1."""
+        raise NotImplementedError
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """Least and largest parameter, mm."""
+        return self.least, self.largest
+
+    def bent(self, curvature: ArrayLike) -> Self:  # noqa: ARG002 - bending does not change the section
+        """The law itself: bending does not change it."""
+        return self
+
+    def bending_stiffness(self, parameter: ArrayLike) -> FloatArray:
+        """E I (n,), N mm2, of parameters (n,), mm."""
+        power, inertia, _ = self._shape
+        return np.asarray(self.sheet.youngs_modulus * inertia * positive(parameter, self.quantity) ** power)
+
+    def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
+        """Parameters (n,), mm, that give the E I (n,), N mm2."""
+        power, inertia, _ = self._shape
+        EI = positive(bending_stiffness, "bending stiffness")
+        return np.asarray((EI / (self.sheet.youngs_modulus * inertia)) ** (1 / power))
+
+    def weight_per_length(self, parameter: ArrayLike) -> FloatArray:
+        """N/mm (n,) of parameters (n,), mm."""
+        power, _, area = self._shape
+        specific = self.sheet.density * 1e-9 * STANDARD_GRAVITY_M_S2
+        return np.asarray(specific * area * positive(parameter, self.quantity) ** (power - 2))
+
+    def strains(
+        self, curvature: ArrayLike, parameter: ArrayLike, *, natural_curvature: float = 0.0
+    ) -> tuple[LayerStrain, ...]:
+        """Strain p/2 |kappa - kappa_0| of the outermost fibre."""
+        bend = np.abs(np.asarray(curvature, dtype=float) - natural_curvature)
+        strain = bend * positive(parameter, self.quantity) / 2
+        return (LayerStrain(self.sheet.name, np.atleast_1d(strain), self.sheet.max_strain),)
+
+
+@dataclass(frozen=True)
+class ThicknessLaw(_PowerLaw):
+    """A strip of one width, tapered in thickness t: E I = E w t^3 / 12, weight ~ t.
+
+    Parameters
+    ----------
+    sheet : Sheet
+        Modulus, density and largest strain; its thickness does not count.
+    least, largest : float
+        Limits of the thickness, mm.
+    width : float
+        mm.
+
+    Examples
+    --------
+    >>> law = ThicknessLaw(Sheet("rod", 1.0, 12.0, density=1000.0, max_strain=0.01), 3.0, 8.0, width=10.0)
+    >>> law.bending_stiffness(4.0).item(), round(law.parameter(640.0).item(), 9)
+    (640.0, 4.0)
+    """
+
+    width: float = 10.0
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if not _number(self.width, "width") > 0:
+            raise InputError(f"width is {self.width:g}: it must be positive, in mm")
+
+    @property
+    def quantity(self) -> str:
+        """Thickness."""
+        return "thickness"
+
+    @property
+    def _shape(self) -> tuple[int, float, float]:
+        return 3, self.width / 12, self.width
+
+
+@dataclass(frozen=True)
+class RoundLaw(_PowerLaw):
+    """A round rod of diameter d, or a tube whose bore is a share of it: E I ~ d^4, weight ~ d^2.
+
+    Parameters
+    ----------
+    sheet : Sheet
+        Modulus, density and largest strain; its thickness does not count.
+    least, largest : float
+        Limits of the outer diameter, mm.
+    bore : float
+        Inner over outer diameter, from 0 (a rod) to below 1.
+
+    Examples
+    --------
+    >>> law = RoundLaw(Sheet("rod", 1.0, 64.0, density=1000.0, max_strain=0.01), 2.0, 8.0)
+    >>> round(law.bending_stiffness(2.0).item() / np.pi, 9)
+    16.0
+    """
+
+    bore: float = 0.0
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if not 0 <= _number(self.bore, "bore") < 1:
+            raise InputError(
+                f"bore is {self.bore:g}: give the inner over the outer diameter, from 0 (a rod) to below 1"
+            )
+
+    @property
+    def quantity(self) -> str:
+        """Diameter."""
+        return "diameter"
+
+    @property
+    def _shape(self) -> tuple[int, float, float]:
+        return 4, np.pi / 64 * (1 - self.bore**4), np.pi / 4 * (1 - self.bore**2)
+
+
+@dataclass(frozen=True, eq=False)
+class WidthLaw:
+    """A strip of one sheet, from narrow, which bends with E, to wide, which bends as a plate with E/(1 - nu^2).
+
+    Its weight is that of the sheet, so it is not proportional to the stiffness: see `anticlastic_factor`.
+
+    Parameters
+    ----------
+    sheet : Sheet
+    least, largest : float
+        Limits of the width, mm; 0 for no least one.
+    curvature : float or (n,) array
+        |kappa - kappa_0| of the stations, 1/mm; set by `bent`.
+
+    Examples
+    --------
+    >>> law = WidthLaw(Sheet("s", 1.0, 12.0, density=1000.0, max_strain=0.01), 0.0, 900.0)
+    >>> law.bending_stiffness(900.0).item(), round(law.bent(0.01).bending_stiffness(900.0).item() / 900, 3)
+    (900.0, 1.097)
+    """
+
+    sheet: Sheet
+    least: float
+    largest: float
+    curvature: float | FloatArray = 0.0
+
+    def __post_init__(self) -> None:
+        low, high = (_number(value, "width limit") for value in (self.least, self.largest))
+        if not 0 <= low <= high or high == 0:
+            raise InputError(
+                f"width limits are {low:g} and {high:g} mm: give the least first, 0 for none, such as 0 and 40"
+            )
+
+    @property
+    def quantity(self) -> str:
+        """Width."""
+        return "width"
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """Least and largest width, mm."""
+        return self.least, self.largest
+
+    def bent(self, curvature: ArrayLike) -> "WidthLaw":
+        """The law at stations bent by kappa - kappa_0 (n,), 1/mm."""
+        return replace(self, curvature=np.abs(np.asarray(curvature, dtype=float)))
+
+    def bending_stiffness(self, parameter: ArrayLike) -> FloatArray:
+        """E I (n,), N mm2, of widths (n,), mm, as far as they bend as plates."""
+        w = positive(parameter, self.quantity)
+        return np.asarray(
+            self.sheet.bending_stiffness(1.0) * w * anticlastic_factor(w, self.curvature, **self._plate)
+        )
+
+    def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
+        """Widths (n,), mm, that give the E I (n,), N mm2."""
+        EI = positive(bending_stiffness, "bending stiffness")
+        return plate_width(EI / self.sheet.bending_stiffness(1.0), self.curvature, **self._plate)
+
+    def weight_per_length(self, parameter: ArrayLike) -> FloatArray:
+        """N/mm (n,) of widths (n,), mm."""
+        specific = self.sheet.density * 1e-9 * STANDARD_GRAVITY_M_S2
+        return specific * self.sheet.thickness * positive(parameter, self.quantity)
+
+    def strains(
+        self,
+        curvature: ArrayLike,
+        parameter: ArrayLike,  # noqa: ARG002
+        *,
+        natural_curvature: float = 0.0,
+    ) -> tuple[LayerStrain, ...]:
+        """Skin strain h/2 |kappa - kappa_0|, whatever the width."""
+        bend = np.abs(np.asarray(curvature, dtype=float) - natural_curvature)
+        strain = np.atleast_1d(bend * self.sheet.thickness / 2)
+        return (LayerStrain(self.sheet.name, strain, self.sheet.max_strain),)
+
+    @property
+    def _plate(self) -> dict[str, float]:
+        return {"thickness": self.sheet.thickness, "poisson_ratio": self.sheet.poisson_ratio}
+
+
+def _number(value: object, name: str) -> float:
+    if not isinstance(value, float | int | np.number) or isinstance(value, bool) or not np.isfinite(value):
+        raise InputError(f"{name} is {value!r}: give a finite number")
+    return float(value)

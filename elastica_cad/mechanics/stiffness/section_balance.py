@@ -1,0 +1,188 @@
+"""The stiffness of a section whose weight is not proportional to it: a fixed point of linear programs."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.loads.weight import PointMass, Weight
+from elastica_cad.mechanics.material.stiffness_law import BoundedLaw, StiffnessLaw
+from elastica_cad.mechanics.rod.node_counts import DEFAULT_SAMPLES
+from elastica_cad.mechanics.stiffness.moment_conditions import BalancedStiffness
+from elastica_cad.mechanics.stiffness.optimal_balance import (
+    REFINEMENTS,
+    ROUGH,
+    WeightedPanels,
+    balance_without_weight,
+    cut_panels,
+    heavy_cuts,
+    load_places,
+    point_weights,
+)
+from elastica_cad.mechanics.stiffness.quadrature_panels import VANDER, PanelFunction
+from elastica_cad.mechanics.stiffness.stiffness_family import extreme_places
+from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
+
+MOST_ROUNDS = 40
+"""Linear programs before the search for a section is given up."""
+
+SETTLED_SHARE = 1e-7
+"""Relative change of E I that ends them: as weights are set tangent, they then err by its square."""
+
+TANGENT_STEP = 1e-4
+"""Relative step of E I for the slope of the weight, whose error only slows the rounds down."""
+
+FIT_SHARE = 1e-5
+"""By how much, relatively, E I may leave its limits."""
+
+
+def balance_with_section(
+    check: EquilibriumCheck,
+    supports: Supports,
+    natural_curvature: float,
+    section: BoundedLaw,
+    gravity: Gravity | None,
+    *,
+    masses: Sequence[PointMass] = (),
+    nodes: FloatArray | None = None,
+) -> BalancedStiffness:
+    """The least ratio of a section at the largest scale that its limits take, under its own weight and masses.
+
+    The scale B and the weight follow from the stiffness that is sought. Each round sets the weight tangent to the
+    law at the last E I, which leaves a linear program in K (Eq. 6), and takes the scale from its answer. At the
+    fixed point the rod is in balance under the law's own weight, and no other K has a lesser ratio with the weight
+    that is tangent there: a local optimum, as the program is not linear.
+
+    Raises
+    ------
+    InputError
+        The stiffness does not fit within the section's limits.
+    NotConvergedError
+        Weight and stiffness do not settle.
+    """
+    if gravity is None:
+        balance = balance_without_weight(check, supports, natural_curvature, nodes=nodes)
+        scale = _scale(section.bent(balance.panels.curvature), balance.stiffness)
+        return _within_limits(replace(balance, bending_stiffness=scale), section)
+    carried = Weight(masses=tuple(masses))
+    cuts, kinks = load_places(check, carried)
+    law = section.bent(0.0)
+    full = float(_most(law) / law.weight_per_length(section.limits[1]))
+    heavy = replace(gravity, length=full ** (1 / 3))
+    panels = cut_panels(check, natural_curvature, None, cuts)
+    cuts = [*cuts, *heavy_cuts(panels, heavy)]
+    panels = cut_panels(check, natural_curvature, None, cuts)
+    for _ in range(REFINEMENTS):
+        load = WeightedPanels(check, supports, panels, heavy, carried, nodes)
+        balance = _settled(load, section.bent(panels.curvature))
+        rough = balance.stiffness.unresolved(ROUGH)
+        if not rough.any():
+            break
+        cuts = [*cuts, *((panels.edges[1:] + panels.edges[:-1]) / 2)[rough]]
+        panels = cut_panels(check, natural_curvature, None, cuts)
+    return replace(_within_limits(balance, section), kinks=kinks)
+
+
+@dataclass(frozen=True, eq=False)
+class TangentWeight:
+    """Weight per length w0 + slope E I, N/mm, equal to a law's at one E I (n,) and tangent to it."""
+
+    fixed: FloatArray
+    slope: FloatArray
+
+    @classmethod
+    def of(cls, law: StiffnessLaw, bending_stiffness: FloatArray) -> "TangentWeight":
+        """The tangent at E I (n,), N mm2."""
+        below, at, above = (
+            law.weight_per_length(law.parameter(bending_stiffness * (1 + step)))
+            for step in (-TANGENT_STEP, 0.0, TANGENT_STEP)
+        )
+        slope = (above - below) / (2 * TANGENT_STEP * bending_stiffness)
+        return cls(at - slope * bending_stiffness, slope)
+
+
+def _settled(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffness:
+    """The fixed point on given panels."""
+    panels, masses = load.panels, () if load.weight is None else load.weight.masses
+    points = point_weights(panels, masses)
+    own = np.full(panels.t.shape, load.gravity.length**-3)
+    light = load.carrying(own, np.zeros(own.shape), 0.0 * points)
+    balance = light.balance(light.least(light.homogeneous(3)))
+    scale = _scale(law, balance.stiffness)
+    EI = scale * _nodal(balance.stiffness)
+    change = np.inf
+    history: list[float] = []
+    for _ in range(MOST_ROUNDS):
+        tangent = TangentWeight.of(law, EI)
+        problem = load.carrying(tangent.slope, tangent.fixed, points)
+        state = problem.least(problem.at_compliance(1 / scale))
+        balance = problem.balance(state)
+        found = scale * _nodal(balance.stiffness)
+        change, EI = float(np.abs(found / EI - 1).max()), found
+        asked, scale = scale, _scale(law, balance.stiffness)
+        if change < SETTLED_SHARE and abs(scale / asked - 1) < SETTLED_SHARE:
+            weight = _weight(load, tangent, asked, masses)
+            return replace(balance, bending_stiffness=asked, weight=weight)
+        history.append(np.log(scale))
+        if len(history) == 3:
+            scale = float(np.exp(extrapolated(*history)))
+            history.clear()
+    raise NotConvergedError(
+        f"weight and {law.quantity} do not settle (the stiffness still moves by {change:.2g}): the rod is too "
+        "heavy for this curve; use a stiffer or lighter material, or support it"
+    )
+
+
+def extrapolated(first: float, second: float, third: float) -> float:
+    """Aitken's limit of a sequence that closes in by the same factor each time; else the last one."""
+    step, before = third - second, second - first
+    if before == 0 or not -0.9 < step / before < 0.9:
+        return third
+    return third + step**2 / (before - step)
+
+
+def _most(law: BoundedLaw) -> FloatArray:
+    """Largest E I, N mm2, of each station, or of all."""
+    return law.bending_stiffness(law.limits[1])
+
+
+def _nodal(function: PanelFunction) -> FloatArray:
+    """Values (N, p) at the nodes of the panels."""
+    return np.asarray(np.einsum("ij,nj->ni", VANDER, function.coefficients))
+
+
+def _scale(law: BoundedLaw, stiffness: PanelFunction) -> float:
+    """The largest B, N mm2, with which B K stays below what the section takes."""
+    share = PanelFunction.through(_nodal(stiffness) / _most(law))
+    return 1 / float(share.at(*extreme_places(share)).max())
+
+
+def _weight(
+    load: WeightedPanels, tangent: TangentWeight, scale: float, masses: Sequence[PointMass]
+) -> Weight:
+    """The tangent law along the rod, exact at its usual nodes; `beta` is for the stiffness with scale `scale`."""
+    s = np.linspace(0.0, load.check.length, DEFAULT_SAMPLES)
+    place = load.panels.locate(load.check.curve.parameter(s))
+    fixed, slope = (PanelFunction.through(values).at(*place) for values in (tangent.fixed, tangent.slope))
+    return Weight(Profile.interpolate(s, fixed), Profile.interpolate(s, scale * slope), tuple(masses))
+
+
+def _within_limits(balance: BalancedStiffness, section: BoundedLaw) -> BalancedStiffness:
+    """The balance itself; refused where it asks for less than the least section."""
+    law = section.bent(balance.panels.curvature)
+    EI = (balance.bending_stiffness or 1.0) * _nodal(balance.stiffness)
+    least, largest = section.limits
+    if least > 0 and float((EI / law.bending_stiffness(least)).min()) < 1 - FIT_SHARE:
+        asked = law.parameter(EI)
+        s = float(balance.panels.s.flat[int(asked.argmin())])
+        raise InputError(
+            f"the curve asks for a {section.quantity} of {float(asked.min()):.4g} mm at {s:.4g} mm where its "
+            f"largest is {largest:g} mm: the limits allow {least:g} mm at least; widen them, or give limits or "
+            "keep and the curve may change"
+        )
+    return balance

@@ -1,0 +1,148 @@
+"""Rods of every stiffness law, light and heavy, and an independent boundary-value solver that judges them."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.integrate import solve_bvp
+
+from elastica_cad.forming.limits import Limits
+from elastica_cad.forming.nearest.nearest_rod import nearest_rod
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.tapered_sections import RoundLaw, ThicknessLaw, WidthLaw
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+
+GLASS = Sheet("glass", 3.0, 38000.0, density=1900.0, max_strain=0.012)
+RUBBERY = Sheet("rubbery", 2.0, 900.0, density=1150.0, max_strain=0.05, poisson_ratio=0.4)
+G = 9.80665e-9  # N/mm3 for 1 kg/m3
+
+LAWS = ("thickness", "rod", "tube", "width", "plate")
+
+
+@dataclass(frozen=True)
+class Design:
+    """One rod to be judged: a law by name, a curve, and whether it carries its weight."""
+
+    law: str
+    curve: PlaneCurve
+    heavy: bool
+    nearest: bool
+
+    @property
+    def material(self):
+        return RUBBERY if self.heavy else GLASS
+
+    @property
+    def section(self):
+        sheet = self.material
+        if self.law == "thickness":
+            return ThicknessLaw(sheet, 1.0, 8.0, width=25.0)
+        if self.law in ("rod", "tube"):
+            return RoundLaw(sheet, 1.0, 8.0, bore=0.7 if self.law == "tube" else 0.0)
+        sheet = sheet if self.law == "plate" else Sheet("even", 2.0, 5000.0, 1200.0, 0.05, poisson_ratio=0.0)
+        return WidthLaw(sheet, 5.0, 120.0)
+
+    def rod(self):
+        gravity = Gravity(1.0) if self.heavy else None
+        if self.nearest:
+            return nearest_rod(
+                self.curve, Limits(margin=2.0), gravity=gravity, section=self.section, samples=801
+            ).rod
+        return optimal_rod(self.curve, gravity, section=self.section, samples=801)
+
+
+def designs(count=50):
+    """Arches, leaning arches and waves of 300 to 700 mm; every law in turn, every second one heavy."""
+    rng = np.random.default_rng(19)
+    found = []
+    for i in range(count):
+        size, lean = rng.uniform(300, 700), rng.uniform(-0.15, 0.15)
+        if i % 3 == 2:
+            points = [(0, 0), (0.2, 0.3), (0.45, 0.35 + lean), (0.7, -0.05), (0.95, 0.05), (1.15, 0.3)]
+        else:
+            points = [(0, 0), (0.1 + lean, 0.35), (0.5, rng.uniform(0.4, 0.6)), (0.9 + lean, 0.3), (1, 0)]
+        curve = PlaneCurve.spline(size * np.array(points), degree=4)
+        found.append(Design(LAWS[i % 5], curve, heavy=i % 2 == 1, nearest=i % 3 == 2 or i % 4 == 3))
+    return found
+
+
+def section_numbers(design, parameter, curvature):
+    """E I (N mm2) and weight (N/mm) by the book, from the sizes of the section alone."""
+    sheet, p = design.material, parameter
+    E, rho = sheet.youngs_modulus, sheet.density * G
+    if design.law == "thickness":
+        return E * 25.0 * p**3 / 12, rho * 25.0 * p
+    if design.law == "rod":
+        return E * np.pi * p**4 / 64, rho * np.pi * p**2 / 4
+    if design.law == "tube":
+        return E * np.pi * (p**4 - (0.7 * p) ** 4) / 64, rho * np.pi * (p**2 - (0.7 * p) ** 2) / 4
+    if design.law == "width":
+        return 5000.0 * p * 8.0 / 12, 1200.0 * G * 2.0 * p
+    nu, h = sheet.poisson_ratio, sheet.thickness
+    x = (3 * (1 - nu**2)) ** 0.25 * p * np.sqrt(np.abs(curvature) / h)
+    return E * p * h**3 / 12 * _plate_factor(x, nu), rho * h * p
+
+
+def _plate_factor(x, nu):
+    """Moment over E I kappa of a strip that curls across: derivative of the energy of Lamb's strip, numerically."""
+
+    def energy(x):
+        t = np.maximum(x, 1e-3)
+        f = (np.cosh(t) - np.cos(t)) / (np.sinh(t) + np.sin(t))
+        return 1 - 2 * nu**2 * f / t
+
+    step = 1e-5 * np.maximum(x, 1e-3)
+    return (energy(x) + x * (energy(x + step) - energy(x - step)) / (2 * step) / 4) / (1 - nu**2)
+
+
+def errors(design, seed=0):
+    """What an independent solver finds of the design: shape over length, camber place over chord, end force."""
+    rod = design.rod()
+    section = design.section.bent(rod.curvature)
+    parameter = section.parameter(rod.bending_stiffness * rod.stiffness)
+    EI, weight = section_numbers(design, parameter, rod.curvature)
+    if not design.heavy:
+        weight = 0.0 * weight
+    length, scale = rod.length, float(EI.max())
+    stiffness, load = (
+        lambda s: np.interp(s * length, rod.s, EI) / scale,
+        lambda s: np.interp(s * length, rod.s, weight) * length**3 / scale,
+    )
+
+    def slopes(s, y):
+        _, _, angle, moment, nx, ny = y
+        return np.array(
+            [np.cos(angle), np.sin(angle), moment / stiffness(s), nx * np.sin(angle) - ny * np.cos(angle),
+             0 * nx, load(s)]
+        )  # fmt: skip
+
+    ends = np.array([[*rod.position[i] / length, rod.angle[i]] for i in (0, -1)])
+
+    def held(a, b):
+        return np.concatenate([a[:3] - ends[0], b[:3] - ends[1]])
+
+    rng = np.random.default_rng(seed)
+    bump = np.sin(np.pi * rod.s / length) * rng.uniform(-0.03, 0.03)
+    moment = EI / scale * rod.curvature * length * (1 + bump)
+    force = -rod.force * rod.bending_stiffness * length**2 / scale * (1 + rng.uniform(-0.1, 0.1))
+    guess = np.vstack([rod.position.T / length, rod.angle + bump, moment, force.T])
+    found = solve_bvp(slopes, held, rod.s / length, guess, tol=1e-6, max_nodes=60000)
+    assert found.success, found.message
+    y = found.sol(rod.s / length)
+    shape = float(np.hypot(*(y[:2].T - rod.position / length).T).max())
+    place = abs(camber_place(y[:2].T) - camber_place(rod.position))
+    newtons = np.array([y[4:6, i] for i in (0, -1)]) * scale / length**2
+    designed = -rod.force[[0, -1]] * rod.bending_stiffness
+    size = np.hypot(*designed.T).max()
+    return shape, place, float(np.hypot(*(newtons - designed).T).max() / size)
+
+
+def camber_place(position):
+    """Where along the chord the shape is farthest from it, in chords."""
+    chord = position[-1] - position[0]
+    along = (position - position[0]) @ chord / (chord @ chord)
+    off = np.abs((position - position[0]) @ np.array([-chord[1], chord[0]]))
+    k = int(np.clip(off.argmax(), 1, off.size - 2))
+    a, b, _ = np.polyfit(along[k - 1 : k + 2] - along[k], off[k - 1 : k + 2], 2)
+    return along[k] - b / (2 * a)
