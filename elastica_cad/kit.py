@@ -11,7 +11,8 @@ from typing import Any, TypeAlias
 from elastica_cad.errors import InputError, NotConvergedError, how_to_install
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
-from elastica_cad.fabrication.holders.tab_seats import hold_each, rocking_tabs
+from elastica_cad.fabrication.holders.rocking_tabs import holder_plays, rocking_tabs
+from elastica_cad.fabrication.holders.tab_seats import hold_each
 from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.makeability.faults import accept_faults, find_strip_faults
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
@@ -174,7 +175,8 @@ def _nest(pieces: Sequence[Piece], nesting: Nesting, spec: KitSpec, name: str) -
 
 def _held(model: Model, holders: Sequence[Holder]) -> tuple[dict[str, HeldShape], tuple[str, ...]]:
     """Of every strip its shape as made and held; of those that find none, why, and which tabs rock."""
-    found, notes = dict[str, HeldShape](), list(rocking_tabs(model.placed, holders))
+    found = dict[str, HeldShape]()
+    notes = [*holder_plays(model.placed, holders), *rocking_tabs(model.placed, holders)]
     for name, shape in zip(distinct_names(model.placed), hold_each(model.placed, holders), strict=True):
         if isinstance(shape, NotConvergedError):
             notes.append(f"{name}: {shape}")

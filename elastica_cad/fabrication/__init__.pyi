@@ -27,9 +27,14 @@ from elastica_cad.fabrication.holders.end_fixtures import (
     EndFixture as EndFixture,
     end_fixtures as end_fixtures,
 )
+from elastica_cad.fabrication.holders.feet import add_feet as add_feet
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab as PlacedTab
 from elastica_cad.fabrication.holders.plate_pair import plate_pair as plate_pair, ring_pair as ring_pair
 from elastica_cad.fabrication.holders.ring_plate import Ring as Ring, ring_plate as ring_plate
+from elastica_cad.fabrication.holders.rocking_tabs import (
+    holder_plays as holder_plays,
+    rocking_tabs as rocking_tabs,
+)
 from elastica_cad.fabrication.holders.slotted_frame import (
     Rib as Rib,
     SlottedFrame as SlottedFrame,
@@ -37,7 +42,6 @@ from elastica_cad.fabrication.holders.slotted_frame import (
 )
 from elastica_cad.fabrication.holders.tab_seats import (
     held_shapes as held_shapes,
-    rocking_tabs as rocking_tabs,
     tab_seats as tab_seats,
 )
 from elastica_cad.fabrication.holding.held_shape import HeldShape as HeldShape

@@ -5,6 +5,9 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.material.anticlastic import anticlastic_factor, anticlastic_widths
+from elastica_cad.mechanics.material.cross_sections import LaminatedSection
+from elastica_cad.mechanics.material.laminate_curl import laminate_factor
+from elastica_cad.mechanics.material.sheet import Sheet
 
 pytestmark = pytest.mark.core
 
@@ -106,3 +109,39 @@ def test_bad_input(changed, message):
 def test_width_must_be_positive():
     with pytest.raises(InputError, match="strip width must be positive"):
         anticlastic_factor([1.0, 0.0], 0.01, thickness=0.5, poisson_ratio=0.3)
+
+
+def ply(thickness, poisson_ratio):
+    return Sheet("ply", thickness, 9000.0, density=680.0, max_strain=0.02, poisson_ratio=poisson_ratio)
+
+
+CURVATURES = np.array([1e-4, 3e-3, 1e-2, 3e-2])
+
+
+@pytest.mark.parametrize(("backing", "h"), [(0.0, 0.8), (30.0, 1.3)], ids=["none", "full"])
+def test_a_laminate_without_borders_is_one_sheet(backing, h):
+    section = LaminatedSection(ply(0.8, 0.3), ply(0.5 if backing else 1e-6, 0.3))
+    found = laminate_factor(30.0, backing or 15.0, CURVATURES, section)
+    assert found == pytest.approx(
+        anticlastic_factor(30.0, CURVATURES, thickness=h, poisson_ratio=0.3), abs=1e-3
+    )
+
+
+def test_borders_that_lie_off_the_axis_give_way():
+    """By a share of E I that grows as kappa^2, up to all that their stress along the bend carries."""
+    section = LaminatedSection(ply(0.5, 0.0), ply(0.5, 0.0))
+    softer = 1 - laminate_factor(24.0, 12.0, CURVATURES, section)
+    assert np.all(np.diff(softer) > 0)
+    assert softer[0] * 100 == pytest.approx(1 - laminate_factor(24.0, 12.0, 1e-3, section)[0], rel=0.05)
+    # without nu it does not matter which way
+    assert laminate_factor(24.0, 12.0, -CURVATURES, section) == pytest.approx(1 - softer, abs=1e-12)
+    # no softer than without all that its borders carry off the axis
+    bare = section.bending_stiffness(12.0, 12.0) + section.base.bending_stiffness(12.0)
+    assert softer[-1] < 1 - bare / section.bending_stiffness(24.0, 12.0)
+
+
+def test_a_laminate_that_curls_is_softer_one_way():
+    section = LaminatedSection(ply(0.5, 0.3), ply(0.5, 0.3))
+    (inward, outward) = (laminate_factor(12.0, 6.0, sign * 0.02, section)[0] for sign in (1, -1))
+    assert inward < 0.92
+    assert outward > 1.05

@@ -89,6 +89,8 @@ class BasePlate:
         Why it should not be cut, where it was made all the same.
     opening : Path or None
         A closed loop in its middle that is cut out.
+    glued : bool
+        Are its tabs glued at their angle, with feet?
     """
 
     sheet: Sheet
@@ -98,6 +100,7 @@ class BasePlate:
     name: str = "base"
     warnings: tuple[str, ...] = ()
     opening: Path | None = None
+    glued: bool = False
 
     @property
     def _inner(self) -> tuple[Path, ...]:
@@ -213,7 +216,7 @@ def base_plate(
             raise InputError(f"{name}: {what} is {value}: it must be 0 mm or more")
     if shape not in ("hull", "rectangle", "ring"):
         raise InputError(f'{name}: the outline is "hull", "rectangle" or "ring", not {shape!r}')
-    standing = [tab for tab in place_tabs(placed, ends) if stands_in(tab, ground)]
+    standing = [tab for tab in place_tabs(placed, ends) if _stands_in(tab, ground)]
     if not standing:
         raise InputError(
             f"{name}: no tab of the model goes through the plate: move the plate to where the strips end, or give "
@@ -280,7 +283,7 @@ def around(loops: Sequence[FloatArray], center: FloatArray, border: float) -> tu
     return float(away.min()) - border, float(away.max()) + border
 
 
-def stands_in(tab: PlacedTab, ground: Frame) -> bool:
+def _stands_in(tab: PlacedTab, ground: Frame) -> bool:
     """Does the tab begin on or above a plate's upper face and end below it?"""
     (_, _, start), (_, _, tip) = ground.local([tab.frame.origin, tab.tip])
     return bool(start > -tab.thickness and tip < -BELOW_MM)

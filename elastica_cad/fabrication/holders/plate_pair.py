@@ -13,7 +13,6 @@ from elastica_cad.fabrication.holders.base_plate import (
     TabSlot,
     base_plate,
     plate_with,
-    stands_in,
     tab_slot,
 )
 from elastica_cad.fabrication.holders.placed_tab import ENDS, PlacedTab
@@ -155,10 +154,9 @@ def add_second(
     """
     sheet, ground = first.sheet, first.frame.shifted(z=-first.sheet.thickness - gap)
     tabs = [slot.tab for slot in first.slots if slot.tab is not None]
-    under = ground.shifted(z=-sheet.thickness)
-    short = [tab for tab in tabs if not stands_in(tab, under)]
+    short = [tab for tab in tabs if tab.length < needed_length(tab, first, gap)]
     if short:
-        needed = max(_needed(tab, under) for tab in short)
+        needed = max(needed_length(tab, first, gap) for tab in short)
         raise InputError(
             f"{first.name}: the tab of {short[0].name} does not reach through the second plate: make it "
             f"{needed:.0f} mm long, or the gap smaller"
@@ -170,10 +168,11 @@ def add_second(
     return lean_pair(placed, (first, second(slots, ground)))
 
 
-def _needed(tab: PlacedTab, under: Frame) -> float:
-    """Length, mm, that a tab needs to reach through a plate's lower face."""
-    missing = float(under.local(tab.tip)[2] / -(under.z_axis @ tab.frame.x_axis))
-    return float(np.ceil(tab.length + missing + 0.5))
+def needed_length(tab: PlacedTab, first: BasePlate | Ring, gap: float) -> float:
+    """Length, in whole mm, that a tab needs to reach through a plate and another `gap` mm behind it."""
+    back = first.frame.shifted(z=-2 * first.sheet.thickness - gap)
+    missing = float(back.local(tab.tip)[2] / -(back.z_axis @ tab.frame.x_axis))
+    return float(np.ceil(tab.length + missing))
 
 
 def lean_pair(placed: Sequence[Placed], plates: tuple[Plate, Plate]) -> tuple[Plate, Plate]:

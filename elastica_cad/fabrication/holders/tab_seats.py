@@ -13,10 +13,7 @@ from elastica_cad.fabrication.holders.placed_tab import ENDS, End, PlacedTab
 from elastica_cad.fabrication.holders.ring_plate import Ring
 from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.holding.tab_seat import WALL_PLACES, TabSeat
-from elastica_cad.fabrication.placed_strip import Placed, distinct_names
-
-ROCKING_RAD = np.radians(3.0)
-"""A tab that turns farther in its holder rocks: at the mouth of a strip it moves the shape by percents."""
+from elastica_cad.fabrication.placed_strip import Placed
 
 Slotted: TypeAlias = BasePlate | Ring
 Key: TypeAlias = tuple[float, ...]
@@ -75,18 +72,24 @@ def tab_seats(holders: Iterable[object]) -> dict[Key, TabSeat]:
 
 
 def _seated(holders: Iterable[object]) -> Iterator[tuple[PlacedTab, TabSeat]]:
+    holders = tuple(holders)
     for holder in holders:
         if isinstance(holder, EndFixture):
             yield holder.tab, holder.seat
-        elif rails := getattr(
-            holder, "rails", ()
-        ):  # of a slotted frame, which is made by means of this module
-            yield from _seated(rails)
-        elif isinstance(holder, BasePlate | Ring):
-            for slot in holder.slots:
-                seat = _seat_in_slot(slot, holder)
-                if slot.tab is not None and seat is not None:
-                    yield slot.tab, seat
+    for plate in plates_of(holders):
+        for slot in plate.slots:
+            seat = _seat_in_slot(slot, plate)
+            if slot.tab is not None and seat is not None:
+                yield slot.tab, seat
+
+
+def plates_of(holders: Iterable[object]) -> Iterator[Slotted]:
+    """The plates among holders whose slots leave tabs their play: of frames too, none whose tabs are glued."""
+    for holder in holders:
+        # a slotted frame is told by its rails: it is made by means of this module
+        for plate in getattr(holder, "rails", (holder,)):
+            if isinstance(plate, Ring) or (isinstance(plate, BasePlate) and not plate.glued):
+                yield plate
 
 
 def held_shapes(placed: Sequence[Placed], holders: Iterable[object] = ()) -> tuple[HeldShape, ...]:
@@ -111,7 +114,7 @@ def hold_each(
     """The same one by one, with the reason where a strip finds no rest; strips held alike are bent once."""
     seats, known = tab_seats(holders), dict[object, HeldShape | NotConvergedError]()
     for one in placed:
-        start, end = (_seat_of(seats, one, k) for k in ENDS)
+        start, end = (seat_of(seats, one, k) for k in ENDS)
         alike = id(one.strip), *(None if seat is None else seat.places for seat in (start, end))
         if alike not in known:
             try:
@@ -121,33 +124,11 @@ def hold_each(
         yield known[alike]
 
 
-def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
-    """A sentence for all tabs that rock alike: between which angles, and what holds them instead."""
-    seats, alike = tab_seats(holders), dict[str, list[str]]()
-    for one, name in zip(placed, distinct_names(placed), strict=True):
-        for end in ENDS:
-            seat = _seat_of(seats, one, end)
-            if seat is None:
-                continue
-            low, high = seat.turning
-            if high - low > 2 * ROCKING_RAD:
-                told = (
-                    f"in the {seat.name} the tab at its {end} rocks by {np.degrees(low):+.0f} to "
-                    f"{np.degrees(high):+.0f} degrees and does not hold the drawn angle: use two plates with a gap "
-                    "(gap = 20), end fixtures, or glue it at its angle"
-                )
-                alike.setdefault(told, []).append(name)
-    return tuple(
-        f"{names[0]}{f' (and {len(names) - 1} more)' if names[1:] else ''}: {told}"
-        for told, names in alike.items()
-    )
-
-
 def tab_key(tab: PlacedTab) -> Key:
     """Where a tab is, rounded: how holders and strips are matched."""
     return tuple(np.round([*tab.frame.origin, *tab.frame.x_axis], 6).tolist())
 
 
-def _seat_of(seats: Mapping[Key, TabSeat], one: Placed, end: End) -> TabSeat | None:
+def seat_of(seats: Mapping[Key, TabSeat], one: Placed, end: End) -> TabSeat | None:
     """What holds an end of a placed strip."""
     return seats.get(tab_key(PlacedTab.of(one.strip, end, one.frame)))

@@ -67,6 +67,11 @@ class TabSeat:
         return float(max(self.left[:, 0].max(), self.right[:, 0].max()))
 
     @property
+    def room(self) -> float:
+        """How far the tab shifts across between its edges, turned as designed, mm; none where they press it."""
+        return max(0.0, float(self.left[:, 1].min() - self.right[:, 1].max()) - self.thickness)
+
+    @property
     def places(self) -> tuple[float, ...]:
         """All edges, rounded: of seats that are alike the same."""
         return tuple(np.round([*self.left.ravel(), *self.right.ravel()], 9).tolist())

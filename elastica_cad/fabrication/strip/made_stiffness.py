@@ -13,6 +13,8 @@ from elastica_cad.fabrication.strip.styles import Layout
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.anticlastic import anticlastic_factor
+from elastica_cad.mechanics.material.cross_sections import LaminatedSection
+from elastica_cad.mechanics.material.laminate_curl import laminate_factor
 from elastica_cad.mechanics.material.notches import dead_zone_slope
 from elastica_cad.mechanics.rod.rod_record import Rod
 
@@ -60,7 +62,8 @@ def stiffness_shares(
     "slots": the cuts and the idle triangles beside them. "narrow tabs": idle corners at ends that are wider than
     their tabs. "leaning ligaments": a ligament at the angle theta to the strip keeps cos(theta) of its stiffness
     when its twist is held by its mirror image. "anticlastic bending": `anticlastic_factor` of the width, of a
-    ligament in a perforated strip. Causes that change nothing are left out.
+    ligament in a perforated strip. "borders that curl": `laminate_factor` of a laminate. Causes that
+    change nothing are left out.
 
     Parameters
     ----------
@@ -78,7 +81,8 @@ def stiffness_shares(
         "slots": 1 - _idle_width(slots, layout.width, s, slope=slope) / width if slots else None,
         "narrow tabs": _beside_tabs(layout.width, tab_widths, s),
         "leaning ligaments": _leaning(layout, s),
-        "anticlastic bending": _anticlastic(rod, layout, s),
+        "anticlastic bending": _anticlastic(rod, layout, s) if layout.backing is None else None,
+        "borders that curl": _curling(rod, layout, s),
     }
     # a cell's angle feels the mean compliance
     return {
@@ -125,9 +129,18 @@ def _anticlastic(rod: Rod, layout: Layout, s: FloatArray) -> FloatArray | None:
     if nu == 0:
         return None
     pieces = layout.pattern.ligaments if isinstance(layout.pattern, DiamondPattern) else 1
-    backing = 0.0 if layout.backing is None else layout.backing.sheet.thickness
-    rest = np.broadcast_to(np.asarray(rod.natural_curvature, dtype=float), rod.s.shape)
-    bent = np.interp(s, rod.s, rod.curvature - rest)
+    bent = np.interp(s, rod.s, rod.curvature - rod.natural_curvature)
     return anticlastic_factor(
-        layout.material(s) / pieces, bent, thickness=layout.sheet.thickness + backing, poisson_ratio=nu
+        layout.material(s) / pieces, bent, thickness=layout.sheet.thickness, poisson_ratio=nu
     )
+
+
+def _curling(rod: Rod, layout: Layout, s: FloatArray) -> FloatArray | None:
+    """What is left of, or added to, a laminate's stiffness by how its borders give way."""
+    if layout.backing is None:
+        return None
+    base, backing = layout.width(rod.s), layout.backing.width(rod.s)
+    section = LaminatedSection(layout.sheet, layout.backing.sheet)
+    # the backing lies on the strip's upper side, to the right of the curve: a turn to the left stretches it
+    factor = laminate_factor(base, backing, rod.curvature - rod.natural_curvature, section)
+    return np.interp(s, rod.s, factor)

@@ -27,10 +27,10 @@ Every number may be a formula in quotes (see `formulae`); lengths are mm, angles
     [[patterns]] mirror = {point, normal, keep}, rotate = {count, axis, point, step}, repeat = {count, step}
     interlock = {clearance, fit, relief, above}
     what holds strips, each a table or a list of tables, each for strips = ["A*", ...] (labels; all unless given):
-        base = {sheet, height, ends, play, clearance, slot_width, border, shape, sheet_size, name, gap}
-        rings = {sheet, ends, play, clearance, border, gap, shape, sheet_size, name}: a plate for each end
-        frame = {sheet, ribs, depth, tongue, play, clearance, border, gap, sheet_size}
-        (with gap two plates hold inclined tabs, so many mm apart)
+        base = {sheet, height, ends, play, clearance, slot_width, border, shape, sheet_size, name, gap, feet}
+        rings = {sheet, ends, play, clearance, border, gap, feet, shape, sheet_size, name}: a plate for each end
+        frame = {sheet, ribs, depth, tongue, play, clearance, border, gap, feet, sheet_size}
+        (gap: two plates, so many mm apart, hold inclined tabs; feet: small plates of that size, glued to them)
         fixtures = {floor, ends, clearance, wall, foot, foot_height, screw}
         stand = {sheet, sheet_size}: the simplest of them that holds all tabs
     nest = {sheet_size, margin}, extras = {coupon, reference_bar}

@@ -10,6 +10,7 @@ from elastica_cad.fabrication.drawings.bridges import HoldingTabs
 from elastica_cad.fabrication.holders.base_plate import BasePlate, base_plate
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture, end_fixtures
 from elastica_cad.fabrication.holders.end_plates import end_plates
+from elastica_cad.fabrication.holders.feet import add_feet
 from elastica_cad.fabrication.holders.plate_pair import plate_pair
 from elastica_cad.fabrication.holders.slotted_frame import Rib, slotted_frame
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
@@ -113,14 +114,19 @@ class HolderSpec:
             chosen = stand(placed, self.sheet, shop=shop, anyway=anyway)
             return chosen.holders, f"{model.name}: {chosen.sentence}"
         options = {**self.options, "shop": shop, "anyway": anyway}
+        feet = options.pop("feet", None)
+        ribs: tuple[Rib, ...] = ()
+        plates: tuple[BasePlate, ...]
         if self.kind == "frame":
             frame = slotted_frame(placed, self.sheet, **options)
-            return (*frame.rails, *frame.ribs), ""
-        if self.kind == "rings":
-            return end_plates(placed, self.sheet, **options), ""
-        if "gap" in options:
-            return plate_pair(placed, self.sheet, **options), ""
-        return (base_plate(placed, self.sheet, **options),), ""
+            plates, ribs = frame.rails, frame.ribs
+        elif self.kind == "rings":
+            plates = end_plates(placed, self.sheet, **options)
+        elif "gap" in options:
+            plates = plate_pair(placed, self.sheet, **options)
+        else:
+            plates = (base_plate(placed, self.sheet, **options),)
+        return (*(plates if feet is None else add_feet(plates, feet)), *ribs), ""
 
 
 @dataclass(frozen=True, eq=False)

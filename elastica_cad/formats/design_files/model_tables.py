@@ -38,9 +38,9 @@ def read_kit(top: Table, sheets: dict[str, Sheet]) -> KitSpec:
 
 
 HOLDER_SIZES: dict[HolderKind, tuple[str, ...]] = {
-    "base": ("play", "clearance", "slot_width", "border", "gap"),
-    "rings": ("play", "clearance", "border", "gap"),
-    "frame": ("depth", "tongue", "play", "clearance", "border", "gap"),
+    "base": ("play", "clearance", "slot_width", "border", "gap", "feet"),
+    "rings": ("play", "clearance", "border", "gap", "feet"),
+    "frame": ("depth", "tongue", "play", "clearance", "border", "gap", "feet"),
     "fixtures": ("clearance", "wall", "foot", "foot_height", "screw"),
     "stand": (),
 }

@@ -74,6 +74,11 @@ def bend_cut_strip(
         The drawn curve, where it is not the rod's.
     """
     drawn = strip.rod.curve if curve is None else curve
+    if (
+        strip.layout.backing is not None
+    ):  # it lies to the right of the curve, and here to the left: seen in a mirror
+        assert gravity is None, "laminates are bent weightless"
+        drawn = drawn.transformed(np.diag([1.0, -1.0, 1.0]))
     length = strip.rod.length
     body = flat_body(strip, folder, size=size)
     stays = _in_tabs(strip, body.nodes) if held is None else held(body.nodes)

@@ -30,11 +30,6 @@ SIDEWAYS = """The lowest eigenvalues (`*FREQUENCY, PERTURBATION` after the nonli
 long and 0.8 mm thick, nu = 0.3, in units of E I over mass per length and L^4. Negative: the strip leaves that
 shape."""
 
-LAMINATES = """Laminates are right where the base is little wider than its backing, or bends little (nu = 0). Else
-the free borders of the base carry axial stress along a bend, which presses them off their plane: they give way by
-some 1.5 kappa^2 n b^4 / h^2 (b wide, n off the neutral axis), and the section is softer than its formula. Nothing
-makes up for that yet, nor for what nu adds to it."""
-
 POCKETS = """Rigid walls 0.15 mm off either face of the tabs, 10 mm deep, without friction; weight included. A tab
 touches where the free part ends and at its bottom, on the faces where the walls push. "Told" is what `Strip.held`
 says. Strips of the Pavilion (card, with slots) are led to the pose of the tabs that it finds."""

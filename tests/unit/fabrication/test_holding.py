@@ -10,9 +10,11 @@ from elastica_cad.fabrication.compensation import compensate_widths
 from elastica_cad.fabrication.holders.base_plate import base_plate
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.end_plates import end_plates
+from elastica_cad.fabrication.holders.feet import add_feet
 from elastica_cad.fabrication.holders.plate_pair import plate_pair
+from elastica_cad.fabrication.holders.rocking_tabs import holder_plays, rocking_tabs
 from elastica_cad.fabrication.holders.slotted_frame import slotted_frame
-from elastica_cad.fabrication.holders.tab_seats import held_shapes, rocking_tabs, tab_seats
+from elastica_cad.fabrication.holders.tab_seats import held_shapes, tab_seats
 from elastica_cad.fabrication.holding.rest_in_seats import rest_in_seats
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.model.revolution_model import revolve
@@ -134,19 +136,46 @@ def test_an_inclined_tab_rocks_in_one_plate_and_not_in_two():
     strip = Strip(bow, PLY, max_width=30.0, ends=(Tab(30), Tab(30)), label="A")
     placed = inclined(strip)
     single = base_plate(placed, MDF)
-    told = rocking_tabs(placed, [single])
-    assert len(told) == 2
-    assert "rocks by" in told[0]
-    assert "two plates" in told[0]
+    (told,) = rocking_tabs(placed, [single])
     (rocked,) = held_shapes(placed, [single])
+    assert told.startswith("A (and 1 more): in the slot of base the tab at its start rocks by ")
+    assert f"the strip strays {rocked.deviation:.2g} mm so" in told
+    assert "degrees" in holder_plays(placed, [single])[0]
     assert rocked.deviation > 5e-3 * bow.length
     pair = plate_pair(placed, MDF, gap=10)
     assert [plate.name for plate in pair] == ["base", "base-lower"]
     assert not rocking_tabs(placed, pair)
     (held,) = held_shapes(placed, pair)
     assert held.deviation < 5e-4 * bow.length
+    # what was tried for the warning is what a pair does
+    assert "two plates (gap = 10) and tabs of " in told
+    long, strayed = (float(told.split(before)[1].split(" mm")[0]) for before in ("tabs of ", "hold it to "))
+    longer = replace(strip, ends=(Tab(long), Tab(long)))
+    (cured,) = held_shapes(inclined(longer), plate_pair(inclined(longer), MDF, gap=10))
+    assert cured.deviation == pytest.approx(strayed, rel=0.1, abs=0.01)
     (seat,) = {seat.name for seat in tab_seats(pair).values()}
     assert seat == "slot of base and base-lower"
+
+
+def test_feet_stand_on_the_plate_and_lie_along_the_tab():
+    bow = optimal_rod(PlaneCurve.ellipse((0, 0), (75.0, 60.0), 0.0, -0.5, np.pi + 0.5), samples=201)
+    strip = Strip(bow, PLY, max_width=30.0, ends=(Tab(15), Tab(15)), label="A")
+    placed = inclined(strip)
+    plate, *feet = add_feet([base_plate(placed, MDF)], 8.0)
+    assert [foot.name for foot in feet] == ["foot-A-1a", "foot-A-1b", "foot-A-2a", "foot-A-2b"]
+    assert plate.glued
+    assert not tab_seats([plate])
+    assert not rocking_tabs(placed, [plate])
+    for foot, slot in zip(feet, np.repeat(plate.slots, 2), strict=True):
+        corners = foot.frame.point(foot.outline.points(1e-3))
+        heights, off = plate.frame.local(corners)[:, 2], slot.tab.frame.local(corners)[:, 2]
+        assert heights.max() == pytest.approx(-3.0)  # the plate's back
+        assert np.sum(heights > -3.0 - 1e-6) >= 2
+        assert np.sum(np.abs(np.abs(off) - 0.4) < 1e-6) >= 2  # the tab's face
+        assert np.abs(off).min() > 0.4 - 1e-6
+        assert np.ptp(corners @ slot.tab.frame.y_axis) < 1e-9
+    with pytest.raises(InputError, match="too short to glue feet to: make it"):
+        add_feet([base_plate(inclined(replace(strip, ends=(Tab(6), Tab(6)))), MDF)], 8.0)
 
 
 def test_slots_of_two_plates_are_offset_by_the_gap(rod):

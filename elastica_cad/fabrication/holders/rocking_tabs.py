@@ -1,0 +1,126 @@
+"""What holders leave free: their play in numbers, tabs that rock, and two plates tried in place of one."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.fabrication.holders.base_plate import BasePlate, TabSlot
+from elastica_cad.fabrication.holders.placed_tab import ENDS, End, PlacedTab
+from elastica_cad.fabrication.holders.plate_pair import Plate, add_second, needed_length
+from elastica_cad.fabrication.holders.ring_plate import Ring
+from elastica_cad.fabrication.holders.tab_seats import plates_of, seat_of, tab_key, tab_seats
+from elastica_cad.fabrication.holding.tab_seat import TabSeat
+from elastica_cad.fabrication.placed_strip import Placed, distinct_names
+from elastica_cad.geometry.frame import Frame
+
+ROCKING_RAD = np.radians(3.0)
+"""A tab that turns farther in its holder rocks: at the mouth of a strip it moves the shape by percents."""
+
+TRIED_GAPS_MM = (10.0, 20.0)
+"""Between two plates that are tried in place of one; the first that keeps the tab from rocking is told."""
+
+
+def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
+    """A sentence for every holder: how far its tabs shift across and turn in it at most, before they jam."""
+    holders, told = tuple(holders), []
+    for name, held in _by_holder(placed, holders).items():
+        low, high = np.degrees(np.array([seat.turning for _, _, seat in held]).T)
+        room = max(seat.room for _, _, seat in held)
+        told.append(
+            f"{name} leaves its tabs {room:.2g} mm across and {low.min():+.2g} to {high.max():+.2g} degrees"
+        )
+    return tuple(told)
+
+
+def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
+    """A sentence for every holder in which tabs rock: the one that rocks most, its shape, and a cure, tried."""
+    holders, told = tuple(holders), []
+    names = dict(zip(map(id, placed), distinct_names(placed), strict=True))
+    for holder, held in _by_holder(placed, holders).items():
+        rocking = [one for one in held if np.ptp(one[2].turning) > 2 * ROCKING_RAD]
+        if rocking:
+            one, end, seat = max(rocking, key=lambda row: float(np.ptp(row[2].turning)))
+            low, high = np.degrees(seat.turning)
+            more = f" (and {len(rocking) - 1} more)" if rocking[1:] else ""
+            told.append(
+                f"{names[id(one)]}{more}: in the {holder} the tab at its {end} rocks by {low:+.0f} to {high:+.0f} "
+                f"degrees and does not hold the drawn angle; {_shape(one, tab_seats(holders))}; "
+                f"{_cure(one, end, holders)}"
+            )
+    return tuple(told)
+
+
+def _by_holder(
+    placed: Sequence[Placed], holders: Iterable[object]
+) -> dict[str, list[tuple[Placed, End, TabSeat]]]:
+    """Strips, ends and seats by what holds them."""
+    seats, found = tab_seats(holders), dict[str, list[tuple[Placed, End, TabSeat]]]()
+    for one in placed:
+        for end in ENDS:
+            seat = seat_of(seats, one, end)
+            if seat is not None:
+                found.setdefault(seat.name, []).append((one, end, seat))
+    return found
+
+
+def _shape(one: Placed, seats: dict[tuple[float, ...], TabSeat]) -> str:
+    """What becomes of a strip in its seats."""
+    try:
+        strayed = one.strip.held(*(seat_of(seats, one, end) for end in ENDS)).deviation
+    except NotConvergedError:
+        return "the strip finds no rest in it"
+    return f"the strip strays {strayed:.2g} mm so, {100 * strayed / one.strip.rod.length:.2g} % of its length"
+
+
+def _cure(one: Placed, end: End, holders: Sequence[object]) -> str:
+    """Two plates in place of the one that holds a tab, bent forward, or what else there is."""
+    others = "end fixtures or feet (feet = 10) glued at its angle"
+    for gap in TRIED_GAPS_MM:
+        tried = _with_pair(one, end, holders, gap)
+        if tried is not None:
+            long, strayed = tried
+            return (
+                f"two plates (gap = {gap:g}) and tabs of {long:.0f} mm hold it to {strayed:.2g} mm, as was tried, "
+                f"or use {others}"
+            )
+    return f"use {others}"
+
+
+def _with_pair(one: Placed, end: End, holders: Sequence[object], gap: float) -> tuple[float, float] | None:
+    """Length of the tabs and how far the strip strays, mm, with a second plate behind its own; None: no cure."""
+    keys = {tab_key(PlacedTab.of(one.strip, which, one.frame)): which for which in ENDS}
+    mine = [(plate, slot, keys[tab_key(slot.tab)]) for plate in plates_of(holders) for slot in plate.slots
+            if slot.tab is not None and tab_key(slot.tab) in keys]  # fmt: skip
+    if not any(which == end for _, _, which in mine) or len({which for _, _, which in mine}) < len(mine):
+        return None
+    lengths = [needed_length(slot.tab, plate, gap) for plate, slot, _ in mine if slot.tab is not None]
+    long = max(*lengths, *(tab.length for tab in one.strip.ends))
+    first, last = (replace(tab, length=long) for tab in one.strip.ends)
+    longer = one.with_strip(replace(one.strip, ends=(first, last)))
+    plates: list[BasePlate | Ring] = []
+    try:
+        for plate, slot, which in mine:
+            tab = PlacedTab.of(longer.strip, which, longer.frame, name=slot.name)
+            slots = (replace(slot, tab=tab),)
+            # one by one: a type for each
+            if isinstance(plate, Ring):
+                plates += _pair(longer, replace(plate, slots=slots), gap)
+            else:
+                plates += _pair(longer, replace(plate, slots=slots), gap)
+        seats = tab_seats(plates)
+        if any(np.ptp(seat.turning) > 2 * ROCKING_RAD for seat in seats.values()):
+            return None
+        return long, longer.strip.held(*(seat_of(seats, longer, which) for which in ENDS)).deviation
+    except (InputError, NotConvergedError):
+        return None
+
+
+def _pair(one: Placed, plate: Plate, gap: float) -> tuple[Plate, Plate]:
+    """A plate and another behind it."""
+
+    def behind(slots: Sequence[TabSlot], ground: Frame) -> Plate:
+        return replace(plate, slots=tuple(slots), frame=ground, name=f"{plate.name}-outer")
+
+    return add_second((one,), plate, behind, gap=gap)
