@@ -3,8 +3,10 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from math import radians
+from os import PathLike
 from typing import Any, Literal, TypeAlias, Unpack, overload
 
+from elastica_cad._types import ArrayLike
 from elastica_cad.errors import InputError, how_to_install
 
 try:
@@ -40,6 +42,7 @@ from elastica_cad.kernel.strip_on_path import (
     make_strip_on,
     warn_of_missing_slots,
 )
+from elastica_cad.kernel.travel import Travel
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.bending.between_clamps import elastica_between
 from elastica_cad.mechanics.loads.gravity import Gravity
@@ -51,6 +54,7 @@ __all__ = [
     "EndFixture",
     "FlatStrip",
     "PlacedStrip",
+    "Slider",
     "StripOutline",
     "StripWarning",
     "elastic_strip",
@@ -79,6 +83,10 @@ class _Made(StripBody):
     def bent(self) -> "_Bent":
         """The strip bent, on its curve; called with new ends it is bent further: `rib.bent(end=(120, 0))`."""
         return _Bent(self)
+
+    def slider(self, end: ArrayLike) -> "Slider":
+        """A joint of this body: the travel of its end to another point, mm, in the plane of the curve."""
+        return Slider(self, end)
 
     @property
     def outline(self) -> "StripOutline":
@@ -125,6 +133,58 @@ class _Bent:
         strip = replace(owner.strip, rod=bend(owner.rod, **moved))
         frame = owner.frame
         return BentStrip(strip, plane=frame, mode=bd.Mode.PRIVATE)
+
+
+class Slider(bd.LinearJoint):
+    """Linear joint "slider": a strip's end on its way, straight and with its direction held, to another point.
+
+    `connect_to(joint, position=...)` moves what rides on the end; `bent(position)` is the strip then.
+
+    Parameters
+    ----------
+    rib : BentStrip or PlacedStrip
+        Gets the joint.
+    end : (2,) array_like
+        Where the end goes, mm, in the plane of the curve.
+
+    Attributes
+    ----------
+    travel : Travel
+        The shapes on the way, and how long it is.
+
+    Raises
+    ------
+    InputError
+        A body that is not bent, a point that the strip does not reach.
+
+    Examples
+    --------
+    >>> rib = BentStrip(Elastica((0, 0), (80, 0), 100, angles=(0, 0)).edge(), "pom-0.5", max_width=10)
+    >>> slider = rib.slider(end=(60, 0))
+    >>> carriage = bd.Box(10, 20, 10)
+    >>> slider.connect_to(bd.RigidJoint("foot", carriage), position=15)
+    >>> round(carriage.center().X, 6), round(slider.bent(15).joints["end"].location.position.X, 6)
+    (65.0, 65.0)
+    """
+
+    def __init__(self, rib: "_Made", end: ArrayLike) -> None:
+        if rib._made.home is None:
+            raise InputError("the end of a strip slides when it is bent: take its body .bent() first")
+        self.travel = Travel(rib.strip, rib.frame, end)
+        place = bd.Location(occt.make_location(self.travel.place))
+        super().__init__(
+            "slider", rib, bd.Axis(place.position, bd.Plane(place).x_dir), (0.0, self.travel.length)
+        )
+
+    def bent(self, position: float) -> "BentStrip":
+        """The strip with its end `position` mm along the way."""
+        travel = self.travel
+        strip = replace(travel.strip, rod=travel.rod(position))
+        return BentStrip(strip, plane=travel.frame, mode=bd.Mode.PRIVATE)
+
+    def write_glb(self, path: str | PathLike[str], **options: Any) -> None:
+        """Write the way there and back as an animation; `frames`, `seconds`, `force` as in `Travel.write_glb`."""
+        self.travel.write_glb(path, **options)
 
 
 class StripOutline(_Made, bd.BaseSketchObject):

@@ -4,11 +4,13 @@ import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from math import radians
+from os import PathLike
 from types import MappingProxyType
 from typing import Any, Literal, TypeAlias, TypeVar, Unpack
 
 import numpy as np
 
+from elastica_cad._types import ArrayLike
 from elastica_cad.errors import InputError, how_to_install
 
 try:
@@ -44,6 +46,7 @@ from elastica_cad.kernel.strip_on_path import (
     make_strip_on,
     warn_of_missing_slots,
 )
+from elastica_cad.kernel.travel import Travel
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.bending.between_clamps import elastica_between
 from elastica_cad.mechanics.loads.gravity import Gravity
@@ -51,6 +54,7 @@ from elastica_cad.mechanics.material.sheet import Sheet
 
 __all__ = [
     "FixtureSolid",
+    "Slider",
     "StripCompound",
     "StripFace",
     "StripSolid",
@@ -99,6 +103,10 @@ class _Made(StripBody, cq.Shape):
         if not moved:
             return bent_strip(self)
         return bent_strip(replace(self.strip, rod=bend(self.rod, **moved)), plane=self.frame)
+
+    def slider(self, end: ArrayLike) -> "Slider":
+        """The travel of the strip's end to another point (mm, in the plane of the curve)."""
+        return Slider(self, end)
 
     @property
     def backing(self) -> cq.Solid:
@@ -161,6 +169,63 @@ class _Made(StripBody, cq.Shape):
         if isinstance(copy, type(self)):
             copy.__dict__.update({k: v for k, v in self.__dict__.items() if k in KEPT})
         return copy
+
+
+class Slider:
+    """A strip's end on its way, straight and with its direction held, to another point.
+
+    Parameters
+    ----------
+    rib : StripSolid or StripCompound
+        A bent strip.
+    end : (2,) array_like
+        Where the end goes, mm, in the plane of the curve.
+
+    Attributes
+    ----------
+    travel : Travel
+        The shapes on the way, and how long it is.
+
+    Raises
+    ------
+    InputError
+        A body that is not bent, a point that the strip does not reach.
+
+    Examples
+    --------
+    >>> rib = bent_strip(elastica((0, 0), (80, 0), 100, angles=(0, 0)), "pom-0.5", max_width=10)
+    >>> slider = rib.slider(end=(60, 0))
+    >>> lamp = cq.Assembly(slider.bent(15), name="rib")
+    >>> lamp = lamp.add(cq.Workplane().box(10, 20, 10), name="carriage", loc=slider.place(15))
+    >>> round(lamp.objects["carriage"].toCompound().Center().x, 6)
+    65.0
+    >>> round(slider.bent(15).joints["end"].toTuple()[0][0], 6)
+    65.0
+    """
+
+    def __init__(self, rib: "_Made", end: ArrayLike) -> None:
+        if rib._made.home is None:
+            raise InputError("the end of a strip slides when it is bent: take its body .bent() first")
+        self.travel = Travel(rib.strip, rib.frame, end)
+
+    def place(self, position: float) -> cq.Location:
+        """Where the end is `position` mm along the way: x along it, z across the strip."""
+        return _location(self.travel.place) * cq.Location((position, 0, 0))
+
+    def bent(self, position: float) -> "StripSolid | StripCompound":
+        """The strip with its end `position` mm along the way."""
+        travel = self.travel
+        return bent_strip(replace(travel.strip, rod=travel.rod(position)), plane=travel.frame)
+
+    def constrain(self, assembly: cq.Assembly, name: str, position: float) -> cq.Assembly:
+        """Hold a child, or a tagged face of it ("carriage?foot"), on the way for `solve()`, square to it."""
+        at, turn = self.place(position).toTuple()
+        child, _, _ = name.partition("?")
+        return assembly.constrain(name, "FixedPoint", at).constrain(child, "FixedRotation", turn)
+
+    def write_glb(self, path: str | PathLike[str], **options: Any) -> None:
+        """Write the way there and back as an animation; `frames`, `seconds`, `force` as in `Travel.write_glb`."""
+        self.travel.write_glb(path, **options)
 
 
 class StripFace(_Made, cq.Face):

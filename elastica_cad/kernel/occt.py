@@ -82,6 +82,7 @@ def kernel() -> SimpleNamespace:
         module, own = place.split(".")
         names[name] = getattr(import_module(f"OCP.{module}"), own)
     names["as_edge"] = getattr(names["TopoDS"], "Edge_s", None) or names["TopoDS"].Edge
+    names["as_face"] = getattr(names["TopoDS"], "Face_s", None) or names["TopoDS"].Face
     return SimpleNamespace(**names)
 
 

@@ -1,6 +1,7 @@
 """The smooth curve of a discrete rod: as long as the rod, with its end positions and end angles."""
 
 from collections.abc import Callable
+from functools import lru_cache
 from typing import TypeAlias
 
 import numpy as np
@@ -82,22 +83,15 @@ def _least_turn(s: FloatArray, position: FloatArray, held: FloatArray, angle: An
     from scipy.interpolate import BSpline
 
     length, h = float(s[-1]), np.diff(s)[:, None]
-    spans = max(1, min(MOST_SPANS, h.size // NODES_PER_SPAN))
-    knots = np.pad(np.linspace(0.0, length, spans + 1), DEGREE, mode="edge")
-    places = s[:-1, None] + h * (1 + GAUSS_POINTS) / 2
     weight = h * GAUSS_WEIGHTS / 2
-    basis = BSpline.design_matrix(places.ravel(), knots, DEGREE).toarray().reshape(*places.shape, -1)
-    at_ends = BSpline.design_matrix(s[[0, -1]], knots, DEGREE).toarray()
-    bend = (
-        np.diff(BSpline.design_matrix(s, knots, DEGREE).toarray(), axis=0) / h * (REACH_LENGTHS * length) ** 2
-    )
+    knots, places, basis, at_ends, bend = _turn_basis(length, h.size)
     c = np.zeros(basis.shape[-1])
     for _ in range(NEWTON_STEPS):
         alpha = angle(places) + basis @ c
         T = tangents(alpha.ravel()).reshape(*places.shape, 2)
         N = np.stack([-T[..., 1], T[..., 0]], axis=-1)
         missed = position[1:] - position[0] - np.cumsum(np.einsum("eg,egk->ek", weight, T), axis=0)
-        moves = np.cumsum(np.einsum("eg,egk,egm->ekm", weight, N, basis), axis=0)
+        moves = np.cumsum(np.matmul((weight[..., None] * N).transpose(0, 2, 1), basis), axis=0)
         across = N[:, -1]
         rows = np.concatenate([np.einsum("ek,ekm->em", across, moves), bend])
         wanted = np.concatenate([np.einsum("ek,ek->e", across, missed), -np.einsum("em,m->e", bend, c)])
@@ -114,6 +108,24 @@ def _least_turn(s: FloatArray, position: FloatArray, held: FloatArray, angle: An
         c = c + np.linalg.lstsq(system, right, rcond=1e-13)[0][: c.size]
     correction: Angle = BSpline(knots, c, DEGREE)
     return correction
+
+
+@lru_cache(maxsize=4)
+def _turn_basis(length: float, edges: int) -> tuple[FloatArray, ...]:
+    """Knots, Gauss points, and the turn's splines there, at the ends, and their differences between nodes."""
+    from scipy.interpolate import BSpline
+
+    s = np.linspace(0.0, length, edges + 1)
+    h = length / edges
+    spans = max(1, min(MOST_SPANS, edges // NODES_PER_SPAN))
+    knots = np.pad(np.linspace(0.0, length, spans + 1), DEGREE, mode="edge")
+    places = s[:-1, None] + h * (1 + GAUSS_POINTS) / 2
+
+    def splines(at: FloatArray) -> FloatArray:
+        return np.asarray(BSpline.design_matrix(at, knots, DEGREE).toarray())
+
+    between = np.diff(splines(s), axis=0) / h * (REACH_LENGTHS * length) ** 2
+    return knots, places, splines(places.ravel()).reshape(*places.shape, -1), splines(s[[0, -1]]), between
 
 
 def _edge_angles(position: FloatArray, angle: FloatArray) -> FloatArray:

@@ -1,0 +1,138 @@
+"""GLB files of bodies that change their shape: every frame a morph target, keyed one after the other."""
+
+import json
+import struct
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from elastica_cad._types import FloatArray, IntArray
+
+GLB_MAGIC, GLB_VERSION, JSON_CHUNK, BINARY_CHUNK = 0x46546C67, 2, 0x4E4F534A, 0x004E4942
+FLOAT, UNSIGNED_INT, ARRAY_BUFFER, ELEMENT_BUFFER = 5126, 5125, 34962, 34963
+METRES_PER_MM = 1e-3
+Y_UP = [-np.sqrt(0.5), 0.0, 0.0, np.sqrt(0.5)]
+"""Quaternion from z up, as bodies are drawn here, to y up, as glTF has it."""
+
+
+@dataclass(frozen=True, eq=False)
+class MovingMesh:
+    """A mesh of triangles in several shapes.
+
+    Attributes
+    ----------
+    name : str
+    color : (red, green, blue)
+        0..1, as on a screen.
+    points, normals : (frames, n, 3) array
+        mm, z up; unit vectors.
+    triangles : (m, 3) array of int
+        Corners, anticlockwise from outside.
+    """
+
+    name: str
+    color: tuple[float, float, float]
+    points: FloatArray
+    normals: FloatArray
+    triangles: IntArray
+
+
+def encode_animation(meshes: Sequence[MovingMesh], seconds: float) -> bytes:
+    """The GLB file of meshes that go through their frames and back in so many seconds, blended in between.
+
+    Examples
+    --------
+    >>> corner = np.zeros((2, 3, 3))
+    >>> corner[:, 1, 0], corner[:, 2, 1], corner[1, 2, 2] = 1, 1, 1
+    >>> up = np.tile([0.0, 0.0, 1.0], (2, 3, 1))
+    >>> mesh = MovingMesh("flap", (0.8, 0.7, 0.5), corner, up, np.array([[0, 1, 2]]))
+    >>> encode_animation([mesh], 2.0)[:4]
+    b'glTF'
+    """
+    file = _Buffers()
+    nodes: list[Any] = []
+    shapes: list[Any] = []
+    materials: list[Any] = []
+    channels, samplers = [], []
+    frames = len(meshes[0].points)
+    there_and_back = np.concatenate([np.arange(frames), np.arange(frames - 1)[::-1]])
+    clock = file.add(np.linspace(0.0, seconds, 2 * frames - 1), "SCALAR", bounds=True)
+    for mesh in meshes:
+        first, normal = mesh.points[0], mesh.normals[0]
+        targets = [
+            {"POSITION": file.add(p - first, "VEC3", bounds=True), "NORMAL": file.add(n - normal, "VEC3")}
+            for p, n in zip(mesh.points[1:], mesh.normals[1:], strict=True)
+        ]
+        skin = {
+            "attributes": {
+                "POSITION": file.add(first, "VEC3", bounds=True, target=ARRAY_BUFFER),
+                "NORMAL": file.add(normal, "VEC3", target=ARRAY_BUFFER),
+            },
+            "indices": file.add(mesh.triangles.ravel(), "SCALAR", kind=UNSIGNED_INT, target=ELEMENT_BUFFER),
+            "material": len(materials),
+            "targets": targets,
+        }
+        paint = {
+            "baseColorFactor": [*_linear(mesh.color), 1.0],
+            "metallicFactor": 0.0,
+            "roughnessFactor": 0.8,
+        }
+        materials.append({"name": mesh.name, "pbrMetallicRoughness": paint})
+        scale, turn = [METRES_PER_MM] * 3, [float(q) for q in Y_UP]
+        nodes.append({"name": mesh.name, "mesh": len(shapes), "scale": scale, "rotation": turn})
+        shapes.append({"name": mesh.name, "primitives": [skin], "weights": [0.0] * len(targets)})
+        keys = np.eye(frames, frames - 1, -1)[there_and_back].ravel()
+        samplers.append({"input": clock, "output": file.add(keys, "SCALAR"), "interpolation": "LINEAR"})
+        path = {"node": len(nodes) - 1, "path": "weights"}
+        channels.append({"sampler": len(samplers) - 1, "target": path})
+    return file.glb({
+        "asset": {"version": "2.0", "generator": "elastica_cad"},
+        "scene": 0, "scenes": [{"nodes": list(range(len(nodes)))}],
+        "nodes": nodes, "meshes": shapes, "materials": materials,
+        "animations": [{"name": "travel", "channels": channels, "samplers": samplers}],
+    })  # fmt: skip
+
+
+def _linear(color: tuple[float, float, float]) -> list[float]:
+    """A screen's colour as light, as glTF mixes it (the sRGB transfer function, IEC 61966-2-1)."""
+    c = np.asarray(color)
+    return [float(v) for v in np.where(c <= 0.04045, c / 12.92, ((c + 0.055) / 1.055) ** 2.4)]
+
+
+class _Buffers:
+    """The binary part of a file under way, and what its pieces are."""
+
+    def __init__(self) -> None:
+        self.binary = bytearray()
+        self.views: list[dict[str, Any]] = []
+        self.accessors: list[dict[str, Any]] = []
+
+    def add(
+        self, values: Any, shape: str, *, kind: int = FLOAT, bounds: bool = False, target: int | None = None
+    ) -> int:
+        rows = np.ascontiguousarray(values, dtype="<f4" if kind == FLOAT else "<u4")
+        view: dict[str, Any] = {"buffer": 0, "byteOffset": len(self.binary), "byteLength": rows.nbytes}
+        about: dict[str, Any] = {"bufferView": len(self.views), "componentType": kind, "count": len(rows)}
+        if target is not None:
+            view["target"] = target
+        if bounds:
+            flat = rows.reshape(len(rows), -1)
+            about |= {"min": flat.min(axis=0).tolist(), "max": flat.max(axis=0).tolist()}
+        self.views.append(view)
+        self.accessors.append(about | {"type": shape})
+        self.binary += rows.tobytes()
+        return len(self.accessors) - 1
+
+    def glb(self, content: dict[str, Any]) -> bytes:
+        sizes = [{"byteLength": len(self.binary)}]
+        text = json.dumps(
+            content | {"buffers": sizes, "bufferViews": self.views, "accessors": self.accessors}
+        )
+        chunks = ((JSON_CHUNK, text.encode(), b" "), (BINARY_CHUNK, bytes(self.binary), b"\0"))
+        body = b""
+        for kind, data, fill in chunks:
+            padded = data + fill * (-len(data) % 4)
+            body += struct.pack("<II", len(padded), kind) + padded
+        return struct.pack("<III", GLB_MAGIC, GLB_VERSION, 12 + len(body)) + body
