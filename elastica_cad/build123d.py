@@ -4,7 +4,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from math import radians
 from os import PathLike
-from typing import Any, Literal, TypeAlias, Unpack, overload
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias, Unpack, overload
 
 from elastica_cad._types import ArrayLike
 from elastica_cad.errors import InputError, how_to_install
@@ -38,6 +38,7 @@ from elastica_cad.kernel.strip_on_path import (
     StripBody,
     StripOptions,
     StripWarning,
+    curves_on_body,
     make_fixture_on,
     make_strip_on,
     warn_of_missing_slots,
@@ -47,6 +48,9 @@ from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.bending.between_clamps import elastica_between
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.material.sheet import Sheet
+
+if TYPE_CHECKING:
+    from elastica_cad.forming.plane_sections.section_spec import SectionSpec
 
 __all__ = [
     "BentStrip",
@@ -59,6 +63,7 @@ __all__ = [
     "StripWarning",
     "elastic_strip",
     "model_compound",
+    "section_strips",
 ]
 
 Drawn: TypeAlias = bd.Edge | bd.Wire | PlaneCurve | Strip | StripBody | Iterable[bd.Edge]
@@ -493,6 +498,57 @@ def elastic_strip(
         made = forms[form](path, sheet, max_width=max_width, mode=mode, **options)
     found: FlatStrip | BentStrip | StripOutline = made
     return found
+
+
+def section_strips(
+    body: bd.Shape,
+    planes: "bd.Plane | Frame | Iterable[bd.Plane | Frame] | SectionSpec",
+    sheet: Sheet | str,
+    *,
+    max_width: float | None = None,
+    half: bool = False,
+    **options: Unpack[StripOptions],
+) -> "bd.ShapeList[BentStrip]":
+    """The strips that follow the lines in which planes cut a face or a body.
+
+    Parameters
+    ----------
+    body : Face, Shell or Solid
+    planes : Plane, planes, or SectionSpec
+        A `SectionSpec` also splits closed lines, keeps the longest and smooths.
+    sheet, max_width, **options
+        As in `StripOutline`; most sections bend within `limits` only.
+    half : bool
+        Only what lies on the side to which a plane's x axis points.
+
+    Returns
+    -------
+    ShapeList of BentStrip
+        Standing in the section's plane, with its z axis to the strip's upper edge.
+
+    Raises
+    ------
+    InputError
+        No section that a strip could follow, and as `StripOutline`.
+
+    Warns
+    -----
+    StripWarning
+        Of lines that are left out.
+
+    Examples
+    --------
+    >>> dome = bd.Sphere(60, arc_size1=20)
+    >>> planes = [bd.Plane.XZ.offset(y) for y in (-20, 0, 20)]
+    >>> ribs = section_strips(dome.faces().sort_by(bd.Axis.Z)[-1], planes, "card-200gsm", max_width=8)
+    >>> len(ribs)
+    3
+    """
+    made: bd.ShapeList[BentStrip] = bd.ShapeList()
+    for one in curves_on_body(body, planes, half=half):
+        placed: StripOptions = {**options, "plane": one.frame}
+        made.append(BentStrip(one.curve, sheet, max_width=max_width, mode=bd.Mode.PRIVATE, **placed))
+    return made
 
 
 class PlacedStrip(_Made, bd.Part):

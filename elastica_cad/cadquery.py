@@ -6,7 +6,7 @@ from dataclasses import replace
 from math import radians
 from os import PathLike
 from types import MappingProxyType
-from typing import Any, Literal, TypeAlias, TypeVar, Unpack
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypeVar, Unpack
 
 import numpy as np
 
@@ -42,6 +42,7 @@ from elastica_cad.kernel.strip_on_path import (
     StripBody,
     StripOptions,
     StripWarning,
+    curves_on_body,
     make_fixture_on,
     make_strip_on,
     warn_of_missing_slots,
@@ -51,6 +52,9 @@ from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.bending.between_clamps import elastica_between
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.material.sheet import Sheet
+
+if TYPE_CHECKING:
+    from elastica_cad.forming.plane_sections.section_spec import SectionSpec
 
 __all__ = [
     "FixtureSolid",
@@ -65,6 +69,7 @@ __all__ = [
     "flat_strip",
     "model_assembly",
     "register",
+    "section_strips",
     "strip_outline",
 ]
 
@@ -421,6 +426,51 @@ def elastica(
     return cq.Wire(occt.make_wire(Path([Spline(found.curve)]))).Edges()[0]
 
 
+def section_strips(
+    body: "cq.Shape | cq.Workplane",
+    planes: "cq.Plane | Frame | Iterable[cq.Plane | Frame] | SectionSpec",
+    sheet: Sheet | str,
+    *,
+    max_width: float | None = None,
+    half: bool = False,
+    **options: Unpack[StripOptions],
+) -> "list[StripSolid | StripCompound]":
+    """The strips that follow the lines in which planes cut a face or a body.
+
+    Parameters
+    ----------
+    body : Face, Shell, Solid, or Workplane with one
+    planes : Plane, planes, or SectionSpec
+        A `SectionSpec` also splits closed lines, keeps the longest and smooths.
+    sheet, max_width, **options
+        As in `strip_outline`; most sections bend within `limits` only.
+    half : bool
+        Only what lies on the side to which a plane's x axis points.
+
+    Raises
+    ------
+    InputError
+        No section that a strip could follow, and as `strip_outline`.
+
+    Warns
+    -----
+    StripWarning
+        Of lines that are left out.
+
+    Examples
+    --------
+    >>> dome = cq.Workplane().sphere(60, angle1=20).faces(">Z")
+    >>> len(section_strips(dome, cq.Plane.XZ(), "card-200gsm", max_width=8))
+    1
+    """
+    shape = body.val() if isinstance(body, cq.Workplane) else body
+    made = []
+    for one in curves_on_body(shape, planes, half=half):
+        placed: StripOptions = {**options, "plane": one.frame}
+        made.append(bent_strip(one.curve, sheet, max_width=max_width, **placed))
+    return made
+
+
 def model_assembly(model: Model, *, others: Iterable[Holder] = ()) -> cq.Assembly:
     """The bent strips of a model as an assembly with names, colours and places.
 
@@ -437,7 +487,8 @@ def model_assembly(model: Model, *, others: Iterable[Holder] = ()) -> cq.Assembl
     -------
     Assembly
         Called like the model; its children like the parts (with "_" for what queries cannot hold), each strip
-        with its end faces tagged "start" and "end" and its `Strip` as metadata "strip".
+        with its end faces tagged "start" and "end" and its `Strip` as metadata "strip". Of a laminate that is the
+        base, with the backing as its child.
 
     Raises
     ------
@@ -447,17 +498,21 @@ def model_assembly(model: Model, *, others: Iterable[Holder] = ()) -> cq.Assembl
     assembly = cq.Assembly(name=model.name)
     parts = assembly_parts(model.placed, (*model.plates, *others))
     warn_of_missing_slots(model.placed)
-    for part, solid in shape_parts(parts, _part_shape):
-        name, color, place = _called(part.name, assembly), cq.Color(*part.colors[0]), _location(part.frame)
-        if not isinstance(solid, _Ended):
-            assembly.add(solid, name=name, color=color, loc=place)
+    for part, (body, *glued_on) in shape_parts(parts, _part_shapes):
+        name, place = _called(part.name, assembly), _location(part.frame)
+        color, *colors = (cq.Color(*each) for each in part.colors)
+        if not isinstance(body, StripSolid):
+            assembly.add(body, name=name, color=color, loc=place)
             assembly.constrain(name, "Fixed")
             continue
-        work = cq.Workplane(obj=solid)
-        faces = {end: solid.end_face(end) for end in ENDS}
+        work = cq.Workplane(obj=body)
+        faces = {end: body.end_face(end) for end in ENDS}
         for end, face in faces.items():
             work.newObject([face]).tag(end)
-        assembly.add(work, name=name, loc=place, color=color, metadata={"strip": part.strip})
+        strip = cq.Assembly(work, name=name, loc=place, color=color, metadata={"strip": part.strip})
+        for sheet, label, its_color in zip(glued_on, part.names[1:], colors, strict=True):
+            strip.add(sheet, name=_called(label, assembly), color=its_color)
+        assembly.add(strip)
         for end, face in faces.items():
             there = face.moved(place)
             assembly.constrain(f"{name}?{end}", "FixedPoint", there.Center().toTuple())
@@ -465,12 +520,14 @@ def model_assembly(model: Model, *, others: Iterable[Holder] = ()) -> cq.Assembl
     return assembly
 
 
-def _part_shape(part: AssemblyPart) -> cq.Shape:
-    return (
-        cq.Solid(occt.make_solid(part.solids[0]))
-        if part.strip is None
-        else _body(part.solids, MadeStrip(part.strip, Frame()))
-    )
+def _part_shapes(part: AssemblyPart) -> list[cq.Shape]:
+    """A body, of a strip its sheets: the base is the one that knows its strip."""
+    base, *glued_on = (cq.Solid(occt.make_solid(record)) for record in part.solids)
+    if part.strip is not None:
+        home = part.solids[0].joints["start"]
+        made = MadeStrip(part.strip, Frame(), home=home)
+        base = _dressed(StripSolid(base.wrapped), part.solids[0].joints, made)
+    return [base, *glued_on]
 
 
 def register() -> None:

@@ -34,7 +34,7 @@ def plane_curve(
     """
     if _has_faces(shape):
         raise InputError(
-            "a face or a body is no curve: give one of its edges, or the edges in which a plane cuts it"
+            "a face or a body is no curve: give one of its edges, or cut it by planes with section_strips"
         )
     if plane is not None:
         return placed_curve(drawn_edges(shape), plane=plane)

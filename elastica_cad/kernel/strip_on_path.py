@@ -1,11 +1,11 @@
 """The strip of a curve drawn in a CAD kernel, given as numbers, or made before; and what its bodies tell."""
 
 import warnings
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields
 from difflib import get_close_matches
 from functools import lru_cache
-from typing import Any, Literal, TypeAlias, TypedDict
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypedDict
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
@@ -32,6 +32,9 @@ from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
+
+if TYPE_CHECKING:
+    from elastica_cad.forming.plane_sections.section_curves import SectionCurve
 
 End: TypeAlias = Literal["start", "end"]
 
@@ -251,6 +254,30 @@ def make_fixture_on(
     made = make_strip_on(path, sheet, **asked)
     ground = None if floor is None else _frame_of(floor)
     return made, EndFixture.of(made.strip, end, made.frame, floor=ground, number=number, **sizes)
+
+
+def curves_on_body(body: Any, planes: Any, *, half: bool = False) -> "tuple[SectionCurve, ...]":
+    """The curves in which planes cut a face or a body of a kernel, each with its plane in space.
+
+    `planes` are planes of any library, or a `SectionSpec`; `half` keeps what lies on the side of their x axes. What
+    is left out is told by a warning.
+
+    Raises
+    ------
+    InputError
+        No faces, or no section that a strip could follow.
+    """
+    from elastica_cad.forming.plane_sections.section_spec import GivenCuts, SectionSpec
+    from elastica_cad.kernel.shape_sections import shape_surface
+
+    if not isinstance(planes, SectionSpec):
+        rows = planes if isinstance(planes, Iterable) and not isinstance(planes, Frame) else (planes,)
+        planes = SectionSpec(GivenCuts(tuple(map(_frame_of, rows))), half=half)
+    curves, reports = planes.curves(shape_surface(getattr(body, "wrapped", body)))
+    for text in reports:
+        warnings.warn(text, StripWarning, stacklevel=3)
+    found: tuple[SectionCurve, ...] = curves
+    return found
 
 
 def warn_of_missing_slots(placed: Sequence[Placed]) -> None:

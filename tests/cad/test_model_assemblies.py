@@ -11,6 +11,7 @@ from elastica_cad.fabrication.model.assembly import assembly_parts
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
@@ -114,6 +115,33 @@ def test_cadquery_assembly(model):
     for child, (position, angles) in zip(made.children, before, strict=True):
         assert child.loc.toTuple()[0] == pytest.approx(position, abs=1e-4)
         assert np.cos(child.loc.toTuple()[1]) == pytest.approx(np.cos(angles), abs=1e-5)
+
+
+@pytest.mark.cadquery
+def test_sheets_of_laminates_in_cadquery(tmp_path):
+    import cadquery as cq
+
+    from elastica_cad.cadquery import model_assembly
+
+    style = Laminated(width=24.0, backing=Sheet.named("hdf-1.5"), least_backing=0.2)
+    arch = make_strip(ARCH, "birch-plywood-0.8", style=style, label="L")
+    made = model_assembly(Model((Placed(arch, (0, 0, 0), (1, 0, 0), (0, 0, 1)),), name="crown").rotated(2))
+    assert [child.name for child in made.children] == ["L_1", "L_2"]
+    for child in made.children:
+        (backing,) = child.children
+        assert backing.name == f"{child.name}_backing"
+        assert backing.color.toTuple() != child.color.toTuple()
+        whole = child.obj.val().Volume() + backing.obj.Volume()
+        assert whole == pytest.approx(child.obj.val().bent().Volume())
+    made.solve()
+    assert made.objects["L_2"].loc.toTuple()[0] == pytest.approx((0, 0, 0), abs=1e-4)
+    made.export(str(tmp_path / "crown.step"))
+    read = cq.Assembly.importStep(str(tmp_path / "crown.step"))
+    names = [name.rsplit("/", 1)[-1] for name in read.objects]
+    assert {"L_1", "L_2"} < set(names)
+    assert (
+        sum(name.endswith("_backing") for name in names) >= 1
+    )  # the twins share one shape, which has one name
 
 
 @pytest.fixture(scope="module")

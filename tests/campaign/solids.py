@@ -19,6 +19,7 @@ import sys
 import time
 from collections import Counter
 from collections.abc import Iterable
+from importlib import import_module
 from itertools import product
 from pathlib import Path
 from typing import Any
@@ -138,6 +139,8 @@ def main() -> None:
     done = {(row["kernel"], row["style"], row["curve"], row["operation"]) for row in rows}
     curves = list(wanted.curves)
     random.Random(wanted.seed).shuffle(curves)
+    for library in {"build123d", "cadquery"} & set(wanted.kernels):
+        import_module(library)  # once, as every body's process begins as a copy of this one
     end = time.monotonic() + 60 * wanted.minutes
     for curve, style, kernel in product(curves, wanted.styles, wanted.kernels):
         body = kernel, style, curve

@@ -120,6 +120,18 @@ class AlongPath:
         return planes_along(self.path, _plane_count(self.count), ends=self.ends, up=self.up)
 
 
+@dataclass(frozen=True, eq=False)
+class GivenCuts:
+    """Planes as they are drawn."""
+
+    half: ClassVar[bool] = False
+    planes: tuple[Frame, ...]
+
+    def frames(self, _surface: Surface, /) -> tuple[Frame, ...]:
+        """The planes, whatever the surface."""
+        return self.planes
+
+
 class Split(Protocol):
     """A way to split the line of a section."""
 
@@ -206,7 +218,7 @@ class SectionSpec:
 
     Parameters
     ----------
-    cuts : RadialCuts, ParallelCuts or AlongPath
+    cuts : RadialCuts, ParallelCuts, AlongPath or GivenCuts
     half : bool, optional
         Only what lies at x >= 0 of each plane; of radial cuts unless told.
     longest : bool

@@ -1,0 +1,62 @@
+"""Strips along the sections of faces and bodies, in both libraries."""
+
+import numpy as np
+import pytest
+
+from elastica_cad.errors import InputError
+from elastica_cad.forming.limits import Limits
+from elastica_cad.forming.plane_sections.section_spec import ParallelCuts, PlaneSplit, SectionSpec
+from elastica_cad.kernel.strip_on_path import StripWarning
+
+CARD = "card-200gsm"
+CUTS = SectionSpec(ParallelCuts((0, 1, 0), offsets=(-20.0, 20.0)), splits=(PlaneSplit((0, 0, 1)),))
+
+
+def off_sphere(body, radius):
+    """How far the middle of a strip leaves the sphere about the origin, mm."""
+    at = body.frame.point(body.rod.position)
+    return np.abs(np.linalg.norm(at, axis=1) - radius).max()
+
+
+@pytest.mark.build123d
+def test_build123d():
+    import build123d as bd
+
+    from elastica_cad.build123d import BentStrip, section_strips
+
+    ball = bd.Solid.make_sphere(60, angle1=20)
+    dome = ball.faces().sort_by(bd.Axis.Z)[-1]
+    planes = [bd.Plane.XZ.offset(y) for y in (-20, 0, 20)]
+    ribs = section_strips(dome, planes, CARD, max_width=8, label="rib")
+    assert [type(rib) for rib in ribs] == [BentStrip] * 3
+    assert {rib.label for rib in ribs} == {"rib"}
+    for rib, plane in zip(ribs, planes, strict=True):
+        assert off_sphere(rib, 60) < 0.3
+        assert rib.frame.origin @ rib.frame.z_axis == pytest.approx(tuple(plane.origin) @ rib.frame.z_axis)
+    (half,) = section_strips(dome, bd.Plane.XZ, CARD, max_width=8, half=True)
+    assert half.rod.length == pytest.approx(ribs[1].rod.length / 2, rel=1e-3)
+    halves = section_strips(bd.Sphere(60), CUTS, CARD, max_width=8, limits=Limits(ratio=3))
+    assert len(halves) == 4
+    with pytest.raises(InputError, match="split"):
+        section_strips(bd.Sphere(60), bd.Plane.XZ, CARD, max_width=8)
+    with pytest.raises(InputError, match="no faces"):
+        section_strips(bd.Edge.make_line((0, 0), (1, 0)), bd.Plane.XZ, CARD, max_width=8)
+    with pytest.warns(StripWarning, match="misses"):
+        section_strips(dome, [bd.Plane.XZ, bd.Plane.XZ.offset(100)], CARD, max_width=8)
+
+
+@pytest.mark.cadquery
+def test_cadquery():
+    import cadquery as cq
+
+    from elastica_cad.cadquery import StripSolid, section_strips
+
+    dome = cq.Workplane().sphere(60, angle1=20).faces(">Z")
+    planes = [cq.Plane.XZ((0, y, 0)) for y in (-20, 0, 20)]
+    ribs = section_strips(dome, planes, CARD, max_width=8)
+    assert [type(rib) for rib in ribs] == [StripSolid] * 3
+    assert max(off_sphere(rib, 60) for rib in ribs) < 0.3
+    halves = section_strips(cq.Solid.makeSphere(60, angleDegrees1=-90), CUTS, CARD, max_width=8)
+    assert len(halves) == 4
+    with pytest.raises(InputError, match="split"):
+        section_strips(cq.Solid.makeSphere(60, angleDegrees1=-90), cq.Plane.XZ(), CARD, max_width=8)
