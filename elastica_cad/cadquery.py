@@ -589,22 +589,23 @@ def _workplane_strip(
     bodies = []
     for chain in cq.Wire.combine(_edges(drawn), CHAIN):
         made = _designed(chain, sheet, max_width=max_width, workplane=self.plane, **options)
-        flat = form == "flat"
-        records = FlatSolid.layers(made.strip) if flat else BentSolid.layers(made.strip, made.frame)
+        records = FlatSolid.layers(made.strip) if form == "flat" else BentSolid.layers(made.strip, made.frame)
         bodies.append(_body(records, made))
-    here = self.plane.location if form == "flat" else cq.Location()
-    for end in ENDS:
-        self.newObject([body.end_face(end).moved(here) for body in bodies]).tag(end)
     tidy = clean and bool(combine)  # alone the strip is clean, and stays the object that knows its rod
-    places = [item for item in self.objects if isinstance(item, cq.Vector | cq.Location)]
-    if form == "flat" and len(bodies) == 1:
-        origin = self.newObject(places or [cq.Location()])
-        return origin.eachpoint(bodies[0].moved, True, combine, tidy)
-    left = iter(bodies)
-    origin = self.newObject([cq.Location()] * len(bodies))
-    return origin.eachpoint(
-        lambda at: next(left).moved(at) if form == "flat" else next(left), form == "flat", combine, tidy
-    )
+    flat = form == "flat"
+    places = [item for item in self.objects if flat and not isinstance(item, cq.Edge | cq.Wire)]
+    places = places or [cq.Location()]
+    left = iter([body for body in bodies for _ in places])
+    put = []
+
+    def at_place(place: cq.Location) -> StripSolid | StripCompound:
+        put.append(next(left).moved(place) if flat else next(left))
+        return put[-1]
+
+    made = self.newObject(places * len(bodies)).eachpoint(at_place, flat, combine, tidy)
+    for end in ENDS:
+        self.newObject([body.end_face(end) for body in put]).tag(end)
+    return made
 
 
 def _edges(drawn: Iterable[cq.Edge | cq.Wire]) -> list[cq.Edge]:

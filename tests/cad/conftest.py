@@ -19,6 +19,7 @@ NEEDS = {
     "test_cadquery_strips.py": {"cadquery"},
     "test_five_doors.py": SKINS,
     "test_same_strip.py": SKINS,
+    "test_screws_of_bd_warehouse.py": SKINS,  # and bd_warehouse, which is in the environment of both
     "test_typing.py": SKINS,  # and mypy, which is where both are
 }
 

@@ -80,6 +80,25 @@ class TestCadQuery:
 
         return bent_strip(CURVE, SHEET, plane=cq.Plane.XZ(), **OPTIONS)
 
+    def test_as_plugins_are_tested(self):
+        """`cadquery-plugins` asks that an object comes at every point of the stack, and combines if told."""
+        import cadquery as cq
+
+        from elastica_cad.cadquery import register
+
+        register()
+        drawn = cq.Workplane("XZ").spline([(0, 0), (60, 50), (120, 0)])
+        result = drawn.rect(400, 200, forConstruction=True).vertices().elasticStrip(SHEET, max_width=12)
+        assert result.solids().size() == 4
+        corners = sorted((round(body.Center().x), round(body.Center().z)) for body in result.vals())
+        assert np.ptp(corners, axis=0) == pytest.approx((400, 200), abs=1)
+        base = cq.Workplane().box(500, 300, 2, centered=(False, True, False))
+        joined = base.faces(">Z").workplane().spline([(0, 0), (60, 50), (120, 0)]).elasticStrip(
+            SHEET, max_width=12, combine=True
+        )  # fmt: skip
+        assert joined.solids().size() == 1
+        assert joined.val().Volume() > base.val().Volume()
+
     def test_assembly_that_is_solved(self, rib):
         """A foot finds its place on the strip's end face."""
         import cadquery as cq
