@@ -15,13 +15,6 @@ except ImportError as error:
     raise ImportError(f"elastica_cad.build123d needs build123d: {how_to_install('build123d')}") from error
 
 from elastica_cad.fabrication.drawings.sheet_colors import FIXTURE_COLOR, sheet_color
-from elastica_cad.fabrication.model.assembly import (
-    AssemblyPart,
-    Holder,
-    assembly_parts,
-    shape_parts,
-)
-from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.solids.prisms import PrismSolid
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -31,6 +24,7 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.kernel import occt
+from elastica_cad.kernel.end_travel import Travel
 from elastica_cad.kernel.strip_on_path import (
     End,
     FixtureOptions,
@@ -43,13 +37,14 @@ from elastica_cad.kernel.strip_on_path import (
     make_strip_on,
     warn_of_missing_slots,
 )
-from elastica_cad.kernel.travel import Travel
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.bending.between_clamps import elastica_between
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.material.sheet import Sheet
 
 if TYPE_CHECKING:
+    from elastica_cad.fabrication.model.assembly import AssemblyPart, Holder
+    from elastica_cad.fabrication.model.strip_model import Model
     from elastica_cad.forming.plane_sections.section_spec import SectionSpec
 
 __all__ = [
@@ -555,7 +550,7 @@ class PlacedStrip(_Made, bd.Part):
     """A bent strip of a model, in its place; `strip`, `rod`, `check`, `warnings` tell about it."""
 
 
-def model_compound(model: Model, *, others: Iterable[Holder] = ()) -> bd.Compound:
+def model_compound(model: "Model", *, others: "Iterable[Holder]" = ()) -> bd.Compound:
     """The bent strips of a model as an assembly: a compound whose children are called like the parts.
 
     Equal strips share one body. Every child has the joints of `BentStrip` and knows its `strip`; the sheets of a
@@ -577,6 +572,8 @@ def model_compound(model: Model, *, others: Iterable[Holder] = ()) -> bd.Compoun
     InputError
         Something else among `others`.
     """
+    from elastica_cad.fabrication.model.assembly import assembly_parts, shape_parts
+
     parts = assembly_parts(model.placed, (*model.plates, *others))
     warn_of_missing_slots(model.placed)
     children = [
@@ -585,7 +582,7 @@ def model_compound(model: Model, *, others: Iterable[Holder] = ()) -> bd.Compoun
     return bd.Compound(label=model.name, children=children)
 
 
-def _child(part: AssemblyPart, solids: list[bd.Solid]) -> bd.Part:
+def _child(part: "AssemblyPart", solids: list[bd.Solid]) -> bd.Part:
     """A part of an assembly in its place; of a strip one that knows it."""
     child: Any = bd.Part(solids[0].wrapped)
     if part.strip is not None:

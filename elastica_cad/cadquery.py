@@ -19,13 +19,6 @@ except ImportError as error:
     raise ImportError(f"elastica_cad.cadquery needs CadQuery: {how_to_install('cadquery')}") from error
 
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
-from elastica_cad.fabrication.model.assembly import (
-    AssemblyPart,
-    Holder,
-    assembly_parts,
-    shape_parts,
-)
-from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.solids.prisms import PrismSolid
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -35,6 +28,7 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.kernel import occt
+from elastica_cad.kernel.end_travel import Travel
 from elastica_cad.kernel.strip_on_path import (
     End,
     FixtureOptions,
@@ -47,13 +41,14 @@ from elastica_cad.kernel.strip_on_path import (
     make_strip_on,
     warn_of_missing_slots,
 )
-from elastica_cad.kernel.travel import Travel
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.bending.between_clamps import elastica_between
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.material.sheet import Sheet
 
 if TYPE_CHECKING:
+    from elastica_cad.fabrication.model.assembly import AssemblyPart, Holder
+    from elastica_cad.fabrication.model.strip_model import Model
     from elastica_cad.forming.plane_sections.section_spec import SectionSpec
 
 __all__ = [
@@ -471,7 +466,7 @@ def section_strips(
     return made
 
 
-def model_assembly(model: Model, *, others: Iterable[Holder] = ()) -> cq.Assembly:
+def model_assembly(model: "Model", *, others: "Iterable[Holder]" = ()) -> cq.Assembly:
     """The bent strips of a model as an assembly with names, colours and places.
 
     The ends of every strip are held by constraints (points and axes of their end faces), so that parts which are
@@ -495,6 +490,8 @@ def model_assembly(model: Model, *, others: Iterable[Holder] = ()) -> cq.Assembl
     InputError
         Something else among `others`.
     """
+    from elastica_cad.fabrication.model.assembly import assembly_parts, shape_parts
+
     assembly = cq.Assembly(name=model.name)
     parts = assembly_parts(model.placed, (*model.plates, *others))
     warn_of_missing_slots(model.placed)
@@ -520,7 +517,7 @@ def model_assembly(model: Model, *, others: Iterable[Holder] = ()) -> cq.Assembl
     return assembly
 
 
-def _part_shapes(part: AssemblyPart) -> list[cq.Shape]:
+def _part_shapes(part: "AssemblyPart") -> list[cq.Shape]:
     """A body, of a strip its sheets: the base is the one that knows its strip."""
     base, *glued_on = (cq.Solid(occt.make_solid(record)) for record in part.solids)
     if part.strip is not None:

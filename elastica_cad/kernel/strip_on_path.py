@@ -8,10 +8,6 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypedDict
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.holders.end_fixtures import EndFixture
-from elastica_cad.fabrication.interlocking.missing_slots import missing_slots
-from elastica_cad.fabrication.makeability.shop import Shop
-from elastica_cad.fabrication.model.assembly import layer_names
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.solids.self_contact import self_contact
@@ -20,9 +16,6 @@ from elastica_cad.fabrication.solids.strip_solids import BentSolid
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.styles import Style
 from elastica_cad.fabrication.strip.tabs import Tab
-from elastica_cad.fabrication.strip_spec import AskedGravity, StripSpec
-from elastica_cad.forming.limits import Keep, Limits
-from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.drawn_edges import plane_curve
@@ -33,7 +26,12 @@ from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
 
+# what solves and holds strips is imported when it is asked for: a skin is then there soon after its library
 if TYPE_CHECKING:
+    from elastica_cad.fabrication.holders.end_fixtures import EndFixture
+    from elastica_cad.fabrication.makeability.shop import Shop
+    from elastica_cad.fabrication.strip_spec import AskedGravity, StripSpec
+    from elastica_cad.forming.limits import Keep, Limits
     from elastica_cad.forming.plane_sections.section_curves import SectionCurve
 
 End: TypeAlias = Literal["start", "end"]
@@ -66,9 +64,9 @@ class StripOptions(TypedDict, total=False):
     plane: Any
     min_width: float | None
     style: Style
-    limits: Limits | None
-    keep: Keep | None
-    gravity: AskedGravity
+    limits: "Limits | None"
+    keep: "Keep | None"
+    gravity: "AskedGravity"
     loads: Sequence[PointMass] | Weight
     supports: Supports
     natural_curvature: float
@@ -77,7 +75,7 @@ class StripOptions(TypedDict, total=False):
     ends: Tab | Sequence[Tab]
     slots: Slot | Sequence[Slot]
     label: str
-    shop: Shop
+    shop: "Shop"
     compensate: bool
     anyway: bool
 
@@ -170,6 +168,8 @@ class StripBody:
 
     def _layers(self) -> Iterator[tuple[Shape, str, Sheet]]:
         """The bent sheets, the base first: TopoDS_Solid, name, material."""
+        from elastica_cad.fabrication.model.assembly import layer_names
+
         names = layer_names(self.strip.label or "strip", self.strip)
         records = BentSolid.layers(self.strip, self.frame)
         for record, name, layer in zip(records, names, self.strip.layers, strict=True):
@@ -202,6 +202,8 @@ def make_strip_on(
         Edges that are no open, smooth, plane curve, or lie in another plane; options that are not known, or that
         come too late for a strip that is made; and as `StripSpec.make`.
     """
+    from elastica_cad.fabrication.strip_spec import StripSpec
+
     asked = {name: value for name, value in asked.items() if value is not None}
     _refuse_unknown(asked)
     frame = _frame_of(asked.pop("plane")) if "plane" in asked else None
@@ -245,11 +247,13 @@ def make_fixture_on(
     floor: Any = None,
     number: str | None = None,
     **asked: Any,
-) -> tuple[MadeStrip, EndFixture]:
+) -> "tuple[MadeStrip, EndFixture]":
     """The block that holds an end of the strip that `make_strip_on` makes, and that strip.
 
     `floor` is a plane of any library, `asked` as `FixtureOptions`; errors as of `EndFixture` and `make_strip_on`.
     """
+    from elastica_cad.fabrication.holders.end_fixtures import EndFixture
+
     sizes = {name: asked.pop(name) for name in FIXTURE_SIZES if name in asked}
     made = make_strip_on(path, sheet, **asked)
     ground = None if floor is None else _frame_of(floor)
@@ -282,13 +286,17 @@ def curves_on_body(body: Any, planes: Any, *, half: bool = False) -> "tuple[Sect
 
 def warn_of_missing_slots(placed: Sequence[Placed]) -> None:
     """Tell of strips of a model that run through each other."""
+    from elastica_cad.fabrication.interlocking.missing_slots import missing_slots
+
     for text in missing_slots(placed):
         warnings.warn(text, StripWarning, stacklevel=3)
 
 
 @lru_cache(maxsize=KEPT_REQUESTS)
-def _made(spec: StripSpec) -> tuple[Strip, float]:
+def _made(spec: "StripSpec") -> tuple[Strip, float]:
     """The strip and its deviation."""
+    from elastica_cad.forming.nearest.nearest_record import NearestRod
+
     found = spec.rod_spec.solve()
     return spec.make(found), found.deviation if isinstance(found, NearestRod) else 0.0
 
@@ -308,6 +316,8 @@ def _warn_of_contact(strip: Strip) -> None:
 
 def _refuse_unknown(asked: Mapping[str, Any]) -> None:
     """Names that are no options, with the nearest that is."""
+    from elastica_cad.fabrication.strip_spec import StripSpec
+
     known = sorted({"plane", *(field.name for field in fields(StripSpec))} - {"curve", "sheet", "frame"})
     for name in asked:
         if name in known:
