@@ -11,6 +11,7 @@ from click.testing import CliRunner
 
 from elastica_cad.cli.commands import elastica
 from elastica_cad.fabrication.drawings.drawing import CUT_OUTER
+from elastica_cad.fabrication.holders.rocking_tabs import rocking_tabs
 from elastica_cad.files import read_curves
 from elastica_cad.formats.design_files.design_file import read_design
 
@@ -71,7 +72,7 @@ def test_rows_are_filled_to_80_percent(model, design):
 
 def test_every_file_is_sound(folder, check_drawing_file):
     drawings = [path for path in folder.rglob("*") if path.suffix in (".dxf", ".svg")]
-    assert len(drawings) == 2 * (31 + 1 + 2 + 4 + 1)
+    assert len(drawings) == 2 * (31 + 2 + 2 + 4 + 2)  # two plates, nested on a sheet each
     for path in drawings:
         if path.suffix == ".dxf" or path.name.startswith("P1_"):
             check_drawing_file(path)
@@ -79,18 +80,20 @@ def test_every_file_is_sound(folder, check_drawing_file):
 
 def test_the_cut_list_names_every_file(folder):
     rows = list(csv.DictReader(io.StringIO((folder / "pavilion-cut-list.csv").read_text())))
-    assert len(rows) == 34
+    assert len(rows) == 35
     assert all((folder / row["file"]).is_file() for row in rows)
     report = json.loads((folder / "pavilion.json").read_text())
     assert report["schema"] == "elastica-model/1"
     assert set(report["files"]) == {
         path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file()
     }
-    assert sum(len(sheet["pieces"]) for sheet in report["sheets"]) == 34
+    assert sum(len(sheet["pieces"]) for sheet in report["sheets"]) == 35
 
 
-def test_the_base_has_a_slot_for_every_tab(model, design):
-    (base,), _ = design.kit.holders[0].made(model)
-    assert len(base.slots) == 62
-    assert min(slot.size[1] for slot in base.slots) == pytest.approx(0.7)
-    assert [slot.size[0] for slot in base.slots] == pytest.approx([19.0] * 62)
+def test_both_plates_of_the_base_have_a_slot_for_every_tab_and_let_none_rock(model, design):
+    plates, _ = design.kit.holders[0].made(model)
+    assert [plate.name for plate in plates] == ["base", "base-lower"]
+    for plate in plates:
+        assert len(plate.slots) == 62
+        assert [slot.size[0] for slot in plate.slots] == pytest.approx([19.0] * 62)
+    assert not rocking_tabs(model.placed, plates)

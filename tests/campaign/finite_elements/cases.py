@@ -96,6 +96,7 @@ def _perforated() -> Iterator[Case]:
         yield _holed(nu, curve, rows, 30.0, 2.5)
     for nu, curve, rows in ((0.0, "arch", 6), (0.0, "arch", 12), (0.3, "bow", 9)):
         yield _holed(nu, curve, rows, 60.0, 2.5)
+    yield _holed(0.3, "bow", 9, 90.0, 3.0)  # ligaments lean by up to 48 degrees
 
 
 def _holed(nu: float, curve: str, rows: int, width: float, size: float) -> Case:
