@@ -54,8 +54,8 @@ from elastica_cad.mechanics.stability.stability_verdict import Stability, stabil
 @click.option("--gravity", is_flag=True, help="The strip feels its weight (needs --sheet).")
 @click.option("--down", type=(float, float), default=(0.0, -1.0), show_default=True, metavar="X Y",
               help="The direction in which things fall.")  # fmt: skip
-@click.option("--from", "start", type=POINT, metavar="X Y", help="Move the start there, mm.")
-@click.option("--to", "end", type=POINT, metavar="X Y", help="Move the end there, mm.")
+@click.option("--from", "start", type=POINT, metavar="X Y", help="Move the start there, mm, y up.")
+@click.option("--to", "end", type=POINT, metavar="X Y", help="Move the end there, mm, y up.")
 @click.option("--start-angle", type=float, metavar="DEG", help="Turn the start to this direction.")
 @click.option(
     "--end-angle", type=float, metavar="DEG", help="Turn the end to this direction, counted along the strip."

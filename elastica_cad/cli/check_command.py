@@ -5,15 +5,16 @@ from typing import Any
 
 import click
 
-from elastica_cad.cli.cures import cure_for_curve
 from elastica_cad.cli.options import (
     bendable_curve,
     curve_options,
     drawn_curves,
     smooth_option,
+    split_option,
     support_options,
     which_options,
 )
+from elastica_cad.cli.running.strip_cures import MOST_CURES, cure_for_curve
 from elastica_cad.cli.running.voice import answer, say, warn
 from elastica_cad.errors import ElasticaError
 from elastica_cad.formats.curve_files.drawn_file import DrawnCurve
@@ -25,13 +26,11 @@ from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
 NOT_REALIZABLE, BAD_INPUT = 1, 2
 
-MOST_CURES = 3
-"""Curves of a file for which a strip is sought; each costs a few solves."""
-
 
 @click.command()
 @curve_options
 @which_options
+@split_option
 @support_options
 @smooth_option
 @click.pass_context
@@ -41,6 +40,7 @@ def check(
     unit: str | None,
     number: str | None,
     layer: str | None,
+    split_corners: bool,
     start: EndName,
     end: EndName,
     natural_curvature: float,
@@ -55,11 +55,17 @@ def check(
     drawing = drawn_curves(curve, unit, number, layer)
     supports, worst = Supports(start, end), 0
     answers: list[tuple[DrawnCurve, dict[str, Any]]] = []
-    for one in drawing.chosen(number, layer):
+    judged = [
+        (whole, one)
+        for whole in drawing.chosen(number, layer)
+        for one in (whole.split_at_corners() if split_corners else (whole,))
+    ]
+    several = max(len(drawing), len(judged)) > 1
+    for whole, one in judged:
         try:
             found, good = _judged(curve, one, len(drawing), supports, natural_curvature, smooth)
         except ElasticaError as problem:
-            if len(drawing) == 1:
+            if not several:
                 if not one.problem:
                     problem.add_note(cure_for_curve(one.curve, supports, natural_curvature, smooth, ()))
                 raise
@@ -68,11 +74,11 @@ def check(
         cured = sum("cure" in told for _, told in answers)
         if not good and not one.problem and cured < MOST_CURES:
             which = ("--curve", str(one.number)) if len(drawing) > 1 else ()
-            cure = cure_for_curve(one.curve, supports, natural_curvature, smooth, which)
+            cure = cure_for_curve(whole.curve, supports, natural_curvature, smooth, which)
             found |= {"cure": cure} if cure else {}
         worst = max(worst, 0 if good else NOT_REALIZABLE)
         answers.append((one, found))
-        head = f"{curve.name}, {one.called} of {len(drawing)}:\n" if len(drawing) > 1 else ""
+        head = f"{curve.name}, {one.called} of {len(drawing)}:\n" if several else ""
         said = " ".join(filter(None, (found["advice"], *found.get("notes", ()), found.get("cure", ""))))
         if "problem" in found:
             warn(said)

@@ -8,12 +8,13 @@ import click
 from elastica_cad.cli.bend_command import bend_command
 from elastica_cad.cli.check_command import check
 from elastica_cad.cli.coupon_command import coupon
-from elastica_cad.cli.cures import TYPED, cure_by_trial
+from elastica_cad.cli.cures import cure_by_trial
 from elastica_cad.cli.model_command import model
 from elastica_cad.cli.new_command import new
 from elastica_cad.cli.options import refuse_huge_numbers, refuse_odd_numbers
 from elastica_cad.cli.reshape_command import reshape
 from elastica_cad.cli.running.lengths import UNITS
+from elastica_cad.cli.running.strip_cures import TYPED, say_with_cure
 from elastica_cad.cli.running.voice import voice
 from elastica_cad.cli.running.watching import remake_on_change
 from elastica_cad.cli.sections_command import sections
@@ -38,16 +39,6 @@ def _version() -> str:
         return version("elastica-cad")
     except PackageNotFoundError:
         return "from a checkout"
-
-
-def _said(problem: ElasticaError) -> str:
-    """The refusal, and the cure that was found for it."""
-    return _with_cure(str(problem), " ".join(getattr(problem, "__notes__", ())))
-
-
-def _with_cure(said: str, cure: str) -> str:
-    """Two sentences, or one."""
-    return f"{said}{'' if said.endswith(('.', '?', '!', '.)')) else '.'} {cure}" if cure else said
 
 
 class _Sentences(click.Group):
@@ -167,7 +158,7 @@ def _once(run: Any, chosen: dict[str, Any]) -> None:
 def _refuse(problem: ElasticaError) -> int:
     """Say what is wrong, with the cure that was found, and give the exit code."""
     begins, code = next((told for kind, told in TOLD.items() if isinstance(problem, kind)))
-    voice().refuse(f"{begins}: {_said(problem)}", code)
+    voice().refuse(f"{begins}: {say_with_cure(problem)}", code)
     return code
 
 

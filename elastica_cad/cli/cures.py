@@ -1,11 +1,9 @@
 """What a refusal ends with: the command that would work, tried before it is said, and what it costs."""
 
 import re
-import shlex
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
-from contextvars import ContextVar
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from difflib import get_close_matches
 from itertools import chain, islice, product
 from pathlib import Path
@@ -16,27 +14,16 @@ import click
 import numpy as np
 
 from elastica_cad.cli.running.design_mends import mends
-from elastica_cad.cli.running.program import name_program
+from elastica_cad.cli.running.strip_cures import TRYING, command_line
 from elastica_cad.errors import ElasticaError
-from elastica_cad.fabrication.makeability.splices import SPLICED
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.styles import Plain
-from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import read_drawing
 from elastica_cad.formats.design_files.reshaping import CORNERS, box_around
-from elastica_cad.forming.limits import Keep, Limits
-from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.rod.rod_record import Rod
 
 Words: TypeAlias = tuple[str, ...]
 
 MOST_TRIALS = 6
 """Commands that are run before a refusal is told without one."""
-
-TRYING: ContextVar[bool] = ContextVar("elastica.trying", default=False)
-"""Does a command run to see whether it works? It then looks for no cure of its own."""
 
 QUICK = {"model": ("--no-step", "--no-pictures", "--no-effects", "--no-parts")}
 """Options that leave out of a trial what cannot make it fail."""
@@ -58,144 +45,8 @@ ADDED = (
 )
 """Words that are added where a command knows them and its refusal speaks of them: (pattern, words)."""
 
-
-TYPED = "elastica.typed"
-"""Key of the words that the user typed, in click's `meta`."""
-
-NEAREST = "--nearest"
-
-TRIED_SHEETS = ("birch-plywood-0.8", "pom-0.5", "card-200gsm", "spring-steel-0.2")
-"""What people have, for a curve whose sheet is not said: wood, plastic, card, steel."""
-
-WIDTHS_MM = (8.0, 120.0)
-"""Of a strip for a curve of which no width is said."""
-
-LAP_THICKNESSES = 20
-"""Of the plates that join a strip of pieces: glue holds as well as the sheet from a dozen on."""
-
 PULLED = 1.1
 """Of the box: where a corner of it goes when nobody says."""
-
-NEAR_SHARE = 0.01
-"""Of the length: a strip that comes so near looks as drawn."""
-
-
-def _typed_command(*added: str, instead: str | None = None) -> str:
-    """The running command as it was typed with options behind it, which outweigh those of the same name before.
-
-    `instead` names another command that takes the same options, but for those that print.
-    """
-    context = click.get_current_context()
-    words: Sequence[str] = context.meta.get(TYPED, ())
-    if instead is not None:
-        words = [instead if word == context.info_name else word for word in words if word != "--json"]
-    return _command(*(word for word in words if word != NEAREST), *added)
-
-
-def _command(*words: str) -> str:
-    """A command as it is typed."""
-    return f"{name_program()} {shlex.join(words)}"
-
-
-def cure_for(spec: StripSpec) -> str:
-    """A sentence with a command that makes a strip of this request after all; empty where none was found.
-
-    The ways are tried in order, and the first that succeeds is told: the nearest curve within sheet and widths,
-    then with a free end, then a wider strip.
-    """
-    for added, fields in () if TRYING.get() else _ways(spec):
-        answer = _solved(spec.changed, **fields)
-        if answer is not None:
-            return f"This works: `{_typed_command(*added)}` {_costs(*answer)}."
-    return ""
-
-
-def cure_for_curve(
-    drawn: PlaneCurve,
-    supports: Supports,
-    natural_curvature: float,
-    smooth: float | None,
-    which: Sequence[str],
-    *,
-    file: Path | None = None,
-) -> str:
-    """A sentence with the command `elastica strip` that comes nearest to a curve that no strip takes.
-
-    Of the sheets tried the first within a hundredth of the length is told, else the one that comes nearest.
-
-    Parameters
-    ----------
-    drawn : PlaneCurve
-    supports, natural_curvature, smooth
-        As asked of the check.
-    which : sequence of str
-        Words that choose this curve in its file.
-    file : Path, optional
-        That holds the curve, where it is not the one that was typed.
-    """
-    if natural_curvature or TRYING.get():
-        return ""
-    width = float(np.clip(round(drawn.length / 12), *WIDTHS_MM))
-    found: list[tuple[NearestRod, Strip]] = []
-    for sheet in TRIED_SHEETS:
-        asked = {"max_width": width, "supports": supports, "smooth": smooth}
-        answer = _solved(StripSpec, drawn, sheet, limits=Limits(), keep=Keep(), **asked)
-        if answer is None or not isinstance(answer[0], NearestRod):
-            continue
-        found.append((answer[0], answer[1]))
-        if answer[0].deviation < NEAR_SHARE * drawn.length:
-            break
-    if not found:
-        return ""
-    near, made = min(found, key=lambda one: one[0].deviation)
-    words = ["--sheet", made.sheet.name, "--max-width", f"{width:g}", NEAREST, *which]
-    typed = _typed_command(*words, instead="strip") if file is None else _command("strip", str(file), *words)
-    return f"This works: `{typed}` {_costs(near, made)}."
-
-
-def _solved(
-    asked: Callable[..., StripSpec], *values: Any, **fields: Any
-) -> tuple[Rod | NearestRod, Strip] | None:
-    """What answers a request, and its strip, where there is one."""
-    try:
-        spec = asked(*values, **fields)
-        found = spec.rod_spec.solve()
-        return found, spec.make(found)
-    except ElasticaError:
-        return None
-
-
-def _ways(spec: StripSpec) -> Iterator[tuple[tuple[str, ...], dict[str, Any]]]:
-    """Words to add and the fields that they change, the smallest change first."""
-    if spec.natural_curvature or spec.loads or spec.samples is not None:
-        return  # such strips follow their curve exactly
-    limits, keep = spec.limits or Limits(), spec.keep or Keep()
-    flat = spec.curve.length + sum(tab.length for tab in spec.ends)
-    too_long = flat > spec.shop.stock_for(spec.material)[0]
-    if too_long and spec.shop.lap is None and isinstance(spec.style, Plain):
-        lap = round(LAP_THICKNESSES * spec.material.thickness)
-        joined = {"shop": replace(spec.shop, lap=float(lap))}
-        yield ("--lap", f"{lap}"), joined
-        yield ("--lap", f"{lap}", NEAREST), joined | {"limits": limits, "keep": keep}
-    if not spec.may_change:
-        yield (NEAREST,), {"limits": limits, "keep": keep}
-    if keep.both_ends == (True, True):
-        freed = replace(keep, ends=(True, False))
-        yield (NEAREST, "--keep-ends", "start"), {"limits": limits, "keep": freed}
-    if spec.max_width is not None:
-        wider = round(2 * spec.max_width, 3)
-        yield ("--max-width", f"{wider:g}", NEAREST), {"limits": limits, "keep": keep, "max_width": wider}
-
-
-def _costs(found: Rod | NearestRod, made: Strip) -> str:
-    """What a strip gives up for being made."""
-    off = f"bends to within {found.deviation:.2g} mm of" if isinstance(found, NearestRod) else "keeps"
-    joined = "".join(f", {text}" for text in made.warnings if text.startswith(SPLICED))
-    strain = 100 * made.max_strain / made.strain_limit
-    return (
-        f"{off} the drawn curve, ratio {made.rod.ratio:.2g}, {strain:.0f} % of the strain that "
-        f"{made.sheet.name} bears{joined}"
-    )
 
 
 @dataclass(frozen=True)
@@ -250,11 +101,11 @@ def cure_by_trial(group: click.Group, words: Sequence[str], said: str) -> str:
     if TRYING.get() or "-" in words:  # standard input has been read
         return ""
     for mended, result in _mended(group, tuple(words), said):
-        return f"This works: {mended}, then `{_command(*words)}`{result}."
+        return f"This works: {mended}, then `{command_line(*words)}`{result}."
     for changed in islice(dict.fromkeys(_changes(group, tuple(words), said)), MOST_TRIALS):
         gave = _run(group, changed)
         if gave is not None:
-            return f"This works: `{_command(*changed)}`{gave}."
+            return f"This works: `{command_line(*changed)}`{gave}."
     return ""
 
 
@@ -344,15 +195,29 @@ def _chosen(refused: _Refused) -> Iterator[Words]:
 
 
 def _closer(refused: _Refused) -> Iterator[Words]:
-    """Ends of a straight strip that it can reach."""
+    """Ends that the strip can reach."""
     far = re.search(r"the ends are ([\d.e+]+) mm apart, but the rod is only ([\d.e+]+) mm", refused.said)
-    if far is None or "--straight" not in refused.words or "--from" in refused.words:
+    if far is None:
         return
-    share = 0.9 * float(far[2]) / float(far[1])
+    try:
+        asked = refused.command.make_context(refused.name, list(refused.words)).params
+        drawn = None if asked["curve"] is None else _drawn_curves(asked)[0]
+    except (click.UsageError, ElasticaError, IndexError):
+        return
+    x, y = asked["start"] or ((0.0, 0.0) if drawn is None else drawn.evaluate(np.array(drawn.domain[0])))
+    reach = float(far[2]) / float(far[1])
     (ends,) = (option for option in refused.command.params if "--to" in option.opts)
-    for start, end in refused.typed(ends):
-        near = [f"{share * float(value):.4g}" for value in refused.words[start + 1 : end]]
-        yield (*refused.words[: start + 1], *near, *refused.words[end:])
+    more = ("--steps", "20")  # one step may be too long for a curve that is bent already
+    for (start, end), share, added in product(refused.typed(ends), (0.9 * reach, 0.6 * reach), ((), more)):
+        to_x, to_y = asked["end"]
+        near = (f"{x + share * (to_x - x):.4g}", f"{y + share * (to_y - y):.4g}")
+        yield (*refused.words[: start + 1], *near, *refused.words[end:], *added)
+
+
+def _drawn_curves(asked: dict[str, Any]) -> list[PlaneCurve]:
+    """The curves of a file that were asked for."""
+    drawing = read_drawing(asked["curve"], unit=asked["unit"])
+    return [one.curve for one in drawing.chosen(asked["number"], asked["layer"])]
 
 
 def _handled(refused: _Refused) -> Iterator[Words]:
@@ -361,8 +226,7 @@ def _handled(refused: _Refused) -> Iterator[Words]:
         return
     try:
         asked = refused.command.make_context(refused.name, list(refused.words)).params
-        drawing = read_drawing(asked["curve"], unit=asked["unit"])
-        curves = [one.curve for one in drawing.chosen(asked["number"], asked["layer"])]
+        curves = _drawn_curves(asked)
     except (click.UsageError, ElasticaError):
         return
     (left, low), (right, high) = box_around(curves)

@@ -119,6 +119,11 @@ smooth_option = click.option(
 )  # fmt: skip
 """How far a curve may be moved to become fair."""
 
+split_option = click.option(
+    "--split-corners", is_flag=True, help="Cut curves at their corners; every piece is a curve of its own."
+)
+"""Curves in pieces between corners."""
+
 which_options = join_options(
     click.option("--curve", "number", metavar="N|ID",
                  help="Which curve of the file: its number from 1, or its id."),
@@ -156,11 +161,10 @@ def asked_sheet(chosen: Mapping[str, Any]) -> Sheet:
     return sheet if chosen["thickness"] is None else sheet.with_thickness(chosen["thickness"])
 
 
-def file_stem(path: Path, number: str | None = None) -> str:
-    """What files made from a curve are called: the drawing's name, and the curve's number or id."""
-    if number is None:
-        return path.stem
-    return f"{path.stem}-{re.sub(r'[^-.A-Za-z0-9_]+', '_', number.strip()) or '1'}"
+def file_stem(path: Path, number: str | None = None, piece: int | None = None) -> str:
+    """What files made from a curve are called: the drawing's name, the curve's number or id, and the piece."""
+    words = [] if number is None else [re.sub(r"[^-.A-Za-z0-9_]+", "_", number.strip()) or "1"]
+    return "-".join([path.stem, *words, *([] if piece is None else [str(piece)])])
 
 
 def drawn_curves(
@@ -195,14 +199,6 @@ def bendable_curve(path: Path, drawn: DrawnCurve, count: int, *, may_change: boo
         message = str(problem)
         raise InputError(message if str(path) in message else f"{path}{which}: {message}") from problem
     return curve
-
-
-def bendable_curves(
-    path: Path, unit: str | None, number: str | None = None, layer: str | None = None
-) -> list[PlaneCurve]:
-    """The chosen curves of a file, all without a choice, each open and without corners."""
-    drawing = drawn_curves(path, unit, number, layer)
-    return [bendable_curve(path, one, len(drawing)) for one in drawing.chosen(number, layer)]
 
 
 def pick_curve(

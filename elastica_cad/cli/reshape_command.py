@@ -7,15 +7,15 @@ from typing import Any
 import click
 
 from elastica_cad._types import FloatArray
-from elastica_cad.cli.cures import cure_for_curve
 from elastica_cad.cli.options import (
-    bendable_curves,
     curve_argument,
+    drawn_curves,
     output_options,
     refuse_odd_numbers,
     which_options,
 )
 from elastica_cad.cli.running.lengths import LENGTH, POINT
+from elastica_cad.cli.running.strip_cures import MOST_CURES, cure_for_curve
 from elastica_cad.cli.running.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.write_curves import write_curves
@@ -25,7 +25,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.curves.projective_maps import four_point_map
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium, require_bendable
 
 NO_MAP = "No such map makes a curve that can be bent of one that cannot: redraw it."
 
@@ -68,7 +68,12 @@ def reshape(
     map mends that.
     """
     refuse_odd_numbers({"handles": handles, **corners})
-    drawn = bendable_curves(curve, unit, number, layer)
+    drawing = drawn_curves(curve, unit, number, layer)
+    chosen = drawing.chosen(number, layer)
+    for one in chosen if len(chosen) > 1 else ():
+        if one.problem:
+            warn(f"{curve.name}, {one.called} of {len(drawing)} is left out: {one.problem}")
+    drawn = [one.curve for one in chosen if not one.problem] or [chosen[0].curve]
     matrix = _map(drawn, handles, {name: place for name, place in corners.items() if place is not None})
     changed = [one.transformed(matrix) for one in drawn]
     names = [f"{curve.stem}-reshaped.{kind}" for kind in KINDS]
@@ -85,10 +90,11 @@ def reshape(
     answer({"map": matrix, "curves": told})
     wrote([output / name for name in names])
     bad = [i for i, one in enumerate(told) if not one["after"]["realizable"]]
-    if bad:
-        which = ("--curve", str(bad[0] + 1)) if len(changed) > 1 else ()
-        file = output / names[0]
-        warn(cure_for_curve(changed[bad[0]], Supports(), 0.0, None, which, file=file) or NO_MAP)
+    for i in bad[:MOST_CURES]:
+        which = ("--curve", str(i + 1)) if len(changed) > 1 else ()
+        cure = cure_for_curve(changed[i], Supports(), 0.0, None, which, file=output / names[0])
+        warn(f"{f'curve {i + 1} of {len(changed)}: ' if len(changed) > 1 else ''}{cure or NO_MAP}")
+    if bad or len(drawn) < len(chosen):
         ctx.exit(1)
 
 
@@ -114,9 +120,13 @@ def _map(
 
 def _verdict(curve: PlaneCurve) -> dict[str, Any]:
     """Can it be bent, and what it asks of the strip."""
+    measured = {"length": curve.length, "realizable": False, "inflections": (), "ratio": None}
+    try:
+        require_bendable(curve)
+    except InputError as problem:
+        return measured | {"reasons": (str(problem),)}
     check = check_equilibrium(curve)
-    return {
-        "length": curve.length,
+    return measured | {
         "inflections": check.inflections,
         "realizable": check.realizable,
         "reasons": check.reasons,

@@ -1,9 +1,10 @@
 """`elastica strip`: from a drawn curve to the files that a laser cutter needs."""
 
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import replace
+from functools import partial
 from importlib.util import find_spec
 from itertools import islice
 from pathlib import Path
@@ -11,7 +12,6 @@ from typing import Any
 
 import click
 
-from elastica_cad.cli.cures import cure_for
 from elastica_cad.cli.options import (
     CHOICE,
     bendable_curve,
@@ -21,9 +21,11 @@ from elastica_cad.cli.options import (
     holding_option,
     join_options,
     output_options,
+    split_option,
     which_options,
 )
 from elastica_cad.cli.running.lengths import LENGTH, Length
+from elastica_cad.cli.running.strip_cures import MOST_CURES, cure_for, say_with_cure
 from elastica_cad.cli.running.voice import answer, say, say_step, warn, wrote
 from elastica_cad.cli.strip_options import NotMetError, spec_from_options, strip_options
 from elastica_cad.errors import ElasticaError, InputError, NotConvergedError, how_to_install
@@ -32,6 +34,7 @@ from elastica_cad.fabrication.drawings.lettering import engravable
 from elastica_cad.fabrication.makeability.splices import spliced
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.slots.mating_marks import end_numbers
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import save
@@ -81,6 +84,7 @@ def _cutting(chosen: Mapping[str, Any]) -> Cutting:
 @curve_options
 @which_options
 @click.option("--all", "every", is_flag=True, help="A strip for every curve of the file, each for itself.")
+@split_option
 @strip_options
 @click.option("--strict", is_flag=True, help="Exit with 1 when the strain is beyond what the sheet bears.")
 @join_options(*_CUT)
@@ -92,6 +96,9 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
     matplotlib) and NAME.step (flat and bent strip; needs build123d or CadQuery); NAME is that of the file read.
     NAME-backing.dxf and .svg are what is glued on a laminate. --glb and --paper add a model and a template.
 
+    --split-corners makes a strip of every piece between corners, NAME-1, NAME-2 ..., whose ends carry the same J1
+    where they meet.
+
     The curve is taken exactly as drawn, or refused; only a pen curve whose curvature jumps from piece to piece is
     made fair within 0.1 mm or so, which is told (--smooth 0 leaves it alone). With --nearest, --ratio, --stable,
     --margin, --keep-strain or another limit the strip may leave it, as little as it must.
@@ -99,32 +106,43 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
     KEYS are written as in a design file: 'at = 40, width = 1.2'.
     """
     path, number, layer = chosen["curve"], chosen["number"], chosen["layer"]
-    if not chosen["every"]:
-        drawing = drawn_curves(path, chosen["unit"], number, layer)
-        one = drawing.one(number, layer, CHOICE)
-        report, good = _one_strip(one, len(drawing), file_stem(path, number), chosen)
-        answer({"strips": [report]})
-        if not good:
-            ctx.exit(1)
-        return
+    every, split = chosen["every"], chosen["split_corners"]
     drawing = drawn_curves(path, chosen["unit"], number, layer)
-    reports, wrong = [], 0
-    for one in drawing.chosen(number, layer):
+    asked = drawing.chosen(number, layer) if every else (drawing.one(number, layer, CHOICE),)
+    parts = [(whole, one) for whole in asked for one in (whole.split_at_corners() if split else (whole,))]
+    reports, wrong, refused = [], 0, 0
+    for whole, one in parts:
+        piece = one.piece if one.pieces > 1 else None
+        which = ("--curve", str(one.number)) if every and len(drawing) > 1 else ()
+        cure = partial(cure_for, which=which, whole=whole.curve if piece else None)
+        name = file_stem(path, str(one.number) if every else number, piece)
         try:
-            report, good = _one_strip(one, len(drawing), file_stem(path, str(one.number)), chosen)
+            report, good = _one_strip(one, len(drawing), name, chosen, cure if refused < MOST_CURES else None)
             reports.append(report)
             wrong += not good
         except ElasticaError as problem:
-            wrong += 1
-            warn(f"{one.called}: {problem}")
+            if len(parts) == 1 and not every:
+                raise
+            wrong, refused = wrong + 1, refused + 1
+            warn(f"{'' if one.called in str(problem) else f'{one.called}: '}{say_with_cure(problem)}")
     answer({"strips": reports})
+    if refused > MOST_CURES:
+        warn(
+            f"commands that work were looked for only for the first {MOST_CURES}; --curve N tells that of another"
+        )
     if wrong:
-        warn(f"{wrong} of {len(drawing.chosen(number, layer))} curves made no strip")
+        if len(parts) > 1:
+            warn(f"{wrong} of {len(parts)} curves made no strip as asked")
         ctx.exit(1)
 
 
-def _one_strip(one: DrawnCurve, count: int, name: str, chosen: dict[str, Any]) -> tuple[dict[str, Any], bool]:
-    """The report on the strip of one curve, whose files are written, and whether it is as good as asked."""
+def _one_strip(
+    one: DrawnCurve, count: int, name: str, chosen: dict[str, Any], cure: Callable[[StripSpec], str] | None
+) -> tuple[dict[str, Any], bool]:
+    """The report on the strip of one curve, whose files are written, and whether it is as good as asked.
+
+    A refusal ends with what `cure` tells of the request.
+    """
     cutting = _cutting(chosen)
     drawn = bendable_curve(chosen["curve"], one, count, may_change=True)
     label = engravable(name) if chosen["label"] is None else chosen["label"]
@@ -133,17 +151,22 @@ def _one_strip(one: DrawnCurve, count: int, name: str, chosen: dict[str, Any]) -
         try:
             bendable_curve(chosen["curve"], one, count)
         except InputError as problem:
-            problem.add_note(cure_for(spec))
+            problem.add_note("" if cure is None else cure(spec))
             raise
-    made, near = _made(spec, drawn)
+    made, near = _made(spec, drawn, cure)
     verdict = stability(made.rod)
     say_step(f"writing the files of {name}")
-    written, report = _write_files(made, spec, name, chosen, cutting, near, verdict)
+    written, report = _write_files(made, spec, name, chosen, cutting, near, verdict, one.joints)
     _tell(made, near, verdict, written)
+    for joint, end in zip(one.joints, ("starts", "ends"), strict=True):
+        if joint:
+            say(f"it {end} at the corner {joint}, where the strip with the same number goes on")
     return report, not (chosen["strict"] and made.max_strain > made.sheet.max_strain)
 
 
-def _made(spec: StripSpec, drawn: PlaneCurve) -> tuple[Strip, NearestRod | None]:
+def _made(
+    spec: StripSpec, drawn: PlaneCurve, cure: Callable[[StripSpec], str] | None
+) -> tuple[Strip, NearestRod | None]:
     """The strip; a refusal says whether the file's digits decide it, and ends with the command that would work."""
     near = None
     say_step("looking for the nearest curve that can be made" if spec.may_change else "finding the widths")
@@ -159,7 +182,7 @@ def _made(spec: StripSpec, drawn: PlaneCurve) -> tuple[Strip, NearestRod | None]
                 told = InputError(f"{doubt} As it stands: {problem}")
         if near is not None and isinstance(problem, NotConvergedError):
             told = NotMetError(str(problem))
-        told.add_note(cure_for(spec))
+        told.add_note("" if cure is None else cure(spec))
         raise told from problem.__cause__
 
 
@@ -171,8 +194,12 @@ def _write_files(
     cutting: Cutting,
     near: NearestRod | None,
     verdict: Stability,
+    joints: tuple[str, str],
 ) -> tuple[list[Path], dict[str, Any]]:
-    """Write every file that the installed libraries allow: all of them, or after any error none."""
+    """Write every file that the installed libraries allow: all of them, or after any error none.
+
+    Ends of a piece between corners are engraved with the names of the `joints`.
+    """
     # R12 has no header for its unit, so the name says it
     names = {"dxf": f"{name}-mm.dxf" if cutting.version == "R12" else f"{name}.dxf"}
     names |= {kind: f"{name}.{kind}" for kind in ("svg", "json")}
@@ -190,6 +217,10 @@ def _write_files(
         raise InputError(f"{drawn_in} holds the drawn curve and is kept: name another folder, e.g. -o out")
     joined = spliced(made, spec.shop)
     drawings = made.drawings() if joined is None else (joined.drawing,)
+    if any(joints) and joined is None:
+        base, cuts = drawings[0], (*made.holes, made.outline)
+        marks = end_numbers(made.width, cuts, base.texts, joints)
+        drawings = (replace(base, texts=(*base.texts, *marks)), *drawings[1:])
     with write_together(folder, names.values(), force=chosen["force"]) as workshop:
         for layer, drawing, prefix in zip(made.layers, drawings, ("", "backing "), strict=False):
             called = replace(drawing, name=f"{name}-{prefix}".rstrip("- "))
@@ -220,6 +251,7 @@ def _write_files(
         report = report_strip(
             made, name=name, files=names, near=near, stability=verdict, smoothing=spec.rod_spec.smoothing
         )
+        report |= {"joints": joints} if any(joints) else {}
         (workshop / names["json"]).write_text(json.dumps(report, indent=1) + "\n", encoding="utf-8")
     return written, report
 

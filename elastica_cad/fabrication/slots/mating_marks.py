@@ -48,15 +48,18 @@ def mating_marks(
     return tuple(marks)
 
 
-def end_numbers(width: Profile, cuts: Sequence[Path], taken: Sequence[Text] = ()) -> tuple[Text, ...]:
+def end_numbers(
+    width: Profile, cuts: Sequence[Path], taken: Sequence[Text] = (), names: tuple[str, str] = ("1", "2")
+) -> tuple[Text, ...]:
     """ "1" where the free part starts and "2" where it ends, as slots of bases call them, clear of cuts and texts.
 
-    A number that finds no room is left out.
+    Other `names` stand for joints; an empty one, or one that finds no room, is left out.
     """
     lines, boxes, numbers = [_line(path) for path in cuts], [_box(text) for text in taken], []
-    for number, end, way in (("1", 0.0, 1.0), ("2", width.length, -1.0)):
-        for height, off in product(LETTER_HEIGHTS_MM, NUMBER_PLACES_MM):
-            x = end + way * (off + height / 2) - text_width(number, height) / 2
+    for number, end, way in ((names[0], 0.0, 1.0), (names[1], width.length, -1.0)):
+        for height, off in product(LETTER_HEIGHTS_MM, NUMBER_PLACES_MM) if number else ():
+            long = text_width(number, height)
+            x = end + way * (off + max(height, long) / 2) - long / 2
             text = Text((float(x), -height / 2), number, height, layer=ENGRAVE)
             box = _box(text)
             if _clear(box, width, boxes, lines):

@@ -1,7 +1,7 @@
 """The curves of a file one by one: each is judged for itself, and what is no curve is counted and named."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from pathlib import Path
 
@@ -12,6 +12,7 @@ from elastica_cad.formats.curve_files.number_gate import MOST_CURVES, check_coun
 from elastica_cad.formats.file_access.source_file import name_source
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.curves.provenance import Provenance
+from elastica_cad.geometry.paths.trim import split_at_corners
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,12 +27,19 @@ class DrawnCurve:
         Its id (or handle) and layer as the drawing program shows them; empty where the file has none.
     make : callable
         Makes the curve.
+    piece, pieces : int
+        Which of how many pieces of a curve that was cut at its corners, from 1.
+    joints : (str, str)
+        Names of the corners at its ends where another piece goes on, "J1"; empty elsewhere.
     """
 
     number: int
     make: Callable[[], PlaneCurve] = field(repr=False)
     name: str = ""
     layer: str = ""
+    piece: int = 1
+    pieces: int = 1
+    joints: tuple[str, str] = ("", "")
 
     @cached_property
     def curve(self) -> PlaneCurve:
@@ -57,7 +65,26 @@ class DrawnCurve:
     def called(self) -> str:
         """Number, and id and layer where there are some: "curve 2 (path12, layer CUT)"."""
         known = [*([self.name] if self.name else []), *([f"layer {self.layer}"] if self.layer else [])]
-        return f"curve {self.number}" + (f" ({', '.join(known)})" if known else "")
+        part = f"piece {self.piece} of " if self.pieces > 1 else ""
+        return f"{part}curve {self.number}" + (f" ({', '.join(known)})" if known else "")
+
+    def split_at_corners(self) -> tuple["DrawnCurve", ...]:
+        """Its pieces between corners; itself where it has none, or makes no curve."""
+        cut = () if self.problem else split_at_corners(self.curve)
+        if len(cut) < 2:
+            return (self,)
+        around = f"J{len(cut)}" if self.curve.is_closed else ""
+        names = [around, *(f"J{k}" for k in range(1, len(cut))), around]
+        return tuple(
+            replace(
+                self,
+                make=partial(cut.__getitem__, k),
+                piece=k + 1,
+                pieces=len(cut),
+                joints=(names[k], names[k + 1]),
+            )
+            for k in range(len(cut))
+        )
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,5 +1,7 @@
 """Pieces of segments, cut exactly."""
 
+from itertools import pairwise
+
 import numpy as np
 
 from elastica_cad._types import FloatArray
@@ -45,6 +47,22 @@ def trim_curve(curve: PlaneCurve, t0: float, t1: float) -> PlaneCurve:
     knots = np.concatenate([np.full(p + 1, t0), knots[first + p : last], np.full(p + 1, t1)])
     w = points[:, 2]
     return PlaneCurve.of_sound(knots, points[:, :2] / w[:, None], p, None if curve.weights is None else w)
+
+
+def split_at_corners(curve: PlaneCurve) -> tuple[PlaneCurve, ...]:
+    """The smooth pieces of a curve, in order; the curve itself where it has no corner.
+
+    Examples
+    --------
+    >>> roof = PlaneCurve([0, 0, 1, 2, 2], [(0, 0), (30, 40), (60, 0)], 1)
+    >>> [round(piece.length, 6) for piece in split_at_corners(roof)]
+    [50.0, 50.0]
+    """
+    low, high = curve.domain
+    places = [low, *(corner.t for corner in curve.tangent_breaks), high]
+    if len(places) == 2:
+        return (curve,)
+    return tuple(trim_curve(curve, *ends).drawn_as(curve.provenance) for ends in pairwise(places))
 
 
 def _snapped(curve: PlaneCurve, t: float) -> float:

@@ -1,5 +1,6 @@
 """A refusal ends with a command that works, and the command is run as it is printed."""
 
+import json
 import re
 import shlex
 import subprocess
@@ -112,6 +113,9 @@ REFUSED = [
         "--handle 150 90 120 72",
     ),
     ("bend --straight 100 --to 200 0", "--to 90 0"),
+    ("bend tall.dxf --from 10 0 --to 1000 0", "--to 3"),
+    ("strip corner.svg --sheet birch-plywood-0.8 --max-width 20 -o out", "--split-corners"),
+    ("check corner.svg", "--split-corners"),
     ("bend --straight 100 --gravity --to 90 0", "--sheet birch-plywood-0.8"),
     ("bend", "--straight 300 --to 200 0"),
     ("sheets birch-ply", "sheets birch-plywood-"),
@@ -172,6 +176,39 @@ def test_every_command_ends_a_refusal_with_one_that_works(words, told, desk, tmp
     aside = [] if command.startswith(("check", "sheets")) else ["-o", str(tmp_path)]
     made = typed([*shlex.split(command), *aside], desk)
     assert made.returncode == 0, made.stderr
+
+
+def test_every_bad_curve_of_a_file_ends_with_its_own_command_and_the_good_one_is_made(desk, tmp_path):
+    many = desk / "many.svg"
+    good = '<path d="M 10 150 C 40 120 70 120 100 150"/>'
+    many.write_text((desk / "both.svg").read_text().replace("</svg>", f"{good}</svg>"))
+    words = f"strip many.svg --all --sheet card-200gsm --max-width 12 -o {tmp_path / 'out'}"
+    made = typed(words.split(), desk)
+    assert made.returncode == 1
+    assert (tmp_path / "out" / "many-3.dxf").exists()
+    told = {
+        number: line for line in made.stderr.splitlines() for number in "12" if f"curve {number} of" in line
+    }
+    for number, line in told.items():
+        command = shlex.split(re.search(r"This works: `.* -m elastica_cad ([^`]*)`", line)[1])
+        assert command[-2:] == ["--curve", number]
+        assert typed(command, desk).returncode == 0
+    names = {one.stem for one in (tmp_path / "out").iterdir()}
+    assert names == {"many-3", "many-1", "many-2-1", "many-2-2"}  # a ring, two pieces between corners
+    many.unlink()
+
+
+def test_pieces_between_corners_carry_the_number_of_the_joint(desk, tmp_path):
+    words = "strip corner.svg --split-corners --sheet card-200gsm --max-width 12 --json"
+    made = typed([*words.split(), "-o", str(tmp_path)], desk)
+    assert made.returncode == 0, made.stderr
+    first, last = json.loads(made.stdout)["strips"]
+    assert (first["joints"], last["joints"]) == (["", "J1"], ["J1", ""])
+    assert first["length"] == pytest.approx(last["length"], rel=1e-6)
+    plain = typed([*words.split(), "--label", "", "--curves", "polyline", "-o", str(tmp_path / "bare")], desk)
+    assert plain.returncode == 0
+    engraved = [(tmp_path / "bare" / f"corner-{k}.dxf").read_text().count("ENGRAVE") for k in (1, 2)]
+    assert engraved[0] == engraved[1] > 2  # strokes of J and 1, at the end of one, at the start of the other
 
 
 SLIPS = {
