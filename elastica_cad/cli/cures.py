@@ -5,7 +5,8 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from difflib import get_close_matches
-from itertools import chain, islice, product
+from itertools import chain, count, islice, product
+from os import sep
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any, TypeAlias
@@ -24,6 +25,9 @@ Words: TypeAlias = tuple[str, ...]
 
 MOST_TRIALS = 6
 """Commands that are run before a refusal is told without one."""
+
+MOST_MENDS = 12
+"""Mends of a file that are tried, one after another, for as many slips."""
 
 QUICK = {"model": ("--no-step", "--no-pictures", "--no-effects", "--no-parts")}
 """Options that leave out of a trial what cannot make it fail."""
@@ -103,45 +107,64 @@ def cure_by_trial(group: click.Group, words: Sequence[str], said: str) -> str:
     for mended, result in _mended(group, tuple(words), said):
         return f"This works: {mended}, then `{command_line(*words)}`{result}."
     for changed in islice(dict.fromkeys(_changes(group, tuple(words), said)), MOST_TRIALS):
-        gave = _run(group, changed)
+        gave, _ = _run(group, changed)
         if gave is not None:
             return f"This works: `{command_line(*changed)}`{gave}."
     return ""
 
 
 def _mended(group: click.Group, words: Words, said: str) -> Iterator[tuple[str, str]]:
-    """What to write in a file of tables that was typed, and what the same command then gives.
-
-    The changed file is tried in a folder that shows all that stands beside the file.
-    """
+    """What to write in a file of tables that was typed, and what the same command then gives."""
     for i, word in enumerate(words):
         path = Path(word)
         if path.suffix != ".toml" or not path.is_file():
             continue
-        beside = [one for one in path.absolute().parent.iterdir() if one.name != path.name]
-        text = path.read_text(encoding="utf-8", errors="replace")
-        for changed, told in islice(mends(text, said, [one.name for one in beside]), MOST_TRIALS):
-            with TemporaryDirectory() as folder, suppress(OSError):
-                for one in beside:
-                    (Path(folder) / one.name).symlink_to(one)
-                tried = Path(folder) / path.name
-                tried.write_text(changed, encoding="utf-8")
-                gave = _run(group, (*words[:i], str(tried), *words[i + 1 :]))
-                if gave is not None:
-                    yield told.format(file=path.name), gave
+
+        def run(file: Path, i: int = i) -> tuple[str | None, str]:
+            return _run(group, (*words[:i], str(file), *words[i + 1 :]))
+
+        with suppress(OSError):
+            text = path.read_text(encoding="utf-8", errors="replace")
+            yield from _mends_in_turn(path, text, said.replace(f"{path.parent}{sep}", ""), run, count(1))
+
+
+def _mends_in_turn(
+    path: Path, text: str, said: str, run: Callable[[Path], tuple[str | None, str]], trials: Iterator[int]
+) -> Iterator[tuple[str, str]]:
+    """What to write in a file until a run of it succeeds, one mend after another, and what it gives.
+
+    The changed text is tried in a folder that shows all that stands beside the file.
+    """
+    beside = [one for one in path.absolute().parent.iterdir() if one.name != path.name]
+    for changed, mend in mends(text, said, [one.name for one in beside]):
+        if next(trials) > MOST_MENDS:
+            return
+        with TemporaryDirectory() as folder:
+            for one in beside:
+                (Path(folder) / one.name).symlink_to(one)
+            tried = Path(folder) / path.name
+            tried.write_text(changed, encoding="utf-8")
+            gave, refusal = run(tried)
+        told = mend.format(file=path.name)
+        if gave is not None:
+            yield told, gave
+        elif refusal:
+            left = refusal.replace(f"{folder}{sep}", "")
+            for others, then in _mends_in_turn(path, changed, left, run, trials):
+                yield f"{told}, {others}", then
 
 
 SPOKEN = ("--watch", "--json", "-q", "--quiet", "-v", "--verbose")
 """How a command speaks, which a trial leaves out."""
 
 
-def _run(group: click.Group, words: Words) -> str | None:
-    """What a command gives: its first line with a number, its files thrown away; None where it is refused."""
+def _run(group: click.Group, words: Words) -> tuple[str | None, str]:
+    """What a command gives: its first line with a number, files thrown away; None where it is refused, and why."""
     from click.testing import CliRunner
 
     command = group.commands.get(words[0])
     if command is None:
-        return None
+        return None, ""
     token = TRYING.set(True)
     try:
         with TemporaryDirectory() as folder:
@@ -152,9 +175,9 @@ def _run(group: click.Group, words: Words) -> str | None:
     finally:
         TRYING.reset(token)
     if ran.exit_code != 0:
-        return None
+        return None, ran.output.strip()
     lines = [line.strip() for line in ran.stdout.splitlines() if re.search(r"\d", line)]
-    return f", which gives: {lines[0].rstrip('.')}" if lines and folder not in lines[0] else ""
+    return (f", which gives: {lines[0].rstrip('.')}" if lines and folder not in lines[0] else ""), ""
 
 
 def _changes(group: click.Group, words: Words, said: str) -> Iterator[Words]:

@@ -46,11 +46,15 @@ def mends(text: str, said: str, files: Sequence[str]) -> Iterator[tuple[str, str
 
 def _slips(said: str, files: Sequence[str]) -> Iterator[tuple[str, str]]:
     """Words that the refusal does not know, each with a word that it names instead."""
-    unknown = re.search(r"unknown [\w ]+ '([^']+)'", said)
-    meant = re.search(r"did you mean ([^?]+)\?|known sheets: ([^;]+)", said)
-    if unknown and meant:
-        for name in re.split(r", | or ", meant[1] or meant[2]):
-            yield unknown[1], name.strip()
-    if lost := re.search(r"there is no file ([^;]+);", said):
-        for name in get_close_matches(lost[1], files, n=2):
-            yield lost[1], name
+    for slip in said.split(" Also: "):
+        unknown = re.search(r"unknown [\w ]+ '([^']+)'", slip)
+        meant = re.search(r"did you mean ([^?]+)\?|known sheets: ([^;]+)", slip)
+        if unknown and meant:
+            for name in re.split(r", | or ", meant[1] or meant[2]):
+                yield unknown[1], name.strip()
+        if choices := re.search(r" is '([^']+)'[:;] (?:it must be|use) one of ([\w, -]+)", slip):
+            for name in get_close_matches(choices[1], choices[2].split(", "), n=1):
+                yield choices[1], name
+        if lost := re.search(r"there is no file ([^;]+);", slip):
+            for name in get_close_matches(lost[1], files, n=2):
+                yield lost[1], name

@@ -38,7 +38,7 @@ Every number may be a formula in quotes (see `formulae`); lengths are mm, angles
 """
 
 import tomllib
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any
@@ -63,7 +63,7 @@ from elastica_cad.formats.design_files.strip_table import (
     StripEntry,
     read_strip,
 )
-from elastica_cad.formats.design_files.tables import Table
+from elastica_cad.formats.design_files.tables import Slips, Table
 from elastica_cad.formats.file_access.source_file import require_file
 from elastica_cad.formats.surface_files.file_surface import SurfaceReader, mesh_surface
 from elastica_cad.forming.limits import Keep, Limits
@@ -136,26 +136,27 @@ class Design:
         Raises
         ------
         NotRealizable, NotConvergedError, InputError
-            What `StripSpec.make` and `Model.interlock` refuse, with the part's name. A section that no strip can
-            follow is left out and reported; the first is raised where none is left.
+            What `StripSpec.make` and `Model.interlock` refuse, with the part's name, all parts in one. A section
+            that no strip can follow is left out and reported; the first is raised where none is left.
         """
         made: dict[Any, Strip] = {}
         placed: list[Placed] = []
         failed: list[ElasticaError] = []
+        refused: list[ElasticaError] = []
         for entry in self.entries:
             key = _likeness(entry)
             if key not in made:
                 try:
                     made[key] = _make(entry)
                 except (NotRealizable, NotConvergedError, InputError) as problem:
-                    if not entry.section:
-                        raise
-                    failed.append(problem)
+                    (failed if entry.section else refused).append(problem)
                     continue
             strip = replace(made[key], label=entry.label, slots=entry.spec.slots)
             placed.append(Placed(strip, entry.frame.origin, entry.frame.x_axis, entry.frame.y_axis))
             if done is not None:
                 done(entry.label)
+        if refused:
+            raise _all_of(refused)
         plates: tuple[Ring, ...] = ()
         if self.revolution is not None:
             surface = self.revolution.model(self.name)
@@ -203,11 +204,11 @@ def read_design(
         data = tomllib.loads(path.read_bytes().decode("utf-8"))
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise InputError(f"{path} is no TOML file: {error}") from error
-    top = Table(data, str(path), {}).only(*TOP_KEYS)
+    top, slips = Table(data, str(path), {}), Slips()
+    with slips.gathering():
+        top.only(*TOP_KEYS)
     if data.get("schema") != DESIGN_SCHEMA:
-        raise InputError(
-            f"{path}: schema is {data.get('schema')!r}; this version reads schema = {DESIGN_SCHEMA}"
-        )
+        slips.add(f"{path}: schema is {data.get('schema')!r}; this version reads schema = {DESIGN_SCHEMA}")
     top.scope = top.within(data.get("let", {}))
     sheets = _own_sheets(top, path)
     revolution = None
@@ -218,8 +219,19 @@ def read_design(
             top.where,
             top.scope,
         )
-        revolution = read_revolution(inner, path.parent, sheets, read_curves)
-    entries, reports = _read_strips(top, path.parent, sheets, read_curves, read_surface)
+        with slips.gathering():
+            revolution = read_revolution(inner, path.parent, sheets, read_curves)
+    entries, reports = _read_strips(top, path.parent, sheets, read_curves, read_surface, slips)
+    patterns: list[tuple[str, dict[str, Any]]] = []
+    for table in top.tables("patterns"):
+        with slips.gathering():
+            patterns.append(_pattern(table))
+    interlocked, kit = None, KitSpec()
+    with slips.gathering():
+        interlocked = read_interlock(top.table("interlock")) if top.has("interlock") else None
+    with slips.gathering():
+        kit = read_kit(top, sheets)
+    slips.tell()
     if not entries and revolution is None:
         raise InputError(f"{top.where} has no strips: write at least one table [[strips]]")
     twice = sorted({w.label for w in entries if sum(w.label == v.label for v in entries) > 1})
@@ -230,9 +242,9 @@ def read_design(
     return Design(
         name=top.text("name", path.stem),
         entries=tuple(entries),
-        patterns=tuple(_pattern(table) for table in top.tables("patterns")),
-        interlock=read_interlock(top.table("interlock")) if top.has("interlock") else None,
-        kit=read_kit(top, sheets),
+        patterns=tuple(patterns),
+        interlock=interlocked,
+        kit=kit,
         reports=reports if revolution is None else (*revolution.reports, *reports),
         revolution=revolution,
     )
@@ -267,31 +279,34 @@ def _read_strips(
     sheets: dict[str, Sheet],
     read_curves: CurveReader,
     read_surface: SurfaceReader,
+    slips: Slips,
 ) -> tuple[list[StripEntry], tuple[str, ...]]:
-    """All strips in order, and what sections of meshes have to say."""
+    """All strips in order, and what sections of meshes have to say; what is wrong goes to `slips`."""
     entries: list[StripEntry] = []
     failed: list[InputError] = []
     reports: list[str] = []
     for table in top.tables("strips"):
-        table.only(*STRIP_KEYS)
-        sections: tuple[SectionCurve | None, ...]
-        if table.has("sections"):
-            sections, told = read_sections(_only_sections(table), folder, read_surface)
-            reports += told
-        else:
-            sections = (None,) * table.count("count", 1)
+        sections: tuple[SectionCurve | None, ...] = ()
+        with slips.gathering():
+            table.only(*STRIP_KEYS)
+            if table.has("sections"):
+                sections, told = read_sections(_only_sections(table), folder, read_surface)
+                reports += told
+            else:
+                sections = (None,) * table.count("count", 1)
         for i, section in enumerate(sections, start=1):
             where = f"{table.where}, i = {i}" if len(sections) > 1 else table.where
             one = Table(table.data, where, {**top.scope, "i": float(i)}, top)
-            one.scope = one.within(table.data.get("let", {}))
-            label = table.text("label", f"S{len(entries) + 1}").replace("{i}", str(i))
-            one.where = f"{where} ({label})"
             try:
+                one.scope = one.within(table.data.get("let", {}))
+                label = table.text("label", f"S{len(entries) + 1}").replace("{i}", str(i))
+                one.where = f"{where} ({label})"
                 entries.append(read_strip(one, label, folder, sheets, read_curves, section))
             except InputError as problem:
                 if section is None:
-                    raise
-                failed.append(problem)
+                    slips.add(str(problem), one.where)
+                else:
+                    failed.append(problem)
     if failed and not entries:
         raise failed[0]
     return entries, (*reports, *(f"{problem} This section is left out." for problem in failed))
@@ -340,6 +355,15 @@ def _likeness(entry: StripEntry) -> Any:
     return digits.tobytes(), value_key(asked)
 
 
+def _all_of(problems: Sequence[ElasticaError]) -> ElasticaError:
+    """The first, which tells all of them."""
+    slips = Slips()
+    for problem in problems:
+        slips.add(str(problem))
+    problems[0].args = (slips.text,)
+    return problems[0]
+
+
 def _make(entry: StripEntry) -> Strip:
     """The strip without its slots, with complaints that name it."""
     try:
@@ -349,4 +373,5 @@ def _make(entry: StripEntry) -> Strip:
         named.args = (f"{entry.called}: {problem}",)
         raise named from problem
     except (InputError, NotConvergedError) as problem:
-        raise type(problem)(f"{entry.called}: {problem}") from problem
+        said = str(problem)
+        raise type(problem)(said if said.startswith(entry.called) else f"{entry.called}: {said}") from problem

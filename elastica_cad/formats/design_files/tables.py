@@ -34,6 +34,36 @@ def _compute_number(value: object, where: str, scope: Mapping[str, Value]) -> fl
     return float(value)
 
 
+class Slips:
+    """What is wrong with a file, gathered from its parts so that all of it is told at once."""
+
+    def __init__(self) -> None:
+        self._said: dict[str, str] = {}
+
+    def add(self, sentence: str, where: str = "") -> None:
+        """One more, unless the same is wrong at another place already."""
+        self._said.setdefault(sentence.removeprefix(where), sentence)
+
+    @contextmanager
+    def gathering(self) -> Iterator[None]:
+        """Complaints from inside are kept, and what follows goes on."""
+        try:
+            yield
+        except InputError as problem:
+            self.add(str(problem))
+
+    @property
+    def text(self) -> str:
+        """All of them, a sentence each; empty where nothing is wrong."""
+        *others, last = self._said.values() or [""]
+        return " Also: ".join((*(one if one.endswith((".", "?")) else f"{one}." for one in others), last))
+
+    def tell(self) -> None:
+        """Raise InputError with all of them, if there are any."""
+        if self.text:
+            raise InputError(self.text)
+
+
 class Table:
     """A table of a design file and the names that its formulae may use.
 
@@ -61,11 +91,13 @@ class Table:
 
     def only(self, *keys: str) -> "Table":
         """This table, refused where it holds any other key."""
+        slips = Slips()
         for key in self.data:
             if key not in keys:
                 near = get_close_matches(key, keys, n=1, cutoff=0.5)
                 hint = f"did you mean {near[0]}?" if near else f"known keys are {', '.join(sorted(keys))}"
-                raise InputError(f"{self.where}: unknown key {key!r}; {hint}")
+                slips.add(f"{self.where}: unknown key {key!r}; {hint}")
+        slips.tell()
         return self
 
     def place(self, key: str) -> str:
