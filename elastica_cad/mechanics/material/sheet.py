@@ -47,7 +47,8 @@ class Sheet:
     poisson_ratio : float
         nu, dimensionless.
     grain : "along", "across" or "none"
-        How the strip lies to the (face) grain for which the numbers hold; "none" for sheets without grain.
+        How the strip lies to the (face) grain for which the numbers hold; "none" for sheets without grain. 0 and
+        90, degrees, say the first two.
     kind : str
         Family of materials, for example "plywood".
     source : str
@@ -118,10 +119,23 @@ class Sheet:
         for limit, given in [*limits.items(), *(("stock", side) for side in sides)]:
             if given is not None and not finite_number(given, f"sheet {self.name!r}: {limit}") > 0:
                 raise InputError(f"sheet {self.name!r}: {limit} is {given:g}; it must be positive, in mm")
+        asked: object = self.grain
+        if isinstance(asked, int | float) and not isinstance(asked, bool):
+            object.__setattr__(self, "grain", self._grain_at(asked))
         if self.grain not in get_args(Grain):
             raise InputError(
                 f"sheet {self.name!r}: grain is {self.grain!r}; use one of {', '.join(get_args(Grain))}"
             )
+
+    def _grain_at(self, degrees: float) -> Grain:
+        """The word for a strip that lies at so many degrees to the grain."""
+        turned: dict[float, Grain] = {0.0: "along", 90.0: "across"}
+        if degrees % 180 not in turned:
+            raise InputError(
+                f"sheet {self.name!r}: grain is {degrees:g} degrees; a strip that lies askew to its grain twists "
+                "when it is bent, and takes no plane curve: lay it along (0) or across (90) the grain"
+            )
+        return turned[degrees % 180]
 
     def _check_range(self, field_name: str, value: float) -> None:
         given = getattr(self, f"{field_name}_range")
@@ -300,7 +314,7 @@ def load_sheets(path: str | Path) -> dict[str, Sheet]:
 
     The file holds tables ``[sheets.NAME]`` with ``thickness_mm``, ``youngs_modulus_MPa``, ``density_kg_m3``
     and ``max_strain``, and where known ``kerf_mm``, ``poisson_ratio``, ``grain``, ``kind``, ``source`` and
-    ranges such as ``youngs_modulus_range_MPa = [8200, 10300]``.
+    ranges such as ``youngs_modulus_range_MPa = [8200, 10300]``; ``grain`` is a word or 0 or 90 degrees.
 
     Raises
     ------
@@ -360,7 +374,9 @@ def _sheet_from_entry(name: str, entry: object, file: str) -> Sheet:
         if key not in KEYS:
             raise InputError(f"{where}: unknown key {key!r}{advise_key(key)}")
         field_name, kind = KEYS[key]
-        if kind == "text":
+        if kind == "grain" and not isinstance(value, str):
+            values[field_name] = finite_number(value, f"{where}: {key}")
+        elif kind in ("text", "grain"):
             if not isinstance(value, str):
                 raise InputError(f"{where}: {key} is {value!r}; it must be text in quotes")
             values[field_name] = value

@@ -24,7 +24,7 @@ KEYS: dict[str, tuple[str, str]] = {
     "max_strain": ("max_strain", "number"),
     "kerf_mm": ("kerf", "number"),
     "poisson_ratio": ("poisson_ratio", "number"),
-    "grain": ("grain", "text"),
+    "grain": ("grain", "grain"),
     "kind": ("kind", "text"),
     "source": ("source", "text"),
     "thickness_range_mm": ("thickness_range", "range"),
