@@ -8,8 +8,12 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import ElasticaError
-from elastica_cad.files import read_curves, read_drawing
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.files import read_curves, read_drawing, save
 from elastica_cad.forming.smoothing import smooth_curve
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium, require_bendable
 
 PRECISION = """<inkscape xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" version="1">
@@ -62,6 +66,52 @@ def test_freecad_saves_one_curve_as_a_drawing_and_as_a_model(tmp_path):
     (model,) = read_curves(tmp_path / "f.step")
     assert smooth_curve(model).curve is model  # a kernel's edges never move
     assert model.length == pytest.approx(drawn.length, rel=1e-9)
+
+
+AT_LIBRECAD = """
+librecad "$1" & program=$!
+for look in $(seq 120); do
+    window=$(xdotool search --onlyvisible --name "LibreCAD - " | head -1)
+    [ -n "$window" ] && break
+    sleep 0.5
+done
+sleep 2
+xdotool windowfocus "$window"
+for typed in "${@:2}"; do
+    xdotool type --delay 20 "$typed"
+    xdotool key Return
+    sleep 0.5
+done
+xdotool key ctrl+s
+sleep 3
+kill $program
+"""
+
+
+def test_librecad_saves_a_strip_of_ours_and_an_arc_drawn_beside_it(tmp_path):
+    """Our file is opened, an arc is typed at LibreCAD's command line, and all is saved."""
+    settings = tmp_path / ".config" / "LibreCAD" / "LibreCAD.conf"
+    settings.parent.mkdir(parents=True)
+    settings.write_text("[Startup]\nFirstLoad=0\n")
+    bow = PlaneCurve.spline([(0, 0), (40, 80), (110, 100), (190, 50), (240, 0)], degree=4)
+    strip = Strip(optimal_rod(bow), Sheet.named("birch-plywood-0.8"), max_width=30, label="BOW")
+    save(strip.drawing(), tmp_path / "ours.dxf")
+    before = {one.layer + str(one.number): one.curve for one in read_drawing(tmp_path / "ours.dxf")}
+    words = ["xvfb-run", "-a", "-s", "-screen 0 1280x1280x24", "bash", "-c", AT_LIBRECAD, "at", "ours.dxf"]
+    words += ["arc", "0,100", "60,140", "120,100"]
+    here = os.environ | {"HOME": str(tmp_path)}
+    subprocess.run(words, cwd=tmp_path, env=here, check=False, capture_output=True, timeout=180)
+    assert b"dxfrw" in (tmp_path / "ours.dxf").read_bytes()[:40], "LibreCAD has not saved it"
+    after = list(read_drawing(tmp_path / "ours.dxf"))
+    assert len(after) == len(before) + 1
+    for one in after:
+        if one.layer != "0":
+            curve = before[one.layer + str(one.number)]
+            assert one.curve.length == pytest.approx(curve.length, abs=1e-6)
+            np.testing.assert_allclose(one.curve.bounds, curve.bounds, atol=1e-6)
+    (drawn,) = (one.curve for one in after if one.layer == "0")
+    assert drawn.length == pytest.approx(2 * 65 * np.arcsin(60 / 65), abs=1e-6)  # of a radius of 65 mm
+    assert check_equilibrium(drawn).realizable
 
 
 def test_parts_drawn_in_librecad_are_read():
