@@ -11,7 +11,7 @@ from typing import Protocol
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
+from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
@@ -72,6 +72,44 @@ class EndTangents:
         t, normal = np.array([at for at, _ in held]), np.array([n for _, n in held])
         residual = (curve.evaluate(t, 1) * normal).sum(axis=1)
         return residual, directed_rows(curve.basis(t, 1), normal)
+
+
+@dataclass(frozen=True, eq=False)
+class SmoothJoints:
+    """The tangent stays continuous where pieces meet in a control point, as those of a pen's path do.
+
+    Attributes
+    ----------
+    at : (k,) array
+        Which control points pieces meet in.
+    size : (k,) array
+        Lengths, mm, that make lengths of the residuals.
+    """
+
+    at: IntArray
+    size: FloatArray
+
+    @classmethod
+    def of(cls, curve: PlaneCurve) -> "SmoothJoints":
+        """The joints of `curve`, but for its corners."""
+        corners = {corner.t for corner in curve.tangent_breaks}
+        free = [one.t for one in curve.breaks if one.t not in corners]
+        first = np.searchsorted(curve.knots, free, side="left")
+        ends = np.searchsorted(curve.knots, free, side="right")
+        at = (first - 1)[ends - first == curve.degree]
+        handle = np.linalg.norm(curve.control_points[at + 1] - curve.control_points[at], axis=1)
+        return cls(at, handle)
+
+    def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
+        """How far, mm, the control point before a joint lies off the tangent behind it."""
+        points, at = curve.control_points, self.at
+        before, after = points[at] - points[at - 1], points[at + 1] - points[at]
+        residual = (before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]) / self.size
+        rows, row = np.zeros((at.size, *points.shape)), np.arange(at.size)
+        by_before = np.column_stack([after[:, 1], -after[:, 0]]) / self.size[:, None]
+        by_after = np.column_stack([-before[:, 1], before[:, 0]]) / self.size[:, None]
+        rows[row, at - 1], rows[row, at], rows[row, at + 1] = -by_before, by_before - by_after, by_after
+        return residual, rows.reshape(at.size, points.size)
 
 
 @dataclass(frozen=True)

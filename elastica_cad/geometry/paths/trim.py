@@ -54,7 +54,7 @@ def split_at_corners(curve: PlaneCurve) -> tuple[PlaneCurve, ...]:
 
     Examples
     --------
-    >>> roof = PlaneCurve([0, 0, 1, 2, 2], [(0, 0), (30, 40), (60, 0)], 1)
+    >>> roof = PlaneCurve([0, 0, 0, 1, 1, 2, 2, 2], [(0, 0), (15, 20), (30, 40), (45, 20), (60, 0)], 2)
     >>> [round(piece.length, 6) for piece in split_at_corners(roof)]
     [50.0, 50.0]
     """

@@ -13,6 +13,7 @@ from elastica_cad.geometry.curve_editing.control_point_constraints import (
     EndTangents,
     InflectionsOnLine,
     PointsOnLine,
+    SmoothJoints,
     least_norm_newton,
 )
 from elastica_cad.geometry.curves.curve_records import CurvatureZero
@@ -39,7 +40,8 @@ def project_inflections(
     """The curve with control points moved so that all `zeros` of kappa - kappa_0 lie on one line.
 
     The line is the nearest one to the zeros (of given `normal`, if any) and is held. End points and end
-    tangents are held as long as the curve has the freedom for it; a zero at an end stays there.
+    tangents are held as long as the curve has the freedom for it; a zero at an end stays there, and where pieces
+    of a pen's path meet the tangent stays continuous.
 
     Raises
     ------
@@ -51,7 +53,7 @@ def project_inflections(
     Paper, Appendix C.
     """
     line = fit_inflection_line(np.asarray(curve.evaluate(np.array([z.t for z in zeros]))), normal)
-    needed = _on_line(curve, zeros, line, natural_curvature)
+    needed = [*_on_line(curve, zeros, line, natural_curvature), SmoothJoints.of(curve)]
     for kept in _kept_ends(curve, zeros):
         try:
             moved, _ = least_norm_newton(

@@ -71,7 +71,7 @@ def test_a_strip_for_every_curve_and_none_spoils_the_others(drawing, tmp_path):
     assert done.returncode == 1
     assert {"drawn-1.dxf", "drawn-3.dxf"} <= {path.name for path in out.iterdir()}
     assert not (out / "drawn-2.dxf").exists()
-    assert b"curve 2 (corner, layer Cut):" in done.stderr
+    assert b"curve 2 (corner, layer Cut) of 3: the curve has a corner" in done.stderr
     assert b"1 of 3 curves made no strip" in done.stderr
 
 
