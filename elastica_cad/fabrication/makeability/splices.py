@@ -199,9 +199,11 @@ def splice(strip: Strip, stock: float, lap: float) -> Splice:
 
 def spliced(strip: Strip, shop: Shop) -> Splice | None:
     """The strip in pieces, where the shop joins pieces and the strip is longer than its stock."""
+    if shop.lap is None:
+        return None
     length = float(np.ptp(strip.outline.bounds, axis=0)[0])
     stock = shop.stock_for(strip.sheet)[0]
-    return splice(strip, stock, shop.lap) if shop.lap is not None and length > stock else None
+    return splice(strip, stock, shop.lap) if length > stock else None
 
 
 def _placed(
