@@ -60,7 +60,9 @@ def run_window(
 ) -> dict[str, Any]:
     """Run a script in FreeCAD on a screen of its own; its answers."""
     config = folder / "user.cfg"
-    words = f'<FCText Name="Language">{language}</FCText>' if language else ""
+    # numbers as that language writes them, whatever the system's
+    locale = '<FCInt Name="UseLocaleFormatting" Value="1"/>'
+    words = f'<FCText Name="Language">{language}</FCText>{locale}' if language else ""
     dark = DARK.format(sheet=_dark_sheet()) if theme == "dark" else ""
     config.write_text(CONFIG.format(language=words, theme=dark))
     managed = (

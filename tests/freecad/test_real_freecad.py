@@ -1,6 +1,7 @@
 """The real programs, with the workbench where the Addon Manager would put it."""
 
 import importlib.util
+import re
 import sys
 from pathlib import Path
 
@@ -150,6 +151,12 @@ def test_in_german(tmp_path):
     assert found["menu"]["Elastica_Strip"] == "Streifen aus Skizze"
     assert found["panel"] == "Streifen"
     assert found["untranslated"] == []
+    widths, texts = zip(*found["typed"], strict=True)
+    assert widths == pytest.approx([25.5, 12.25, 15])
+    assert [text.split()[0].rstrip("0") for text in texts][:2] == ["25,5", "12,25"]
+    assert found["kept"] == pytest.approx(15)
+    assert re.search(r"\d,\d+ mm", found["numbers"])
+    assert not re.search(r"\d\.\d", found["numbers"] + found["message"])
     assert found["preferences"] == "birch-plywood-0.8"
 
 
@@ -199,6 +206,10 @@ def check_first_use(found):
     assert found["closed"] == [True, True]
     assert found["back in"] == "ElasticaWorkbench"
     assert found["strip"][0] == ["Up-to-date"]
+    said, numbers, footnote = found["held"]
+    assert footnote == said
+    assert re.search("made and held|gemacht und gehalten", said)
+    assert re.search(r"(Held deviation|Abweichung gehalten)&nbsp;&nbsp;</td><td><b>0[.,]\d+ mm", numbers)
     assert {Path(name).suffix for name in found["files"]} == {".dxf", ".svg", ".step", ".csv"}
     assert all(name in found["told"] for name in found["files"])
     assert found["comb of FreeCAD"], "FreeCAD's own comb is as it was"
@@ -249,3 +260,39 @@ def test_what_a_hand_does(tmp_path):
     assert found["drawn"] in ("can", "breaks")
     assert found["nearest, undone"][1:] == [6, "cannot"]
     assert found["folder opened"] == str(tmp_path / "files")
+
+
+def test_a_curve_of_given_length_between_clamps(tmp_path):
+    found = launching.run_window("between.py", tmp_path)
+    assert not found["grey"]
+    count, length, start, end = found["new"]
+    assert length == pytest.approx(found["length"], rel=1e-4)
+    assert (count, start[0]) == (1, -end[0])
+    assert "bulges to the left of its chord" in found["words"]
+    followed, held, pulled, steps = found["end pulled"]
+    assert followed, "the curve does not follow the mouse"
+    assert held, "the sketch waits for the release"
+    assert steps == 1
+    assert pulled[:3] == [1, pytest.approx(length, rel=1e-4), start]
+    assert pulled[3] != end
+    followed, held, turned, _ = found["tangent pulled"]
+    assert (followed, held) == (True, True)
+    assert turned == [1, pytest.approx(length, rel=1e-4), start, pulled[3]]
+    before, after, turned_over = found["other side"]
+    assert ("to the right" in before, "to the right" in after) == (True, False)
+    assert turned_over == [1, pytest.approx(length, rel=1e-4), start, pulled[3]]
+    assert found["longer"][1] == pytest.approx(320, rel=1e-4)
+    words, kept = found["too short"]
+    assert "make it longer" in words
+    assert kept == found["longer"]
+    assert found["verdict"] in ("can", "breaks")
+    assert found["done"]
+    assert found["taken again"][:3] == [True, pytest.approx(300, rel=1e-3), -1]
+    assert found["undone"] == [True, pytest.approx(320, rel=1e-3)]
+    assert found["closed with its sketch"]
+    assert found["strip"][0] == ["Up-to-date"]
+    assert found["strip"][1] < 1.2, "an even strip takes the curve that an even strip made"
+    assert found["over a line"] == [2, pytest.approx(78, rel=1e-4), [0, 0], [60, 0]]
+    assert found["with poles"][0] > 5
+    assert found["poles go"][2][:2] == [1, pytest.approx(found["with poles"][1], rel=1e-4)]
+    assert found["closed with its document"]

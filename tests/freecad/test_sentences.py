@@ -17,7 +17,9 @@ SPOKEN = [
     "mechanics/stiffness/optimal_balance.py",
     "mechanics/stability/stability_verdict.py",
     "mechanics/bending/bend_forward.py",
+    "mechanics/bending/between_clamps.py",
     "mechanics/material/section_limits.py",
+    "fabrication/holding/held_shape.py",
     "fabrication/makeability",
     "fabrication/strip",
     "fabrication/strip_spec.py",
@@ -142,6 +144,11 @@ def test_a_sentence_is_known_by_its_key(monkeypatch):
     assert user_units.worded("at (25.4, -50.8) mm") == "bei (25,4; -50,8) mm"
     assert user_units.worded("12.7 x 25.4 mm, birch-plywood-0.8") == "12,7 x 25,4 mm, birch-plywood-0.8"
     assert user_units.worded("wrote A1_birch-0.8_0.8mm_x4.dxf") == "wrote A1_birch-0.8_0.8mm_x4.dxf"
+    held = "as made and held the strip strays 1.2 mm from its design, 0.59 % of its length"
+    assert user_units.worded(f"{held}; each cause alone: 1.1 mm by slots; 0.15 mm by narrow tabs") == (
+        "so wie er gemacht und gehalten ist, weicht der Streifen 1,2 mm von seinem Entwurf ab, "
+        "0,59 % seiner Länge; jede Ursache für sich: 1,1 mm durch Schlitze; 0,15 mm durch schmale Laschen"
+    )
     assert user_units.worded("what nobody knows") == "what nobody knows"
 
 

@@ -237,3 +237,22 @@ def test_a_kernel_that_fails_is_a_sentence(document, sketch, monkeypatch):
     document.recompute()
     assert "kernel cannot make this shape (BRep_API: command not done)" in feature.getStatusString()
     assert not hasattr(sys, "tracebacklimit"), "other people's tracebacks are left alone"
+
+
+def test_how_far_it_strays_as_made_and_held(document, sketch):
+    feature = strip.create(document, sketch)
+    feature.Slots = ["at = 60, width = 1.2", "at = 100, width = 1.2"]
+    document.recompute()
+    strip.tell_held(feature)
+    held = strip.strip_of(feature).held()
+    assert feature.HeldDeviation.Value == pytest.approx(held.deviation)
+    assert held.deviation > 0.5
+    assert "by slots" in feature.Held
+    before = feature.Held
+    document.recompute()
+    assert feature.Held == before
+    feature.MaxWidth = 20
+    document.recompute()
+    assert [feature.Held, feature.HeldDeviation.Value] == ["", 0]
+    strip.tell_held(feature)
+    assert feature.Held != before

@@ -48,8 +48,8 @@ class HeldShape:
             for cause, mm in sorted(self.parts.items(), key=lambda part: -part[1])
             if mm >= LEAST_TOLD_MM
         ]
-        before = "without its correction " if self.corrected else ""
-        of = f" ({before}{', '.join(told)}, each alone)" if told else ""
+        before = ", without its correction" if self.corrected else ""
+        of = f"; each cause alone{before}: {'; '.join(told)}" if told else ""
         share = 100 * self.deviation / self.rod.length
         return (
             f"as made and held the strip strays {self.deviation:.2g} mm from its design, {share:.2g} % of its "

@@ -4,6 +4,14 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>How it strays as made and held, and by what</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest distance of the strip, as it is made and held, from its design</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The strips, in the order of assembly</source>
         <translation type="unfinished"></translation>
     </message>
@@ -518,6 +526,26 @@
 </context>
 <context>
     <name>Elastica</name>
+    <message>
+        <source>Pull the ends and the tangents by their handles; the curve is drawn on release</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length between the clamps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Held deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
     <message>
         <source>Save the coupon</source>
         <translation type="unfinished"></translation>
@@ -1718,6 +1746,66 @@
 </context>
 <context>
     <name>ElasticaSentences</name>
+    <message>
+        <source>section is %1: give a law with limits, such as ThicknessLaw(sheet, 3, 8, width=20)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, without its correction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; each cause alone%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>side is %1: give 1 for left of the way from start to end, -1 for right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a strip of %1 mm does not bend between ends %2 mm apart: make it longer, and the ends two places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bulges to the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bulges to the left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the strip %1 of its chord, with %2 inflections (mode %3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it takes no shape near its design: hold it nearer to its curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>anticlastic bending</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leaning ligaments</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>narrow tabs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>slots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm by %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as made and held the strip strays %1 mm from its design, %2 % of its length%3</source>
+        <translation type="unfinished"></translation>
+    </message>
     <message>
         <source>its widths do not make up for how it is made, since it would then be %1; give it tabs as wide as its ends, or shallower slots</source>
         <translation type="unfinished"></translation>
@@ -3001,6 +3089,17 @@
     </message>
     <message>
         <source>Move or turn the ends of the selected strip and watch it take its new rest shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Between</name>
+    <message>
+        <source>Draw the curve that a strip of given length takes between two clamps into the open sketch; pull its ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Curve of given length</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -4,6 +4,14 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>How it strays as made and held, and by what</source>
+        <translation>Wie er, gemacht und gehalten, abweicht und wodurch</translation>
+    </message>
+    <message>
+        <source>Largest distance of the strip, as it is made and held, from its design</source>
+        <translation>Größter Abstand des Streifens, wie er gemacht und gehalten ist, von seinem Entwurf</translation>
+    </message>
+    <message>
         <source>The strips, in the order of assembly</source>
         <translation>Die Streifen in der Reihenfolge des Zusammenbaus</translation>
     </message>
@@ -518,6 +526,26 @@
 </context>
 <context>
     <name>Elastica</name>
+    <message>
+        <source>Pull the ends and the tangents by their handles; the curve is drawn on release</source>
+        <translation>Enden und Tangenten an ihren Griffen ziehen; die Kurve wird beim Loslassen gezeichnet</translation>
+    </message>
+    <message>
+        <source>Length between the clamps</source>
+        <translation>Länge zwischen den Klemmen</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>Andere Seite</translation>
+    </message>
+    <message>
+        <source>Held deviation</source>
+        <translation>Abweichung gehalten</translation>
+    </message>
     <message>
         <source>Save the coupon</source>
         <translation>Probestreifen speichern</translation>
@@ -1718,6 +1746,66 @@
 </context>
 <context>
     <name>ElasticaSentences</name>
+    <message>
+        <source>section is %1: give a law with limits, such as ThicknessLaw(sheet, 3, 8, width=20)</source>
+        <translation>Querschnitt ist %1: ein Gesetz mit Grenzen angeben, etwa ThicknessLaw(sheet, 3, 8, width=20)</translation>
+    </message>
+    <message>
+        <source>, without its correction</source>
+        <translation>, ohne seinen Ausgleich</translation>
+    </message>
+    <message>
+        <source>; each cause alone%1: %2</source>
+        <translation>; jede Ursache für sich%1: %2</translation>
+    </message>
+    <message>
+        <source>side is %1: give 1 for left of the way from start to end, -1 for right</source>
+        <translation>Seite ist %1: 1 für links des Weges vom Anfang zum Ende, -1 für rechts angeben</translation>
+    </message>
+    <message>
+        <source>a strip of %1 mm does not bend between ends %2 mm apart: make it longer, and the ends two places</source>
+        <translation>ein Streifen von %1 mm biegt sich nicht zwischen Enden im Abstand von %2 mm: länger machen, und die Enden an zwei Orte</translation>
+    </message>
+    <message>
+        <source>bulges to the right</source>
+        <translation>wölbt sich rechts</translation>
+    </message>
+    <message>
+        <source>bulges to the left</source>
+        <translation>wölbt sich links</translation>
+    </message>
+    <message>
+        <source>the strip %1 of its chord, with %2 inflections (mode %3)</source>
+        <translation>der Streifen %1 seiner Sehne, mit %2 Wendepunkten (Mode %3)</translation>
+    </message>
+    <message>
+        <source>it takes no shape near its design: hold it nearer to its curve</source>
+        <translation>er nimmt keine Form nahe seinem Entwurf an: näher an seiner Kurve halten</translation>
+    </message>
+    <message>
+        <source>anticlastic bending</source>
+        <translation>Querkrümmung</translation>
+    </message>
+    <message>
+        <source>leaning ligaments</source>
+        <translation>schräge Stege</translation>
+    </message>
+    <message>
+        <source>narrow tabs</source>
+        <translation>schmale Laschen</translation>
+    </message>
+    <message>
+        <source>slots</source>
+        <translation>Schlitze</translation>
+    </message>
+    <message>
+        <source>%1 mm by %2</source>
+        <translation>%1 mm durch %2</translation>
+    </message>
+    <message>
+        <source>as made and held the strip strays %1 mm from its design, %2 % of its length%3</source>
+        <translation>so wie er gemacht und gehalten ist, weicht der Streifen %1 mm von seinem Entwurf ab, %2 % seiner Länge%3</translation>
+    </message>
     <message>
         <source>its widths do not make up for how it is made, since it would then be %1; give it tabs as wide as its ends, or shallower slots</source>
         <translation>Die Breiten gleichen nicht aus, wie er gemacht ist, denn dann wäre er %1; geben Sie ihm Laschen, so breit wie seine Enden, oder flachere Schlitze</translation>
@@ -3002,6 +3090,17 @@
     <message>
         <source>Move or turn the ends of the selected strip and watch it take its new rest shape</source>
         <translation>Enden des gewählten Streifens bewegen oder drehen und zusehen, wie er seine neue Ruhelage einnimmt</translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Between</name>
+    <message>
+        <source>Draw the curve that a strip of given length takes between two clamps into the open sketch; pull its ends</source>
+        <translation>In die offene Skizze die Kurve zeichnen, die ein Streifen gegebener Länge zwischen zwei Klemmen annimmt, und an ihren Enden ziehen</translation>
+    </message>
+    <message>
+        <source>Curve of given length</source>
+        <translation>Kurve gegebener Länge</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,14 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>How it strays as made and held, and by what</source>
+        <translation>按实际制作和夹持如何偏离，以及原因</translation>
+    </message>
+    <message>
+        <source>Largest distance of the strip, as it is made and held, from its design</source>
+        <translation>条带按实际制作和夹持后与设计的最大距离</translation>
+    </message>
+    <message>
         <source>The strips, in the order of assembly</source>
         <translation>按装配顺序排列的条</translation>
     </message>
@@ -518,6 +526,26 @@
 </context>
 <context>
     <name>Elastica</name>
+    <message>
+        <source>Pull the ends and the tangents by their handles; the curve is drawn on release</source>
+        <translation>用手柄拖动端点和切线；松开时绘制曲线</translation>
+    </message>
+    <message>
+        <source>Length between the clamps</source>
+        <translation>夹具之间的长度</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>另一侧</translation>
+    </message>
+    <message>
+        <source>Held deviation</source>
+        <translation>夹持后的偏差</translation>
+    </message>
     <message>
         <source>Save the coupon</source>
         <translation>保存试样</translation>
@@ -1718,6 +1746,66 @@
 </context>
 <context>
     <name>ElasticaSentences</name>
+    <message>
+        <source>section is %1: give a law with limits, such as ThicknessLaw(sheet, 3, 8, width=20)</source>
+        <translation>截面为 %1：请给出带界限的规律，例如 ThicknessLaw(sheet, 3, 8, width=20)</translation>
+    </message>
+    <message>
+        <source>, without its correction</source>
+        <translation>（未作补偿）</translation>
+    </message>
+    <message>
+        <source>; each cause alone%1: %2</source>
+        <translation>；各原因单独造成%1：%2</translation>
+    </message>
+    <message>
+        <source>side is %1: give 1 for left of the way from start to end, -1 for right</source>
+        <translation>侧为 %1：从起点到终点左侧填 1，右侧填 -1</translation>
+    </message>
+    <message>
+        <source>a strip of %1 mm does not bend between ends %2 mm apart: make it longer, and the ends two places</source>
+        <translation>长 %1 mm 的条带无法在相距 %2 mm 的两端之间弯曲：请加长，并把两端放在不同位置</translation>
+    </message>
+    <message>
+        <source>bulges to the right</source>
+        <translation>向弦的右侧拱起</translation>
+    </message>
+    <message>
+        <source>bulges to the left</source>
+        <translation>向弦的左侧拱起</translation>
+    </message>
+    <message>
+        <source>the strip %1 of its chord, with %2 inflections (mode %3)</source>
+        <translation>条带%1，有 %2 个拐点（模态 %3）</translation>
+    </message>
+    <message>
+        <source>it takes no shape near its design: hold it nearer to its curve</source>
+        <translation>它不会呈现接近设计的形状：请在更靠近其曲线处夹持</translation>
+    </message>
+    <message>
+        <source>anticlastic bending</source>
+        <translation>反向弯曲</translation>
+    </message>
+    <message>
+        <source>leaning ligaments</source>
+        <translation>倾斜的筋条</translation>
+    </message>
+    <message>
+        <source>narrow tabs</source>
+        <translation>窄舌片</translation>
+    </message>
+    <message>
+        <source>slots</source>
+        <translation>槽口</translation>
+    </message>
+    <message>
+        <source>%1 mm by %2</source>
+        <translation>%2 %1 mm</translation>
+    </message>
+    <message>
+        <source>as made and held the strip strays %1 mm from its design, %2 % of its length%3</source>
+        <translation>按制作和夹持的实际情况，条带偏离设计 %1 mm，为其长度的 %2 %%3</translation>
+    </message>
     <message>
         <source>its widths do not make up for how it is made, since it would then be %1; give it tabs as wide as its ends, or shallower slots</source>
         <translation>宽度没有补偿其做法，否则它会是 %1；请让接片与条的端部同宽，或减小槽口深度</translation>
@@ -3002,6 +3090,17 @@
     <message>
         <source>Move or turn the ends of the selected strip and watch it take its new rest shape</source>
         <translation>移动或转动所选条带的端部，观察其新的静止形状</translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Between</name>
+    <message>
+        <source>Draw the curve that a strip of given length takes between two clamps into the open sketch; pull its ends</source>
+        <translation>在打开的草图中绘制给定长度的条带在两个夹具之间呈现的曲线，并拖动其端点</translation>
+    </message>
+    <message>
+        <source>Curve of given length</source>
+        <translation>给定长度的曲线</translation>
     </message>
 </context>
 <context>

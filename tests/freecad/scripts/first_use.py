@@ -136,6 +136,7 @@ def work():
     strip = document.getObject("Strip")
     answers["strip"] = [strip.State, strip.Verdict]
     answers["panel"] = panel().form.windowTitle()
+    answers["held"] = [strip.Held, panel().form.numbers.text(), panel().form.footnote.text()]
     view = Gui.ActiveDocument.ActiveView
     view.viewIsometric()
     view.fitAll()

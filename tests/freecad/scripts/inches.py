@@ -21,6 +21,7 @@ from inside import (
     picture,
     press,
     run,
+    scroll_to,
     sketch,
     type_into,
     wait,
@@ -39,14 +40,6 @@ def preferences_page():
 
     QtCore.QTimer.singleShot(1500, look)
     Gui.showPreferences("Elastica", 0)
-
-
-def scroll_to(widget):
-    """Bring a field of the panel into sight, as a person does."""
-    for area in Gui.getMainWindow().findChildren(QtWidgets.QScrollArea):
-        if area.isAncestorOf(widget):
-            area.ensureWidgetVisible(widget)
-    wait(150)
 
 
 def work():
@@ -114,6 +107,10 @@ def work():
     wait(200)
     Gui.ActiveDocument.setEdit(drawn.Name)
     wait(600)
+    for _ in range(100):  # the verdict comes first, the strip's widths when they are found
+        if "wide" in live.session().sentence:
+            break
+        wait(100)
     answers["advice"] = live.session().sentence
     Gui.ActiveDocument.resetEdit()
     wait(100)

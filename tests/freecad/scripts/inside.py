@@ -173,6 +173,10 @@ def trigger(command, choice=True):
     """A command by its QAction, as its button and its menu entry do; False where it is grey."""
     Gui.updateCommands() if hasattr(Gui, "updateCommands") else wait(360)  # else FreeCAD looks by itself
     action = action_of(command)
+    for _ in range(20):  # FreeCAD looks three times a second, and later under load
+        if action.isEnabled() or not choice:
+            break
+        wait(100)
     if action.isEnabled():
         action.trigger()
     return action.isEnabled() or choice
@@ -188,6 +192,14 @@ def fill(panel, **values):
         argument = {QtWidgets.QComboBox: 0, QtWidgets.QLineEdit: "", QtWidgets.QCheckBox: True}
         send = next((v for k, v in argument.items() if isinstance(widget, k)), value)
         signal_of(widget).emit(send)
+
+
+def scroll_to(widget):
+    """Bring a field of the panel into sight, as a person does."""
+    for area in Gui.getMainWindow().findChildren(QtWidgets.QScrollArea):
+        if area.isAncestorOf(widget):
+            area.ensureWidgetVisible(widget)
+    wait(150)
 
 
 def dialog_button(kind="Ok"):

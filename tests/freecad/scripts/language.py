@@ -7,11 +7,27 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 import FreeCAD as App
 import FreeCADGui as Gui
-from inside import ARCH, QtWidgets, answers, choose, picture, run, sketch, trigger, wait
+from inside import (
+    ARCH,
+    QtWidgets,
+    answers,
+    choose,
+    click,
+    dialog_button,
+    picture,
+    run,
+    scroll_to,
+    sketch,
+    trigger,
+    type_into,
+    wait,
+    window,
+)
 from PySide import QtCore
 
 
 def work():
+    window()
     Gui.activateWorkbench("ElasticaWorkbench")
     from freecad.elastica_wb import commands
     from freecad.elastica_wb.host import preferences
@@ -30,9 +46,22 @@ def work():
     trigger("Elastica_Strip")
     wait(200)
     answers["panel"] = Panel.opened.form.windowTitle()
+    strip, box = document.getObject("Strip"), Panel.opened.form.MaxWidth
+    typed = []
+    wait(1000)
+    for text in ("25,5", "12,25 mm", "1,5 cm"):
+        scroll_to(box)
+        type_into(box, text)
+        wait(500)
+        typed.append([strip.MaxWidth.Value, box.text()])
+    answers["typed"] = typed
+    wait(1000)
+    answers["numbers"] = Panel.opened.form.numbers.text()
+    answers["message"] = Panel.opened.form.message.text() + Panel.opened.form.footnote.text()
     picture("german.png")
-    Panel.opened.reject()
-    wait(100)
+    click(dialog_button("Ok"))
+    wait(300)
+    answers["kept"] = strip.MaxWidth.Value
 
     def look():
         for box in QtWidgets.QApplication.topLevelWidgets():

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 
 from freecad.elastica_wb.commands.command import Command
 from freecad.elastica_wb.commands.curve_commands import (
+    BetweenCommand,
     CheckCommand,
     NearestCommand,
     ProjectiveCommand,
@@ -26,7 +27,7 @@ from freecad.elastica_wb.live.live_command import NAME as LIVE
 __all__ = ["COMMANDS", "MENU", "TOOLBARS", "context_menu", "register"]
 
 SKETCH = "Sketcher_NewSketch"
-DRAW = (CheckCommand(), NearestCommand(), ProjectiveCommand(), SectionCommand())
+DRAW = (BetweenCommand(), CheckCommand(), NearestCommand(), ProjectiveCommand(), SectionCommand())
 STRIPS = (StripCommand(), PerforateCommand(), LaminateCommand(), BendCommand(), ToleranceCommand())
 MODELS = (InterlockCommand(), FixturesCommand(), NestCommand(), ExportCommand())
 WORKSHOP = (SheetsCommand(), CouponCommand())

@@ -18,6 +18,7 @@ from freecad.elastica_wb.features import curves
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.live import observers
 from freecad.elastica_wb.live.sketches import edited_sketch
+from freecad.elastica_wb.panels.curves import between_clamps
 from freecad.elastica_wb.panels.curves.check import CheckPanel
 from freecad.elastica_wb.panels.curves.projective import ProjectivePanel
 
@@ -65,6 +66,27 @@ class NearestCommand(CurveCommand):
         """Make the curve, open its panel."""
         (source, edges), *_ = chosen_curves()
         edit_new(self.text, curves.nearest, source, edges)
+
+
+class BetweenCommand(Command):
+    """The curve that a strip of given length takes between two clamps."""
+
+    name = "Elastica_Between"
+    text = QT_TRANSLATE_NOOP("Elastica_Between", "Curve of given length")
+    tip = QT_TRANSLATE_NOOP(
+        "Elastica_Between",
+        "Draw the curve that a strip of given length takes between two clamps into the open sketch; pull its ends",
+    )
+    shortcut = "Y, E"
+    in_sketch = True
+
+    def has_subject(self) -> bool:
+        """A sketch is open."""
+        return edited_sketch() is not None
+
+    def run(self) -> None:
+        """Begin, or end."""
+        between_clamps.switch()
 
 
 class ProjectiveCommand(CurveCommand):

@@ -15,6 +15,9 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 
+MOST_DRAGGED = 24
+"""Poles that a hand can still drag; more are hidden, as FreeCAD 1.1's solver moves curves of so many circles."""
+
 SKETCH = "Sketcher::SketchObject"
 
 
@@ -117,7 +120,10 @@ def container(obj: Any) -> App.Placement:
 
 
 def curve_into(sketch: Any, curve: PlaneCurve) -> None:
-    """Replace everything drawn in a sketch by one spline with poles to drag; construction geometry stays."""
+    """Replace everything drawn in a sketch by one spline, with its poles to drag where these are not too many.
+
+    Construction geometry stays.
+    """
     for i in reversed(range(len(sketch.Geometry))):
         if not sketch.getConstruction(i):
             sketch.delGeometry(i)
@@ -126,7 +132,30 @@ def curve_into(sketch: Any, curve: PlaneCurve) -> None:
         if sketch.Geometry[i].TypeId in ("Part::GeomCircle", "Part::GeomPoint") and not _held(sketch, i):
             sketch.delGeometry(i)
     number = sketch.addGeometry(spline_geometry(curve), False)
-    sketch.exposeInternalGeometry(number)
+    if len(curve.control_points) <= MOST_DRAGGED:
+        sketch.exposeInternalGeometry(number)
+
+
+def replace_curve(sketch: Any, number: int | None, curve: PlaneCurve) -> int:
+    """Put a spline in the place of one curve of a sketch, or beside everything; its number.
+
+    Constraints of a spline whose poles are hidden stay; poles that were shown go with the old spline.
+    """
+    spline = spline_geometry(curve)
+    if number is not None and _shows_poles(sketch, number):
+        shown = [c.First for c in sketch.Constraints if c.Type == "InternalAlignment" and c.Second == number]
+        sketch.delGeometries([number, *shown])
+        number = None
+    if number is None:
+        return int(sketch.addGeometry(spline, False))
+    drawn = sketch.Geometry
+    drawn[number] = spline
+    sketch.Geometry = drawn
+    return number
+
+
+def _shows_poles(sketch: Any, number: int) -> bool:
+    return any(c.Type == "InternalAlignment" and c.Second == number for c in sketch.Constraints)
 
 
 def _held(sketch: Any, number: int) -> bool:

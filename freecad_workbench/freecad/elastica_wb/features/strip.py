@@ -4,6 +4,7 @@
 """The parametric strip: follows a sketch, stands on its curve, says in its properties what it found."""
 
 from collections.abc import Iterable
+from contextlib import suppress
 from typing import Any, ClassVar
 
 import FreeCAD as App
@@ -17,7 +18,14 @@ from freecad.elastica_wb.host.refusal import FAILURES
 from freecad.elastica_wb.host.sheet_store import sheet_called
 from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.host.view_providers import dress
-from freecad.elastica_wb.solving.strip_cache import bent_shape, find_nearest, flat_shape, judged, solve_strip
+from freecad.elastica_wb.solving.strip_cache import (
+    bent_shape,
+    find_nearest,
+    flat_shape,
+    held_shape,
+    judged,
+    solve_strip,
+)
 
 from elastica_cad.errors import ElasticaError
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
@@ -45,7 +53,8 @@ class StripFeature(Feature):
         obj.Shape = shape
         if obj.Form == "Bent":
             obj.Placement = drawn.placement
-        put(obj, MadeFrom=made_from)
+        if obj.MadeFrom != made_from:
+            put(obj, MadeFrom=made_from, HeldDeviation=0.0, Held="")
         changed = find_nearest(spec.rod_spec).deviation if spec.may_change else None
         _tell_results(obj, strip, changed, spec.rod_spec.smoothing.moved)
 
@@ -85,6 +94,16 @@ def strip_of(obj: Any) -> Strip:
         The curve cannot be bent as asked.
     """
     return solve_strip(spec_of(obj, drawn_curve(obj.Curve, obj)))
+
+
+def tell_held(obj: Any) -> None:
+    """Write how far a strip strays as made and held; it takes as long as the rest of it, so no recompute waits."""
+    if obj.Held or not obj.MadeFrom or "Invalid" in obj.State:
+        return
+    with suppress(ElasticaError):
+        held = held_shape(strip_of(obj))
+        said = "it takes no shape near its design: hold it nearer to its curve" if held is None else str(held)
+        put(obj, HeldDeviation=0.0 if held is None else held.deviation, Held=worded(said))
 
 
 def is_stale(obj: Any, changed: set[str]) -> bool:
@@ -146,7 +165,7 @@ def _tell_error(obj: Any, error: ElasticaError) -> None:
     verdict = (
         "A flat strip cannot take this curve." if isinstance(error, NotRealizable) else "There is no strip."
     )
-    put(obj, Verdict=verdict, Reasons=[worded(reason) for reason in reasons], MadeFrom="")
+    put(obj, Verdict=verdict, Reasons=[worded(reason) for reason in reasons], MadeFrom="", Held="")
     if obj.Visibility and not is_edited(obj):
         obj.HiddenByError = True
         obj.Visibility = False

@@ -103,4 +103,6 @@ def _translated(sentence: str, language: str) -> str:
     blank = sentence.strip()
     if blank != sentence:
         return sentence.replace(blank, _translated(blank, language))
+    if sentence.endswith(";"):  # one of a list
+        return _translated(sentence[:-1], language) + ";"
     return translate("Elastica", sentence)

@@ -9,7 +9,7 @@ import FreeCADGui as Gui
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, icon
 from freecad.elastica_wb.live import observers, sketches
 
-NAME = "Elastica_Live"
+NAME, BETWEEN = "Elastica_Live", "Elastica_Between"
 
 
 class LiveCommand:
@@ -48,15 +48,20 @@ class LiveCommand:
 
 
 class LiveManipulator:
-    """Puts the switch beside the tools of an open sketch (FreeCAD 1.0 and later)."""
+    """Puts what works in an open sketch beside the sketcher's own tools (FreeCAD 1.0 and later)."""
 
     def modifyToolBars(self) -> list[dict[str, str]]:
         """Before the command that shows the section of a sketch."""
-        return [{"insert": NAME, "toolItem": "Sketcher_ViewSection"}]
+        return [{"insert": name, "toolItem": "Sketcher_ViewSection"} for name in _known()]
 
     def modifyMenuBar(self) -> list[dict[str, str]]:
         """In the menu of the sketcher too."""
-        return [{"append": NAME, "menuItem": "Sketcher_ViewSection"}]
+        return [{"append": name, "menuItem": "Sketcher_ViewSection"} for name in _known()]
+
+
+def _known() -> list[str]:
+    """The switch, and once the workbench was opened its tool for sketches."""
+    return [name for name in (NAME, BETWEEN) if name in Gui.listCommands()]
 
 
 def register() -> None:

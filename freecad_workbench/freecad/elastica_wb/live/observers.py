@@ -9,6 +9,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from freecad.elastica_wb.host.lifetime import lives
 from freecad.elastica_wb.host.qt import QtCore
+from freecad.elastica_wb.live.held_shapes import HeldShapes
 from freecad.elastica_wb.live.sketches import (
     edited_sketch,
     followers,
@@ -27,9 +28,10 @@ _installed: list[Any] = []
 def install() -> None:
     """Begin to watch."""
     if not _installed:
-        _installed.extend([Edits(), Changes()])
+        _installed.extend([Edits(), Changes(), HeldShapes()])
         Gui.addDocumentObserver(_installed[0])
-        App.addDocumentObserver(_installed[1])
+        for one in _installed[1:]:
+            App.addDocumentObserver(one)
 
 
 def is_on(sketch: Any) -> bool:

@@ -199,7 +199,7 @@ class Session:
             self.near = near = self._asked.result()
             self.overlay.show_nearest(near.rod.position)
             told = f"The nearest curve is {near.deviation:.3g} mm away."
-            self._say(replace(self.card.answer, sentence=f"{self.card.answer.sentence} {told}"))
+            self._say(replace(self.card.answer, sentence=f"{self.card.answer.sentence}\n{told}"))
             self.card.offer(nearest=True)
 
     def _forget_nearest(self) -> None:

@@ -56,7 +56,7 @@ class VerdictCard(QtCore.QObject):
         if self.answer is None or answer.words != self.answer.words:
             self.heading.setText(answer.words)
         if self.answer is None or answer.verdict is not self.answer.verdict:
-            color = _hex(COLORS[answer.verdict])
+            color = hex_of(COLORS[answer.verdict])
             self.heading.setStyleSheet(
                 f"background: {color}; color: white; font-weight: bold; padding: 4px 8px;"
             )
@@ -107,11 +107,12 @@ def _legend() -> str:
         (Verdict.CAN, translate("Elastica", "inflections on their line")),
     )
     return " &nbsp; ".join(
-        f'<span style="color: {_hex(COLORS[key])};">&#9644;</span> {name}' for key, name in names
+        f'<span style="color: {hex_of(COLORS[key])};">&#9644;</span> {name}' for key, name in names
     )
 
 
-def _hex(color: tuple[float, float, float]) -> str:
+def hex_of(color: tuple[float, float, float]) -> str:
+    """A colour as style sheets write it."""
     return "#" + "".join(f"{round(255 * part):02x}" for part in color)
 
 

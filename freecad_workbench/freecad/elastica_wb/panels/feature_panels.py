@@ -33,6 +33,7 @@ def _strip_numbers(obj: Any) -> Told:
         (translate("Elastica", "Stiffness ratio"), f"{obj.Ratio:.3g}"),
         (translate("Elastica", "Largest strain"), f"{obj.LargestStrain:.2f} % ({obj.StrainUse} %)"),
         (translate("Elastica", "Stability margin"), f"{obj.Margin:.3g}"),
+        (translate("Elastica", "Held deviation"), f"{obj.HeldDeviation.Value:.2g} mm" if obj.Held else "..."),
         (translate("Elastica", "Mass"), f"{obj.Mass:.3g} g"),
     )
 

@@ -115,6 +115,9 @@ class PropertyPanel(Panel):
                 setattr(form, name, widget)
                 set_value(widget, _plain(getattr(self.object, name)))
             outer.addWidget(box)
+        form.footnote = QtWidgets.QLabel()  # what comes later than the rest must not move the boxes
+        form.footnote.setWordWrap(True)
+        outer.addWidget(form.footnote)
         outer.addStretch(1)
         return form
 
@@ -195,6 +198,7 @@ class PropertyPanel(Panel):
         self.form.numbers.setText(worded(f"<table>{rows}</table>") if rows else "")
         self.form.numbers.setVisible(bool(rows))
         self.form.useNearest.setVisible(failed and getattr(obj, "Follow", "") == "Exactly")
+        self.form.footnote.setText("" if failed else getattr(obj, "Held", ""))
         self.tell(self._words())
         if layout.source:
             source, edges = getattr(obj, layout.source) or (None, ())

@@ -26,13 +26,20 @@ Place = tuple[float, float]
 class Handles:
     """Handles at places (n, 2) of a plane; `moved` is told the number of the dragged one and where it is.
 
+    `released` is called when the mouse lets go of one.
+
     It is told at most as often as it can answer: what the mouse did meanwhile is left out.
     """
 
     def __init__(
-        self, view: Any, placement: Any, places: ArrayLike, moved: Callable[[int, Place], None]
+        self,
+        view: Any,
+        placement: Any,
+        places: ArrayLike,
+        moved: Callable[[int, Place], None],
+        released: Callable[[], None] | None = None,
     ) -> None:
-        self._view, self._placement, self._moved = view, placement, moved
+        self._view, self._placement, self._moved, self._let_go = view, placement, moved, released
         self._scene = view.getSceneGraph()
         self._held: int | None = None
         self._soon = QtCore.QTimer()
@@ -104,6 +111,8 @@ class Handles:
         self._tell()
         self._held = None
         self._color.rgb = REST
+        if self._let_go is not None:
+            self._let_go()
         return True
 
     def _tell(self) -> None:

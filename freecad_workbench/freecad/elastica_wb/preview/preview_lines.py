@@ -52,9 +52,14 @@ class Preview:
         """The strip (its widths (n,)) as it stands on a curve (n, 2)."""
         self._strip.set(middle, width)
 
-    def add_handles(self, places: ArrayLike, moved: Callable[[int, Place], None]) -> None:
+    def add_handles(
+        self,
+        places: ArrayLike,
+        moved: Callable[[int, Place], None],
+        released: Callable[[], None] | None = None,
+    ) -> None:
         """Handles at places (n, 2); `moved` is told which one was dragged and where to."""
-        self.handles = Handles(self._view, self._placement, places, moved)
+        self.handles = Handles(self._view, self._placement, places, moved, released)
 
     def remove(self) -> None:
         """Take everything off the view."""

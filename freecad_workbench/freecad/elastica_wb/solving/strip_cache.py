@@ -11,7 +11,8 @@ from freecad.elastica_wb.host.progress import in_background
 from freecad.elastica_wb.shapes.part_shapes import make_solid
 from freecad.elastica_wb.solving.growing_cache import growing_cache
 
-from elastica_cad.errors import ElasticaError, MissingDependencyError
+from elastica_cad.errors import ElasticaError, MissingDependencyError, NotConvergedError
+from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
@@ -57,6 +58,15 @@ def judged(rod: Rod) -> Stability | None:
     try:
         return _stability(rod)
     except ElasticaError:
+        return None
+
+
+@growing_cache
+def held_shape(strip: Strip) -> HeldShape | None:
+    """The shape that it takes as it is made, its ends held as designed; None where that is nowhere near."""
+    try:
+        return strip.held()
+    except NotConvergedError:
         return None
 
 

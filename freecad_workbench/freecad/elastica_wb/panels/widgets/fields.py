@@ -25,7 +25,7 @@ def field_for(obj: Any, name: str) -> Any:
     """A widget that shows a property of an object."""
     kind = obj.getTypeIdOfProperty(name)
     if kind in UNITS or kind == "App::PropertyFloat":
-        box = _quantity_box()
+        box = quantity_box()
         box.setProperty("unit", UNITS.get(kind, ""))
         box.setProperty("minimum", 0.0 if kind == "App::PropertyLength" else -LARGEST)
         box.setProperty("maximum", LARGEST)
@@ -116,7 +116,7 @@ def _loader() -> Any:
     return Gui.UiLoader()
 
 
-def _quantity_box() -> Any:
+def quantity_box() -> Any:
     """FreeCAD's box for quantities.
 
     PySide may take the Python face of a deleted widget for a new one at the same address: such a box is put aside,

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""Bends strips forward as they are made and held, once nothing else waits: no recompute and no drag is held up."""
+
+from typing import Any
+
+from freecad.elastica_wb.host.lifetime import lives
+from freecad.elastica_wb.host.qt import QtCore, QtWidgets
+from freecad.elastica_wb.live.sketches import is_strip
+
+PAUSE_MS = 300  # after the last recompute
+
+
+class HeldShapes:
+    """Tells of recomputed strips how far they stray, one at a time."""
+
+    def __init__(self) -> None:
+        self._waiting: dict[tuple[str, str], Any] = {}
+        self._timer = QtCore.QTimer()
+        self._timer.setSingleShot(True)
+        self._timer.timeout.connect(self._next)
+
+    def slotRecomputedObject(self, obj: Any) -> None:
+        """It is not asked for before the last of many is made."""
+        if is_strip(obj):
+            self._waiting[obj.Document.Name, obj.Name] = obj
+            self._timer.start(PAUSE_MS)
+
+    def _next(self) -> None:
+        from freecad.elastica_wb.features.strip import tell_held
+
+        if not self._waiting:
+            return
+        if QtWidgets.QApplication.mouseButtons():  # something is dragged
+            self._timer.start(PAUSE_MS)
+            return
+        obj = self._waiting.pop(next(iter(self._waiting)))
+        if lives(obj) and not obj.Document.Recomputing:
+            tell_held(obj)
+        self._timer.start(0)

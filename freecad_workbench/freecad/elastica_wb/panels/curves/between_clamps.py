@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""The curve of a strip of given length between two clamps, pulled by handles over an open sketch.
+
+The sketcher's solver cannot hold a length: the curve is shown while a handle is dragged, and drawn anew on release.
+"""
+
+from math import atan2, cos, sin
+from typing import Any
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import numpy as np
+import Part
+from freecad.elastica_wb.curves.sketch_curves import container, replace_curve
+from freecad.elastica_wb.host.resources import translate
+from freecad.elastica_wb.live.sketches import edited_sketch
+from freecad.elastica_wb.panels.widgets.length_card import LengthCard
+from freecad.elastica_wb.preview.handles import Place
+from freecad.elastica_wb.preview.preview_lines import Preview
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import ElasticaError
+from elastica_cad.mechanics.bending.between_clamps import ElasticaBetween, elastica_between
+
+REACH = 0.25  # of the distance of the ends: how far the handles of the tangents stand off
+SLACK = 1.3  # lengths of the chord that a new strip has
+VIEW_SHARE = 0.3  # of the view's height: half the chord of a curve that nothing says the ends of
+DIFFERENT_MM = 1e-6
+
+
+class BetweenClamps:
+    """Two ends, two tangents and a length, over an open sketch."""
+
+    def __init__(self, sketch: Any, view: Any) -> None:
+        self.sketch = sketch
+        self.number, self.ends, self.angles, self.length, self.side = _taken(sketch, view)
+        self.found: ElasticaBetween | None = None
+        placement = container(sketch).multiply(sketch.Placement)
+        self.card = LengthCard(view, self.length, self._lengthen, self._turn_over, stop)
+        self.preview = Preview(view, placement)
+        self._solve()
+        if self.angles is None and self.found is not None:  # tangents that the strip has with free ends
+            turned = self.found.rod.angle
+            self.angles = [float(turned[0]), float(turned[-1])]
+        self.angles = self.angles or [0.0, 0.0]
+        self.preview.add_handles(self._places(), self._moved, self._draw)
+        Gui.addDocumentObserver(self)
+        App.addDocumentObserver(self)
+        if self.number is None:
+            self._draw()
+
+    def close(self) -> None:
+        """Take everything off the view; what is drawn stays."""
+        App.removeDocumentObserver(self)
+        Gui.removeDocumentObserver(self)
+        self.preview.remove()
+        self.card.remove()
+
+    def slotResetEdit(self, provider: Any) -> None:
+        """The sketch is closed."""
+        if getattr(provider, "Object", None) is self.sketch:
+            stop()
+
+    def slotUndoDocument(self, document: Any) -> None:
+        """The curve is another one then."""
+        if document is self.sketch.Document:
+            stop()
+
+    def slotDeletedDocument(self, document: Any) -> None:
+        """Its document is closed."""
+        if getattr(document, "Document", document) is self.sketch.Document:
+            stop()
+
+    def _moved(self, handle: int, place: Place) -> None:
+        """Handles 0 and 1 are the ends, 2 and 3 stand on the tangents."""
+        end = handle % 2
+        if handle < 2:
+            self.ends[end] = np.array(place)
+        else:
+            x, y = (np.array(place) - self.ends[end]) * (1 if end == 0 else -1)
+            self.angles[end] = atan2(y, x)
+        self._solve()
+        places = self._places()
+        places[handle] = place
+        self.preview.handles.put(places)
+
+    def _lengthen(self, length: float) -> None:
+        self.length = length
+        self._solve()
+        self._draw()
+
+    def _turn_over(self) -> None:
+        """The mirror image about the chord."""
+        along = 2 * atan2(*(self.ends[1] - self.ends[0])[::-1])
+        self.angles = [along - angle for angle in self.angles]
+        self.side = -self.side
+        self._solve()
+        self._draw()
+
+    def _solve(self) -> None:
+        angles = (None, None) if self.angles is None else (self.angles[0], self.angles[1])
+        try:
+            self.found = elastica_between(*self.ends, self.length, angles=angles, side=self.side)
+            self.card.tell(str(self.found), good=True)
+        except ElasticaError as error:
+            self.found = None
+            self.card.tell(str(error), good=False)
+        shown = np.zeros((0, 2)) if self.found is None else self.found.rod.position
+        self.preview.show(np.zeros((0, 2)), shown, None if self.angles is None else self._frame())
+
+    def _draw(self) -> None:
+        """The curve as it is now, in one undo step."""
+        self.preview.handles.put(self._places())
+        if self.found is None:
+            return
+        document = self.sketch.Document
+        document.openTransaction(translate("Elastica_Between", "Curve of given length"))
+        self.number = replace_curve(self.sketch, self.number, self.found.curve)
+        self.sketch.solve()  # it moves points: a part of the step
+        document.commitTransaction()
+        App.closeActiveTransaction(False)
+
+    def _places(self) -> FloatArray:
+        reach = REACH * float(np.hypot(*(self.ends[1] - self.ends[0])))
+        off = [np.array([cos(angle), sin(angle)]) * reach for angle in self.angles]
+        return np.array([*self.ends, self.ends[0] + off[0], self.ends[1] - off[1]])
+
+    def _frame(self) -> FloatArray:
+        """From handle to handle, through both ends."""
+        return self._places()[[2, 0, 1, 3]]
+
+
+def _taken(sketch: Any, view: Any) -> tuple[int | None, list[FloatArray], list[float] | None, float, int]:
+    """What it begins with: the selected curve or the only spline, the ends of a selected line, or a new one."""
+    number = _chosen(sketch)
+    if number is None:
+        half = VIEW_SHARE * float(view.getCameraNode().height.getValue()) if _is_flat(view) else 50.0
+        return None, [np.array([-half, 0.0]), np.array([half, 0.0])], None, 2 * half * SLACK, 1
+    curve = sketch.Geometry[number]
+    first, last = curve.FirstParameter, curve.LastParameter
+    ends = [np.array(tuple(curve.value(t))[:2]) for t in (first, last)]
+    if not isinstance(curve, Part.BSplineCurve):
+        return None, ends, None, SLACK * float(np.hypot(*(ends[1] - ends[0]))), 1
+    tangents = [curve.tangent(t)[0] for t in (first, last)]
+    angles = [atan2(tangent.y, tangent.x) for tangent in tangents]
+    middle = np.array(tuple(curve.value(curve.parameterAtDistance(curve.length() / 2, first)))[:2])
+    chord, off = ends[1] - ends[0], middle - ends[0]
+    side = 1 if chord[0] * off[1] - chord[1] * off[0] >= 0 else -1
+    return number, ends, angles, float(curve.length()), side
+
+
+def _chosen(sketch: Any) -> int | None:
+    """The selected curve of a sketch, else its only spline."""
+    for choice in Gui.Selection.getSelectionEx():
+        names = [name for name in choice.SubElementNames if name.startswith("Edge")]
+        if choice.Object is sketch and names and not _is_closed(sketch.Geometry[int(names[0][4:]) - 1]):
+            return int(names[0][4:]) - 1
+    splines = [
+        i
+        for i, curve in enumerate(sketch.Geometry)
+        if isinstance(curve, Part.BSplineCurve) and not _is_closed(curve) and not sketch.getConstruction(i)
+    ]
+    return splines[0] if len(splines) == 1 else None
+
+
+def _is_closed(curve: Any) -> bool:
+    if not hasattr(curve, "FirstParameter"):
+        return True  # a point
+    ends = (curve.value(curve.FirstParameter), curve.value(curve.LastParameter))
+    return bool((ends[0] - ends[1]).Length < DIFFERENT_MM)
+
+
+def _is_flat(view: Any) -> bool:
+    return str(view.getCameraType()) == "Orthographic"
+
+
+_running: list[BetweenClamps] = []
+
+
+def running() -> BetweenClamps | None:
+    """The tool that is in use now."""
+    return _running[0] if _running else None
+
+
+def switch() -> None:
+    """Begin over the open sketch, or end."""
+    if running() is not None:
+        stop()
+        return
+    sketch, view = edited_sketch(), Gui.ActiveDocument.ActiveView
+    if sketch is not None and hasattr(view, "getSceneGraph"):
+        _running.append(BetweenClamps(sketch, view))
+
+
+def stop() -> None:
+    """End; what is drawn stays."""
+    while _running:
+        _running.pop().close()

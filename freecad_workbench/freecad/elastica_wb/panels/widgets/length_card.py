@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""A card over the view that asks for a length, and tells which of the curves of that length is drawn."""
+
+from collections.abc import Callable
+from contextlib import suppress
+from typing import Any
+
+import FreeCADGui as Gui
+from freecad.elastica_wb.host.qt import QtCore, QtWidgets, surface_of
+from freecad.elastica_wb.host.resources import translate
+from freecad.elastica_wb.host.user_units import worded
+from freecad.elastica_wb.live.overlay import COLORS
+from freecad.elastica_wb.live.verdict import Verdict
+from freecad.elastica_wb.live.verdict_card import GAP_PX, STYLE, hex_of
+from freecad.elastica_wb.panels.widgets.fields import calm, quantity_box, set_value, value_of
+
+WIDE_PX = 300
+PAUSE_MS = 150  # after the last key
+
+
+class LengthCard(QtCore.QObject):
+    """Over the upper left corner of a view: length, the other side, done."""
+
+    def __init__(
+        self,
+        view: Any,
+        length: float,
+        lengthened: Callable[[float], None],
+        turned_over: Callable[[], None],
+        done: Callable[[], None],
+    ) -> None:
+        over = surface_of(view) or Gui.getMainWindow().centralWidget()
+        super().__init__(over)
+        self.frame = QtWidgets.QFrame(over)
+        self.frame.setObjectName("ElasticaVerdict")
+        self.heading, self.words = QtWidgets.QLabel(self.frame), QtWidgets.QLabel(self.frame)
+        self.words.setWordWrap(True)
+        self.length = quantity_box()
+        self.length.setParent(self.frame)
+        self.length.setObjectName("length")
+        self.length.setProperty("unit", "mm")
+        set_value(self.length, length)
+        self.side = QtWidgets.QPushButton(translate("Elastica", "Other side"), self.frame)
+        self.done = QtWidgets.QPushButton(translate("Elastica", "Done"), self.frame)
+        self.heading.setText(translate("Elastica", "Length between the clamps"))
+        self.heading.setToolTip(
+            translate(
+                "Elastica", "Pull the ends and the tangents by their handles; the curve is drawn on release"
+            )
+        )
+        row = QtWidgets.QHBoxLayout()
+        for widget in (self.length, self.side, self.done):
+            row.addWidget(widget)
+        row.setContentsMargins(8, 0, 8, 0)
+        layout = QtWidgets.QVBoxLayout(self.frame)
+        layout.setContentsMargins(0, 0, 0, 6)
+        layout.addWidget(self.heading)
+        layout.addLayout(row)
+        layout.addWidget(self.words)
+        self.frame.setStyleSheet(STYLE)
+        calm(self.frame)
+        self._pause = QtCore.QTimer(self.frame)
+        self._pause.setSingleShot(True)
+        self._pause.setInterval(PAUSE_MS)
+        self._pause.timeout.connect(lambda: lengthened(value_of(self.length)))
+        self.length.valueChanged.connect(lambda *_: self._pause.start())
+        self.side.clicked.connect(lambda *_: turned_over())
+        # a button must not be deleted while it is pressed
+        self.done.clicked.connect(lambda *_: QtCore.QTimer.singleShot(0, done))
+        self.frame.setFixedWidth(WIDE_PX)
+        self.frame.move(GAP_PX, GAP_PX)
+        self.frame.show()
+
+    def tell(self, sentence: str, *, good: bool) -> None:
+        """Which curve it is, or why there is none; worded in mm."""
+        color = hex_of(COLORS[Verdict.CAN if good else Verdict.CANNOT])
+        self.heading.setStyleSheet(f"background: {color}; color: white; font-weight: bold; padding: 4px 8px;")
+        words = worded(sentence)
+        if words != self.words.text():
+            self.words.setText(words)
+            self.frame.layout().activate()
+            self.frame.setFixedHeight(max(self.frame.layout().totalHeightForWidth(WIDE_PX), 0))
+
+    def remove(self) -> None:
+        """Take it off the view, which may be closed already."""
+        with suppress(RuntimeError):
+            self._pause.stop()
+            self.frame.hide()
+            self.frame.deleteLater()

@@ -1,0 +1,155 @@
+"""The curve of given length between two clamps: by its button, a handle pulled by the mouse, a length typed."""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from inside import (
+    ARCH,
+    answers,
+    click,
+    mouse,
+    on_screen,
+    picture,
+    press,
+    run,
+    sketch,
+    toolbar_button,
+    trigger,
+    type_into,
+    wait,
+    window,
+)
+
+
+def edit(drawn):
+    """Open a sketch as seen from above, with the tool at hand: 0.20's sketcher does not show foreign tools."""
+    Gui.ActiveDocument.setEdit(drawn.Name)
+    if toolbar_button("Elastica_Between") is None:
+        Gui.activateWorkbench("ElasticaWorkbench")
+    wait(400)
+    view = Gui.ActiveDocument.ActiveView
+    view.setCameraType("Orthographic")
+    view.viewTop()
+    view.getCameraNode().height.setValue(300)
+    wait(300)
+
+
+def spline_of(drawn):
+    return next(g for g in drawn.Geometry if "BSpline" in g.TypeId)
+
+
+def told(drawn):
+    curve = spline_of(drawn)
+    ends = [tuple(round(x, 2) for x in p[:2]) for p in (curve.StartPoint, curve.EndPoint)]
+    return [len(drawn.Geometry), round(curve.length(), 3), *ends]
+
+
+def pull(tool, handle, dx, dy):
+    """A handle, by the mouse; how often the curve was found meanwhile."""
+    x, y = on_screen(*tool.preview.handles.places[handle])
+    solved = []
+    usual = tool._solve
+    tool._solve = lambda: (solved.append(1), usual())
+    before = told(tool.sketch)
+    mouse("mousemove", x - 3, y, "sleep", 0.1, "mousemove", x, y, "sleep", 0.1, "mousedown", 1)
+    for i in range(1, 11):
+        mouse("mousemove", x + dx * i / 10, y + dy * i / 10)
+        wait(15)
+    held = told(tool.sketch) == before
+    picture(f"pulled-{handle}.png")
+    mouse("mouseup", 1)
+    wait(300)
+    tool._solve = usual
+    return [len(solved) >= 5, held]
+
+
+def work():
+    window()
+    document = App.newDocument("Between")
+    document.UndoMode = 1
+    Gui.activateWorkbench("ElasticaWorkbench")
+    window()
+    from freecad.elastica_wb.live import observers
+    from freecad.elastica_wb.panels.curves import between_clamps
+
+    drawn = document.addObject("Sketcher::SketchObject", "Drawn")
+    observers.remember(drawn, True)
+    document.recompute()
+    edit(drawn)
+    answers["grey"] = not toolbar_button("Elastica_Between").isEnabled()
+    press("Elastica_Between")
+    wait(300)
+    tool = between_clamps.running()
+    answers["new"] = told(drawn)
+    answers["length"] = tool.length
+    answers["words"] = tool.card.words.text()
+    picture("new.png")
+    steps = document.UndoCount
+    answers["end pulled"] = [*pull(tool, 1, -60, -40), told(drawn), document.UndoCount - steps]
+    answers["tangent pulled"] = [*pull(tool, 2, 40, 60), told(drawn), spline_of(drawn).NbPoles]
+    before = tool.card.words.text()
+    click(tool.card.side)
+    wait(300)
+    answers["other side"] = [before, tool.card.words.text(), told(drawn)]
+    type_into(tool.card.length, "320 mm")
+    wait(600)
+    answers["longer"] = told(drawn)
+    type_into(tool.card.length, "20 mm")
+    wait(600)
+    answers["too short"] = [tool.card.words.text(), told(drawn)]
+    picture("short.png")
+    type_into(tool.card.length, "300 mm")
+    wait(600)
+    from freecad.elastica_wb.live import session as live
+
+    answers["verdict"] = live.session().card.answer.verdict.value
+    click(tool.card.done)
+    wait(300)
+    answers["done"] = between_clamps.running() is None
+    press("Elastica_Between")
+    wait(300)
+    tool = between_clamps.running()
+    answers["taken again"] = [tool.number is not None, round(tool.length, 2), tool.side, told(drawn)]
+    picture("again.png")
+    trigger("Std_Undo")
+    wait(300)
+    answers["undone"] = [between_clamps.running() is None, round(spline_of(drawn).length(), 1)]
+    press("Elastica_Between")
+    wait(300)
+    Gui.ActiveDocument.resetEdit()
+    wait(300)
+    answers["closed with its sketch"] = between_clamps.running() is None
+    press("Elastica_Strip")
+    wait(900)
+    strip = document.getObject("Strip")
+    answers["strip"] = [strip.State, strip.Ratio]
+    Gui.Control.closeDialog()
+    line = sketch(document, [(0, 0), (10, 0), (20, 0), (30, 0), (40, 0)], name="Line")
+    line.delGeometry(0)
+    import Part
+
+    line.addGeometry(Part.LineSegment(App.Vector(0, 0, 0), App.Vector(60, 0, 0)))
+    document.recompute()
+    edit(line)
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(document.Name, line.Name, "Edge1")
+    press("Elastica_Between")
+    wait(300)
+    answers["over a line"] = told(line)
+    Gui.ActiveDocument.resetEdit()
+    arch = sketch(document, ARCH, name="Arch")
+    edit(arch)
+    press("Elastica_Between")
+    wait(300)
+    answers["with poles"] = told(arch)
+    answers["poles go"] = [*pull(between_clamps.running(), 1, -20, 10), told(arch)]
+    App.closeDocument(document.Name)
+    wait(300)
+    answers["closed with its document"] = between_clamps.running() is None
+
+
+run(work)
