@@ -35,6 +35,13 @@ MOST_SAID = 6
 @holding_option
 @click.option("--nearest", is_flag=True, help="Let every strip leave its curve, as little as it must.")
 @click.option("--anyway", is_flag=True, help="Write parts that cannot be cut or handled, and say so.")
+@click.option(
+    "--below",
+    type=click.Path(path_type=Path),
+    multiple=True,
+    metavar="FOLDER",
+    help="Let the design read files below this folder, besides its own and the working folder.",
+)
 @click.option("--force", is_flag=True, help="Overwrite files that exist.")
 def model(
     design: Path,
@@ -46,6 +53,7 @@ def model(
     holding: float | None,
     nearest: bool,
     anyway: bool,
+    below: tuple[Path, ...],
     force: bool,
 ) -> None:
     """Make a whole model from the design file DESIGN (TOML).
@@ -55,7 +63,7 @@ def model(
     everything has succeeded, or none. The fastest way to the nested sheets alone:
     --no-parts --no-effects --no-pictures --no-step.
     """
-    read = read_design(design, read_curves, read_surface)
+    read = read_design(design, read_curves, read_surface, below=below)
     read = read.nearest() if nearest else read
     read = read.made_anyway() if anyway else read
     if holding is not None:

@@ -29,6 +29,7 @@ from elastica_cad.formats.file_access.atomic_write import write_atomically
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.drawn_edges import free_chains
+from elastica_cad.kernel.forked_trial import try_in_a_copy
 from elastica_cad.kernel.occt import Shape, kernel, make_location, make_solid
 from elastica_cad.kernel.step_text import canonical_step
 
@@ -205,6 +206,12 @@ def read_step_shape(path: Path) -> Shape:
     InputError
         A file that OpenCASCADE cannot read.
     """
+    kernel()
+    try_in_a_copy(lambda: _read_shape(path))
+    return _read_shape(path)
+
+
+def _read_shape(path: Path) -> Shape:
     k = kernel()
     if path.suffix.lower() in (".brep", ".brp"):
         shape = k.TopoDS_Shape()

@@ -1,6 +1,10 @@
 """Writing and reading STEP changes nothing for whoever uses OpenCASCADE after us, and says who wrote the file."""
 
+import os
 import re
+import signal
+import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,8 +17,10 @@ from OCP.TopoDS import TopoDS_Iterator
 
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.kernel.forked_trial import try_in_a_copy
 from elastica_cad.kernel.step_files import read_step_shape, write_strip_step
 
+DAMAGED = Path(__file__).resolve().parents[1] / "data" / "damaged"
 NAMES = ("write.step.schema", "write.step.unit", "write.step.product.name", "xstep.cascade.unit")
 
 
@@ -49,6 +55,21 @@ def test_a_broken_file_is_one_sentence_and_nothing_else(tmp_path, capfd, suffix)
     with pytest.raises(InputError, match="that OpenCASCADE can read"):
         read_step_shape(tmp_path / f"a.{suffix}")
     assert capfd.readouterr() == ("", "")
+
+
+def test_a_file_on_which_opencascade_breaks_down():
+    """OCCT 7.9 ends this process on it: entities of another kind where units are expected."""
+    with pytest.raises(InputError, match="OpenCASCADE"):
+        read_step_shape(DAMAGED / "breaks_opencascade.step")
+
+
+def test_a_copy_that_breaks_down_or_takes_too_long_is_told(monkeypatch):
+    with pytest.raises(InputError, match="OpenCASCADE breaks down on this file"):
+        try_in_a_copy(lambda: os.kill(os.getpid(), signal.SIGSEGV))
+    monkeypatch.setattr("elastica_cad.kernel.forked_trial.LONGEST_S", 0.1)
+    with pytest.raises(InputError, match=r"not read this file within 0\.1 s"):
+        try_in_a_copy(lambda: time.sleep(600))
+    try_in_a_copy(lambda: 1 / 0)  # the real run raises it
 
 
 def test_names(arch_strip, tmp_path):

@@ -13,6 +13,7 @@ from elastica_cad.fabrication.drawings.lettering import Text, text_strokes
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.point_distance import distances
 from elastica_cad.geometry.paths.segments import is_similarity, transform_points
+from elastica_cad.mechanics.material.sheet_keys import printable
 
 CUT_OUTER = "CUT_OUTER"
 CUT_INNER = "CUT_INNER"
@@ -67,6 +68,7 @@ class Drawing:
     def __post_init__(self) -> None:
         object.__setattr__(self, "paths", tuple(self.paths))
         object.__setattr__(self, "texts", tuple(self.texts))
+        printable(self.name, "the drawing's name")
         for text in self.texts:
             _check_layer(text.layer)
 

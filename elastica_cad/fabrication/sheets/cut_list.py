@@ -65,7 +65,10 @@ class CutList:
 
     @property
     def csv(self) -> str:
-        """Comma separated values with a header line; units are in the header."""
+        """Comma separated values with a header line; units are in the header.
+
+        A text that a spreadsheet would compute has an apostrophe before it.
+        """
         stream = io.StringIO()
         writer = csv.writer(stream, lineterminator="\n")
         writer.writerow(
@@ -87,15 +90,15 @@ class CutList:
             size = [f"{row.length:.2f}", f"{row.width:.2f}", row.count]
             writer.writerow(
                 [
-                    row.part,
-                    row.sheet,
+                    _cell(row.part),
+                    _cell(row.sheet),
                     f"{row.thickness:g}",
                     *size,
-                    row.file,
+                    _cell(row.file),
                     f"{row.cut_length:.1f}",
                     f"{row.mass:.3f}",
-                    row.grain,
-                    row.like,
+                    _cell(row.grain),
+                    _cell(row.like),
                 ]
             )
         return stream.getvalue()
@@ -131,6 +134,11 @@ class CutList:
             "",
         )
         return _table([head, *body, total], right=(2, 3, 4, 5, 6))
+
+
+def _cell(text: str) -> str:
+    """The text, with the mark of one where a spreadsheet would take it for a formula."""
+    return f"'{text}" if text[:1] in tuple("=+-@\t\r") else text
 
 
 def cut_list(pieces: Iterable[Piece], files: Mapping[str, str] | None = None) -> CutList:

@@ -93,6 +93,12 @@ class Piece:
         return self.area * self.sheet.thickness * self.sheet.density * 1e-6
 
 
+LONGEST_WORD = 60
+"""Signs of a label that go into a file name: file systems take 255 bytes in all."""
+
+_DEVICE = re.compile(r"^(con|prn|aux|nul|(?:com|lpt)[0-9¹²³])(?=\.|$)", re.IGNORECASE)  # of Windows
+
+
 def file_word(text: str) -> str:
     """The text as it may stand in a file name on any system.
 
@@ -100,8 +106,11 @@ def file_word(text: str) -> str:
     --------
     >>> file_word("P 1/2: top")
     'P-1-2-top'
+    >>> file_word("con.txt")  # a device of Windows
+    'con_.txt'
     """
-    return re.sub(r"[^\w.-]+", "-", text).strip("-.") or "part"
+    word = re.sub(r"[^\w.-]+", "-", text)[:LONGEST_WORD].strip("-.") or "part"
+    return _DEVICE.sub(r"\1_", word)
 
 
 def strip_pieces(parts: Sequence[EqualStrips], *, numbered: bool = False) -> tuple[Piece, ...]:

@@ -24,6 +24,7 @@ from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.material.plywood_radii import PLYWOOD_SOURCE
 from elastica_cad.mechanics.material.section_limits import LayerStrain
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.sheet_keys import printable
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 FINE_EDGES = 1600
@@ -106,6 +107,7 @@ class Strip:
             value = getattr(self, name)
             if value is not None and not (np.isfinite(value) and value > 0):
                 raise InputError(f"{name} is {value}: it must be positive, in mm")
+        printable(self.label, "the label")
         _ = self.layout
 
     def __repr__(self) -> str:

@@ -64,7 +64,7 @@ from elastica_cad.formats.design_files.strip_table import (
     read_strip,
 )
 from elastica_cad.formats.design_files.tables import Slips, Table
-from elastica_cad.formats.file_access.source_file import require_file
+from elastica_cad.formats.file_access.source_file import read_below, require_below, require_file
 from elastica_cad.formats.surface_files.file_surface import SurfaceReader, mesh_surface
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.plane_sections.section_curves import SectionCurve
@@ -181,7 +181,11 @@ _PATTERNS = {"mirror": "mirrored", "rotate": "rotated", "repeat": "repeated"}
 
 
 def read_design(
-    path: str | Path, read_curves: CurveReader, read_surface: SurfaceReader = mesh_surface
+    path: str | Path,
+    read_curves: CurveReader,
+    read_surface: SurfaceReader = mesh_surface,
+    *,
+    below: Sequence[str | Path] = (),
 ) -> Design:
     """A design file, every formula computed and every curve file read.
 
@@ -193,13 +197,21 @@ def read_design(
         Reads a curve file: `elastica_cad.read_curves`.
     read_surface : callable
         Reads a surface for sections: of meshes alone, or of STEP bodies too, `elastica_cad.files.read_surface`.
+    below : sequence of path-like
+        Folders from which it may read files, besides its own and the working folder.
 
     Raises
     ------
     InputError
-        No TOML, unknown keys, missing files or values that make no sense: the place in the file is named.
+        No TOML, unknown keys, missing files, files elsewhere, values that make no sense: the place in the file is
+        named.
     """
     path = require_file(path)
+    with read_below(path.parent, Path(), *below):
+        return _read(path, read_curves, read_surface)
+
+
+def _read(path: Path, read_curves: CurveReader, read_surface: SurfaceReader) -> Design:
     try:
         data = tomllib.loads(path.read_bytes().decode("utf-8"))
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
@@ -259,6 +271,8 @@ class _Sheets(dict[str, Sheet]):
         return super().__contains__(name) or ".toml" in str(name)
 
     def __missing__(self, name: str) -> Sheet:
+        if ".toml" in name:
+            require_below(self.folder / f"{name.partition('.toml')[0]}.toml")
         return Sheet.named(name, folder=self.folder)
 
 

@@ -1,6 +1,7 @@
 """What every reader asks of a file before and while it reads: one clear sentence when something is wrong."""
 
 import logging
+import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
@@ -13,6 +14,8 @@ FileMark: TypeAlias = tuple[int, int, int] | None
 """What changes when a file does: time, size and number on the disk; None where there is no file."""
 
 _read: ContextVar[dict[Path, FileMark] | None] = ContextVar("files read", default=None)
+
+_below: ContextVar[tuple[Path, ...]] = ContextVar("folders that may be read", default=())
 
 LARGEST_FILE = 256 * 2**20
 """Bytes."""
@@ -41,8 +44,11 @@ def require_file(path: str | Path) -> Path:
     path, noted = Path(path), _read.get()
     if noted is not None:
         noted.setdefault(path.absolute(), mark_file(path))
+    require_below(path)
     if path.is_dir():
         raise InputError(f"{path} is a folder: name one file in it")
+    if path.exists() and not path.is_file():
+        raise InputError(f"{path} is no file but a device or a pipe: name a file")
     try:
         with path.open("rb") as file:
             empty = not file.read(1)
@@ -60,6 +66,26 @@ def require_file(path: str | Path) -> Path:
             "curve, or simplify it"
         )
     return path
+
+
+def require_below(path: Path) -> None:
+    """Refuse a file outside of the folders of `read_below`, links followed."""
+    folders, real = _below.get(), Path(os.path.realpath(path))
+    if folders and not any(real.is_relative_to(folder) for folder in folders):
+        raise InputError(
+            f"{path} lies outside of {folders[0]}, and a design reads files below its own folder or the one "
+            "you work in: copy it there, or allow its folder (--below FOLDER)"
+        )
+
+
+@contextmanager
+def read_below(*folders: str | os.PathLike[str]) -> Iterator[None]:
+    """Let the block read files below these folders only."""
+    token = _below.set(tuple(Path(os.path.realpath(folder)) for folder in folders))
+    try:
+        yield
+    finally:
+        _below.reset(token)
 
 
 def mark_file(path: Path) -> FileMark:

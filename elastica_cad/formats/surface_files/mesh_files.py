@@ -68,7 +68,7 @@ def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) 
         ) from error
     with name_source(path):
         try:
-            with quiet_log("trimesh"):
+            with quiet_log("trimesh"), np.errstate(all="ignore"):
                 mesh = load(path, file_type=suffix[1:], force="mesh", process=False)
             vertices, faces = np.array(mesh.vertices, dtype=float), np.array(mesh.faces, dtype=int)
         except Exception as error:  # parsers of trimesh raise errors of any kind

@@ -73,6 +73,14 @@ def advise_key(key: str) -> str:
     return f"; did you mean {near[0]}?" if near else f"; known keys are {', '.join(KEYS)}"
 
 
+def printable(text: str, where: str) -> str:
+    """The text, unless it holds signs that break lines, steer a terminal or have no place in files."""
+    if not text.isprintable():
+        odd = ", ".join(sorted({repr(sign) for sign in text if not sign.isprintable()}))
+        raise InputError(f"{where} {text!r} holds {odd}: use signs that can be printed, in one line")
+    return text
+
+
 def finite_number(value: Any, where: str) -> float:
     """The number, unless it is none or not finite."""
     if isinstance(value, bool | str | bytes) or value is None:

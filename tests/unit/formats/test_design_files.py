@@ -361,3 +361,39 @@ def test_the_place_is_named_once(read, wrong):
     with pytest.raises(InputError) as refused:
         read(HEAD + f"[[strips]]\n{wrong}\n{ARC}\n")
     assert str(refused.value).count("strips[1]") == 1
+
+
+def test_files_are_read_below_the_folder_of_the_design(tmp_path, monkeypatch):
+    """A design from elsewhere reads nothing of yours: no path, no link leads out, unless its folder is named."""
+    home, secret = tmp_path / "from elsewhere", tmp_path / "yours"
+    for folder in (home / "curves", secret):
+        folder.mkdir(parents=True)
+        (folder / "arch.csv").write_text("".join(f"{x},{0.02 * x * (90 - x):.3f}\n" for x in range(0, 91, 5)))
+    (secret / "mine.toml").write_text("no sheets")
+    (home / "link.csv").symlink_to(secret / "arch.csv")
+    monkeypatch.chdir(home)
+    design = home / "design.toml"
+
+    def asked(lines, **options):
+        design.write_text(HEAD + f"[[strips]]\n{lines}\n")
+        return read_design(design, read_curves, **options)
+
+    assert asked('curve = "curves/arch.csv"').entries
+    for path in ("../yours/arch.csv", str(secret / "arch.csv"), "link.csv", "curves/../../yours/arch.csv"):
+        with pytest.raises(
+            InputError, match=r"lies outside of .*from elsewhere, and a design reads files below"
+        ):
+            asked(f'curve = "{path}"')
+        assert asked(f'curve = "{path}"', below=[secret]).entries
+    with pytest.raises(InputError, match="lies outside of"):
+        asked('curve = "curves/arch.csv"\nsheet = "../yours/mine.toml"')
+    monkeypatch.chdir(tmp_path)
+    assert asked('curve = "../yours/arch.csv"').entries
+
+
+def test_a_pipe_is_no_file(tmp_path):
+    import os
+
+    os.mkfifo(tmp_path / "arch.csv")
+    with pytest.raises(InputError, match="is no file but a device or a pipe"):
+        read_curves(tmp_path / "arch.csv")

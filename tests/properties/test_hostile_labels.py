@@ -1,0 +1,134 @@
+"""Whatever a label, a model or a sheet is called: every file holds it as a text, and lies where it should."""
+
+import csv
+import json
+import re
+from dataclasses import replace
+from html.parser import HTMLParser
+from pathlib import Path, PureWindowsPath
+from tempfile import TemporaryDirectory
+from xml.etree import ElementTree
+
+import ezdxf
+import pytest
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+
+import elastica_cad as ec
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.lettering import engravable
+from elastica_cad.fabrication.sheets.pieces import file_word
+from elastica_cad.kit import save_model
+
+SHEET = ec.Sheet.named("birch-plywood-0.8")
+ARCH = ec.make_strip(ec.PlaneCurve.arc((0, 0), 60, 0.3, 3.1), SHEET, max_width=30, label="A")
+NASTY = (
+    "<script>alert(1)</script>", '"><img src=x onerror=1>', "]]>", "&amp;", "=1+1", "@SUM(A1)", "-2+3", "+1",
+    "x');#1=",
+    "..", "../../x", "a/b\\c", "CON", "nul.txt", "com1", "%%c", "\\X2\\0041", "a,b;c", '"', "'", " ",
+    "javascript:1",
+    "a\n0\nSECTION\n", "a\r\nb", "\x00", "\ud800", "\u202etxt.exe", "\u2028", "日本", "A" * 400,
+)  # fmt: skip
+texts = st.one_of(st.sampled_from(NASTY), st.text(max_size=30), st.lists(st.sampled_from(NASTY)).map("".join))
+
+
+class Page(HTMLParser):
+    """Elements with their attributes, and all text."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.tags, self.text = [], []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        self.tags.append((tag, dict(attributes)))
+
+    def handle_data(self, data):
+        self.text.append(data)
+
+
+def kit_of_one(label, name, sheet, folder):
+    """The kit of one strip with these names, or None where they are refused by one sentence."""
+    try:
+        strip = replace(ARCH, label=label, sheet=replace(SHEET, name=sheet))
+        model = ec.Model([ec.Placed(strip, (0, 0, 0), (1, 0, 0), (0, 0, 1))], name=name)
+        return save_model(model, folder, pictures=False, step=False)
+    except InputError as refusal:
+        return None if "\n" not in str(refusal) else str(refusal)
+
+
+@settings(max_examples=60, deadline=None)
+@given(texts.map(engravable), texts, texts)
+@example("=1+1", "<script>alert(1)</script>", "=cmd")
+@example("../../x", "..", "a\\b")
+@example("<b>", '"><img src=x onerror=1>', "x');#1=")
+@example("A" * 400, "A" * 400, "A" * 400)
+def test_names_are_texts_in_every_file(label, name, sheet):
+    with TemporaryDirectory() as base:
+        folder = Path(base, "deep", "kit")
+        saved = kit_of_one(label, name, sheet, folder)
+        found = [path for path in Path(base).rglob("*") if path.is_file()]
+        if saved is None:
+            assert not found
+            return
+        assert {path.relative_to(folder).as_posix() for path in found} == set(saved.files)
+        for path in found:
+            assert not any(PureWindowsPath(part).is_reserved() for part in path.parts)
+            assert not re.search(r'[<>:"|?*\\\x00-\x1f]', path.name)
+            read(path, name, label)
+
+
+def read(path, name, label):
+    """The file through a reader of others."""
+    if path.suffix == ".dxf":
+        document = ezdxf.readfile(path)
+        assert not document.audit().errors
+        assert {entity.dxftype() for entity in document.modelspace()} <= {
+            "LWPOLYLINE", "SPLINE", "LINE", "ARC", "CIRCLE",
+        }  # fmt: skip
+    elif path.suffix == ".svg":
+        root = ElementTree.parse(path).getroot()
+        assert {str(one.tag).rpartition("}")[2] for one in root.iter()} <= {"svg", "title", "g", "path"}
+    elif path.suffix == ".csv":
+        with path.open(newline="", encoding="utf-8") as file:
+            rows = list(csv.reader(file))
+        assert {len(row) for row in rows} == {11}
+        assert not any(cell[:1] in tuple("=+-@\t\r") for row in rows for cell in row if cell)
+        assert rows[1][0].removeprefix("'") == (label or rows[1][0])
+    elif path.suffix == ".html":
+        page = Page(path.read_text(encoding="utf-8"))
+        assert {tag for tag, _ in page.tags} <= {
+            "html", "head", "meta", "title", "style", "body", "h1", "h2", "p", "ul", "li", "table", "tr", "td",
+            "th", "a",
+        }  # fmt: skip
+        for tag, attributes in page.tags:
+            assert not any(key.startswith("on") for key in attributes)
+            if tag == "a":
+                assert re.fullmatch(r"[\w%.-]+(/[\w%.-]+)*", attributes["href"])
+        assert name in "".join(page.text)
+    elif path.suffix == ".json":
+        assert json.loads(path.read_text(encoding="utf-8"))["name"] == name
+
+
+@settings(max_examples=300, deadline=None)
+@given(texts)
+def test_words_of_file_names(text):
+    word = file_word(text)
+    assert re.fullmatch(r"[\w-][\w.-]*", word)
+    assert len(word) <= 61
+    for kind in ("", ".dxf", ".tar.gz"):
+        assert not PureWindowsPath(word + kind).is_reserved()
+        assert not (word + kind).endswith(".")
+
+
+@pytest.mark.parametrize("text", ["a\nb", "\x00", "\u202e", "\ud800"])
+def test_signs_without_a_place_in_files_are_refused(text):
+    model = ec.Model([ec.Placed(ARCH, (0, 0, 0), (1, 0, 0), (0, 0, 1))])
+    for make in (
+        lambda: replace(ARCH, label=text),
+        lambda: replace(model, name=text),
+        lambda: replace(SHEET, name=text),
+        lambda: ec.Drawing(text),
+    ):
+        with pytest.raises(InputError, match="use signs that can be printed, in one line"):
+            make()
