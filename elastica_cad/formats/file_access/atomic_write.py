@@ -1,11 +1,14 @@
 """Files that appear whole or not at all."""
 
+import glob
 import os
 from collections.abc import Callable
 from pathlib import Path
+from secrets import token_hex
 from typing import BinaryIO
 
 from elastica_cad.errors import InputError
+from elastica_cad.formats.file_access.living_writers import open_held, remove_left_behind
 
 
 def check_target(path: str | os.PathLike[str], *, force: bool = False) -> Path:
@@ -35,6 +38,8 @@ def write_atomically(
 ) -> Path:
     """Write a file under a temporary name beside its place, then rename it: no file is ever half written.
 
+    What a killed program has left beside it of an earlier try is removed.
+
     Parameters
     ----------
     path : path-like
@@ -62,14 +67,18 @@ def write_atomically(
     b'done'
     """
     target = check_target(path, force=force)
-    temporary = target.with_name(f".{target.name}.{os.getpid()}.part")
+    begins = f".{target.name[:100]}."
+    remove_left_behind(target.parent, f"{glob.escape(begins)}*.part")
+    temporary = target.with_name(f"{begins}{token_hex(6)}.part")
     try:
-        with open(temporary, "wb") as file:
+        with open_held(temporary) as file:
             if callable(content):
                 content(file)
             else:
                 file.write(content)
-        os.replace(temporary, target)
+            file.close()
+            check_target(path, force=force)  # another may have come first
+            os.replace(temporary, target)
     except OSError as error:
         reason = "no permission" if isinstance(error, PermissionError) else error.strerror or str(error)
         raise InputError(f"{path} can't be written: {reason}; choose another place") from error

@@ -1,13 +1,15 @@
 """Several files that appear together, or not at all."""
 
 import os
-from collections.abc import Iterable, Iterator
+import shutil
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from tempfile import TemporaryDirectory
+from secrets import token_hex
 
 from elastica_cad.errors import InputError
 from elastica_cad.formats.file_access.atomic_write import check_target
+from elastica_cad.formats.file_access.living_writers import LOCK, open_held, remove_left_behind, take_turn
 
 
 @contextmanager
@@ -28,7 +30,7 @@ def write_together(
     Yields
     ------
     Path
-        A temporary folder on the same disk.
+        A temporary folder on the same disk; those that killed programs have left there are removed.
 
     Raises
     ------
@@ -57,14 +59,29 @@ def write_together(
             if (target / name).parent.is_dir():
                 check_target(target / name, force=force)
     ground = next(parent for parent in (target, *target.parents) if parent.is_dir())
+    workshop = ground / f".elastica-{token_hex(8)}"
     try:
-        with TemporaryDirectory(prefix=".elastica-", dir=ground) as workshop:
-            for name in names:
-                Path(workshop, name).parent.mkdir(parents=True, exist_ok=True)
-            yield Path(workshop)
-            for name in names:
-                (target / name).parent.mkdir(parents=True, exist_ok=True)
-                os.replace(Path(workshop, name), target / name)
+        remove_left_behind(ground, ".elastica-*")
+        try:
+            workshop.mkdir()
+            with open_held(workshop / LOCK):
+                for name in names:
+                    Path(workshop, name).parent.mkdir(parents=True, exist_ok=True)
+                yield workshop
+                _move(workshop, target, names, force=force)
+        finally:
+            shutil.rmtree(workshop, ignore_errors=True)
     except OSError as problem:
         reason = "no permission" if isinstance(problem, PermissionError) else problem.strerror or str(problem)
         raise InputError(f"files can't be written to {folder}: {reason}; choose another folder") from problem
+
+
+def _move(workshop: Path, target: Path, names: Sequence[str], *, force: bool) -> None:
+    """All files to their places; while others move theirs there, this waits."""
+    target.mkdir(parents=True, exist_ok=True)
+    with take_turn(target):
+        for name in (name for name in names if (target / name).parent.is_dir()):
+            check_target(target / name, force=force)  # another may have come first
+        for name in names:
+            (target / name).parent.mkdir(parents=True, exist_ok=True)
+            os.replace(Path(workshop, name), target / name)

@@ -1,0 +1,181 @@
+"""Runs that are killed, disks that are full, workers that are lost: nothing half written, nothing left behind.
+
+python -m tests.campaign.trust.faults --kills 200 --full 20 --lost 20 --seed 1
+"""
+
+import argparse
+import json
+import os
+import random
+import resource
+import signal
+import subprocess
+import sys
+import time
+from concurrent.futures import ProcessPoolExecutor
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import elastica_cad as ec
+
+BOW = "2 4\n0 0\n40 60\n90 60\n130 0\n"
+STRIP = ("strip", "bow.txt", "--sheet", "birch-plywood-0.8", "--max-width", "20", "-o", "out", "--force")
+
+
+def command(*words):
+    return [sys.executable, "-m", "elastica_cad", *words]
+
+
+def quietly(words, folder, **options):
+    return subprocess.Popen(
+        words, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, **options
+    )
+
+
+def contents(folder):
+    files = (folder / "out").iterdir() if (folder / "out").is_dir() else ()
+    return {path.name: path.read_bytes() for path in files if path.is_file()}
+
+
+def left(folder):
+    return [path.name for path in folder.rglob(".*")]
+
+
+def kills(count, rng, folder):
+    """Kill `elastica strip` at random moments: each file is the old or the new one; the next run cleans up."""
+    wrong, between = [], 0
+    (folder / "bow.txt").write_text(BOW)
+    took = []
+    for _ in range(2):
+        since = time.monotonic()
+        quietly(command(*STRIP), folder).communicate()
+        took.append(time.monotonic() - since)
+    old = contents(folder)
+    (folder / "bow.txt").write_text(BOW.replace("130", "150"))
+    quietly(command(*STRIP), folder).communicate()
+    new = contents(folder)
+    for number in range(count):
+        (folder / "bow.txt").write_text(BOW if number % 2 else BOW.replace("130", "150"))
+        process = quietly(command(*STRIP), folder)
+        time.sleep(rng.uniform(0.2, 1.1) * min(took))
+        process.kill()
+        process.communicate()
+        found = contents(folder)
+        broken = [name for name, data in found.items() if data not in (old.get(name), new.get(name))]
+        mixed = {found == old, found == new} == {False}
+        between += mixed
+        if broken or set(found) != set(old):
+            wrong.append({"kill": number, "half": broken, "files": sorted(found)})
+    quietly(command(*STRIP), folder).communicate()
+    if left(folder):
+        wrong.append({"left behind": left(folder)})
+    return {"kills": count, "mixed sets": between, "wrong": wrong}
+
+
+def full_disks(count, rng, folder):
+    """Files may not grow beyond a random size: one sentence, the old files stay, nothing is left."""
+    wrong = []
+    (folder / "bow.txt").write_text(BOW)
+    quietly(command(*STRIP), folder).communicate()
+    old = contents(folder)
+    largest = max(map(len, old.values()))
+    (folder / "bow.txt").write_text(BOW.replace("130", "150"))
+    for number in range(count):
+        size = rng.randrange(100, largest // 2)
+
+        def shrink(size=size):
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
+
+        process = quietly(
+            command(*STRIP), folder, preexec_fn=shrink, env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}
+        )
+        said, _ = process.communicate()
+        if process.returncode != 2 or "Traceback" in said or contents(folder) != old or left(folder):
+            wrong.append(
+                {
+                    "full": number,
+                    "size": size,
+                    "code": process.returncode,
+                    "said": said[-600:],
+                    "left": left(folder),
+                }
+            )
+    return {"full disks": count, "wrong": wrong}
+
+
+def two_writers(count, folder):
+    """Two runs write to one folder at the same time: both sets are whole, and one of them is there."""
+    wrong = []
+    for number in range(count):
+        base = folder / str(number)
+        (base / "b").mkdir(parents=True)
+        (base / "bow.txt").write_text(BOW)
+        (base / "b" / "bow.txt").write_text(BOW.replace("130", "150"))
+        other = [*STRIP]
+        other[1] = "b/bow.txt"
+        runs = [quietly(command(*words), base) for words in (STRIP, other)]
+        said = [run.communicate()[0] for run in runs]
+        lengths = {
+            json.loads(data)["length"] for name, data in contents(base).items() if name.endswith(".json")
+        }
+        if any(run.returncode for run in runs) or len(lengths) != 1 or left(base):
+            wrong.append({"pair": number, "said": [one[-300:] for one in said], "left": left(base)})
+    return {"two writers": count, "wrong": wrong}
+
+
+def die_or_pass(number):
+    """In a worker: end it the hard way where asked."""
+    if number < 0:
+        os.kill(os.getpid(), signal.SIGKILL)
+    return number
+
+
+def lost_workers(count, rng):
+    """A worker of a pool dies while many rods are searched: an answer for each, or one sentence."""
+    wrong = []
+    curves = [
+        ec.PlaneCurve.spline([(0, 0), (40, 60 + 5 * i), (90, 60), (130, 0)], degree=3) for i in range(4)
+    ]
+    for number in range(count):
+        with ProcessPoolExecutor(2) as pool:
+            list(pool.map(die_or_pass, range(2)))
+            victim = rng.choice(list(pool._processes))
+            try:
+                os.kill(victim, signal.SIGKILL) if number % 2 else pool.submit(die_or_pass, -1)
+                found = ec.nearest_rods(curves, ec.Limits(ratio=1.5), executor=pool)
+                if len(list(found)) != len(curves):
+                    wrong.append({"lost": number, "found": len(list(found))})
+            except ec.ElasticaError as problem:
+                if "\n" in str(problem):
+                    wrong.append({"lost": number, "said": str(problem)})
+            except Exception as problem:
+                wrong.append({"lost": number, "fault": f"{type(problem).__name__}: {problem}"})
+    return {"lost workers": count, "wrong": wrong}
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    for name, usual in (("kills", 200), ("full", 20), ("pairs", 20), ("lost", 20), ("seed", 1)):
+        parser.add_argument(f"--{name}", type=int, default=usual)
+    parser.add_argument("--out", type=Path, default=Path("out/campaign"))
+    asked = parser.parse_args()
+    rng, found = random.Random(asked.seed), []
+    for part in (
+        lambda folder: lost_workers(asked.lost, rng),
+        lambda folder: full_disks(asked.full, rng, folder),
+        lambda folder: two_writers(asked.pairs, folder),
+        lambda folder: kills(asked.kills, rng, folder),
+    ):
+        with TemporaryDirectory() as folder:
+            found.append(part(Path(folder)))
+        print(json.dumps(found[-1])[:3000], flush=True)
+    asked.out.mkdir(parents=True, exist_ok=True)
+    (asked.out / "faults.json").write_text(json.dumps(found, indent=1) + "\n")
+    sys.exit(any(one["wrong"] for one in found))
+
+
+if __name__ == "__main__":
+    main()

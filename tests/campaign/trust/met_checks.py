@@ -1,0 +1,171 @@
+"""Rods that are said to meet their limits, checked otherwise: balance, ratio, curvature, margin, distance.
+
+python -m tests.campaign.trust.met_checks --solves 10000 --seed 1 --minutes 60
+
+Control points, limits, weight, what is kept are drawn at random; every rod that is `met` is asked again by finite
+elements and sums over nodes, which share nothing with the solver but the record of the rod.
+"""
+
+import argparse
+import json
+import random
+import sys
+import time
+import traceback
+import warnings
+from collections import Counter
+from pathlib import Path
+
+import numpy as np
+from scipy.linalg import eigh, null_space
+
+import elastica_cad as ec
+
+LOOSE = 1e-6
+"""Relative: limits are met to rounding, not to a share."""
+
+COARSE = 5e-3
+"""Relative: what finite elements and sums over 200 edges leave of balance and margin."""
+
+
+def request(rng):
+    """A curve, limits, what is kept, weight and measure."""
+    count = rng.randint(4, 8)
+    x = np.cumsum([rng.uniform(5, 60) for _ in range(count)])
+    points = [(a, rng.uniform(-80, 80)) for a in x]
+    limits = {}
+    if rng.random() < 0.7:
+        limits["ratio"] = rng.choice((1.0, 1.2, 1.6, 2.5, 4.0, 10.0))
+    if rng.random() < 0.4:
+        limits["margin"] = rng.choice((0.5, 2.0, 5.0, 15.0))
+    if rng.random() < 0.3:
+        limits["curvature"] = rng.choice((0.01, 0.03, 0.08))
+    keep = rng.choice(
+        ({}, {}, {"tangents": True}, {"length": True}, {"ends": (True, False)}, {"ends": False})
+    )
+    weight = rng.choice((None, None, 60.0, 120.0, 400.0))
+    return points, limits, keep, weight, rng.choice(("mean", "mean", "closest", "max"))
+
+
+def balance_defect(rod):
+    """Largest miss of M' = <force, R gamma'>, where weight changes the force, in shares of the largest moment.
+
+    Sums over the nodes by the trapezoidal rule; the moment is K kappa of the record.
+    """
+    s, tangent = rod.s, np.column_stack([np.cos(rod.angle), np.sin(rod.angle)])
+    across = np.column_stack([-tangent[:, 1], tangent[:, 0]])
+    slope = (rod.force * across).sum(axis=1)
+    moment = rod.stiffness * rod.curvature
+    grown = np.concatenate([[0.0], np.cumsum((slope[1:] + slope[:-1]) / 2 * np.diff(s))])
+    off = moment - moment[0] - grown
+    size = max(np.abs(moment).max(), 1e-12)
+    return float(np.abs(off).max() / size)
+
+
+def margin_by_elements(rod, clamped=(True, True)):
+    """Least eigenvalue of K h'^2 - <force, gamma'> h^2 against h^2 on h that keep the ends, times length^2."""
+    s = np.linspace(0.0, rod.length, 2 * (len(rod.s) - 1) + 1)
+    angle, stiffness = np.interp(s, rod.s, rod.angle), np.interp(s, rod.s, rod.stiffness)
+    force = np.column_stack([np.interp(s, rod.s, rod.force[:, i]) for i in (0, 1)])
+    tangent = np.column_stack([np.cos(angle), np.sin(angle)])
+    pull, h, n = (force * tangent).sum(axis=1), s[1] - s[0], len(s)
+    middle = (stiffness[1:] + stiffness[:-1]) / 2 / h
+    stretch = np.zeros((n, n))
+    i = np.arange(n - 1)
+    stretch[i, i] += middle
+    stretch[i + 1, i + 1] += middle
+    stretch[i, i + 1] -= middle
+    stretch[i + 1, i] -= middle
+    share = np.full(n, h)
+    share[[0, -1]] /= 2
+    form = stretch - np.diag(pull * share)
+    rows = [(-np.sin(angle)) * share, np.cos(angle) * share]
+    free = np.ones(n, dtype=bool)
+    free[0], free[-1] = not clamped[0], not clamped[1]
+    basis = null_space(np.array(rows)[:, free])
+    small = basis.T @ form[np.ix_(free, free)] @ basis
+    mass = basis.T @ (share[free, None] * basis)
+    least = eigh(small, mass, eigvals_only=True, subset_by_index=[0, 0])[0]
+    return float(least * rod.length**2)
+
+
+def faults(near, points, limits, keep):
+    """What of a rod that is said to meet its limits does not."""
+    rod, target = near.rod, near.target
+    found = []
+    ratio = float(rod.stiffness.max() / rod.stiffness.min())
+    if "ratio" in limits and ratio > limits["ratio"] * (1 + LOOSE):
+        found.append(f"ratio {ratio}, {limits['ratio']} allowed")
+    bend = float(np.abs(rod.curvature).max())
+    if "curvature" in limits and bend > limits["curvature"] * (1 + LOOSE):
+        found.append(f"curvature {bend}, {limits['curvature']} allowed")
+    if (off := balance_defect(rod)) > COARSE:
+        found.append(f"balance missed by {off:.2g}")
+    if "margin" in limits:
+        margin = margin_by_elements(rod)
+        if margin < limits["margin"] - COARSE * max(10.0, abs(margin)):
+            found.append(f"margin {margin:.4g}, {limits['margin']} asked for")
+    ends = keep.get("ends", True)
+    ends = (ends, ends) if isinstance(ends, bool) else ends
+    drawn = np.array([points[0], points[-1]], dtype=float)
+    gone = np.hypot(*(rod.position[[0, -1]] - drawn).T)
+    if any(kept and away > LOOSE * rod.length for kept, away in zip(ends, gone, strict=True)):
+        found.append(f"ends moved by {gone}")
+    if keep.get("length") and abs(rod.length - target.length) > LOOSE * target.length:
+        found.append(f"length {rod.length}, {target.length} kept")
+    dense = target.sample(4001).position
+    far = max(float(np.hypot(*(dense - place).T).min()) for place in rod.position[::10])
+    if far > near.deviation + COARSE * target.length:
+        found.append(f"{far:.4g} mm away, {near.deviation:.4g} told")
+    return found
+
+
+def solved(seed, number):
+    """How one solve ended, and what is wrong with it."""
+    points, limits, keep, weight, measure = request(random.Random(f"{seed} {number}"))
+    gravity = None if weight is None else ec.Gravity(weight, (0, -1))
+    with warnings.catch_warnings(record=True) as warned:
+        warnings.simplefilter("always")
+        try:
+            curve = ec.PlaneCurve.spline(points, degree=3)
+            near = ec.nearest_rod(curve, ec.Limits(**limits), ec.Keep(**keep), gravity, measure=measure)
+            ended, wrong = near.status.name, faults(near, points, limits, keep) if near.met else []
+        except ec.ElasticaError:
+            ended, wrong = "sentence", []
+        except Exception:
+            ended, wrong = "traceback", [traceback.format_exc(limit=-4)]
+    if warned:
+        wrong = [*wrong, f"warning: {warned[0].filename}:{warned[0].lineno}: {warned[0].message}"]
+    return ended, wrong
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("--solves", type=int, default=10_000)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--minutes", type=float, default=120.0)
+    parser.add_argument("--out", type=Path, default=Path("out/campaign"))
+    asked = parser.parse_args()
+    ends, wrong, since = Counter(), [], time.monotonic()
+    for number in range(asked.solves):
+        ended, found = solved(asked.seed, number)
+        ends[ended] += 1
+        if found:
+            wrong.append({"n": number, "ended": ended, "wrong": found})
+            print(json.dumps(wrong[-1]), flush=True)
+        if time.monotonic() - since > 60 * asked.minutes:
+            break
+    sums = {"solves": sum(ends.values()), "seed": asked.seed, "ends": dict(ends), "wrong": len(wrong),
+            "minutes": round((time.monotonic() - since) / 60, 1)}  # fmt: skip
+    asked.out.mkdir(parents=True, exist_ok=True)
+    (asked.out / f"mets-{asked.seed}.json").write_text(
+        json.dumps({"sums": sums, "wrong": wrong}, indent=1) + "\n"
+    )
+    print(json.dumps(sums))
+    sys.exit(bool(wrong))
+
+
+if __name__ == "__main__":
+    main()
