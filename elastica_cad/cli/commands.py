@@ -13,6 +13,7 @@ from elastica_cad.cli.model_command import model
 from elastica_cad.cli.new_command import new
 from elastica_cad.cli.options import refuse_huge_numbers, refuse_odd_numbers
 from elastica_cad.cli.reshape_command import reshape
+from elastica_cad.cli.running.budget import USUAL_MIB, USUAL_S, OutOfBudgetError, spend
 from elastica_cad.cli.running.lengths import UNITS
 from elastica_cad.cli.running.strip_cures import TYPED, say_with_cure
 from elastica_cad.cli.running.voice import voice
@@ -52,7 +53,7 @@ class _Sentences(click.Group):
         try:
             return super().invoke(ctx)
         except ElasticaError as problem:
-            if not getattr(problem, "__notes__", None):
+            if not (getattr(problem, "__notes__", None) or isinstance(problem, OutOfBudgetError)):
                 problem.add_note(self._cure(ctx, str(problem)))
             ctx.exit(_refuse(problem))
         except click.UsageError as problem:
@@ -100,6 +101,10 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
         _speaking("-v", "--verbose", help="Print every step with its seconds, and all notes."),
         click.Option(["--units"], type=click.Choice(list(UNITS)), default="mm", show_default=True, is_eager=True,
                      help="Of lengths in options; one may name its own: 1.5in."),
+        click.Option(["--seconds"], type=click.FloatRange(0, min_open=True), default=USUAL_S, show_default=True,
+                     metavar="S", help="End with a sentence when it takes longer."),
+        click.Option(["--memory"], type=click.FloatRange(0, min_open=True), default=USUAL_MIB, show_default=True,
+                     metavar="MB", help="End with a sentence when it takes more."),
     ]  # fmt: skip
     if any(isinstance(one, click.Argument) and isinstance(one.type, click.Path) for one in command.params):
         text = "Run again whenever a file that was read is saved, until Ctrl-C."
@@ -108,16 +113,17 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
     def behind(**chosen: Any) -> None:
         watched = chosen.pop("watch", False)
         chosen.pop("units")
+        budget = chosen.pop("seconds"), chosen.pop("memory")
         refuse_odd_numbers(chosen)
         if not huge:
             refuse_huge_numbers(chosen)
         if not watched:
-            _once(run, chosen)
+            _once(run, chosen, budget)
             return
 
         def make() -> None:
             try:
-                _once(run, chosen)
+                _once(run, chosen, budget)
             except click.exceptions.Exit:
                 pass
             except ElasticaError as problem:
@@ -144,11 +150,17 @@ def _speaking(*names: str, help: str) -> click.Option:
     )
 
 
-def _once(run: Any, chosen: dict[str, Any]) -> None:
-    """The command's own work, and its record at the end, whatever its exit code."""
+def _once(run: Any, chosen: dict[str, Any], budget: tuple[float, float]) -> None:
+    """The command's own work within its budget, and its record at the end, whatever its exit code."""
     voice().begin()
     try:
-        run(**chosen)
+        with spend(*budget):
+            run(**chosen)
+    except OutOfBudgetError as problem:
+        kept = len(voice().files)
+        raise OutOfBudgetError(
+            f"{problem} ({kept} files that were done are kept)" if kept else str(problem)
+        ) from None
     except click.exceptions.Exit:
         voice().conclude()
         raise

@@ -39,6 +39,9 @@ FAR_SIZES = 1e6
 
 DRAWN_POINTS = 301  # of a curve in a notebook, a few pixels apart
 
+MOST_UNEVEN = 1e8
+"""Largest weight over the least: beyond, places come to rounding."""
+
 
 @dataclass(frozen=True, eq=False)
 class PlaneCurve:
@@ -92,6 +95,11 @@ class PlaneCurve:
             if weights.min() <= 0:
                 raise InputError(
                     f"weight {int(weights.argmin())} is {weights.min():g}: weights must be positive"
+                )
+            if weights.max() > MOST_UNEVEN * weights.min():
+                raise InputError(
+                    f"weights run from {weights.min():.3g} to {weights.max():.3g}: the largest may be "
+                    f"{MOST_UNEVEN:g} times the least; export the curve without them"
                 )
             object.__setattr__(self, "weights", weights if np.ptp(weights) > 0 else None)
         shown = in_millimetres if self.provenance is None else self.provenance.shown

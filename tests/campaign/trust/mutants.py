@@ -3,7 +3,7 @@
 python -m tests.campaign.trust.mutants --count 400 --seed 1 --minutes 120
 
 A comparison turned, an operator swapped, a number moved, a condition negated. For each mutant the module's own
-examples run, then tests that import it, then those beside it and of its floor, until one fails; survivors are listed.
+examples run, then tests that import it, those beside it and of its floor, until one fails; survivors are listed.
 """
 
 import argparse

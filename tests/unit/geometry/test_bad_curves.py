@@ -33,6 +33,7 @@ KNOTS = [0, 0, 0, 0, 1, 1, 1, 1]
         (KNOTS, [(0, 0), (1, 2), (3,)], 3, None, "must be numbers"),
         (KNOTS, GOOD, 3, [1, 1, 1], "as many weights"),
         (KNOTS, GOOD, 3, [1, 1, 0, 1], "weight 2 is 0: weights must be positive"),
+        (KNOTS, GOOD, 3, [1, 1e200, 1, 1], r"weights run from 1 to 1e\+200: the largest may be 1e\+08 times"),
         (KNOTS, GOOD, 3, [1, 1, np.inf, 1], "weights holds NaN or infinite"),
         (KNOTS, [(2, 2)] * 4, 3, None, "all control points coincide: the curve has zero length"),
         (KNOTS, [(0, 0), (0, 0), (3, 2), (4, 0)], 3, None, "control points 0 and 1 coincide"),
