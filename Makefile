@@ -13,7 +13,7 @@ define install
 	else cat $(1)/pip.log; exit 1; fi
 endef
 
-.PHONY: demo test lint test-core test-kernels test-freecad test-programs freecad benchmark campaign clean
+.PHONY: demo test lint test-core test-kernels test-freecad test-programs freecad benchmark campaign campaign-trust clean
 
 demo: $(VENV)/demo-installed
 	$(BIN)/elastica strip examples/arch/arch.dxf --sheet birch-plywood-0.8 --max-width 40 \
@@ -58,13 +58,26 @@ benchmark: $(VENV)/test-installed
 	$(BIN)/python -m pytest tests/benchmarks --benchmark-enable --benchmark-only -o addopts="-q --import-mode=importlib"
 
 # Strips bent by finite elements, then what three kernels do to the bodies of thirty curves in five styles: hours;
-# CAMPAIGN="--styles plain" asks less of the kernels.
+# CAMPAIGN="--styles plain" asks less of the kernels. Then files and commands that are broken on purpose, verdicts checked
+# otherwise, kills and full disks, mutants and a soak, each within MINUTES; docs/trust.md is written anew at the end.
 CAMPAIGN ?=
+MINUTES ?= 60
+TRUST = PYTHONPATH=. $(BIN)/python -m tests.campaign.trust
 campaign: .venv-campaign/installed
 	tests/programs/setup.sh
 	PYTHONPATH=. .venv-campaign/bin/python -m tests.campaign.finite_elements --out $(OUT)/campaign
 	PYTHONPATH=. .venv-campaign/bin/python tests/campaign/typing_mistakes.py
 	PYTHONPATH=. .venv-campaign/bin/python tests/campaign/solids.py --out $(OUT)/campaign $(CAMPAIGN)
+	$(MAKE) campaign-trust
+
+campaign-trust: $(VENV)/test-installed
+	-$(TRUST).files --cases 100000 --minutes $(MINUTES) --out $(OUT)/campaign
+	-$(TRUST).commands --runs 3000 --minutes $(MINUTES) --out $(OUT)/campaign
+	-$(TRUST).met_checks --solves 10000 --minutes $(MINUTES) --out $(OUT)/campaign
+	-$(TRUST).faults --out $(OUT)/campaign
+	-$(TRUST).soak --minutes $(MINUTES) --out $(OUT)/campaign
+	-$(TRUST).mutants --count 400 --minutes $(MINUTES) --out $(OUT)/campaign
+	$(TRUST).ledger --claims --out $(OUT)/campaign
 
 $(VENV)/created:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \

@@ -14,7 +14,6 @@ import random
 import re
 import resource
 import signal
-import subprocess
 import sys
 import time
 from collections import Counter
@@ -102,18 +101,16 @@ def run(said, folder, typed):
     """Exit code, standard output, standard error, processor seconds, MiB."""
     streams = [(folder / name).open("w+b") for name in (".out", ".err")]
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    if typed:
-        copy = subprocess.Popen([sys.executable, "-m", "elastica_cad", *said], cwd=folder, stdin=subprocess.DEVNULL,
-                                stdout=streams[0], stderr=streams[1]).pid  # fmt: skip
-    else:
-        copy = os.fork()
-        if not copy:
-            os.chdir(folder)
-            os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
-            for number, stream in enumerate(streams, start=1):
-                os.dup2(stream.fileno(), number)
-            resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
-            _as_typed(said)
+    copy = os.fork()
+    if not copy:
+        os.chdir(folder)
+        os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
+        for number, stream in enumerate(streams, start=1):
+            os.dup2(stream.fileno(), number)
+        resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
+        if typed:
+            os.execv(sys.executable, [sys.executable, "-m", "elastica_cad", *said])
+        _as_typed(said)
     end = time.monotonic() + 6 * LONGEST_S
     while not (done := os.waitpid(copy, os.WNOHANG))[0]:
         if time.monotonic() > end:

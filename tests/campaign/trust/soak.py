@@ -1,0 +1,76 @@
+"""Many strips and many files in one process: memory, threads and open files stay where they are.
+
+python -m tests.campaign.trust.soak --solves 10000 --minutes 60
+"""
+
+import argparse
+import gc
+import json
+import os
+import random
+import sys
+import threading
+import time
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import elastica_cad as ec
+
+WARM = 50  # rounds after which caches are full
+MOST_GROWTH_MIB = 60.0
+
+
+def held():
+    """MiB in use, threads, open files."""
+    gc.collect()
+    pages = int(Path("/proc/self/statm").read_text().split()[1])
+    mib = pages * os.sysconf("SC_PAGE_SIZE") / 2**20
+    return {
+        "mib": round(mib, 1),
+        "threads": threading.active_count(),
+        "files": len(os.listdir("/proc/self/fd")),
+    }
+
+
+def round_of(rng, folder):
+    """A curve from a file, its strip, its nearest rod now and then, written and read again."""
+    curve = ec.PlaneCurve.spline(
+        [(0, 0), (40, rng.uniform(20, 80)), (90, rng.uniform(20, 80)), (130, 0)], degree=3
+    )
+    ec.write_curves([curve], folder / "a.svg", force=True)
+    (read,) = ec.read_curves(folder / "a.svg")
+    strip = ec.make_strip(read, "birch-plywood-0.8", max_width=30, label="A", anyway=True)
+    ec.save(strip.drawing(), folder / "a.dxf", force=True)
+    ec.read_curves(folder / "a.dxf")
+    if rng.random() < 0.1:
+        ec.nearest_rod(curve, ec.Limits(ratio=1.3))
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("--solves", type=int, default=10_000)
+    parser.add_argument("--minutes", type=float, default=60.0)
+    parser.add_argument("--out", type=Path, default=Path("out/campaign"))
+    asked = parser.parse_args()
+    rng, since, first, done = random.Random(1), time.monotonic(), {}, 0
+    with TemporaryDirectory() as folder:
+        for done in range(1, asked.solves + 1):
+            round_of(rng, Path(folder))
+            if done == WARM:
+                first = held()
+            if time.monotonic() - since > 60 * asked.minutes:
+                break
+        last = held()
+    grown = {key: round(last[key] - first.get(key, last[key]), 1) for key in last}
+    leaks = grown["mib"] > MOST_GROWTH_MIB or grown["threads"] > 0 or grown["files"] > 2
+    record = {"solves": done, "first": first, "last": last, "grown": grown, "leaks": bool(leaks)}
+    asked.out.mkdir(parents=True, exist_ok=True)
+    (asked.out / "soak.json").write_text(json.dumps(record, indent=1) + "\n")
+    print(json.dumps(record))
+    sys.exit(bool(leaks))
+
+
+if __name__ == "__main__":
+    main()

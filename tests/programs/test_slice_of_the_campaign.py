@@ -1,0 +1,55 @@
+"""A minute of the campaign of broken files: mutated files of every format, and a few hostile commands."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.campaign.trust import commands, files, ledger, met_checks
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def test_mutated_files_give_curves_or_one_sentence(tmp_path):
+    faults, sums = files.watched(20_26, 400, tmp_path, minutes=10)
+    assert faults == []
+    assert sums["cases"] == 400
+    assert sums["ends"]["curves"] > 10
+    assert sums["most_mib"] < 1024
+
+
+def test_hostile_commands_give_answers_or_one_sentence(tmp_path):
+    import random
+
+    from elastica_cad.cli.commands import elastica
+
+    for number in range(12):
+        rng, folder = random.Random(f"slice {number}"), tmp_path / str(number)
+        folder.mkdir()
+        commands.prepared(folder, rng)
+        said = commands.words(rng, elastica.commands)
+        ended = commands.run(said, folder, typed=True)
+        assert commands.judged(said, folder, ended) == [], said
+
+
+@pytest.mark.parametrize("number", range(4))
+def test_rods_that_meet_their_limits_do(number):
+    ended, wrong = met_checks.solved(2026, number)
+    assert wrong == [], ended
+
+
+def test_a_wrong_verdict_would_be_noticed():
+    """The checks can fail: each of them does on a rod that misses what is asked."""
+    import elastica_cad as ec
+
+    points = [(0, 0), (40, 60), (90, 60), (130, 0)]
+    near = ec.nearest_rod(ec.PlaneCurve.spline(points, degree=3), ec.Limits(ratio=2.0))
+    assert met_checks.faults(near, points, {"ratio": 2.0}, {}) == []
+    asked = {"ratio": 1.1, "curvature": 1e-3, "margin": 1e4}
+    found = met_checks.faults(near, [(5, 0), *points[1:]], asked, {"length": True})
+    assert [text.split()[0] for text in found] == ["ratio", "curvature", "margin", "ends", "length"]
+
+
+def test_the_ledger_names_what_pages_say():
+    for (page, _, words), tests in ledger.CLAIMS.items():
+        assert words in " ".join((ROOT / page).read_text(encoding="utf-8").split()), page
+        assert (ROOT / tests).is_file()
