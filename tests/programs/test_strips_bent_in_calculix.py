@@ -10,6 +10,7 @@ import pytest
 
 import elastica_cad as ec
 from tests.campaign.finite_elements.bent_strip import bend_cut_strip
+from tests.campaign.finite_elements.cases import CASES
 from tests.campaign.finite_elements.closed_forms import LENGTH, elastica, uniform_strip
 from tests.campaign.finite_elements.sideways import pushed_together
 from tests.campaign.finite_elements.strips_in_pockets import held_in_pockets
@@ -49,6 +50,14 @@ def test_a_strip_of_the_wrong_width_strays_as_far_as_its_rod(tmp_path):
     found = bend_cut_strip(wrong, tmp_path, size=8.0, curve=curve).deviation
     strayed = ec.bend(rod.with_stiffness(np.ones(rod.s.size))).position - rod.position
     assert found == pytest.approx(np.hypot(*strayed.T).max(), rel=0.01)
+
+
+def test_a_laminate_whose_borders_curl_strays_as_far_as_it_says(tmp_path):
+    (case,) = (one for one in CASES if one.group == "laminated, nu 0.3" and one.curve == "S")
+    strip = case.spec.make()
+    found = bend_cut_strip(strip, tmp_path, size=6.0).deviation
+    assert found == pytest.approx(strip.held_deviation, rel=0.1)
+    assert found > 4e-3 * strip.rod.length
 
 
 @pytest.mark.parametrize(("k", "stays"), [(0.7, True), (0.9, False)])

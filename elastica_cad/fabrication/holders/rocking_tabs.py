@@ -18,6 +18,9 @@ from elastica_cad.geometry.frame import Frame
 ROCKING_RAD = np.radians(3.0)
 """A tab that turns farther in its holder rocks: at the mouth of a strip it moves the shape by percents."""
 
+NO_PLAY_MM, NO_PLAY_DEGREES = 1e-3, 1e-2
+"""What is told as no play."""
+
 TRIED_GAPS_MM = (10.0, 20.0)
 """Between two plates that are tried in place of one; the first that keeps the tab from rocking is told."""
 
@@ -28,9 +31,12 @@ def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
     for name, held in _by_holder(placed, holders).items():
         low, high = np.degrees(np.array([seat.turning for _, _, seat in held]).T)
         room = max(seat.room for _, _, seat in held)
-        told.append(
-            f"{name} leaves its tabs {room:.2g} mm across and {low.min():+.2g} to {high.max():+.2g} degrees"
-        )
+        if room < NO_PLAY_MM and high.max() - low.min() < NO_PLAY_DEGREES:
+            told.append(f"{name} leaves its tabs no play: they bend a little between its edges")
+        else:
+            told.append(
+                f"{name} leaves its tabs {room:.2g} mm across and {low.min():+.2g} to {high.max():+.2g} degrees"
+            )
     return tuple(told)
 
 

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.holders.rocking_tabs import rocking_tabs
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.files import read_curves
@@ -181,6 +182,28 @@ AROUND = (
     "[[strips]]\ncount = 6\nlabel = 'R{i}'\nlet.t = '60 * i * degrees'\nx_axis = ['cos(t)', 'sin(t)', 0]\n"
     f"y_axis = [0, 0, 1]\n{RIB}"
 )
+
+
+@pytest.mark.parametrize(
+    ("asked", "wanted"),
+    [
+        ("[base]\nsheet = 'mdf-3'\ngap = 10\n", ["base", "base-lower"]),
+        ("[rings]\nsheet = 'mdf-3'\nends = 'start'\ngap = 10\n", ["ring", "ring-outer"]),
+        (
+            "[base]\nsheet = 'mdf-3'\nfeet = 8\n",
+            ["base", "foot-S1-1a", "foot-S1-1b", "foot-S1-2a", "foot-S1-2b"],
+        ),
+    ],
+)
+def test_holders_that_leave_a_leaning_tab_no_angle(read, asked, wanted):
+    design = read(
+        HEAD + "ends = { length = 30 }\n[[strips]]\nsheet = 'birch-plywood-0.8'\ny_axis = [0, 0, 1]\n"
+        "curve.ellipse = { semi_axes = [80, 60], start = -0.5, end = 3.6 }\norigin = [0, 0, 28]\n" + asked
+    )
+    model = design.model()
+    holders, _ = design.kit.holders[0].made(model)
+    assert [holder.name for holder in holders] == wanted
+    assert not rocking_tabs(model.placed, holders)
 
 
 def test_rings_and_bases_for_some_of_the_strips(read):

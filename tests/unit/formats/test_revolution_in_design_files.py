@@ -39,6 +39,14 @@ def test_points_become_strips_and_rings(read):
     ]
 
 
+def test_a_gap_makes_two_rings_at_either_end(read):
+    model = read(f"[revolution]\n{POINTS}\nstrips = 16\nrings = 'hdf-1.5'\ngap = 10\n").model()
+    assert [plate.name for plate in model.plates] == [
+        "ring-start", "ring-start-outer", "ring-end", "ring-end-outer",
+    ]  # fmt: skip
+    assert not ec.fabrication.rocking_tabs(model.placed, model.plates)
+
+
 def test_constants_and_other_strips_beside_it(read):
     """A globe of 80 mm: x kappa = x / 80; a strip of its own stands inside."""
     text = (
