@@ -58,6 +58,8 @@ class NearestRod:
         As asked.
     distance : float
         What was made least: the distance as measured and weighted, mm.
+    ties : tuple of Rod
+        Rods of another shape that meet the limits and are as near, but for 2 %.
     again : callable, optional
         `nearest_rod` with all else that was asked; see `relaxed`.
     advise : callable, optional
@@ -77,6 +79,7 @@ class NearestRod:
     message: str = ""
     measure: Measure = "mean"
     distance: float = np.inf
+    ties: tuple[Rod, ...] = ()
     again: "Callable[..., NearestRod] | None" = field(default=None, repr=False)
     advise: "Callable[[NearestRod], Iterable[str]] | None" = field(default=None, repr=False)
 

@@ -67,7 +67,8 @@ def nearest_rod(
     Returns
     -------
     NearestRod
-        Also when limits cannot be met: see its `status`, `met` and `binding`.
+        Of the least ratio (within 0.5 %) where the curve itself meets the limits. Also when limits cannot be
+        met: see its `status`, `met` and `binding`.
 
     Raises
     ------
@@ -86,7 +87,7 @@ def nearest_rod(
     (True, 1.5)
     """
     task = NearestTask.of(curve, limits, keep, gravity, supports, weights, samples, coefficients, section)
-    problem, outcome, steps = search(task, measure)
+    problem, outcome, ties, steps = search(task, measure)
     target = task.target
     deviation = measure_deviation(target, outcome.point.position) * target.size
     distance = outcome.objective if measure == "max" else float(np.sqrt(2 * outcome.objective))
@@ -102,6 +103,7 @@ def nearest_rod(
         binding=list_bindings(task, problem, outcome, measure), violation=outcome.violation, iterations=steps,
         limits=task.limits, keep=task.keep, measure=measure,
         distance=distance * target.size,
+        ties=tuple(task.rod_of(tie.point) for tie in ties),
         advise=advise,
         again=partial(
             nearest_rod, curve, gravity=gravity, supports=supports, weights=task.weights, measure=measure,

@@ -52,6 +52,8 @@ class NearestTask:
 
     Attributes
     ----------
+    curve : PlaneCurve
+        As drawn.
     target : TargetCurve
     limits : Limits
     keep : Keep
@@ -66,6 +68,7 @@ class NearestTask:
         What K is made of, where its weight or strain is not that of a plain strip.
     """
 
+    curve: PlaneCurve
     target: TargetCurve
     limits: Limits
     keep: Keep
@@ -128,7 +131,7 @@ class NearestTask:
                         "move the curve or the region, or free that end"
                     )
         return cls(
-            target=target, limits=limits, keep=keep, supports=supports, gravity=gravity,
+            curve=curve, target=target, limits=limits, keep=keep, supports=supports, gravity=gravity,
             weights=_node_weights(weights, samples, target.size), nodes=int(samples),
             coefficients=int(coefficients), line=_inflection_line(curve, keep, gravity), section=scale,
         )  # fmt: skip

@@ -1,27 +1,47 @@
 """Starts and continuations of the search for the nearest rod; the best outcome is kept."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
+from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.forming.nearest.nearest_task import Measure, NearestTask
 from elastica_cad.forming.nearest.rod_map import MappedRod
 from elastica_cad.forming.nearest.rod_problem import RodProblem
 from elastica_cad.forming.optimizer.sqp import LIFTS, Outcome, lift, minimize
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
 RodOutcome: TypeAlias = Outcome[MappedRod]
 
 MET = 1e-6  # worst broken limit, in lengths, radians or shares of the limit, that counts as met
 _MOST_STEPS = 160  # in all, after which no new attempt is begun: two searches that use up their steps
+_MOST_STEPS_ELSEWHERE = 600  # the same for the bent starts of what is still far
+_BENT_STARTS, _FIRST_BENT_STARTS = 20, 4
+_BENT_RAD = 0.4  # typical size of the waves by which such a start is bent off the target
 _EVEN_RATIO = 1.4  # of a rod that is nearly even
+_FOLLOWED = 1e-3  # mean distance, in diagonals, below which a rod follows its target
+_LEAN = 1e-4  # the same, that a lesser ratio may cost
+_SPLINE_STIFFNESS = 1.005  # of the least ratio: K is a spline of few coefficients
+_TIE = 1.02  # times the least distance: as near
+_APART = 0.02  # distance of two rods, in diagonals, from which on they are two answers
 _FEW_LIFTS = 3  # after which a start from a hard target is still open to several valleys
 _CONTINUATION_STEPS = 40  # of one part of a continuation, which need not settle
 
 
-def search(task: NearestTask, measure: Measure) -> tuple[RodProblem, RodOutcome, int]:
-    """The problem, the best outcome of all starts, and the number of steps taken in all.
+class Search(NamedTuple):
+    """The problem, the best outcome of all starts, outcomes elsewhere that are as near, and all steps taken."""
+
+    problem: RodProblem
+    best: RodOutcome
+    ties: tuple[RodOutcome, ...]
+    steps: int
+
+
+def search(task: NearestTask, measure: Measure) -> Search:
+    """From as many starts as are needed.
 
     The first start nearly always does; the others are for what it leaves broken, unsettled or far from the target.
     """
@@ -29,16 +49,60 @@ def search(task: NearestTask, measure: Measure) -> tuple[RodProblem, RodOutcome,
     first = _start(task, problem)
     best = minimize(problem, first)
     steps = best.iterations
+    found = [best]
     for attempt in _attempts(task, measure, problem, first):
         done = best.settled and best.violation <= MET
         near = mean_distance(task, best) < attempt.enough * task.target.diagonal
-        if steps > _MOST_STEPS or (done and near):
-            break
-        known = best if done and measure != "max" else None
+        if steps > attempt.most_steps or (done and near):
+            continue
+        known = best if done and measure != "max" and attempt.most_steps == _MOST_STEPS else None
         outcome = minimize(problem, attempt.start(), radius=attempt.radius, known=known)
         steps += outcome.iterations
+        found.append(outcome)
         best = min(best, outcome, key=_rank)
-    return problem, best, steps
+    if task.section is None and mean_distance(task, best) < _FOLLOWED * task.target.diagonal:
+        lean = _leaner(task, measure, best)
+        if lean is not None:
+            return Search(*lean, (), steps + lean[1].iterations)
+    return Search(problem, best, tuple(_ties(task, problem, measure, best, found)), steps)
+
+
+def _leaner(task: NearestTask, measure: Measure, best: RodOutcome) -> tuple[RodProblem, RodOutcome] | None:
+    """A rod of the least ratio that the target itself needs, where that is less than the best one's and as near.
+
+    The distance does not see the ratio: on a wish that can be met exactly it would stay as the search left it.
+    """
+    K = best.point.stiffness
+    try:
+        least = optimal_rod(task.curve, task.gravity, task.supports).ratio * _SPLINE_STIFFNESS
+    except ElasticaError:
+        return None
+    if best.violation > MET or least >= float(K.max() / K.min()):
+        return None
+    tight = replace(task, limits=replace(task.limits, ratio=least))
+    try:
+        problem = tight.problem(measure)
+    except InputError:  # the stiffness is bounded elsewhere too
+        return None
+    outcome = minimize(problem, _start(tight, problem, stiffness=min(least, 4.0) ** 0.5))
+    near = max(mean_distance(task, best), _LEAN * task.target.diagonal)
+    good = outcome.violation <= MET and mean_distance(task, outcome) <= near
+    return (problem, outcome) if good else None
+
+
+def _ties(
+    task: NearestTask, problem: RodProblem, measure: Measure, best: RodOutcome, found: Sequence[RodOutcome]
+) -> Iterator[RodOutcome]:
+    """Outcomes of another shape than the best one and each other that are as near as it, but for 2 %."""
+    allowed = best.objective * (_TIE if measure == "max" else _TIE**2)
+    apart = (_APART * task.target.diagonal) ** 2
+    told = [best]
+    for outcome in sorted(found, key=lambda one: one.objective):
+        if not outcome.settled or outcome.violation > MET or outcome.objective > allowed:
+            continue
+        if all(problem.apart(outcome.point, other.point) > apart for other in told):
+            told.append(outcome)
+            yield outcome
 
 
 def mean_distance(task: NearestTask, outcome: RodOutcome) -> float:
@@ -58,6 +122,7 @@ class _Attempt(NamedTuple):
     enough: float
     start: Callable[[], MappedRod]
     radius: float = 1.0
+    most_steps: int = _MOST_STEPS
 
 
 def _attempts(
@@ -75,6 +140,10 @@ def _attempts(
     if task.limits.largest_ratio > _EVEN_RATIO and task.limits.stiffness_bounds is None:
         yield _Attempt(0.03, lambda: _nearly_even(task, measure))
     yield _Attempt(0.03, lambda: problem.grid.shoot(_start(task, problem, lifts=_FEW_LIFTS).z))
+    for seed in range(_BENT_STARTS):
+        bent = partial(_start, task, problem, lifts=_FEW_LIFTS, seed=seed)
+        enough = 0.02 if seed < _FIRST_BENT_STARTS else 0.03
+        yield _Attempt(enough, bent, most_steps=_MOST_STEPS_ELSEWHERE)
 
 
 def _start(
@@ -84,16 +153,26 @@ def _start(
     lifts: int = LIFTS,
     same_length: bool = False,
     stiffness: float | None = None,
+    seed: int | None = None,
 ) -> MappedRod:
-    """The rod that the lifted program finds from the target itself with constant stiffness."""
+    """The rod that the lifted program finds from the target with constant stiffness.
+
+    A `seed` bends the target by slow waves and varies the stiffness: for other valleys.
+    """
     if stiffness is None:
         stiffness = float(np.sqrt(min(task.limits.largest_ratio, 16.0)))
     grid, target = problem.grid, task.target
     u, n = grid.unknowns, grid.edges
-    angles = target.angles(np.concatenate([[0.0], (np.arange(n) + 0.5) / n, [1.0]]))
+    places = np.concatenate([[0.0], (np.arange(n) + 0.5) / n, [1.0]])
+    angles = target.angles(places)
     z = np.zeros(u.count)
     z[u.stiffness] = stiffness
-    z[u.position], z[u.angle], z[u.length] = target.position[0], target.angle[0], 1.0
+    if seed is not None:
+        rng = np.random.default_rng(seed)
+        z[u.stiffness] *= rng.uniform(0.5, 2.0, u.coefficients)
+        for k in range(1, 6):
+            angles += rng.normal(scale=_BENT_RAD / k) * np.sin(np.pi * k * places + rng.uniform(0, 2 * np.pi))
+    z[u.position], z[u.angle], z[u.length] = target.position[0], angles[0], 1.0
     if same_length:
         problem = problem.with_length(z[u.length])
     z = np.clip(z, problem.lower, problem.upper)

@@ -120,7 +120,7 @@ def solve_quadratic(program: QuadraticProgram, *, accuracy: float = TOLERANCE) -
         iteration += 1
         ratio = v / u
         system = _factorised(H, ratio[low] + ratio[high], A, ratio[up] + ratio[down])
-        if system is None:
+        if system is None or not pairs.min() > 0:  # a pair has run out to zero: no step leaves it
             break
         # Predictor straight to mu = 0, then Mehrotra's corrector towards the centre it leaves room for.
         aim = -product

@@ -11,13 +11,17 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.arguments import require_curve, require_supports, require_tolerance
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.theorem1.inflection_line import (
+    WIDEST_RATIO,
     find_separating_line,
     fit_inflection_line,
     line_meetings,
+    widest_place,
 )
 from elastica_cad.mechanics.theorem1.project_inflections import project_inflections
 from elastica_cad.mechanics.theorem1.reasons import (
     AT_END_SHARE,
+    FAINT_SHARE,
+    GENTLE_SHARE,
     PINNED_SHARE,
     tell_corners,
     tell_jumps,
@@ -30,9 +34,13 @@ from elastica_cad.mechanics.theorem1.reasons import (
 from elastica_cad.mechanics.theorem1.verdict import (
     EquilibriumCheck,
     count,
+    figure,
     listed,
     places,
 )
+
+_PLACES = 401  # along a curve, where dips of its curvature are looked for
+_DIP_SHARE = 0.01  # of the largest curvature: deeper dips are looked at closely
 
 
 def check_equilibrium(
@@ -91,7 +99,7 @@ def check_equilibrium(
         return _refused(check, reason)
     normal = None if force_x and force_y else np.array([1.0, 0.0] if force_y else [0.0, 1.0])
     if len(check.zeros) == 1 and normal is None:
-        return _with_one_zero(check)
+        return _with_one_zero(check, natural_curvature)
     return _with_line(check, normal, supports, natural_curvature, tolerance)
 
 
@@ -130,7 +138,8 @@ def examine_curvature(
         and flats[0].s_end >= (1 - AT_END_SHARE) * curve.length
     ):
         return replace(check, any_stiffness=True, warnings=warn_of_crossing(curve), zeros=())
-    gentle = [z.s for z in points if _slope(curve, z) <= PINNED_SHARE * largest / curve.length]
+    gentle = [z.s for z in points if _slope(curve, z) <= GENTLE_SHARE * largest / curve.length]
+    gentle += _faint_places(curve, natural_curvature, largest, zeros)
     reasons = [
         *tell_pinned_ends(curve, supports, natural_curvature, points),
         *tell_straight_parts(curve, flats, natural_curvature, largest),
@@ -146,13 +155,13 @@ def examine_curvature(
     )
 
 
-def _with_one_zero(check: EquilibriumCheck) -> EquilibriumCheck:
+def _with_one_zero(check: EquilibriumCheck, natural_curvature: float) -> EquilibriumCheck:
     """One zero, any direction: is there a line through it that meets the curve nowhere else?"""
     zero = check.zeros[0]
     found = find_separating_line(check.curve, zero, zero.after or -zero.before)
     checked = replace(check, line=found.line, off_line=((zero.s, 0.0),))
     if found.line is not None:
-        return checked
+        return _off_the_border(checked, natural_curvature, (np.pi - found.spread) / 2)
     near = tuple(s for s in found.places if abs(s - zero.s) > AT_END_SHARE * check.length)
     reason = (
         f"Every line through the inflection at {zero.s:.4g} mm meets the curve again or touches it there "
@@ -189,7 +198,7 @@ def _with_line(
         check = replace(again, line=line, off_line=off_line, moved=_largest_move(check.curve, moved))
     meetings = line_meetings(check.curve, line, check.zeros)
     if not meetings:
-        return check
+        return _off_the_border(check, natural_curvature)
     crossings = tuple(m.s for m in meetings if m.kind == "crossing")
     tangents = tuple(m.s for m in meetings if m.kind == "tangent")
     touches = tuple(m.s for m in meetings if m.kind == "touch")
@@ -209,6 +218,23 @@ def _with_line(
         "and the inflections beside it."
     )
     return _refused(replace(check, crossings=crossings, touches=(*touches, *tangents)), reason)
+
+
+def _off_the_border(
+    check: EquilibriumCheck, natural_curvature: float, spare: float = 0.0
+) -> EquilibriumCheck:
+    """The verdict, refused where only a stiffness beyond all strips would do."""
+    if check.line is None or not check.realizable:
+        return check
+    at = widest_place(check.curve, check.line, check.zeros, natural_curvature, spare)
+    if at is None:
+        return check
+    reason = (
+        f"The curve is on the border of what a strip can take: near {figure(at)} mm the stiffness would have to be "
+        f"more than {WIDEST_RATIO:g} times that of other places. Move the curve farther from the line through its "
+        "inflections, or bend it more clearly there."
+    )
+    return _refused(check, reason)
 
 
 def _off_line_reason(check: EquilibriumCheck, normal: FloatArray | None, allowed: float) -> str:
@@ -271,6 +297,34 @@ def _largest(curve: PlaneCurve, natural_curvature: float) -> float:
     """Largest |kappa - kappa_0|, nearly: the size against which others are small."""
     kappa = curve.curvature_at(np.linspace(*curve.domain, 401))
     return float(np.abs(kappa - natural_curvature).max())
+
+
+def _faint_places(
+    curve: PlaneCurve, natural_curvature: float, largest: float, zeros: tuple[CurvatureZero, ...]
+) -> list[float]:
+    """Arc lengths (mm) where |kappa - kappa_0| dips all but to zero, without a zero there."""
+    from scipy.optimize import minimize_scalar
+
+    nodes = curve.sample(_PLACES)
+    bent = np.abs(nodes.curvature - natural_curvature)
+    inside = bent[1:-1]
+    dips = (inside <= bent[:-2]) & (inside <= bent[2:]) & (inside < _DIP_SHARE * largest)
+    found = []
+    for i in np.flatnonzero(dips) + 1:
+        low, high = nodes.s[i - 1], nodes.s[i + 1]
+        if any(low <= z.s_end and z.s <= high for z in zeros):
+            continue
+        sign = np.sign(nodes.curvature[i] - natural_curvature)
+
+        def depth(s: float, sign: float = sign) -> float:
+            return float(sign * (curve.at(np.array([s])).curvature[0] - natural_curvature))
+
+        least = minimize_scalar(
+            depth, bounds=(low, high), method="bounded", options={"xatol": 1e-7 * curve.length}
+        )
+        if least.fun <= FAINT_SHARE * largest:
+            found.append(float(least.x))
+    return found
 
 
 def _slope(curve: PlaneCurve, zero: CurvatureZero) -> float:

@@ -15,8 +15,18 @@ from elastica_cad.geometry.curves.view_angles import find_view_angles
 SAME_PLACE_SHARE = 1e-6
 """Places along the curve nearer than this, in lengths of the curve, are the same inflection."""
 
+WIDEST_RATIO = 1e4
+"""Ratio of stiffness from which on no strip can be made, by far: such a curve lies on the border of what is
+realizable, and whether it is inside is then a question of rounding."""
+
+PLACES = 801
+"""Places along a curve where the stiffness that a line asks for is looked at."""
+
 TANGENT_RAD = 1e-6
 """Sine of the angle between line and curve below which they count as tangent."""
+
+_AT_ZERO_SHARE = 1e-4  # nearer to a zero of the curvature, in lengths, K is a quotient of two small numbers
+_TURNS = 67  # of a line about the only inflection, tried
 
 
 @dataclass(frozen=True)
@@ -126,6 +136,39 @@ def line_meetings(
         elif not places.size or np.abs(places - meeting.s).min() > near:
             bad.append(LineMeeting(meeting.s, "touch" if meeting.kind == "touch" else "crossing"))
     return tuple(sorted(set(bad), key=lambda m: m.s))
+
+
+def widest_place(
+    curve: PlaneCurve,
+    line: InflectionLine,
+    zeros: Sequence[CurvatureZero],
+    natural_curvature: float,
+    spare: float,
+) -> float | None:
+    """Where (mm) the stiffness would exceed the least by `WIDEST_RATIO`; None where it need not.
+
+    K = distance from the line / (kappa - kappa_0); in a zero its limit, the sine of the angle between curve and
+    line over the slope of the curvature. With one zero the line may turn by `spare` rad either way about it.
+    """
+    nodes = curve.sample(PLACES)
+    kappa = nodes.curvature - natural_curvature
+    s_zero, t_zero = np.array([z.s for z in zeros]), np.array([z.t for z in zeros])
+    clear = np.abs(nodes.s[:, None] - s_zero).min(axis=1) > _AT_ZERO_SHARE * curve.length
+    clear &= kappa != 0
+    tangent = np.asarray(curve.evaluate(t_zero, 1)).reshape(-1, 2)
+    tangent /= np.hypot(tangent[:, 0], tangent[:, 1])[:, None]
+    slope = curve.curvature_slope_at(t_zero, left=bool(t_zero[-1] >= curve.domain[1]))
+    s = np.concatenate([nodes.s[clear], s_zero])
+    arm = np.concatenate(
+        [(nodes.position[clear] - np.asarray(line.point)) / kappa[clear, None], tangent / slope[:, None]]
+    )
+    turns = np.linspace(-spare, spare, _TURNS)[1:-1] if spare > 0 else np.zeros(1)
+    along, across = np.asarray(line.direction), line.b
+    normals = np.cos(turns)[:, None] * across + np.sin(turns)[:, None] * along
+    K = np.abs(arm @ normals.T)
+    ratios = K.max(axis=0) / np.maximum(K.min(axis=0), 1e-300)
+    best = int(np.argmin(ratios))
+    return float(s[int(np.argmax(K[:, best]))]) if ratios[best] > WIDEST_RATIO else None
 
 
 def find_separating_line(curve: PlaneCurve, zero: CurvatureZero, curvature_sign: int) -> SeparatingLine:

@@ -20,6 +20,13 @@ AT_END_SHARE = 1e-7
 PINNED_SHARE = 1e-6
 """Curvature at a pinned end, relative to the largest, that counts as none."""
 
+GENTLE_SHARE = 1e-5
+"""Slope of the curvature in an inflection, relative to the largest curvature over the length, that counts as none:
+the stiffness would exceed that of other places by some ten thousand times."""
+
+FAINT_SHARE = 1e-7
+"""Curvature in a dip, relative to the largest, that counts as none: as for the slope, whose square it goes with."""
+
 
 def tell_corners(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
     """What is wrong with corners, and whether the digits of a file may have made them."""
