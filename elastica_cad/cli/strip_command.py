@@ -272,6 +272,11 @@ def _tell(made: Strip, near: NearestRod | None, verdict: Stability, written: lis
         say(f"stable, {said}")
     else:
         warn(f"Warning: {said}. --stable finds the nearest that stays.")
+    sideways = made.sideways
+    if sideways is not None and sideways.word in ("unstable", "low"):
+        warn(f"Warning: sideways margin {sideways.margin:.3g} ({sideways.word}): {sideways.meaning}.")
+    elif sideways is not None:
+        say(f"sideways {sideways.word}: {sideways.meaning}")
     with suppress(NotConvergedError):
         say(str(made.held()))
     for warning in made.warnings:

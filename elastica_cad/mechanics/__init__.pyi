@@ -49,6 +49,10 @@ from elastica_cad.mechanics.stability.conjugate_points import (
     determinant_gradient as determinant_gradient,
     stability_determinant as stability_determinant,
 )
+from elastica_cad.mechanics.stability.sideways import (
+    SidewaysStability as SidewaysStability,
+    sideways_stability as sideways_stability,
+)
 from elastica_cad.mechanics.stability.stability_verdict import Stability as Stability
 from elastica_cad.mechanics.stiffness.optimal_laminate import (
     Laminate as Laminate,

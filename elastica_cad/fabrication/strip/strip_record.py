@@ -26,6 +26,7 @@ from elastica_cad.mechanics.material.section_limits import LayerStrain
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.sheet_keys import printable
 from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stability.sideways import SidewaysStability, sideways_stability
 
 FINE_EDGES = 1600
 """At least, of the rod that is bent as built: its own error is then far below what it measures."""
@@ -299,6 +300,14 @@ class Strip:
     def held_deviation(self) -> float:
         """How far the strip as made, with ends held as designed, strays from its design, mm: see `held`."""
         return self.held().deviation
+
+    @cached_property
+    def sideways(self) -> SidewaysStability | None:
+        """Whether it stays in the plane of its curve; None with a pattern of holes or a second layer."""
+        if self.layout.pattern is not None or self.layout.backing is not None:
+            return None
+        sheet = self.sheet
+        return sideways_stability(self.rod, self.width, sheet.thickness, poisson_ratio=sheet.poisson_ratio)
 
     def reactions(self) -> Reactions:
         """Forces (N) and moments (N mm) that the supports exert on the strip.

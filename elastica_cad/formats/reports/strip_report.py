@@ -11,6 +11,7 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.curve_files.json_curves import curve_record
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.forming.smoothing import Smoothing
+from elastica_cad.mechanics.stability.sideways import SidewaysStability
 from elastica_cad.mechanics.stability.stability_verdict import Stability
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
 
@@ -77,6 +78,7 @@ def report_strip(
             "word": stability.word,
             "meaning": stability.meaning,
         },
+        "sideways": _sideways(strip.sideways),
         "moved_by_snapping": round_numbers(rod.moved),
         "smoothing": None if smoothing is None else _smoothing_report(smoothing),
         "length": round_numbers(rod.length),
@@ -120,6 +122,13 @@ def report_strip(
         },
         "warnings": list(strip.warnings),
     }
+
+
+def _sideways(found: SidewaysStability | None) -> dict[str, Any]:
+    """Does the strip stay in the plane of its curve? Undecided without margin where no rod says so."""
+    if found is None:
+        return {"word": "undecided", "margin": None, "meaning": "holes or a second layer: not examined"}
+    return {"word": found.word, "margin": round_numbers(found.margin), "meaning": found.meaning}
 
 
 def _smoothing_report(smoothing: Smoothing) -> dict[str, Any]:

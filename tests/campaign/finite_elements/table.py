@@ -28,7 +28,7 @@ of the middle line (the mean over the section) from the drawn curve, as a share 
 
 SIDEWAYS = """The lowest eigenvalues (`*FREQUENCY, PERTURBATION` after the nonlinear step) of uniform strips 300 mm
 long and 0.8 mm thick, nu = 0.3, in units of E I over mass per length and L^4. Negative: the strip leaves that
-shape."""
+shape. "Told" is the word of `sideways_stability` on the rod."""
 
 POCKETS = """Rigid walls 0.15 mm off either face of the tabs, 10 mm deep, without friction; weight included. A tab
 touches where the free part ends and at its bottom, on the faces where the walls push. "Told" is what `Strip.held`
@@ -113,7 +113,9 @@ def written(everything: dict[str, list[dict[str, Any]]]) -> str:
             lines += _table(head, rows, _strip)
     if everything.get("sideways"):
         lines += ["", "## Sideways", "", SIDEWAYS, ""]
-        lines += _table(("strip", "width (mm)", "sideways", "in its plane"), everything["sideways"], _swung)
+        lines += _table(
+            ("strip", "width (mm)", "sideways", "told", "in its plane"), everything["sideways"], _swung
+        )
     if everything.get("pockets"):
         lines += ["", "## In pockets with play", "", POCKETS, ""]
         head = ("strip", "length (mm)", "finite elements (mm)", "told (mm)")
@@ -144,7 +146,7 @@ def _strip(row: dict[str, Any]) -> tuple[str, ...]:
 
 
 def _swung(row: dict[str, Any]) -> tuple[str, ...]:
-    return row["name"], f"{row['width']:g}", f"{row['sideways']:.0f}", f"{row['in_plane']:.0f}"
+    return row["name"], f"{row['width']:g}", f"{row['sideways']:.0f}", row["told"], f"{row['in_plane']:.0f}"
 
 
 def _pocketed(row: dict[str, Any]) -> tuple[str, ...]:

@@ -1,0 +1,242 @@
+"""Does a bent strip stay in the plane of its curve, or does it tip over or twist away?"""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.mechanics.rod.discrete_rod import node_weights, tangents
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN
+
+EDGES = 200
+"""Of the rod that is examined: the margin's error falls with the square, here below 1e-3 of it."""
+
+RIBBON_NUMBER = 16.0
+"""w^2 kappa / h from which on a section no longer keeps its shape: bending and twist couple, as in a ribbon. Then
+only an ample margin says something: by finite elements ribbons are the steadier ones."""
+
+MOST_RIBBON_NUMBER = 80.0
+"""Beyond what was compared with finite elements."""
+
+RIBBON_SLENDERNESS = 6.0
+"""Length over width below which a strip is a plate."""
+
+_SIGN_SHARE = 1e-9  # of the stiffest entry: a margin smaller than that times it is rounding
+
+
+@dataclass(frozen=True)
+class SidewaysStability:
+    """What `sideways_stability` found.
+
+    Attributes
+    ----------
+    margin : float
+        Lowest eigenvalue of the second variation under turns out of the plane, over the integral of their square,
+        times length^2 (least bending stiffness 1): positive means stable; of the kind of `Stability.margin`.
+    ribbon_number : float
+        Largest w^2 kappa / h along the strip: see `RIBBON_NUMBER`.
+    slenderness : float
+        Length over the largest width.
+    """
+
+    margin: float
+    ribbon_number: float
+    slenderness: float
+
+    @property
+    def decided(self) -> bool:
+        """Is the strip a rod, so that the margin means something?"""
+        if self.slenderness < RIBBON_SLENDERNESS or self.ribbon_number > MOST_RIBBON_NUMBER:
+            return False
+        return self.ribbon_number <= RIBBON_NUMBER or self.margin >= SAFE_MARGIN
+
+    @property
+    def word(self) -> Literal["unstable", "low", "ample", "undecided"]:
+        """The margin in a word."""
+        if not self.decided:
+            return "undecided"
+        if self.margin <= 0:
+            return "unstable"
+        return "low" if self.margin < SAFE_MARGIN else "ample"
+
+    @property
+    def meaning(self) -> str:
+        """What the margin means for the one who builds it."""
+        return {
+            "unstable": "it tips over sideways or twists out of its plane: guide it at the sides, or make it wider",
+            "low": "it stays in its plane, but a push from the side may tip it: guide it at the sides",
+            "ample": "it stays in its plane",
+            "undecided": "too wide for its length and bend to be judged as a rod: try it out",
+        }[self.word]
+
+
+def sideways_stability(
+    rod: Rod, width: Profile | ArrayLike, thickness: float, *, poisson_ratio: float = 0.3
+) -> SidewaysStability:
+    """Is the rest shape of a rectangular strip stable against leaving its plane? O(n).
+
+    Its ends are held in space where the plane's supports hold anything: clamps, hinges and sliders all keep the
+    tab from twisting and from moving sideways; an end without any support is free. Gravity acts in the plane.
+
+    Parameters
+    ----------
+    rod : Rod
+        In balance; its stiffness is that of bending in the plane.
+    width : Profile, number or (n,) array
+        Of the strip along the rod, mm; values at equal distances.
+    thickness : float
+        mm.
+    poisson_ratio : float
+        nu; an isotropic sheet's G / E = 1 / (2 (1 + nu)).
+
+    Raises
+    ------
+    InputError
+        Widths or thickness that are not positive, or no rod.
+
+    Notes
+    -----
+    Kirchhoff's rod: a turn phi (in the plane's two directions) bends the strip edgewise by <phi', N> with
+    E h w^3/12 and twists it by <phi', T> with G w h^3/3 (1 - 0.63 h/w) (St Venant); the moment M works on the area
+    that phi sweeps, and the force lambda on the tangent's second change. The second variation is
+
+        int EI2 <phi', N>^2 + GJ <phi', T>^2 - M (phi x phi') + <lambda, N> phi_T phi_N - <lambda, T> phi_N^2 ds
+
+    under int phi_N = 0 where both ends are held. Prandtl's lateral buckling (M = 2 pi sqrt(EI2 GJ) / L between
+    clamps), Michell's of a cantilever and Euler's are contained. What the model leaves out: sections that curl or
+    flatten, warping held by the clamps (wide, strongly bent strips: "undecided"), slots and holes, gravity across
+    the plane.
+
+    Examples
+    --------
+    >>> from elastica_cad.mechanics.bending.bend_forward import bend
+    >>> arch = bend(Rod.straight(300.0), end=(200.0, 0.0))
+    >>> sideways_stability(arch, 20.0, 0.8).word
+    'ample'
+    """
+    if not isinstance(rod, Rod):
+        raise InputError(f"sideways stability needs a Rod, not {type(rod).__name__}: bend one first")
+    h, nu = float(thickness), float(poisson_ratio)
+    if not (np.isfinite(h) and h > 0):
+        raise InputError(f"thickness is {thickness}: it must be positive, in mm")
+    if not -1 < nu < 1:
+        raise InputError(f"poisson_ratio is {poisson_ratio}: it must lie between -1 and 1")
+    s = np.linspace(0.0, rod.length, EDGES + 1)
+    w = _widths(width, s)
+    K = np.interp(s, rod.s, rod.stiffness)
+    edgewise = K * (w / h) ** 2
+    torsion = 2 * K / (1 + nu) * np.maximum(1 - 0.63 * h / w, 0.25)
+    bend = np.abs(np.interp(s, rod.s, rod.curvature) - rod.natural_curvature)
+    return SidewaysStability(
+        margin=sideways_margin(rod, edgewise, torsion),
+        ribbon_number=float((w**2 * bend).max() / h),
+        slenderness=float(rod.length / w.max()),
+    )
+
+
+def sideways_margin(rod: Rod, edgewise: FloatArray, torsion: FloatArray) -> float:
+    """The margin for edgewise bending and torsional stiffnesses (n,), over the least bending one, equally spaced.
+
+    Examples
+    --------
+    A straight strip without load: the least of torsion and edgewise bending, pi^2 GJ for clamped ends.
+
+    >>> round(sideways_margin(Rod.straight(100.0), np.full(201, 400.0), np.full(201, 1.5)) / np.pi**2, 3)
+    1.5
+    """
+    n = len(edgewise) - 1
+    edge = rod.length / n
+    s = np.linspace(0.0, rod.length, n + 1)
+    middle = (s[1:] + s[:-1]) / 2
+    angle = np.interp(middle, rod.s, rod.angle)
+    force = np.column_stack([np.interp(middle, rod.s, rod.force[:, k]) for k in (0, 1)])
+    free = [not (end.x or end.y or end.angle) for end in rod.supports.ends]
+    lower = _band(angle, np.interp(s, rod.s, rod.angle), force, np.interp(s, rod.s, rod.moment), edge,
+                  edgewise, torsion, free)  # fmt: skip
+    row = None
+    if not any(free):
+        T = tangents(angle)
+        row = np.column_stack([-T[:, 1], T[:, 0]]).ravel()
+    return _lowest(lower / edge, row) * rod.length**2
+
+
+def _widths(width: Profile | ArrayLike, s: FloatArray) -> FloatArray:
+    if isinstance(width, Profile):
+        found = np.asarray(width(s), dtype=float)
+    else:
+        given = np.atleast_1d(np.asarray(width, dtype=float))
+        found = (
+            np.interp(s, np.linspace(0, s[-1], given.size), given)
+            if given.size > 1
+            else np.full(s.size, given[0])
+        )
+    if not (np.all(np.isfinite(found)) and np.all(found > 0)):
+        raise InputError("strip width must be positive everywhere, in mm")
+    return found
+
+
+def _band(
+    angle: FloatArray, nodal_angle: FloatArray, force: FloatArray, moment: FloatArray, edge: float,
+    edgewise: FloatArray, torsion: FloatArray, free: list[bool],
+) -> FloatArray:  # fmt: skip
+    """The second variation in the turns (x, y) of every edge, lower band (4, 2 n), symmetric."""
+    n = angle.size
+    weight = node_weights(edge, n)
+    T = tangents(nodal_angle)
+    N = np.column_stack([-T[:, 1], T[:, 0]])
+    spring = np.einsum("i,ij,ik->ijk", edgewise / weight, N, N) + np.einsum(
+        "i,ij,ik->ijk", torsion / weight, T, T
+    )  # of every node, (n + 1, 2, 2)
+    for node, is_free in zip((0, -1), free, strict=True):
+        if is_free:
+            spring[node] = 0.0
+    t = tangents(angle)
+    m = np.column_stack([-t[:, 1], t[:, 0]])
+    along, across = (force * t).sum(axis=1), (force * m).sum(axis=1)
+    blocks = spring[:-1] + spring[1:] - edge * along[:, None, None] * m[:, :, None] * m[:, None]
+    mixed = t[:, :, None] * m[:, None]
+    blocks += edge / 2 * across[:, None, None] * (mixed + mixed.transpose(0, 2, 1))
+    # between neighbours: -spring, and -M (phi_i x phi_{i+1}), half of it either way
+    turn = np.array([[0.0, 1.0], [-1.0, 0.0]])
+    links = -spring[1:-1] - moment[1:-1, None, None] / 2 * turn
+    lower = np.zeros((4, 2 * n))
+    lower[0, 0::2], lower[0, 1::2], lower[1, 0::2] = blocks[:, 0, 0], blocks[:, 1, 1], blocks[:, 1, 0]
+    # links[i] is (row of edge i, column of edge i + 1): its transpose lies below the diagonal
+    lower[2, 0 : 2 * n - 2 : 2], lower[3, 0 : 2 * n - 2 : 2] = links[:, 0, 0], links[:, 0, 1]
+    lower[1, 1 : 2 * n - 2 : 2], lower[2, 1 : 2 * n - 2 : 2] = links[:, 1, 0], links[:, 1, 1]
+    return lower
+
+
+def _lowest(lower: FloatArray, row: FloatArray | None) -> float:
+    """The lowest eigenvalue of the band matrix A where <row, v> = 0.
+
+    It lies between the two lowest ones of A, where <row, (A - mu)^-1 row> vanishes.
+    """
+    from scipy.linalg import eig_banded, solve_banded
+    from scipy.optimize import brentq
+
+    values = eig_banded(lower, lower=True, eigvals_only=True, select="i", select_range=(0, 1))
+    first, second = float(values[0]), float(values[1])
+    if row is None:
+        return first
+    full = np.zeros((7, lower.shape[1]))
+    full[3:] = lower
+    for k in (1, 2, 3):
+        full[3 - k, k:] = lower[k, : lower.shape[1] - k]
+
+    def along(mu: float) -> float:
+        shifted = full.copy()
+        shifted[3] -= mu
+        return float(row @ solve_banded((3, 3), shifted, row))
+
+    gap = second - first
+    low, high = first + _SIGN_SHARE * gap, second - _SIGN_SHARE * gap
+    if gap <= 0 or along(low) >= 0:  # the lowest mode keeps the row already
+        return first
+    if along(high) <= 0:
+        return second
+    return float(brentq(along, low, high, xtol=1e-13 * abs(first) + 1e-300, rtol=1e-12))
