@@ -278,6 +278,9 @@ def _tell(made: Strip, near: NearestRod | None, verdict: Stability, written: lis
     elif sideways is not None:
         say(f"sideways {sideways.word}: {sideways.meaning}")
     with suppress(NotConvergedError):
+        if made.crept is not None:
+            say(str(made.crept))
+    with suppress(NotConvergedError):
         say(str(made.held()))
     for warning in made.warnings:
         if near is not None and warning == near.status.value:

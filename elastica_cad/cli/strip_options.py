@@ -72,6 +72,8 @@ _WIDTHS = (
 _STYLE = (
     click.option("--compensate", is_flag=True,
                  help="Make up in the widths for slots, narrow tabs, leaning ligaments, anticlastic bending."),
+    click.option("--creep", type=float, default=0.0, metavar="PHI",
+                 help="Creep factor in the long run: tells sag and forces. Plywood indoors: 0.8 (Eurocode 5)."),
     click.option("--style", type=click.Choice(["plain", "perforated", "laminated"]), default="plain",
                  show_default=True, help="How stiffness becomes material."),
     click.option("--outer-width", type=LENGTH, metavar="MM", help="Width of a perforated or laminated strip."),
@@ -189,6 +191,7 @@ def spec_from_options(curve: PlaneCurve, label: str, chosen: Mapping[str, Any]) 
             smooth=chosen["smooth"],
             shop=_shop(chosen),
             compensate=chosen["compensate"],
+            creep=chosen["creep"],
             anyway=chosen["anyway"],
         )
     except InputError as problem:

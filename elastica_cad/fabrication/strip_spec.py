@@ -31,6 +31,7 @@ from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.cross_sections import LaminatedSection
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.studies.creep import require_creep
 
 AskedGravity: TypeAlias = "Gravity | bool | Sequence[float] | None"
 """A `Gravity`, True for the sheet's own weight along -y, or the direction in which that falls."""
@@ -82,6 +83,9 @@ class StripSpec(EqualByValue):
     compensate : bool
         Change the widths so that the strip as made (slots, narrow tabs, leaning ligaments, anticlastic bending,
         its own weight) takes the curve, instead of the designed rod: see `compensate_widths`.
+    creep : float
+        Creep factor phi of the sheet in the long run, 0 for none: sag, forces and springback are told, see
+        `Strip.crept`.
     anyway : bool
         Make a strip that the workshop cannot, and say so in its warnings.
 
@@ -119,6 +123,7 @@ class StripSpec(EqualByValue):
     smooth: float | None = None
     shop: Shop = DEFAULT_SHOP
     compensate: bool = False
+    creep: float = 0.0
     anyway: bool = False
 
     def __post_init__(self) -> None:
@@ -153,6 +158,7 @@ class StripSpec(EqualByValue):
             "supports": require_supports(self.supports),
             "ends": ends,
             "slots": slots,
+            "creep": require_creep(self.creep),
         }
         for name, value in settled.items():
             object.__setattr__(self, name, value)
@@ -275,6 +281,7 @@ class StripSpec(EqualByValue):
             ends=self.ends,
             slots=self.slots,
             label=self.label,
+            creep=self.creep,
         )
         if self.compensate:
             made = compensate_within(made, self.shop)

@@ -77,6 +77,7 @@ class StripOptions(TypedDict, total=False):
     label: str
     shop: "Shop"
     compensate: bool
+    creep: float
     anyway: bool
 
 

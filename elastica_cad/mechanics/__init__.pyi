@@ -64,6 +64,7 @@ from elastica_cad.mechanics.studies.calibration import (
     calibrate_cantilever as calibrate_cantilever,
     cantilever_droop as cantilever_droop,
 )
+from elastica_cad.mechanics.studies.creep import Creep as Creep, creep as creep
 from elastica_cad.mechanics.studies.imperfection import (
     Imperfection as Imperfection,
     perturb_rod as perturb_rod,

@@ -6,7 +6,7 @@ from functools import cached_property
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication.drawings.drawing import (
     Drawing,
 )
@@ -27,12 +27,16 @@ from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.sheet_keys import printable
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.sideways import SidewaysStability, sideways_stability
+from elastica_cad.mechanics.studies.creep import Creep, creep, require_creep
 
 FINE_EDGES = 1600
 """At least, of the rod that is bent as built: its own error is then far below what it measures."""
 
 CORRECTION_TOLERANCE = 1e-6
 """Of corrected stiffness, relative to its largest."""
+
+LINEAR_CREEP_SHARE = 0.5
+"""Of the strain limit: beyond it creep grows faster than the stress."""
 
 CURVATURE_STATIONS = 2001
 """At which strain is looked for, spread over the curve's smooth panels."""
@@ -71,6 +75,8 @@ class Strip:
         Cuts for other strips; they become part of the outline.
     label : str
         Engraved on the strip; empty for none.
+    creep : float
+        Creep factor phi of the sheet in the long run, 0 for none: see `crept`.
     correction : Profile, optional
         Factor on the stiffness from which widths are made, to make up for what else changes it: see
         `compensate_widths`.
@@ -101,6 +107,7 @@ class Strip:
     ends: tuple[Tab, Tab] = (Tab(10.0), Tab(10.0))
     slots: tuple[Slot, ...] = ()
     label: str = ""
+    creep: float = 0.0
     correction: Profile | None = None
 
     def __post_init__(self) -> None:
@@ -109,6 +116,7 @@ class Strip:
             if value is not None and not (np.isfinite(value) and value > 0):
                 raise InputError(f"{name} is {value}: it must be positive, in mm")
         printable(self.label, "the label")
+        object.__setattr__(self, "creep", require_creep(self.creep))
         _ = self.layout
 
     def __repr__(self) -> str:
@@ -247,7 +255,44 @@ class Strip:
                     f"{one.sheet.thickness:g} mm bends to {least:.1f} mm at least {one.sheet.grain} the face grain "
                     f"({PLYWOOD_SOURCE}); use a thinner sheet or a gentler curve"
                 )
+        return (*found, *self._creep_warnings)
+
+    @property
+    def _creep_warnings(self) -> tuple[str, ...]:
+        """Where creep is not linear any more, and where the strip does not stay."""
+        if not self.creep:
+            return ()
+        found = []
+        if self.max_strain > LINEAR_CREEP_SHARE * self.strain_limit:
+            found.append(
+                f"strain {100 * self.max_strain:.2f} % is more than {100 * LINEAR_CREEP_SHARE:.0f} % of what the "
+                "sheet bears: creep is not linear there, and more than said; use a thinner sheet or a gentler curve"
+            )
+        try:
+            later = self.crept
+        except NotConvergedError as problem:
+            return (*found, str(problem))
+        if later is not None and not later.stability.stable:
+            found.append(
+                f"with a creep factor of {self.creep:g} it will not stay in the long run: it snaps into another "
+                "shape; use a stiffer sheet or support it"
+            )
         return tuple(found)
+
+    @cached_property
+    def crept(self) -> Creep | None:
+        """The strip in the long run, held the same all the time; None without a creep factor.
+
+        Raises
+        ------
+        NotConvergedError
+            It collapses under its weight as it creeps.
+        """
+        if not self.creep:
+            return None
+        found = creep(self.rod, self.creep)
+        sheets = {layer.sheet for layer in self.layers}
+        return found if len(sheets) == 1 else replace(found, exact=False)
 
     @property
     def area(self) -> float:

@@ -36,7 +36,7 @@ CurveReader: TypeAlias = Callable[..., list[PlaneCurve]]
 
 MAKING_KEYS = (
     "sheet", "thickness", "max_width", "min_width", "gravity", "loads", "supports", "natural_curvature", "samples",
-    "limits", "keep", "ends", "style", "smooth", "shop", "compensate", "anyway",
+    "limits", "keep", "ends", "style", "smooth", "shop", "compensate", "creep", "anyway",
 )  # fmt: skip
 """Keys that may stand for all strips at the top of the file or for some in [[strips]]."""
 
@@ -123,6 +123,7 @@ def read_strip(
         "smooth": table.maybe("smooth"),
         "shop": read_shop(table.table("shop")),
         "compensate": table.flag("compensate"),
+        "creep": table.number("creep", 0.0),
         "anyway": table.flag("anyway"),
     }
     curve = read_drawn_curve(table, folder, read_curves) if section is None else section.curve

@@ -79,6 +79,7 @@ def report_strip(
             "meaning": stability.meaning,
         },
         "sideways": _sideways(strip.sideways),
+        "creep": _creep(strip),
         "moved_by_snapping": round_numbers(rod.moved),
         "smoothing": None if smoothing is None else _smoothing_report(smoothing),
         "length": round_numbers(rod.length),
@@ -121,6 +122,27 @@ def report_strip(
             "end_moment": round_numbers(reactions.end_moment),
         },
         "warnings": list(strip.warnings),
+    }
+
+
+def _creep(strip: Strip) -> dict[str, Any] | None:
+    """The strip in the long run; None where no creep was asked for."""
+    if not strip.creep:
+        return None
+    try:
+        found = strip.crept
+    except NotConvergedError as problem:
+        return {"factor": strip.creep, "problem": str(problem)}
+    assert found is not None
+    return {
+        "factor": found.factor,
+        "basis": "exact" if found.exact else "effective modulus",
+        "sag": round_numbers(found.sag),
+        "force_share": round_numbers(found.force_share),
+        "end_forces": round_numbers(found.end_forces * strip.bending_stiffness),
+        "margin": round_numbers(found.stability.margin),
+        "word": found.stability.word,
+        "kept_bend": round_numbers(found.kept_share),
     }
 
 

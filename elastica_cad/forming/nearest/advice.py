@@ -49,11 +49,9 @@ def advise(near: NearestRod) -> Iterator[str]:
     if near.found is None:
         return
     if near.ties:
-        count = len(near.ties)
-        others = f"{count} other rods" if count > 1 else "One other rod"
         yield (
-            f"{others} of another shape {'are' if count > 1 else 'is'} as near, but for 2 %: look at `ties`, and "
-            "draw the curve closer to the one you mean."
+            f"Rods of another shape are as near, but for 2 % ({len(near.ties)} of them): look at `ties`, and draw "
+            "the curve closer to the one you mean."
         )
     if near.status is Status.NOT_MET:
         yield from _ways_out(near)

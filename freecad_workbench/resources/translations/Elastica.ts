@@ -88,6 +88,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Creep factor of the sheet in the long run; 0 leaves creep out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Make up for slots, narrow tabs and holes in the widths</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1746,6 +1750,22 @@
 </context>
 <context>
     <name>ElasticaSentences</name>
+    <message>
+        <source>The curve is on the border of what a strip can take: near %1 mm the stiffness would have to be more than %2 times that of other places. Move the curve farther from the line through its inflections, or bend it more clearly there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rods of another shape are as near, but for 2 % (%1 of them): look at `ties`, and draw the curve closer to the one you mean.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>strain %1 % is more than %2 % of what the sheet bears: creep is not linear there, and more than said; use a thinner sheet or a gentler curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with a creep factor of %1 it will not stay in the long run: it snaps into another shape; use a stiffer sheet or support it</source>
+        <translation type="unfinished"></translation>
+    </message>
     <message>
         <source>section is %1: give a law with limits, such as ThicknessLaw(sheet, 3, 8, width=20)</source>
         <translation type="unfinished"></translation>

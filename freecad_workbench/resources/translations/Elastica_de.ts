@@ -88,6 +88,10 @@
         <translation>Schmalster Streifen, schmalste Lasche oder Zunge, die die Werkstatt machen kann; 0 für was die Platte verträgt</translation>
     </message>
     <message>
+        <source>Creep factor of the sheet in the long run; 0 leaves creep out</source>
+        <translation>Kriechzahl der Platte auf Dauer; 0 lässt das Kriechen weg</translation>
+    </message>
+    <message>
         <source>Make up for slots, narrow tabs and holes in the widths</source>
         <translation>Schlitze, schmale Laschen und Löcher in den Breiten ausgleichen</translation>
     </message>
@@ -1746,6 +1750,22 @@
 </context>
 <context>
     <name>ElasticaSentences</name>
+    <message>
+        <source>The curve is on the border of what a strip can take: near %1 mm the stiffness would have to be more than %2 times that of other places. Move the curve farther from the line through its inflections, or bend it more clearly there.</source>
+        <translation>Die Kurve liegt an der Grenze dessen, was ein Streifen annehmen kann: bei %1 mm müsste die Steifigkeit mehr als das %2-Fache anderer Stellen sein. Rücken Sie die Kurve weiter von der Geraden durch ihre Wendepunkte ab, oder biegen Sie sie dort deutlicher.</translation>
+    </message>
+    <message>
+        <source>Rods of another shape are as near, but for 2 % (%1 of them): look at `ties`, and draw the curve closer to the one you mean.</source>
+        <translation>Stäbe anderer Form sind bis auf 2 % ebenso nah (%1 davon): siehe `ties`, und zeichnen Sie die Kurve näher an dem, den Sie meinen.</translation>
+    </message>
+    <message>
+        <source>strain %1 % is more than %2 % of what the sheet bears: creep is not linear there, and more than said; use a thinner sheet or a gentler curve</source>
+        <translation>Die Dehnung von %1 % ist mehr als %2 % dessen, was die Platte verträgt: dort kriecht sie nicht mehr linear und mehr als gesagt; nehmen Sie eine dünnere Platte oder eine sanftere Kurve</translation>
+    </message>
+    <message>
+        <source>with a creep factor of %1 it will not stay in the long run: it snaps into another shape; use a stiffer sheet or support it</source>
+        <translation>mit einer Kriechzahl von %1 bleibt er auf Dauer nicht so: er schnappt in eine andere Form um; nehmen Sie eine steifere Platte oder stützen Sie ihn</translation>
+    </message>
     <message>
         <source>section is %1: give a law with limits, such as ThicknessLaw(sheet, 3, 8, width=20)</source>
         <translation>Querschnitt ist %1: ein Gesetz mit Grenzen angeben, etwa ThicknessLaw(sheet, 3, 8, width=20)</translation>

@@ -88,6 +88,10 @@
         <translation>车间能制作的最窄的条、端片或舌片；0 取板材的值</translation>
     </message>
     <message>
+        <source>Creep factor of the sheet in the long run; 0 leaves creep out</source>
+        <translation>板材的长期蠕变系数；0 表示不计蠕变</translation>
+    </message>
+    <message>
         <source>Make up for slots, narrow tabs and holes in the widths</source>
         <translation>用宽度补偿槽口、窄接片和孔</translation>
     </message>
@@ -1746,6 +1750,22 @@
 </context>
 <context>
     <name>ElasticaSentences</name>
+    <message>
+        <source>The curve is on the border of what a strip can take: near %1 mm the stiffness would have to be more than %2 times that of other places. Move the curve farther from the line through its inflections, or bend it more clearly there.</source>
+        <translation>曲线处于条带所能承受的边界：在 %1 mm 附近，刚度须超过别处的 %2 倍。请让曲线离拐点连线更远，或在该处弯得更明显。</translation>
+    </message>
+    <message>
+        <source>Rods of another shape are as near, but for 2 % (%1 of them): look at `ties`, and draw the curve closer to the one you mean.</source>
+        <translation>另有 %1 根不同形状的杆同样接近（相差 2 % 以内）：请查看 `ties`，并把曲线画得更接近所要的那一根。</translation>
+    </message>
+    <message>
+        <source>strain %1 % is more than %2 % of what the sheet bears: creep is not linear there, and more than said; use a thinner sheet or a gentler curve</source>
+        <translation>应变 %1 % 超过板材承受值的 %2 %：该处蠕变不再线性，且大于所述；请用更薄的板或更平缓的曲线</translation>
+    </message>
+    <message>
+        <source>with a creep factor of %1 it will not stay in the long run: it snaps into another shape; use a stiffer sheet or support it</source>
+        <translation>蠕变系数为 %1 时它不会长期保持：会突跳成另一形状；请用更硬的板或加支撑</translation>
+    </message>
     <message>
         <source>section is %1: give a law with limits, such as ThicknessLaw(sheet, 3, 8, width=20)</source>
         <translation>截面为 %1：请给出带界限的规律，例如 ThicknessLaw(sheet, 3, 8, width=20)</translation>

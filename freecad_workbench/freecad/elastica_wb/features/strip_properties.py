@@ -48,6 +48,7 @@ PROPERTIES = (
         0.0,
     ),
     Property("Bool", "Compensate", "Width", "Make up for slots, narrow tabs and holes in the widths", False),
+    Property("Float", "Creep", "Sheet", "Creep factor of the sheet in the long run; 0 leaves creep out", 0.0),
     Property("Bool", "Anyway", "Width", "Make a strip that cannot be cut or handled, and say so", False),
     Property(
         "Length",

@@ -69,6 +69,7 @@ def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
         smooth=obj.Smooth.Value or None,
         shop=_shop(obj),
         compensate=obj.Compensate,
+        creep=obj.Creep,
         anyway=obj.Anyway,
     )
 

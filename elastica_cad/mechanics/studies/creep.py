@@ -1,0 +1,156 @@
+"""What a strip does in the long run: it sags, its clamps feel less, and let go it keeps a bend."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN, Stability, stability
+
+
+@dataclass(frozen=True, eq=False)
+class Creep:
+    """What `creep` found.
+
+    Attributes
+    ----------
+    factor : float
+        phi: the strain that creep adds, over the elastic one.
+    rod, later : Rod
+        At once, and in the long run, held alike.
+    exact : bool
+        Is this exact for a homogeneous, linear, standard solid? Otherwise it is that of the effective modulus.
+    """
+
+    factor: float
+    rod: Rod
+    later: Rod
+    exact: bool
+
+    @property
+    def force_share(self) -> float:
+        """What is left of the modulus, and of the clamps' forces where the shape stays: 1 / (1 + phi)."""
+        return 1 / (1 + self.factor)
+
+    @property
+    def kept_share(self) -> float:
+        """Share of its bend that the strip has just after it is let go, phi / (1 + phi); it goes on opening."""
+        return self.factor / (1 + self.factor)
+
+    @property
+    def sag(self) -> float:
+        """How far the shape moves, mm; 0 without weight."""
+        return float(np.hypot(*(self.later.position - self.rod.position).T).max())
+
+    @property
+    def end_forces(self) -> FloatArray:
+        """What is left in the long run of the forces on start and end (2, 2), in units of the first B, 1/mm2."""
+        return np.asarray(self.later.force[[0, -1]] * self.force_share)
+
+    @property
+    def stability(self) -> Stability:
+        """Of the shape in the long run."""
+        return stability(self.later)
+
+    def released(self) -> Rod:
+        """The strip just after its ends are let go, weight left out, its start where it was."""
+        bent = np.asarray(self.rod.curvature) - self.rod.natural_curvature
+        start = self.rod.position[0]
+        free = Rod.straight(
+            self.rod.length, self.rod.profile, samples=self.rod.s.size, start=(float(start[0]), float(start[1])),
+            angle=float(self.rod.angle[0]), supports=Supports(end="free"),
+        )  # fmt: skip
+        kept = self.rod.natural_curvature + self.kept_share * bent
+        turned = self.rod.angle[0] + self.kept_share * (np.asarray(self.rod.angle) - self.rod.angle[0])
+        return bend(replace(free, natural_curvature=kept), guess=turned)
+
+    def __str__(self) -> str:
+        """One or two sentences."""
+        kind = "exactly, for a linear homogeneous sheet" if self.exact else "about, by the effective modulus"
+        said = (
+            f"In the long run ({kind}), with a creep factor of {self.factor:g}: it sags by {self.sag:.3g} mm, "
+            f"keeps {100 * self.force_share:.0f} % of its stiffness, and let go it keeps "
+            f"{100 * self.kept_share:.0f} % of its bend at first."
+        )
+        after = self.stability
+        if not after.stable:
+            said += " Then it no longer stays: it snaps over under its weight. Take a stiffer sheet or support it."
+        elif after.margin < SAFE_MARGIN <= stability(self.rod).margin:
+            said += f" Its margin falls to {after.margin:.3g} (low)."
+        return said
+
+
+def creep(rod: Rod, factor: float) -> Creep:
+    """A rod at once and after creep has run out, held the same all the time.
+
+    The elastic modulus becomes E / (1 + phi) while weights stay (the effective modulus of a permanent load). That
+    is the limit at long times of a standard linear solid, whatever happened before; so the shape in the long run
+    is exact for one. Without weight nothing moves at any time, and forces fall with the relaxation modulus. How
+    long it takes is not told: that needs a creep law of the sheet.
+
+    Parameters
+    ----------
+    rod : Rod
+        In balance.
+    factor : float
+        phi, 0 or more: the k_def of Eurocode 5, table 3.2, for wood-based panels under permanent load; plywood
+        (EN 636) 0.80 in heated rooms, 1.00 under a roof, 2.50 outdoors.
+
+    Raises
+    ------
+    InputError
+        A factor that is negative or not finite.
+    NotConvergedError
+        No shape is left near the first: the strip collapses as it creeps.
+
+    Examples
+    --------
+    >>> from elastica_cad.mechanics.bending.bend_forward import bend
+    >>> from elastica_cad.mechanics.loads.gravity import Gravity
+    >>> arch = bend(Rod.straight(300.0, gravity=Gravity(100.0)), end=(200.0, 0.0))
+    >>> found = creep(arch, 0.8)
+    >>> found.sag > 1, round(found.force_share, 3)
+    (True, 0.556)
+    """
+    if not isinstance(rod, Rod):
+        raise InputError(f"creep needs a Rod, as optimal_rod or bend makes one, not {type(rod).__name__}")
+    phi = require_creep(factor)
+    first = later = rod
+    if phi > 0 and rod.gravity is not None:
+        first = bend(rod, guess=rod.angle)  # on the nodes of the other one, so that their difference is creep
+        try:
+            later = bend(_softened(first, 1 + phi), guess=rod.angle)
+        except NotConvergedError as problem:
+            raise NotConvergedError(
+                f"with a creep factor of {phi:g} no shape is left near the first: it collapses under its weight; "
+                "take a stiffer sheet or support it"
+            ) from problem
+    return Creep(phi, first, later, exact=rod.law is None)
+
+
+def require_creep(factor: object) -> float:
+    """A creep factor, checked.
+
+    Raises
+    ------
+    InputError
+        Negative, not finite, or no number.
+    """
+    if isinstance(factor, bool) or not isinstance(factor, int | float | np.number) or not np.isfinite(factor):
+        raise InputError(f"creep is {factor!r}: give the creep factor, a number of 0 or more, such as 0.8")
+    if factor < 0:
+        raise InputError(f"creep is {factor:g}: it must be 0 or more; plywood indoors has 0.8 (Eurocode 5)")
+    return float(factor)
+
+
+def _softened(rod: Rod, times: float) -> Rod:
+    """The rod with its modulus divided, its weight kept."""
+    assert rod.gravity is not None
+    softer = replace(rod, gravity=rod.gravity.scaled(times))
+    if rod.bending_stiffness is None:
+        return softer
+    return replace(softer, bending_stiffness=rod.bending_stiffness / times)

@@ -1,0 +1,159 @@
+"""Creep: both limits in time of a standard linear solid, marched through time by a solver of its own."""
+
+import json
+
+import numpy as np
+import pytest
+from scipy.optimize import root
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.strip_spec import StripSpec
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.loads.weight import PointMass, Weight
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.studies.creep import creep
+
+pytestmark = pytest.mark.core
+
+LENGTH, EDGES, PHI = 200.0, 60, 0.8
+HEAVY = Gravity(110.0)
+SHARES = np.full(EDGES + 1, 1.0 / EDGES)
+SHARES[[0, -1]] /= 2
+K = 1 + 0.5 * np.sin(np.linspace(0, 3, EDGES + 1)) ** 2
+K /= K.min()
+
+
+def aged(supports, end, times):
+    """Edge angles of a strip under its weight after given times (relaxation times), from the elastic shape on.
+
+    Each node is a spring of share 1 / (1 + phi) beside a spring and dashpot in series; implicit Euler, small steps
+    first. What the dashpots hold is a natural curvature to the elastic strip. Unknowns: angles, force at the end.
+    """
+    slow = PHI / (1 + PHI)
+    w, load = LENGTH * SHARES, LENGTH * SHARES * K / HEAVY.length**3
+    edge = LENGTH / EDGES
+    held = np.zeros(EDGES + 1)  # curvature that the dashpots have taken
+
+    def bend_of(angles):
+        kappa = np.zeros(EDGES + 1)
+        kappa[:-1] = np.diff(angles, prepend=0.0) / w[:-1]
+        kappa[-1] = -angles[-1] / w[-1] if supports == "clamped" else kappa[-1]
+        return kappa
+
+    def imbalance(unknown, taken):
+        angles, pull = unknown[:EDGES], unknown[EDGES:]
+        moment = K * (bend_of(angles) - slow * taken)
+        if supports == "free":
+            moment[-1] = 0.0
+        down = np.cumsum(load[::-1])[::-1][1:]  # weight beyond each edge
+        fx, fy = (pull[0], pull[1]) if pull.size else (0.0, 0.0)
+        off = np.diff(moment) + edge * ((fy - down) * np.cos(angles) - fx * np.sin(angles))
+        if not pull.size:
+            return off * LENGTH
+        reach = edge * np.array([np.cos(angles).sum(), np.sin(angles).sum()]) - end
+        return np.concatenate([off * LENGTH, reach / LENGTH])
+
+    found = []
+    unknown = np.zeros(EDGES)
+    if supports == "clamped":
+        wave = 1.2 * np.sin(2 * np.pi * np.arange(0.5, EDGES) / EDGES)
+        unknown = np.concatenate([wave, np.zeros(2)])
+    unknown = root(imbalance, unknown, args=(held,), tol=1e-13).x
+    now = 0.0
+    for until in times:
+        while now < until:
+            step = max(0.25, 0.3 * now)
+            for _ in range(2):  # the strain of this step's end
+                kappa = bend_of(unknown[:EDGES])
+                taken = (held + step * kappa) / (1 + step)
+                unknown = root(imbalance, unknown, args=(taken,), tol=1e-13).x
+            held, now = taken, now + step
+        found.append(unknown[:EDGES])
+    return found
+
+
+def points(angles):
+    return (
+        LENGTH
+        / EDGES
+        * np.concatenate([np.zeros((1, 2)), np.column_stack([np.cos(angles), np.sin(angles)])]).cumsum(axis=0)
+    )
+
+
+@pytest.mark.parametrize("kind", ["free", "clamped"])
+def test_both_limits_in_time(kind):
+    end = np.array([150.0, 0.0])
+    first, last = (points(a) for a in aged(kind, end, (0.0, 1e12)))
+    straight = Rod.straight(LENGTH, K, gravity=HEAVY, supports=Supports(end=kind))
+    if kind == "free":
+        rod = bend(straight, guess=np.zeros(EDGES + 1))
+    else:
+        rod = bend(straight, end=end)
+    found = creep(rod, PHI)
+    assert np.abs(found.rod.position - first).max() < 1e-6 * LENGTH
+    assert np.abs(found.later.position - last).max() < 1e-6 * LENGTH
+    assert found.sag > 5e-4 * LENGTH
+    assert found.exact
+
+
+def test_without_weight_the_shape_stays_and_the_forces_fall():
+    rod = bend(Rod.straight(LENGTH, K), end=(140.0, 0.0))
+    found = creep(rod, 1.0)
+    assert found.sag == 0
+    assert np.allclose(found.end_forces, rod.force[[0, -1]] / 2)
+
+
+def test_let_go_it_keeps_a_share_of_its_bend():
+    """A quarter circle held for long: phi / (1 + phi) of its curvature at first, without any moment."""
+    turn = np.linspace(0, np.pi / 2, 201)
+    arc = 100 * np.column_stack([np.sin(turn), 1 - np.cos(turn)])
+    rod = bend(
+        Rod.straight(50 * np.pi, samples=201), start=arc[0], end=arc[-1], angles=(0, np.pi / 2), guess=turn
+    )
+    let_go = creep(rod, 0.8).released()
+    assert np.allclose(let_go.curvature[1:-1], 0.8 / 1.8 / 100, rtol=1e-4)
+    assert np.abs(let_go.moment).max() < 1e-9
+
+
+def test_hung_masses_weigh_the_same_on_a_softer_strip():
+    """Twice as soft is as if everything weighed twice as much."""
+    load = Weight(alpha=2e-4, masses=(PointMass(90.0, 3.0),))
+    heavy = Weight(alpha=4e-4, masses=(PointMass(90.0, 6.0),))
+    rods = [Rod.straight(LENGTH, gravity=HEAVY, weight=one, bending_stiffness=2e3) for one in (load, heavy)]
+    light, weighty = (bend(rod, end=(160.0, 0.0)) for rod in rods)
+    assert np.abs(creep(light, 1.0).later.position - weighty.position).max() < 1e-7
+
+
+def test_what_creep_tells_of_a_strip():
+    arch = PlaneCurve.ellipse((0, 0), (300, 150), start=0, end=np.pi)
+    sheet = Sheet("thin", 1.0, 9000.0, 700.0, max_strain=0.02)
+    spec = StripSpec(arch, sheet, max_width=30.0, gravity=True, creep=PHI)
+    strip = spec.make()
+    assert strip.crept.sag > 0
+    assert "sags" in str(strip.crept)
+    assert "keeps 44 % of its bend" in str(strip.crept)
+    tight = spec.changed(sheet=Sheet("tight", 1.0, 9000.0, 700.0, max_strain=0.008)).make()
+    assert any("creep is not linear" in warning for warning in tight.warnings)
+    from elastica_cad.formats.reports.strip_report import report_strip
+
+    record = report_strip(strip, name="arch", files={})["creep"]
+    assert record["basis"] == "exact"
+    assert record["sag"] == pytest.approx(strip.crept.sag, rel=1e-9)
+    assert json.dumps(record)
+
+
+@pytest.mark.parametrize("wrong", [-0.1, np.nan, "much", True])
+def test_a_factor_that_makes_no_sense(wrong):
+    with pytest.raises(InputError, match="creep is"):
+        creep(Rod.straight(10.0), wrong)
+
+
+def test_a_strip_that_collapses_says_so():
+    column = Rod.straight(300.0, angle=np.pi / 2, gravity=Gravity(160.0), supports=Supports(end="free"))
+    found = creep(bend(column), 1.0)
+    assert not found.stability.stable
+    assert "no longer stays" in str(found)
