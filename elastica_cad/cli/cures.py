@@ -145,7 +145,7 @@ def _mends_in_turn(
             tried = Path(folder) / path.name
             tried.write_text(changed, encoding="utf-8")
             gave, refusal = run(tried)
-        told = mend.format(file=path.name)
+        told = mend.replace("{file}", path.name)
         if gave is not None:
             yield told, gave
         elif refusal:

@@ -331,3 +331,11 @@ def test_the_model_is_written_for_screens(design, tmp_path):
     low, high = scene.bounds * 1000  # y is up, in m
     assert high[1] == pytest.approx(100.4, abs=0.2)
     assert low[1] < 0
+
+
+def test_a_slip_beside_braces_is_mended_too(tmp_path):
+    """What stands in the file may hold braces, which are no gaps of a sentence."""
+    (tmp_path / "a.toml").write_text('schema = 1\nsheet = birch{plywood\n[[strips]]\nlabel = "A{i"\n')
+    done = run("model", tmp_path / "a.toml", "-o", tmp_path / "out")
+    assert done.exit_code == 2
+    assert "is no TOML file" in done.output
