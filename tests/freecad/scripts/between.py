@@ -49,7 +49,7 @@ def told(drawn):
 
 
 def pull(tool, handle, dx, dy):
-    """A handle, by the mouse; how often the curve was found meanwhile."""
+    """A handle, left of where 1.1 lays its panel: does the curve follow the mouse, does the sketch wait?"""
     x, y = on_screen(*tool.preview.handles.places[handle])
     solved = []
     usual = tool._solve
@@ -89,7 +89,7 @@ def work():
     answers["words"] = tool.card.words.text()
     picture("new.png")
     steps = document.UndoCount
-    answers["end pulled"] = [*pull(tool, 1, -60, -40), told(drawn), document.UndoCount - steps]
+    answers["end pulled"] = [*pull(tool, 0, 60, -40), told(drawn), document.UndoCount - steps]
     answers["tangent pulled"] = [*pull(tool, 2, 40, 60), told(drawn), spline_of(drawn).NbPoles]
     before = tool.card.words.text()
     click(tool.card.side)
@@ -128,7 +128,7 @@ def work():
     strip = document.getObject("Strip")
     answers["strip"] = [strip.State, strip.Ratio]
     Gui.Control.closeDialog()
-    line = sketch(document, [(0, 0), (10, 0), (20, 0), (30, 0), (40, 0)], name="Line")
+    line = sketch(document, [(0, 0), (10, 0), (20, 0), (30, 0), (40, 0)], name="Line", poles=False)
     line.delGeometry(0)
     import Part
 
@@ -146,7 +146,7 @@ def work():
     press("Elastica_Between")
     wait(300)
     answers["with poles"] = told(arch)
-    answers["poles go"] = [*pull(between_clamps.running(), 1, -20, 10), told(arch)]
+    answers["poles go"] = [*pull(between_clamps.running(), 0, 20, 10), told(arch)]
     App.closeDocument(document.Name)
     wait(300)
     answers["closed with its document"] = between_clamps.running() is None
