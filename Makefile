@@ -13,11 +13,15 @@ define install
 	else cat $(1)/pip.log; exit 1; fi
 endef
 
-.PHONY: demo test lint test-core test-kernels test-freecad test-programs freecad benchmark campaign campaign-trust clean
+.PHONY: demo docs test lint test-core test-kernels test-freecad test-programs freecad benchmark campaign campaign-trust clean
 
 demo: $(VENV)/demo-installed
 	$(BIN)/elastica strip examples/arch/arch.dxf --sheet birch-plywood-0.8 --max-width 40 \
 		--label ARCH --output $(OUT)/arch --force
+
+# The manual as a site in out/manual; a warning is an error.
+docs: $(VENV)/docs-installed
+	$(BIN)/python -m sphinx -W --keep-going -b html docs $(OUT)/manual
 
 test: lint test-core test-freecad test-kernels test-programs
 	$(BIN)/python -m pytest -n 2 --ignore=tests/freecad --ignore=tests/benchmarks --ignore=tests/programs
@@ -88,6 +92,9 @@ $(VENV)/created:
 
 $(VENV)/demo-installed: $(VENV)/created pyproject.toml
 	$(call install,$(VENV),--editable ".[plot]")
+
+$(VENV)/docs-installed: $(VENV)/created pyproject.toml
+	$(call install,$(VENV),--editable ".[plot$(COMMA)docs]")
 
 $(VENV)/test-installed: $(VENV)/created pyproject.toml
 	$(call install,$(VENV),--editable ".[plot$(COMMA)dev]" "build123d==0.12.0" "cadquery==2.8.0")

@@ -103,7 +103,7 @@ class Limits:
     margin : float, optional
         Least stability margin (see `stability`); 0 is the border of stability, 5 is safely stable.
     curvature : float, optional
-        Largest |kappa - kappa_0|, 1/mm.
+        Largest size of kappa - kappa_0, 1/mm.
     sheet : Sheet, optional
         Limits the curvature to what its skin can take: 2 strain / thickness.
     strain : float, optional

@@ -286,7 +286,7 @@ class Rod:
         """The shape as a spline: the drawn curve where there is one, else of degree 5.
 
         Of a discrete rod it has the rod's length, end positions and end angles, and passes the nodes at about
-        h^2 |kappa| / 24, the edge length being h (see `integrate_edges`); through nodes that are samples of a curve
+        h^2 kappa / 24, the edge length being h (see `integrate_edges`); through nodes that are samples of a curve
         it is a fit.
         """
         if self.shape is not None:

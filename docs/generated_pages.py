@@ -1,0 +1,126 @@
+"""Reference pages that the code itself tells: commands and their options, public names, sheets, templates."""
+
+import inspect
+import os
+from pathlib import Path
+
+import click
+
+import elastica_cad as ec
+from elastica_cad.cli.commands import elastica as main
+
+NAMES = {
+    "Curves": (
+        "PlaneCurve", "read_curves", "write_curves", "four_point_map", "Path", "Profile", "Frame",
+    ),
+    "Can it be bent?": ("check_equilibrium", "EquilibriumCheck", "NotRealizable", "split"),
+    "Rods": (
+        "optimal_rod", "Rod", "bend", "stability", "Stability", "Supports", "End", "Gravity", "Weight", "PointMass",
+    ),
+    "The nearest rod": (
+        "nearest_rod", "nearest_rods", "NearestRod", "Status", "Limits", "Keep", "Box", "HalfPlane",
+    ),
+    "Strips": (
+        "StripSpec", "make_strip", "Strip", "Plain", "Perforated", "Laminated", "Tab", "Hole", "Slot", "Shop",
+        "Drawing", "save",
+    ),
+    "Sheets": ("Sheet", "sheet_names", "load_sheets"),
+    "Models": ("Model", "Placed", "save_model", "revolution", "revolve", "meridian", "meridian_through",
+               "touching_widths"),
+    "Errors": ("ElasticaError", "InputError", "NotConvergedError", "MissingDependencyError"),
+}  # fmt: skip
+"""Public names in the order in which a curve meets them; a test holds that none is left out."""
+
+WIDTH = 88
+"""Columns of a command's help, as on a terminal."""
+
+
+def write(folder: Path) -> None:
+    """Write all generated pages; a page that is as it was keeps its date."""
+    pages = {
+        "command_line.md": command_line(),
+        "python.md": python(),
+        "sheets.md": sheets(),
+        "design_files.md": design_files(),
+    }
+    for name, text in pages.items():
+        path = folder / name
+        if not path.exists() or path.read_text(encoding="utf-8") != text:
+            path.write_text(text, encoding="utf-8")
+
+
+def command_line() -> str:
+    """Each command with its own help."""
+    context = click.Context(main, info_name="elastica", max_content_width=WIDTH, terminal_width=WIDTH)
+    parts = ["# Command line", "", "What `elastica --help` and `elastica COMMAND --help` print.", ""]
+    parts += [_help(main, context)]
+    for name in main.list_commands(context):
+        command = main.get_command(context, name)
+        inner = click.Context(
+            command, info_name=name, parent=context, max_content_width=WIDTH, terminal_width=WIDTH
+        )
+        parts += [f"## elastica {name}", "", _help(command, inner)]
+    return "\n".join(parts)
+
+
+def _help(command: click.Command, context: click.Context) -> str:
+    os.environ.setdefault("COLUMNS", str(WIDTH))
+    return f"```{{code-block}} none\n{command.get_help(context)}\n```\n"
+
+
+def python() -> str:
+    """Every public name with its docstring."""
+    parts = [
+        "# Python",
+        "",
+        "Lengths are mm, angles rad, moduli MPa, densities kg/m3, unless a name says else.",
+        "",
+    ]
+    for title, names in NAMES.items():
+        parts += [f"## {title}", ""]
+        for name in names:
+            thing = getattr(ec, name)
+            kind = "autofunction" if inspect.isfunction(thing) else "autoclass"
+            if inspect.isclass(thing) and issubclass(thing, Exception):
+                kind = "autoexception"
+            members = "   :members:\n" if inspect.isclass(thing) else ""
+            where = f"elastica_cad.{name}"
+            parts += [f"### {name}", "", f"```{{eval-rst}}\n.. {kind}:: {where}\n{members}```", ""]
+    return "\n".join(parts)
+
+
+def sheets() -> str:
+    """The library of sheets with its sources."""
+    parts = [
+        "# Sheets",
+        "",
+        "Every sheet that commands and scripts know by name. Stiffness and largest strain vary from batch to "
+        "batch: [a coupon](../how_to/own_material.md) tells those of yours.",
+        "",
+        "| name | thickness, mm | E, MPa | density, kg/m3 | largest strain | source |",
+        "| --- | --- | --- | --- | --- | --- |",
+    ]
+    for name in ec.sheet_names():
+        sheet = ec.Sheet.named(name)
+        source = " ".join(str(sheet.source).split()).replace("|", "/")
+        parts.append(
+            f"| `{name}` | {sheet.thickness:g} | {sheet.youngs_modulus:g} | {sheet.density:g} | "
+            f"{100 * sheet.max_strain:.2g} % | {source} |"
+        )
+    return "\n".join([*parts, ""])
+
+
+def design_files() -> str:
+    """The commented design files that `elastica new` writes."""
+    folder = Path(ec.__file__).parent / "cli" / "templates"
+    parts = [
+        "# Design files",
+        "",
+        "A design file is TOML with `schema = 1`; `elastica model FILE.toml` makes it. A number may be a formula "
+        "in quotes; a key that nobody knows is refused with the nearest one that is known. "
+        "`elastica new KIND` writes these:",
+        "",
+    ]
+    for path in sorted(folder.glob("*.toml")):
+        parts += [f"## {path.stem}", "", f"```toml\n{path.read_text(encoding='utf-8')}```", ""]
+    return "\n".join(parts)

@@ -1,0 +1,98 @@
+"""Walks a built site in Chromium as a reader does: python crawl_site.py FOLDER [--pictures FOLDER].
+
+Every page is opened at a desk's and at a phone's width. Told are links and pictures that lead nowhere, pages wider
+than a phone, what the browser complains about, and what axe finds against WCAG 2.1 A and AA.
+"""
+
+import argparse
+import sys
+import threading
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from importlib.resources import files
+from pathlib import Path
+from urllib.parse import urldefrag
+
+from selenium import webdriver
+from selenium.webdriver.chrome.service import Service
+
+DESK, PHONE = (1280, 900), (390, 844)
+"""Width and height of windows, px."""
+
+AXE = """
+const done = arguments[arguments.length - 1];
+axe.run(document, {runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa"]})
+   .then(found => done(found.violations.map(v => v.id + ": " + v.nodes.map(n => n.target.join(" ")).join(", "))));
+"""
+LINKS = "return [...document.querySelectorAll('a[href]')].map(a => a.href)"
+BROKEN = "return [...document.images].filter(i => !i.complete || !i.naturalWidth).map(i => i.src)"
+ANCHOR = "return document.getElementById(arguments[0]) !== null"
+WIDER = "return document.documentElement.scrollWidth - window.innerWidth"
+
+
+class _Quiet(SimpleHTTPRequestHandler):
+    def log_message(self, *_):
+        """Nothing."""
+
+
+def main() -> None:
+    """Exit with what is wrong, a line each."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("site", type=Path)
+    parser.add_argument("--pictures", type=Path)
+    asked = parser.parse_args()
+    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(_Quiet, directory=str(asked.site)))
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    pages, wrong = crawl(f"http://127.0.0.1:{server.server_port}/", asked.pictures)
+    server.shutdown()
+    print(f"{len(pages)} pages")
+    sys.exit("\n".join(wrong) or None)
+
+
+def crawl(home: str, pictures: Path | None) -> tuple[list[str], list[str]]:
+    """Every page that links lead to from the first, and what is wrong with them."""
+    options = webdriver.ChromeOptions()
+    for flag in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"):
+        options.add_argument(flag)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    browser = webdriver.Chrome(options=options, service=Service("/usr/bin/chromedriver"))
+    browser.set_script_timeout(300)
+    axe = files("axe_core_python").joinpath("axe.min.js").read_text(encoding="utf-8")
+    waiting, pages, wrong, targets = [f"{home}index.html"], [], [], set()
+    try:
+        while waiting:
+            page = waiting.pop()
+            pages.append(page)
+            name = page.removeprefix(home)
+            for width, height in (PHONE, DESK):
+                browser.set_window_size(width, height)
+                browser.get(page)
+                if browser.execute_script(WIDER) > 0:
+                    wrong.append(f"{name}: wider than {width} px")
+                browser.execute_script(axe)
+                wrong += [f"{name}, {width} px: {one}" for one in browser.execute_async_script(AXE)]
+                if pictures is not None:
+                    pictures.mkdir(parents=True, exist_ok=True)
+                    browser.save_screenshot(pictures / f"{name.replace('/', '-')}-{width}.png")
+            wrong += [f"{name}: no picture {one}" for one in browser.execute_script(BROKEN)]
+            wrong += [f"{name}: {entry['message']}" for entry in browser.get_log("browser")]
+            for link in browser.execute_script(LINKS):
+                if not link.startswith(home):
+                    continue
+                file, anchor = urldefrag(link)
+                targets.add((name, file, anchor))
+                if file.endswith(".html") and file not in pages and file not in waiting:
+                    waiting.append(file)
+        for name, file, anchor in sorted(targets, key=lambda one: one[1:]):
+            if file.endswith(".html") and anchor:
+                if browser.current_url != file:
+                    browser.get(file)
+                if not browser.execute_script(ANCHOR, anchor):
+                    wrong.append(f"{name}: nothing called {anchor} in {file.removeprefix(home)}")
+    finally:
+        browser.quit()
+    return pages, wrong
+
+
+if __name__ == "__main__":
+    main()
