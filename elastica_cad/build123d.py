@@ -16,7 +16,7 @@ except ImportError as error:
 
 from elastica_cad.fabrication.drawings.sheet_colors import FIXTURE_COLOR, sheet_color
 from elastica_cad.fabrication.solids.prisms import PrismSolid
-from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
+from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord, FlatSolid
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
@@ -257,7 +257,7 @@ class _StripPart(_Made, bd.BasePartObject):
         stands = isinstance(records[0], BentSolid)
         _dress(self, replace(made, home=records[0].joints["start"]) if stands else made)
 
-    def _records(self, made: MadeStrip) -> Sequence[FlatSolid | BentSolid]:
+    def _records(self, made: MadeStrip) -> Sequence[BodyRecord]:
         raise NotImplementedError
 
 
@@ -268,7 +268,7 @@ class FlatStrip(_StripPart):
     outward along the strip. Parameters, errors and frame as in `StripOutline`.
     """
 
-    def _records(self, made: MadeStrip) -> Sequence[FlatSolid | BentSolid]:
+    def _records(self, made: MadeStrip) -> Sequence[BodyRecord]:
         return FlatSolid.layers(made.strip)
 
 
@@ -279,7 +279,7 @@ class BentStrip(_StripPart):
     `FlatStrip`, parameters and errors as in `StripOutline`.
     """
 
-    def _records(self, made: MadeStrip) -> Sequence[FlatSolid | BentSolid]:
+    def _records(self, made: MadeStrip) -> Sequence[BodyRecord]:
         return BentSolid.layers(made.strip, made.frame)
 
 
@@ -601,7 +601,7 @@ def _child(part: "AssemblyPart", solids: list[bd.Solid]) -> bd.Part:
     return child
 
 
-def _jointed(records: Sequence[FlatSolid | BentSolid]) -> bd.Solid | bd.Part:
+def _jointed(records: Sequence[BodyRecord]) -> bd.Solid | bd.Part:
     """The sheets of a strip with the joints of its base."""
     solids = _solids(records)
     body = solids[0] if len(solids) == 1 else bd.Part(bd.Compound(solids).wrapped)
@@ -609,11 +609,11 @@ def _jointed(records: Sequence[FlatSolid | BentSolid]) -> bd.Solid | bd.Part:
     return body
 
 
-def _solids(records: Sequence[FlatSolid | BentSolid | PrismSolid]) -> list[bd.Solid]:
+def _solids(records: Sequence[BodyRecord | PrismSolid]) -> list[bd.Solid]:
     return [bd.Solid(occt.make_solid(record)) for record in records]
 
 
-def _join(shape: Any, record: FlatSolid | BentSolid | PrismSolid) -> None:
+def _join(shape: Any, record: BodyRecord | PrismSolid) -> None:
     for name, frame in record.joints.items():
         bd.RigidJoint(name, shape, bd.Location(occt.make_location(frame)))
 

@@ -20,7 +20,7 @@ except ImportError as error:
 
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
 from elastica_cad.fabrication.solids.prisms import PrismSolid
-from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
+from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord, FlatSolid
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
@@ -641,9 +641,7 @@ def _designed(path: Drawn, sheet: Sheet | str | None, **options: Any) -> MadeStr
     return make_strip_on(edges, sheet, **(drawn_on | options))
 
 
-def _body(
-    records: Sequence[FlatSolid | BentSolid | PrismSolid], made: MadeStrip
-) -> StripSolid | StripCompound:
+def _body(records: Sequence[BodyRecord | PrismSolid], made: MadeStrip) -> StripSolid | StripCompound:
     solids = [occt.make_solid(record) for record in records]
     shape: StripSolid | StripCompound
     if len(solids) == 1:

@@ -15,6 +15,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.tapered_sections import ThicknessLaw
 
 CARD = Sheet.named("card-200gsm")
 ARCH = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]
@@ -132,6 +133,18 @@ ASKED = {
          "EndTabKeys": "length = 8, corner_radius = 1",
          "Slots": ["at = 40, width = 1.2, side = 'lower'",
                    "at = 80, width = 1.5, depth = 4, lean = 0.1, relief = 'round', mate = 'B'"]},
+    ),
+    "tapered": Asked(
+        {"law": ThicknessLaw(CARD, 0.1, 0.5, width=12.0)},
+        "--law 'kind = \"thickness\", limits = [0.1, 0.5], width = 12'",
+        "law = { kind = 'thickness', limits = [0.1, 0.5], width = 12 }",
+        {"Law": "kind = 'thickness', limits = [0.1, 0.5], width = 12"},
+    ),
+    "tapered with weight": Asked(
+        {"law": ThicknessLaw(CARD, 0.1, 0.5, width=12.0), "gravity": (0.0, -1.0)},
+        "--law 'kind = \"thickness\", limits = [0.1, 0.5], width = 12' --gravity",
+        "law = { kind = 'thickness', limits = [0.1, 0.5], width = 12 }\ngravity = true",
+        {"Law": "kind = 'thickness', limits = [0.1, 0.5], width = 12", **DOWN},
     ),
     "natural curvature": Asked(
         {"max_width": 20.0, "natural_curvature": 0.002}, "--max-width 20 --natural-curvature 0.002",

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Mapping
+from functools import partial
 from typing import Any
 
 import click
@@ -26,6 +27,7 @@ from elastica_cad.formats.design_files.strip_records import (
     parse_line,
     parse_lines,
     read_keep_out,
+    read_law,
     read_loads,
     read_slot,
     read_stiffness_bounds,
@@ -38,6 +40,7 @@ from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN
 
 TAB_LENGTH_MM = 10.0
@@ -54,7 +57,7 @@ OPTION_OF = {
     "natural curvature": "--natural-curvature", "natural_curvature": "--natural-curvature",
     "limits": "--nearest and the limits", "gravity": "--gravity", "width of the outline": "--outer-width",
     "width of the base": "--outer-width", "smooth": "--smooth", "anyway": "--anyway",
-    "least_width": "--least-width",
+    "least_width": "--least-width", "law": "--law",
 }  # fmt: skip
 """Options for what the sentences of `StripSpec` name by its fields."""
 
@@ -74,6 +77,9 @@ _STYLE = (
                  help="Make up in the widths for slots, narrow tabs, leaning ligaments, anticlastic bending."),
     click.option("--creep", type=float, default=0.0, metavar="PHI",
                  help="Creep factor in the long run: tells sag and forces. Plywood indoors: 0.8 (Eurocode 5)."),
+    click.option("--law", metavar="KEYS",
+                 help="Stiffness from thickness or diameter: 'kind = \"thickness\", limits = [3, 8], width = 20', "
+                      "'kind = \"rod\", limits = [3, 8]', or 'tube' with 'bore = 0.7'."),
     click.option("--style", type=click.Choice(["plain", "perforated", "laminated"]), default="plain",
                  show_default=True, help="How stiffness becomes material."),
     click.option("--outer-width", type=LENGTH, metavar="MM", help="Width of a perforated or laminated strip."),
@@ -192,6 +198,7 @@ def spec_from_options(curve: PlaneCurve, label: str, chosen: Mapping[str, Any]) 
             shop=_shop(chosen),
             compensate=chosen["compensate"],
             creep=chosen["creep"],
+            law=_law(chosen, sheet),
             anyway=chosen["anyway"],
         )
     except InputError as problem:
@@ -202,6 +209,12 @@ def _options_named(sentence: str) -> str:
     """The options that set what a sentence names by its fields."""
     found = [option for name, option in OPTION_OF.items() if re.search(rf"\b{name}\b", sentence)]
     return f" ({', '.join(dict.fromkeys(found))})" if found and "--" not in sentence else ""
+
+
+def _law(chosen: Mapping[str, Any], sheet: Sheet) -> BoundedLaw | None:
+    return (
+        None if chosen["law"] is None else parse_line(chosen["law"], "--law", partial(read_law, sheet=sheet))
+    )
 
 
 def _shop(chosen: Mapping[str, Any]) -> Shop:

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, cast
 
 import numpy as np
 
@@ -30,6 +30,8 @@ from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.cross_sections import LaminatedSection
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
+from elastica_cad.mechanics.material.tapered_sections import WidthLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.studies.creep import require_creep
 
@@ -86,6 +88,10 @@ class StripSpec(EqualByValue):
     creep : float
         Creep factor phi of the sheet in the long run, 0 for none: sag, forces and springback are told, see
         `Strip.crept`.
+    law : BoundedLaw, optional
+        What stiffness is made of instead of width: `ThicknessLaw` or `RoundLaw` of the sheet's material; or
+        `WidthLaw`, for a plain strip that bends as a beam where it is narrow and as a plate where it is wide,
+        station by station, and so carries its weight. Its limits stand for `max_width` and `min_width`.
     anyway : bool
         Make a strip that the workshop cannot, and say so in its warnings.
 
@@ -124,6 +130,7 @@ class StripSpec(EqualByValue):
     shop: Shop = DEFAULT_SHOP
     compensate: bool = False
     creep: float = 0.0
+    law: BoundedLaw | None = None
     anyway: bool = False
 
     def __post_init__(self) -> None:
@@ -141,7 +148,9 @@ class StripSpec(EqualByValue):
             raise InputError(
                 f"style is {self.style!r}: give Plain(), Perforated(width=...) or Laminated(width=..., backing=...)"
             )
-        if isinstance(self.style, Plain) and not (self.max_width or self.min_width or self.loads):
+        if self.law is not None:
+            _check_law(self)
+        elif isinstance(self.style, Plain) and not (self.max_width or self.min_width or self.loads):
             raise InputError(NO_WIDTH)
         ends, slots = _several("ends", self.ends, Tab, "Tab"), _several("slots", self.slots, Slot, "Slot")
         if len(ends) != 2:
@@ -231,6 +240,21 @@ class StripSpec(EqualByValue):
             keep=self.keep,
             layers=layers,
             smooth=self.smooth,
+            section=self._section(share),
+        )
+
+    def _section(self, share: float) -> BoundedLaw | None:
+        """The law with the weight that pulls in the plane."""
+        law = self.law
+        if law is None:
+            return None
+        sheet = getattr(law, "sheet", None)
+        if abs(share - 1.0) < SAME_LENGTH or not isinstance(sheet, Sheet):
+            return law
+        lighter: Any = law
+        return cast(
+            BoundedLaw,
+            replace(lighter, sheet=replace(sheet, density=share * sheet.density, density_range=None)),
         )
 
     @property
@@ -239,6 +263,8 @@ class StripSpec(EqualByValue):
         limits = Limits() if self.limits is None else self.limits
         if self.anyway or not isinstance(limits, Limits):  # the rod's request refuses what is no record
             return limits
+        if self.law is not None:
+            return limits if limits.sheet is not None else replace(limits, sheet=self.material)
         if limits.sheet is None:
             limits = replace(limits, sheet=self.material)
         if isinstance(self.style, Plain) and self.max_width is not None:
@@ -320,6 +346,21 @@ class StripSpec(EqualByValue):
             LaminatedSection(self.material, style.backing),
             width_profile(style.width, self._bent.length, "the width of the base"),
             style.least_backing,
+        )
+
+
+def _check_law(spec: StripSpec) -> None:
+    shaped = bool(spec.slots) or any(tab != Tab(tab.length) for tab in spec.ends)
+    shaped = shaped and not isinstance(spec.law, WidthLaw)
+    if not isinstance(spec.style, Plain) or spec.max_width or spec.min_width or shaped:
+        raise InputError(
+            "a law says what the section is and how large: leave out style, slots, max_width and min_width, and "
+            "give tabs a length only, or leave out law"
+        )
+    sheet = getattr(spec.law, "sheet", spec.material)
+    if sheet != spec.material:
+        raise InputError(
+            f"the law is of {sheet.name}, the strip of {spec.material.name}: give both the same sheet"
         )
 
 

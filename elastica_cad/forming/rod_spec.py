@@ -23,6 +23,7 @@ from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.cross_sections import LaminatedSection
+from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.optimal_laminate import optimal_laminate
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
@@ -68,6 +69,8 @@ class RodSpec(EqualByValue):
         Of a laminate that feels its weight.
     smooth : float, optional
         How far the curve may be moved to make it fair, mm: see `smooth_curve`.
+    section : BoundedLaw, optional
+        What stiffness is made of, as in `optimal_rod`.
 
     Raises
     ------
@@ -85,6 +88,7 @@ class RodSpec(EqualByValue):
     keep: Keep | None = None
     layers: LaminateLayers | None = None
     smooth: float | None = None
+    section: BoundedLaw | None = None
 
     def __post_init__(self) -> None:
         require_curve(self.curve)
@@ -156,6 +160,7 @@ class RodSpec(EqualByValue):
                 self.keep,
                 self.gravity,
                 supports=self.supports,
+                section=self.section,
             )
         if self.layers is not None and self.gravity is not None:
             return optimal_laminate(
@@ -175,6 +180,7 @@ class RodSpec(EqualByValue):
             self.natural_curvature,
             self.samples,
             weight=self.weight,
+            section=self.section,
         )
 
 

@@ -61,7 +61,7 @@ class SectionScale:
     def carried_by(self, rod: Rod, stiffness: FloatArray) -> Rod:
         """The rod with its scale, and under gravity the weight of nodal K (n,) of the search."""
         EI = self.scale * stiffness
-        scaled = replace(rod, bending_stiffness=float(EI.min()))
+        scaled = replace(rod, bending_stiffness=float(EI.min()), section=self.law)
         if rod.gravity is None:
             return scaled
         tangent = TangentWeight.of(self.law, EI)

@@ -26,7 +26,7 @@ from elastica_cad.fabrication.solids.boundary_records import (
     trace_turn,
 )
 from elastica_cad.fabrication.solids.prisms import PrismSolid
-from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
+from elastica_cad.fabrication.solids.strip_solids import BodyRecord, FlatSolid
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
@@ -114,7 +114,7 @@ def make_face(outline: Path, holes: Sequence[Path] = (), frame: Frame | None = N
     return face
 
 
-def make_solid(record: FlatSolid | BentSolid | PrismSolid) -> Shape:
+def make_solid(record: BodyRecord | PrismSolid) -> Shape:
     """A record as a TopoDS_Solid."""
     k = kernel()
     if isinstance(record, PrismSolid):

@@ -23,6 +23,7 @@ from elastica_cad.kernel.occt import Shape, make_face, make_solid
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
 
@@ -78,6 +79,7 @@ class StripOptions(TypedDict, total=False):
     shop: "Shop"
     compensate: bool
     creep: float
+    law: BoundedLaw | None
     anyway: bool
 
 

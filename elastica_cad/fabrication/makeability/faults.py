@@ -85,6 +85,8 @@ def find_strip_faults(strip: Strip, shop: Shop | None = None) -> tuple[Fault, ..
     >>> print(find_strip_faults(thin)[0])  # doctest: +ELLIPSIS
     A: only 1.5 mm wide at ... mm along it, 3 mm are needed in birch-plywood-0.8; make it wider ...
     """
+    if strip.layout.size is not None:  # not cut from a sheet: its law has limits of its own
+        return ()
     shop = shop or Shop()
     name = strip.label or "strip"
     joined = shop.lap is not None and isinstance(strip.style, Plain)  # of pieces

@@ -13,7 +13,7 @@ from elastica_cad.fabrication.holders.ring_plate import Ring
 from elastica_cad.fabrication.holders.slotted_frame import Rib, SlottedFrame
 from elastica_cad.fabrication.placed_strip import Placed, strip_names
 from elastica_cad.fabrication.solids.prisms import PrismSolid
-from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
+from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
 
@@ -42,7 +42,7 @@ class AssemblyPart:
     """
 
     name: str
-    solids: tuple[BentSolid | FlatSolid | PrismSolid, ...]
+    solids: tuple[BodyRecord | PrismSolid, ...]
     colors: tuple[Color, ...]
     frame: Frame = field(default_factory=Frame)
     strip: Strip | None = None
@@ -66,7 +66,7 @@ def assembly_parts(placed: Sequence[Placed], holders: Iterable[Holder] = ()) -> 
     InputError, NotConvergedError
         Something else among the holders, and as `BentSolid.of`.
     """
-    solids: dict[int, tuple[BentSolid, ...]] = {}
+    solids: dict[int, tuple[BodyRecord, ...]] = {}
     strips = []
     for name, one in zip(strip_names(placed), placed, strict=True):
         strip = one.strip

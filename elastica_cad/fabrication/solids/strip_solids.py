@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise, product
+from typing import TypeAlias
 
 import numpy as np
 
@@ -15,10 +16,13 @@ from elastica_cad.fabrication.solids.boundary_records import (
 )
 from elastica_cad.fabrication.solids.joint_places import joint_places, levels, turned, with_faces
 from elastica_cad.fabrication.solids.pattern_strips import CutPattern, cut_across
+from elastica_cad.fabrication.solids.round_solids import RoundSolid
+from elastica_cad.fabrication.solids.side_views import side_view
 from elastica_cad.fabrication.solids.smooth_pieces import in_smooth_pieces
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
+from elastica_cad.mechanics.material.tapered_sections import RoundLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 BESIDE_MM = 20.0  # between the flat and the bent strip of a file
@@ -66,7 +70,7 @@ class FlatSolid:
             raise InputError("a plate is made of closed loops: one of the paths given is open")
 
     @classmethod
-    def of(cls, strip: Strip, frame: Frame | None = None) -> "FlatSolid":
+    def of(cls, strip: Strip, frame: Frame | None = None) -> "FlatSolid | RoundSolid":
         """The strip as cut, of a laminate its base: x runs from the start of the free part, z = 0 is below.
 
         Its joints are called as those of `BentSolid`.
@@ -74,9 +78,11 @@ class FlatSolid:
         return cls.layers(strip, frame)[0]
 
     @classmethod
-    def layers(cls, strip: Strip, frame: Frame | None = None) -> tuple["FlatSolid", ...]:
+    def layers(cls, strip: Strip, frame: Frame | None = None) -> tuple["FlatSolid | RoundSolid", ...]:
         """Every sheet of the strip as glued flat, one on the other; the base has the joints."""
         frame = frame or Frame()
+        if strip.layout.size is not None:
+            return (_tapered_solid(strip, frame, bent=False),)
         heights = levels(strip)
         middle = frame.shifted(z=heights[-1] / 2)
         places = joint_places(strip).items()
@@ -102,6 +108,38 @@ class FlatSolid:
     def volume(self) -> float:
         """mm3."""
         return self.area * self.thickness
+
+
+def _tapered_solid(strip: Strip, frame: Frame, *, bent: bool) -> "FlatSolid | RoundSolid":
+    """A tapered strip or a round rod: flat on the frame's xy plane as cut, or bent with its curve in that plane.
+
+    Raises
+    ------
+    InputError
+        A radius below half the thickness.
+    """
+    section, size, width = strip.layout.section, strip.layout.size, strip.layout.width
+    assert size is not None
+    view = side_view(strip, bent=bent)
+    upright, across = frame, frame.z_axis
+    places = [np.array([0.0, 0.0]), np.array([strip.rod.length, 0.0])]
+    angles = [0.0, 0.0]
+    if bent:
+        nodes = strip.rod.curve.at(np.array([0.0, strip.rod.curve.length]))
+        places, angles = list(nodes.position), nodes.angle.tolist()
+    else:
+        lowest = float(view.bounds[0, 1])
+        upright, across = Frame(frame.shifted(z=-lowest).origin, frame.x_axis, frame.z_axis), frame.y_axis
+    joints = {
+        name: turned(
+            Frame(upright.point(place), upright.direction((np.cos(angle), np.sin(angle))), across), way
+        )
+        for name, place, angle, way in zip(("start", "end"), places, angles, (-1, 1), strict=True)
+    }
+    if isinstance(section, RoundLaw):
+        return RoundSolid(strip, upright, bent, section.bore, joints)
+    wide = float(width.extremes[1])
+    return FlatSolid(view, (), wide, upright.shifted(z=-wide / 2), joints)
 
 
 @dataclass(frozen=True, eq=False)
@@ -158,8 +196,13 @@ class BentSolid:
         return next(cls._layers(strip, frame))
 
     @classmethod
-    def layers(cls, strip: Strip, frame: Frame | None = None) -> tuple["BentSolid", ...]:
-        """Every sheet of the strip, the whole centred on the curve; the base has the joints. Errors as `of`."""
+    def layers(cls, strip: Strip, frame: Frame | None = None) -> tuple["BodyRecord", ...]:
+        """Every sheet of the strip, the whole centred on the curve; the base has the joints. Errors as `of`.
+
+        A strip that is tapered in thickness is its side view, extruded by its width; a rod is round.
+        """
+        if strip.layout.size is not None:
+            return (_tapered_solid(strip, frame or Frame(), bent=True),)
         return tuple(cls._layers(strip, frame))
 
     @classmethod
@@ -231,6 +274,10 @@ class BentSolid:
         if not made.boundary.is_closed:
             raise InputError("the flat pattern's loops cross or touch: the bent strip has no closed skin")
         return made
+
+
+BodyRecord: TypeAlias = FlatSolid | BentSolid | RoundSolid
+"""A body of a strip: a plate or an extruded side view, a bent sheet, a round rod."""
 
 
 def frame_beside(strip: Strip, frame: Frame) -> Frame:

@@ -63,19 +63,23 @@ def rod_as_built(rod: Rod, layout: Layout, widths: Sequence[Callable[[FloatArray
     Rod
         The design's shape, supports and gravity: out of balance until bent.
     """
+    if layout.size is not None:  # tapered: nothing is cut out of it
+        return replace(rod, bending_stiffness=layout.bending_stiffness)
     n, s = rod.s.size, cell_stations(rod)
     left = [width(s) for width in widths]
     material = left[0]
     # as drawn, the backing's edge may pass the base's by the tolerance of the drawing
     backing = np.minimum(left[1], material) if len(left) > 1 else None
-    softer = layout.bending_stiffness * rod.profile(s) / layout.stiffness(material, backing)
+    law = None if layout.section is None else layout.section.bent(rod.bend_at(s))
+    has = layout.stiffness(material, backing) if law is None else law.bending_stiffness(material)
+    softer = layout.bending_stiffness * rod.profile(s) / has
     EI = layout.bending_stiffness * rod.stiffness / cell_means(softer, n)
     least = float(EI.min())
     made = replace(rod.with_stiffness(Profile.interpolate(rod.s, EI)), bending_stiffness=least)
     if rod.gravity is None:
         return made
     weight = rod.weight or Weight()
-    newtons = layout.weight_per_length(material, backing)
+    newtons = layout.weight_per_length(material, backing) if law is None else law.weight_per_length(material)
     if newtons is not None:
         along = Profile.interpolate(rod.s, cell_means(newtons, n))
         return replace(made, weight=replace(weight, alpha=along, beta=0.0))

@@ -126,7 +126,7 @@ def _leaning(layout: Layout, s: FloatArray) -> FloatArray | None:
 def _anticlastic(rod: Rod, layout: Layout, s: FloatArray) -> FloatArray | None:
     """Stiffening (n,) of each station by what it is bent."""
     nu = layout.sheet.poisson_ratio
-    if nu == 0:
+    if nu == 0 or layout.section is not None:  # a section knows its own
         return None
     pieces = layout.pattern.ligaments if isinstance(layout.pattern, DiamondPattern) else 1
     bent = np.interp(s, rod.s, rod.curvature - rod.natural_curvature)

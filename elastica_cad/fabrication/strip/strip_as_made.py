@@ -55,6 +55,8 @@ class StripAsMade:
         design = rod if rod.s.size <= HELD_NODES else resample(rod, HELD_NODES)
         widths = np.array([tab.width for tab in fix_tab_widths(layout.width, ends)])
         first, last = layout.stiffness(widths, None if layout.backing is None else widths).tolist()
+        if layout.section is not None and layout.size is not None:
+            first, last = layout.section.bending_stiffness(layout.size([0.0, rod.length])).tolist()
         whole = cut_layers(layout, ends, (), name="strip")
         return cls(
             design,

@@ -16,11 +16,12 @@ from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.as_built import rod_as_built
 from elastica_cad.fabrication.strip.strip_as_made import StripAsMade
 from elastica_cad.fabrication.strip.strip_layers import Layer, cut_layers, draw_layers
-from elastica_cad.fabrication.strip.styles import PLAIN, Layout, Style
+from elastica_cad.fabrication.strip.styles import PLAIN, Layout, Style, stations_of
 from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
 from elastica_cad.mechanics.material.plywood_radii import PLYWOOD_SOURCE
 from elastica_cad.mechanics.material.section_limits import LayerStrain
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -139,7 +140,9 @@ class Strip:
             columns[physical] = B * columns.pop(name)
         bent = np.abs(self.rod.curvature - self.rod.natural_curvature)
         worst = max(self.layout.strains(self.rod.s, bent), key=lambda layer: layer.largest / layer.limit)
-        return columns | {"width_mm": self.width(self.rod.s), "strain": worst.strain}
+        section, size = self.layout.section, self.layout.size
+        more = {} if section is None or size is None else {f"{section.quantity}_mm": size(self.rod.s)}
+        return columns | {"width_mm": self.width(self.rod.s)} | more | {"strain": worst.strain}
 
     @cached_property
     def layout(self) -> Layout:
@@ -246,6 +249,8 @@ class Strip:
                     f"that {layer.name} bears: its radius there is {1 / bend[at]:.1f} mm, the least advisable "
                     f"{1 / bearable:.1f} mm; use a thinner sheet or a gentler curve"
                 )
+        if self.layout.size is not None:
+            return tuple(found)
         tightest = int(np.argmax(bend))
         for one, layer in zip(self.layers, self.strains, strict=False):
             least = one.sheet.published_radius
@@ -302,7 +307,14 @@ class Strip:
     @property
     def mass(self) -> float:
         """Mass in g, of all layers."""
-        return sum(layer.mass for layer in self.layers)
+        section, size = self.layout.section, self.layout.size
+        if section is None or size is None:
+            return sum(layer.mass for layer in self.layers)
+        newtons = section.weight_per_length(size(stations_of(self.rod.length)))
+        newtons = (newtons[1:] + newtons[:-1]) / 2
+        ends = section.weight_per_length(size([0.0, self.rod.length])) @ [tab.length for tab in self.ends]
+        free = float(newtons.mean()) * self.rod.length
+        return (free + float(ends)) / STANDARD_GRAVITY_M_S2 * 1e3
 
     @property
     def bending_stiffness(self) -> float:

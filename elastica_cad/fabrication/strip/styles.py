@@ -15,7 +15,7 @@ from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.material.cross_sections import LaminatedSection, PlainSection
 from elastica_cad.mechanics.material.section_limits import LayerStrain
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.stiffness_law import StiffnessLaw
+from elastica_cad.mechanics.material.stiffness_law import BoundedLaw, StiffnessLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 Width: TypeAlias = "float | Profile | Callable[[FloatArray], FloatArray]"
@@ -24,6 +24,12 @@ Width: TypeAlias = "float | Profile | Callable[[FloatArray], FloatArray]"
 WIDTH_MM = 1e-6
 """Largest error of a width given as a function: what files keep."""
 
+
+SIZE_SHARE = 3e-6
+"""Error of a section's size relative to its limit: about that of the stiffness it is made of."""
+
+SAME_SCALE = 1e-4
+"""Relative difference of bending stiffnesses that an optimal rod's own accuracy explains."""
 
 MOST_EXTREMES = 200
 """Local extremes at which finer stations are set: more of them are rounding."""
@@ -84,6 +90,10 @@ class Layout:
         Diameter of holes that register base and backing, mm; 0 for none.
     warnings : tuple of str
         What a maker should know.
+    section : BoundedLaw or None
+        What the stiffness is made of, where that is not the width of a strip that bends with E.
+    size : Profile or None
+        The section's thickness or diameter along the free part, mm, where that varies.
     """
 
     sheet: Sheet
@@ -94,6 +104,8 @@ class Layout:
     backing: Backing | None = None
     dots: float = 0.0
     warnings: tuple[str, ...] = ()
+    section: BoundedLaw | None = None
+    size: Profile | None = None
 
     def hole_paths(self, ends: Ends, slots: Sequence[Slot] = ()) -> tuple[Path, ...]:
         """Closed loops cut out of the free part, clear of the slots."""
@@ -117,6 +129,8 @@ class Layout:
 
     def strains(self, s: FloatArray, bend: FloatArray) -> tuple[LayerStrain, ...]:
         """Skin strain of each layer at stations `s` (n,) bent by `bend` (n,) = |kappa - kappa_0|, 1/mm."""
+        if self.section is not None and self.size is not None:
+            return self.section.strains(bend, self.size(s))
         outer = self.width(s)
         # where it fills the base, the backing's fit may pass the base's by its tolerance
         law, parameter = self.law(
@@ -153,6 +167,8 @@ class Plain:
         self, rod: Rod, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
     ) -> Layout:
         """One of the widths sets the scale; a rod that knows its bending stiffness sets it itself."""
+        if rod.section is not None:
+            return _of_section(rod, rod.section, sheet)
         if max_width is None and min_width is None and rod.bending_stiffness is None:
             raise InputError(NO_WIDTH)
         rigidity = PlainSection(sheet).rigidity
@@ -175,6 +191,30 @@ class Plain:
                 f"{max_width:g} mm: choose a thicker or stiffer sheet"
             )
         return Layout(sheet, width, material=width, bending_stiffness=factor * rigidity)
+
+
+def _of_section(rod: Rod, section: BoundedLaw, sheet: Sheet) -> Layout:
+    """The sizes that a section needs: as wide as a tapered strip is, or as its width or diameter comes out."""
+    from elastica_cad.mechanics.material.tapered_sections import ThicknessLaw
+
+    profile = rod.profile
+    least, largest = section.limits
+    s = stations_of(rod.length, profile)
+    limit = largest if np.isfinite(largest) else least
+    scales = section.bent(rod.bend_at(s)).bending_stiffness(np.full(s.size, limit)) / profile(s)
+    B = float(scales.min() if np.isfinite(largest) else scales.max())
+    if rod.bending_stiffness is not None and abs(B / rod.bending_stiffness - 1) < SAME_SCALE:
+        B = rod.bending_stiffness
+    size = Profile.fit(
+        lambda s: section.bent(rod.bend_at(s)).parameter(B * profile(s)), rod.length, breaks=profile.breaks,
+        knots=profile.knots, tolerance=SIZE_SHARE * limit,
+    )  # fmt: skip
+    if section.quantity == "width":
+        return Layout(sheet, size, material=size, bending_stiffness=B, section=section)
+    width = size
+    if isinstance(section, ThicknessLaw):
+        width = width_profile(section.width, rod.length, "width")
+    return Layout(sheet, width, material=width, bending_stiffness=B, section=section, size=size)
 
 
 PLAIN = Plain()

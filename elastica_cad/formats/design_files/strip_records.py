@@ -17,6 +17,8 @@ from elastica_cad.forming.limits import Box, HalfPlane, Keep, Limits
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
+from elastica_cad.mechanics.material.tapered_sections import RoundLaw, ThicknessLaw
 
 T = TypeVar("T")
 
@@ -217,6 +219,18 @@ def read_style(table: Table, sheets: dict[str, Sheet]) -> Style:
             return Laminated(**_sizes(table, Laminated), backing=find_sheet(table, "backing", sheets))
     table.only("kind")
     return Plain()
+
+
+def read_law(table: Table, sheet: Sheet) -> BoundedLaw:
+    """What stiffness is made of: kind = "thickness", "rod" or "tube", with limits in mm."""
+    kind = table.text("kind", "", ("thickness", "rod", "tube"))
+    more = {"thickness": "width", "tube": "bore"}.get(kind)
+    table.only("kind", "limits", *([more] if more else []))
+    least, largest = table.vector("limits", 2)
+    with table.naming():
+        if kind == "thickness":
+            return ThicknessLaw(sheet, least, largest, width=table.number("width"))
+        return RoundLaw(sheet, least, largest, bore=table.number("bore") if kind == "tube" else 0.0)
 
 
 def _sizes(table: Table, style: type[Any]) -> dict[str, Any]:

@@ -16,6 +16,7 @@ from elastica_cad.formats.design_files.reshaping import reshape_curve
 from elastica_cad.formats.design_files.strip_records import (
     find_sheet,
     read_keep,
+    read_law,
     read_limits,
     read_loads,
     read_shop,
@@ -36,7 +37,7 @@ CurveReader: TypeAlias = Callable[..., list[PlaneCurve]]
 
 MAKING_KEYS = (
     "sheet", "thickness", "max_width", "min_width", "gravity", "loads", "supports", "natural_curvature", "samples",
-    "limits", "keep", "ends", "style", "smooth", "shop", "compensate", "creep", "anyway",
+    "limits", "keep", "ends", "style", "smooth", "shop", "compensate", "creep", "law", "anyway",
 )  # fmt: skip
 """Keys that may stand for all strips at the top of the file or for some in [[strips]]."""
 
@@ -124,6 +125,7 @@ def read_strip(
         "shop": read_shop(table.table("shop")),
         "compensate": table.flag("compensate"),
         "creep": table.number("creep", 0.0),
+        "law": read_law(table.table("law"), sheet) if table.has("law") else None,
         "anyway": table.flag("anyway"),
     }
     curve = read_drawn_curve(table, folder, read_curves) if section is None else section.curve

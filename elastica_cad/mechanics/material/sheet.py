@@ -46,7 +46,7 @@ class Sheet:
     kerf : float
         Width of material that the laser takes away, mm; 0 when not known.
     poisson_ratio : float
-        nu, dimensionless.
+        nu, dimensionless; 0 where the modulus is that of a plate, measured on a wide coupon.
     grain : "along", "across" or "none"
         How the strip lies to the (face) grain for which the numbers hold; "none" for sheets without grain. 0 and
         90, degrees, say the first two.

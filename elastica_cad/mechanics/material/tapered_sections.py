@@ -169,7 +169,7 @@ class WidthLaw:
     ----------
     sheet : Sheet
     least, largest : float
-        Limits of the width, mm; 0 for no least one.
+        Limits of the width, mm; 0 for no least one, or infinity for no largest one.
     curvature : float or (n,) array
         |kappa - kappa_0| of the stations, 1/mm; set by `bent`.
 
@@ -186,8 +186,9 @@ class WidthLaw:
     curvature: float | FloatArray = 0.0
 
     def __post_init__(self) -> None:
-        low, high = (_number(value, "width limit") for value in (self.least, self.largest))
-        if not 0 <= low <= high or high == 0:
+        low = _number(self.least, "width limit")
+        high = np.inf if self.largest == np.inf else _number(self.largest, "width limit")
+        if not 0 <= low <= high or (low, high) in ((0, 0), (0, np.inf)):
             raise InputError(
                 f"width limits are {low:g} and {high:g} mm: give the least first, 0 for none, such as 0 and 40"
             )

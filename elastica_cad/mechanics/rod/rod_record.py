@@ -16,6 +16,7 @@ from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
+from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod, edge_forces
 from elastica_cad.mechanics.rod.node_counts import DEFAULT_SAMPLES
 from elastica_cad.mechanics.rod.rest_shape import has_even_edges, integrate_edges
@@ -58,6 +59,8 @@ class Rod:
         None.
     law : MaterialLaw or None
         Where the material does not follow Hooke's law: M = K m(kappa - kappa_0) (paper, Appendix D).
+    section : BoundedLaw or None
+        What its stiffness is made of, where that is not the width of a strip that bends with E.
     residual : float
         Largest relative moment imbalance.
     shape : PlaneCurve or None
@@ -85,6 +88,7 @@ class Rod:
     weight: Weight | None = None
     bending_stiffness: float | None = None
     law: MaterialLaw | None = None
+    section: BoundedLaw | None = None
     shape: PlaneCurve | None = None
     check: "EquilibriumCheck | None" = None
     warnings: tuple[str, ...] = ()
@@ -232,6 +236,14 @@ class Rod:
         if self.law is None:
             return self.stiffness
         return self.stiffness * self.law.slope(self.curvature - self.natural_curvature)
+
+    def bend_at(self, s: FloatArray) -> FloatArray:
+        """kappa - kappa_0 (n,), 1/mm, at arc lengths (n,), mm; of a drawn curve its own."""
+        rest = np.broadcast_to(np.asarray(self.natural_curvature, dtype=float), self.s.shape)
+        if self.shape is None:
+            return Profile.interpolate(self.s, self.curvature - rest)(s)
+        curvature = self.shape.curvature_at(self.shape.parameter(np.minimum(s, self.shape.length)))
+        return np.asarray(curvature - np.interp(s, self.s, rest))
 
     @property
     def node_lengths(self) -> FloatArray:

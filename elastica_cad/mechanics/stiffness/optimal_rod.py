@@ -234,7 +234,8 @@ def _unbent_rod(problem: _Problem) -> Rod:
         stiffness=np.ones(n), moment=np.zeros(n), force=force, profile=Profile.interpolate(nodes.s[[0, -1]],
         np.ones(2)), gravity=problem.gravity, supports=problem.supports,
         natural_curvature=problem.natural_curvature, weight=problem.weight, law=problem.law,
-        bending_stiffness=problem.bending_stiffness, shape=curve, check=check, warnings=check.warnings,
+        section=problem.section, bending_stiffness=problem.bending_stiffness, shape=curve, check=check,
+        warnings=check.warnings,
     )  # fmt: skip
     if problem.section is not None:
         rod = _even_rod(rod, problem.section)
@@ -261,9 +262,9 @@ def _unbent_rod(problem: _Problem) -> Rod:
 
 def _even_rod(rod: Rod, section: BoundedLaw) -> Rod:
     """A straight rod of the largest section throughout."""
-    EI = section.bent(np.zeros(1)).bending_stiffness(section.limits[1])
-    scale = float(np.ravel(EI)[0])
-    newtons = float(np.ravel(section.bent(0.0).weight_per_length(section.limits[1]))[0])
+    law = section.bent(0.0)
+    size = next(one for one in reversed(section.limits) if np.isfinite(one))
+    scale, newtons = float(law.bending_stiffness(size)), float(law.weight_per_length(size))
     masses = () if rod.weight is None else rod.weight.masses
     weight = None if rod.gravity is None else Weight(alpha=newtons, masses=masses)
     return replace(rod, bending_stiffness=scale, weight=weight)
@@ -299,7 +300,7 @@ def _bent_rod(problem: _Problem, balance: BalancedStiffness) -> Rod:
         moment=moment, force=np.column_stack([-b[:, 1], b[:, 0]]),
         profile=stiffness_profile(check, balance, 1 / least),
         gravity=problem.gravity, supports=problem.supports, natural_curvature=problem.natural_curvature,
-        residual=residual, weight=weight, law=problem.law,
+        residual=residual, weight=weight, law=problem.law, section=problem.section,
         bending_stiffness=None if balance.bending_stiffness is None else balance.bending_stiffness * least,
         shape=curve, check=check, warnings=tuple(warnings), moved=check.moved,
     )  # fmt: skip

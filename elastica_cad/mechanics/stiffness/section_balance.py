@@ -72,7 +72,7 @@ def balance_with_section(
     carried = Weight(masses=tuple(masses))
     cuts, kinks = load_places(check, carried)
     law = section.bent(0.0)
-    full = float(_most(law) / law.weight_per_length(section.limits[1]))
+    full = float(law.bending_stiffness(_deciding(law)) / law.weight_per_length(_deciding(law)))
     heavy = replace(gravity, length=full ** (1 / 3))
     panels = cut_panels(check, natural_curvature, None, cuts)
     cuts = [*cuts, *heavy_cuts(panels, heavy)]
@@ -146,9 +146,10 @@ def extrapolated(first: float, second: float, third: float) -> float:
     return third + step**2 / (before - step)
 
 
-def _most(law: BoundedLaw) -> FloatArray:
-    """Largest E I, N mm2, of each station, or of all."""
-    return law.bending_stiffness(law.limits[1])
+def _deciding(law: BoundedLaw) -> float:
+    """The limit that decides the scale: the largest size, or where there is none the least."""
+    least, largest = law.limits
+    return largest if np.isfinite(largest) else least
 
 
 def _nodal(function: PanelFunction) -> FloatArray:
@@ -157,9 +158,10 @@ def _nodal(function: PanelFunction) -> FloatArray:
 
 
 def _scale(law: BoundedLaw, stiffness: PanelFunction) -> float:
-    """The largest B, N mm2, with which B K stays below what the section takes."""
-    share = PanelFunction.through(_nodal(stiffness) / _most(law))
-    return 1 / float(share.at(*extreme_places(share)).max())
+    """The B, N mm2, with which B K comes up to the largest section, or down to the least."""
+    share = PanelFunction.through(_nodal(stiffness) / law.bending_stiffness(_deciding(law)))
+    extremes = share.at(*extreme_places(share))
+    return 1 / float(extremes.max() if np.isfinite(law.limits[1]) else extremes.min())
 
 
 def _weight(

@@ -4,6 +4,10 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>Taper: kind = "thickness", limits = [3, 8], width = 20; or "rod", "tube"</source>
+        <translation>Verjüngung: kind = "thickness", limits = [3, 8], width = 20; oder "rod", "tube"</translation>
+    </message>
+    <message>
         <source>How it strays as made and held, and by what</source>
         <translation>Wie er, gemacht und gehalten, abweicht und wodurch</translation>
     </message>
@@ -1750,6 +1754,14 @@
 </context>
 <context>
     <name>ElasticaSentences</name>
+    <message>
+        <source>the law is of %1, the strip of %2: give both the same sheet</source>
+        <translation>das Gesetz ist aus %1, der Streifen aus %2: beiden dasselbe Material geben</translation>
+    </message>
+    <message>
+        <source>a law says what the section is and how large: leave out style, slots, max_width and min_width, and give tabs a length only, or leave out law</source>
+        <translation>ein Gesetz sagt, was der Querschnitt ist und wie groß: style, slots, max_width und min_width weglassen und den Laschen nur eine Länge geben, oder law weglassen</translation>
+    </message>
     <message>
         <source>The curve is on the border of what a strip can take: near %1 mm the stiffness would have to be more than %2 times that of other places. Move the curve farther from the line through its inflections, or bend it more clearly there.</source>
         <translation>Die Kurve liegt an der Grenze dessen, was ein Streifen annehmen kann: bei %1 mm müsste die Steifigkeit mehr als das %2-Fache anderer Stellen sein. Rücken Sie die Kurve weiter von der Geraden durch ihre Wendepunkte ab, oder biegen Sie sie dort deutlicher.</translation>

@@ -4,6 +4,10 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>Taper: kind = "thickness", limits = [3, 8], width = 20; or "rod", "tube"</source>
+        <translation>渐变：kind = "thickness", limits = [3, 8], width = 20；或 "rod"、"tube"</translation>
+    </message>
+    <message>
         <source>How it strays as made and held, and by what</source>
         <translation>按实际制作和夹持如何偏离，以及原因</translation>
     </message>
@@ -1750,6 +1754,14 @@
 </context>
 <context>
     <name>ElasticaSentences</name>
+    <message>
+        <source>the law is of %1, the strip of %2: give both the same sheet</source>
+        <translation>该规律用的是 %1，带条用的是 %2：请给两者相同的板材</translation>
+    </message>
+    <message>
+        <source>a law says what the section is and how large: leave out style, slots, max_width and min_width, and give tabs a length only, or leave out law</source>
+        <translation>规律已说明截面的形式和大小：请去掉 style、slots、max_width 和 min_width，并且接头只给长度，或去掉 law</translation>
+    </message>
     <message>
         <source>The curve is on the border of what a strip can take: near %1 mm the stiffness would have to be more than %2 times that of other places. Move the curve farther from the line through its inflections, or bend it more clearly there.</source>
         <translation>曲线处于条带所能承受的边界：在 %1 mm 附近，刚度须超过别处的 %2 倍。请让曲线离拐点连线更远，或在该处弯得更明显。</translation>

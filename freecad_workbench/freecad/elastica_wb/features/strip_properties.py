@@ -49,6 +49,13 @@ PROPERTIES = (
     ),
     Property("Bool", "Compensate", "Width", "Make up for slots, narrow tabs and holes in the widths", False),
     Property("Float", "Creep", "Sheet", "Creep factor of the sheet in the long run; 0 leaves creep out", 0.0),
+    Property(
+        "String",
+        "Law",
+        "Width",
+        'Taper: kind = "thickness", limits = [3, 8], width = 20; or "rod", "tube"',
+        "",
+    ),
     Property("Bool", "Anyway", "Width", "Make a strip that cannot be cut or handled, and say so", False),
     Property(
         "Length",

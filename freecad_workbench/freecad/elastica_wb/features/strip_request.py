@@ -4,6 +4,7 @@
 """What the properties of a strip ask for, as the core's request."""
 
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 from freecad.elastica_wb.curves.sketch_curves import DrawnCurve, frame_of
@@ -21,6 +22,7 @@ from elastica_cad.formats.design_files.strip_records import (
     parse_line,
     parse_lines,
     read_keep_out,
+    read_law,
     read_loads,
     read_mass,
     read_slot,
@@ -49,12 +51,13 @@ def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
     _refuse_slips(obj, drawn)
     sheet, nearest = _sheet(obj), obj.Follow == "Nearest"
     width = obj.MaxWidth.Value if obj.Style == "Plain" else obj.MaterialWidth.Value
+    law = parse_line(obj.Law, "Law", partial(read_law, sheet=sheet)) if obj.Law.strip() else None
     return StripSpec(
         drawn.curve,
         sheet,
         frame_of(drawn.world),
-        max_width=width or None,
-        min_width=obj.MinWidth.Value or None,
+        max_width=width or None if law is None else None,  # a law has its own limits
+        min_width=obj.MinWidth.Value or None if law is None else None,
         style=_style(obj),
         limits=_limits(obj, sheet) if nearest else None,
         keep=_keep(obj) if nearest else None,
@@ -70,6 +73,7 @@ def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
         shop=_shop(obj),
         compensate=obj.Compensate,
         creep=obj.Creep,
+        law=law,
         anyway=obj.Anyway,
     )
 

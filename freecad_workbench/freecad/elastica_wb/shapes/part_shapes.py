@@ -15,7 +15,7 @@ from freecad.elastica_wb.shapes.binary_brep import brep_bytes
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.solids.prisms import PrismSolid
-from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
+from elastica_cad.fabrication.solids.strip_solids import BodyRecord, FlatSolid
 from elastica_cad.formats.curve_files.edges import Edge
 from elastica_cad.formats.curve_files.placed_curve import placed_curve
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -66,7 +66,7 @@ def make_face(outline: Path, holes: Sequence[Path] = (), frame: Frame | None = N
     return Part.Face([outer, *inner])
 
 
-def make_solid(record: FlatSolid | BentSolid | PrismSolid) -> Part.Shape:
+def make_solid(record: BodyRecord | PrismSolid) -> Part.Shape:
     """A record as a solid."""
     if isinstance(record, PrismSolid):
         first, *rest = (make_solid(prism) for prism in record.added)

@@ -13,7 +13,7 @@ from freecad.elastica_wb.solving.growing_cache import growing_cache
 
 from elastica_cad.errors import ElasticaError, MissingDependencyError, NotConvergedError
 from elastica_cad.fabrication.holding.held_shape import HeldShape
-from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
+from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord, FlatSolid
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.forming.nearest.nearest_record import NearestRod
@@ -81,17 +81,19 @@ def bent_shape(strip: Strip) -> Part.Shape:
 
 
 @growing_cache
-def _bent(strip: Strip) -> tuple[BentSolid, ...]:
+def _bent(strip: Strip) -> tuple[BodyRecord, ...]:
     layers = BentSolid.layers(strip)
     for layer in layers:
-        _ = layer.boundary
+        if not isinstance(layer, FlatSolid):
+            _ = layer.boundary
     return layers
 
 
 @growing_cache
 def flat_shape(strip: Strip, layer: int = 0) -> Part.Shape:
     """One layer of the strip as cut, lying on the xy plane."""
-    return make_solid(replace(FlatSolid.layers(strip)[layer], frame=Frame()))
+    record = FlatSolid.layers(strip)[layer]
+    return make_solid(replace(record, frame=Frame()) if layer else record)
 
 
 @growing_cache

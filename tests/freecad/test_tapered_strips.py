@@ -1,0 +1,37 @@
+"""A strip whose law is a thickness or a diameter, in FreeCAD: solid, valid, as heavy as the core's."""
+
+import pytest
+from freecad.elastica_wb.features import strip
+
+from elastica_cad.fabrication.strip_spec import make_strip
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.tapered_sections import RoundLaw, ThicknessLaw
+
+POINTS = [(0, 0), (60, 120), (140, 160), (240, 120), (300, 0)]
+POM = Sheet.named("pom-1")
+LAWS = {
+    'kind = "thickness", limits = [0.5, 3], width = 12': ThicknessLaw(POM, 0.5, 3.0, width=12.0),
+    'kind = "rod", limits = [0.5, 3]': RoundLaw(POM, 0.5, 3.0),
+    'kind = "tube", limits = [0.5, 3], bore = 0.5': RoundLaw(POM, 0.5, 3.0, bore=0.5),
+}
+
+
+@pytest.mark.parametrize("form", ["Bent", "Flat"])
+@pytest.mark.parametrize("law", LAWS)
+def test_the_body_is_that_of_the_law(law, form, document, drawn):
+    feature = strip.create(document, drawn(POINTS, 4))
+    feature.Sheet, feature.Law, feature.Form = "pom-1", law, form
+    document.recompute()
+    assert feature.State == ["Up-to-date"], feature.getStatusString()
+    ours = make_strip(PlaneCurve.spline(POINTS, degree=4), POM, law=LAWS[law])
+    assert feature.Shape.isValid()
+    assert feature.Shape.ShapeType == "Solid"
+    assert feature.Shape.Volume == pytest.approx(ours.mass / POM.density * 1e6, rel=1e-4)
+
+
+def test_a_law_that_no_strip_has_is_told(document, drawn):
+    feature = strip.create(document, drawn(POINTS, 4))
+    feature.Sheet, feature.Law = "pom-1", 'kind = "rod", limits = [3, 1]'
+    document.recompute()
+    assert "diameter limits are 3 and 1 mm" in feature.getStatusString()

@@ -1,0 +1,108 @@
+"""Strips whose stiffness is a thickness or a diameter, and heavy strips that bend as plates."""
+
+import numpy as np
+import pytest
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
+from elastica_cad.fabrication.strip.tabs import Hole, Tab
+from elastica_cad.fabrication.strip_spec import StripSpec, make_strip
+from elastica_cad.forming.limits import Limits
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.mechanics.loads.weight import PointMass
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.tapered_sections import RoundLaw, ThicknessLaw, WidthLaw
+
+pytestmark = pytest.mark.core
+
+GLASS = Sheet("glass", 3.0, 38000.0, density=1900.0, max_strain=0.02)
+CARD = Sheet.named("card-200gsm")
+ARCH = PlaneCurve.spline([(0, 0), (60, 120), (140, 160), (240, 120), (300, 0)])
+THICKNESS = ThicknessLaw(GLASS, 1.0, 4.0, width=20.0)
+ROD = RoundLaw(GLASS, 1.0, 4.0)
+TUBE = RoundLaw(GLASS, 1.0, 4.0, bore=0.6)
+
+
+@pytest.mark.parametrize("law", [THICKNESS, ROD, TUBE], ids=["thickness", "rod", "tube"])
+@pytest.mark.parametrize(
+    "asked", [{}, {"gravity": True}, {"limits": Limits(margin=2.0)}], ids=["light", "heavy", "near"]
+)
+def test_the_size_gives_the_stiffness_and_the_strip_its_shape(law, asked):
+    strip = make_strip(ARCH, GLASS, law=law, **asked)
+    table = strip.table()
+    size = table[f"{law.quantity}_mm"]
+    EI = law.bending_stiffness(size)
+    assert table["moment_Nmm"] == pytest.approx(EI * table["curvature_1_per_mm"], rel=1e-4, abs=1e-3)
+    assert size.max() == pytest.approx(4.0, rel=1e-3)
+    assert table["strain"] == pytest.approx(size / 2 * np.abs(table["curvature_1_per_mm"]))
+    assert strip.held_deviation < 1e-5 * strip.rod.length
+    assert strip.max_strain == pytest.approx(table["strain"].max(), rel=1e-3)
+
+
+def test_the_body_is_as_thick_as_the_law_says_and_weighs_what_the_strip_does():
+    strip = make_strip(ARCH, GLASS, law=THICKNESS)
+    flat, (bent,) = FlatSolid.of(strip), BentSolid.layers(strip)
+    assert flat.volume == pytest.approx(strip.mass / GLASS.density * 1e6, rel=1e-6)
+    assert bent.volume == pytest.approx(flat.volume, rel=1e-6)  # faces off a curve: Pappus
+    points = flat.outline.segments[3].curve.at(np.array([50.0, 200.0])).position
+    assert -2 * points[:, 1] == pytest.approx(strip.layout.size(points[:, 0]), rel=1e-6)
+    frame = Frame((5.0, 6.0, 7.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+    (placed,) = BentSolid.layers(strip, frame)
+    assert frame.local(placed.joints["end"].origin) == pytest.approx([300.0, 0.0, 0.0], abs=1e-9)
+    assert FlatSolid.of(strip).joints["end"].origin[0] == pytest.approx(strip.rod.length)
+
+
+def test_a_radius_below_half_the_thickness_has_no_body():
+    bow = PlaneCurve.ellipse((0, 0), (3.0, 3.2), start=0.0, end=np.pi)
+    strip = make_strip(bow, GLASS, law=ThicknessLaw(GLASS, 1.0, 8.0, width=20.0), anyway=True)
+    with pytest.raises(InputError, match="radius below half its thickness"):
+        BentSolid.layers(strip)
+
+
+@pytest.mark.parametrize(("law", "faces"), [(ROD, 8), (TUBE, 14)], ids=["rod", "tube"])
+def test_a_round_body_is_closed_and_as_thick_as_the_law_says(law, faces):
+    strip = make_strip(ARCH, GLASS, law=law)
+    for body in (FlatSolid.of(strip), *BentSolid.layers(strip)):
+        skin = body.boundary
+        assert skin.is_closed
+        assert len(skin.faces) == faces
+    points = FlatSolid.of(strip).boundary.faces[2].surface.control_points
+    # the ring's first row lies off the axis by the radius
+    assert np.abs(points[0, :, 2] - 2.0).max() == pytest.approx(2.0, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [{"max_width": 20.0}, {"slots": (Slot(40.0, 1.2),)}, {"ends": (Tab(10, holes=(Hole(5, 3),)), Tab(10))}],
+    ids=["width", "slots", "tabs"],
+)
+def test_what_a_law_leaves_no_room_for_is_refused(asked):
+    with pytest.raises(InputError, match="a law says what the section is and how large"):
+        StripSpec(ARCH, GLASS, law=THICKNESS, **asked)
+
+
+def test_the_law_is_of_the_sheet():
+    with pytest.raises(InputError, match="the law is of glass, the strip of card-200gsm"):
+        StripSpec(ARCH, CARD, law=THICKNESS)
+
+
+def test_a_mass_hangs_on_a_tapered_strip():
+    strip = make_strip(ARCH, GLASS, law=THICKNESS, gravity=True, loads=(PointMass(150.0, 200.0),))
+    pull = strip.reactions()
+    total = (strip.rod.length * 0 + strip.mass - strip.layout.section.weight_per_length(
+        strip.layout.size([0.0, strip.rod.length])).sum() * 10 / 9.80665e-3 + 200.0) * 9.80665e-3  # fmt: skip
+    assert pull.start_force[1] + pull.end_force[1] == pytest.approx(total, rel=1e-3)
+
+
+@pytest.mark.parametrize("limits", [(0.0, 40.0), (20.0, np.inf)], ids=["widest", "narrowest"])
+def test_a_wide_heavy_strip_carries_its_weight_as_a_plate(limits):
+    """With the stiffness of a beam the strip as made strays ten times as far."""
+    half = ARCH.transformed(np.diag([0.5, 0.5, 1.0]))
+    plate = make_strip(half, CARD, gravity=True, law=WidthLaw(CARD, *limits))
+    widest = float(plate.width.extremes[1])
+    beam = make_strip(half, CARD, gravity=True, max_width=widest)
+    assert widest == pytest.approx(40.0, rel=1e-4) or plate.width.extremes[0] == pytest.approx(20.0, rel=1e-4)
+    assert plate.held_deviation < 1e-5 * plate.rod.length
+    assert beam.held_deviation > 10 * plate.held_deviation
