@@ -20,6 +20,7 @@ from elastica_cad.cli.running.voice import voice
 from elastica_cad.cli.running.watching import remake_on_change
 from elastica_cad.cli.sections_command import sections
 from elastica_cad.cli.sheets_command import sheets
+from elastica_cad.cli.stock.batten_command import batten
 from elastica_cad.cli.strip_command import strip
 from elastica_cad.cli.strip_options import NotMetError
 from elastica_cad.errors import ElasticaError
@@ -80,6 +81,7 @@ def elastica() -> None:
       elastica strip arch.dxf --sheet birch-plywood-0.8 --max-width 40 -o out
       elastica new pavilion                         a commented design file to start from
       elastica model pavilion.toml -o out           many strips: slots, base, nested sheets, cut list
+      elastica batten --length 2400 --camber 10 --at 40 --sheet pom-1 --stock 25 8    a tapered sail batten
       elastica sections pot.obj --radial 16         curves for strips along a mesh or a STEP body
 
     Curves come from DXF, SVG, CSV, JSON, text files of control points, and STEP with a CAD kernel installed.
@@ -174,5 +176,5 @@ def _refuse(problem: ElasticaError) -> int:
     return code
 
 
-for command in (new, check, strip, model, bend_command, reshape, sections, coupon, sheets):
+for command in (new, check, strip, model, batten, bend_command, reshape, sections, coupon, sheets):
     elastica.add_command(_complete(command, huge=command is sections))

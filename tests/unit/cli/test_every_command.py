@@ -28,6 +28,7 @@ TYPED = {
     "reshape": ("bow.txt", "--top-right", "120", "80", "-o", "out"),
     "sections": ("bowl.obj", "--unit", "mm", "--radial", "2", "--sheet", "card-200gsm", "-o", "out"),
     "coupon": (*SHEET, "-o", "out"),
+    "batten": (*SHEET, "--length", "600", "--camber", "10", "--at", "42", "--stock", "20", "2", "-o", "out"),
     "sheets": (),
     "new": ("lamp", "-o", "out"),
 }  # fmt: skip

@@ -1,0 +1,1 @@
+"""Commands that begin with stock, not with a drawn curve."""

@@ -1,0 +1,155 @@
+"""`elastica batten`: the taper that puts the camber of a pressed batten where it is wanted."""
+
+import csv
+import json
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+import click
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.cli.options import asked_sheet, join_options, output_options, sheet_options
+from elastica_cad.cli.running.lengths import LENGTH, POINT
+from elastica_cad.cli.running.voice import answer, say, warn, wrote
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.batten import Batten, BattenSpec
+from elastica_cad.files import save
+from elastica_cad.formats.file_access.file_transaction import write_together
+from elastica_cad.mechanics.material.tapered_sections import RoundLaw, ThicknessLaw
+
+LEAST_SHARE = 0.25  # of the stock's size, that is left unless told
+MOST_STATIONS = 1000
+
+_STOCK = (
+    sheet_options(required=True),
+    click.option("--length", type=LENGTH, required=True, metavar="MM", help="Of the batten."),
+    click.option("--camber", type=float, required=True, metavar="PERCENT", help="Depth, of the chord."),
+    click.option("--at", type=float, default=50.0, show_default=True, metavar="PERCENT",
+                 help="Where along the chord it is deepest, from the start."),
+    click.option("--stock", type=POINT, metavar="WIDTH THICKNESS", help="A strip to be planed in thickness."),
+    click.option("--rod", type=LENGTH, metavar="DIAMETER", help="A round rod instead, to be turned or sanded."),
+    click.option("--bore", type=float, default=0.0, metavar="SHARE", help="Of a tube: inner over outer diameter."),
+    click.option("--least", type=LENGTH, metavar="MM",
+                 help="Thinnest place that is allowed  [default: a quarter of the stock]."),
+    click.option("--stations", type=click.IntRange(2, MOST_STATIONS), default=11, show_default=True, metavar="N",
+                 help="Rows of the table, evenly from end to end."),
+    click.option("--every", type=LENGTH, metavar="MM", help="A row for this distance instead."),
+    click.option("--name", default="batten", show_default=True, help="Of its files."),
+    click.option("--paper", type=click.Choice(["A4", "A3", "A2", "A1", "A0", "letter", "tabloid"]), default="A4",
+                 show_default=True, help="Of the print at full size."),
+    output_options,
+)  # fmt: skip
+
+
+@click.command()
+@join_options(*_STOCK)
+def batten(**chosen: Any) -> None:
+    """Taper a batten so that its pressed ends bring the camber where the sail wants it.
+
+    The ends turn freely and are pressed together until the camber is as deep as asked. Writes NAME.csv (sizes in mm
+    and inch, strain, safety), NAME.svg and NAME.dxf (the side view at full size), NAME.json, NAME.pdf (the same on
+    paper, in tiles; needs matplotlib) and NAME.step (flat and bent; needs build123d or CadQuery).
+
+    \b
+      elastica batten --sheet pom-1 --length 2400 --camber 10 --at 40 --stock 25 8 --least 3 -o out
+    """
+    name = chosen["name"]
+    if "/" in name or "\\" in name:
+        raise InputError(f"the name {name!r} is to name files: leave out / and \\")
+    made = BattenSpec(
+        chosen["length"], chosen["camber"] / 100, chosen["at"] / 100, _stock(chosen), name
+    ).make()
+    stations = _stations(chosen)
+    table = made.table(stations)
+    report = _report(made, table)
+    written = _write(made, name, stations, report, chosen)
+    answer({"batten": report})
+    _tell(made, table)
+    for warning in made.strip.warnings:
+        warn(f"Warning: {warning}")
+    wrote(written)
+
+
+def _stock(chosen: dict[str, Any]) -> ThicknessLaw | RoundLaw:
+    sheet, strip, rod = asked_sheet(chosen), chosen["stock"], chosen["rod"]
+    if (strip is None) == (rod is None):
+        raise InputError(
+            "say what the batten is made of: --stock WIDTH THICKNESS for a strip, or --rod DIAMETER"
+        )
+    largest = rod if strip is None else strip[1]
+    least = LEAST_SHARE * largest if chosen["least"] is None else chosen["least"]
+    if strip is not None:
+        if chosen["bore"]:
+            raise InputError("--bore is of a tube: give --rod DIAMETER, or leave it out")
+        return ThicknessLaw(sheet, least, largest, width=strip[0])
+    return RoundLaw(sheet, least, largest, bore=chosen["bore"])
+
+
+def _stations(chosen: dict[str, Any]) -> FloatArray:
+    length, every = chosen["length"], chosen["every"]
+    if every is None:
+        return np.linspace(0.0, length, chosen["stations"])
+    if not length / MOST_STATIONS <= every <= length:
+        raise InputError(
+            f"--every is {every:g} mm: give {length / MOST_STATIONS:.3g} mm to the batten's {length:g} mm"
+        )
+    return np.unique(np.append(np.arange(0.0, length, every), length))
+
+
+def _report(made: Batten, table: dict[str, FloatArray]) -> dict[str, Any]:
+    depth, place = made.camber
+    return {
+        "length_mm": made.spec.length, "chord_mm": made.chord, "camber": depth, "camber_place": place,
+        "end_force_N": made.end_force, "mass_g": made.strip.mass, "max_strain": made.strip.max_strain,
+        "strain_limit": made.strip.strain_limit, "warnings": list(made.strip.warnings),
+        # JSON has no infinity: the ends do not bend
+        "table": {key: [v if np.isfinite(v) else None for v in values.tolist()] for key, values in table.items()},
+    }  # fmt: skip
+
+
+def _write(
+    made: Batten, name: str, stations: FloatArray, report: dict[str, Any], chosen: dict[str, Any]
+) -> list[Path]:
+    """All files that the installed libraries allow, or none."""
+    kinds = ["csv", "svg", "dxf", "json"]
+    kinds += [kind for kind, library in (("pdf", "matplotlib"), ("step", "OCP")) if find_spec(library)]
+    folder: Path = chosen["output"]
+    drawing = made.drawing(stations)
+    with write_together(folder, [f"{name}.{kind}" for kind in kinds], force=chosen["force"]) as workshop:
+        with (workshop / f"{name}.csv").open("w", newline="", encoding="utf-8") as file:
+            rows = csv.writer(file)
+            rows.writerow(report["table"])
+            for row in zip(*report["table"].values(), strict=True):
+                rows.writerow(["" if value is None else f"{value:.6g}" for value in row])
+        for kind in ("svg", "dxf"):
+            save(drawing, workshop / f"{name}.{kind}")
+        (workshop / f"{name}.json").write_text(json.dumps(report, indent=1) + "\n", encoding="utf-8")
+        if "pdf" in kinds:
+            from elastica_cad.plot.template_pages import save_template
+
+            save_template(drawing, workshop / f"{name}.pdf", paper=chosen["paper"])
+        if "step" in kinds:
+            from elastica_cad.kernel.step_files import write_strip_step
+
+            write_strip_step(made.strip, workshop / f"{name}.step")
+    return [folder / f"{name}.{kind}" for kind in kinds]
+
+
+def _tell(made: Batten, table: dict[str, FloatArray]) -> None:
+    depth, place = made.camber
+    quantity = made.spec.stock.quantity
+    say(
+        f"{made.spec.label}: {made.spec.length:.1f} mm, between ends {made.chord:.1f} mm apart: camber "
+        f"{100 * depth:.2f} % at {100 * place:.2f} % of the chord"
+    )
+    strip = made.strip
+    say(
+        f"end force {made.end_force:.3g} N, {strip.mass:.4g} g, largest strain {100 * strip.max_strain:.2f} % at "
+        f"{strip.max_strain_at:.0f} mm ({strip.sheet.name} bears {100 * strip.strain_limit:.2f} %)"
+    )
+    say(f"{'mm':>9} {'inch':>8} {quantity + ' mm':>13} {'inch':>7} {'strain %':>9} {'safety':>7}")
+    for s, s_inch, size, inch, strain, safety in zip(*table.values(), strict=True):
+        told = f"{safety:7.2f}" if np.isfinite(safety) else f"{'-':>7}"
+        say(f"{s:9.1f} {s_inch:8.3f} {size:13.2f} {inch:7.4f} {100 * strain:9.3f} {told}")

@@ -1,0 +1,231 @@
+"""Battens: rods of tapered stock that end compression bends to a camber at the place that is asked for."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.fabrication.drawings.drawing import CUT_OUTER, MARK, Drawing, LayeredPath
+from elastica_cad.fabrication.drawings.lettering import Text
+from elastica_cad.fabrication.solids.side_views import side_view
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip.tabs import Tab
+from elastica_cad.fabrication.strip_spec import StripSpec
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.segments import Line
+from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.material.tapered_sections import RoundLaw, ThicknessLaw
+from elastica_cad.mechanics.rod.rod_record import Rod
+
+ENDS = Supports("pinned", "pinned")
+SEARCH_NODES, FINE_NODES = 401, 2401  # while the taper is sought, and of the curve that is handed on
+MOST_CAMBER = 0.4  # of the chord: deeper ones are bows, not battens
+SETTLED = 1e-7  # of camber and place, in chords
+MOST_STEPS = 30
+MM_PER_INCH = 25.4
+LETTER_MM, TICK_MM = 4.0, 3.0
+
+
+@dataclass(frozen=True)
+class BattenSpec:
+    """What is asked of a batten.
+
+    Parameters
+    ----------
+    length : float
+        Of the batten, mm.
+    camber : float
+        Its greatest depth over the chord, in chords (0.1 is 10 %), once the ends are pressed together.
+    place : float
+        Where along the chord that is, in chords from the start: 0.5 is the middle, less is nearer to the start.
+    stock : ThicknessLaw or RoundLaw
+        A strip planed in thickness, or a rod; its largest size is that of the stock, its least what may be left.
+    label : str
+
+    Raises
+    ------
+    InputError
+        Numbers that no batten has.
+
+    Examples
+    --------
+    >>> from elastica_cad.mechanics.material.sheet import Sheet
+    >>> glass = Sheet("glass", 8.0, 38000.0, density=1900.0, max_strain=0.012)
+    >>> batten = BattenSpec(2400.0, 0.1, 0.4, ThicknessLaw(glass, 3.0, 8.0, width=25.0)).make()
+    >>> sizes = batten.table([0.0, 1200.0, 2400.0])["thickness_mm"]
+    >>> sizes.round(1).tolist(), round(batten.end_force)
+    ([3.3, 5.7, 8.0], 20)
+    """
+
+    length: float
+    camber: float
+    place: float
+    stock: ThicknessLaw | RoundLaw
+    label: str = "batten"
+
+    def __post_init__(self) -> None:
+        if not (np.isfinite(self.length) and self.length > 0):
+            raise InputError(f"the batten's length is {self.length:g}: it must be positive, in mm")
+        if not 0 < self.camber <= MOST_CAMBER:
+            raise InputError(
+                f"the camber is {100 * self.camber:g} % of the chord: give 1 to {100 * MOST_CAMBER:g}"
+            )
+        if not 0 < self.place < 1:
+            raise InputError(f"the camber's place is {100 * self.place:g} % of the chord: give 1 to 99")
+        if not isinstance(self.stock, ThicknessLaw | RoundLaw):
+            raise InputError(f"stock is {self.stock!r}: give a ThicknessLaw or a RoundLaw")
+
+    def make(self) -> "Batten":
+        """The batten: its size grows evenly from one end to the other, by as much as the place asks for.
+
+        Raises
+        ------
+        InputError
+            The place asks for a thinner end than the stock's least size; the place that it allows is told.
+        NotConvergedError
+            No taper gives that camber.
+        """
+        taper, chord = self._taper()
+        thin = self.stock.largest * np.exp(-abs(taper))
+        if thin < self.stock.least * (1 - 1e-9):
+            most = float(np.log(self.stock.largest / self.stock.least)) * np.sign(taper)
+            within = _place(_pressed(self, most, chord, SEARCH_NODES))[1]
+            raise InputError(
+                f"camber at {100 * self.place:.4g} % asks for {thin:.3g} mm at the thin end of stock of "
+                f"{self.stock.largest:g} mm, and {self.stock.least:g} mm must be left: with that it comes to "
+                f"{100 * within:.3g} %; move the camber, or allow less"
+            )
+        return Batten(self, _straight_ends(_pressed(self, taper, chord, FINE_NODES).curve))
+
+    def _taper(self) -> tuple[float, float]:
+        """Logarithm of end over start size, and chord over length, by Newton's method on finite differences."""
+        # an even sine of this camber, and what taper does to its place, to begin with
+        x = np.array([6.0 * (0.5 - self.place), 1 - 2.4 * self.camber**2])
+
+        def missed(x: FloatArray) -> FloatArray:
+            found = _place(_pressed(self, float(x[0]), float(x[1]), SEARCH_NODES))
+            return np.array(found) - (self.camber, self.place)
+
+        for _ in range(MOST_STEPS):
+            now = missed(x)
+            if np.abs(now).max() < SETTLED:
+                return float(x[0]), float(x[1])
+            step = np.array([1e-4, -1e-5])
+            slopes = np.column_stack([(missed(x + h) - now) / h.sum() for h in np.diag(step)])
+            change = np.linalg.solve(slopes, -now)
+            change *= min(1.0, 0.5 / abs(change[0]) if change[0] else 1.0)
+            chord = np.clip(x[1] + change[1], x[1] - 0.1, (1 + x[1]) / 2)
+            x = np.array([np.clip(x[0] + change[0], -4.0, 4.0), max(chord, 0.3)])
+        raise NotConvergedError(
+            f"no taper brings a camber of {100 * self.camber:g} % to {100 * self.place:g} % of the chord: move it "
+            "nearer to the middle"
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Batten:
+    """A batten as it is made: see `BattenSpec`.
+
+    Attributes
+    ----------
+    spec : BattenSpec
+    curve : PlaneCurve
+        The shape between its pressed ends, the chord along x.
+    """
+
+    spec: BattenSpec
+    curve: PlaneCurve
+
+    @property
+    def strip_spec(self) -> StripSpec:
+        """The same as a request for a strip: this curve between hinges, its stiffness made of the stock."""
+        stock = self.spec.stock
+        return StripSpec(
+            self.curve, stock.sheet, law=stock, supports=ENDS, ends=(Tab(0.0), Tab(0.0)), label=self.spec.label,
+            smooth=0.0,
+        )  # fmt: skip
+
+    @cached_property
+    def strip(self) -> Strip:
+        """What the request makes: bodies, mass and warnings are those of every strip."""
+        return self.strip_spec.make()
+
+    @property
+    def camber(self) -> tuple[float, float]:
+        """Depth and its place, in chords."""
+        return _place(self.strip.rod)
+
+    @property
+    def chord(self) -> float:
+        """Distance of the pressed ends, mm."""
+        return float(np.hypot(*(self.strip.rod.position[-1] - self.strip.rod.position[0])))
+
+    @property
+    def end_force(self) -> float:
+        """With which the ends are pressed together, N."""
+        return float(np.hypot(*self.strip.reactions().start_force))
+
+    def table(self, stations: FloatArray | list[float]) -> dict[str, FloatArray]:
+        """Columns (n,) by name at stations (n,), mm along the batten: size in mm and inch, strain, and safety.
+
+        Safety is what the material bears over the strain; infinite at the ends, which do not bend.
+        """
+        s = np.clip(np.asarray(stations, dtype=float), 0.0, self.strip.rod.length)
+        law, size = self.spec.stock, self.strip.layout.size
+        assert size is not None
+        sizes = size(s)
+        (layer,) = law.strains(np.abs(self.strip.rod.bend_at(s)), sizes)
+        strain = np.where(layer.strain < 1e-12, 0.0, layer.strain)
+        safety = np.divide(layer.limit, strain, out=np.full(s.size, np.inf), where=strain > 0)
+        return {
+            "s_mm": s, "s_inch": s / MM_PER_INCH, f"{law.quantity}_mm": sizes,
+            f"{law.quantity}_inch": sizes / MM_PER_INCH, "strain": strain, "safety": safety,
+        }  # fmt: skip
+
+    def drawing(self, stations: FloatArray | list[float]) -> Drawing:
+        """The side view at full size, with a tick and its size in mm at every station."""
+        table, quantity = self.table(stations), self.spec.stock.quantity
+        view = side_view(self.strip)
+        top = float(view.bounds[1, 1])
+        ticks = [
+            LayeredPath(MARK, Path((Line((s, top + 1.0), (s, top + 1.0 + TICK_MM)),)))
+            for s in table["s_mm"].tolist()
+        ]
+        sizes = zip(table["s_mm"].tolist(), table[f"{quantity}_mm"].tolist(), strict=True)
+        texts = tuple(
+            Text((s, top + 2.0 + TICK_MM), f"{size:.2f}", LETTER_MM, np.pi / 2) for s, size in sizes
+        )
+        return Drawing(self.spec.label, (*ticks, LayeredPath(CUT_OUTER, view)), texts)
+
+
+def _pressed(spec: BattenSpec, taper: float, chord: float, nodes: int) -> Rod:
+    """The batten between hinges at this distance; its size goes evenly from 1 to exp(taper)."""
+    end = np.exp(taper)
+    sizes = np.linspace(1.0, end, nodes)
+    flat = Rod.straight(spec.length, spec.stock.bending_stiffness(sizes), samples=nodes, supports=ENDS)
+    return bend(flat, end=(chord * spec.length, 0.0))
+
+
+def _place(rod: Rod) -> tuple[float, float]:
+    """The largest distance from the chord and where it lies, in chords, by a parabola through three nodes."""
+    chord = rod.position[-1] - rod.position[0]
+    size = float(chord @ chord)
+    along = (rod.position - rod.position[0]) @ chord / size
+    off = np.abs((rod.position - rod.position[0]) @ np.array([-chord[1], chord[0]])) / size
+    k = int(np.clip(off.argmax(), 1, off.size - 2))
+    a, b, c = np.polyfit(along[k - 1 : k + 2] - along[k], off[k - 1 : k + 2], 2)
+    return float(c - b**2 / (4 * a)), float(along[k] - b / (2 * a))
+
+
+def _straight_ends(curve: PlaneCurve) -> PlaneCurve:
+    """The curve with no curvature at its ends, as hinges have it: third points are moved by micrometres."""
+    points = np.array(curve.control_points)
+    for first, second, third in ((0, 1, 2), (-1, -2, -3)):
+        along = points[second] - points[first]
+        along = along / np.hypot(*along)
+        points[third] = points[first] + ((points[third] - points[first]) @ along) * along
+    return PlaneCurve(curve.knots, points, curve.degree)

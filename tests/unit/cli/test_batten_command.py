@@ -1,0 +1,94 @@
+"""`elastica batten` as a sailmaker meets it: what is asked, what is told, and the files."""
+
+import csv
+import json
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+from scipy.integrate import solve_bvp
+
+from elastica_cad.cli.commands import elastica
+from elastica_cad.fabrication.batten import BattenSpec
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.tapered_sections import RoundLaw, ThicknessLaw
+
+ASKED = ("--sheet", "pom-1", "--length", "2400", "--camber", "10", "--at", "40")
+
+
+def run(*arguments):
+    return CliRunner().invoke(elastica, ["batten", *map(str, arguments)])
+
+
+def test_the_files_say_what_is_told(tmp_path, check_drawing_file):
+    told = run(*ASKED, "--stock", 25, 8, "--least", 3, "--every", 300, "-o", tmp_path)
+    assert told.exit_code == 0, told.output
+    assert "camber 10.00 % at 40.00 % of the chord" in told.output
+    rows = list(csv.DictReader((tmp_path / "batten.csv").read_text().splitlines()))
+    assert [float(row["s_mm"]) for row in rows] == list(np.arange(0.0, 2401.0, 300.0))
+    sizes = np.array([float(row["thickness_mm"]) for row in rows])
+    assert np.abs(np.diff(sizes, 2)).max() < 2e-3  # an even taper
+    assert sizes[-1] == pytest.approx(8.0, rel=1e-4)
+    assert [float(row["thickness_inch"]) for row in rows] == pytest.approx(sizes / 25.4, rel=1e-4)
+    report = json.loads((tmp_path / "batten.json").read_text())
+    assert report["camber_place"] == pytest.approx(0.4, abs=1e-5)
+    (outline,) = [one for one in check_drawing_file(tmp_path / "batten.dxf") if one.layer == "CUT_OUTER"]
+    assert outline.area == pytest.approx(2400 * sizes.mean(), rel=1e-3)
+    for kind in ("svg", "pdf", "step"):
+        assert (tmp_path / f"batten.{kind}").stat().st_size > 1000
+
+
+@pytest.mark.parametrize("law", ["strip", "rod", "tube"])
+@pytest.mark.parametrize(("camber", "place"), [(0.08, 0.45), (0.12, 0.38), (0.1, 0.6)])
+def test_an_independent_solver_finds_the_camber_where_it_is_asked_for(law, camber, place):
+    """Hinged ends at the chord's distance, E I of the sizes by the book."""
+    glass = Sheet("glass", 8.0, 38000.0, density=1900.0, max_strain=0.012)
+    stock = ThicknessLaw(glass, 1.5, 8.0, width=25.0)
+    if law != "strip":
+        stock = RoundLaw(glass, 1.5, 8.0, bore=0.6 if law == "tube" else 0.0)
+    made = BattenSpec(2400.0, camber, place, stock).make()
+    s = np.linspace(0.0, 2400.0, 801)
+    size = made.table(s)[f"{stock.quantity}_mm"]
+    EI = 38000.0 * (25.0 * size**3 / 12 if law == "strip" else np.pi / 64 * size**4 * (1 - stock.bore**4))
+    unit = EI.max()
+
+    def slopes(u, y, force):
+        x, _, angle, moment = y
+        bend = moment / (np.interp(u * 2400.0, s, EI) / unit)
+        return np.array([np.cos(angle), np.sin(angle), bend, -force[0] * np.sin(angle) + 0 * x])
+
+    def held(a, b, _):
+        return np.array([a[0], a[1], a[3], b[3], b[0] - made.chord / 2400.0])
+
+    u = s / 2400.0
+    rod = made.strip.rod
+    x, y = (np.interp(s, rod.s, column) / 2400.0 for column in rod.position.T)
+    guess = np.array([x, y, np.interp(s, rod.s, rod.angle), -10.0 * y])
+    found = solve_bvp(slopes, held, u, guess * 1.01, p=[10.0], tol=1e-7, max_nodes=40000)
+    assert found.success
+    deep = np.abs(found.sol(u)[1])
+    k = int(deep.argmax())
+    assert deep[k] * 2400.0 / made.chord == pytest.approx(camber, rel=1e-3)
+    assert found.sol(u)[0][k] * 2400.0 / made.chord == pytest.approx(place, abs=5e-3)
+    assert abs(found.p[0]) * unit / 2400.0**2 == pytest.approx(made.end_force, rel=1e-2)
+    assert np.hypot(*(found.sol(u)[:2] - (x, y))).max() < 1e-4
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (("--stock", 25, 8, "--rod", 6), "--stock WIDTH THICKNESS for a strip, or --rod"),
+        ((), "say what the batten is made of"),
+        (("--stock", 25, 8, "--least", 6), r"asks for 3.3\d mm at the thin end"),
+        (("--stock", 25, 8, "--bore", 0.5), "--bore is of a tube"),
+        (("--stock", 25, 8, "--every", 0.1), "--every is 0.1 mm"),
+        (("--stock", 25, 8, "--name", "a/b"), "leave out /"),
+    ],
+)
+def test_a_slip_is_one_sentence(arguments, said, tmp_path):
+    import re
+
+    told = run(*ASKED, *arguments, "-o", tmp_path)
+    assert told.exit_code == 2
+    assert re.search(said, told.output), told.output
+    assert not list(tmp_path.iterdir())
