@@ -28,7 +28,7 @@ from elastica_cad.mechanics.loads.arguments import require_curve, require_suppor
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
-from elastica_cad.mechanics.material.cross_sections import LaminatedSection
+from elastica_cad.mechanics.material.laminated_section import LaminatedSection
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.material.tapered_sections import WidthLaw

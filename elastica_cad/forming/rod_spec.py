@@ -22,7 +22,7 @@ from elastica_cad.mechanics.loads.arguments import (
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import Weight
-from elastica_cad.mechanics.material.cross_sections import LaminatedSection
+from elastica_cad.mechanics.material.laminated_section import LaminatedSection
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.optimal_laminate import optimal_laminate

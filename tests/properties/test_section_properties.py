@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from elastica_cad.mechanics.material.anticlastic import anticlastic_factor, anticlastic_widths
-from elastica_cad.mechanics.material.cross_sections import LaminatedSection
+from elastica_cad.mechanics.material.laminated_section import LaminatedSection
 from elastica_cad.mechanics.material.moment_curvature import ElasticPlasticLaw, PolynomialLaw, TabulatedLaw
 from elastica_cad.mechanics.material.sheet import Sheet
 

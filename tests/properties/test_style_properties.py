@@ -12,7 +12,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.perforation import Perforated
-from elastica_cad.mechanics.material.cross_sections import LaminatedSection
+from elastica_cad.mechanics.material.laminated_section import LaminatedSection
 
 pytestmark = pytest.mark.core
 

@@ -8,7 +8,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.weight import PointMass
-from elastica_cad.mechanics.material.cross_sections import LaminatedSection
+from elastica_cad.mechanics.material.laminated_section import LaminatedSection
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.stiffness.optimal_laminate import optimal_laminate
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod

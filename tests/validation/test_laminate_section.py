@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from elastica_cad.mechanics.material.cross_sections import LaminatedSection
+from elastica_cad.mechanics.material.laminated_section import LaminatedSection
 from elastica_cad.mechanics.material.sheet import Sheet
 
 pytestmark = pytest.mark.core

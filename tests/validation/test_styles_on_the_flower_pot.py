@@ -12,7 +12,7 @@ from elastica_cad.fabrication.model.touching_widths import touching_widths
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.mechanics.material.cross_sections import LaminatedSection
+from elastica_cad.mechanics.material.laminated_section import LaminatedSection
 from elastica_cad.mechanics.stiffness.optimal_laminate import optimal_laminate
 
 pytestmark = pytest.mark.core

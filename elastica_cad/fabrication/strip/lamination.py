@@ -16,7 +16,7 @@ from elastica_cad.fabrication.strip.styles import (
 )
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.polynomials.fit_function import adaptive_spline
-from elastica_cad.mechanics.material.cross_sections import LaminatedSection
+from elastica_cad.mechanics.material.laminated_section import LaminatedSection
 from elastica_cad.mechanics.material.section_limits import ScaleRange
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod

@@ -10,7 +10,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.strip.diamond_pattern import DiamondPattern
 from elastica_cad.fabrication.strip.styles import Layout, Width, refine_stations, stations_of, width_profile
 from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.mechanics.material.cross_sections import PerforatedSection
+from elastica_cad.mechanics.material.plain_section import PerforatedSection
 from elastica_cad.mechanics.material.section_limits import ScaleRange
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod

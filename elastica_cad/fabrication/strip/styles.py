@@ -12,7 +12,8 @@ from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.flat_outline import Ends, long_sides
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.mechanics.material.cross_sections import LaminatedSection, PlainSection
+from elastica_cad.mechanics.material.laminated_section import LaminatedSection
+from elastica_cad.mechanics.material.plain_section import PlainSection
 from elastica_cad.mechanics.material.section_limits import LayerStrain
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw, StiffnessLaw

@@ -11,7 +11,7 @@ from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
-from elastica_cad.mechanics.material.cross_sections import LaminatedSection
+from elastica_cad.mechanics.material.laminated_section import LaminatedSection
 from elastica_cad.mechanics.material.section_limits import ScaleRange
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod

@@ -13,7 +13,7 @@ from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.tabs import Hole
 from elastica_cad.mechanics.loads.weight import Weight
-from elastica_cad.mechanics.material.cross_sections import LaminatedSection
+from elastica_cad.mechanics.material.laminated_section import LaminatedSection
 from elastica_cad.mechanics.stiffness.optimal_laminate import optimal_laminate
 
 CARD = ec.Sheet.named("card-200gsm")

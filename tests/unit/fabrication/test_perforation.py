@@ -11,7 +11,7 @@ from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.corner_rounding import round_corners
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.tabs import Hole
-from elastica_cad.mechanics.material.cross_sections import PerforatedSection
+from elastica_cad.mechanics.material.plain_section import PerforatedSection
 from elastica_cad.mechanics.material.section_limits import ScaleRange
 
 CARD = ec.Sheet.named("card-200gsm")

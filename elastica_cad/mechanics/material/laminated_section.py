@@ -1,4 +1,4 @@
-"""Cross-sections: from widths of material to bending stiffness E I, weight and strain, and back."""
+"""The section of two sheets glued back to back: from widths to bending stiffness E I, weight, strain, and back."""
 
 from dataclasses import dataclass, replace
 
@@ -8,103 +8,13 @@ from numpy.typing import NDArray
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2, Weight
+from elastica_cad.mechanics.loads.weight import Weight
+from elastica_cad.mechanics.material.plain_section import areal_weight, layer_strain
 from elastica_cad.mechanics.material.section_limits import LIMIT_SLACK, LayerStrain, ScaleRange, positive
 from elastica_cad.mechanics.material.sheet import Sheet
 
-_TOUCH_SHARE = 1e-5  # relative slack on limits for a stiffness that is known between its nodes to 1e-6
-
-
-@dataclass(frozen=True)
-class PlainSection:
-    """A solid rectangle of one sheet: E I = w E h^3 / 12 (paper, section 8.1).
-
-    Examples
-    --------
-    >>> section = PlainSection(Sheet("mm", 1.0, 12.0, density=1000.0, max_strain=0.01))
-    >>> section.bending_stiffness(20.0).item()
-    20.0
-    """
-
-    sheet: Sheet
-
-    @property
-    def rigidity(self) -> float:
-        """E I per mm of width, N mm."""
-        return self.sheet.bending_stiffness(1.0)
-
-    def bending_stiffness(self, width: ArrayLike) -> FloatArray:
-        """E I (n,), N mm2, of widths (n,), mm."""
-        return self.rigidity * positive(width, "width")
-
-    def width(self, bending_stiffness: ArrayLike) -> FloatArray:
-        """Width (n,), mm, that gives the E I (n,), N mm2."""
-        return positive(bending_stiffness, "bending stiffness") / self.rigidity
-
-    def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
-        """The width, as a `StiffnessLaw` names it."""
-        return self.width(bending_stiffness)
-
-    def weight_per_length(self, width: ArrayLike) -> FloatArray:
-        """N/mm (n,) of widths (n,), mm."""
-        return _areal_weight(self.sheet) * positive(width, "width")
-
-    def weight(self, bending_stiffness: float) -> Weight:
-        """The weight law: beta K with beta = 12 rho g B / (E h^2), whatever the profile.
-
-        Parameters
-        ----------
-        bending_stiffness : float
-            B, N mm2, the E I where K = 1.
-        """
-        return Weight(beta=_areal_weight(self.sheet) * float(self.width(bending_stiffness)))
-
-    def strains(
-        self,
-        curvature: ArrayLike,
-        width: ArrayLike | None = None,  # noqa: ARG002 - the strain of a solid sheet does not depend on it
-        *,
-        natural_curvature: float = 0.0,
-    ) -> tuple[LayerStrain, ...]:
-        """Skin strain h/2 |kappa - kappa_0| of curvatures (n,), 1/mm; one layer."""
-        bend = np.abs(np.asarray(curvature, dtype=float) - natural_curvature)
-        return (_layer_strain(self.sheet, np.full(bend.shape, self.sheet.thickness / 2), bend),)
-
-    @property
-    def curvature_limit(self) -> float:
-        """Largest |kappa - kappa_0| the sheet bears, 1/mm: the inverse of the least cold-bend radius."""
-        return 2 * self.sheet.max_strain / self.sheet.thickness
-
-
-@dataclass(frozen=True)
-class PerforatedSection(PlainSection):
-    """A sheet with holes: the ligaments that are left at a station act like one strip of their summed width.
-
-    `width` is then the ligament sum, and it weighs ~ K as a plain strip does, whatever the outer width.
-
-    Parameters
-    ----------
-    sheet : Sheet
-        What it is cut from.
-    ligaments : int
-        How many run side by side.
-    least_ligament : float
-        Width below which a ligament burns or tears away, mm.
-    """
-
-    ligaments: int = 2
-    least_ligament: float = 0.5
-
-    def __post_init__(self) -> None:
-        if self.ligaments < 1 or self.ligaments != int(self.ligaments):
-            raise InputError(f"a perforated strip has {self.ligaments} ligaments: give a whole number from 1")
-        if not (np.isfinite(self.least_ligament) and self.least_ligament >= 0):
-            raise InputError(f"least ligament is {self.least_ligament}: it can't be negative, in mm")
-
-    def scale_range(self, outer_width: ArrayLike, stiffness: ArrayLike) -> ScaleRange:
-        """Scales for which the ligaments fit the outer width (n,), mm, and none is too narrow; K is (n,)."""
-        least = self.rigidity * self.ligaments * self.least_ligament
-        return ScaleRange.of(least, self.bending_stiffness(outer_width), stiffness)
+_TOUCH_SHARE = 1e-5
+"""Relative slack on limits for a stiffness that is known between its nodes to 1e-6."""
 
 
 @dataclass(frozen=True)
@@ -147,10 +57,7 @@ class LaminatedSection:
 
     def bending_stiffness(self, base_width: ArrayLike, backing_width: ArrayLike) -> FloatArray:
         """E I (n,), N mm2, of widths (n,), mm."""
-        w1, w2 = self._widths(base_width, backing_width)
-        A1, A2 = self._axial(w1, w2)
-        h1, h2, d = self._heights
-        return np.asarray((A1 * h1**2 + A2 * h2**2) / 12 + d**2 * A1 * A2 / (A1 + A2))
+        return self._stiffness(*self._widths(base_width, backing_width))
 
     def backing_width(self, base_width: ArrayLike, bending_stiffness: ArrayLike) -> FloatArray:
         """Backing width w2 (n,), mm, for the E I (n,), N mm2: the root of a quadratic, station by station.
@@ -163,7 +70,7 @@ class LaminatedSection:
         w1 = positive(base_width, "base width")
         EI = positive(bending_stiffness, "bending stiffness")
         w1, EI = np.broadcast_arrays(w1, EI)
-        least, most = self.bending_stiffness(w1, 0.0), self.bending_stiffness(w1, w1)
+        least, most = self._stiffness(w1, 0.0 * w1), self._stiffness(w1, w1)
         _refuse_stations(
             least * (1 - _TOUCH_SHARE) > EI,
             EI,
@@ -232,7 +139,7 @@ class LaminatedSection:
         """
         bend = np.abs(np.asarray(curvature, dtype=float) - natural_curvature)
         outer, inner = self.distances(base_width, backing_width)
-        return _layer_strain(self.base, outer, bend), _layer_strain(self.backing, inner, bend)
+        return layer_strain(self.base, outer, bend), layer_strain(self.backing, inner, bend)
 
     def curvature_limit(self, base_width: ArrayLike, backing_width: ArrayLike) -> FloatArray:
         """Largest |kappa - kappa_0| (n,), 1/mm, that both layers bear."""
@@ -245,7 +152,7 @@ class LaminatedSection:
     def weight_per_length(self, base_width: ArrayLike, backing_width: ArrayLike) -> FloatArray:
         """N/mm (n,) of widths (n,), mm; linear in both, not in E I."""
         w1, w2 = self._widths(base_width, backing_width)
-        return np.asarray(_areal_weight(self.base) * w1 + _areal_weight(self.backing) * w2)
+        return np.asarray(areal_weight(self.base) * w1 + areal_weight(self.backing) * w2)
 
     def weight(
         self, s: ArrayLike, base_width: ArrayLike, stiffness: ArrayLike, bending_stiffness: float
@@ -269,7 +176,7 @@ class LaminatedSection:
         K = positive(stiffness, "stiffness")
         w1 = np.broadcast_to(positive(base_width, "base width"), K.shape)
         w2 = self.backing_width(w1, bending_stiffness * K)
-        beta = _areal_weight(self.backing) * bending_stiffness / self.stiffening(w1, w2)
+        beta = areal_weight(self.backing) * bending_stiffness / self.stiffening(w1, w2)
         alpha = self.weight_per_length(w1, w2) - beta * K
         return Weight(alpha=Profile.interpolate(s, alpha), beta=Profile.interpolate(s, beta))
 
@@ -289,8 +196,8 @@ class LaminatedSection:
         if not (np.isfinite(least_backing) and least_backing >= 0):
             raise InputError(f"least backing width is {least_backing}: it can't be negative, in mm")
         return ScaleRange.of(
-            self.bending_stiffness(w1, np.minimum(least_backing, w1)),
-            self.bending_stiffness(w1, w1),
+            self._stiffness(w1, np.minimum(least_backing, w1)),
+            self._stiffness(w1, w1),
             stiffness,
         )
 
@@ -331,6 +238,12 @@ class LaminatedSection:
     def _heights(self) -> tuple[float, float, float]:
         """h1, h2 and the distance of the layers' own axes."""
         return self.base.thickness, self.backing.thickness, self.thickness / 2
+
+    def _stiffness(self, w1: FloatArray, w2: FloatArray) -> FloatArray:
+        """E I (n,), N mm2, of widths that are known to be good."""
+        A1, A2 = self._axial(w1, w2)
+        h1, h2, d = self._heights
+        return np.asarray((A1 * h1**2 + A2 * h2**2) / 12 + d**2 * A1 * A2 / (A1 + A2))
 
     def _axial(self, w1: FloatArray, w2: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Axial stiffness E w h of both layers, N."""
@@ -397,12 +310,3 @@ def _refuse_stations(bad: NDArray[np.bool_], bending_stiffness: FloatArray, text
     if bad.any():
         i = int(np.argmax(bad))
         raise InputError(f"station {i} asks for E I = {bending_stiffness.flat[i]:.4g} N mm2, {text}")
-
-
-def _areal_weight(sheet: Sheet) -> float:
-    """rho g h, N/mm2."""
-    return sheet.density * 1e-9 * STANDARD_GRAVITY_M_S2 * sheet.thickness
-
-
-def _layer_strain(sheet: Sheet, distance: FloatArray, bend: FloatArray) -> LayerStrain:
-    return LayerStrain(sheet.name, np.atleast_1d(distance * bend), sheet.max_strain)

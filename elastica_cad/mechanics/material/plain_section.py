@@ -1,0 +1,113 @@
+"""The section of one sheet, solid or with holes: from width to bending stiffness E I, weight, strain, and back."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2, Weight
+from elastica_cad.mechanics.material.section_limits import LayerStrain, ScaleRange, positive
+from elastica_cad.mechanics.material.sheet import Sheet
+
+
+@dataclass(frozen=True)
+class PlainSection:
+    """A solid rectangle of one sheet: E I = w E h^3 / 12 (paper, section 8.1).
+
+    Examples
+    --------
+    >>> section = PlainSection(Sheet("mm", 1.0, 12.0, density=1000.0, max_strain=0.01))
+    >>> section.bending_stiffness(20.0).item()
+    20.0
+    """
+
+    sheet: Sheet
+
+    @property
+    def rigidity(self) -> float:
+        """E I per mm of width, N mm."""
+        return self.sheet.bending_stiffness(1.0)
+
+    def bending_stiffness(self, width: ArrayLike) -> FloatArray:
+        """E I (n,), N mm2, of widths (n,), mm."""
+        return self.rigidity * positive(width, "width")
+
+    def width(self, bending_stiffness: ArrayLike) -> FloatArray:
+        """Width (n,), mm, that gives the E I (n,), N mm2."""
+        return positive(bending_stiffness, "bending stiffness") / self.rigidity
+
+    def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
+        """The width, as a `StiffnessLaw` names it."""
+        return self.width(bending_stiffness)
+
+    def weight_per_length(self, width: ArrayLike) -> FloatArray:
+        """N/mm (n,) of widths (n,), mm."""
+        return areal_weight(self.sheet) * positive(width, "width")
+
+    def weight(self, bending_stiffness: float) -> Weight:
+        """The weight law: beta K with beta = 12 rho g B / (E h^2), whatever the profile.
+
+        Parameters
+        ----------
+        bending_stiffness : float
+            B, N mm2, the E I where K = 1.
+        """
+        return Weight(beta=areal_weight(self.sheet) * float(self.width(bending_stiffness)))
+
+    def strains(
+        self,
+        curvature: ArrayLike,
+        width: ArrayLike | None = None,  # noqa: ARG002 - the strain of a solid sheet does not depend on it
+        *,
+        natural_curvature: float = 0.0,
+    ) -> tuple[LayerStrain, ...]:
+        """Skin strain h/2 |kappa - kappa_0| of curvatures (n,), 1/mm; one layer."""
+        bend = np.abs(np.asarray(curvature, dtype=float) - natural_curvature)
+        return (layer_strain(self.sheet, np.full(bend.shape, self.sheet.thickness / 2), bend),)
+
+    @property
+    def curvature_limit(self) -> float:
+        """Largest |kappa - kappa_0| the sheet bears, 1/mm: the inverse of the least cold-bend radius."""
+        return 2 * self.sheet.max_strain / self.sheet.thickness
+
+
+@dataclass(frozen=True)
+class PerforatedSection(PlainSection):
+    """A sheet with holes: the ligaments that are left at a station act like one strip of their summed width.
+
+    `width` is then the ligament sum, and it weighs ~ K as a plain strip does, whatever the outer width.
+
+    Parameters
+    ----------
+    sheet : Sheet
+        What it is cut from.
+    ligaments : int
+        How many run side by side.
+    least_ligament : float
+        Width below which a ligament burns or tears away, mm.
+    """
+
+    ligaments: int = 2
+    least_ligament: float = 0.5
+
+    def __post_init__(self) -> None:
+        if self.ligaments < 1 or self.ligaments != int(self.ligaments):
+            raise InputError(f"a perforated strip has {self.ligaments} ligaments: give a whole number from 1")
+        if not (np.isfinite(self.least_ligament) and self.least_ligament >= 0):
+            raise InputError(f"least ligament is {self.least_ligament}: it can't be negative, in mm")
+
+    def scale_range(self, outer_width: ArrayLike, stiffness: ArrayLike) -> ScaleRange:
+        """Scales for which the ligaments fit the outer width (n,), mm, and none is too narrow; K is (n,)."""
+        least = self.rigidity * self.ligaments * self.least_ligament
+        return ScaleRange.of(least, self.bending_stiffness(outer_width), stiffness)
+
+
+def areal_weight(sheet: Sheet) -> float:
+    """rho g h, N/mm2."""
+    return sheet.density * 1e-9 * STANDARD_GRAVITY_M_S2 * sheet.thickness
+
+
+def layer_strain(sheet: Sheet, distance: FloatArray, bend: FloatArray) -> LayerStrain:
+    """Strain of a fibre that lies `distance` (n,) mm from the neutral axis of what is bent by `bend` (n,), 1/mm."""
+    return LayerStrain(sheet.name, np.atleast_1d(distance * bend), sheet.max_strain)
