@@ -52,7 +52,7 @@ from elastica_cad.geometry.curves.projective_maps import four_point_map as four_
 from elastica_cad.geometry.frame import Frame as Frame
 from elastica_cad.geometry.paths.path import Path as Path
 from elastica_cad.geometry.paths.profile import Profile as Profile
-from elastica_cad.kit import save_model as save_model
+from elastica_cad.kit.kit_files import save_model as save_model
 from elastica_cad.mechanics.bending.bend_forward import bend as bend
 from elastica_cad.mechanics.loads.gravity import Gravity as Gravity
 from elastica_cad.mechanics.loads.supports import End as End, Supports as Supports

@@ -13,7 +13,8 @@ from elastica_cad.fabrication.sheets.cut_list import cut_list
 from elastica_cad.files import read_curves, read_surface
 from elastica_cad.formats.design_files.design_file import read_design
 from elastica_cad.geometry.paths.point_distance import largest_deviation
-from elastica_cad.kit import Kit, kit_of, kit_report, left_out, write_kit
+from elastica_cad.kit.kit_contents import Kit, kit_of
+from elastica_cad.kit.kit_files import kit_report, left_out, write_kit
 
 MOST_SAID = 6
 """Notes that are printed; the report holds all."""

@@ -13,7 +13,7 @@ from elastica_cad.cli.commands import elastica
 from elastica_cad.fabrication.model.assembly_steps import list_assembly_steps
 from elastica_cad.formats.curve_files.json_curves import curves_json
 from elastica_cad.formats.design_files.design_file import read_design
-from elastica_cad.kit import kit_of
+from elastica_cad.kit.kit_contents import kit_of
 from elastica_cad.plot.assembly_sheet import save_assembly_sheet
 
 DESIGN = """

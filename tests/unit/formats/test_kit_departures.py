@@ -6,7 +6,8 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad.formats.design_files.design_file import read_design
-from elastica_cad.kit import kit_of, write_kit
+from elastica_cad.kit.kit_contents import kit_of
+from elastica_cad.kit.kit_files import write_kit
 
 DESIGN = """schema = 1
 sheet = "card-200gsm"

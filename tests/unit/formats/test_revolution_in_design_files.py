@@ -6,7 +6,7 @@ import pytest
 import elastica_cad as ec
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.formats.design_files.design_file import read_design
-from elastica_cad.kit import kit_of
+from elastica_cad.kit.kit_contents import kit_of
 
 HEAD = 'schema = 1\nname = "vase"\nsheet = "card-200gsm"\n'
 POINTS = "points = [[70, 0], [85, 16], [125, 55], [90, 115], [75, '100 + 40']]"

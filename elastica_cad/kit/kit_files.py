@@ -1,60 +1,30 @@
-"""Everything that a model becomes, written into one folder: all files together, or none."""
+"""A kit written into one folder: all files together, or none."""
 
 import json
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable
+from dataclasses import dataclass
 from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import Any
 
-from elastica_cad.errors import InputError, NotConvergedError, how_to_install
+from elastica_cad.errors import InputError, how_to_install
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
-from elastica_cad.fabrication.holders.end_fixtures import EndFixture
-from elastica_cad.fabrication.holders.rocking_tabs import holder_plays, rocking_tabs
-from elastica_cad.fabrication.holders.tab_seats import hold_each
-from elastica_cad.fabrication.holding.held_shape import HeldShape
-from elastica_cad.fabrication.makeability.faults import accept_faults, find_strip_faults
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
-from elastica_cad.fabrication.makeability.splices import Splice, spliced
-from elastica_cad.fabrication.model.assembly import Holder
 from elastica_cad.fabrication.model.strip_model import Model
-from elastica_cad.fabrication.placed_strip import distinct_names
 from elastica_cad.fabrication.sheets.cut_list import cut_list
-from elastica_cad.fabrication.sheets.nesting import NestedSheet, nest_pieces
-from elastica_cad.fabrication.sheets.pieces import Piece, file_word, strip_pieces
+from elastica_cad.fabrication.sheets.nesting import NestedSheet
+from elastica_cad.fabrication.sheets.pieces import file_word
 from elastica_cad.files import save
 from elastica_cad.formats.design_files.kit_spec import Cutting, KitSpec, Nesting
-from elastica_cad.formats.design_files.strip_table import StripEntry
 from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.formats.reports.model_report import report_model
 from elastica_cad.formats.reports.start_page import compose_start_page
+from elastica_cad.kit.kit_contents import Kit, Writer, kit_of
 from elastica_cad.mechanics.material.sheet import Sheet
-
-Writer: TypeAlias = Callable[[Path], object]
 
 PARTS, SHEETS, MODEL = "parts", "sheets", "model"
 """Folders of a kit; the start page, lists and the report lie beside them."""
-
-
-@dataclass(frozen=True, eq=False)
-class Kit:
-    """Everything that a model becomes."""
-
-    model: Model
-    spec: KitSpec
-    pieces: tuple[Piece, ...]
-    nests: tuple[NestedSheet, ...]
-    holders: tuple[Holder, ...]
-    """Base, rails and ribs, fixtures."""
-    entries: tuple[StripEntry, ...] = ()
-    """What the strips were made after, where a design says it."""
-    files: dict[str, tuple[str, Writer]] = field(default_factory=dict)
-    """What each file is and how it is written, by its name."""
-    held: dict[str, HeldShape] = field(default_factory=dict)
-    """The shape of each strip as made and held, by its name, where it was asked for."""
-    notes: tuple[str, ...] = ()
-    """What was chosen to hold it, what rocks there or finds no rest, what was made although it cannot be cut."""
 
 
 @dataclass(frozen=True)
@@ -92,97 +62,6 @@ def left_out(*, step: bool = True, pictures: bool = True) -> tuple[str, ...]:
         for asked, module, package, kind in wanted
         if asked and find_spec(module) is None
     )
-
-
-def kit_of(
-    model: Model, spec: KitSpec | None = None, *, entries: Sequence[StripEntry] = (), effects: bool = False
-) -> Kit:
-    """Pieces, sheets, base and fixtures of a model.
-
-    Parameters
-    ----------
-    model : Model
-    spec : KitSpec, optional
-        What goes with the strips; the sheets alone unless given.
-    entries : sequence of StripEntry
-        What the strips were made after; the report says how far they are from it.
-    effects : bool
-        Bend every strip again as it is made and held, to tell how far it strays.
-
-    Raises
-    ------
-    InputError
-        Parts larger than a sheet; strips, base or frame that cannot be cut and handled, unless `spec.anyway`.
-    """
-    spec = spec or KitSpec()
-    told, holders = [*_strip_faults(model, spec, entries)], list[Holder]()
-    joined = _spliced(model, spec, entries)
-    strips = strip_pieces(model.parts, numbered=bool(spec.holders or model.plates))
-    pieces = (*_cut(strips, joined), *(plate.piece for plate in model.plates), *spec.extras(model))
-    nests = _nest(pieces, spec.nesting, spec, f"{model.name}-nest")
-    for asked in spec.holders:
-        made, sentence = asked.made(model, spec.shop, anyway=spec.anyway)
-        plates = [one for one in made if not isinstance(one, EndFixture)]
-        cut = tuple(replace(plate.piece, name=f"{model.name}-{plate.name}") for plate in plates)
-        nests += _nest(cut, asked.nesting, spec, f"{model.name}-{asked.name}-nest")
-        pieces, holders = (*pieces, *cut), [*holders, *made]
-        told += [sentence] if sentence else []
-    held, notes = _held(model, (*model.plates, *holders)) if effects else ({}, ())
-    told += [text for plate in (*model.plates, *holders) for text in getattr(plate, "warnings", ())]
-    told += [*(f"{name}: {splice}" for name, splice in joined.items()), *notes]
-    return Kit(
-        model, spec, pieces, nests, tuple(holders), entries=tuple(entries), held=held, notes=tuple(told)
-    )
-
-
-def _spliced(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> dict[str, Splice]:
-    """Strips that are longer than the stock, by name, where the shop joins pieces."""
-    asked = {entry.label: entry.spec.shop for entry in entries}
-    found = {
-        part.name: spliced(part.strip.labelled(part.name), asked.get(part.strip.label, spec.shop))
-        for part in model.parts
-    }
-    return {name: splice for name, splice in found.items() if splice is not None}
-
-
-def _cut(strips: Sequence[Piece], joined: Mapping[str, Splice]) -> tuple[Piece, ...]:
-    """What must be cut for strips, those that are joined of pieces in these."""
-    pieces: list[Piece] = []
-    for piece in strips:
-        whole = piece.name not in joined
-        pieces += [piece] if whole else [replace(one, count=piece.count) for one in joined[piece.name].pieces]
-    return tuple(pieces)
-
-
-def _strip_faults(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> tuple[str, ...]:
-    """What keeps strips, with the slots that neighbours cut into them, from being cut; told where made anyway."""
-    asked = {entry.label: entry.spec for entry in entries}
-    told: list[str] = []
-    for part in model.parts:
-        own = asked.get(part.strip.label)
-        shop, anyway = (spec.shop, False) if own is None else (own.shop, own.anyway)
-        found = find_strip_faults(part.strip.labelled(part.name), shop)
-        told += accept_faults(found, anyway or spec.anyway)
-    known = {text for strip in model.strips for text in strip.warnings} | {*model.reports}
-    return tuple(text for text in dict.fromkeys(told) if text not in known)
-
-
-def _nest(pieces: Sequence[Piece], nesting: Nesting, spec: KitSpec, name: str) -> tuple[NestedSheet, ...]:
-    return nest_pieces(
-        pieces, sheet_size=nesting.sheet_size, margin=nesting.margin, kerf=spec.cutting.kerf, name=name
-    )
-
-
-def _held(model: Model, holders: Sequence[Holder]) -> tuple[dict[str, HeldShape], tuple[str, ...]]:
-    """Of every strip its shape as made and held; of those that find none, why, and which tabs rock."""
-    found = dict[str, HeldShape]()
-    notes = [*holder_plays(model.placed, holders), *rocking_tabs(model.placed, holders)]
-    for name, shape in zip(distinct_names(model.placed), hold_each(model.placed, holders), strict=True):
-        if isinstance(shape, NotConvergedError):
-            notes.append(f"{name}: {shape}")
-        else:
-            found[name] = shape
-    return found, tuple(notes)
 
 
 def write_kit(
