@@ -13,8 +13,8 @@ from elastica_cad.fabrication.strip.styles import Layout
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.anticlastic import anticlastic_factor
-from elastica_cad.mechanics.material.cross_sections import LaminatedSection
 from elastica_cad.mechanics.material.laminate_curl import laminate_factor
+from elastica_cad.mechanics.material.laminated_section import LaminatedSection
 from elastica_cad.mechanics.material.notches import dead_zone_slope
 from elastica_cad.mechanics.rod.rod_record import Rod
 

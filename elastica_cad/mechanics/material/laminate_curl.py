@@ -3,7 +3,7 @@
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad.mechanics.material.cross_sections import LaminatedSection
+from elastica_cad.mechanics.material.laminated_section import LaminatedSection
 from elastica_cad.mechanics.material.sheet import Sheet
 
 PIECES = 8
