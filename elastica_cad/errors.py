@@ -16,6 +16,10 @@ class NotConvergedError(ElasticaError, RuntimeError):
     """A solver stopped short of its tolerance; no half-converged shape is ever returned."""
 
 
+class NotMetError(NotConvergedError):
+    """The limits cannot be met near the drawn curve."""
+
+
 class MissingDependencyError(ElasticaError, ImportError, RuntimeError):
     """An optional library is needed for what was asked and is not installed, or of an unknown version."""
 

@@ -1,20 +1,19 @@
-"""Reading curves from files and saving drawings to them, the format taken from the file name."""
+"""Reading curves from files and saving drawings to them, the format taken from the file name.
+
+Readers and writers are imported when a file of their kind is met: a command reads one.
+"""
 
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
-from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.formats.curve_files.chains import FIT_TOLERANCE, JOIN_TOLERANCE
 from elastica_cad.formats.curve_files.drawn_file import CurveList, DrawnFile
-from elastica_cad.formats.curve_files.dxf_curves import read_dxf_drawing
-from elastica_cad.formats.curve_files.json_curves import read_json_drawing
-from elastica_cad.formats.curve_files.point_files import read_csv_drawing, read_text_drawing
-from elastica_cad.formats.drawing_files.write_drawing import write_drawing
 from elastica_cad.formats.file_access.source_file import look_up_unit, name_source, require_file
-from elastica_cad.formats.surface_files.file_surface import mesh_surface
-from elastica_cad.formats.svg_files.svg_curves import read_svg_drawing
-from elastica_cad.forming.plane_sections.section_spec import Surface
+
+if TYPE_CHECKING:
+    from elastica_cad.fabrication.drawings.drawing import Drawing
+    from elastica_cad.forming.plane_sections.section_spec import Surface
 
 KERNEL_SUFFIXES = (".step", ".stp", ".brep")
 CURVE_SUFFIXES = (".dxf", ".svg", ".csv", ".txt", ".json", *KERNEL_SUFFIXES)
@@ -89,14 +88,24 @@ def read_drawing(
     with name_source(path) as file:
         suffix = file.suffix.lower()
         if suffix == ".dxf":
+            from elastica_cad.formats.curve_files.dxf_curves import read_dxf_drawing
+
             return read_dxf_drawing(file, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit)
         if suffix == ".svg":
+            from elastica_cad.formats.svg_files.svg_curves import read_svg_drawing
+
             return read_svg_drawing(file, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit)
         if suffix == ".csv":
+            from elastica_cad.formats.curve_files.point_files import read_csv_drawing
+
             return read_csv_drawing(file, fit_tolerance=fit_tolerance, unit=unit)
         if suffix == ".txt":
+            from elastica_cad.formats.curve_files.point_files import read_text_drawing
+
             return read_text_drawing(file, unit=unit)
         if suffix == ".json":
+            from elastica_cad.formats.curve_files.json_curves import read_json_drawing
+
             return read_json_drawing(file, unit=unit)
         if suffix in KERNEL_SUFFIXES:
             return _kernel_drawing(file, unit)
@@ -114,7 +123,7 @@ def _kernel_drawing(path: Path, unit: str | None) -> DrawnFile:
     return read_step_drawing(path, scale=1.0 if unit is None else look_up_unit(unit))
 
 
-def read_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.0) -> Surface:
+def read_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.0) -> "Surface":
     """The surface in a file, to be cut by planes: a mesh (.obj, .stl, .ply) or a CAD body (.step, .stp, .brep).
 
     Raises
@@ -125,6 +134,8 @@ def read_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.
         Meshes need trimesh, CAD bodies a kernel.
     """
     if Path(path).suffix.lower() not in KERNEL_SUFFIXES:
+        from elastica_cad.formats.surface_files.file_surface import mesh_surface
+
         return mesh_surface(path, unit=unit, scale=scale)
     path = require_file(path)
     try:
@@ -142,7 +153,7 @@ def _no_kernel(path: Path) -> MissingDependencyError:
     )
 
 
-def save(drawing: Drawing, path: str | Path, **options: Any) -> Path:
+def save(drawing: "Drawing", path: str | Path, **options: Any) -> Path:
     """Write a drawing for cutting; the suffix of `path`, .dxf or .svg, is the format.
 
     The options are those of `formats.write_drawing`: kerf, curves, tolerance, version, layers, force.
@@ -162,4 +173,6 @@ def save(drawing: Drawing, path: str | Path, **options: Any) -> Path:
     ...     save(card, Path(folder, "card.svg"), kerf=0.15).name
     'card.svg'
     """
+    from elastica_cad.formats.drawing_files.write_drawing import write_drawing
+
     return write_drawing(drawing, path, **options)

@@ -14,11 +14,11 @@ from elastica_cad.cli.options import (
     support_options,
     which_options,
 )
-from elastica_cad.cli.running.strip_cures import MOST_CURES, cure_for_curve
+from elastica_cad.cli.running.typed_command import MOST_CURES
 from elastica_cad.cli.running.voice import answer, say, warn
 from elastica_cad.errors import ElasticaError
 from elastica_cad.formats.curve_files.drawn_file import DrawnCurve
-from elastica_cad.formats.reports.strip_report import report_check
+from elastica_cad.formats.reports.check_report import report_check
 from elastica_cad.forming.rounding_verdict import undecided_by_rounding
 from elastica_cad.forming.smoothing import smooth_curve
 from elastica_cad.mechanics.loads.supports import EndName, Supports
@@ -67,14 +67,14 @@ def check(
         except ElasticaError as problem:
             if not several:
                 if not one.problem:
-                    problem.add_note(cure_for_curve(one.curve, supports, natural_curvature, smooth, ()))
+                    problem.add_note(_cure(one.curve, supports, natural_curvature, smooth, ()))
                 raise
             found, good = {"realizable": False, "problem": str(problem), "advice": f"{problem}."}, False
             worst = BAD_INPUT
         cured = sum("cure" in told for _, told in answers)
         if not good and not one.problem and cured < MOST_CURES:
             which = ("--curve", str(one.number)) if len(drawing) > 1 else ()
-            cure = cure_for_curve(whole.curve, supports, natural_curvature, smooth, which)
+            cure = _cure(whole.curve, supports, natural_curvature, smooth, which)
             found |= {"cure": cure} if cure else {}
         worst = max(worst, 0 if good else NOT_REALIZABLE)
         answers.append((one, found))
@@ -87,6 +87,13 @@ def check(
     answer([found for _, found in answers])
     if worst:
         ctx.exit(worst)
+
+
+def _cure(*asked: Any) -> str:
+    """As `cure_for_curve`, which imports all that makes strips."""
+    from elastica_cad.cli.running.strip_cures import cure_for_curve
+
+    return cure_for_curve(*asked)
 
 
 def _judged(

@@ -1,30 +1,33 @@
 """The group of commands, and what all do alike: errors as sentences, JSON, the gate for numbers, watching files."""
 
-from importlib.metadata import PackageNotFoundError, version
+from collections.abc import Iterator
+from importlib import import_module
 from typing import Any
 
 import click
 
-from elastica_cad.cli.bend_command import bend_command
-from elastica_cad.cli.check_command import check
-from elastica_cad.cli.coupon_command import coupon
-from elastica_cad.cli.cures import cure_by_trial
-from elastica_cad.cli.model_command import model
-from elastica_cad.cli.new_command import new
 from elastica_cad.cli.options import refuse_huge_numbers, refuse_odd_numbers
-from elastica_cad.cli.reshape_command import reshape
 from elastica_cad.cli.running.budget import USUAL_MIB, USUAL_S, OutOfBudgetError, spend
 from elastica_cad.cli.running.lengths import UNITS
-from elastica_cad.cli.running.strip_cures import TYPED, say_with_cure
+from elastica_cad.cli.running.typed_command import TYPED, say_with_cure
 from elastica_cad.cli.running.voice import voice
 from elastica_cad.cli.running.watching import remake_on_change
-from elastica_cad.cli.sections_command import sections
-from elastica_cad.cli.sheets_command import sheets
-from elastica_cad.cli.stock.batten_command import batten
-from elastica_cad.cli.strip_command import strip
-from elastica_cad.cli.strip_options import NotMetError
-from elastica_cad.errors import ElasticaError
+from elastica_cad.errors import ElasticaError, NotMetError
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
+
+COMMANDS = {
+    "new": "new_command:new",
+    "check": "check_command:check",
+    "strip": "strip_command:strip",
+    "model": "model_command:model",
+    "batten": "stock.batten_command:batten",
+    "bend": "bend_command:bend_command",
+    "reshape": "reshape_command:reshape",
+    "sections": "sections_command:sections",
+    "coupon": "coupon_command:coupon",
+    "sheets": "sheets_command:sheets",
+}
+"""Module and function of each command, imported when it is asked for."""
 
 NOT_REALIZABLE, BAD_INPUT = 1, 2
 
@@ -36,11 +39,42 @@ TOLD: dict[type[ElasticaError], tuple[str, int]] = {
 """How a refusal begins, and the exit code, the first that fits."""
 
 
-def _version() -> str:
+def _tell_version(ctx: click.Context, _: click.Parameter, asked: bool) -> None:
+    if not asked:
+        return
+    from importlib.metadata import PackageNotFoundError, version
+
     try:
-        return version("elastica-cad")
+        told = version("elastica-cad")
     except PackageNotFoundError:
-        return "from a checkout"
+        told = "from a checkout"
+    click.echo(f"elastica, version {told}")
+    ctx.exit()
+
+
+class _OnDemand(dict[str, click.Command]):
+    """The commands by name, each imported when it is asked for."""
+
+    def __missing__(self, name: str) -> click.Command:
+        if name not in COMMANDS:
+            raise KeyError(name)
+        module, function = COMMANDS[name].split(":")
+        command = getattr(import_module(f"elastica_cad.cli.{module}"), function)
+        self[name] = _complete(command, huge=name == "sections")
+        return self[name]
+
+    def get(self, name: str, default: Any = None) -> Any:
+        """As of any mapping: the command, or the default."""
+        return self[name] if name in COMMANDS else default
+
+    def __len__(self) -> int:
+        return len(COMMANDS)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(COMMANDS)
+
+    def __contains__(self, name: object) -> bool:
+        return name in COMMANDS
 
 
 class _Sentences(click.Group):
@@ -64,13 +98,18 @@ class _Sentences(click.Group):
             ) from problem
 
     def _cure(self, ctx: click.Context, said: str) -> str:
+        from elastica_cad.cli.cures import cure_by_trial
+
         return cure_by_trial(self, ctx.meta.get(TYPED, ()), said)
 
 
 @click.group(
-    cls=_Sentences, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100}
+    cls=_Sentences,
+    commands=_OnDemand(),
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
-@click.version_option(_version(), prog_name="elastica")
+@click.option("--version", is_flag=True, is_eager=True, expose_value=False, callback=_tell_version,
+              help="Show the version and exit.")  # fmt: skip
 def elastica() -> None:
     """Draw a curve, cut a flat strip, bend it: it takes exactly that curve.
 
@@ -174,7 +213,3 @@ def _refuse(problem: ElasticaError) -> int:
     begins, code = next((told for kind, told in TOLD.items() if isinstance(problem, kind)))
     voice().refuse(f"{begins}: {say_with_cure(problem)}", code)
     return code
-
-
-for command in (new, check, strip, model, batten, bend_command, reshape, sections, coupon, sheets):
-    elastica.add_command(_complete(command, huge=command is sections))

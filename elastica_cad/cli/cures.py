@@ -15,7 +15,7 @@ import click
 import numpy as np
 
 from elastica_cad.cli.running.design_mends import mends
-from elastica_cad.cli.running.strip_cures import TRYING, command_line
+from elastica_cad.cli.running.typed_command import TRYING, command_line
 from elastica_cad.errors import ElasticaError
 from elastica_cad.files import read_drawing
 from elastica_cad.formats.design_files.reshaping import CORNERS, box_around

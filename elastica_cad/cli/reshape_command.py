@@ -15,7 +15,8 @@ from elastica_cad.cli.options import (
     which_options,
 )
 from elastica_cad.cli.running.lengths import LENGTH, POINT
-from elastica_cad.cli.running.strip_cures import MOST_CURES, cure_for_curve
+from elastica_cad.cli.running.strip_cures import cure_for_curve
+from elastica_cad.cli.running.typed_command import MOST_CURES
 from elastica_cad.cli.running.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.write_curves import write_curves

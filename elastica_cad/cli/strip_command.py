@@ -25,10 +25,11 @@ from elastica_cad.cli.options import (
     which_options,
 )
 from elastica_cad.cli.running.lengths import LENGTH, Length
-from elastica_cad.cli.running.strip_cures import MOST_CURES, cure_for, say_with_cure
+from elastica_cad.cli.running.strip_cures import cure_for
+from elastica_cad.cli.running.typed_command import MOST_CURES, say_with_cure
 from elastica_cad.cli.running.voice import answer, say, say_step, warn, wrote
-from elastica_cad.cli.strip_options import NotMetError, spec_from_options, strip_options
-from elastica_cad.errors import ElasticaError, InputError, NotConvergedError, how_to_install
+from elastica_cad.cli.strip_options import spec_from_options, strip_options
+from elastica_cad.errors import ElasticaError, InputError, NotConvergedError, NotMetError, how_to_install
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
 from elastica_cad.fabrication.drawings.lettering import engravable
 from elastica_cad.fabrication.makeability.splices import spliced

@@ -16,7 +16,7 @@ from elastica_cad.cli.options import (
     support_options,
 )
 from elastica_cad.cli.running.lengths import LENGTH, POINT, SPACE_POINT
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import InputError
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.perforation import Perforated
@@ -60,10 +60,6 @@ OPTION_OF = {
     "least_width": "--least-width", "law": "--law",
 }  # fmt: skip
 """Options for what the sentences of `StripSpec` name by its fields."""
-
-
-class NotMetError(NotConvergedError):
-    """The limits cannot be met near the drawn curve."""
 
 
 _WIDTHS = (

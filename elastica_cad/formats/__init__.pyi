@@ -24,13 +24,13 @@ from elastica_cad.formats.file_access.atomic_write import (
     write_atomically as write_atomically,
 )
 from elastica_cad.formats.file_access.file_transaction import write_together as write_together
+from elastica_cad.formats.reports.check_report import report_check as report_check
 from elastica_cad.formats.reports.model_report import (
     MODEL_SCHEMA as MODEL_SCHEMA,
     report_model as report_model,
 )
 from elastica_cad.formats.reports.strip_report import (
     REPORT_SCHEMA as REPORT_SCHEMA,
-    report_check as report_check,
     report_strip as report_strip,
 )
 from elastica_cad.formats.surface_files.mesh_files import read_mesh as read_mesh

@@ -1,8 +1,6 @@
 """What a refusal of a curve ends with: the command that makes a strip of it after all, tried, and what it costs."""
 
-import shlex
 from collections.abc import Callable, Iterator, Sequence
-from contextvars import ContextVar
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, TypeAlias
@@ -10,7 +8,7 @@ from typing import Any, TypeAlias
 import click
 import numpy as np
 
-from elastica_cad.cli.running.program import name_program
+from elastica_cad.cli.running.typed_command import TRYING, TYPED, command_line
 from elastica_cad.errors import ElasticaError
 from elastica_cad.fabrication.makeability.splices import SPLICED
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -25,12 +23,6 @@ from elastica_cad.mechanics.rod.rod_record import Rod
 
 Answer: TypeAlias = tuple[Rod | NearestRod, Strip]
 
-TRYING: ContextVar[bool] = ContextVar("elastica.trying", default=False)
-"""Does a command run to see whether it works? It then looks for no cure of its own."""
-
-TYPED = "elastica.typed"
-"""Key of the words that the user typed, in click's `meta`."""
-
 NEAREST = "--nearest"
 
 SPLIT = "--split-corners"
@@ -40,9 +32,6 @@ MOST_PIECES = 24
 
 LEFT_OUT = (NEAREST, SPLIT, "--all")
 """Words typed that a cure says anew, or that would bring the other curves back."""
-
-MOST_CURES = 12
-"""Curves of a file for which a command is sought; each costs a few solves."""
 
 LEAST_TOLD_MM = 1e-3
 """Smaller distances are told as this one."""
@@ -70,17 +59,6 @@ def _typed_line(*added: str, instead: str | None = None) -> str:
     if instead is not None:
         words = [instead if word == context.info_name else word for word in words if word != "--json"]
     return command_line(*(word for word in words if word not in LEFT_OUT), *added)
-
-
-def command_line(*words: str) -> str:
-    """A command as it is typed."""
-    return f"{name_program()} {shlex.join(words)}"
-
-
-def say_with_cure(problem: ElasticaError) -> str:
-    """The refusal, and the cure that was found for it."""
-    said, cure = str(problem), " ".join(getattr(problem, "__notes__", ()))
-    return f"{said}{'' if said.endswith(('.', '?', '!', '.)')) else '.'} {cure}" if cure else said
 
 
 def cure_for(spec: StripSpec, which: Sequence[str] = (), whole: PlaneCurve | None = None) -> str:

@@ -12,7 +12,7 @@ from typing import Any
 import click
 import numpy as np
 
-from elastica_cad.formats.reports.strip_report import round_numbers
+from elastica_cad.formats.reports.check_report import round_numbers
 
 _KEY = "elastica.voice"
 

@@ -9,11 +9,11 @@ from elastica_cad.errors import NotConvergedError
 from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.curve_files.json_curves import curve_record
+from elastica_cad.formats.reports.check_report import report_check, round_numbers
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.forming.smoothing import Smoothing
 from elastica_cad.mechanics.stability.sideways import SidewaysStability
 from elastica_cad.mechanics.stability.stability_verdict import Stability
-from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
 
 REPORT_SCHEMA = "elastica-report/1"
 _UNITS = {
@@ -195,25 +195,6 @@ def _held(strip: Strip) -> dict[str, Any] | None:
         return report_held(strip.held())
     except NotConvergedError:
         return None
-
-
-def report_check(check: EquilibriumCheck) -> dict[str, Any]:
-    """Theorem 1's answer as plain data; places in mm along the curve."""
-    return {
-        "realizable": check.realizable,
-        "reasons": list(check.reasons),
-        "warnings": list(check.warnings),
-        "inflections": round_numbers(check.inflections),
-        "advice": str(check),
-    }
-
-
-def round_numbers(value: Any) -> Any:
-    """Ten significant digits: more would be noise, and the same design must give the same file."""
-    array = np.asarray(value, dtype=float)
-    if array.ndim == 0:
-        return float(f"{float(array):.10g}")
-    return [round_numbers(row) for row in array]
 
 
 def list_versions() -> dict[str, str]:

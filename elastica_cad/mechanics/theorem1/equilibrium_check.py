@@ -303,8 +303,6 @@ def _faint_places(
     curve: PlaneCurve, natural_curvature: float, largest: float, zeros: tuple[CurvatureZero, ...]
 ) -> list[float]:
     """Arc lengths (mm) where |kappa - kappa_0| dips all but to zero, without a zero there."""
-    from scipy.optimize import minimize_scalar
-
     nodes = curve.sample(_PLACES)
     bent = np.abs(nodes.curvature - natural_curvature)
     inside = bent[1:-1]
@@ -318,6 +316,8 @@ def _faint_places(
 
         def depth(s: float, sign: float = sign) -> float:
             return float(sign * (curve.at(np.array([s])).curvature[0] - natural_curvature))
+
+        from scipy.optimize import minimize_scalar
 
         least = minimize_scalar(
             depth, bounds=(low, high), method="bounded", options={"xatol": 1e-7 * curve.length}
