@@ -43,6 +43,7 @@ def write(folder: Path) -> None:
         "sheets.md": sheets(),
         "design_files.md": design_files(),
     }
+    folder.mkdir(exist_ok=True)
     for name, text in pages.items():
         path = folder / name
         if not path.exists() or path.read_text(encoding="utf-8") != text:

@@ -1,7 +1,6 @@
 """The manual: every page is run as its reader does, and the site is built without a warning."""
 
 import os
-import re
 import subprocess
 import sys
 from pathlib import Path
@@ -54,11 +53,3 @@ def test_the_site_is_built_without_a_warning(tmp_path):
     shown = (tmp_path / "site" / "reference" / "python.html").read_text(encoding="utf-8")
     packages = {"fabrication", "formats", "forming", "geometry", "mechanics", "plot", "published"}
     assert [name for name in ec.__all__ if name not in packages and f'id="{name.lower()}"' not in shown] == []
-
-
-@pytest.mark.parametrize("page", [*PAGES, "index.md"])
-def test_links_and_pictures_lead_somewhere(page):
-    targets = re.findall(r"\]\(([^)#]+)", (DOCS / page).read_text(encoding="utf-8"))
-    assert [
-        t for t in targets if not t.startswith("http") and not (DOCS / page).parent.joinpath(t).exists()
-    ] == []
