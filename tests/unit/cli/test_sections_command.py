@@ -79,6 +79,8 @@ def test_metres_are_asked_for_and_strips_come_of_them(dome, tmp_path):
     kit = run(
         "model",
         out / "dome-sections.toml",
+        "--below",  # the mesh lies beside the folder of the design
+        tmp_path,
         "-o",
         tmp_path / "kit",
         "--no-step",
