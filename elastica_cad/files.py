@@ -166,7 +166,7 @@ def save(drawing: "Drawing", path: str | Path, **options: Any) -> Path:
     Examples
     --------
     >>> from tempfile import TemporaryDirectory
-    >>> from elastica_cad.fabrication.drawings.drawing import CUT_OUTER, LayeredPath
+    >>> from elastica_cad.fabrication.drawings.drawing import CUT_OUTER, Drawing, LayeredPath
     >>> from elastica_cad.geometry.paths.path import Path as Chain
     >>> card = Drawing("card", [LayeredPath(CUT_OUTER, Chain.rectangle(85, 55))])
     >>> with TemporaryDirectory() as folder:

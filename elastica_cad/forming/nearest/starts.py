@@ -53,7 +53,8 @@ def search(task: NearestTask, measure: Measure) -> Search:
     for attempt in _attempts(task, measure, problem, first):
         done = best.settled and best.violation <= MET
         near = mean_distance(task, best) < attempt.enough * task.target.diagonal
-        if steps > attempt.most_steps or (done and near):
+        # what breaks its limits from every start so far is refused sooner than what is met, but far
+        if steps > (attempt.most_steps if done else _MOST_STEPS) or (done and near):
             continue
         known = best if done and measure != "max" and attempt.most_steps == _MOST_STEPS else None
         outcome = minimize(problem, attempt.start(), radius=attempt.radius, known=known)

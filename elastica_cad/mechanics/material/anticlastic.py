@@ -70,7 +70,7 @@ def plate_width(
     Examples
     --------
     >>> round(plate_width(1000.0, 0.01, thickness=1.0, poisson_ratio=0.3).item(), 1)
-    912.1
+    911.1
     """
     h, nu = _checked(thickness, poisson_ratio)
     aim, kappa = np.broadcast_arrays(np.asarray(effective, dtype=float), np.asarray(curvature, dtype=float))

@@ -177,7 +177,7 @@ class WidthLaw:
     --------
     >>> law = WidthLaw(Sheet("s", 1.0, 12.0, density=1000.0, max_strain=0.01), 0.0, 900.0)
     >>> law.bending_stiffness(900.0).item(), round(law.bent(0.01).bending_stiffness(900.0).item() / 900, 3)
-    (900.0, 1.097)
+    (900.0, 1.098)
     """
 
     sheet: Sheet
