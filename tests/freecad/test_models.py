@@ -104,7 +104,6 @@ def test_engraving_as_one_takes_the_same_away(document, standing):
         assert united.isValid()
         assert united.Volume == pytest.approx(plain.Volume, rel=1e-9)
         assert united.Area == pytest.approx(plain.Area, rel=1e-9)
-        assert len(united.Faces) < len(plain.Faces)
 
 
 def test_the_base_plate_takes_all_tabs(document, standing):
