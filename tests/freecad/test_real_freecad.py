@@ -57,7 +57,8 @@ def test_files_of_earlier_versions_in_a_window(tmp_path):
             assert one["icon"]
             assert one["state"] == ["Up-to-date"], (name, one["said"])
             before, after = one["volumes"]
-            assert after == pytest.approx(before, rel=1e-5), name
+            # strokes of engraved letters have had mitred corners since
+            assert after == pytest.approx(before, rel=1e-4 if kind == "FixturesFeature" else 1e-5), name
     assert len(kinds) == 6
 
 
@@ -90,7 +91,7 @@ def test_dragging_in_the_sketcher(tmp_path):
 def test_every_command(tmp_path):
     found = launching.run_window("commands.py", tmp_path)
     assert found["workbench"] == "ElasticaWorkbench"
-    assert len(found["known"]) == 17
+    assert len(found["known"]) == 18
     assert "mm" in found["strip panel"]
     assert "can take this curve" in found["check"]
     assert found["check overlay"]["comb"] > 100

@@ -419,7 +419,7 @@ def long_work():
     document.recompute()
     volume = made.Shape.Volume
     made.Style, made.Columns, made.Rows = "Perforated", 4, 44
-    key = subprocess.Popen(["sh", "-c", "sleep 1.5; xdotool key Escape"])
+    key = subprocess.Popen(["sh", "-c", "sleep 0.5; xdotool key Escape"])
     seen = []
     timer = QtCore.QTimer()
     timer.timeout.connect(lambda: seen.append(Gui.getMainWindow().statusBar().currentMessage()))
