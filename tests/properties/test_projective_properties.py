@@ -78,4 +78,6 @@ def test_inflections_stay_on_a_line_in_the_same_order(moves):
     np.testing.assert_allclose(after, landed[:, :2] / landed[:, 2:], atol=1e-5 * image.length)
     assert np.linalg.matrix_rank(after - after.mean(axis=0), tol=1e-4 * image.length) == 1
     assert check_equilibrium(wave).realizable
-    assert check_equilibrium(image).realizable
+    # a map may ask for a stiffness beyond all strips; nothing else keeps its image from being one
+    reasons = check_equilibrium(image).reasons
+    assert all("on the border" in reason for reason in reasons), reasons
