@@ -1,6 +1,7 @@
 """The group of commands, and what all do alike: errors as sentences, JSON, the gate for numbers, watching files."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from functools import cache
 from importlib import import_module
 from typing import Any
 
@@ -52,20 +53,11 @@ def _tell_version(ctx: click.Context, _: click.Parameter, asked: bool) -> None:
     ctx.exit()
 
 
-class _OnDemand(dict[str, click.Command]):
+class _OnDemand(Mapping[str, click.Command]):
     """The commands by name, each imported when it is asked for."""
 
-    def __missing__(self, name: str) -> click.Command:
-        if name not in COMMANDS:
-            raise KeyError(name)
-        module, function = COMMANDS[name].split(":")
-        command = getattr(import_module(f"elastica_cad.cli.{module}"), function)
-        self[name] = _complete(command, huge=name == "sections")
-        return self[name]
-
-    def get(self, name: str, default: Any = None) -> Any:
-        """As of any mapping: the command, or the default."""
-        return self[name] if name in COMMANDS else default
+    def __getitem__(self, name: str) -> click.Command:
+        return _imported(name)
 
     def __len__(self) -> int:
         return len(COMMANDS)
@@ -73,8 +65,13 @@ class _OnDemand(dict[str, click.Command]):
     def __iter__(self) -> Iterator[str]:
         return iter(COMMANDS)
 
-    def __contains__(self, name: object) -> bool:
-        return name in COMMANDS
+
+@cache
+def _imported(name: str) -> click.Command:
+    """The command with what all have; raises KeyError where there is none."""
+    module, function = COMMANDS[name].split(":")
+    command = getattr(import_module(f"elastica_cad.cli.{module}"), function)
+    return _complete(command, huge=name == "sections")
 
 
 class _Sentences(click.Group):
