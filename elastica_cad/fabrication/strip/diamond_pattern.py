@@ -10,7 +10,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.slots.slot import Slot, slot_cut
-from elastica_cad.fabrication.strip.corner_rounding import round_corners
+from elastica_cad.fabrication.strip.corner_rounding import round_all_corners
 from elastica_cad.fabrication.strip.flat_outline import Ends, close_chain, graph, greville
 from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.geometry.paths.biarcs import as_arcs
@@ -105,7 +105,7 @@ class DiamondPattern:
         cuts = [slot_cut(slot, self.width, beyond=slot.width) for slot in slots]
         clear = [loop for hole in self._holes for loop in self._clear(hole.within(low, high), cuts)]
         if self.corner_radius > 0:
-            clear = [round_corners(loop, self.corner_radius) for loop in clear]
+            clear = round_all_corners(clear, self.corner_radius)
         if self.arcs is not None:
             clear = [as_arcs(loop, self.arcs) for loop in clear]
         return tuple(clear)

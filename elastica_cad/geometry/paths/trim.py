@@ -4,10 +4,10 @@ from itertools import pairwise
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
+from elastica_cad.geometry.paths.spline_table import SplineTable
 
 
 def trim_segment(segment: Segment, u0: float, u1: float) -> Segment:
@@ -33,20 +33,8 @@ def clamp_ends(curve: PlaneCurve) -> PlaneCurve:
 
 
 def trim_curve(curve: PlaneCurve, t0: float, t1: float) -> PlaneCurve:
-    """The part of a curve between two parameters as a clamped curve of its own (Boehm's knot insertion)."""
-    p = curve.degree
-    t0, t1 = (_snapped(curve, t) for t in (t0, t1))
-    weights = np.ones(len(curve.control_points)) if curve.weights is None else curve.weights
-    knots, points = curve.knots, np.column_stack([curve.control_points * weights[:, None], weights])
-    for t in (t0, t1):
-        while np.count_nonzero(knots == t) < p:
-            knots, points = _with_knot(knots, points, p, t)
-    first = int(np.flatnonzero(knots == t0)[-1]) - p + 1
-    last = int(np.flatnonzero(knots == t1)[0])
-    points = points[first - 1 : last]
-    knots = np.concatenate([np.full(p + 1, t0), knots[first + p : last], np.full(p + 1, t1)])
-    w = points[:, 2]
-    return PlaneCurve.of_sound(knots, points[:, :2] / w[:, None], p, None if curve.weights is None else w)
+    """The part of a curve between two parameters as a clamped curve of its own."""
+    return SplineTable.of([curve]).trimmed(np.array([t0]), np.array([t1]))[0]
 
 
 def split_at_corners(curve: PlaneCurve) -> tuple[PlaneCurve, ...]:
@@ -63,20 +51,3 @@ def split_at_corners(curve: PlaneCurve) -> tuple[PlaneCurve, ...]:
     if len(places) == 2:
         return (curve,)
     return tuple(trim_curve(curve, *ends).drawn_as(curve.provenance) for ends in pairwise(places))
-
-
-def _snapped(curve: PlaneCurve, t: float) -> float:
-    """The knot that `t` lies at but for rounding, else `t`: spans of rounding size are never made."""
-    nearest = float(curve.knots[int(np.argmin(np.abs(curve.knots - t)))])
-    a, b = curve.domain
-    return nearest if abs(nearest - t) <= 1e-12 * (b - a) else t
-
-
-def _with_knot(knots: FloatArray, points: FloatArray, p: int, t: float) -> tuple[FloatArray, FloatArray]:
-    """Knots and homogeneous control points with `t` inserted once."""
-    k = int(np.searchsorted(knots, t, side="right")) - 1
-    s = int(np.count_nonzero(knots == t))
-    i = np.arange(k - p + 1, k - s + 1)
-    a = ((t - knots[i]) / (knots[i + p] - knots[i]))[:, None]
-    moved = (1 - a) * points[i - 1] + a * points[i]
-    return np.insert(knots, k + 1, t), np.concatenate([points[: k - p + 1], moved, points[k - s :]])

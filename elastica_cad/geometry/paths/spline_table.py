@@ -1,0 +1,113 @@
+"""Splines of one degree side by side: evaluated and trimmed at one go, each at places of its own."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad._types import FloatArray, IntArray
+from elastica_cad.geometry.curves.curve_derivatives import quotient
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+
+SAME_KNOT = 1e-12
+"""Share of the domain within which a place is a knot: spans of rounding size are never made."""
+
+
+@dataclass(frozen=True, eq=False)
+class SplineTable:
+    """n curves of the same degree, the tables of shorter ones filled up behind their ends.
+
+    Attributes
+    ----------
+    curves : sequence of PlaneCurve
+    knots : (n, k) array
+        Infinite behind the last.
+    points : (n, m, 3) array
+        Rows x w, y w, w.
+    domain : (n, 2) array
+    """
+
+    curves: Sequence[PlaneCurve]
+    knots: FloatArray
+    points: FloatArray
+    domain: FloatArray
+
+    @classmethod
+    def of(cls, curves: Sequence[PlaneCurve]) -> "SplineTable":
+        """At least one."""
+        most = max(curve.knots.size for curve in curves)
+        knots = np.full((len(curves), most), np.inf)
+        points = np.ones((len(curves), most - curves[0].degree - 1, 3))
+        for row, own, curve in zip(knots, points, curves, strict=True):
+            row[: curve.knots.size] = curve.knots
+            own[: len(curve.control_points), :2] = curve.control_points
+            if curve.weights is not None:
+                own[: curve.weights.size, 2] = curve.weights
+        points[..., :2] *= points[..., 2:]
+        return cls(curves, knots, points, np.array([curve.domain for curve in curves]))
+
+    @property
+    def degree(self) -> int:
+        """Of every curve."""
+        return self.curves[0].degree
+
+    def chosen(self, rows: IntArray) -> "SplineTable":
+        """Some of the curves."""
+        curves = [self.curves[i] for i in rows]
+        return SplineTable(curves, self.knots[rows], self.points[rows], self.domain[rows])
+
+    def motion(self, which: IntArray, u: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Points and their derivatives by u (n, 2) at places u (n,) in [0, 1] of curves (n,)."""
+        p, (first, last) = self.degree, self.domain[which].T
+        knots, t = self.knots[which], first * (1 - u) + last * u
+        span = np.minimum((knots <= t[:, None]).sum(axis=1), (knots < last[:, None]).sum(axis=1)) - 1
+        *_, (a, b), (point,) = (
+            np.moveaxis(row, 1, 0) for row in _de_boor(knots, self.points[which], span, t, p)
+        )
+        each = np.arange(t.size)
+        slope = (b - a) * (p / (knots[each, span + 1] - knots[each, span]))[:, None]
+        position, velocity = quotient([point[:, :2].T, slope[:, :2].T], [point[:, 2], slope[:, 2]])
+        return position.T, velocity.T * (last - first)[:, None]
+
+    def trimmed(self, start: FloatArray, end: FloatArray) -> list[PlaneCurve]:
+        """The parts between parameters start < end (n,) as clamped curves (Boehm's knot insertion)."""
+        p, each = self.degree, np.arange(len(self.curves))
+        start, end = self._snapped(start), self._snapped(end)
+        points = self.points.copy()
+        last = (self.knots < end[:, None]).sum(axis=1) - 1
+        for r, row in enumerate(_de_boor(self.knots, points, last, end, p), 1):
+            points[each, last - p + r] = row[:, 0]
+        knots = np.minimum(self.knots, end[:, None])
+        first = (knots <= start[:, None]).sum(axis=1) - 1
+        for r, row in enumerate(_de_boor(knots, points, first, start, p), 1):
+            points[each, first - r] = row[:, -1]
+        knots = np.maximum(knots, start[:, None])
+        places = zip(self.curves, knots, points, (first - p).tolist(), last.tolist(), strict=True)
+        return [_clamped(curve, own[i : k + p + 2], rows[i : k + 1]) for curve, own, rows, i, k in places]
+
+    def _snapped(self, t: FloatArray) -> FloatArray:
+        """The knots that places (n,) lie at but for rounding, else the places."""
+        gap = np.abs(self.knots - t[:, None])
+        nearest = gap.argmin(axis=1)[:, None]
+        near = np.take_along_axis(gap, nearest, axis=1)[:, 0] <= SAME_KNOT * np.ptp(self.domain, axis=1)
+        return np.where(near, np.take_along_axis(self.knots, nearest, axis=1)[:, 0], t)
+
+
+def _de_boor(
+    knots: FloatArray, points: FloatArray, span: IntArray, t: FloatArray, degree: int
+) -> list[FloatArray]:
+    """De Boor's triangle at parameters (n,) in spans (n,): its rows (n, degree, 3) to (n, 1, 3)."""
+    each = np.arange(t.size)[:, None]
+    near = knots[each, span[:, None] + np.arange(1 - degree, degree + 1)]
+    rows = [points[each, span[:, None] + np.arange(-degree, 1)]]
+    for level in range(1, degree + 1):
+        low, high = near[:, level - 1 : degree], near[:, degree : 2 * degree - level + 1]
+        share = ((t[:, None] - low) / (high - low))[..., None]
+        rows.append(rows[-1][:, :-1] * (1 - share) + rows[-1][:, 1:] * share)
+    return rows[1:]
+
+
+def _clamped(curve: PlaneCurve, knots: FloatArray, points: FloatArray) -> PlaneCurve:
+    w = points[:, 2]
+    weights = None if curve.weights is None else w.copy()
+    return PlaneCurve.of_sound(knots.copy(), points[:, :2] / w[:, None], curve.degree, weights)
