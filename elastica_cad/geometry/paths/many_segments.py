@@ -28,8 +28,8 @@ class ManySegments:
         """Points and their derivatives by u (n, 2), mm, at places u (n,) in [0, 1] of segments (n,)."""
         position, velocity = np.empty((which.size, 2)), np.empty((which.size, 2))
         number = self._table[which]
-        for i in np.flatnonzero(number < 0):
-            position[i], velocity[i] = self.segments[which[i]].motion_at(float(u[i]))
+        for i in np.flatnonzero(number < 0).tolist():
+            position[i], velocity[i] = self.segments[int(which[i])].motion_at(float(u[i]))
         for k, table in enumerate(self._tables):
             mine = np.flatnonzero(number == k)
             if mine.size:
@@ -40,10 +40,10 @@ class ManySegments:
         """The parts between places first <= last (n,) of all segments; None where there is none."""
         parts: list[Segment | None] = [None] * len(self.segments)
         some, whole = first < last, (first == 0) & (last == 1)
-        for i in np.flatnonzero(whole):
+        for i in np.flatnonzero(whole).tolist():
             parts[i] = self.segments[i]
         some &= ~whole
-        for i in np.flatnonzero(some & (self._table < 0)):
+        for i in np.flatnonzero(some & (self._table < 0)).tolist():
             parts[i] = trim_segment(self.segments[i], float(first[i]), float(last[i]))
         for k, table in enumerate(self._tables):
             mine = np.flatnonzero(some & (self._table == k))
@@ -51,6 +51,6 @@ class ManySegments:
                 rows = self._row[mine]
                 low, high = table.domain[rows].T
                 ends = (low * (1 - u) + high * u for u in (first[mine], last[mine]))
-                for i, curve in zip(mine, table.chosen(rows).trimmed(*ends), strict=True):
+                for i, curve in zip(mine.tolist(), table.chosen(rows).trimmed(*ends), strict=True):
                     parts[i] = Spline(curve)
         return parts
