@@ -15,6 +15,9 @@ BEST_LOAD = 5.0
 TICK_MM, LONG_TICK_MM = 10.0, 50.0
 """Steps of the scale, as on a ruler."""
 
+MOST_OVERHANG_MM = 10_000.0
+"""A scale of a thousand ticks; no board is longer."""
+
 EDGE_MM = 0.5
 """Engraving keeps this far off the edge, so that no tick is a notch."""
 
@@ -60,8 +63,8 @@ def coupon_drawing(
     Raises
     ------
     InputError
-        Sizes that are not positive, an overhang of less than two ticks or a strip too narrow for its
-        engraving.
+        Sizes that are not positive, an overhang of less than two ticks or beyond 10 m, or a strip too narrow for
+        its engraving.
 
     Examples
     --------
@@ -76,6 +79,10 @@ def coupon_drawing(
     if free < 2 * TICK_MM:
         raise InputError(
             f"a coupon of {free:g} mm overhang is too short for its scale: use {2 * TICK_MM:g} mm or more"
+        )
+    if free > MOST_OVERHANG_MM:
+        raise InputError(
+            f"a coupon of {free:g} mm overhang is longer than any board: use {MOST_OVERHANG_MM:g} mm or less"
         )
     if width < 8.0:
         raise InputError(f"a coupon of {width:g} mm width is too narrow for its engraving: use 8 mm or more")
