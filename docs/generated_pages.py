@@ -1,13 +1,18 @@
 """Reference pages that the code itself tells: commands and their options, public names, sheets, templates."""
 
 import inspect
+import json
 import os
+import re
 from pathlib import Path
 
 import click
 
 import elastica_cad as ec
 from elastica_cad.cli.commands import elastica as main
+from elastica_cad.formats.design_files.formulae import CONSTANTS, FUNCTIONS
+from elastica_cad.formats.design_files.keys import values
+from elastica_cad.formats.design_files.keys.design_schema import SCHEMA_FILE, TABLES, design_schema
 
 NAMES = {
     "Curves": (
@@ -42,6 +47,7 @@ def write(folder: Path) -> None:
         "python.md": python(),
         "sheets.md": sheets(),
         "design_files.md": design_files(),
+        SCHEMA_FILE: json.dumps(design_schema(), indent=1),
     }
     folder.mkdir(exist_ok=True)
     for name, text in pages.items():
@@ -112,16 +118,64 @@ def sheets() -> str:
 
 
 def design_files() -> str:
-    """The commented design files that `elastica new` writes."""
+    """Every key of a design file, and the commented files that `elastica new` writes."""
     folder = Path(ec.__file__).parent / "cli" / "templates"
     parts = [
         "# Design files",
         "",
-        "A design file is TOML with `schema = 1`; `elastica model FILE.toml` makes it. A number may be a formula "
-        "in quotes; a key that nobody knows is refused with the nearest one that is known. "
-        "`elastica new KIND` writes these:",
+        "A design file is TOML; `elastica model FILE.toml` makes it. Lengths are mm, angles rad; a number may be a "
+        'formula in quotes, such as `"30 * degrees"`. A key that nobody knows is refused with the nearest one '
+        "that is known. [Design files in an editor](../how_to/design_files.md) says how an editor completes and "
+        "checks keys.",
+        "",
+        "## Templates",
+        "",
+        "`elastica new KIND` writes these.",
         "",
     ]
     for path in sorted(folder.glob("*.toml")):
-        parts += [f"## {path.stem}", "", f"```toml\n{path.read_text(encoding='utf-8')}```", ""]
+        parts += [f"### {path.stem}", "", f"```toml\n{path.read_text(encoding='utf-8')}```", ""]
+    parts += ["## Keys", "", "The file itself is the table *design*.", ""]
+    for name, keys in TABLES.items():
+        parts += [f"### table {name}", "", "| key | value | says |", "| --- | --- | --- |"]
+        parts += [
+            f"| `{key}` | {_linked(_in_words(value))} | {text} |" for key, (value, text) in keys.items()
+        ]
+        parts.append("")
+    parts += ["## Names in formulae", "", "Constants: " + ", ".join(f"`{name}`" for name in CONSTANTS) + ".",
+              "Functions: " + ", ".join(f"`{name}`" for name in FUNCTIONS) + ".", ""]  # fmt: skip
     return "\n".join(parts)
+
+
+def _linked(words: str) -> str:
+    """Names of tables lead to them."""
+    names = sorted(TABLES, key=len, reverse=True)
+    return re.sub(
+        rf"table ({'|'.join(names)})(?=,|$)",
+        lambda found: f"[{found[0]}](#table-{found[1].replace(' ', '-')})",
+        words,
+    )
+
+
+def _in_words(fragment: dict) -> str:
+    """What a reader of the manual is told of a value."""
+    if "anyOf" in fragment:
+        return ", or ".join(_in_words(one) for one in fragment["anyOf"])
+    if "$ref" in fragment:
+        return "table " + fragment["$ref"].removeprefix("#/definitions/")
+    if "enum" in fragment:
+        return " or ".join(f'"{word}"' for word in fragment["enum"])
+    if fragment == values.NUMBERS:
+        return "numbers in brackets"
+    if fragment.get("type") == "array":
+        count, inner = fragment.get("maxItems"), fragment["items"]
+        if inner == values.NUMBER:
+            return f"{count} numbers in brackets"
+        return f"list of{'' if count is None else f' {count}'}: {_in_words(inner)}"
+    plain = (
+        (values.NUMBER, "number"),
+        (values.COUNT, "whole number"),
+        (values.FLAG, "true or false"),
+        (values.TEXT, "text"),
+    )
+    return next((words for one, words in plain if one == fragment), "table of names and numbers")

@@ -1,5 +1,6 @@
-"""`elastica new`: a commented design file to start from, which runs as it is."""
+"""`elastica new`: a commented design file to start from, which runs as it is, and its schema for editors."""
 
+import json
 from importlib.resources import files
 from pathlib import Path
 
@@ -9,10 +10,11 @@ import numpy as np
 from elastica_cad.cli.running.program import name_program
 from elastica_cad.cli.running.voice import answer, say, wrote
 from elastica_cad.formats.curve_files.write_curves import write_curves
+from elastica_cad.formats.design_files.keys.design_schema import SCHEMA_FILE, design_schema
 from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
-KINDS = ("arch", "lamp", "pavilion", "revolution", "sections")
+KINDS = ("arch", "lamp", "pavilion", "revolution", "sections", "schema")
 
 GIVEN = {"arch": ("arch.dxf",), "sections": ("bowl.obj",)}
 """Drawings that go with a design file."""
@@ -26,19 +28,33 @@ AROUND, UP = 48, 25  # its points
 
 @click.command()
 @click.argument("kind", type=click.Choice(KINDS))
-@click.option("-o", "--output", type=click.Path(path_type=Path), default=Path(), help="Folder for the file.")
-@click.option("--force", is_flag=True, help="Overwrite a file that exists.")
+@click.option("-o", "--output", type=click.Path(path_type=Path), default=Path(), help="Folder for the files.")
+@click.option("--force", is_flag=True, help="Overwrite files that exist.")
 def new(kind: str, output: Path, force: bool) -> None:
     """Write KIND.toml, a commented design file that `elastica model` makes as it is.
 
     arch: the curve arch.dxf as one strip between two printed blocks; lamp: a ring above and below twelve strips;
     pavilion: strips that lock into each other on a base; revolution: a closed surface of equal strips; sections:
     strips along the mesh bowl.obj.
+
+    elastica.schema.json beside it lets editors of TOML complete and check keys; schema: that file alone, for
+    designs you have: let their first line be #:schema elastica.schema.json
     """
+    schema = json.dumps(design_schema(), indent=1) + "\n"
+    if kind == "schema":
+        with write_together(output, [SCHEMA_FILE], force=force) as folder:
+            (folder / SCHEMA_FILE).write_text(schema, encoding="utf-8", newline="\n")
+        wrote([output / SCHEMA_FILE])
+        answer({"kind": kind})
+        return
     text = files("elastica_cad.cli").joinpath("templates", f"{kind}.toml").read_bytes()
     written = [f"{kind}.toml", *GIVEN.get(kind, ())]
+    if not _holds(output / SCHEMA_FILE, schema):
+        written.append(SCHEMA_FILE)
     with write_together(output, written, force=force) as folder:
         (folder / written[0]).write_bytes(text)
+        if SCHEMA_FILE in written:
+            (folder / SCHEMA_FILE).write_text(schema, encoding="utf-8", newline="\n")
         if kind == "arch":
             write_curves([PlaneCurve.spline(ARCH_MM, degree=4)], folder / "arch.dxf")
         if kind == "sections":
@@ -47,6 +63,11 @@ def new(kind: str, output: Path, force: bool) -> None:
     following = f"{name_program()} model {output / f'{kind}.toml'} -o {output / f'{kind}-kit'}"
     say(f"next: {following}")
     answer({"kind": kind, "next": following})
+
+
+def _holds(path: Path, text: str) -> bool:
+    """Is that file there, with this text?"""
+    return path.is_file() and path.read_bytes() == text.encode()
 
 
 def _bowl() -> str:

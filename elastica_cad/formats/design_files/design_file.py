@@ -1,40 +1,7 @@
 """Design files: a whole model written down in TOML, read, checked and made.
 
-Every number may be a formula in quotes (see `formulae`); lengths are mm, angles rad (30 * degrees). Keys:
-
-    schema = 1, name, let = {names for formulae}, sheets_file or [sheets.NAME] (as `load_sheets`)
-    for all strips, or in [[strips]] for some: sheet (a name, or "my.toml" beside the design), thickness (if it
-        is not the sheet's), max_width, min_width, samples, natural_curvature, supports,
-        gravity = true, [x, y, z] (where things fall) or {length, direction = [x, y] in the curve's plane},
-        loads = [{at, mass}] or {alpha, beta, own, masses = [{at, mass}]},
-        style = {kind, and the sizes of that style},
-        ends = {length, width, corner_radius, chamfer, taper, holes = [{at, diameter, across}],
-        t_slot = {depth, screw, nut, wall}} or two of them, and where the curve may change
-        limits = {ratio, margin, curvature, strain, length, width, stiffness_bounds = {lower, upper},
-        keep_out = [{point, normal} or {lower, upper}]}, keep = {ends, tangents, length, symmetry, points, line};
-        shop = {least_width, least_ligament, least_bridge, stock, lap}, what the workshop can make, of rings, bases,
-        frames, and anyway = true to make what it cannot
-    [[strips]] count (i = 1, 2, ...), label ("P{i}"), let, origin, x_axis, y_axis (the plane of the curve), slots,
-        sections = {mesh (or STEP body), unit, scale, half, longest, split = {point, normal}, {points}, {corners =
-        angle} or a list of such, tolerance, wavelength, and one of radial = {point, axis, zero, count or angles},
-        parallel = {point, normal, offsets or count, up}, along = {path, count, ends, up}}: a strip each, or
-        curve = "file", {file, number, unit}, {x, y, t = [from, to], breaks = [[t, continuity]]},
-        {spline = [[x, y]], degree} or {ellipse = {center, semi_axes, rotation, start, end or above}}, any of them
-        with reshape = {bottom_left, bottom_right, top_right, top_left: where corners of its box go} or
-        {handles = four points, to = four points}
-    revolution = {points = [[x, y]] from the axis, or curve (as above), or a, b, start, angle and length; strips,
-        ring, rings = "SHEET", gap, sheet, ends, shop, anyway}: a surface about z, tiled by equal strips
-    [[patterns]] mirror = {point, normal, keep}, rotate = {count, axis, point, step}, repeat = {count, step}
-    interlock = {clearance, fit, relief, above}
-    what holds strips, each a table or a list of tables, each for strips = ["A*", ...] (labels; all unless given):
-        base = {sheet, height, ends, play, clearance, slot_width, border, shape, sheet_size, name, gap, feet}
-        rings = {sheet, ends, play, clearance, border, gap, feet, shape, sheet_size, name}: a plate for each end
-        frame = {sheet, ribs, depth, tongue, play, clearance, border, gap, feet, sheet_size}
-        (gap: two plates, so many mm apart, hold inclined tabs; feet: small plates of that size, glued to them)
-        fixtures = {floor, ends, clearance, wall, foot, foot_height, screw}
-        stand = {sheet, sheet_size}: the simplest of them that holds all tabs
-    nest = {sheet_size, margin}, extras = {coupon, reference_bar}
-    cut = {kerf, curves, tolerance, version, holding = {width, spacing, least, inner}}
+Every number may be a formula in quotes (see `formulae`); lengths are mm, angles rad (30 * degrees). All keys, with
+what they say, are in `keys`.
 """
 
 import tomllib
@@ -52,17 +19,13 @@ from elastica_cad.fabrication.model.compensated_model import interlock_compensat
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.formats.design_files.keys.model_keys import MODEL_TABLES, TOP
+from elastica_cad.formats.design_files.keys.strip_keys import STRIP
 from elastica_cad.formats.design_files.kit_spec import KitSpec
-from elastica_cad.formats.design_files.model_tables import HOLDER_SIZES, read_interlock, read_kit
+from elastica_cad.formats.design_files.model_tables import read_interlock, read_kit
 from elastica_cad.formats.design_files.revolution_table import RevolutionEntry, read_revolution
 from elastica_cad.formats.design_files.sections_table import read_sections
-from elastica_cad.formats.design_files.strip_table import (
-    MAKING_KEYS,
-    STRIP_KEYS,
-    CurveReader,
-    StripEntry,
-    read_strip,
-)
+from elastica_cad.formats.design_files.strip_table import CurveReader, StripEntry, read_strip
 from elastica_cad.formats.design_files.tables import Slips, Table
 from elastica_cad.formats.file_access.source_file import read_below, require_below, require_file
 from elastica_cad.formats.surface_files.file_surface import SurfaceReader, mesh_surface
@@ -72,11 +35,6 @@ from elastica_cad.mechanics.material.sheet import Sheet, load_sheets, sheets_fro
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 
 DESIGN_SCHEMA = 1
-
-TOP_KEYS = (
-    *MAKING_KEYS, "schema", "name", "let", "sheets", "sheets_file", "strips", "patterns", "interlock",
-    "nest", "cut", "extras", "revolution", *HOLDER_SIZES,
-)  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)
@@ -218,7 +176,7 @@ def _read(path: Path, read_curves: CurveReader, read_surface: SurfaceReader) -> 
         raise InputError(f"{path} is no TOML file: {error}") from error
     top, slips = Table(data, str(path), {}), Slips()
     with slips.gathering():
-        top.only(*TOP_KEYS)
+        top.only(*TOP)
     if data.get("schema") != DESIGN_SCHEMA:
         slips.add(f"{path}: schema is {data.get('schema')!r}; this version reads schema = {DESIGN_SCHEMA}")
     top.scope = top.within(data.get("let", {}))
@@ -302,7 +260,7 @@ def _read_strips(
     for table in top.tables("strips"):
         sections: tuple[SectionCurve | None, ...] = ()
         with slips.gathering():
-            table.only(*STRIP_KEYS)
+            table.only(*STRIP)
             if table.has("sections"):
                 sections, told = read_sections(_only_sections(table), folder, read_surface)
                 reports += told
@@ -340,15 +298,12 @@ def _pattern(table: Table) -> tuple[str, dict[str, Any]]:
     if len(table.data) != 1:
         raise InputError(f"{table.where} must hold one of {', '.join(_PATTERNS)}")
     (kind,) = table.data
-    inner = table.table(kind)
+    inner = table.table(kind).only(*MODEL_TABLES[kind])
     if kind == "mirror":
-        inner.only("point", "normal", "keep")
         point, normal = inner.vector("point", 3, (0.0, 0.0, 0.0)), inner.vector("normal", 3)
         return kind, {"point": point, "normal": normal, "keep": inner.flag("keep", True)}
     if kind == "repeat":
-        inner.only("count", "step")
         return kind, {"count": inner.count("count", 1), "step": inner.vector("step", 3)}
-    inner.only("count", "axis", "point", "step")
     axis, point = inner.vector("axis", 3, (0.0, 0.0, 1.0)), inner.vector("point", 3, (0.0, 0.0, 0.0))
     return kind, {"count": inner.count("count", 1), "axis": axis, "point": point, "step": inner.maybe("step")}
 

@@ -1,10 +1,12 @@
 """What a design file says about all that goes with its strips: joints, base, fixtures, sheets, cutting."""
 
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, get_args
 
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
 from elastica_cad.fabrication.holders.placed_tab import ENDS
+from elastica_cad.formats.design_files.keys.model_keys import MODEL_TABLES
+from elastica_cad.formats.design_files.keys.values import NUMBER
 from elastica_cad.formats.design_files.kit_spec import Cutting, HolderKind, HolderSpec, KitSpec, Nesting
 from elastica_cad.formats.design_files.strip_records import find_sheet, read_shop
 from elastica_cad.formats.design_files.tables import Table
@@ -15,7 +17,7 @@ from elastica_cad.mechanics.material.sheet import Sheet
 
 def read_interlock(table: Table) -> dict[str, Any]:
     """Options of `Model.interlock`."""
-    table.only("clearance", "fit", "relief", "above")
+    table.only(*MODEL_TABLES["interlock"])
     options: dict[str, Any] = {"clearance": table.number("clearance", 0.1)}
     options["fit"] = table.text("fit", "exact", ("exact", "paper"))
     options["relief"] = table.text("relief", "square", ("square", "round"))
@@ -24,8 +26,8 @@ def read_interlock(table: Table) -> dict[str, Any]:
 
 def read_kit(top: Table, sheets: dict[str, Sheet]) -> KitSpec:
     """All that goes with the strips, from the whole design."""
-    nesting = _read_nesting(top.table("nest").only("sheet_size", "margin"), Nesting())
-    extras = top.table("extras").only("coupon", "reference_bar")
+    nesting = _read_nesting(top.table("nest").only(*MODEL_TABLES["nest"]), Nesting())
+    extras = top.table("extras").only(*MODEL_TABLES["extras"])
     return KitSpec(
         nesting=nesting,
         cutting=_read_cutting(top.table("cut")),
@@ -37,24 +39,15 @@ def read_kit(top: Table, sheets: dict[str, Sheet]) -> KitSpec:
     )
 
 
-HOLDER_SIZES: dict[HolderKind, tuple[str, ...]] = {
-    "base": ("play", "clearance", "slot_width", "border", "gap", "feet"),
-    "rings": ("play", "clearance", "border", "gap", "feet"),
-    "frame": ("depth", "tongue", "play", "clearance", "border", "gap", "feet"),
-    "fixtures": ("clearance", "wall", "foot", "foot_height", "screw"),
-    "stand": (),
-}
-"""Lengths that a holder may be given, in the order in which kits hold them."""
+HOLDERS: tuple[HolderKind, ...] = get_args(HolderKind)
+"""In the order in which kits hold them."""
 
-OWN_KEYS = {
-    "base": ("height", "shape", "ends", "name"), "rings": ("shape", "ends", "name"), "frame": ("ribs",),
-    "fixtures": ("floor", "ends"), "stand": (),
-}  # fmt: skip
+_PLACES = ("thickness", "height", "floor")  # numbers that are no sizes of a holder
 
 
 def _read_holders(top: Table, sheets: dict[str, Sheet], nesting: Nesting) -> Iterator[HolderSpec]:
     """Base plates, rings, frames, fixtures: one table of each, or a list of them."""
-    for kind in HOLDER_SIZES:
+    for kind in HOLDERS:
         if isinstance(top.raw(kind), list):
             tables = top.tables(kind)
         else:
@@ -67,15 +60,15 @@ def _read_holder(
     kind: HolderKind, table: Table, number: int, sheets: dict[str, Sheet], nesting: Nesting
 ) -> HolderSpec:
     """One of them; those of a list have numbers in their names unless they bring their own."""
-    sizes, own = HOLDER_SIZES[kind], OWN_KEYS[kind]
-    plates = () if kind == "fixtures" else ("sheet", "thickness", "sheet_size")
-    table.only("strips", *plates, *sizes, *own)
+    keys = MODEL_TABLES[kind]
+    table.only(*keys)
+    sizes = (key for key, (value, _) in keys.items() if value is NUMBER and key not in _PLACES)
     options: dict[str, Any] = {**table.numbers(*sizes)}
-    if "name" in own and (number or table.has("name")):
+    if "name" in keys and (number or table.has("name")):
         options["name"] = table.text("name", f"{kind.removesuffix('s')}-{number}")
     if table.has("ends"):
         options["ends"] = (table.text("ends", choices=ENDS),)
-    if "shape" in own and table.has("shape"):
+    if table.has("shape"):
         options["shape"] = table.text("shape", choices=("hull", "rectangle", "ring"))
     if kind == "base":
         options["frame"] = Frame((0.0, 0.0, table.number("height", 0.0)))
@@ -85,7 +78,7 @@ def _read_holder(
         options["floor"] = Frame((0.0, 0.0, table.number("floor")))
     return HolderSpec(
         kind,
-        find_sheet(table, "sheet", sheets) if plates else None,
+        find_sheet(table, "sheet", sheets) if "sheet" in keys else None,
         options,
         _read_nesting(table, nesting),
         table.texts("strips", ("*",)),
@@ -101,7 +94,7 @@ def _read_nesting(table: Table, usual: Nesting) -> Nesting:
 
 def _read_cutting(table: Table) -> Cutting:
     """How cutting files are written."""
-    table.only("kerf", "curves", "tolerance", "version", "holding")
+    table.only(*MODEL_TABLES["cut"])
     of_sheet = table.raw("kerf") == "sheet"
     return Cutting(
         kerf=None if of_sheet else table.number("kerf", 0.0),
@@ -113,7 +106,7 @@ def _read_cutting(table: Table) -> Cutting:
 
 
 def _holding(table: Table) -> HoldingTabs:
-    table.only("width", "spacing", "least", "inner")
+    table.only(*MODEL_TABLES["holding"])
     usual = HoldingTabs()
     with table.naming():
         return HoldingTabs(

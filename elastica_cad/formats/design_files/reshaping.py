@@ -6,6 +6,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
+from elastica_cad.formats.design_files.keys.strip_keys import STRIP_TABLES
 from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.curves.projective_maps import four_point_map
@@ -57,7 +58,7 @@ def reshape_curve(curve: PlaneCurve, table: Table) -> PlaneCurve:
     InputError
         Both kinds of handles, handles that make no map, or a curve sent through infinity; the place is named.
     """
-    table.only(*CORNERS, "handles", "to")
+    table.only(*STRIP_TABLES["reshape"])
     own = [key for key in ("handles", "to") if table.has(key)]
     corners = {name: table.vector(name, 2) for name in CORNERS if table.has(name)}
     if bool(own) == bool(corners) or len(own) == 1:

@@ -9,6 +9,7 @@ from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.model.revolution_model import revolve
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.strip.tabs import Tab
+from elastica_cad.formats.design_files.keys.model_keys import MODEL_TABLES
 from elastica_cad.formats.design_files.strip_records import find_sheet, read_shop, read_tabs
 from elastica_cad.formats.design_files.strip_table import CurveReader, read_drawn_curve
 from elastica_cad.formats.design_files.tables import Table
@@ -18,9 +19,6 @@ from elastica_cad.mechanics.material.sheet import Sheet
 NEAR_MM = 1e-3
 """A meridian this near to its points passes them: no cut is as exact."""
 
-USUAL_KEYS = (
-    "sheet", "thickness", "strips", "ring", "rings", "gap", "ends", "points", "curve", "shop", "anyway",
-)  # fmt: skip
 OWN_KEYS = ("a", "b", "start", "angle", "length")
 
 
@@ -95,7 +93,7 @@ def read_revolution(
     InputError
         Unknown keys, a meridian told in two ways or none, or one that cannot be; the place is named.
     """
-    table.only(*USUAL_KEYS, *OWN_KEYS)
+    table.only(*MODEL_TABLES["revolution"])
     ring = table.maybe("ring")
     ways = [way for way in ("points", "curve", "a") if table.has(way)]
     if len(ways) != 1:

@@ -8,6 +8,7 @@ import numpy as np
 
 from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.number_gate import LARGEST_NUMBER
+from elastica_cad.formats.design_files.keys.strip_keys import STRIP_TABLES
 from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.formats.surface_files.file_surface import SurfaceReader, read_sized_surface
 from elastica_cad.forming.plane_sections.section_curves import SectionCurve
@@ -39,7 +40,7 @@ def read_sections(
     MissingDependencyError
         trimesh is not installed, or for CAD bodies no kernel.
     """
-    table.only("mesh", "unit", "scale", "half", "longest", "split", "tolerance", "wavelength", *FAMILIES)
+    table.only(*STRIP_TABLES["sections"])
     found = [family for family in FAMILIES if table.has(family)]
     if len(found) != 1:
         raise InputError(
@@ -51,7 +52,7 @@ def read_sections(
     scale = table.maybe("scale")
     if scale is not None and not scale > 0:
         raise InputError(f"{table.place('scale')} is {scale:g}: it must be positive")
-    family = table.table(found[0])
+    family = table.table(found[0]).only(*STRIP_TABLES[found[0]])
     spec = SectionSpec(
         _READERS[found[0]](family),
         half=table.flag("half") if table.has("half") else None,
@@ -75,16 +76,15 @@ def _splits(table: Table) -> tuple[Split, ...]:
 def _split(cut: Table) -> Split:
     with cut.naming():
         if cut.has("corners"):
-            return CornerSplit(cut.only("corners").number("corners"))
+            return CornerSplit(cut.only(*STRIP_TABLES["split corners"]).number("corners"))
         if cut.has("points"):
-            return PointSplit(np.array(cut.only("points").points("points", 3)))
-        cut.only("point", "normal")
+            return PointSplit(np.array(cut.only(*STRIP_TABLES["split points"]).points("points", 3)))
+        cut.only(*STRIP_TABLES["split plane"])
         return PlaneSplit(_triple(cut, "normal"), _triple(cut, "point", (0.0, 0.0, 0.0)))
 
 
 def _radial(table: Table) -> RadialCuts:
     """`angles`, or as many as `count` says all around."""
-    table.only("point", "axis", "zero", "count", "angles")
     given: dict[str, Any] = {key: _triple(table, key) for key in ("point", "axis", "zero") if table.has(key)}
     angles = _list(table, "angles") if table.has("angles") else None
     return RadialCuts(table.count("count", RadialCuts.count, MANY), angles, **given)
@@ -92,7 +92,6 @@ def _radial(table: Table) -> RadialCuts:
 
 def _parallel(table: Table) -> ParallelCuts:
     """`offsets` from the point, or through the middles of `count` equal slices of the surface."""
-    table.only("point", "normal", "offsets", "count", "up")
     if table.has("count") and table.has("offsets"):
         raise InputError(f"{table.place('count')} means nothing beside offsets: leave one of them out")
     given: dict[str, Any] = {key: _triple(table, key) for key in ("point", "up") if table.has(key)}
@@ -101,7 +100,6 @@ def _parallel(table: Table) -> ParallelCuts:
 
 
 def _along(table: Table) -> AlongPath:
-    table.only("path", "count", "ends", "up")
     count, up = table.count("count", AlongPath.count, MANY), _triple(table, "up", AlongPath.up)
     return AlongPath(np.array(table.points("path", 3)), count, table.flag("ends"), up)
 

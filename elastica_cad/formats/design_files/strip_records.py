@@ -2,7 +2,6 @@
 
 import tomllib
 from collections.abc import Callable, Sequence
-from dataclasses import fields
 from typing import Any, TypeVar
 
 from elastica_cad.errors import InputError
@@ -12,6 +11,8 @@ from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.styles import Plain, Style
 from elastica_cad.fabrication.strip.tabs import Hole, Tab, TSlot
+from elastica_cad.formats.design_files.keys.strip_keys import STRIP_TABLES
+from elastica_cad.formats.design_files.keys.values import COUNT, NUMBER
 from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.forming.limits import Box, HalfPlane, Keep, Limits
 from elastica_cad.mechanics.loads.supports import Supports
@@ -77,7 +78,7 @@ def read_loads(table: Table) -> tuple[PointMass, ...] | Weight:
     """Masses in a list, or the table of a `Weight` with its masses."""
     if not isinstance(table.raw("loads", []), dict):
         return tuple(read_mass(one) for one in table.tables("loads"))
-    given = table.table("loads").only("alpha", "beta", "own", "masses")
+    given = table.table("loads").only(*STRIP_TABLES["loads"])
     with given.naming():
         return Weight(
             alpha=given.number("alpha", 0.0),
@@ -89,7 +90,7 @@ def read_loads(table: Table) -> tuple[PointMass, ...] | Weight:
 
 def read_mass(table: Table) -> PointMass:
     """A mass in g hung at a place along the strip, mm."""
-    table.only("at", "mass")
+    table.only(*STRIP_TABLES["mass"])
     with table.naming():
         return PointMass(table.number("at"), table.number("mass"))
 
@@ -97,7 +98,7 @@ def read_mass(table: Table) -> PointMass:
 def read_shop(table: Table) -> Shop:
     """What the workshop can make."""
     widths = ("least_width", "least_ligament", "least_bridge", "lap")
-    table.only(*widths, "stock")
+    table.only(*STRIP_TABLES["shop"])
     given: dict[str, Any] = {**table.numbers(*widths)}
     if table.has("stock"):
         given["stock"] = table.vector("stock", 2)
@@ -107,9 +108,7 @@ def read_shop(table: Table) -> Shop:
 
 def read_limits(table: Table, sheet: Sheet) -> Limits:
     """Limits of the rod; `strain` is true for what the sheet bears, or a number."""
-    table.only(
-        "ratio", "margin", "curvature", "strain", "length", "width", "keep_out", "stiffness_bounds"
-    )  # fmt: skip
+    table.only(*STRIP_TABLES["limits"])
     keep_strain = table.raw("strain", False)
     ranges: dict[str, Any] = {key: table.vector(key, 2) for key in ("length", "width") if table.has(key)}
     bounds = table.table("stiffness_bounds") if table.has("stiffness_bounds") else None
@@ -128,17 +127,18 @@ def read_limits(table: Table, sheet: Sheet) -> Limits:
 
 def read_keep_out(table: Table) -> HalfPlane | Box:
     """Ground or a wall from `point` and `normal`, or a box from `lower` and `upper` corner."""
-    table.only("point", "normal", "lower", "upper")
+    wall, box = STRIP_TABLES["half plane"], STRIP_TABLES["box"]
+    table.only(*wall, *box)
     with table.naming():
         if table.has("lower") or table.has("upper"):
-            table.only("lower", "upper")
+            table.only(*box)
             return Box(_pair(table, "lower"), _pair(table, "upper"))
         return HalfPlane(_pair(table, "point", (0.0, 0.0)), _pair(table, "normal", (0.0, 1.0)))
 
 
 def read_stiffness_bounds(table: Table) -> tuple[Any, Any]:
     """`lower` and `upper` bound of K / min K along the strip: a number, values at equal distances, or none."""
-    table.only("lower", "upper")
+    table.only(*STRIP_TABLES["stiffness bounds"])
     return _bound(table, "lower"), _bound(table, "upper")
 
 
@@ -149,7 +149,7 @@ def _bound(table: Table, key: str) -> float | tuple[float, ...] | None:
 
 def read_keep(table: Table) -> Keep:
     """What the nearest rod keeps of the drawn curve."""
-    table.only("ends", "tangents", "length", "symmetry", "points", "line")
+    table.only(*STRIP_TABLES["keep"])
     symmetry: Any = table.text("symmetry", choices=("mirror", "turn")) if table.has("symmetry") else None
     points = table.raw("points", [])
     line: Any = table.raw("line")
@@ -188,10 +188,10 @@ def read_tabs(table: Table) -> tuple[Tab, Tab]:
 
 def read_tab(table: Table) -> Tab:
     """The tab of one end."""
-    table.only("length", "width", "corner_radius", "chamfer", "taper", "holes", "t_slot")
+    table.only(*STRIP_TABLES["tab"])
     holes = tuple(
         Hole(hole.number("at"), hole.number("diameter"), hole.number("across", 0.0))
-        for hole in (one.only("at", "diameter", "across") for one in table.tables("holes"))
+        for hole in (one.only(*STRIP_TABLES["hole"]) for one in table.tables("holes"))
     )
     sizes = {key: table.number(key, 0.0) for key in ("corner_radius", "chamfer", "taper")}
     with table.naming():
@@ -200,7 +200,7 @@ def read_tab(table: Table) -> Tab:
 
 
 def _read_t_slot(table: Table) -> TSlot:
-    table.only("depth", "screw", "nut", "wall")
+    table.only(*STRIP_TABLES["t-slot"])
     return TSlot(
         table.number("depth"),
         table.number("screw", TSlot.screw),
@@ -214,18 +214,17 @@ def read_style(table: Table, sheets: dict[str, Sheet]) -> Style:
     kind = table.text("kind", "plain", ("plain", "perforated", "laminated"))
     with table.naming():
         if kind == "perforated":
-            return Perforated(**_sizes(table, Perforated))
+            return Perforated(**_sizes(table, kind))
         if kind == "laminated":
-            return Laminated(**_sizes(table, Laminated), backing=find_sheet(table, "backing", sheets))
-    table.only("kind")
+            return Laminated(**_sizes(table, kind), backing=find_sheet(table, "backing", sheets))
+    table.only(*STRIP_TABLES["style plain"])
     return Plain()
 
 
 def read_law(table: Table, sheet: Sheet) -> BoundedLaw:
     """What stiffness is made of: kind = "thickness", "rod" or "tube", with limits in mm."""
     kind = table.text("kind", "", ("thickness", "rod", "tube"))
-    more = {"thickness": "width", "tube": "bore"}.get(kind)
-    table.only("kind", "limits", *([more] if more else []))
+    table.only(*STRIP_TABLES[f"law {kind}"])
     least, largest = table.vector("limits", 2)
     with table.naming():
         if kind == "thickness":
@@ -233,24 +232,26 @@ def read_law(table: Table, sheet: Sheet) -> BoundedLaw:
         return RoundLaw(sheet, least, largest, bore=table.number("bore") if kind == "tube" else 0.0)
 
 
-def _sizes(table: Table, style: type[Any]) -> dict[str, Any]:
-    """The fields of a style that are given: whole numbers, words and numbers, as the record has them."""
-    names = [field.name for field in fields(style)]
-    table.only("kind", *names)
+def _sizes(table: Table, kind: str) -> dict[str, Any]:
+    """The fields of a style that are given: whole numbers, words and numbers, as its keys say."""
+    keys = STRIP_TABLES[f"style {kind}"]
+    table.only(*keys)
     chosen: dict[str, Any] = {"width": table.number("width")}
-    for name in names:
-        if name in ("columns", "rows") and table.has(name):
+    for name, (value, _) in keys.items():
+        if not table.has(name):
+            continue
+        if value is COUNT:
             chosen[name] = table.count(name, 1)
-        elif name == "sides" and table.has(name):
-            chosen[name] = table.text(name)
-        elif name != "backing" and table.has(name):
+        elif value is NUMBER:
             chosen[name] = table.number(name)
+        elif name == "sides":
+            chosen[name] = table.text(name)
     return chosen
 
 
 def read_slot(table: Table) -> Slot:
     """A slot, with the keys of `Slot` but for a bent centre line."""
-    table.only("at", "width", "depth", "side", "lean", "relief", "mate")
+    table.only(*STRIP_TABLES["slot"])
     chosen: dict[str, Any] = {
         "depth": table.maybe("depth"),
         "side": table.text("side", "upper"),

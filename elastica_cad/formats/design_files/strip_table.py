@@ -12,6 +12,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.formats.curve_files.drawn_file import CurveList
 from elastica_cad.formats.design_files.formulae import Formula
+from elastica_cad.formats.design_files.keys.strip_keys import STRIP_TABLES
 from elastica_cad.formats.design_files.reshaping import reshape_curve
 from elastica_cad.formats.design_files.strip_records import (
     find_sheet,
@@ -34,16 +35,6 @@ from elastica_cad.mechanics.material.sheet import Sheet
 
 CurveReader: TypeAlias = Callable[..., list[PlaneCurve]]
 """`read_curves(path, unit=...)`."""
-
-MAKING_KEYS = (
-    "sheet", "thickness", "max_width", "min_width", "gravity", "loads", "supports", "natural_curvature", "samples",
-    "limits", "keep", "ends", "style", "smooth", "shop", "compensate", "creep", "law", "anyway",
-)  # fmt: skip
-"""Keys that may stand for all strips at the top of the file or for some in [[strips]]."""
-
-STRIP_KEYS = (
-    *MAKING_KEYS, "label", "count", "let", "curve", "sections", "origin", "x_axis", "y_axis", "slots",
-)  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)
@@ -166,11 +157,11 @@ def read_drawn_curve(table: Table, folder: Path, read_curves: CurveReader) -> Pl
 
 
 def _from_file(curve: Table, folder: Path, read_curves: CurveReader) -> PlaneCurve:
-    curve.only("file", "number", "id", "layer", "unit", "reshape")
+    curve.only(*STRIP_TABLES["curve file"])
     path = folder / curve.text("file")
     if not path.is_file():
         raise InputError(f"{curve.where}: there is no file {path}; names are relative to the design file")
-    curves = read_curves(path, unit=curve.raw("unit"))
+    curves = read_curves(path, unit=curve.text("unit") if curve.has("unit") else None)
     number = curve.count("number", 1)
     if isinstance(curves, CurveList):
         with curve.naming():
@@ -188,7 +179,7 @@ def _from_file(curve: Table, folder: Path, read_curves: CurveReader) -> PlaneCur
 
 
 def _from_formulae(curve: Table, _folder: Path, _read: CurveReader) -> PlaneCurve:
-    curve.only("x", "y", "t", "breaks", "reshape")
+    curve.only(*STRIP_TABLES["curve formulae"])
     x, y = (Formula(str(curve.raw(key, "")), curve.place(key)) for key in ("x", "y"))
     start, end = curve.vector("t", 2)
     if not start < end:
@@ -207,8 +198,7 @@ def _from_formulae(curve: Table, _folder: Path, _read: CurveReader) -> PlaneCurv
 
 def _from_ellipse(curve: Table, _folder: Path, _read: CurveReader) -> PlaneCurve:
     """An exact ellipse arc, between two parameters or above a height."""
-    given = curve.only("ellipse", "reshape").table("ellipse")
-    given.only("center", "semi_axes", "rotation", "start", "end", "above")
+    given = curve.only(*STRIP_TABLES["curve ellipse"]).table("ellipse").only(*STRIP_TABLES["ellipse"])
     center, axes = given.vector("center", 2, (0.0, 0.0)), given.vector("semi_axes", 2)
     rotation = given.number("rotation", 0.0)
     if not given.has("above"):
@@ -230,7 +220,7 @@ def _from_ellipse(curve: Table, _folder: Path, _read: CurveReader) -> PlaneCurve
 
 
 def _from_spline(curve: Table, _folder: Path, _read: CurveReader) -> PlaneCurve:
-    curve.only("spline", "degree", "reshape")
+    curve.only(*STRIP_TABLES["curve spline"])
     return PlaneCurve.spline(curve.points("spline", 2), degree=curve.count("degree", 4))
 
 
@@ -241,7 +231,7 @@ def _gravity(table: Table) -> Gravity | tuple[float, ...] | None:
         return (0.0, 0.0, -1.0) if given else None
     if not isinstance(given, dict):
         return table.vector("gravity", 3)
-    own = table.table("gravity").only("length", "direction")
+    own = table.table("gravity").only(*STRIP_TABLES["gravity"])
     with own.naming():
         x, y = own.vector("direction", 2, (0.0, -1.0))
         return Gravity(own.number("length"), (x, y))

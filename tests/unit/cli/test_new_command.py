@@ -36,3 +36,15 @@ def test_nothing_is_overwritten_unasked(tmp_path):
     assert again.returncode == 2
     assert "exists already" in again.stderr
     assert (tmp_path / "arch.toml").read_text() == "mine"
+
+
+def test_the_schema_comes_beside_and_alone(tmp_path):
+    for kind in ("arch", "lamp"):  # the same schema serves both
+        done = typed("new", kind, cwd=tmp_path)
+        assert done.returncode == 0, done.stderr
+    (tmp_path / "elastica.schema.json").write_text("mine")
+    assert "exists already" in typed("new", "schema", cwd=tmp_path).stderr
+    assert "exists already" in typed("new", "pavilion", cwd=tmp_path).stderr
+    assert typed("new", "schema", "--force", cwd=tmp_path).stdout == "wrote elastica.schema.json\n"
+    keys = json.loads((tmp_path / "elastica.schema.json").read_text())["properties"]
+    assert keys["max_width"]["description"].endswith("mm")
