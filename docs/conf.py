@@ -14,10 +14,10 @@ release = tomllib.loads((DOCS.parent / "pyproject.toml").read_text(encoding="utf
 copyright = "the elastica_cad engineers, MIT licence"
 
 extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
-myst_enable_extensions = ["colon_fence"]
+myst_enable_extensions = ["colon_fence", "attrs_inline"]
 myst_heading_anchors = 3
 suppress_warnings = ["myst.xref_missing_anchor"]  # anchors of headings in files outside of the manual
-exclude_patterns = ["_build", "generated_pages.py", "plan.py"]
+exclude_patterns = ["_build", "*.py"]
 
 napoleon_google_docstring = False
 napoleon_use_ivar = True
