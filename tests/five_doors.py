@@ -12,6 +12,7 @@ from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.tabs import Hole, Tab
 from elastica_cad.forming.limits import HalfPlane, Keep, Limits
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads.rest_curvature import RestCurvature
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -149,6 +150,12 @@ ASKED = {
     "natural curvature": Asked(
         {"max_width": 20.0, "natural_curvature": 0.002}, "--max-width 20 --natural-curvature 0.002",
         "max_width = 20\nnatural_curvature = 0.002", {"NaturalCurvature": 0.002},
+    ),
+    "bent beforehand": Asked(
+        {"max_width": 20.0, "natural_curvature": RestCurvature.linear([0, 90, 201.5], [0.002, -0.003, 0.001])},
+        "--max-width 20 --natural-curvature 'stations = [0, 90, 201.5], curvatures = [0.002, -0.003, 0.001]'",
+        "max_width = 20\nnatural_curvature = { stations = [0, 90, 201.5], curvatures = [0.002, -0.003, 0.001] }",
+        {"Blank": "stations = [0, 90, 201.5], curvatures = [0.002, -0.003, 0.001]"},
     ),
 }  # fmt: skip
 

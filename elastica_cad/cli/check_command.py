@@ -21,6 +21,7 @@ from elastica_cad.formats.curve_files.drawn_file import DrawnCurve
 from elastica_cad.formats.reports.check_report import report_check
 from elastica_cad.forming.rounding_verdict import undecided_by_rounding
 from elastica_cad.forming.smoothing import smooth_curve
+from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
 from elastica_cad.mechanics.loads.supports import EndName, Supports
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
@@ -43,7 +44,7 @@ def check(
     split_corners: bool,
     start: EndName,
     end: EndName,
-    natural_curvature: float,
+    natural_curvature: NaturalCurvature,
     smooth: float | None,
 ) -> None:
     """Tell whether the curves in CURVE can be bent from a flat strip, and if not, where and why.
@@ -101,7 +102,7 @@ def _judged(
     one: DrawnCurve,
     count: int,
     supports: Supports,
-    natural_curvature: float,
+    natural_curvature: NaturalCurvature,
     smooth: float | None,
 ) -> tuple[dict[str, Any], bool]:
     """The report on one curve, and whether it can be bent."""

@@ -16,8 +16,10 @@ from elastica_cad.errors import InputError
 from elastica_cad.files import read_drawing
 from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, DrawnFile
 from elastica_cad.formats.curve_files.number_gate import LARGEST_NUMBER
+from elastica_cad.formats.design_files.strip_records import parse_line, read_rest_curvature
 from elastica_cad.formats.file_access.source_file import LARGEST_FILE
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature, RestCurvature
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.theorem1.equilibrium_check import require_bendable
 
@@ -87,6 +89,31 @@ def _kind(data: bytes) -> str:
     return ".txt" if re.match(rb"\d+[ \t]+\d+[ \t]*\r?\n", head) else ".csv"
 
 
+class _Blank(click.ParamType):  # type: ignore[type-arg]  # no generic class before click 8.2
+    """A curvature, a table of curvatures along the strip, or a drawing of the strip before it is bent."""
+
+    name = "blank"
+
+    def convert(
+        self, value: Any, param: click.Parameter | None, ctx: click.Context | None
+    ) -> NaturalCurvature:
+        """A number in 1/mm, or a `RestCurvature`."""
+        try:
+            return float(value)
+        except ValueError:
+            pass
+        if "=" in value:
+            return parse_line(value, "--natural-curvature", read_rest_curvature)
+        if not Path(value).is_file():
+            self.fail(
+                f"{value!r} is no number and no file: give 1/mm, 'stations = [0, 300], curvatures = [0, 0.01]', or "
+                "a drawing of the blank",
+                param,
+                ctx,
+            )
+        return RestCurvature.of(pick_curve(Path(value), None, None))
+
+
 unit_option = click.option(
     "--unit", type=click.Choice(["mm", "cm", "m", "in", "px"]),
     help="Unit of the file's numbers, where the file does not say or says it wrongly.",
@@ -107,8 +134,9 @@ support_options = join_options(
                      help=f"Support of the {end} of the curve.")
         for end in ("start", "end")
     ),
-    click.option("--natural-curvature", type=float, default=0.0, metavar="1/MM",
-                 help="Curvature of the strip before bending (0: flat)."),
+    click.option("--natural-curvature", type=_Blank(), default=0.0, metavar="1/MM|KEYS|FILE",
+                 help="Curvature of the strip before bending (0: flat); along it as 'stations = [0, 300], "
+                      "curvatures = [0, 0.01]', or a drawing of the bent blank."),
 )  # fmt: skip
 """What the ends are held by, and a pre-curved rest shape."""
 

@@ -26,6 +26,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.loads.arguments import require_curve, require_supports
 from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.laminated_section import LaminatedSection
@@ -68,8 +69,8 @@ class StripSpec(EqualByValue):
         Masses hung on the strip, besides its own weight; or all weight in newtons. They need gravity.
     supports : Supports
         What holds the ends; clamped unless given.
-    natural_curvature : float
-        Of the strip before bending, 1/mm.
+    natural_curvature : float or RestCurvature
+        Of the strip before bending, 1/mm; along its length where the blank was bent beforehand.
     samples : int, optional
         Nodes of the rod; chosen unless given.
     ends : pair of Tab
@@ -121,7 +122,7 @@ class StripSpec(EqualByValue):
     gravity: AskedGravity = None
     loads: tuple[PointMass, ...] | Weight = ()
     supports: Supports = field(default_factory=Supports)
-    natural_curvature: float = 0.0
+    natural_curvature: NaturalCurvature = 0.0
     samples: int | None = None
     ends: tuple[Tab, Tab] = (Tab(10.0), Tab(10.0))
     slots: tuple[Slot, ...] = ()

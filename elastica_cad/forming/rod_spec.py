@@ -3,8 +3,6 @@
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
-import numpy as np
-
 from elastica_cad._equality import EqualByValue
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.forming.limits import Keep, Limits
@@ -20,6 +18,7 @@ from elastica_cad.mechanics.loads.arguments import (
     whole_number,
 )
 from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature, require_natural_curvature
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.laminated_section import LaminatedSection
@@ -57,8 +56,8 @@ class RodSpec(EqualByValue):
     gravity : Gravity, optional
     supports : Supports, optional
         Clamped at both ends unless given.
-    natural_curvature : float
-        1/mm.
+    natural_curvature : float or RestCurvature
+        1/mm along the strip before it is bent, or a blank bent beforehand.
     samples : int, optional
         Nodes; chosen unless given.
     weight : Weight, optional
@@ -81,7 +80,7 @@ class RodSpec(EqualByValue):
     curve: PlaneCurve
     gravity: Gravity | None = None
     supports: Supports = field(default_factory=Supports)
-    natural_curvature: float = 0.0
+    natural_curvature: NaturalCurvature = 0.0
     samples: int | None = None
     weight: Weight | None = None
     limits: Limits | None = None
@@ -95,11 +94,7 @@ class RodSpec(EqualByValue):
         require_gravity(self.gravity)
         object.__setattr__(self, "supports", require_supports(self.supports))
         object.__setattr__(self, "smooth", check_smooth(self.smooth))
-        if not (
-            isinstance(self.natural_curvature, float | int | np.number)
-            and np.isfinite(self.natural_curvature)
-        ):
-            raise InputError(f"natural_curvature is {self.natural_curvature}: give a finite number, in 1/mm")
+        require_natural_curvature(self.natural_curvature)
         if self.samples is not None:
             whole_number(self.samples, "samples", 3)
         for name, record in (("limits", Limits), ("keep", Keep)):

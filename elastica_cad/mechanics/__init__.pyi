@@ -4,6 +4,7 @@ from elastica_cad.mechanics.bending.between_clamps import (
 )
 from elastica_cad.mechanics.bending.bend_forward import bend as bend, bend_path as bend_path
 from elastica_cad.mechanics.loads.gravity import Gravity as Gravity
+from elastica_cad.mechanics.loads.rest_curvature import RestCurvature as RestCurvature
 from elastica_cad.mechanics.loads.supports import End as End, Supports as Supports
 from elastica_cad.mechanics.loads.weight import PointMass as PointMass, Weight as Weight
 from elastica_cad.mechanics.material.anticlastic import (

@@ -12,6 +12,7 @@ ROOT = Path(__file__).resolve().parents[2]
 CORE, WORKBENCH = ROOT / "elastica_cad", ROOT / "freecad_workbench" / "freecad" / "elastica_wb"
 TRANSLATIONS = ROOT / "freecad_workbench" / "resources" / "translations"
 SPOKEN = [
+    "mechanics/loads/rest_curvature.py",
     "mechanics/theorem1",
     "mechanics/stiffness/optimal_rod.py",
     "mechanics/stiffness/optimal_balance.py",
@@ -43,7 +44,7 @@ SPOKEN = [
 
 PROGRAMMERS = re.compile(
     r"""\b(record|records|Rod\b|None|keywords|rad\b|executor|mappings?|optimal_laminate|bend\ needs|of\ bend
-    |upper|hull|exact|bending_stiffness|Tab\(|Plain|natural\ curvature\ is|residual|unstable|nodes
+    |upper|hull|exact|bending_stiffness|Tab\(|Plain|RestCurvature|PlaneCurve\ in|residual|unstable|nodes
     |coefficients|wavelength|above\ must|places\ 0|path|E\ I|weight=|`weight`|label\ is|weight\ profile
     |all\ lengths\ in\ mm|false_turn|tolerance=|Sheet\ or|PropertiesList|bit\ mask|three\ numbers|finite
     |must\ be\ positive|must\ be\ 0\ mm\ or\ more|ec\.)|,\ got\ %|^%\d\ =\ %\d\ mm$|[{}<|]|\\

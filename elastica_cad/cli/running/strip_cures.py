@@ -18,6 +18,7 @@ from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.trim import split_at_corners
+from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.rod.rod_record import Rod
 
@@ -93,7 +94,7 @@ def cure_for(spec: StripSpec, which: Sequence[str] = (), whole: PlaneCurve | Non
 def cure_for_curve(
     drawn: PlaneCurve,
     supports: Supports,
-    natural_curvature: float,
+    natural_curvature: NaturalCurvature,
     smooth: float | None,
     which: Sequence[str],
     *,

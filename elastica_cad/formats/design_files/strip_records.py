@@ -15,6 +15,7 @@ from elastica_cad.formats.design_files.keys.strip_keys import STRIP_TABLES
 from elastica_cad.formats.design_files.keys.values import COUNT, NUMBER
 from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.forming.limits import Box, HalfPlane, Keep, Limits
+from elastica_cad.mechanics.loads.rest_curvature import RestCurvature
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -230,6 +231,19 @@ def read_law(table: Table, sheet: Sheet) -> BoundedLaw:
         if kind == "thickness":
             return ThicknessLaw(sheet, least, largest, width=table.number("width"))
         return RoundLaw(sheet, least, largest, bore=table.number("bore") if kind == "tube" else 0.0)
+
+
+def read_rest_curvature(table: Table) -> RestCurvature:
+    """The curvature of a blank before it is bent, straight between stations."""
+    table.only(*STRIP_TABLES["blank"])
+    columns = []
+    for key in STRIP_TABLES["blank"]:
+        row = table.raw(key)
+        if not isinstance(row, list) or not row:
+            raise InputError(f"{table.place(key)} is {row!r}: give a list of numbers, as many of each")
+        columns.append(table.vector(key, len(row)))
+    with table.naming():
+        return RestCurvature.linear(*columns)
 
 
 def _sizes(table: Table, kind: str) -> dict[str, Any]:

@@ -20,6 +20,7 @@ from elastica_cad.formats.design_files.strip_records import (
     read_law,
     read_limits,
     read_loads,
+    read_rest_curvature,
     read_shop,
     read_slot,
     read_style,
@@ -31,6 +32,7 @@ from elastica_cad.forming.plane_sections.section_curves import SectionCurve
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature, RestCurvature
 from elastica_cad.mechanics.material.sheet import Sheet
 
 CurveReader: TypeAlias = Callable[..., list[PlaneCurve]]
@@ -105,7 +107,7 @@ def read_strip(
         "gravity": _gravity(table),
         "loads": read_loads(table),
         "supports": read_supports(table),
-        "natural_curvature": table.number("natural_curvature", 0.0),
+        "natural_curvature": _natural_curvature(table, folder, read_curves),
         "samples": table.count("samples", 1) if table.has("samples") else None,
         "limits": read_limits(table.table("limits"), sheet) if limited else None,
         "keep": read_keep(table.table("keep")) if limited else None,
@@ -133,6 +135,17 @@ def _plane(table: Table) -> Frame:
     y_axis = table.vector("y_axis", 3, (0.0, 0.0, 1.0))
     with table.naming():
         return Frame(origin, x_axis, y_axis)
+
+
+def _natural_curvature(table: Table, folder: Path, read_curves: CurveReader) -> NaturalCurvature:
+    """A number, a table of stations and curvatures, or one with the curve in which the blank lies unbent."""
+    if not isinstance(table.raw("natural_curvature"), dict):
+        return table.number("natural_curvature", 0.0)
+    blank = table.table("natural_curvature")
+    if not blank.has("curve"):
+        return read_rest_curvature(blank)
+    with blank.only(*STRIP_TABLES["blank drawn"]).naming():
+        return RestCurvature.of(read_drawn_curve(blank, folder, read_curves))
 
 
 def read_drawn_curve(table: Table, folder: Path, read_curves: CurveReader) -> PlaneCurve:

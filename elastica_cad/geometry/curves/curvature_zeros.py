@@ -6,6 +6,7 @@ polynomial on every knot span; so no zero can hide between samples, however clos
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from math import comb
 from typing import Literal, TypeAlias
 
 import numpy as np
@@ -17,6 +18,29 @@ from elastica_cad.geometry.polynomials.bernstein import divide_out_end_root, pro
 ZeroKind: TypeAlias = Literal["crossing", "touch", "end", "jump", "flat"]
 
 _EPS = float(np.finfo(float).eps)
+
+_DEGREE = 11
+"""Of the polynomials that stand for a function that is none."""
+
+_FOLLOWED = 1e-13
+"""Last coefficients, relative to the size of a function, at which a polynomial follows it."""
+
+_FOLLOWED_NOISE = 1e-12
+"""What is left of them in Bernstein form, where the zeros are found."""
+
+_FLAT = 1e-7
+"""A function that stays below this share of its size between two places vanishes there."""
+
+_MOST_CUTS = 12  # of a span in halves: what is not followed then is rounding
+
+_SITES = np.cos(np.pi * (np.arange(_DEGREE + 1) + 0.5) / (_DEGREE + 1))
+_TO_CHEBYSHEV = np.linalg.inv(np.polynomial.chebyshev.chebvander(_SITES, _DEGREE))
+_TO_BERNSTEIN = np.linalg.inv(
+    [
+        [comb(_DEGREE, i) * u**i * (1 - u) ** (_DEGREE - i) for i in range(_DEGREE + 1)]
+        for u in (1 + _SITES) / 2
+    ]
+)
 
 
 @dataclass(frozen=True)
@@ -98,6 +122,45 @@ def line_places(bezier: FloatArray, edges: FloatArray, a: float, b: FloatArray) 
     level = 1e-12 * np.hypot(*b) * _extent(bezier) * bezier[..., 2].max(axis=1)
     on_line = np.abs(distance).max(axis=1) <= np.maximum(noise, level)
     return _places(_Pieces(distance, noise, on_line, np.ones(edges.size - 2, dtype=bool)), edges)
+
+
+def function_zero_places(
+    function: Callable[[FloatArray], FloatArray], edges: FloatArray, smooth: BoolArray, size: float
+) -> tuple[ZeroPlace, ...]:
+    """All zeros along the curve of a function that is no quotient of polynomials, but smooth between `edges`.
+
+    Each span is halved until a polynomial follows the function to rounding; its zeros are then found like those
+    of the curvature, so that none hides between samples and one that only touches is seen.
+
+    Parameters
+    ----------
+    function : callable
+        Maps parameters (k,), never those of an edge, to values (k,).
+    smooth : (p - 1,) bool array
+        True where the function is continuous across an inner edge.
+    size : float
+        Against which values are small.
+    """
+    low, high, cuts = edges[:-1], edges[1:], np.zeros(edges.size - 1, dtype=int)
+    found: list[tuple[FloatArray, FloatArray]] = []
+    while low.size:
+        t = low[:, None] + (high - low)[:, None] * (1 + _SITES) / 2
+        values = function(t.ravel()).reshape(t.shape)
+        tail = np.abs(values @ _TO_CHEBYSHEV[-2:].T).max(axis=1)
+        done = (tail <= _FOLLOWED * size) | (cuts == _MOST_CUTS)
+        found.append((low[done], values[done]))
+        low, high, cuts = low[~done], high[~done], cuts[~done] + 1
+        middle = (low + high) / 2
+        low, high = np.concatenate([low, middle]), np.concatenate([middle, high])
+        cuts = np.concatenate([cuts, cuts])
+    starts, values = (np.concatenate(parts) for parts in zip(*found, strict=True))
+    order = np.argsort(starts)
+    starts, values = starts[order], values[order]
+    flat = np.abs(values).max(axis=1) <= _FLAT * size
+    noise = np.full(starts.size, _FOLLOWED_NOISE * size)
+    joined = np.ones(starts.size - 1, dtype=bool)
+    joined[np.searchsorted(starts, edges[1:-1]) - 1] = smooth
+    return _places(_Pieces(values @ _TO_BERNSTEIN.T, noise, flat, joined), np.append(starts, edges[-1]))
 
 
 def _straight_pieces(bezier: FloatArray) -> BoolArray:

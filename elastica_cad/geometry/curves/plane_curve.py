@@ -356,6 +356,36 @@ class PlaneCurve:
         )
         return self._measured(found)
 
+    def zeros_along(
+        self,
+        function: Callable[[FloatArray], FloatArray],
+        size: float,
+        breaks: Sequence[tuple[float, bool]] = (),
+    ) -> tuple[CurvatureZero, ...]:
+        """All zeros and sign changes of a function along the curve, in order.
+
+        Parameters
+        ----------
+        function : callable
+            Maps parameters (k,) to values (k,); as smooth as the curvature, but at `breaks`.
+        size : float
+            Of the function: values are small beside it.
+        breaks : sequence of (parameter, bool)
+            Where it has a kink, and whether it is continuous there.
+        """
+        low, high = self.domain
+        places = dict(
+            zip(self._pieces.edges[1:-1].tolist(), self._curvature_continuous.tolist(), strict=True)
+        )
+        for t, continuous in breaks:
+            near = min(places, key=lambda known: abs(known - t), default=low)
+            at = near if abs(near - t) < 1e-9 * (high - low) else t
+            if low < at < high:
+                places[at] = places.get(at, True) and continuous
+        edges = np.array([low, *sorted(places), high])
+        smooth = np.array([places[t] for t in sorted(places)], dtype=bool)
+        return self._measured(zeros.function_zero_places(function, edges, smooth, size))
+
     @cached_property
     def inflections(self) -> FloatArray:
         """Arc lengths (k,), mm, where the curvature changes sign; of a straight piece between, its middle."""

@@ -13,6 +13,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.loads.arguments import require_gravity, require_supports, whole_number
 from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature, nodal_curvature
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
@@ -126,7 +127,7 @@ class Rod:
         angle: float = 0.0,
         gravity: Gravity | None = None,
         supports: Supports | None = None,
-        natural_curvature: float = 0.0,
+        natural_curvature: NaturalCurvature = 0.0,
         weight: Weight | None = None,
         bending_stiffness: float | None = None,
         law: MaterialLaw | None = None,
@@ -181,14 +182,15 @@ class Rod:
         K = profile(s)
         profile = profile.scaled(1 / K.min())
         tangent = np.array([np.cos(angle), np.sin(angle)])
+        rest = nodal_curvature(natural_curvature, s)
         rod = cls(
             s=s, position=place + s[:, None] * tangent,
             angle=np.full(n, float(angle)), curvature=np.zeros(n), stiffness=K / K.min(),
             moment=np.zeros(n), force=np.zeros((n, 2)), profile=profile, gravity=gravity,
-            supports=supports, natural_curvature=natural_curvature, weight=weight,
+            supports=supports, natural_curvature=rest, weight=weight,
             bending_stiffness=bending_stiffness, law=law,
         )  # fmt: skip
-        loaded = gravity is not None or weight is not None or natural_curvature != 0.0
+        loaded = gravity is not None or weight is not None or bool(np.any(rest))
         return replace(rod, residual=1.0) if loaded else rod
 
     @property

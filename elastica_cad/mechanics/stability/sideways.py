@@ -130,7 +130,7 @@ def sideways_stability(
     K = np.interp(s, rod.s, rod.stiffness)
     edgewise = K * (w / h) ** 2
     torsion = 2 * K / (1 + nu) * np.maximum(1 - 0.63 * h / w, 0.25)
-    bend = np.abs(np.interp(s, rod.s, rod.curvature) - rod.natural_curvature)
+    bend = np.abs(np.interp(s, rod.s, rod.curvature - rod.natural_curvature))
     return SidewaysStability(
         margin=sideways_margin(rod, edgewise, torsion),
         ribbon_number=float((w**2 * bend).max() / h),

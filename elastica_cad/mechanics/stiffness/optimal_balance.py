@@ -9,6 +9,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature, NaturalCurvature
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2, PointMass, Weight
 from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
@@ -35,13 +36,13 @@ SMOOTH = 4
 def balance_without_weight(
     check: EquilibriumCheck,
     supports: Supports,
-    natural_curvature: float,
+    natural_curvature: NaturalCurvature,
     *,
     law: MaterialLaw | None = None,
     nodes: FloatArray | None = None,
 ) -> BalancedStiffness:
     """Eq. 4 on the continuous curve, or with its ratio judged at the parameters `nodes` only."""
-    cuts, kinks = _law_places(check, natural_curvature, law)
+    cuts, kinks = bend_kinks(check, natural_curvature, law)
     panels = cut_panels(check, natural_curvature, law, cuts)
     problem = ConditionedRows(check, supports, panels, moment_rows(panels), nodes)
     state = problem.least(problem.homogeneous(3), smooth=False)
@@ -51,7 +52,7 @@ def balance_without_weight(
 def balance_with_weight(
     check: EquilibriumCheck,
     supports: Supports,
-    natural_curvature: float,
+    natural_curvature: NaturalCurvature,
     gravity: Gravity,
     *,
     law: MaterialLaw | None = None,
@@ -60,7 +61,7 @@ def balance_with_weight(
     nodes: FloatArray | None = None,
 ) -> BalancedStiffness:
     """Eq. 6 on the continuous curve, with weight proportional to the stiffness, or in newtons."""
-    cuts, kinks = _law_places(check, natural_curvature, law)
+    cuts, kinks = bend_kinks(check, natural_curvature, law)
     load_cuts, load_kinks = load_places(check, weight)
     cuts, kinks = [*cuts, *load_cuts], [*kinks, *load_kinks]
     panels = cut_panels(check, natural_curvature, law, cuts)
@@ -191,7 +192,10 @@ def _searched_compliance(load: WeightedPanels, weight: Weight) -> float:
 
 
 def cut_panels(
-    check: EquilibriumCheck, natural_curvature: float, law: MaterialLaw | None, cuts: Sequence[float]
+    check: EquilibriumCheck,
+    natural_curvature: NaturalCurvature,
+    law: MaterialLaw | None,
+    cuts: Sequence[float],
 ) -> Panels:
     """The curve cut into panels at the parameters `cuts`, at its zeros and where the law is not smooth."""
     zeros = [z.t for z in check.zeros]
@@ -207,17 +211,18 @@ def heavy_cuts(panels: Panels, gravity: Gravity) -> FloatArray:
     return np.concatenate(inner)
 
 
-def _law_places(
-    check: EquilibriumCheck, natural_curvature: float, law: MaterialLaw | None
+def bend_kinks(
+    check: EquilibriumCheck, natural_curvature: NaturalCurvature, law: MaterialLaw | None
 ) -> tuple[list[float], list[tuple[float, int]]]:
-    """Parameters at which the material law is not smooth, and the kinks (s, continuity) of K there."""
-    found = [
-        (place, continuity)
+    """Parameters at which the blank or the material law is not smooth, and the kinks (s, continuity) of K there."""
+    excess = ExcessCurvature(check.curve, natural_curvature)
+    found = [*excess.kinks] + [
+        (place.t, place.s, continuity)
         for curvature, continuity in (() if law is None else law.kinks)
         for side in (-curvature, curvature)
-        for place in check.curve.curvature_equals(natural_curvature + side)
+        for place in excess.equals(side)
     ]
-    return [place.t for place, _ in found], [(place.s, continuity) for place, continuity in found]
+    return [t for t, _, _ in found], [(s, continuity) for _, s, continuity in found]
 
 
 def load_places(

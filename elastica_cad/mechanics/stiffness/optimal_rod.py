@@ -15,6 +15,7 @@ from elastica_cad.mechanics.loads.arguments import (
     whole_number,
 )
 from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature, NaturalCurvature, nodal_curvature
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
@@ -38,7 +39,7 @@ def optimal_rod(
     curve: PlaneCurve,
     gravity: Gravity | None = None,
     supports: Supports | None = None,
-    natural_curvature: float = 0.0,
+    natural_curvature: NaturalCurvature = 0.0,
     samples: int | None = None,
     *,
     weight: Weight | None = None,
@@ -55,8 +56,8 @@ def optimal_rod(
         Weight proportional to the stiffness, as of a plain strip; its direction serves for `weight` too.
     supports : Supports
         Clamped at both ends unless given.
-    natural_curvature : float
-        kappa_0, 1/mm.
+    natural_curvature : float or RestCurvature
+        kappa_0, 1/mm, or that of a blank bent beforehand; the rod then has kappa_0 at its nodes.
     samples : int, optional
         Nodes of the rod, and the only places where its ratio is judged. Unless given, the ratio is that of
         the continuous curve and the rod has 601 nodes.
@@ -117,9 +118,8 @@ def optimal_rod(
     if not check.realizable:
         raise NotRealizable(check)
     if law is not None:
-        law.require_design(
-            float(np.abs(check.curve.sample(_LAW_SAMPLES).curvature - natural_curvature).max())
-        )
+        t = check.curve.parameter(np.linspace(0.0, check.length, _LAW_SAMPLES))
+        law.require_design(float(np.abs(ExcessCurvature(check.curve, natural_curvature).at(t)).max()))
     problem = _Problem(
         check, gravity, supports, natural_curvature, samples, weight, bending_stiffness, law, section
     )
@@ -157,7 +157,7 @@ class _Problem:
     check: EquilibriumCheck
     gravity: Gravity | None
     supports: Supports
-    natural_curvature: float
+    natural_curvature: NaturalCurvature
     samples: int | None
     weight: Weight | None
     bending_stiffness: float | None
@@ -233,9 +233,9 @@ def _unbent_rod(problem: _Problem) -> Rod:
         s=nodes.s, position=nodes.position, angle=nodes.angle, curvature=nodes.curvature,
         stiffness=np.ones(n), moment=np.zeros(n), force=force, profile=Profile.interpolate(nodes.s[[0, -1]],
         np.ones(2)), gravity=problem.gravity, supports=problem.supports,
-        natural_curvature=problem.natural_curvature, weight=problem.weight, law=problem.law,
-        section=problem.section, bending_stiffness=problem.bending_stiffness, shape=curve, check=check,
-        warnings=check.warnings,
+        natural_curvature=nodal_curvature(problem.natural_curvature, nodes.s), weight=problem.weight,
+        law=problem.law, section=problem.section, bending_stiffness=problem.bending_stiffness, shape=curve,
+        check=check, warnings=check.warnings,
     )  # fmt: skip
     if problem.section is not None:
         rod = _even_rod(rod, problem.section)
@@ -280,7 +280,8 @@ def _bent_rod(problem: _Problem, balance: BalancedStiffness) -> Rod:
         raise NotRealizable(check)
     K, moment, b = K / least, moment / least, b / least
     size = np.abs(moment).max()
-    change = nodes.curvature - problem.natural_curvature
+    rest = nodal_curvature(problem.natural_curvature, nodes.s)
+    change = nodes.curvature - rest
     effective = change if problem.law is None else problem.law.effective_curvature(change)
     residual = float(np.abs(K * effective - moment).max() / size)
     warnings = list(check.warnings)
@@ -299,7 +300,7 @@ def _bent_rod(problem: _Problem, balance: BalancedStiffness) -> Rod:
         s=nodes.s, position=nodes.position, angle=nodes.angle, curvature=nodes.curvature, stiffness=K,
         moment=moment, force=np.column_stack([-b[:, 1], b[:, 0]]),
         profile=stiffness_profile(check, balance, 1 / least),
-        gravity=problem.gravity, supports=problem.supports, natural_curvature=problem.natural_curvature,
+        gravity=problem.gravity, supports=problem.supports, natural_curvature=rest,
         residual=residual, weight=weight, law=problem.law, section=problem.section,
         bending_stiffness=None if balance.bending_stiffness is None else balance.bending_stiffness * least,
         shape=curve, check=check, warnings=tuple(warnings), moved=check.moved,

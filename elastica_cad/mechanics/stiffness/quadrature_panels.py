@@ -11,6 +11,7 @@ from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.geometry.curves.curve_derivatives import curvature, curvature_slope
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.polynomials.chebyshev import chebyshev
+from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature, NaturalCurvature
 from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
 
 ORDER = 12  # Gauss nodes of a panel
@@ -150,7 +151,7 @@ def cut_into_panels(
     zeros: Sequence[float],
     *,
     cuts: Sequence[float] = (),
-    natural_curvature: float = 0.0,
+    natural_curvature: NaturalCurvature = 0.0,
     law: MaterialLaw | None = None,
     tolerance: float = RESOLVED,
 ) -> Panels:
@@ -170,10 +171,12 @@ def cut_into_panels(
     tolerance : float
         Size of the last coefficients relative to the function.
     """
+    excess = ExcessCurvature(curve, natural_curvature)
     low, high = curve.domain
     close = 1e-10 * (high - low)
     fixed = np.array([low, *sorted(z for z in zeros if low + close < z < high - close), high])
-    others = [t for t in (*(b.t for b in curve.breaks), *cuts) if np.abs(fixed - t).min() > close]
+    kinks = (*(b.t for b in curve.breaks), *(t for t, _, _ in excess.kinks))
+    others = [t for t in (*kinks, *cuts) if np.abs(fixed - t).min() > close]
     edges = np.unique(np.concatenate([fixed, others]))
     edges = edges[np.concatenate([[True], np.diff(edges) > close])]
     flags = np.array([any(abs(z - e) <= close for z in zeros) for e in edges])
@@ -181,7 +184,7 @@ def cut_into_panels(
     cut = cut.into(np.where(cut.zero_left & cut.zero_right, 2, 1))
     done: list[_Nodes] = []
     while cut.left.size:
-        found, tail = _evaluated(curve, cut, natural_curvature, law)
+        found, tail = _evaluated(excess, cut, law)
         parts = _parts(tail, tolerance)
         # where cutting no longer helps, the rest is rounding noise
         settled = (tail <= tolerance) | ((tail < NOISE) & (tail > 0.3 * cut.tail))
@@ -246,19 +249,18 @@ class _Nodes(_Columns):
     curvature: FloatArray
 
 
-def _evaluated(
-    curve: PlaneCurve, cut: _Cut, kappa_0: float, law: MaterialLaw | None
-) -> tuple[_Nodes, FloatArray]:
+def _evaluated(excess: ExcessCurvature, cut: _Cut, law: MaterialLaw | None) -> tuple[_Nodes, FloatArray]:
     """The panels at their nodes, and how much of each is unresolved."""
     half = (cut.right - cut.left)[:, None] / 2
     t = cut.left[:, None] + half * (1 + NODES)
     beside = cut.zero_left | cut.zero_right
-    _, d1, d2, *d3 = curve.derivatives(t.ravel(), 3 if beside.any() else 2)
+    _, d1, d2, *d3 = excess.curve.derivatives(t.ravel(), 3 if beside.any() else 2)
     velocity = d1.reshape(*t.shape, 2) * half[..., None]
     stretch = np.hypot(velocity[..., 0], velocity[..., 1])
-    kappa = curvature(d1, d2).reshape(t.shape) - kappa_0
+    kappa = curvature(d1, d2).reshape(t.shape) - excess.rest_at(t)
     if d3:
-        growth = (curvature_slope(d1, d2, d3[0]).reshape(t.shape) * stretch)[beside]
+        slope = curvature_slope(d1, d2, d3[0]).reshape(t.shape) - excess.rest_at(t, 1)
+        growth = (slope * stretch)[beside]
         kappa[beside] = np.where(cut.zero_left[beside, None], growth @ LEFT.T, -(growth @ RIGHT.T))
     if law is not None:
         kappa = law.effective_curvature(kappa)

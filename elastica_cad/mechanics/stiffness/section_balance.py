@@ -9,6 +9,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw, StiffnessLaw
@@ -19,6 +20,7 @@ from elastica_cad.mechanics.stiffness.optimal_balance import (
     ROUGH,
     WeightedPanels,
     balance_without_weight,
+    bend_kinks,
     cut_panels,
     heavy_cuts,
     load_places,
@@ -44,7 +46,7 @@ FIT_SHARE = 1e-5
 def balance_with_section(
     check: EquilibriumCheck,
     supports: Supports,
-    natural_curvature: float,
+    natural_curvature: NaturalCurvature,
     section: BoundedLaw,
     gravity: Gravity | None,
     *,
@@ -71,6 +73,7 @@ def balance_with_section(
         return _within_limits(replace(balance, bending_stiffness=scale), section)
     carried = Weight(masses=tuple(masses))
     cuts, kinks = load_places(check, carried)
+    kinks = [*kinks, *bend_kinks(check, natural_curvature, None)[1]]
     law = section.bent(0.0)
     full = float(law.bending_stiffness(_deciding(law)) / law.weight_per_length(_deciding(law)))
     heavy = replace(gravity, length=full ** (1 / 3))

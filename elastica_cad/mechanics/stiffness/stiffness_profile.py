@@ -39,15 +39,14 @@ def stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale
     curve = check.curve
     length = curve.length
     zeros = np.array([z.s for z in check.zeros])
-    breaks: list[tuple[float, int]] = list(balance.kinks)
+    breaks: list[tuple[float, int]] = []
     steps: list[float] = []
-    for knot in curve.breaks:
-        at_zero = zeros.size > 0 and np.abs(zeros - knot.s).min() < 1e-9 * length
-        continuity = knot.continuity - 2 - int(at_zero)
-        if continuity < 0:
-            steps.append(knot.s)
-        else:
-            breaks.append((knot.s, continuity))
+    for s, order in (*balance.kinks, *((knot.s, knot.continuity - 2) for knot in curve.breaks)):
+        at_zero = zeros.size > 0 and np.abs(zeros - s).min() < 1e-9 * length
+        if order - int(at_zero) >= 0:
+            breaks.append((s, order - int(at_zero)))
+        elif not steps or np.abs(np.array(steps) - s).min() > STEP_LENGTH * length:
+            steps.append(s)
     K = _AlongArc.of(curve, balance, scale)
     half = STEP_LENGTH * length / 2
     feet = [s + side * half for s in steps for side in (-1, 1)]

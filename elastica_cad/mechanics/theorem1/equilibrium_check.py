@@ -9,6 +9,12 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.curves.curve_records import CurvatureZero
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.arguments import require_curve, require_supports, require_tolerance
+from elastica_cad.mechanics.loads.rest_curvature import (
+    ExcessCurvature,
+    NaturalCurvature,
+    RestCurvature,
+    require_natural_curvature,
+)
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.theorem1.inflection_line import (
     WIDEST_RATIO,
@@ -46,7 +52,7 @@ _DIP_SHARE = 0.01  # of the largest curvature: deeper dips are looked at closely
 def check_equilibrium(
     curve: PlaneCurve,
     supports: Supports | None = None,
-    natural_curvature: float = 0.0,
+    natural_curvature: NaturalCurvature = 0.0,
     *,
     tolerance: float = 1e-4,
 ) -> EquilibriumCheck:
@@ -62,8 +68,8 @@ def check_equilibrium(
     ----------
     supports : Supports
         Clamped at both ends unless given.
-    natural_curvature : float
-        kappa_0, 1/mm.
+    natural_curvature : float or RestCurvature
+        kappa_0, 1/mm, or that of a blank bent beforehand.
     tolerance : float
         Inflections that lie this near to one line, in lengths of the curve, are moved onto it (`moved`,
         `curve`).
@@ -104,7 +110,7 @@ def check_equilibrium(
 
 
 def examine_curvature(
-    curve: PlaneCurve, supports: Supports, natural_curvature: float = 0.0
+    curve: PlaneCurve, supports: Supports, natural_curvature: NaturalCurvature = 0.0
 ) -> EquilibriumCheck:
     """Everything of `check_equilibrium` but the line: zeros of kappa - kappa_0, jumps, straight pieces,
     kinks.
@@ -112,11 +118,11 @@ def examine_curvature(
     With weight there is no line (paper, section 5), but these conditions stay. The same errors are raised.
     """
     require_curve(curve)
-    if not (isinstance(natural_curvature, float | int | np.number) and np.isfinite(natural_curvature)):
-        raise InputError(f"natural curvature is {natural_curvature!r}: it must be a finite number, in 1/mm")
+    require_natural_curvature(natural_curvature)
     require_bendable(curve)
-    largest = _largest(curve, natural_curvature)
-    zeros = _zeros_of(curve, supports, natural_curvature, largest)
+    excess = ExcessCurvature(curve, natural_curvature)
+    largest = _largest(excess)
+    zeros = _zeros_of(excess, supports, largest)
     flats = [z for z in zeros if z.kind == "flat"]
     jumps = tuple(z.s for z in zeros if z.kind == "jump")
     touches = [z.s for z in zeros if z.kind == "touch"]
@@ -138,11 +144,11 @@ def examine_curvature(
         and flats[0].s_end >= (1 - AT_END_SHARE) * curve.length
     ):
         return replace(check, any_stiffness=True, warnings=warn_of_crossing(curve), zeros=())
-    gentle = [z.s for z in points if _slope(curve, z) <= GENTLE_SHARE * largest / curve.length]
-    gentle += _faint_places(curve, natural_curvature, largest, zeros)
+    gentle = [z.s for z in points if _slope(excess, z) <= GENTLE_SHARE * largest / curve.length]
+    gentle += _faint_places(excess, largest, zeros)
     reasons = [
-        *tell_pinned_ends(curve, supports, natural_curvature, points),
-        *tell_straight_parts(curve, flats, natural_curvature, largest),
+        *tell_pinned_ends(excess, supports, points),
+        *tell_straight_parts(excess, flats, largest),
         *tell_jumps(jumps),
         *tell_touches(sorted([*touches, *gentle])),
     ]
@@ -155,7 +161,7 @@ def examine_curvature(
     )
 
 
-def _with_one_zero(check: EquilibriumCheck, natural_curvature: float) -> EquilibriumCheck:
+def _with_one_zero(check: EquilibriumCheck, natural_curvature: NaturalCurvature) -> EquilibriumCheck:
     """One zero, any direction: is there a line through it that meets the curve nowhere else?"""
     zero = check.zeros[0]
     found = find_separating_line(check.curve, zero, zero.after or -zero.before)
@@ -175,7 +181,7 @@ def _with_line(
     check: EquilibriumCheck,
     normal: FloatArray | None,
     supports: Supports,
-    natural_curvature: float,
+    natural_curvature: NaturalCurvature,
     tolerance: float,
 ) -> EquilibriumCheck:
     """Two or more zeros, or a line of given direction: there is one line to look at."""
@@ -187,6 +193,8 @@ def _with_line(
     if largest > tolerance * check.length:
         return _refused(check, _off_line_reason(check, normal, tolerance * check.length))
     if largest > 1e-10 * check.length and check.realizable:
+        if isinstance(natural_curvature, RestCurvature):
+            return _refused(check, _off_line_reason(check, normal, 0.0))
         try:
             moved = project_inflections(
                 check.curve, check.zeros, normal=normal, natural_curvature=natural_curvature
@@ -221,12 +229,12 @@ def _with_line(
 
 
 def _off_the_border(
-    check: EquilibriumCheck, natural_curvature: float, spare: float = 0.0
+    check: EquilibriumCheck, natural_curvature: NaturalCurvature, spare: float = 0.0
 ) -> EquilibriumCheck:
     """The verdict, refused where only a stiffness beyond all strips would do."""
     if check.line is None or not check.realizable:
         return check
-    at = widest_place(check.curve, check.line, check.zeros, natural_curvature, spare)
+    at = widest_place(ExcessCurvature(check.curve, natural_curvature), check.line, check.zeros, spare)
     if at is None:
         return check
     reason = (
@@ -267,15 +275,14 @@ def require_bendable(curve: PlaneCurve) -> None:
         )
 
 
-def _zeros_of(
-    curve: PlaneCurve, supports: Supports, natural_curvature: float, largest: float
-) -> tuple[CurvatureZero, ...]:
+def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tuple[CurvatureZero, ...]:
     """Zeros of kappa - kappa_0, those next to an end put there; a pinned end may keep a trace."""
+    curve = excess.curve
     low, high = curve.domain
     length, near = curve.length, AT_END_SHARE * curve.length
     found: list[CurvatureZero] = []
     ends: dict[bool, CurvatureZero] = {}
-    for zero in curve.curvature_equals(natural_curvature):
+    for zero in excess.zeros:
         at_start, at_end = zero.s_end <= near, zero.s >= length - near
         if zero.kind == "flat" or not (at_start or at_end):
             found.append(zero)
@@ -283,39 +290,38 @@ def _zeros_of(
             ends[at_end] = zero
     for is_end, support in enumerate(supports.ends):
         t = high if is_end else low
-        kappa = float(curve.curvature_at(np.array(t))) - natural_curvature
+        kappa = float(excess.at(np.array(t)))
         pinned = not support.angle and abs(kappa) <= PINNED_SHARE * largest
         if bool(is_end) in ends or (pinned and not any(z.t <= t <= z.t_end for z in found)):
-            slope = int(np.sign(curve.curvature_slope_at(np.array(t))))
+            slope = int(np.sign(excess.slope_at(np.array(t))))
             sign = (0, slope) if not is_end else (-slope, 0)
             s = length if is_end else 0.0
             found.append(CurvatureZero(s, t, "end", s, t, *sign))
     return tuple(sorted(found, key=lambda z: z.s))
 
 
-def _largest(curve: PlaneCurve, natural_curvature: float) -> float:
+def _largest(excess: ExcessCurvature) -> float:
     """Largest |kappa - kappa_0|, nearly: the size against which others are small."""
-    kappa = curve.curvature_at(np.linspace(*curve.domain, 401))
-    return float(np.abs(kappa - natural_curvature).max())
+    return float(np.abs(excess.at(np.linspace(*excess.curve.domain, _PLACES))).max())
 
 
-def _faint_places(
-    curve: PlaneCurve, natural_curvature: float, largest: float, zeros: tuple[CurvatureZero, ...]
-) -> list[float]:
+def _faint_places(excess: ExcessCurvature, largest: float, zeros: tuple[CurvatureZero, ...]) -> list[float]:
     """Arc lengths (mm) where |kappa - kappa_0| dips all but to zero, without a zero there."""
-    nodes = curve.sample(_PLACES)
-    bent = np.abs(nodes.curvature - natural_curvature)
+    curve = excess.curve
+    s = np.linspace(0.0, curve.length, _PLACES)
+    felt = excess.at(curve.parameter(s))
+    bent = np.abs(felt)
     inside = bent[1:-1]
     dips = (inside <= bent[:-2]) & (inside <= bent[2:]) & (inside < _DIP_SHARE * largest)
     found = []
     for i in np.flatnonzero(dips) + 1:
-        low, high = nodes.s[i - 1], nodes.s[i + 1]
+        low, high = s[i - 1], s[i + 1]
         if any(low <= z.s_end and z.s <= high for z in zeros):
             continue
-        sign = np.sign(nodes.curvature[i] - natural_curvature)
+        sign = np.sign(felt[i])
 
         def depth(s: float, sign: float = sign) -> float:
-            return float(sign * (curve.at(np.array([s])).curvature[0] - natural_curvature))
+            return float(sign * excess.at(curve.parameter(np.array(s))))
 
         from scipy.optimize import minimize_scalar
 
@@ -327,12 +333,12 @@ def _faint_places(
     return found
 
 
-def _slope(curve: PlaneCurve, zero: CurvatureZero) -> float:
+def _slope(excess: ExcessCurvature, zero: CurvatureZero) -> float:
     """Least one-sided |d kappa / ds| at a zero."""
     t = np.array(zero.t)
-    low, high = curve.domain
+    low, high = excess.curve.domain
     sides = [side for side, inside in ((True, zero.t > low), (False, zero.t < high)) if inside]
-    return min(abs(float(curve.curvature_slope_at(t, left=side))) for side in sides)
+    return min(abs(float(excess.slope_at(t, left=side))) for side in sides)
 
 
 def _positions(check: EquilibriumCheck) -> FloatArray:

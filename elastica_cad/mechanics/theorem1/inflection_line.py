@@ -11,6 +11,7 @@ from elastica_cad.geometry.curves.curve_records import CurvatureZero
 from elastica_cad.geometry.curves.line_intersections import line_crossings
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.curves.view_angles import find_view_angles
+from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature
 
 SAME_PLACE_SHARE = 1e-6
 """Places along the curve nearer than this, in lengths of the curve, are the same inflection."""
@@ -139,10 +140,9 @@ def line_meetings(
 
 
 def widest_place(
-    curve: PlaneCurve,
+    excess: ExcessCurvature,
     line: InflectionLine,
     zeros: Sequence[CurvatureZero],
-    natural_curvature: float,
     spare: float,
 ) -> float | None:
     """Where (mm) the stiffness would exceed the least by `WIDEST_RATIO`; None where it need not.
@@ -150,14 +150,15 @@ def widest_place(
     K = distance from the line / (kappa - kappa_0); in a zero its limit, the sine of the angle between curve and
     line over the slope of the curvature. With one zero the line may turn by `spare` rad either way about it.
     """
+    curve = excess.curve
     nodes = curve.sample(PLACES)
-    kappa = nodes.curvature - natural_curvature
+    kappa = nodes.curvature - excess.rest_at(nodes.t)
     s_zero, t_zero = np.array([z.s for z in zeros]), np.array([z.t for z in zeros])
     clear = np.abs(nodes.s[:, None] - s_zero).min(axis=1) > _AT_ZERO_SHARE * curve.length
     clear &= kappa != 0
     tangent = np.asarray(curve.evaluate(t_zero, 1)).reshape(-1, 2)
     tangent /= np.hypot(tangent[:, 0], tangent[:, 1])[:, None]
-    slope = curve.curvature_slope_at(t_zero, left=bool(t_zero[-1] >= curve.domain[1]))
+    slope = excess.slope_at(t_zero, left=bool(t_zero[-1] >= curve.domain[1]))
     s = np.concatenate([nodes.s[clear], s_zero])
     arm = np.concatenate(
         [(nodes.position[clear] - np.asarray(line.point)) / kappa[clear, None], tangent / slope[:, None]]

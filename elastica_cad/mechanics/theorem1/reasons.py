@@ -6,6 +6,7 @@ import numpy as np
 
 from elastica_cad.geometry.curves.curve_records import CurvatureZero, TangentBreak
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.theorem1.verdict import (
     figure,
@@ -52,16 +53,18 @@ def tell_corners(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
 
 
 def tell_pinned_ends(
-    curve: PlaneCurve, supports: Supports, natural_curvature: float, zeros: Sequence[CurvatureZero]
+    excess: ExcessCurvature, supports: Supports, zeros: Sequence[CurvatureZero]
 ) -> Iterable[str]:
     """Ends that turn freely where the curve is bent."""
+    curve = excess.curve
     for name, support, t, s in zip(
         ("start", "end"), supports.ends, curve.domain, (0.0, curve.length), strict=True
     ):
         if support.angle or any(z.kind == "end" and z.t == t for z in zeros):
             continue
         kappa = float(curve.curvature_at(np.array(t)))
-        over = f" less the natural {natural_curvature:.4g}" if natural_curvature else ""
+        natural = float(excess.rest_at(np.array(t)))
+        over = f" less the natural {natural:.4g}" if natural else ""
         yield (
             f"The {name} (at {s:.4g} mm) is free to turn, so the curve must have no curvature there; it has "
             f"{kappa:.4g} 1/mm{over}: clamp this end, or let the curvature run out to zero."
@@ -69,18 +72,19 @@ def tell_pinned_ends(
 
 
 def tell_straight_parts(
-    curve: PlaneCurve, flats: Sequence[CurvatureZero], natural_curvature: float, largest: float
+    excess: ExcessCurvature, flats: Sequence[CurvatureZero], largest: float
 ) -> Iterable[str]:
     """Straight parts, at whose ends no stiffness would do."""
+    curve = excess.curve
     for flat in flats:
         joints = [joint for joint in ((flat.s, flat.t, True), (flat.s_end, flat.t_end, False))
                   if AT_END_SHARE * curve.length < joint[0] < (1 - AT_END_SHARE) * curve.length]  # fmt: skip
-        what = "has exactly the natural curvature" if natural_curvature else "is straight"
+        what = "has exactly the natural curvature" if excess.is_bent_beforehand else "is straight"
         opening = (
             f"The piece from {figure(flat.s)} to {flat.s_end:.4g} mm {what} and joined to a bent one, so "
             "the stiffness would have to go to 0 at the joint"
         )
-        if any(_is_gentle(curve, t, natural_curvature, largest, left=left) for _, t, left in joints):
+        if any(_is_gentle(excess, t, largest, left=left) for _, t, left in joints):
             yield f"{opening}, whatever supports the strip there: bend the piece a little."
         else:
             yield (
@@ -88,12 +92,12 @@ def tell_straight_parts(
             )
 
 
-def _is_gentle(curve: PlaneCurve, t: float, natural_curvature: float, largest: float, *, left: bool) -> bool:
+def _is_gentle(excess: ExcessCurvature, t: float, largest: float, *, left: bool) -> bool:
     """Does kappa - kappa_0 leave zero at t without a slope, so that no strip takes the bent piece alone?"""
     at = np.array(t)
-    kappa = abs(float(curve.curvature_at(at, left=left)) - natural_curvature)
-    slope = abs(float(curve.curvature_slope_at(at, left=left)))
-    return kappa <= PINNED_SHARE * largest and slope <= PINNED_SHARE * largest / curve.length
+    kappa = abs(float(excess.at(at, left=left)))
+    slope = abs(float(excess.slope_at(at, left=left)))
+    return kappa <= PINNED_SHARE * largest and slope <= PINNED_SHARE * largest / excess.curve.length
 
 
 def tell_jumps(jumps: Sequence[float]) -> Iterable[str]:

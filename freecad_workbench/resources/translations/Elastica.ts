@@ -188,6 +188,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Instead of it along the strip: stations = [0, 300], curvatures = [0, 0.01]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Nodes of the rod; 0 chooses</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1750,6 +1754,18 @@
 </context>
 <context>
     <name>ElasticaSentences</name>
+    <message>
+        <source>the blank is %1 mm long before it is bent, the curve %2 mm: give its curvature along the length of the curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a rest curvature is given at two or more stations, one curvature each: begin at 0 mm, go on to the length of the strip, and name a station twice at most, for a step between the ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the blank has a corner at %1 mm: round it, a strip has none</source>
+        <translation type="unfinished"></translation>
+    </message>
     <message>
         <source>The curve is on the border of what a strip can take: near %1 mm the stiffness would have to be more than %2 times that of other places. Move the curve farther from the line through its inflections, or bend it more clearly there.</source>
         <translation type="unfinished"></translation>

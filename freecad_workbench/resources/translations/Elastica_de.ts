@@ -192,6 +192,10 @@
         <translation>Krümmung des Streifens vor dem Biegen, 1/mm</translation>
     </message>
     <message>
+        <source>Instead of it along the strip: stations = [0, 300], curvatures = [0, 0.01]</source>
+        <translation>Stattdessen entlang des Streifens: stations = [0, 300], curvatures = [0, 0.01]</translation>
+    </message>
+    <message>
         <source>Nodes of the rod; 0 chooses</source>
         <translation>Knoten des Stabs; 0 wählt</translation>
     </message>
@@ -1754,6 +1758,18 @@
 </context>
 <context>
     <name>ElasticaSentences</name>
+    <message>
+        <source>the blank is %1 mm long before it is bent, the curve %2 mm: give its curvature along the length of the curve</source>
+        <translation>der Rohling ist vor dem Biegen %1 mm lang, die Kurve %2 mm: seine Krümmung über die Länge der Kurve angeben</translation>
+    </message>
+    <message>
+        <source>a rest curvature is given at two or more stations, one curvature each: begin at 0 mm, go on to the length of the strip, and name a station twice at most, for a step between the ends</source>
+        <translation>eine Krümmung vor dem Biegen wird an zwei oder mehr Stellen angegeben, je eine Krümmung: bei 0 mm beginnen, bis zur Länge des Streifens gehen und eine Stelle höchstens zweimal nennen, für einen Sprung zwischen den Enden</translation>
+    </message>
+    <message>
+        <source>the blank has a corner at %1 mm: round it, a strip has none</source>
+        <translation>der Rohling hat bei %1 mm eine Ecke: abrunden, ein Streifen hat keine</translation>
+    </message>
     <message>
         <source>the law is of %1, the strip of %2: give both the same sheet</source>
         <translation>das Gesetz ist aus %1, der Streifen aus %2: beiden dasselbe Material geben</translation>

@@ -192,6 +192,10 @@
         <translation>弯曲前条的曲率，1/mm</translation>
     </message>
     <message>
+        <source>Instead of it along the strip: stations = [0, 300], curvatures = [0, 0.01]</source>
+        <translation>改为沿条带给出：stations = [0, 300], curvatures = [0, 0.01]</translation>
+    </message>
+    <message>
         <source>Nodes of the rod; 0 chooses</source>
         <translation>杆的节点数；0 自动选择</translation>
     </message>
@@ -1754,6 +1758,18 @@
 </context>
 <context>
     <name>ElasticaSentences</name>
+    <message>
+        <source>the blank is %1 mm long before it is bent, the curve %2 mm: give its curvature along the length of the curve</source>
+        <translation>坯料弯曲前长 %1 mm，曲线长 %2 mm：请沿曲线的长度给出其曲率</translation>
+    </message>
+    <message>
+        <source>a rest curvature is given at two or more stations, one curvature each: begin at 0 mm, go on to the length of the strip, and name a station twice at most, for a step between the ends</source>
+        <translation>弯曲前的曲率须在两处或更多位置给出，每处一个曲率：从 0 mm 开始，到条带的长度为止；同一位置最多出现两次，表示两端之间的跃变</translation>
+    </message>
+    <message>
+        <source>the blank has a corner at %1 mm: round it, a strip has none</source>
+        <translation>坯料在 %1 mm 处有尖角：请倒圆，条带没有尖角</translation>
+    </message>
     <message>
         <source>the law is of %1, the strip of %2: give both the same sheet</source>
         <translation>该规律用的是 %1，带条用的是 %2：请给两者相同的板材</translation>

@@ -169,7 +169,7 @@ class TestLoads:
         ({"loads": (5.0,)}, "loads hold 5.0: give PointMass records"),
         ({"supports": "clamped"}, "give a Supports record"),
         ({"natural_curvature": math.inf}, "natural_curvature is inf"),
-        ({"natural_curvature": "0"}, "natural_curvature is 0"),
+        ({"natural_curvature": "0"}, "natural_curvature is '0'"),
         ({"samples": 2}, "samples is 2"),
         ({"samples": 1.5}, "samples is 1.5"),
         ({"ends": Tab(5)}, "ends are 1 tabs"),

@@ -111,6 +111,8 @@ reshape = { handles = [[0, 0], [9, 0], [9, 9], [0, 9]], to = [[0, 0], [9, 0], [9
     HEAD + '[[strips]]\ncurve = { file = "two.svg", id = "a" }\n',
     HEAD + '[[strips]]\ncurve = { file = "two.svg", layer = "L" }\n',
     HEAD + "[[strips]]\ncurve = { x = 't', y = '0.01 * t * (90 - t)', t = [0, 90], breaks = [[40, 3]] }\n",
+    ONE + "natural_curvature = { stations = [0, 50, 50, 211], curvatures = [0, 0.001, 0.002, 0] }\n",
+    ONE + "natural_curvature.curve.spline = [[0, 0], [60, 20], [130, 30], [170, 26], [204, 20]]\n",
     HEAD + "[[strips]]\ncurve.ellipse = { center = [0, 9], semi_axes = [90, 60], rotation = 0.1, above = 0 }\n",
     ONE + 'style = { kind = "plain" }\n',
     ONE.replace("max_width = 20\n", "") + 'law = { kind = "thickness", limits = [1, 3], width = 20 }\n',

@@ -55,7 +55,7 @@ def test_a_support_is_a_name_or_an_end(end):
         (lambda: stability(ARCH), "stability needs a Rod"),
         (lambda: check_equilibrium(ARCH, tolerance=-1.0), "tolerance is -1.0"),
         (lambda: optimal_rod(ARCH, tolerance=np.nan), "tolerance is nan"),
-        (lambda: optimal_rod(ARCH, natural_curvature=np.zeros(5)), "natural curvature is array"),
+        (lambda: optimal_rod(ARCH, natural_curvature=np.zeros(5)), "natural_curvature is array"),
         (lambda: Rod.straight(100.0, samples=2), "samples is 2: it must be a whole number, 3 or more"),
         (lambda: Rod.straight(100.0, samples=2.5), "samples is 2.5"),
         (lambda: Rod.straight(100.0, start=(0.0,)), "start must be two numbers"),

@@ -296,7 +296,7 @@ class TestNaturalCurvature:
         assert check.realizable
 
     def test_not_a_number(self):
-        with pytest.raises(InputError, match="natural curvature"):
+        with pytest.raises(InputError, match="natural_curvature"):
             check_equilibrium(ARC, natural_curvature=np.nan)
 
 

@@ -21,6 +21,10 @@ from elastica_cad.formats.design_files.keys.values import (
 )
 from elastica_cad.mechanics.loads.supports import EndName
 
+_CURVE = either(
+    TEXT, table("curve file"), table("curve formulae"), table("curve ellipse"), table("curve spline")
+)
+
 MAKING: Keys = {
     "sheet": (TEXT, 'name of a sheet, or "my.toml" beside the design'),
     "thickness": (NUMBER, "of the sheet where it is another than its own, mm"),
@@ -32,7 +36,10 @@ MAKING: Keys = {
     ),
     "loads": (either(list_of(table("mass")), table("loads")), "masses hung on the strip, or all weight in newtons"),
     "supports": (list_of(choice(*get_args(EndName)), 2), "what holds start and end; clamped unless told"),
-    "natural_curvature": (NUMBER, "of the strip before it is bent, 1/mm"),
+    "natural_curvature": (
+        either(NUMBER, table("blank"), table("blank drawn")),
+        "of the strip before it is bent, 1/mm; or a blank that is bent beforehand",
+    ),
     "samples": (COUNT, "nodes of the rod; chosen unless told"),
     "limits": (table("limits"), "the curve may change, as little as these ask for"),
     "keep": (table("keep"), "what a curve that may change keeps"),
@@ -58,10 +65,7 @@ STRIP: Keys = {
     "label": (TEXT, "engraved, and its name in messages; {i} is the number"),
     "count": (COUNT, "so many strips, i = 1, 2, ..."),
     "let": (NAMES, "names for formulae of this strip"),
-    "curve": (
-        either(TEXT, table("curve file"), table("curve formulae"), table("curve ellipse"), table("curve spline")),
-        "a file, formulae, an ellipse or a spline",
-    ),
+    "curve": (_CURVE, "a file, formulae, an ellipse or a spline"),
     "sections": (table("sections"), "in place of the curve: a strip for every section of a surface"),
     "origin": (vector(3), "where the drawing's origin lies in space, mm"),
     "x_axis": (vector(3), "where the drawing's x axis points"),
@@ -78,6 +82,11 @@ STRIP_TABLES: dict[str, Keys] = {
         "length": (NUMBER, "elasto-gravity length, mm"),
         "direction": (vector(2), "in which things fall in the curve's plane"),
     },
+    "blank": {
+        "stations": (NUMBERS, "from 0 to the length of the strip, mm; one twice is a step"),
+        "curvatures": (NUMBERS, "at each of them, 1/mm, positive to the left; straight between"),
+    },
+    "blank drawn": {"curve": (_CURVE, "in which it lies before it is bent")},
     "mass": {"at": (NUMBER, "place along the strip, mm"), "mass": (NUMBER, "g")},
     "loads": {
         "alpha": (NUMBER, "weight per length, N/mm"),

@@ -91,6 +91,13 @@ PROPERTIES = (
     Property("StringList", "Loads", "Mechanics", "Masses hung on the strip: at = 90, mass = 3 (mm, g)", []),
     Property("String", "WeightLaw", "Mechanics", "All weight in newtons: alpha = 0.001, own = true", ""),
     Property("Float", "NaturalCurvature", "Mechanics", "Curvature of the strip before bending, 1/mm", 0.0),
+    Property(
+        "String",
+        "Blank",
+        "Mechanics",
+        "Instead of it along the strip: stations = [0, 300], curvatures = [0, 0.01]",
+        "",
+    ),
     Property("Integer", "Samples", "Mechanics", "Nodes of the rod; 0 chooses", 0),
     Property(
         "Enumeration",

@@ -25,6 +25,7 @@ from elastica_cad.formats.design_files.strip_records import (
     read_law,
     read_loads,
     read_mass,
+    read_rest_curvature,
     read_slot,
     read_stiffness_bounds,
     read_tab,
@@ -32,6 +33,7 @@ from elastica_cad.formats.design_files.strip_records import (
 from elastica_cad.forming.limits import BOTH_ENDS, Keep, Limits
 from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -64,7 +66,7 @@ def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
         gravity=_gravity(obj, drawn),
         loads=_loads(obj),
         supports=Supports(obj.StartSupport, obj.EndSupport),
-        natural_curvature=obj.NaturalCurvature,
+        natural_curvature=_natural_curvature(obj),
         samples=None if nearest else obj.Samples or None,
         ends=_ends(obj),
         slots=parse_lines(obj.Slots, "Slots", read_slot),
@@ -145,6 +147,13 @@ def _gravity(obj: Any, drawn: DrawnCurve) -> AskedGravity:
         return direction
     plane = frame_of(drawn.world)
     return Gravity.in_plane(obj.GravityLength.Value, direction, plane.x_axis, plane.y_axis)
+
+
+def _natural_curvature(obj: Any) -> NaturalCurvature:
+    if obj.Blank.strip():
+        return parse_line(obj.Blank, "Blank", read_rest_curvature)
+    curvature: float = obj.NaturalCurvature
+    return curvature
 
 
 def _loads(obj: Any) -> tuple[PointMass, ...] | Weight:

@@ -13,6 +13,7 @@ from elastica_cad.errors import ElasticaError
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.geometry.curves.curve_records import CurveSamples
+from elastica_cad.mechanics.loads.rest_curvature import nodal_curvature
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
 
 SLENDER = 2.0  # times its width a strip must be long before it bends as a rod does
@@ -88,7 +89,7 @@ def _too_wide(length: float, width: float | None) -> Answer | None:
 
 
 def _too_sharp(samples: CurveSamples, spec: StripSpec) -> Answer | None:
-    bend = np.abs(samples.curvature - spec.natural_curvature)
+    bend = np.abs(samples.curvature - nodal_curvature(spec.natural_curvature, samples.s))
     sheet, sharpest = spec.material, int(np.argmax(bend))
     used = float(bend[sharpest]) * sheet.thickness / 2 / sheet.max_strain
     if used <= 1:

@@ -1,0 +1,203 @@
+"""The curvature that a strip has before it is bent: one number, or a blank that was bent beforehand."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TypeAlias
+
+import numpy as np
+
+from elastica_cad._equality import EqualByValue
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.curves.curve_records import CurvatureZero
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.geometry.polynomials.spline_checks import finite
+
+LENGTHS_APART = 0.01
+"""A blank may be this share longer or shorter than its curve: it is then stretched along it."""
+
+BLANK_TOLERANCE = 1e-9
+"""Error of a blank's curvature, relative to its largest."""
+
+_SAMPLES = 401  # of a curve, where its largest curvature is looked for
+_AT_BREAK_SHARE = 1e-9  # of the length: nearer places are on the break
+
+
+@dataclass(frozen=True, eq=False)
+class RestCurvature(EqualByValue):
+    """The curvature kappa_0 of a strip before it is bent, along its length.
+
+    Attributes
+    ----------
+    profile : Profile
+        kappa_0, 1/mm, over the length of the blank, mm.
+
+    Examples
+    --------
+    >>> blank = RestCurvature.linear([0, 150, 300], [0, 0.002, 0])
+    >>> blank.length, float(blank.profile(75.0))
+    (300.0, 0.001)
+    """
+
+    profile: Profile
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.profile, Profile) or self.profile.knots[0] != 0.0:
+            raise InputError(
+                "a rest curvature needs a Profile that begins at 0 mm: use RestCurvature.linear(stations, "
+                "curvatures), or RestCurvature.of(curve) for a blank that is drawn"
+            )
+
+    @classmethod
+    def linear(cls, stations: ArrayLike, curvatures: ArrayLike) -> "RestCurvature":
+        """Straight between `curvatures` (n,), 1/mm, at `stations` (n,), mm from 0; a station twice is a step."""
+        s, kappa_0 = finite("stations", stations), finite("curvatures", curvatures)
+        rising = s.ndim == 1 and s.size >= 2 and s[0] == 0 and np.all(np.diff(s) >= 0)
+        if s.shape != kappa_0.shape or not rising or np.any(s[2:] == s[:-2]) or s[1] == 0 or s[-1] == s[-2]:
+            raise InputError(
+                "a rest curvature is given at two or more stations, one curvature each: begin at 0 mm, go on to "
+                "the length of the strip, and name a station twice at most, for a step between the ends"
+            )
+        return cls(Profile(np.concatenate([s[:1], s, s[-1:]]), kappa_0, 1))
+
+    @classmethod
+    def of(cls, blank: PlaneCurve) -> "RestCurvature":
+        """The curvature of a blank as it lies unbent, drawn on the side from which the bent strip is drawn."""
+        if not isinstance(blank, PlaneCurve):
+            raise InputError(
+                f"the blank is {blank!r}: give the PlaneCurve in which it lies before it is bent"
+            )
+        if blank.tangent_breaks:
+            raise InputError(
+                f"the blank has a corner at {blank.tangent_breaks[0].s:.4g} mm: round it, a strip has none"
+            )
+        size = max(float(np.abs(blank.sample(_SAMPLES).curvature).max()), 1 / blank.length)
+        return cls(
+            Profile.fit(
+                lambda s: blank.at(s).curvature,
+                blank.length,
+                breaks=[(one.s, one.continuity - 2) for one in blank.breaks],
+                tolerance=BLANK_TOLERANCE * size,
+                degree=5,
+            )
+        )
+
+    @property
+    def length(self) -> float:
+        """Of the blank, mm."""
+        return self.profile.length
+
+    def at(self, s: FloatArray, derivative: int = 0, *, left: bool = False) -> FloatArray:
+        """kappa_0, 1/mm, or its derivatives at places of the blank, mm; at a break from the right, or `left`."""
+        s = np.clip(s, 0.0, self.length)
+        for place, _ in self.profile.breaks:
+            beside = np.nextafter(place, -1.0) if left else place
+            s = np.where(np.abs(s - place) < _AT_BREAK_SHARE * self.length, beside, s)
+        return self.profile(s, derivative)
+
+    def stretch_to(self, length: float) -> float:
+        """What lengths along a curve of `length` mm are multiplied by to be lengths along the blank.
+
+        Raises
+        ------
+        InputError
+            They differ by more than `LENGTHS_APART`.
+        """
+        if abs(length / self.length - 1) > LENGTHS_APART:
+            raise InputError(
+                f"the blank is {self.length:.5g} mm long before it is bent, the curve {length:.5g} mm: give its "
+                "curvature along the length of the curve"
+            )
+        return self.length / length
+
+
+NaturalCurvature: TypeAlias = "float | RestCurvature"
+"""1/mm along the whole strip, or a blank."""
+
+
+def nodal_curvature(rest: NaturalCurvature, s: FloatArray) -> float | FloatArray:
+    """kappa_0, 1/mm: the number, or that of a blank (n,) at nodes (n,) from 0 to the length, mm.
+
+    Raises
+    ------
+    InputError
+        The rod is not as long as the blank.
+    """
+    return rest.at(s * rest.stretch_to(float(s[-1]))) if isinstance(rest, RestCurvature) else rest
+
+
+def require_natural_curvature(value: object) -> None:
+    """Refuse what is neither a finite number nor a `RestCurvature`."""
+    if isinstance(value, RestCurvature):
+        return
+    if isinstance(value, bool) or not (isinstance(value, float | int | np.number) and np.isfinite(value)):
+        raise InputError(
+            f"natural_curvature is {value!r}: give a finite number, in 1/mm, or a RestCurvature for a blank that "
+            "is bent beforehand"
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class ExcessCurvature:
+    """kappa - kappa_0 along a curve: what a strip feels of it.
+
+    Attributes
+    ----------
+    curve : PlaneCurve
+    rest : float or RestCurvature
+    """
+
+    curve: PlaneCurve
+    rest: NaturalCurvature
+
+    @property
+    def is_bent_beforehand(self) -> bool:
+        """Is the strip anything but flat before it is bent?"""
+        return isinstance(self.rest, RestCurvature) or self.rest != 0
+
+    def at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
+        """kappa - kappa_0, 1/mm, at parameters t."""
+        return np.asarray(self.curve.curvature_at(t, left=left) - self.rest_at(t, left=left))
+
+    def slope_at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
+        """Its derivative by arc length, 1/mm2."""
+        return np.asarray(self.curve.curvature_slope_at(t, left=left) - self.rest_at(t, 1, left=left))
+
+    def rest_at(self, t: ArrayLike, derivative: int = 0, *, left: bool = False) -> FloatArray | float:
+        """kappa_0, 1/mm, or its first derivative by arc length, at parameters t."""
+        if not isinstance(self.rest, RestCurvature):
+            return 0.0 if derivative else self.rest
+        s = self.curve.arc_length(t) * self._stretch
+        return self.rest.at(s, derivative, left=left) * self._stretch**derivative
+
+    @cached_property
+    def kinks(self) -> tuple[tuple[float, float, int], ...]:
+        """Places (t, s, continuity) where kappa_0 is no more than `continuity` times differentiable."""
+        if not isinstance(self.rest, RestCurvature):
+            return ()
+        s = np.array([s for s, _ in self.rest.profile.breaks]) / self._stretch
+        orders = [continuity for _, continuity in self.rest.profile.breaks]
+        return tuple(zip(self.curve.parameter(s).tolist(), s.tolist(), orders, strict=True))
+
+    @cached_property
+    def zeros(self) -> tuple[CurvatureZero, ...]:
+        """All zeros and sign changes, in order."""
+        return self.equals(0.0)
+
+    def equals(self, level: float) -> tuple[CurvatureZero, ...]:
+        """All places where it is `level`, 1/mm; before, after: signs of it less the level."""
+        if not isinstance(self.rest, RestCurvature):
+            return self.curve.curvature_equals(self.rest + level)
+        breaks = [(t, order >= 0) for t, _, order in self.kinks]
+        return self.curve.zeros_along(lambda t: self.at(t) - level, self._size, breaks)
+
+    @cached_property
+    def _stretch(self) -> float:
+        return self.rest.stretch_to(self.curve.length) if isinstance(self.rest, RestCurvature) else 1.0
+
+    @cached_property
+    def _size(self) -> float:
+        """Of curvatures that differ, 1/mm."""
+        t = np.linspace(*self.curve.domain, _SAMPLES)
+        return float((np.abs(self.curve.curvature_at(t)) + np.abs(self.rest_at(t))).max())

@@ -1,0 +1,82 @@
+"""Strips bent beforehand, on the command line and in design files: a table of curvatures, or the blank drawn."""
+
+import json
+
+import pytest
+from click.testing import CliRunner
+
+from elastica_cad.cli.commands import elastica
+from elastica_cad.fabrication.strip_spec import StripSpec
+from elastica_cad.files import read_curves
+from elastica_cad.formats.curve_files.json_curves import curves_json
+from elastica_cad.formats.design_files.design_file import read_design
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads.rest_curvature import RestCurvature
+
+ARCH = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)], degree=4)
+FLATTER = PlaneCurve.spline([(0, 0), (40, 30), (90, 42), (140, 30), (184, 0)], degree=4)
+LENGTHS = ARCH.length / FLATTER.length
+BLANK = FLATTER.transformed([[LENGTHS, 0, 0], [0, LENGTHS, 0], [0, 0, 1]])
+WIDE = {"max_width": 20.0}
+
+
+@pytest.fixture
+def drawn(tmp_path):
+    for name, curve in (("arch", ARCH), ("blank", BLANK)):
+        (tmp_path / f"{name}.json").write_text(curves_json([curve]))
+    return tmp_path
+
+
+def run(*arguments):
+    return CliRunner().invoke(elastica, [str(argument) for argument in arguments])
+
+
+def ratio_of(folder):
+    return json.loads((folder / "arch.json").read_text())["ratio"]
+
+
+@pytest.mark.parametrize(
+    ("given", "rest"),
+    [
+        ("-0.002", -0.002),
+        ("stations = [0, 202], curvatures = [0, -0.004]", RestCurvature.linear([0, 202], [0, -0.004])),
+        ("blank.json", RestCurvature.of(BLANK)),
+    ],
+    ids=["number", "table", "drawing"],
+)  # fmt: skip
+def test_a_strip_of_a_blank(drawn, monkeypatch, given, rest):
+    monkeypatch.chdir(drawn)
+    asked = ("arch.json", "--natural-curvature", given)
+    told = run("strip", *asked, "--sheet", "birch-plywood-0.8", "--max-width", 20, "-o", "out")
+    assert told.exit_code == 0, told.output
+    strip = StripSpec(ARCH, "birch-plywood-0.8", natural_curvature=rest, **WIDE).make()
+    assert ratio_of(drawn / "out") == pytest.approx(strip.rod.ratio, rel=1e-6)
+    assert run("check", *asked).exit_code == 0
+
+
+def test_a_design_file_draws_the_blank(drawn):
+    text = (
+        'schema = 1\n[[strips]]\nlabel = "A"\nsheet = "birch-plywood-0.8"\nmax_width = 20\ncurve = "arch.json"\n'
+        'natural_curvature = { curve = "blank.json" }\n'
+    )
+    (drawn / "design.toml").write_text(text)
+    (entry,) = read_design(drawn / "design.toml", read_curves).entries
+    assert entry.spec.natural_curvature == RestCurvature.of(BLANK)
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ("nowhere.dxf", "is no number and no file"),
+        ("nan", "nan or infinite"),
+        ("stations = [0, 100], curvatures = [0, 0]", "the blank is 100 mm long before it is bent"),
+        ("stations = [0, 202]", "curvatures is None: give a list of numbers"),
+        ("stations = [5, 202], curvatures = [0, 0]", "begin at 0 mm"),
+    ],
+)
+def test_no_blank_is_refused_in_a_sentence(drawn, given, words):
+    told = run("strip", drawn / "arch.json", "--sheet", "birch-plywood-0.8", "--max-width", 20,
+               "--natural-curvature", given, "-o", drawn / "out")  # fmt: skip
+    assert told.exit_code != 0
+    assert words in " ".join(told.output.split())
+    assert not (drawn / "out").exists()

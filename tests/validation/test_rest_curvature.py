@@ -1,0 +1,221 @@
+"""Blanks bent beforehand: zeros against closed forms, shapes against an independent boundary-value solver."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_bvp
+
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature, RestCurvature
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stability.stability_verdict import stability
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.theorem1.verdict import NotRealizable
+from tests.section_designs import Design
+
+pytestmark = pytest.mark.core
+
+ARCH = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)], degree=4)
+WAVE = PlaneCurve.spline([(0, 0), (40, 60), (80, -60), (120, 0)], degree=3)
+ARC = PlaneCurve.arc((0, 0), 100.0, 0.0, 2.0)  # 200 mm long, curvature 0.01
+SLACK = PlaneCurve.spline([(0, 0), (60, 30), (130, 20), (198, -2)], degree=3)
+
+
+@dataclass(frozen=True)
+class Blank:
+    """A curve, the curvature before bending, and the same at arc lengths (n,) by plain interpolation."""
+
+    curve: PlaneCurve
+    stations: tuple[float, ...]
+    curvatures: tuple[float, ...]
+    gravity: Gravity | None = None
+
+    @property
+    def rest(self):
+        return RestCurvature.linear(np.array(self.stations) * self.curve.length, self.curvatures)
+
+    def kappa_0(self, s):
+        return np.interp(s / self.curve.length, self.stations, self.curvatures)
+
+
+BLANKS = {
+    "even": Blank(ARCH, (0, 1), (-0.002, -0.002)),
+    "tent": Blank(ARCH, (0, 0.5, 1), (-0.002, 0.003, -0.004)),
+    "bent more than the curve": Blank(ARCH, (0, 0.5, 1), (0.0, -0.03, 0.0)),
+    "of a wave": Blank(WAVE, (0, 0.3, 0.7, 1), (0.001, -0.004, 0.003, 0.0)),
+    "heavy tent": Blank(ARCH, (0, 0.4, 1), (-0.003, 0.002, -0.001), Gravity(120.0)),
+    "heavy wave": Blank(WAVE, (0, 0.6, 1), (0.001, -0.002, 0.001), Gravity(90.0, (0.6, -0.8))),
+}
+
+
+def strayed(rod, kappa_0, start=0.02):
+    """Distance from the rod, in lengths, of what a boundary-value solver finds from a shape beside it."""
+    length = rod.length
+    q = 0.0 if rod.gravity is None else (length / rod.gravity.length) ** 3
+    down = (0.0, 0.0) if rod.gravity is None else rod.gravity.direction
+
+    def slopes(s, y):
+        K, (c, sn) = rod.profile(s * length), (np.cos(y[2]), np.sin(y[2]))
+        bent = y[3] / K + kappa_0(s * length) * length
+        return np.array([c, sn, bent, y[4] * sn - y[5] * c, -q * K * down[0], -q * K * down[1]])
+
+    ends = [[*rod.position[i] / length, rod.angle[i]] for i in (0, -1)]
+
+    def held(a, b):
+        return np.concatenate([a[:3] - ends[0], b[:3] - ends[1]])
+
+    bump = start * np.sin(np.pi * rod.s / length)
+    guess = np.vstack(
+        [
+            rod.position.T / length,
+            rod.angle + bump,
+            rod.moment * length * (1 + bump),
+            -rod.force.T * length**2,
+        ]
+    )
+    found = solve_bvp(slopes, held, rod.s / length, guess, tol=1e-9, max_nodes=100000)
+    assert found.success, found.message
+    return np.hypot(*(found.sol(rod.s / length)[:2].T - rod.position / length).T).max()
+
+
+@pytest.mark.parametrize("name", BLANKS)
+def test_the_strip_rests_in_the_curve(name):
+    blank = BLANKS[name]
+    rod = optimal_rod(blank.curve, blank.gravity, natural_curvature=blank.rest)
+    assert rod.residual < 1e-10
+    assert strayed(rod, blank.kappa_0) < 1e-6
+    assert rod.natural_curvature == pytest.approx(blank.kappa_0(rod.s))
+
+
+@pytest.mark.parametrize("name", BLANKS)
+def test_bent_forward_from_the_blank(name):
+    """The blank lies unbent; led to the ends it takes the curve."""
+    blank = BLANKS[name]
+    rod = optimal_rod(blank.curve, blank.gravity, natural_curvature=blank.rest)
+    flat = Rod.straight(
+        rod.length, rod.profile, samples=601, natural_curvature=blank.rest, gravity=rod.gravity
+    )
+    ends = {"start": rod.position[0], "end": rod.position[-1], "angles": (rod.angle[0], rod.angle[-1])}
+    bent = bend(flat, **ends, guess=rod)
+    assert np.hypot(*(bent.position - rod.position).T).max() < 1e-5 * rod.length
+    assert stability(rod).conjugate_point == stability(bent).conjugate_point
+
+
+def test_a_blank_that_lies_free_takes_its_own_shape():
+    """Nothing acts on it: the angles are the integral of kappa_0."""
+    rest = RestCurvature.of(SLACK)
+    unbent = Rod.straight(
+        rest.length, samples=1201, natural_curvature=rest, supports=Supports("clamped", "free")
+    )
+    rod = bend(unbent, start=(0, 0), angles=(float(SLACK.angle_at(0.0)), None))
+    assert np.hypot(*(rod.position - SLACK.sample(1201).position).T).max() < 1e-6 * rest.length
+    assert np.abs(rod.moment).max() < 1e-12
+
+
+def test_a_drawn_blank():
+    curve = PlaneCurve.spline([(0, 0), (50, 55), (130, 50), (178, 0)], degree=3)
+    blank = SLACK.transformed(np.diag([1.0, 1.0, SLACK.length / curve.length]))
+    rod = optimal_rod(curve, natural_curvature=RestCurvature.of(blank))
+    flat = Profile.interpolate(np.linspace(0, blank.length, 2001), blank.sample(2001).curvature)
+    assert strayed(rod, lambda s: flat(s * blank.length / rod.length)) < 1e-6
+
+
+def test_steps_of_the_blank_are_steps_of_the_stiffness():
+    rest = RestCurvature.linear([0, 70, 70, ARCH.length], [-0.004, -0.004, 0.002, 0.002])
+    rod = optimal_rod(ARCH, natural_curvature=rest)
+    kappa = ARCH.at(np.array([70.0])).curvature[0]
+    left, right = rod.profile(np.array([70 - 0.01, 70 + 0.01]))
+    assert left / right == pytest.approx((kappa - 0.002) / (kappa + 0.004), rel=1e-4)
+    bent = bend(rod)
+    assert np.hypot(*(bent.position - rod.position).T).max() < 1e-5 * rod.length
+
+
+def test_a_law_of_thickness_and_weight_with_a_bent_blank():
+    arch = PlaneCurve.ellipse((0, 0), (250, 150), start=0, end=np.pi)
+    rest = RestCurvature.linear([0, arch.length / 2, arch.length], [0.001, 0.002, 0.0005])
+    section = Design("thickness", arch, heavy=True, nearest=False).section
+    rod = optimal_rod(arch, Gravity(1.0), natural_curvature=rest, section=section)
+    bent = bend(rod)
+    assert np.hypot(*(bent.position - rod.position).T).max() < 1e-5 * rod.length
+
+
+class TestZeros:
+    """Of kappa - kappa_0 on an arc, where kappa is 0.01 and kappa_0 is given."""
+
+    @staticmethod
+    def of(function, breaks=()):
+        profile = Profile.fit(function, ARC.length, tolerance=1e-15, breaks=breaks)
+        return ExcessCurvature(ARC, RestCurvature(profile)).zeros
+
+    def test_a_crossing_is_found_to_rounding(self):
+        (zero,) = ExcessCurvature(ARC, RestCurvature.linear([0, 200], [0.0, 0.03])).zeros
+        assert zero.s == pytest.approx(200 / 3, rel=1e-11)
+        assert (zero.kind, zero.before, zero.after) == ("crossing", 1, -1)
+
+    @pytest.mark.parametrize("apart", [20.0, 1.0, 0.01])
+    def test_two_close_together(self, apart):
+        found = self.of(lambda s: 0.01 + 1e-6 * ((s - 90) ** 2 - apart**2))
+        assert [z.s for z in found] == pytest.approx([90 - apart, 90 + apart], rel=1e-6)
+
+    def test_a_touch_is_refused(self):
+        (zero,) = self.of(lambda s: 0.01 + 1e-6 * (s - 90) ** 2)
+        assert (zero.kind, round(zero.s, 2)) == ("touch", 90.0)
+        profile = Profile.fit(lambda s: 0.01 + 1e-6 * (s - 90) ** 2, ARC.length, tolerance=1e-15)
+        with pytest.raises(NotRealizable, match="runs out to zero at 90 mm"):
+            optimal_rod(ARC, natural_curvature=RestCurvature(profile))
+
+    def test_a_jump_through_zero_is_refused(self):
+        rest = RestCurvature.linear([0, 80, 80, 200], [0.005, 0.005, 0.015, 0.015])
+        (zero,) = ExcessCurvature(ARC, rest).zeros
+        assert (zero.kind, zero.s) == ("jump", pytest.approx(80))
+        assert "reversed by a jump of the curvature at 80 mm" in str(
+            check_equilibrium(ARC, natural_curvature=rest)
+        )
+
+    def test_a_stretch_with_the_blanks_curvature(self):
+        rest = RestCurvature.linear([0, 80, 120, 200], [0.0, 0.01, 0.01, 0.0])
+        found = ExcessCurvature(ARC, rest).zeros
+        assert [(z.kind, round(z.s, 6), round(z.s_end, 6)) for z in found] == [("flat", 80.0, 120.0)]
+        assert "has exactly the natural curvature" in str(check_equilibrium(ARC, natural_curvature=rest))
+
+    def test_the_curve_itself_as_blank_is_not_bent(self):
+        check = check_equilibrium(ARCH, natural_curvature=RestCurvature.of(ARCH))
+        assert check.any_stiffness
+
+    def test_a_number_and_a_blank_of_that_number_agree(self):
+        found = ExcessCurvature(WAVE, RestCurvature.linear([0, WAVE.length], [0.003, 0.003])).zeros
+        asked = ExcessCurvature(WAVE, 0.003).zeros
+        assert [(z.kind, z.before, z.after) for z in found] == [(z.kind, z.before, z.after) for z in asked]
+        assert [z.s for z in found] == pytest.approx([z.s for z in asked], rel=1e-10)
+
+    def test_three_inflections_off_one_line_are_refused(self):
+        rest = RestCurvature.linear([0, 50, 100, 150, 200], [0.0, 0.02, 0.0, 0.02, 0.012])
+        check = check_equilibrium(ARC, natural_curvature=rest)
+        assert "do not lie on one line" in str(check)
+
+
+@pytest.mark.parametrize(
+    ("made", "words"),
+    [
+        (lambda: RestCurvature.linear([0, 100], [0.0]), "two or more stations, one curvature each"),
+        (lambda: RestCurvature.linear([10, 100], [0.0, 0.0]), "begin at 0 mm"),
+        (lambda: RestCurvature.linear([0, 100, 100, 100, 200], [0.0] * 5), "twice at most"),
+        (lambda: RestCurvature(0.01), "RestCurvature.linear"),
+        (lambda: RestCurvature.of([(0, 0)]), "give the PlaneCurve"),
+        (
+            lambda: optimal_rod(ARC, natural_curvature=RestCurvature.linear([0, 150], [0, 0])),
+            "the curve 200 mm",
+        ),
+        (lambda: optimal_rod(ARC, natural_curvature=[0.0, 0.1]), "give a finite number"),
+    ],
+)
+def test_what_is_no_blank_is_refused_in_a_sentence(made, words):
+    with pytest.raises(InputError, match=words):
+        made()
