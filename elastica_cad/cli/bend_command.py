@@ -8,18 +8,15 @@ from typing import Any
 import click
 import numpy as np
 
-from elastica_cad.cli.options import (
-    END_NAMES,
+from elastica_cad.cli.asking.asked_curves import asked_curves, curve_argument, unit_option, which_options
+from elastica_cad.cli.asking.lengths import LENGTH, POINT
+from elastica_cad.cli.asking.options import (
     asked_sheet,
-    curve_argument,
     output_options,
-    pick_curve,
     sheet_options,
     smooth_option,
-    unit_option,
-    which_options,
 )
-from elastica_cad.cli.running.lengths import LENGTH, POINT
+from elastica_cad.cli.asking.support_options import END_NAMES
 from elastica_cad.cli.running.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -116,10 +113,11 @@ def _rod(curve: Path | None, chosen: dict[str, Any]) -> Rod:
     gravity = sheet.gravity(chosen["down"]) if sheet is not None and chosen["gravity"] else None
     if curve is None:
         return Rod.straight(chosen["straight"], gravity=gravity)
-    number, layer, nearest = chosen["number"], chosen["layer"], chosen["nearest"]
-    drawn = pick_curve(curve, number, chosen["unit"], layer, may_change=nearest)
-    limits = Limits() if nearest else None
-    spec = RodSpec(drawn, gravity, smooth=chosen["smooth"], limits=limits)
+    (asked,) = asked_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
+    if chosen["nearest"]:
+        spec = RodSpec(asked.curve, gravity, smooth=chosen["smooth"], limits=Limits())
+    else:
+        spec = RodSpec(asked.bendable, gravity, smooth=chosen["smooth"])
     for note in spec.smoothing.notes:
         say(note)
     found = spec.solve()

@@ -5,19 +5,18 @@ from typing import Any
 
 import click
 
-from elastica_cad.cli.options import (
-    bendable_curve,
+from elastica_cad.cli.asking.asked_curves import (
+    AskedCurve,
+    asked_curves,
     curve_options,
-    drawn_curves,
-    smooth_option,
     split_option,
-    support_options,
     which_options,
 )
+from elastica_cad.cli.asking.options import smooth_option
+from elastica_cad.cli.asking.support_options import support_options
 from elastica_cad.cli.running.typed_command import MOST_CURES
 from elastica_cad.cli.running.voice import answer, say, warn
 from elastica_cad.errors import ElasticaError
-from elastica_cad.formats.curve_files.drawn_file import DrawnCurve
 from elastica_cad.formats.reports.check_report import report_check
 from elastica_cad.forming.rounding_verdict import undecided_by_rounding
 from elastica_cad.forming.smoothing import smooth_curve
@@ -53,39 +52,33 @@ def check(
     of them. Every curve is judged for itself. Exit code 1 when any cannot be bent, 2 when any is no open,
     smooth curve.
     """
-    drawing = drawn_curves(curve, unit, number, layer)
+    asked = asked_curves(curve, unit, number, layer, every=True, split=split_corners)
     supports, worst = Supports(start, end), 0
-    answers: list[tuple[DrawnCurve, dict[str, Any]]] = []
-    judged = [
-        (whole, one)
-        for whole in drawing.chosen(number, layer)
-        for one in (whole.split_at_corners() if split_corners else (whole,))
-    ]
-    several = max(len(drawing), len(judged)) > 1
-    for whole, one in judged:
+    answers: list[dict[str, Any]] = []
+    several = max(asked[0].count, len(asked)) > 1
+    for one in asked:
         try:
-            found, good = _judged(curve, one, len(drawing), supports, natural_curvature, smooth)
+            found, good = _judged(one, supports, natural_curvature, smooth)
         except ElasticaError as problem:
             if not several:
-                if not one.problem:
+                if not one.drawn.problem:
                     problem.add_note(_cure(one.curve, supports, natural_curvature, smooth, ()))
                 raise
             found, good = {"realizable": False, "problem": str(problem), "advice": f"{problem}."}, False
             worst = BAD_INPUT
-        cured = sum("cure" in told for _, told in answers)
-        if not good and not one.problem and cured < MOST_CURES:
-            which = ("--curve", str(one.number)) if len(drawing) > 1 else ()
-            cure = _cure(whole.curve, supports, natural_curvature, smooth, which)
+        cured = sum("cure" in told for told in answers)
+        if not good and not one.drawn.problem and cured < MOST_CURES:
+            cure = _cure(one.whole.curve, supports, natural_curvature, smooth, one.which)
             found |= {"cure": cure} if cure else {}
         worst = max(worst, 0 if good else NOT_REALIZABLE)
-        answers.append((one, found))
-        head = f"{curve.name}, {one.called} of {len(drawing)}:\n" if several else ""
+        answers.append(found)
+        head = f"{curve.name}, {one.drawn.called} of {one.count}:\n" if several else ""
         said = " ".join(filter(None, (found["advice"], *found.get("notes", ()), found.get("cure", ""))))
         if "problem" in found:
             warn(said)
         else:
             say(f"{head}{said}")
-    answer([found for _, found in answers])
+    answer(answers)
     if worst:
         ctx.exit(worst)
 
@@ -98,15 +91,10 @@ def _cure(*asked: Any) -> str:
 
 
 def _judged(
-    path: Path,
-    one: DrawnCurve,
-    count: int,
-    supports: Supports,
-    natural_curvature: NaturalCurvature,
-    smooth: float | None,
+    asked: AskedCurve, supports: Supports, natural_curvature: NaturalCurvature, smooth: float | None
 ) -> tuple[dict[str, Any], bool]:
     """The report on one curve, and whether it can be bent."""
-    drawn = bendable_curve(path, one, count)
+    drawn = asked.bendable
     smoothing = smooth_curve(drawn, smooth, supports=supports)
     found = check_equilibrium(smoothing.curve, supports=supports, natural_curvature=natural_curvature)
     doubt = "" if natural_curvature else undecided_by_rounding(drawn, found.realizable, smooth, supports)

@@ -6,14 +6,15 @@ from importlib import import_module
 from typing import Any
 
 import click
+import numpy as np
 
-from elastica_cad.cli.options import refuse_huge_numbers, refuse_odd_numbers
+from elastica_cad.cli.asking.lengths import UNITS
 from elastica_cad.cli.running.budget import USUAL_MIB, USUAL_S, OutOfBudgetError, spend
-from elastica_cad.cli.running.lengths import UNITS
 from elastica_cad.cli.running.typed_command import TYPED, say_with_cure
 from elastica_cad.cli.running.voice import voice
 from elastica_cad.cli.running.watching import remake_on_change
-from elastica_cad.errors import ElasticaError, NotMetError
+from elastica_cad.errors import ElasticaError, InputError, NotMetError
+from elastica_cad.formats.curve_files.number_gate import LARGEST_NUMBER
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 
 COMMANDS = {
@@ -152,9 +153,9 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
         watched = chosen.pop("watch", False)
         chosen.pop("units")
         budget = chosen.pop("seconds"), chosen.pop("memory")
-        refuse_odd_numbers(chosen)
+        _refuse_odd_numbers(chosen)
         if not huge:
-            refuse_huge_numbers(chosen)
+            _refuse_huge_numbers(chosen)
         if not watched:
             _once(run, chosen, budget)
             return
@@ -174,6 +175,32 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
 
     command.callback = behind
     return command
+
+
+def _refuse_odd_numbers(chosen: Mapping[str, Any]) -> None:
+    """Refuse nan and inf among the options of the running command: Python reads them as numbers."""
+    for option in click.get_current_context().command.params:
+        if not all(np.isfinite(number) for number in _numbers(chosen.get(str(option.name)))):
+            raise InputError(f"{option.opts[0]} is given as nan or infinite: give finite numbers")
+
+
+def _refuse_huge_numbers(chosen: Mapping[str, Any]) -> None:
+    """Refuse what no drawing holds, such as 1e200, before anything is computed with it."""
+    for option in click.get_current_context().command.params:
+        for number in _numbers(chosen.get(str(option.name))):
+            if abs(number) > LARGEST_NUMBER:
+                raise InputError(
+                    f"{option.opts[0]} is {number:.3g}: give a number of at most {LARGEST_NUMBER:g}"
+                )
+
+
+def _numbers(value: Any) -> Iterator[float]:
+    """The numbers in nested tuples; whole ones too large for a float as infinite."""
+    if isinstance(value, tuple | list):
+        for one in value:
+            yield from _numbers(one)
+    elif isinstance(value, float | int) and not isinstance(value, bool):
+        yield float(value) if isinstance(value, float) or abs(value) < 10**300 else 1e300
 
 
 def _speaking(*names: str, help: str) -> click.Option:

@@ -6,8 +6,8 @@ from typing import Any
 
 import click
 
-from elastica_cad.cli.options import output_options
-from elastica_cad.cli.running.lengths import LENGTH, POINT
+from elastica_cad.cli.asking.lengths import LENGTH, POINT
+from elastica_cad.cli.asking.options import output_options
 from elastica_cad.cli.running.program import name_program
 from elastica_cad.cli.running.voice import answer, say, wrote
 from elastica_cad.errors import InputError

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from elastica_cad.cli.options import holding_option
+from elastica_cad.cli.asking.options import holding_option
 from elastica_cad.cli.running.voice import answer, say, say_step, voice, warn
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
 from elastica_cad.fabrication.sheets.cut_list import cut_list

@@ -7,14 +7,9 @@ from typing import Any
 import click
 
 from elastica_cad._types import FloatArray
-from elastica_cad.cli.options import (
-    curve_argument,
-    drawn_curves,
-    output_options,
-    refuse_odd_numbers,
-    which_options,
-)
-from elastica_cad.cli.running.lengths import LENGTH, POINT
+from elastica_cad.cli.asking.asked_curves import curve_argument, drawn_curves, which_options
+from elastica_cad.cli.asking.lengths import LENGTH, POINT
+from elastica_cad.cli.asking.options import output_options
 from elastica_cad.cli.running.strip_cures import cure_for_curve
 from elastica_cad.cli.running.typed_command import MOST_CURES
 from elastica_cad.cli.running.voice import answer, say, warn, wrote
@@ -68,7 +63,6 @@ def reshape(
     weights), .svg (cubics, within 0.001 mm) and .json (exact). Exit code 1 when a curve cannot be bent; no such
     map mends that.
     """
-    refuse_odd_numbers({"handles": handles, **corners})
     drawing = drawn_curves(curve, unit, number, layer)
     chosen = drawing.chosen(number, layer)
     for one in chosen if len(chosen) > 1 else ():

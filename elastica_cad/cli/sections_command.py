@@ -9,8 +9,8 @@ from typing import Any
 import click
 import numpy as np
 
-from elastica_cad.cli.options import asked_sheet, output_options, refuse_odd_numbers, sheet_options
-from elastica_cad.cli.running.lengths import LENGTH, SPACE_POINT, Length
+from elastica_cad.cli.asking.lengths import LENGTH, SPACE_POINT, Length
+from elastica_cad.cli.asking.options import asked_sheet, output_options, sheet_options
 from elastica_cad.cli.running.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.files import read_surface
@@ -112,7 +112,6 @@ def sections(mesh: Path, output: Path, force: bool, sheet: str | None, **chosen:
     Writes NAME-sections.json (the curves, exactly), NAME-sections.dxf (the same side by side) and, with --sheet,
     NAME-sections.toml, a design file to go on with. A section that gives no curve is named; the others go on.
     """
-    refuse_odd_numbers(chosen)
     if sheet is not None:
         asked_sheet(chosen | {"sheet": sheet})
     if chosen["stand"] != "none":

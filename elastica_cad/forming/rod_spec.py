@@ -4,7 +4,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from elastica_cad._equality import EqualByValue
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import InputError, NotMetError
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod, Status
 from elastica_cad.forming.nearest.nearest_rod import nearest_rod
@@ -184,13 +184,13 @@ def accepted_rod(found: Rod | NearestRod) -> Rod:
 
     Raises
     ------
-    NotConvergedError
+    NotMetError
         No rod near the curve meets the limits; the message says what would help.
     """
     if isinstance(found, Rod):
         return found
     if not found.met:
-        raise NotConvergedError(str(found))
+        raise NotMetError(str(found))
     if found.status is Status.MET:
         return found.rod
     return replace(found.rod, warnings=(*found.rod.warnings, found.status.value))

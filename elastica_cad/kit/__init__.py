@@ -1,1 +1,1 @@
-"""A whole model as one folder of files, or none."""
+"""A strip or a whole model as one folder of files, or none."""

@@ -9,18 +9,20 @@ import click
 import numpy as np
 
 from elastica_cad.cli.running.typed_command import TRYING, TYPED, command_line
-from elastica_cad.errors import ElasticaError
+from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.fabrication.makeability.splices import SPLICED
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.styles import Plain
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod
+from elastica_cad.forming.rounding_verdict import undecided_by_rounding
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.trim import split_at_corners
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 
 Answer: TypeAlias = tuple[Rod | NearestRod, Strip]
 
@@ -62,19 +64,41 @@ def _typed_line(*added: str, instead: str | None = None) -> str:
     return command_line(*(word for word in words if word not in LEFT_OUT), *added)
 
 
-def cure_for(spec: StripSpec, which: Sequence[str] = (), whole: PlaneCurve | None = None) -> str:
-    """A sentence with a command that makes a strip of this request after all; empty where none was found.
-
-    The ways are tried in order, and the first that succeeds is told: the nearest curve within sheet and widths,
-    then with a free end, then a wider strip; of a curve with corners the strips between them before that.
+def explained(
+    problem: ElasticaError,
+    spec: StripSpec,
+    *,
+    which: Sequence[str] = (),
+    whole: PlaneCurve | None = None,
+    cured: bool = True,
+) -> ElasticaError:
+    """The refusal of a request as it is told: whether the file's digits decide it, and what would work.
 
     Parameters
     ----------
+    problem : ElasticaError
     spec : StripSpec
     which : sequence of str
         Words that choose its curve in its file, where several were asked for.
     whole : PlaneCurve, optional
         The curve as drawn, where that of the request is a piece between its corners.
+    cured : bool
+        Look for a command that would work.
+    """
+    told = problem
+    if isinstance(problem, NotRealizable):
+        doubt = undecided_by_rounding(spec.curve, False, spec.smooth, spec.supports)
+        if doubt:
+            told = InputError(f"{doubt} As it stands: {problem}")
+    told.add_note(_cure_for(spec, which, whole) if cured else "")
+    return told
+
+
+def _cure_for(spec: StripSpec, which: Sequence[str], whole: PlaneCurve | None) -> str:
+    """A sentence with a command that makes a strip of this request after all; empty where none was found.
+
+    The ways are tried in order, and the first that succeeds is told: the nearest curve within sheet and widths,
+    then with a free end, then a wider strip; of a curve with corners the strips between them before that.
     """
     if TRYING.get():
         return ""

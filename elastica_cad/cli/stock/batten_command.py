@@ -10,8 +10,8 @@ import click
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.cli.options import asked_sheet, join_options, output_options, sheet_options
-from elastica_cad.cli.running.lengths import LENGTH, POINT
+from elastica_cad.cli.asking.lengths import LENGTH, POINT
+from elastica_cad.cli.asking.options import asked_sheet, join_options, output_options, sheet_options
 from elastica_cad.cli.running.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.batten import Batten, BattenSpec

@@ -1,22 +1,22 @@
 """Options that ask for one strip, and the request that they make together."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import partial
-from typing import Any
+from typing import Any, cast
 
 import click
 
-from elastica_cad.cli.options import (
+from elastica_cad.cli.asking.lengths import LENGTH, POINT, SPACE_POINT
+from elastica_cad.cli.asking.options import (
     asked_sheet,
     join_options,
-    refuse_odd_numbers,
     sheet_options,
     smooth_option,
-    support_options,
 )
-from elastica_cad.cli.running.lengths import LENGTH, POINT, SPACE_POINT
+from elastica_cad.cli.asking.support_options import support_options
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.lettering import engravable
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.perforation import Perforated
@@ -25,7 +25,6 @@ from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.fabrication.strip_spec import AskedGravity, StripSpec
 from elastica_cad.formats.design_files.strip_records import (
     parse_line,
-    parse_lines,
     read_keep_out,
     read_law,
     read_loads,
@@ -33,6 +32,7 @@ from elastica_cad.formats.design_files.strip_records import (
     read_stiffness_bounds,
     read_tab,
 )
+from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.forming.limits import BOTH_ENDS, Keep, Limits
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
@@ -40,7 +40,6 @@ from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN
 
 TAB_LENGTH_MM = 10.0
@@ -60,6 +59,28 @@ OPTION_OF = {
     "least_width": "--least-width", "law": "--law",
 }  # fmt: skip
 """Options for what the sentences of `StripSpec` name by its fields."""
+
+
+class _Keys(click.ParamType):  # type: ignore[type-arg]  # no generic class before click 8.2
+    """A record written as in a design file: "at = 40, width = 1.2".
+
+    Parameters
+    ----------
+    read : callable
+        Makes the record of a table.
+    inside : str
+        Key of the table that is typed, where the reader looks for one.
+    """
+
+    name = "keys"
+
+    def __init__(self, read: Callable[[Table], object], inside: str = "") -> None:
+        self.read, self.inside = read, inside
+
+    def convert(self, value: Any, param: click.Parameter | None, _: click.Context | None) -> object:
+        """The record; a refusal names the option."""
+        line = f"{self.inside} = {{{value}}}" if self.inside else value
+        return parse_line(line, "" if param is None else param.opts[0], self.read)
 
 
 _WIDTHS = (
@@ -104,7 +125,8 @@ _WEIGHT = (
     click.option("--y-axis", type=TRIPLE, metavar="X Y Z", help="The drawing's y in space  [default: 0 0 1]"),
     click.option("--hang", "hung", type=(LENGTH, float), multiple=True, metavar="MM GRAMS",
                  help="A mass at this place along the strip, with --gravity; repeatable."),
-    click.option("--loads", metavar="KEYS", help="All weight in newtons: 'alpha = 0.001, masses = [...]'."),
+    click.option("--loads", type=_Keys(read_loads, inside="loads"), metavar="KEYS",
+                 help="All weight in newtons: 'alpha = 0.001, masses = [...]'."),
 )  # fmt: skip
 
 _NEAREST = (
@@ -118,9 +140,10 @@ _NEAREST = (
     click.option("--max-curvature", type=float, metavar="1/MM", help="Keep within this curvature."),
     click.option("--length-range", type=POINT, metavar="MM MM", help="Least and largest length."),
     click.option("--width-range", type=POINT, metavar="MM MM", help="Bound the ratio by two widths."),
-    click.option("--keep-out", multiple=True, metavar="KEYS",
+    click.option("--keep-out", type=_Keys(read_keep_out), multiple=True, metavar="KEYS",
                  help="'point = [x, y], normal = [x, y]', or 'lower = [x, y], upper = [x, y]'; repeatable."),
-    click.option("--stiffness-bounds", metavar="KEYS", help="'lower = 1.5, upper = [2, 3, 2]', along the strip."),
+    click.option("--stiffness-bounds", type=_Keys(read_stiffness_bounds), metavar="KEYS",
+                 help="'lower = 1.5, upper = [2, 3, 2]', along the strip."),
     click.option("--keep-ends", type=click.Choice(list(BOTH_ENDS)), help="Which ends stay  [default: both]"),
     click.option("--keep-tangents", is_flag=True, help="When the curve changes, keep its end tangents."),
     click.option("--keep-tangent", type=click.Choice(["start", "end"]), help="Keep the tangent of one end."),
@@ -137,10 +160,10 @@ _PATTERN = (
     click.option("--tab", type=LENGTH, default=TAB_LENGTH_MM, show_default=True, metavar="MM",
                  help="Length of both tabs."),
     click.option("--tab-radius", type=LENGTH, default=0.0, metavar="MM", help="Rounding of the tabs' corners."),
-    click.option("--start-tab", metavar="KEYS",
+    click.option("--start-tab", type=_Keys(read_tab), metavar="KEYS",
                  help="The first tab: 'length = 12, holes = [{at = 6, diameter = 3}]'."),
-    click.option("--end-tab", metavar="KEYS", help="The last tab, in the same way."),
-    click.option("--slot", "slots", multiple=True, metavar="KEYS",
+    click.option("--end-tab", type=_Keys(read_tab), metavar="KEYS", help="The last tab, in the same way."),
+    click.option("--slot", "slots", type=_Keys(read_slot), multiple=True, metavar="KEYS",
                  help="A slot: 'at = 40, width = 1.2, side = \"lower\"'; repeatable."),
     click.option("--label", help="Text engraved on the strip [default: the file's name]."),
     click.option("--samples", type=int, help="Number of samples along the curve [default: chosen]."),
@@ -157,29 +180,29 @@ strip_options = join_options(*_WIDTHS, *_STYLE, support_options, *_WEIGHT, *_NEA
 """All that can be asked of one strip, but for its curve."""
 
 
-def spec_from_options(curve: PlaneCurve, label: str, chosen: Mapping[str, Any]) -> StripSpec:
-    """The strip that the options ask for.
+def spec_from_options(curve: PlaneCurve, name: str, chosen: Mapping[str, Any]) -> StripSpec:
+    """The strip that the options ask for, labelled with its `name` unless they say how.
 
     Raises
     ------
     InputError
         Options that exclude each other, or what `StripSpec` refuses, with the options to look at.
     """
-    refuse_odd_numbers(chosen)
     sheet = asked_sheet(chosen)
+    backing = None if chosen["backing"] is None else Sheet.named(chosen["backing"])
     limits, keep = _limits(chosen, sheet), _keep(chosen)
     if limits is None and keep is not None:
         raise InputError(
             "--keep-tangents, --keep-length and other --keep options are for a curve that may change: add --nearest"
         )
+    line = chosen["law"]
     try:
         return StripSpec(
             curve,
             sheet,
-            _frame(chosen),
             max_width=chosen["max_width"],
             min_width=chosen["min_width"],
-            style=_style(chosen),
+            style=_style(chosen, backing),
             limits=limits,
             keep=keep if limits is None else keep or Keep(),
             gravity=_gravity(chosen),
@@ -188,14 +211,15 @@ def spec_from_options(curve: PlaneCurve, label: str, chosen: Mapping[str, Any]) 
             natural_curvature=chosen["natural_curvature"],
             samples=chosen["samples"],
             ends=_ends(chosen),
-            slots=parse_lines(chosen["slots"], "--slot", read_slot),
-            label=label,
+            slots=chosen["slots"],
+            label=engravable(name) if chosen["label"] is None else chosen["label"],
             smooth=chosen["smooth"],
             shop=_shop(chosen),
             compensate=chosen["compensate"],
             creep=chosen["creep"],
-            law=_law(chosen, sheet),
             anyway=chosen["anyway"],
+            frame=_frame(chosen),
+            law=None if line is None else parse_line(line, "--law", partial(read_law, sheet=sheet)),
         )
     except InputError as problem:
         raise InputError(f"{problem}{_options_named(str(problem))}") from problem
@@ -207,12 +231,6 @@ def _options_named(sentence: str) -> str:
     return f" ({', '.join(dict.fromkeys(found))})" if found and "--" not in sentence else ""
 
 
-def _law(chosen: Mapping[str, Any], sheet: Sheet) -> BoundedLaw | None:
-    return (
-        None if chosen["law"] is None else parse_line(chosen["law"], "--law", partial(read_law, sheet=sheet))
-    )
-
-
 def _shop(chosen: Mapping[str, Any]) -> Shop:
     """Limits of the workshop; ligaments are as fine as the style is told to make them."""
     given = {name: chosen[name] for name in ("least_width", "stock", "lap") if chosen[name] is not None}
@@ -221,7 +239,7 @@ def _shop(chosen: Mapping[str, Any]) -> Shop:
     return Shop(**given)
 
 
-def _style(chosen: Mapping[str, Any]) -> Style:
+def _style(chosen: Mapping[str, Any], backing: Sheet | None) -> Style:
     """The style with the sizes that are given; sizes of another style are refused."""
     kind = chosen["style"]
     sizes = {"perforated": PERFORATED, "laminated": ("backing", *LAMINATED)}
@@ -238,9 +256,9 @@ def _style(chosen: Mapping[str, Any]) -> Style:
     given = {name: chosen[name] for name in sizes[kind] if chosen[name] is not None}
     if kind == "perforated":
         return Perforated(width=chosen["outer_width"], **given)
-    if "backing" not in given:
+    if backing is None:
         raise InputError("a laminated strip is two sheets: name the one that is glued on with --backing NAME")
-    return Laminated(width=chosen["outer_width"], **(given | {"backing": Sheet.named(given["backing"])}))
+    return Laminated(width=chosen["outer_width"], **(given | {"backing": backing}))
 
 
 def _frame(chosen: Mapping[str, Any]) -> Frame | None:
@@ -273,7 +291,7 @@ def _loads(chosen: Mapping[str, Any]) -> tuple[PointMass, ...] | Weight:
         return hung
     if hung:
         raise InputError("--hang and --loads exclude each other: name the masses in --loads too")
-    return parse_line(f"loads = {{{chosen['loads']}}}", "--loads", read_loads)
+    return cast("tuple[PointMass, ...] | Weight", chosen["loads"])
 
 
 def _limits(chosen: Mapping[str, Any], sheet: Sheet) -> Limits | None:
@@ -281,7 +299,7 @@ def _limits(chosen: Mapping[str, Any], sheet: Sheet) -> Limits | None:
     margin = chosen["margin"]
     if margin is None and chosen["stable"]:
         margin = SAFE_MARGIN
-    bounds, strain = chosen["stiffness_bounds"], chosen["max_strain"]
+    strain = chosen["max_strain"]
     asked: dict[str, Any] = {
         "ratio": chosen["ratio"],
         "margin": margin,
@@ -290,10 +308,8 @@ def _limits(chosen: Mapping[str, Any], sheet: Sheet) -> Limits | None:
         "strain": strain,
         "width": chosen["width_range"],
         "length": chosen["length_range"],
-        "keep_out": parse_lines(chosen["keep_out"], "--keep-out", read_keep_out) or None,
-        "stiffness_bounds": None
-        if bounds is None
-        else parse_line(bounds, "--stiffness-bounds", read_stiffness_bounds),
+        "keep_out": chosen["keep_out"] or None,
+        "stiffness_bounds": chosen["stiffness_bounds"],
     }
     given = {name: value for name, value in asked.items() if value is not None}
     return Limits(**given) if given or chosen["nearest"] else None
@@ -315,8 +331,4 @@ def _keep(chosen: Mapping[str, Any]) -> Keep | None:
 
 def _ends(chosen: Mapping[str, Any]) -> tuple[Tab, Tab]:
     usual = Tab(chosen["tab"], corner_radius=chosen["tab_radius"])
-    start, end = (
-        usual if chosen[name] is None else parse_line(chosen[name], f"--{name.replace('_', '-')}", read_tab)
-        for name in ("start_tab", "end_tab")
-    )
-    return start, end
+    return chosen["start_tab"] or usual, chosen["end_tab"] or usual

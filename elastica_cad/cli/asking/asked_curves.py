@@ -1,0 +1,214 @@
+"""The CURVE argument: which curves of a file a command is asked for, each with what is said and written of it."""
+
+import re
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any, TypeVar
+
+import click
+
+from elastica_cad.cli.asking.options import join_options
+from elastica_cad.cli.running.voice import warn
+from elastica_cad.errors import InputError
+from elastica_cad.files import read_drawing
+from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, DrawnFile
+from elastica_cad.formats.file_access.source_file import LARGEST_FILE
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.theorem1.equilibrium_check import require_bendable
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+CHOICE = "--curve 1 .. --curve {count}, --curve ID or --layer NAME"
+"""How one curve of several is chosen."""
+
+
+def curve_argument(*, required: bool = True) -> Callable[[F], F]:
+    """The CURVE argument: a file, or - for standard input."""
+    return click.argument(
+        "curve",
+        type=click.Path(path_type=Path, allow_dash=True),
+        required=required,
+        callback=lambda ctx, _, path: _standard_input(ctx) if str(path) == "-" else path,
+    )
+
+
+def _standard_input(ctx: click.Context) -> Path:
+    """What comes through standard input, in a file while the command runs; what it is, its contents tell.
+
+    Raises
+    ------
+    InputError
+        Nothing, or more than is read.
+    """
+    if ctx.params.get("watch"):
+        raise InputError("standard input does not change: give --watch a file")
+    data = sys.stdin.buffer.read(LARGEST_FILE + 1)
+    if not data.strip():
+        raise InputError("standard input is empty: pipe a drawing into it (cat arch.svg | elastica check -)")
+    if len(data) > LARGEST_FILE:
+        raise InputError(
+            f"standard input has more than {LARGEST_FILE // 2**20} MB: leave out what is no curve"
+        )
+    folder = TemporaryDirectory(prefix="elastica-")
+    ctx.call_on_close(folder.cleanup)
+    path = Path(folder.name, f"stdin{_kind(data)}")
+    path.write_bytes(data)
+    return path
+
+
+def _kind(data: bytes) -> str:
+    """The suffix of files that begin like this."""
+    head = data[:4096].lstrip(b"\xef\xbb\xbf \t\r\n")
+    if head.startswith(b"<"):
+        return ".svg"
+    if head.startswith((b"{", b"[")):
+        return ".json"
+    if head.startswith(b"ISO-10303-21"):
+        return ".step"
+    if head.startswith(b"AutoCAD Binary DXF") or re.match(rb"(999\s.*\s+)?0\s+SECTION", head):
+        return ".dxf"
+    return ".txt" if re.match(rb"\d+[ \t]+\d+[ \t]*\r?\n", head) else ".csv"
+
+
+unit_option = click.option(
+    "--unit", type=click.Choice(["mm", "cm", "m", "in", "px"]),
+    help="Unit of the file's numbers, where the file does not say or says it wrongly.",
+)  # fmt: skip
+
+curve_options = join_options(curve_argument(), unit_option)
+"""The CURVE argument and how to read it."""
+
+which_options = join_options(
+    click.option("--curve", "number", metavar="N|ID",
+                 help="Which curve of the file: its number from 1, or its id."),
+    click.option("--layer", metavar="NAME", help="Only curves on this layer of the drawing."),
+)  # fmt: skip
+"""Which curve of the file."""
+
+split_option = click.option(
+    "--split-corners", is_flag=True, help="Cut curves at their corners; every piece is a curve of its own."
+)
+"""Curves in pieces between corners."""
+
+
+@dataclass(frozen=True, eq=False)
+class AskedCurve:
+    """One curve that a command is asked for.
+
+    Attributes
+    ----------
+    path : Path
+        The file that draws it.
+    drawn : DrawnCurve
+    whole : DrawnCurve
+        The curve that it is a piece of; itself where nothing is split.
+    count : int
+        Curves in the file.
+    name : str
+        What files made from it are called.
+    which : tuple of str
+        Words that choose it in its file, where several were asked for.
+    """
+
+    path: Path
+    drawn: DrawnCurve
+    whole: DrawnCurve
+    count: int
+    name: str
+    which: tuple[str, ...] = ()
+
+    @property
+    def curve(self) -> PlaneCurve:
+        """As drawn: a strip that may leave it takes any curve.
+
+        Raises
+        ------
+        InputError
+            Its numbers make none; file and curve are named.
+        """
+        with self._named():
+            return self.drawn.curve
+
+    @property
+    def bendable(self) -> PlaneCurve:
+        """As drawn, open and without corners.
+
+        Raises
+        ------
+        InputError
+            It is not; file and curve are named.
+        """
+        with self._named():
+            require_bendable(self.drawn.curve)
+            return self.drawn.curve
+
+    @contextmanager
+    def _named(self) -> Iterator[None]:
+        """A complaint names file and curve."""
+        try:
+            yield
+        except InputError as problem:
+            which = f", {self.drawn.called} of {self.count}" if self.count > 1 else ""
+            message = str(problem)
+            raise InputError(
+                message if str(self.path) in message else f"{self.path}{which}: {message}"
+            ) from problem
+
+
+def asked_curves(
+    path: Path,
+    unit: str | None,
+    number: str | None,
+    layer: str | None,
+    *,
+    every: bool = False,
+    split: bool = False,
+) -> tuple[AskedCurve, ...]:
+    """The one curve that number, id or layer choose, or every one so chosen; with `split` their pieces.
+
+    Raises
+    ------
+    InputError
+        No such curve, or several of which one is asked for; the file is named.
+    """
+    drawing = drawn_curves(path, unit, number, layer)
+    several = every and len(drawing) > 1
+    found = drawing.chosen(number, layer) if every else (drawing.one(number, layer, CHOICE),)
+    return tuple(
+        AskedCurve(
+            path,
+            one,
+            whole,
+            len(drawing),
+            _file_stem(path, str(one.number) if every else number, one.piece if one.pieces > 1 else None),
+            ("--curve", str(one.number)) if several else (),
+        )
+        for whole in found
+        for one in (whole.split_at_corners() if split else (whole,))
+    )
+
+
+def drawn_curves(path: Path, unit: str | None, number: str | None, layer: str | None) -> DrawnFile:
+    """What a file draws, told where it leaves something out; at least one curve is as chosen.
+
+    Raises
+    ------
+    InputError
+        No such curve; the file is named.
+    """
+    drawing = read_drawing(path, unit=unit)
+    if drawing.left_out:
+        warn(f"{path.name}: {drawing.left_out}")
+    if not drawing.chosen(number, layer):
+        drawing.one(number, layer, CHOICE)
+    return drawing
+
+
+def _file_stem(path: Path, number: str | None, piece: int | None) -> str:
+    """The drawing's name, the curve's number or id, and the piece."""
+    words = [] if number is None else [re.sub(r"[^-.A-Za-z0-9_]+", "_", number.strip()) or "1"]
+    return "-".join([path.stem, *words, *([] if piece is None else [str(piece)])])

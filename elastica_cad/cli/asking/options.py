@@ -1,0 +1,66 @@
+"""Options that several commands share."""
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any, TypeVar
+
+import click
+
+from elastica_cad.cli.asking.lengths import LENGTH
+from elastica_cad.mechanics.material.sheet import Sheet
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+
+def join_options(*options: Callable[[Any], Any]) -> Callable[[F], F]:
+    """Several options as one decorator; help lists them in this order."""
+
+    def add(function: F) -> F:
+        for option in reversed(options):
+            function = option(function)
+        return function
+
+    return add
+
+
+holding_option = click.option(
+    "--holding", type=LENGTH, metavar="MM",
+    help="Leave bridges of this width in the outer cuts, which hold the parts in the sheet.",
+)  # fmt: skip
+"""Bridges that hold parts in the sheet."""
+
+smooth_option = click.option(
+    "--smooth", type=LENGTH, metavar="MM",
+    help="Make the curve fair (curvature without jumps) within this distance; 0: exactly as drawn  [default: "
+    "0.1 or 5e-4 of the length for pen curves whose curvature jumps, 0 for all others]",
+)  # fmt: skip
+"""How far a curve may be moved to become fair."""
+
+output_options = join_options(
+    click.option("--force", is_flag=True, help="Overwrite files that exist."),
+    click.option("-o", "--output", type=click.Path(path_type=Path), default=Path(), help="Folder for files."),
+)
+"""Where files are written, and over what."""
+
+
+def sheet_options(*, required: bool, use: str = "Material") -> Callable[[F], F]:
+    """The material, by name or from a file, and another thickness of it."""
+
+    return join_options(
+        click.option("--sheet", required=required, metavar="NAME|FILE",
+                     help=f"{use}: a name of `elastica sheets`, or a file of yours, my.toml or my.toml:NAME."),
+        click.option("--thickness", type=LENGTH, metavar="MM",
+                     help="Thickness, where it is not that of the sheet named."),
+    )  # fmt: skip
+
+
+def asked_sheet(chosen: Mapping[str, Any]) -> Sheet:
+    """The sheet that `sheet_options` name.
+
+    Raises
+    ------
+    InputError
+        No such sheet or file, or a thickness that no sheet has.
+    """
+    sheet = Sheet.named(chosen["sheet"])
+    return sheet if chosen["thickness"] is None else sheet.with_thickness(chosen["thickness"])

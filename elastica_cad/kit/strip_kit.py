@@ -1,0 +1,208 @@
+"""Everything that one strip becomes: its cutting files, bodies, picture and report."""
+
+import json
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property, partial
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.drawing import Drawing
+from elastica_cad.fabrication.makeability.splices import spliced
+from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.slots.mating_marks import end_numbers
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip_spec import StripSpec
+from elastica_cad.files import save
+from elastica_cad.formats.design_files.kit_spec import Cutting
+from elastica_cad.formats.file_access.file_transaction import write_together
+from elastica_cad.formats.reports.strip_report import report_strip
+from elastica_cad.forming.nearest.nearest_record import NearestRod
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
+
+UPRIGHT = Frame(y_axis=(0.0, 0.0, 1.0))
+"""The plane of a curve that says none, as screens show it."""
+
+
+@dataclass(frozen=True)
+class StripFiles:
+    """Which files of one strip are asked for, beside those that every strip has.
+
+    Attributes
+    ----------
+    cutting : Cutting
+        How the cut pattern is written.
+    paper : str or None
+        Size of the pages of a template, "A4"; None for no template.
+    glb : bool
+        A model for browsers and phones too.
+    """
+
+    cutting: Cutting = field(default_factory=Cutting)
+    paper: str | None = None
+    glb: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class StripKit:
+    """One strip, what it answers, and the files that tell of it.
+
+    Attributes
+    ----------
+    spec : StripSpec
+        The request.
+    found : Rod or NearestRod
+        The answer of its `rod_spec`.
+    strip : Strip
+        What `spec` makes of that.
+    name : str
+        What its files are called.
+    joints : (str, str)
+        Names of the corners at its ends where another strip goes on; empty elsewhere.
+    asked : StripFiles
+    """
+
+    spec: StripSpec
+    found: Rod | NearestRod
+    strip: Strip
+    name: str
+    joints: tuple[str, str] = ("", "")
+    asked: StripFiles = field(default_factory=StripFiles)
+
+    @property
+    def near(self) -> NearestRod | None:
+        """The nearest rod, where the curve could change."""
+        return self.found if isinstance(self.found, NearestRod) else None
+
+    @cached_property
+    def stability(self) -> Stability:
+        """The verdict on its rest shape."""
+        return stability(self.strip.rod)
+
+    @cached_property
+    def files(self) -> dict[str, str]:
+        """The name of each file by its kind: all that the installed libraries allow."""
+        # R12 has no header for its unit, so the name says it
+        dxf = f"{self.name}-mm.dxf" if self.asked.cutting.version == "R12" else f"{self.name}.dxf"
+        names = {"dxf": dxf} | {kind: f"{self.name}.{kind}" for kind in ("svg", "json")}
+        if len(self.strip.layers) > 1:
+            glued = f"{self.name}-backing"
+            names |= {f"backing {kind}": names[kind].replace(self.name, glued, 1) for kind in ("dxf", "svg")}
+        more = {
+            "png": find_spec("matplotlib"),
+            "pdf": self.asked.paper,
+            "step": find_spec("OCP"),
+            "glb": self.asked.glb,
+        }
+        return names | {kind: f"{self.name}.{kind}" for kind, asked in more.items() if asked}
+
+    @cached_property
+    def drawings(self) -> tuple[Drawing, ...]:
+        """The cut pattern of each layer; ends where another strip goes on are engraved with the joint's name."""
+        strip, joined = self.strip, spliced(self.strip, self.spec.shop)
+        drawings = strip.drawings() if joined is None else (joined.drawing,)
+        if any(self.joints) and joined is None:
+            base, cuts = drawings[0], (*strip.holes, strip.outline)
+            marks = end_numbers(strip.width, cuts, base.texts, self.joints)
+            drawings = (replace(base, texts=(*base.texts, *marks)), *drawings[1:])
+        return drawings
+
+    @cached_property
+    def report(self) -> dict[str, Any]:
+        """All that was asked and found, ready for JSON."""
+        report = report_strip(
+            self.strip,
+            name=self.name,
+            files=self.files,
+            near=self.near,
+            stability=self.stability,
+            smoothing=self.spec.rod_spec.smoothing,
+        )
+        return report | ({"joints": self.joints} if any(self.joints) else {})
+
+
+def write_strip(
+    kit: StripKit, folder: Path, *, force: bool = False, kept: Path | None = None
+) -> tuple[Path, ...]:
+    """Write all files of a strip, or after any error none; where they are.
+
+    Raises
+    ------
+    InputError
+        Files that exist, without `force`; or one of them is `kept`, which holds the drawn curve.
+    """
+    written = tuple(folder / file for file in kit.files.values())
+    if kept is not None and any(path.exists() and path.samefile(kept) for path in written):
+        raise InputError(f"{kept} holds the drawn curve and is kept: name another folder, e.g. -o out")
+    with write_together(folder, kit.files.values(), force=force) as workshop:
+        for kind, file in kit.files.items():
+            WRITERS[kind](kit, workshop / file)
+    return written
+
+
+def _write_dxf(kit: StripKit, path: Path, layer: int = 0) -> None:
+    drawing, options = _pattern(kit, layer)
+    save(drawing, path, version=kit.asked.cutting.version, **options)
+
+
+def _write_svg(kit: StripKit, path: Path, layer: int = 0) -> None:
+    drawing, options = _pattern(kit, layer)
+    save(drawing, path, **options)
+
+
+def _pattern(kit: StripKit, layer: int) -> tuple[Drawing, dict[str, Any]]:
+    """What is cut of one layer, and how its file is to be written."""
+    drawing = replace(kit.drawings[layer], name=f"{kit.name}-backing" if layer else kit.name)
+    return drawing, kit.asked.cutting.options(kit.strip.layers[layer].sheet)
+
+
+def _draw_picture(kit: StripKit, path: Path) -> None:
+    from elastica_cad.plot.canvas import save_figure
+    from elastica_cad.plot.strip_pictures import strip_sheet
+
+    save_figure(strip_sheet(kit.strip, wish=None if kit.near is None else kit.near.target), path)
+
+
+def _draw_template(kit: StripKit, path: Path) -> None:
+    from elastica_cad.plot.template_pages import save_template
+
+    drawing, _ = _pattern(kit, 0)
+    save_template(drawing, path, paper=str(kit.asked.paper))
+
+
+def _write_step(kit: StripKit, path: Path) -> None:
+    from elastica_cad.kernel.step_files import write_strip_step
+
+    write_strip_step(kit.strip, path, frame=kit.spec.frame)
+
+
+def _write_glb(kit: StripKit, path: Path) -> None:
+    from elastica_cad.kernel.glb_files import write_glb
+    from elastica_cad.kernel.step_files import model_shapes
+
+    frame = kit.spec.frame or UPRIGHT
+    placed = Placed(kit.strip, frame.origin, frame.x_axis, frame.y_axis)
+    write_glb(model_shapes(Model((placed,), kit.name)), path, name=kit.name)
+
+
+def _write_report(kit: StripKit, path: Path) -> None:
+    path.write_text(json.dumps(kit.report, indent=1) + "\n", encoding="utf-8")
+
+
+WRITERS: Mapping[str, Callable[[StripKit, Path], None]] = {
+    "dxf": _write_dxf,
+    "svg": _write_svg,
+    "backing dxf": partial(_write_dxf, layer=1),
+    "backing svg": partial(_write_svg, layer=1),
+    "png": _draw_picture,
+    "pdf": _draw_template,
+    "step": _write_step,
+    "glb": _write_glb,
+    "json": _write_report,
+}
+"""How each kind of file is written."""
