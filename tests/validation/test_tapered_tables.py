@@ -1,0 +1,149 @@
+"""Tapered columns, cantilevers and springs against closed forms of the literature."""
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+from scipy.special import jv, yv
+
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.loads.supports import End, Supports
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.tapered_sections import RoundLaw, ThicknessLaw
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stability.stability_verdict import stability
+
+pytestmark = pytest.mark.core
+
+CANTILEVER = Supports("clamped", "free")
+HINGES = Supports("pinned", End(x=False, angle=False))
+MATERIAL = Sheet("any", 1.0, 12000.0, density=1000.0, max_strain=0.01)
+NARROW = 1e-7
+"""A spring of uniform strength ends in a point: what is left of the stiffness there."""
+
+
+def critical_factor(n, ratio):
+    """P l^2 / (E I_2) of a column clamped at its thick end, E I = E I_2 (x/b)^n from b down to a, free there.
+
+    y(a) = 0 and y'(b) = 0 for (x/b)^n y'' + m y = 0, by Bessel functions, or for n = 2 and 4 elementary functions
+    (Dinnik; Timoshenko and Gere, Theory of Elastic Stability, chapter 2, bars of varying cross-section).
+    """
+    b = 1 / (1 - ratio ** (1 / n))
+    a = b - 1
+
+    def end_slope(m):
+        if n == 2:
+            beta = np.sqrt(complex(m * b**2 - 0.25))
+            turn = beta * np.log(b / a)
+            return float((np.sin(turn) / (2 * beta) + np.cos(turn)).real)
+        if n == 4:
+            turn = np.sqrt(m) * b**2 * (1 / a - 1 / b)
+            return np.sin(turn) + np.sqrt(m) * b * np.cos(turn)
+        step = 1e-6
+
+        def y(x):
+            u, v = (2 * np.sqrt(m * b**n) * z ** ((2 - n) / 2) for z in (x, a))
+            return np.sqrt(x) * (jv(1, u) * yv(1, v) - yv(1, u) * jv(1, v))
+
+        return (y(b + step) - y(b - step)) / (2 * step)
+
+    return brentq(end_slope, 0.3, 2.6, xtol=1e-12)
+
+
+def buckling(rod, around):
+    """The end force, over the least stiffness, at which the margin of a straight rod vanishes."""
+
+    def margin(load):
+        return stability(bend(rod, force=(-load, 0.0), guess=rod)).margin
+
+    return brentq(margin, 0.7 * around, 1.3 * around, rtol=1e-9)
+
+
+@pytest.mark.parametrize("n", [1, 2, 3, 4])
+@pytest.mark.parametrize("ratio", [0.1, 0.4, 0.8])
+def test_tapered_columns(n, ratio):
+    """Plates tapered in width (1), lattices (2), plates tapered in thickness (3), cones (4)."""
+    exact = critical_factor(n, ratio)
+    q = ratio ** (1 / n)
+    profile = Profile.fit(lambda s: (1 - (1 - q) * s) ** n, 1.0, tolerance=1e-10)
+    # the rod's least stiffness, at its tip, counts as 1
+    coarse, fine = (
+        buckling(Rod.straight(1.0, profile, samples=count, supports=CANTILEVER), exact / ratio)
+        for count in (401, 801)
+    )
+    assert (4 * fine - coarse) / 3 * ratio == pytest.approx(exact, rel=2e-6)
+
+
+def test_the_factors_are_those_of_the_tables():
+    """To the digits that tables of tapered columns give, for I_1 / I_2 of 0.1, 0.5 and 0.9."""
+    told = {2: (1.350, 2.023, 2.392), 4: (1.203, 2.002, 2.391)}
+    for n, row in told.items():
+        assert [critical_factor(n, ratio) for ratio in (0.1, 0.5, 0.9)] == pytest.approx(row, abs=6e-4)
+
+
+def test_the_strongest_column():
+    """4/3 of the load of an even rod of the same volume (Keller 1960, Arch. Rational Mech. Anal. 5, 275-285).
+
+    Clausen's shape: area ~ sin^2 theta at s = (theta - sin(2 theta) / 2) / pi, and E I ~ area^2.
+    """
+    theta = np.linspace(0.0, np.pi, 200001)
+    s = (theta - np.sin(2 * theta) / 2) / np.pi
+    law = RoundLaw(MATERIAL, 0.1, 10.0)
+    nodes = np.linspace(0.0, 1.0, 1601)
+    area = np.maximum(np.interp(nodes, s, np.sin(theta) ** 2), 2e-3)
+    diameter = np.sqrt(4 * area / np.pi)
+    K = law.bending_stiffness(diameter)
+    even = float(law.bending_stiffness(np.sqrt(4 * 0.75 / np.pi)))  # the mean of sin^2 theta over s is 3/4
+    load = buckling(Rod.straight(1.0, K, samples=1601, supports=HINGES), 4 / 3 * np.pi**2 * even / K.min())
+    assert load * K.min() / (np.pi**2 * even) == pytest.approx(4 / 3, rel=2e-4)
+
+
+def tip(K, load=1e-5, samples=801):
+    """Deflection of the tip of a cantilever over P L^3 / (E I) of the root for a small load, and the rod."""
+    rod = bend(Rod.straight(1.0, K, samples=samples, supports=CANTILEVER), force=(0.0, -load))
+    root = float(rod.stiffness[0])
+    return -float(rod.position[-1, 1]) / load * root, rod
+
+
+@pytest.mark.parametrize("n", [1, 2, 3, 4])
+@pytest.mark.parametrize("ratio", [0.2, 0.6])
+def test_tapered_cantilevers(n, ratio):
+    """Linear theory: the integral of (1 - s)^2 / (1 - (1 - q) s)^n.
+
+    I varies as (1 + K x / l)^n, as in the tables of tapered beams of Roark's Formulas for Stress and Strain.
+    """
+    q = ratio ** (1 / n)
+    c = 1 - q
+
+    def primitive(u):
+        """Of (u - q)^2 / u^n, where u = 1 - c s and (1 - s) = (u - q) / c."""
+        terms = ((1.0, 2 - n), (-2 * q, 1 - n), (q**2, -n))
+        return sum(k * (np.log(u) if p == -1 else u ** (p + 1) / (p + 1)) for k, p in terms)
+
+    exact = (primitive(1.0) - primitive(q)) / c**3
+    profile = Profile.fit(lambda s: (1 - c * s) ** n, 1.0, tolerance=1e-10)
+    coarse, fine = (tip(profile, samples=count)[0] for count in (401, 801))
+    assert (4 * fine - coarse) / 3 == pytest.approx(exact, rel=1e-6)
+
+
+@pytest.mark.parametrize("kind", ["triangular", "parabola of third order", "parabola"])
+def test_springs_of_uniform_strength(kind):
+    """Timoshenko, Strength of Materials, on beams of constant strength: a cantilever with a load at its tip.
+
+    Triangular in plan: constant strain and an arc of a circle, P L^3 / (2 E I). The same curvature comes of a
+    thickness ~ (1 - s)^(1/3); the same strain of one ~ (1 - s)^(1/2), and 2 P L^3 / (3 E I).
+    """
+    nodes = np.linspace(0.0, 1.0, 4001)
+    left = np.maximum(1 - nodes, NARROW)
+    law = ThicknessLaw(MATERIAL, 1e-4, 10.0, width=10.0)
+    power = {"triangular": 0.0, "parabola of third order": 1 / 3, "parabola": 1 / 2}[kind]
+    thickness = left**power
+    width = left if kind == "triangular" else np.ones_like(left)
+    K = width * law.bending_stiffness(thickness)
+    deflection, rod = tip(K, load=1e-5 / NARROW ** (1 if kind == "triangular" else 3 * power), samples=4001)
+    exact = 2 / 3 if kind == "parabola" else 1 / 2
+    assert deflection == pytest.approx(exact, rel=1e-3)
+    inner = nodes < 0.98
+    strain = (law.strains(rod.curvature, thickness)[0].strain if power else np.abs(rod.curvature))[inner]
+    even = strain if kind != "parabola of third order" else np.abs(rod.curvature)[inner]
+    assert np.ptp(even) < 1e-3 * even.mean()
