@@ -37,7 +37,11 @@ from elastica_cad.geometry.polynomials.spline_checks import check_knots, finite,
 FAR_SIZES = 1e6
 """A curve moved farther away than so many of its sizes loses digits, and is checked again."""
 
+SURVEY_POINTS = 601  # at which all who look along the whole curve find it evaluated
+
 DRAWN_POINTS = 301  # of a curve in a notebook, a few pixels apart
+
+_ROUNDING = 1e-10  # of an angle
 
 MOST_UNEVEN = 1e8
 """Largest weight over the least: beyond, places come to rounding."""
@@ -339,6 +343,14 @@ class PlaneCurve:
         return self.at(np.linspace(0.0, self.length, int(count)))
 
     @cached_property
+    def survey(self) -> CurveSamples:
+        """The curve at `SURVEY_POINTS` equal distances, evaluated once; its arrays are read-only."""
+        nodes = self.sample(SURVEY_POINTS)
+        for values in (nodes.s, nodes.position, nodes.angle, nodes.curvature, nodes.t):
+            values.setflags(write=False)
+        return nodes
+
+    @cached_property
     def curvature_zeros(self) -> tuple[CurvatureZero, ...]:
         """All zeros and sign changes of the curvature, in order."""
         found = zeros.curvature_zero_places(
@@ -424,6 +436,8 @@ class PlaneCurve:
 
     def self_intersections(self) -> FloatArray:
         """Pairs of arc lengths (k, 2), mm, at which the curve crosses or touches itself, in order."""
+        if self._turning.spread <= np.pi * (1 + _ROUNDING):
+            return np.zeros((0, 2))  # it never comes back: what closes must turn by more than half a turn
         bezier, edges = self._pieces.bezier, self._pieces.edges
         return self.arc_length(find_self_intersections(bezier, edges, self.position_and_velocity))
 

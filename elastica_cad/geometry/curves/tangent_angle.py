@@ -23,11 +23,14 @@ class TangentAngle:
         Unit middle direction of each cone.
     angle : (k,) array
         Angle of that direction, continued from cone to cone.
+    spread : float
+        Between the least and the largest angle of the curve, rad, or a little more.
     """
 
     edges: FloatArray
     axis: FloatArray
     angle: FloatArray
+    spread: float
 
     def at(self, t: FloatArray, velocity: FloatArray, *, left: bool = False) -> FloatArray:
         """Angle (n,) of velocities (n, 2) at parameters (n,), without jumps of 2 pi."""
@@ -71,13 +74,14 @@ def tabulate_tangent_angle(cones: TangentCones) -> TangentAngle:
     """The turning angle of a curve without cusp; at a tangent break it jumps by the exterior angle."""
     first, last = _unit(cones.hodographs[:, 0]), _unit(cones.hodographs[:, -1])
     axis = _unit(first + last)
-    to_end = _signed_angle(axis, last)
-    to_start = _signed_angle(axis, first)
+    # the velocity runs between its coefficients
+    off_axis = _signed_angle(axis[:, None], cones.hodographs)
+    to_start, to_end = off_axis[:, 0], off_axis[:, -1]
     across = _signed_angle(last[:-1], first[1:])
     steps = to_end[:-1] + across - to_start[1:]
     start = np.arctan2(first[0, 1], first[0, 0]) - to_start[0]
     angle = start + np.concatenate([[0.0], np.cumsum(steps)])
-    return TangentAngle(cones.edges, axis, angle)
+    return TangentAngle(cones.edges, axis, angle, float(np.ptp(angle[:, None] + off_axis)))
 
 
 def cut_into_tangent_cones(hodographs: FloatArray, edges: FloatArray) -> TangentCones:

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._types import ArrayLike, FloatArray, IntArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.polynomials.bernstein import interior_roots, raise_degree, value_and_slope
 from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
@@ -145,9 +145,8 @@ class Profile:
         passing = np.flatnonzero(
             (pieces.min(axis=1) < at_knots.min()) | (pieces.max(axis=1) > at_knots.max())
         )
-        turning = interior_roots(np.diff(pieces[passing])) if self.degree > 1 and passing.size else []
-        index = passing[[root.piece for root in turning]]
-        u = np.array([root.u for root in turning])
+        row, u = _turning_points(pieces[passing])
+        index = passing[row]
         inside, _ = value_and_slope(pieces[index], u)
         start, width = spans.edges[:-1], spans.widths
         places = np.concatenate([start, start + width, start[index] + u * width[index]])
@@ -181,3 +180,19 @@ class Profile:
 
         # copies: scipy before 1.11 evaluates writable arrays only
         return BSpline(np.array(self.knots), np.array(self.coefficients), self.degree)
+
+
+def _turning_points(pieces: FloatArray) -> tuple[IntArray, FloatArray]:
+    """Which of the Bezier pieces (p, degree + 1) are stationary, and where inside (0, 1); some perhaps twice."""
+    slopes = np.diff(pieces)
+    if pieces.shape[1] != 4:
+        roots = interior_roots(slopes) if slopes.shape[1] > 1 and slopes.size else []
+        return np.array([root.piece for root in roots], dtype=int), np.array([root.u for root in roots])
+    # of a cubic: a (1 - u)^2 + 2 b u (1 - u) + c u^2 = 0, in the form that takes no difference of like numbers
+    a, b, c = slopes.T
+    with np.errstate(divide="ignore", invalid="ignore"):
+        q = b - a
+        r = -(q + np.copysign(np.sqrt(q**2 - a * (a - 2 * b + c)), q))
+        u = np.stack([r / (a - 2 * b + c), a / r], axis=1)
+    row, which = np.nonzero((u > 0) & (u < 1))
+    return row, u[row, which]

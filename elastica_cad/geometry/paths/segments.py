@@ -1,7 +1,7 @@
 """The three kinds of segment a path is made of: straight line, circular arc, spline."""
 
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
 from math import dist, inf, isfinite
 from typing import TypeAlias
 
@@ -10,6 +10,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.polynomials.gauss_rule import gauss_rule
 
 _FLATTEST_MM = 1e-7
 """An arc that rises less than this over its chord (mm) is a line."""
@@ -300,7 +301,7 @@ class Spline:
         return area
 
     def _gauss_area(self, origin: FloatArray, knots: FloatArray, nodes: int) -> float:
-        x, w = _gauss(nodes)
+        x, w = gauss_rule(nodes)
         half = np.diff(knots)[:, None] / 2
         t = (knots[:-1, None] + half * (1 + x)).ravel()
         p, d = self.curve.position_and_velocity(t)
@@ -354,12 +355,6 @@ def is_similarity(matrix: ArrayLike) -> bool:
     size = float(np.abs(a).max())
     same = np.allclose(a[:, 1], left_of(a[:, 0]), rtol=0, atol=1e-12 * size)
     return bool(same or np.allclose(a[:, 1], -left_of(a[:, 0]), rtol=0, atol=1e-12 * size))
-
-
-@lru_cache(maxsize=64)
-def _gauss(count: int) -> tuple[FloatArray, FloatArray]:
-    """Places and weights of a Gauss rule over [-1, 1]."""
-    return np.polynomial.legendre.leggauss(count)
 
 
 def _beyond_sine(x: float) -> float:

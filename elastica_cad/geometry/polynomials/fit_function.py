@@ -7,6 +7,7 @@ import numpy as np
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.polynomials.bezier_pieces import Spans, bezier_spans
+from elastica_cad.geometry.polynomials.gauss_rule import gauss_rule
 
 _PROBES = np.array([0.02, 0.11, 0.27, 0.43, 0.58, 0.72, 0.88, 0.98])
 """Places of a span at which the error is measured, in shares of the span: none is a site of the fit."""
@@ -61,7 +62,7 @@ def adaptive_spline(
     """
     order = _break_orders(breaks, domain)
     edges = _with_knots(np.array([domain[0], *sorted(order), domain[1]]), np.asarray(knots, dtype=float))
-    sites, weight = np.polynomial.legendre.leggauss(degree + 3)
+    sites, weight = gauss_rule(degree + 3)
     places = np.concatenate([(1 + sites) / 2, _PROBES])
     samples = _sampled(function, edges[:-1], edges[1:], places)
     while True:

@@ -172,6 +172,12 @@ class ExcessCurvature:
         return self.rest.at(s, derivative, left=left) * self._stretch**derivative
 
     @cached_property
+    def survey(self) -> FloatArray:
+        """Its values (n,), 1/mm, at the places of the curve's own survey."""
+        nodes = self.curve.survey
+        return np.asarray(nodes.curvature - self.rest_at(nodes.t))
+
+    @cached_property
     def kinks(self) -> tuple[tuple[float, float, int], ...]:
         """Places (t, s, continuity) where kappa_0 is no more than `continuity` times differentiable."""
         if not isinstance(self.rest, RestCurvature):

@@ -6,6 +6,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
+from elastica_cad.geometry.curves.curve_records import CurveSamples
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.loads.arguments import (
@@ -20,7 +21,6 @@ from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
-from elastica_cad.mechanics.rod.node_counts import DEFAULT_SAMPLES
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.moment_conditions import BalancedStiffness
 from elastica_cad.mechanics.stiffness.optimal_balance import balance_with_weight, balance_without_weight
@@ -125,7 +125,7 @@ def optimal_rod(
     )
     if check.any_stiffness:
         return _unbent_rod(problem)
-    nodes = None if samples is None else check.curve.parameter(_stations(problem))
+    nodes = None if samples is None else _nodes(problem).t
     if section is not None:
         balance = balance_with_section(
             check,
@@ -219,14 +219,16 @@ def _require_load_at_free_end(check: EquilibriumCheck, supports: Supports, weigh
         raise NotRealizable(replace(check, realizable=False, reasons=(reason,)))
 
 
-def _stations(problem: _Problem) -> FloatArray:
-    return np.linspace(0.0, problem.check.curve.length, problem.samples or DEFAULT_SAMPLES)
+def _nodes(problem: _Problem) -> CurveSamples:
+    """The curve at the rod's nodes."""
+    curve = problem.check.curve
+    return curve.survey if problem.samples is None else curve.sample(problem.samples)
 
 
 def _unbent_rod(problem: _Problem) -> Rod:
     """A curve of the natural curvature throughout: no moment; under weight it must hang or stand upright."""
     curve, check = problem.check.curve, problem.check
-    nodes = curve.at(_stations(problem))
+    nodes = _nodes(problem)
     force = np.zeros_like(nodes.position)
     n = nodes.s.size
     rod = Rod(
@@ -272,7 +274,7 @@ def _even_rod(rod: Rod, section: BoundedLaw) -> Rod:
 
 def _bent_rod(problem: _Problem, balance: BalancedStiffness) -> Rod:
     check, curve, panels = problem.check, problem.check.curve, balance.panels
-    nodes = curve.at(_stations(problem))
+    nodes = _nodes(problem)
     panel, x = panels.locate(nodes.t)
     K, moment, b = values_at((balance.stiffness, balance.moment, balance.force), panel, x)
     least = float(K.min())

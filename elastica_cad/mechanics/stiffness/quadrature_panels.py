@@ -111,9 +111,9 @@ class PanelFunction:
         """Values (n, ...) at places x (n,) of panels (n,)."""
         return values_at((self,), panel, x)[0]
 
-    def in_every_panel(self, x: FloatArray) -> FloatArray:
-        """Values (N, k, ...) at the same places x (k,) of every panel."""
-        return np.asarray(np.einsum("ki,ni...->nk...", _legendre(x), self.coefficients))
+    def in_every_panel(self, basis: FloatArray) -> FloatArray:
+        """Values (N, k, ...) at the same places of every panel, from their `legendre_basis` (k, p)."""
+        return np.asarray(np.einsum("ki,ni...->nk...", basis, self.coefficients))
 
     def slopes_at(self, panel: IntArray, x: FloatArray) -> tuple[FloatArray, FloatArray]:
         """First and second derivatives with respect to x (n, ...)."""
@@ -137,11 +137,11 @@ class PanelFunction:
 
 def values_at(functions: Sequence[PanelFunction], panel: IntArray, x: FloatArray) -> list[FloatArray]:
     """Values (n, ...) of each function at places x (n,) of panels (n,)."""
-    basis = _legendre(x)
+    basis = legendre_basis(x)
     return [np.asarray(np.einsum("ni,ni...->n...", basis, f.coefficients[panel])) for f in functions]
 
 
-def _legendre(x: FloatArray) -> FloatArray:
+def legendre_basis(x: FloatArray) -> FloatArray:
     """Values (n, p) of the Legendre polynomials at x (n,)."""
     return np.asarray(chebyshev(x, ORDER).T @ _CHEBYSHEV_TO_LEGENDRE)
 

@@ -15,7 +15,14 @@ from elastica_cad.mechanics.stiffness.minimax_lp import (
     start_rows,
     unsettled,
 )
-from elastica_cad.mechanics.stiffness.quadrature_panels import SLOPES, VANDER, WEIGHTS, PanelFunction, Panels
+from elastica_cad.mechanics.stiffness.quadrature_panels import (
+    SLOPES,
+    VANDER,
+    WEIGHTS,
+    PanelFunction,
+    Panels,
+    legendre_basis,
+)
 from elastica_cad.mechanics.stiffness.smoothest_stiffness import least_variation
 
 
@@ -27,6 +34,9 @@ def _lobatto(parts: int) -> FloatArray:
 
 DENSE = _lobatto(24)
 """Places in each panel at which bounds are first watched."""
+
+_DENSE_BASIS, _ENDS_BASIS = legendre_basis(DENSE), legendre_basis(np.array([-1.0, 1.0]))
+_SLOPES_AT_NODES = VANDER @ SLOPES
 
 BOUNDED = 1e-7
 """Relative excess over its bounds that a smooth stiffness may have: the accuracy of its linear program."""
@@ -65,10 +75,10 @@ class StiffnessFamily:
     @cached_property
     def dense(self) -> tuple[FloatArray, FloatArray]:
         """Rows and offsets at `dense_places`."""
-        rows = self.rows.in_every_panel(DENSE).reshape(self.panels.count * DENSE.size, self.freedom)
+        rows = self.rows.in_every_panel(_DENSE_BASIS).reshape(self.panels.count * DENSE.size, self.freedom)
         if self.offset is None:
             return rows, np.zeros(len(rows))
-        return rows, self.offset.in_every_panel(DENSE).ravel()
+        return rows, self.offset.in_every_panel(_DENSE_BASIS).ravel()
 
     def extremes(self, y: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Rows and offsets where K of the numbers y has its extremes."""
@@ -149,10 +159,10 @@ def smoothest(family: StiffnessFamily, ratio: float) -> FloatArray:
     columns = family.rows.coefficients
     if family.offset is not None:
         columns = np.concatenate([columns, family.offset.coefficients[..., None]], axis=2)
-    slope = np.einsum("ij,njm->nim", VANDER @ SLOPES, columns) / panels.stretch[..., None]
+    slope = np.einsum("ij,njm->nim", _SLOPES_AT_NODES, columns) / panels.stretch[..., None]
     slopes = PanelFunction.through(slope)
-    bend = np.einsum("ij,njm->nim", VANDER @ SLOPES, slopes.coefficients) * WEIGHTS[:, None]
-    at_ends = slopes.in_every_panel(np.array([-1.0, 1.0]))
+    bend = np.einsum("ij,njm->nim", _SLOPES_AT_NODES, slopes.coefficients) * WEIGHTS[:, None]
+    at_ends = slopes.in_every_panel(_ENDS_BASIS)
     jumps = at_ends[1:, 0] - at_ends[:-1, 1]
     bends = np.concatenate([bend.reshape(count * order, -1), jumps])
     d = family.freedom
@@ -199,7 +209,7 @@ def find_violations(family: StiffnessFamily) -> FloatArray:
 
 def extreme_places(K: PanelFunction, steps: int = 3) -> tuple[IntArray, FloatArray]:
     """Places of the local extremes of K near its largest and least value, by Newton's method from samples."""
-    table = K.in_every_panel(DENSE)
+    table = K.in_every_panel(_DENSE_BASIS)
     extreme = np.zeros_like(table, dtype=bool)
     middle, before, after = table[:, 1:-1], table[:, :-2], table[:, 2:]
     extreme[:, 1:-1] = ((middle >= before) & (middle >= after)) | ((middle <= before) & (middle <= after))

@@ -10,7 +10,13 @@ from elastica_cad._types import FloatArray
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.stiffness.moment_conditions import BalancedStiffness
-from elastica_cad.mechanics.stiffness.quadrature_panels import NODES, SLOPES, PanelFunction, locate_in_panels
+from elastica_cad.mechanics.stiffness.quadrature_panels import (
+    NODES,
+    SLOPES,
+    PanelFunction,
+    legendre_basis,
+    locate_in_panels,
+)
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
 
 TOLERANCE = 1e-6
@@ -21,6 +27,11 @@ STEP_LENGTH = 1e-5
 
 CELLS = 8
 """Parts of a panel in which the density of knots is taken as constant."""
+
+_CELL_ENDS = legendre_basis(np.linspace(-1, 1, CELLS + 1))
+_CELL_MIDDLES = legendre_basis((2 * np.arange(CELLS) + 1) / CELLS - 1)
+
+_FOURTH_SLOPES = np.linalg.matrix_power(SLOPES, 4)
 
 BEST_CUBIC = 1 / 720
 """Error of the best cubic spline over h^4 times the fourth derivative: the largest of B_4 / 4!, a Bernoulli
@@ -91,18 +102,17 @@ class _AlongArc:
     @property
     def largest(self) -> float:
         """The largest of K, nearly."""
-        return float(self.series.in_every_panel(np.linspace(-1, 1, CELLS + 1)).max())
+        return float(self.series.in_every_panel(_CELL_ENDS).max())
 
     def knots(self, breaks: Sequence[float], tolerance: float) -> FloatArray:
         """Knots between the breaks with which a cubic spline errs by `tolerance` everywhere.
 
         Their distance h is that where `BEST_CUBIC` h^4 K'''' is the tolerance.
         """
-        middles = (2 * np.arange(CELLS) + 1) / CELLS - 1
         width = np.diff(self.edges)
         fourth = PanelFunction(
-            np.einsum("ij,nj->ni", np.linalg.matrix_power(SLOPES, 4), self.series.coefficients)
-        ).in_every_panel(middles)
+            np.einsum("ij,nj->ni", _FOURTH_SLOPES, self.series.coefficients)
+        ).in_every_panel(_CELL_MIDDLES)
         # both by the panel's own x, from -1 to 1
         count = (np.abs(fourth) * BEST_CUBIC / tolerance) ** 0.25 * 2 / CELLS
         reached = np.append(0.0, np.cumsum(count))

@@ -45,7 +45,6 @@ from elastica_cad.mechanics.theorem1.verdict import (
     places,
 )
 
-_PLACES = 401  # along a curve, where dips of its curvature are looked for
 _DIP_SHARE = 0.01  # of the largest curvature: deeper dips are looked at closely
 
 
@@ -302,14 +301,13 @@ def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tu
 
 def _largest(excess: ExcessCurvature) -> float:
     """Largest |kappa - kappa_0|, nearly: the size against which others are small."""
-    return float(np.abs(excess.at(np.linspace(*excess.curve.domain, _PLACES))).max())
+    return float(np.abs(excess.survey).max())
 
 
 def _faint_places(excess: ExcessCurvature, largest: float, zeros: tuple[CurvatureZero, ...]) -> list[float]:
     """Arc lengths (mm) where |kappa - kappa_0| dips all but to zero, without a zero there."""
-    curve = excess.curve
-    s = np.linspace(0.0, curve.length, _PLACES)
-    felt = excess.at(curve.parameter(s))
+    curve, felt = excess.curve, excess.survey
+    s = curve.survey.s
     bent = np.abs(felt)
     inside = bent[1:-1]
     dips = (inside <= bent[:-2]) & (inside <= bent[2:]) & (inside < _DIP_SHARE * largest)

@@ -20,9 +20,6 @@ WIDEST_RATIO = 1e4
 """Ratio of stiffness from which on no strip can be made, by far: such a curve lies on the border of what is
 realizable, and whether it is inside is then a question of rounding."""
 
-PLACES = 801
-"""Places along a curve where the stiffness that a line asks for is looked at."""
-
 TANGENT_RAD = 1e-6
 """Sine of the angle between line and curve below which they count as tangent."""
 
@@ -150,9 +147,8 @@ def widest_place(
     K = distance from the line / (kappa - kappa_0); in a zero its limit, the sine of the angle between curve and
     line over the slope of the curvature. With one zero the line may turn by `spare` rad either way about it.
     """
-    curve = excess.curve
-    nodes = curve.sample(PLACES)
-    kappa = nodes.curvature - excess.rest_at(nodes.t)
+    curve, kappa = excess.curve, excess.survey
+    nodes = curve.survey
     s_zero, t_zero = np.array([z.s for z in zeros]), np.array([z.t for z in zeros])
     clear = np.abs(nodes.s[:, None] - s_zero).min(axis=1) > _AT_ZERO_SHARE * curve.length
     clear &= kappa != 0
