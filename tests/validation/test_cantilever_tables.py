@@ -39,23 +39,26 @@ def tip_of(solve):
     return (4 * np.array(answers[1]) - np.array(answers[0])) / 3
 
 
-@pytest.fixture(
-    params=[
-        Tip(0.5, 0.162144, 0.015919, 0.244534),
-        Tip(2.0, 0.493457, 0.160642, 0.781750),
-        Tip(10.0, 0.810609, 0.554996, 1.430286),
-    ],
-    ids=lambda tip: f"PL2/EI={tip.load:g}",
+MATTIASSON = (
+    Tip(0.5, 0.162144, 0.015919, 0.244534),
+    Tip(2.0, 0.493457, 0.160642, 0.781750),
+    Tip(10.0, 0.810609, 0.554996, 1.430286),
 )
+"""Mattiasson 1981, Int. J. Numer. Meth. Eng. 17, 145-153: cantilever under a vertical tip load."""
+
+
+@pytest.fixture(params=MATTIASSON, ids=lambda tip: f"PL2/EI={tip.load:g}")
 def mattiasson(request) -> Tip:
-    """Mattiasson 1981, Int. J. Numer. Meth. Eng. 17, 145-153: cantilever under a vertical tip load."""
     return request.param
 
 
+def under_tip_load(load):
+    """Drop, shortening and angle of the tip."""
+    return tip_of(lambda n: bend(Rod.straight(1.0, samples=n, supports=CANTILEVER), force=(0.0, -load)))
+
+
 def test_dead_tip_load(mattiasson):
-    found = tip_of(
-        lambda n: bend(Rod.straight(1.0, samples=n, supports=CANTILEVER), force=(0.0, -mattiasson.load))
-    )
+    found = under_tip_load(mattiasson.load)
     assert found == pytest.approx([mattiasson.drop, mattiasson.shortening, mattiasson.angle], abs=6e-7)
 
 

@@ -27,8 +27,8 @@ def unclamped(control_points):
     return PlaneCurve(np.arange(-4.0, len(control_points) + 1), np.asarray(control_points, dtype=float), 4)
 
 
-@pytest.fixture(scope="module")
-def flower_pot(reference_data):
+def read_flower_pot(reference_data):
+    """Drawn curves, published distances and weight."""
     data = json.loads((reference_data / "reference" / "flower_pot.json").read_text())
     millimetres = 1000 * data["scale_m_per_unit"]
     curves = [unclamped(np.array(c["cp_initial"]) * millimetres) for c in data["curves"]]
@@ -36,6 +36,11 @@ def flower_pot(reference_data):
     e = np.array(data["e_gravity"]) * 1e-9  # 1/m3 to 1/mm3; it points up
     gravity = Gravity(np.hypot(*e) ** (-1 / 3), tuple(-e))
     return curves, published, gravity
+
+
+@pytest.fixture(scope="module")
+def flower_pot(reference_data):
+    return read_flower_pot(reference_data)
 
 
 @pytest.fixture(scope="module")
