@@ -22,6 +22,15 @@ def test_snippet_runs(kernel, project_root, capsys):
     assert rib.strip.width.extremes[1] == pytest.approx(40)
 
 
+def test_readme_in_plain_python(project_root, capsys, monkeypatch, tmp_path):
+    first = re.findall(r"```python\n(.*?)```", (project_root / "README.md").read_text(), re.DOTALL)[0]
+    (tmp_path / "examples").symlink_to(project_root / "examples")
+    monkeypatch.chdir(tmp_path)
+    exec(compile(first, "README.md", "exec"), {})
+    assert "can take this curve" in capsys.readouterr().out
+    assert (tmp_path / "arch.dxf").stat().st_size > 1000
+
+
 @pytest.mark.parametrize("kernel", ["build123d", "cadquery"])
 def test_page_for_scripts(kernel, project_root, capsys, monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)

@@ -18,10 +18,10 @@ KEPT = Path(__file__).with_name("measured.json")
 PAGE = ROOT / "docs" / "trust.md"
 
 CLAIMS = {
-    ("README.md", "a strip bends exactly when one line meets its inflections",
+    ("docs/explanation/which_curves.md", "a strip bends exactly when one line meets its inflections",
      "one straight line meets it in its inflections"): "tests/unit/mechanics/test_equilibrium_check.py",
-    ("README.md", "one closed loop a cut", "one closed loop a cut"): "tests/unit/formats/test_cutting_files.py",
-    ("README.md", "pen curves are made fair within 0.1 mm", "made fair within 0.1 mm"):
+    ("docs/how_to/cutting.md", "one closed loop a cut", "one closed loop a cut"): "tests/unit/formats/test_cutting_files.py",
+    ("docs/how_to/curves.md", "pen curves are made fair within 0.1 mm", "made fair within 0.1 mm"):
         "tests/properties/test_fairing_properties.py",
     ("docs/architecture.md", "a verdict never hangs on a sampling", "a verdict never hangs on a sampling"):
         "tests/unit/geometry/test_curvature_zeros.py",
