@@ -59,7 +59,8 @@ def write(folder: Path) -> None:
 def command_line() -> str:
     """Each command with its own help."""
     context = click.Context(main, info_name="elastica", max_content_width=WIDTH, terminal_width=WIDTH)
-    parts = ["# Command line", "", "What `elastica --help` and `elastica COMMAND --help` print.", "",
+    parts = ["# Command line", "",
+             "What `elastica --help` and `elastica COMMAND --help` print.", "",
              "Every command takes `--json` ([one record](../json.md) for programs), `-q`, `-v`, and lengths with their "
              "unit (`--max-width 1.5in`, or `--units inch` for all); those that read files take `--watch` and make "
              "everything anew when one is saved.", ""]  # fmt: skip

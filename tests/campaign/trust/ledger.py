@@ -20,7 +20,8 @@ PAGE = ROOT / "docs" / "trust.md"
 CLAIMS = {
     ("docs/explanation/which_curves.md", "a strip bends exactly when one line meets its inflections",
      "one straight line meets it in its inflections"): "tests/unit/mechanics/test_equilibrium_check.py",
-    ("docs/how_to/cutting.md", "one closed loop a cut", "one closed loop a cut"): "tests/unit/formats/test_cutting_files.py",
+    ("docs/how_to/cutting.md", "one closed loop a cut", "one closed loop a cut"):
+        "tests/unit/formats/test_cutting_files.py",
     ("docs/how_to/curves.md", "pen curves are made fair within 0.1 mm", "made fair within 0.1 mm"):
         "tests/properties/test_fairing_properties.py",
     ("docs/architecture.md", "a verdict never hangs on a sampling", "a verdict never hangs on a sampling"):
