@@ -61,9 +61,9 @@ def command_line() -> str:
     context = click.Context(main, info_name="elastica", max_content_width=WIDTH, terminal_width=WIDTH)
     parts = ["# Command line", "",
              "What `elastica --help` and `elastica COMMAND --help` print.", "",
-             "Every command takes `--json` ([one record](../json.md) for programs), `-q`, `-v`, and lengths with their "
-             "unit (`--max-width 1.5in`, or `--units inch` for all); those that read files take `--watch` and make "
-             "everything anew when one is saved.", ""]  # fmt: skip
+             "Every command takes `--json` ([one record](../json.md) for programs), `-q`, `-v`, and lengths with "
+             "their unit (`--max-width 1.5in`, or `--units inch` for all); those that read files take `--watch` "
+             "and make everything anew when one is saved.", ""]  # fmt: skip
     parts += [_help(main, context)]
     for name in main.list_commands(context):
         command = main.get_command(context, name)
