@@ -19,14 +19,20 @@ def sheets(name: str | None) -> None:
     """
     if name is None:
         answer({"sheets": [Sheet.named(known) for known in sheet_names()]})
-        say(f"{'name':26} {'mm':>5} {'E MPa':>8} {'kg/m3':>6} {'strain %':>8} {'radius mm':>9} {'kerf':>5}")
+        wide = max(map(len, sheet_names()))
+        say(
+            f"{'name':{wide}} {'mm':>5} {'E MPa':>8} {'kg/m3':>6} {'strain %':>8} {'radius mm':>9} {'kerf':>5}"
+        )
         for known in sheet_names():
             one = Sheet.named(known)
+            kerf = f"{one.kerf:.2f}" if one.kerf else "-"
             say(
-                f"{one.name:26} {one.thickness:5.2f} {one.youngs_modulus:8.0f} {one.density:6.0f} "
-                f"{100 * one.max_strain:8.2f} {one.least_radius:9.1f} {one.kerf:5.2f}"
+                f"{one.name:{wide}} {one.thickness:5.2f} {one.youngs_modulus:8.0f} {one.density:6.0f} "
+                f"{100 * one.max_strain:8.2f} {one.least_radius:9.1f} {kerf:>5}"
             )
-        say("\nradius: the least advisable bending radius. Details and source: elastica sheets NAME")
+        say(
+            "\nradius: the least advisable bending radius; kerf -: not known. All of one: elastica sheets NAME"
+        )
         say(f"library: {', '.join(map(str, library_folders()))} ({len(library_sheets()[0])} sheets)")
         for problem in library_sheets()[1]:
             warn(f"Note: {problem}")
@@ -40,7 +46,7 @@ def sheets(name: str | None) -> None:
         "largest strain": f"{100 * one.max_strain:.3g} %",
         "least radius": f"{one.least_radius:.4g} mm",
         **_published(one),
-        "kerf": f"{one.kerf:g} mm",
+        "kerf": f"{one.kerf:g} mm" if one.kerf else "not known: cut a coupon",
         "grain": str(one.grain),
         "elasto-gravity length": f"{one.elasto_gravity_length:.4g} mm",
         "source": one.source,

@@ -1,18 +1,22 @@
 """Whether the digits of a file decide if its curve can be bent: curves that round to the same numbers, tried."""
 
+from collections.abc import Iterator
 from dataclasses import replace
+from itertools import chain
 
 import numpy as np
 
 from elastica_cad.errors import ElasticaError
 from elastica_cad.forming.smoothing import smooth_curve
+from elastica_cad.geometry.curve_editing.fairing import choose_tolerance, usual_tolerance
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.curves.provenance import Provenance
 from elastica_cad.geometry.curves.tangent_healing import heal_tangents
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
 TRIES = 8
-"""Curves that are tried; each costs a verdict of Theorem 1."""
+"""Curves that are tried, each number as far off as it may be; each costs a verdict of Theorem 1."""
 
 SLIGHT = 1e-7
 """Rounding below this share of the length changes no verdict that is not the border itself."""
@@ -42,11 +46,23 @@ def undecided_by_rounding(
     drawn = curve.provenance
     if drawn is None or drawn.drawn != "pen" or drawn.rounding <= SLIGHT * curve.length:
         return ""
+    alike = ((other, smooth) for other in _rounded_alike(curve, drawn))
+    finer = smooth is None and choose_tolerance(curve) > usual_tolerance(curve)  # else it was tried
+    for other, tolerance in chain([(curve, usual_tolerance(curve))] if finer else [], alike):
+        try:
+            fair = smooth_curve(other, tolerance, supports=supports).curve
+            if check_equilibrium(fair, supports).realizable != realizable:
+                return UNDECIDED.format(rounding=drawn.rounding)
+        except ElasticaError:
+            continue
+    return ""
+
+
+def _rounded_alike(curve: PlaneCurve, drawn: Provenance) -> Iterator[PlaneCurve]:
+    """Smooth curves that round to the same numbers."""
     rng = np.random.default_rng(0)
     for _ in range(TRIES):
-        moved = curve.control_points + rng.uniform(
-            -drawn.rounding, drawn.rounding, curve.control_points.shape
-        )
+        moved = curve.control_points + drawn.rounding * rng.choice([-1.0, 1.0], curve.control_points.shape)
         healing = heal_tangents(curve.knots, moved, curve.degree, curve.weights, rounding=2 * drawn.rounding)
         try:
             other = PlaneCurve(
@@ -56,13 +72,7 @@ def undecided_by_rounding(
                 healing.weights,
                 replace(drawn, healed=0.0),
             )
-            if other.tangent_breaks:
-                continue
-            if (
-                check_equilibrium(smooth_curve(other, smooth, supports=supports).curve, supports).realizable
-                != realizable
-            ):
-                return UNDECIDED.format(rounding=drawn.rounding)
         except ElasticaError:
             continue
-    return ""
+        if not other.tangent_breaks:
+            yield other

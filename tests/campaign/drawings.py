@@ -12,7 +12,8 @@ from pathlib import Path
 
 HERE = Path(__file__).parent
 given = runpy.run_path(str(HERE.parent / "unit" / "formats" / "test_public_drawings.py"))["given"]
-KINDS = ("bends", "faired", "refused", "corner", "closed", "no curve", "skipped")
+KINDS = ("bends", "healed", "faired", "refused", "undecided", "corner", "closed", "no curve", "skipped")
+SUFFIXES = (".svg", ".dxf", ".step", ".stp")
 
 
 def main(folder):
@@ -20,7 +21,7 @@ def main(folder):
     print(f"| drawing | {' | '.join(KINDS)} | said | s |")
     print(f"| --- |{' ---: |' * len(KINDS)} --- | ---: |")
     sums, faults = Counter(), 0
-    files = sorted(path for path in Path(folder).rglob("*") if path.suffix.lower() in (".svg", ".dxf"))
+    files = sorted(path for path in Path(folder).rglob("*") if path.suffix.lower() in SUFFIXES)
     for path in files:
         start = time.process_time()
         try:

@@ -74,8 +74,12 @@ def choose_tolerance(curve: PlaneCurve) -> float:
         return 0.0
     if any(zero.kind == "flat" for zero in curve.curvature_zeros) or not has_rough_curvature(curve):
         return 0.0
-    usual = min(USUAL, USUAL_SHARE * curve.length)
-    return max(usual, min(drawn.rounding, 4 * USUAL_SHARE * curve.length))
+    return max(usual_tolerance(curve), min(drawn.rounding, 4 * USUAL_SHARE * curve.length))
+
+
+def usual_tolerance(curve: PlaneCurve) -> float:
+    """How far a pen curve whose numbers are exact may be moved, mm."""
+    return min(USUAL, USUAL_SHARE * curve.length)
 
 
 def fair_curve(curve: PlaneCurve, tolerance: float) -> Fairing:

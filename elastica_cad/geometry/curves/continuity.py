@@ -54,12 +54,20 @@ def in_millimetres(point: FloatArray) -> str:
     return f"({point[0]:g}, {point[1]:g}) mm"
 
 
+SHORT_HANDLE = 1e-3
+"""A handle shorter than this, in sizes of its curve, was drawn in: no digits are missing."""
+
+
 def refuse_standstill(
-    pieces: RationalPieces, control_points: FloatArray, shown: Callable[[FloatArray], str] = in_millimetres
+    pieces: RationalPieces,
+    control_points: FloatArray,
+    shown: Callable[[FloatArray], str] = in_millimetres,
+    rounding: float = 0.0,
 ) -> None:
     """Raise InputError, with the place, when the curve has zero length or a point without tangent.
 
-    `shown` writes a point (2,) in mm the way the drawing program does.
+    `shown` writes a point (2,) in mm the way the drawing program does; `rounding` is how far one may be from what
+    was drawn, mm.
     """
     if np.ptp(control_points, axis=0).max() == 0:
         raise InputError("all control points coincide: the curve has zero length")
@@ -68,10 +76,19 @@ def refuse_standstill(
         return
     place = shown(pieces.at(np.array([t]), 0)[0][0])
     twins = np.flatnonzero((np.diff(control_points, axis=0) == 0).all(axis=1))
-    cause = f"control points {twins[0]} and {twins[0] + 1} coincide" if twins.size else "it has a cusp"
+    size = float(np.ptp(control_points, axis=0).max())
+    where = f"the curve has no tangent at {place}, {_length_until(pieces, t):.4g} mm from its start"
+    if not twins.size:
+        raise InputError(f"{where}: it has a cusp; move or delete a control point there")
+    cause = f"control points {twins[0]} and {twins[0] + 1} coincide"
+    if 2 * np.sqrt(2.0) * rounding > SHORT_HANDLE * size:
+        raise InputError(
+            f"undecided at this precision: {where}, for {cause}, and the numbers in the file are exact to "
+            f"{rounding:.2g} mm, so a shorter handle is lost: save it with more decimals, or draw out the "
+            "handle of that node"
+        )
     raise InputError(
-        f"the curve has no tangent at {place}, {_length_until(pieces, t):.4g} mm from its start: "
-        f"{cause}; move or delete a control point there"
+        f"{where}: {cause}; move or delete one of them (in a drawing program: draw out the handle of that node)"
     )
 
 

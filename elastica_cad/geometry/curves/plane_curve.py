@@ -106,8 +106,9 @@ class PlaneCurve:
                     f"{MOST_UNEVEN:g} times the least; export the curve without them"
                 )
             object.__setattr__(self, "weights", weights if np.ptp(weights) > 0 else None)
-        shown = in_millimetres if self.provenance is None else self.provenance.shown
-        refuse_standstill(self._pieces, self.control_points, shown)
+        drawn = self.provenance
+        shown, rounding = (in_millimetres, 0.0) if drawn is None else (drawn.shown, drawn.rounding)
+        refuse_standstill(self._pieces, self.control_points, shown, rounding)
 
     @classmethod
     def of_sound(

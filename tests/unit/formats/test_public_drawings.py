@@ -8,7 +8,7 @@ import pytest
 
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.files import read_drawing
-from elastica_cad.forming.smoothing import smooth_curve
+from elastica_cad.forming.smoothing import SEEN, smooth_curve
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium, require_bendable
 
 pytest.importorskip("svgelements")
@@ -58,7 +58,7 @@ def verdict(curve):
     try:
         require_bendable(curve)
     except InputError as problem:
-        return "closed" if "closed" in str(problem) else "corner"
+        return next((kind for kind in ("closed", "undecided") if kind in str(problem)), "corner")
     return "bends" if check_equilibrium(smooth_curve(curve).curve).realizable else "refused"
 
 
@@ -68,11 +68,14 @@ def given(path):
         drawing = read_drawing(path)
     except ElasticaError as problem:
         return "no curve" if "holds no curve" in str(problem) else str(problem)
-    found = Counter("no curve" if one.problem else verdict(one.curve) for one in drawing)
-    found["faired"] = sum(
-        not one.problem and verdict(one.curve) == "bends" and smooth_curve(one.curve).moved > 0
-        for one in drawing
-    )
+    found = Counter()
+    for one in drawing:
+        kind = "no curve" if one.problem else verdict(one.curve)
+        found[kind] += 1
+        if kind == "bends":
+            smoothing = smooth_curve(one.curve)
+            found["healed"] += smoothing.healed > SEEN
+            found["faired"] += smoothing.moved > 0
     found["skipped"] = sum(drawing.skipped.values())
     return {kind: count for kind, count in found.items() if count}
 
