@@ -48,20 +48,20 @@ def search(task: NearestTask, measure: Measure) -> Search:
     problem = task.problem(measure)
     first = _start(task, problem)
     best = minimize(problem, first)
-    steps = best.iterations
+    steps, off = best.iterations, mean_distance(task, best) / task.target.diagonal
     found = [best]
     for attempt in _attempts(task, measure, problem, first):
         done = best.settled and best.violation <= MET
-        near = mean_distance(task, best) < attempt.enough * task.target.diagonal
         # what breaks its limits from every start so far is refused sooner than what is met, but far
-        if steps > (attempt.most_steps if done else _MOST_STEPS) or (done and near):
+        if steps > (attempt.most_steps if done else _MOST_STEPS) or (done and off < attempt.enough):
             continue
         known = best if done and measure != "max" and attempt.most_steps == _MOST_STEPS else None
         outcome = minimize(problem, attempt.start(), radius=attempt.radius, known=known)
         steps += outcome.iterations
         found.append(outcome)
         best = min(best, outcome, key=_rank)
-    if task.section is None and mean_distance(task, best) < _FOLLOWED * task.target.diagonal:
+        off = mean_distance(task, best) / task.target.diagonal
+    if task.section is None and off < _FOLLOWED:
         lean = _leaner(task, measure, best)
         if lean is not None:
             return Search(*lean, (), steps + lean[1].iterations)

@@ -1,6 +1,6 @@
 """Small dense convex quadratic programs whose rows may be broken at a price."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -14,6 +14,10 @@ MOST_FACTORISATIONS = 60  # a dozen is usual
 TOLERANCE = 1e-10  # relative: far below the error of the linear model
 _BACKOFF = 0.995  # of the way to the nearest bound, which interior points do not touch
 _MOST_GUESSES = 5  # of what binds, before interior points take over
+_MOST_GUESSES_NEAR = 12  # the same from the solution of a program like this one
+_GUESS_AT = 1e-2  # of the gradient: from here interior points tell what binds
+_BINDS = 1e-7  # of the gradient: bounds and rows with a larger multiplier bind
+_AT_PRICE = 1 - 1e-6  # of a row's price: a row with a larger multiplier is broken
 _ROUNDING = 1e-15  # rows that say nearly the same may not make the system singular
 
 
@@ -61,11 +65,14 @@ class QuadraticSolution:
     iterations: int
 
 
-def solve_quadratic(program: QuadraticProgram, *, accuracy: float = TOLERANCE) -> QuadraticSolution:
-    """Primal-dual interior points with Mehrotra's predictor and corrector.
+def solve_quadratic(
+    program: QuadraticProgram, *, accuracy: float = TOLERANCE, near: QuadraticSolution | None = None
+) -> QuadraticSolution:
+    """The minimum from a guess of what binds, else by interior points with Mehrotra's predictor and corrector.
 
     The optimum is met to `accuracy`, relative to the largest number in the gradient or on the Hessian's
-    diagonal.
+    diagonal. `near` may be the solution of a program with as many unknowns and rows: what binds there is the
+    first guess, which changes the time only.
 
     The price of a row bounds its multiplier y: the row is the pairs p (y - y_low) = 0, q (y_high - y) = 0 with
     A x - r = p - q, so that equalities, inequalities and their elastic forms are one case.
@@ -83,8 +90,14 @@ def solve_quadratic(program: QuadraticProgram, *, accuracy: float = TOLERANCE) -
     lower, upper = program.lower, program.upper
     fixed = upper - lower < 1e-14 * (1 + np.abs(lower))
     if np.any(fixed):
-        return _without(program, fixed, accuracy)
-    easy = _by_active_sets(program)
+        return _without(program, fixed, accuracy, near)
+    start = None
+    if near is not None and (near.x.size, near.row_multipliers.size) == (
+        program.gradient.size,
+        program.right.size,
+    ):
+        start = _Binding.of(near, program)
+    easy = _by_active_sets(program, start)
     if easy is not None:
         return easy
     H, A, r = program.hessian, program.rows, program.right
@@ -108,7 +121,7 @@ def solve_quadratic(program: QuadraticProgram, *, accuracy: float = TOLERANCE) -
     v[up] = room + gap / 2 + np.hypot(room, gap / 2)
     v[down] = np.maximum(v[up] - gap, mu)
 
-    converged, iteration = False, 0
+    converged, iteration, guess_at = False, 0, _GUESS_AT * tolerance / accuracy
     while iteration < MOST_FACTORISATIONS:
         dual = H @ x + g - y @ A - v[low] + v[high]
         primal = A @ x - r - v[up] + v[down]
@@ -117,6 +130,14 @@ def solve_quadratic(program: QuadraticProgram, *, accuracy: float = TOLERANCE) -
         if mu < tolerance and _largest(dual) < 10 * tolerance and _largest(primal) < 10 * TOLERANCE:
             converged = True
             break
+        if mu < guess_at:
+            nearer, wide = u < v, u[down] < v[down]
+            met = ~(nearer[up] | wide)
+            broken = np.where(wide, 1.0, np.where(nearer[up] & ~program.one_sided, -1.0, 0.0))
+            exact = _by_active_sets(program, _Binding(nearer[low], nearer[high], met, broken))
+            if exact is not None:
+                return exact
+            guess_at = 0.0
         iteration += 1
         ratio = v / u
         system = _factorised(H, ratio[low] + ratio[high], A, ratio[up] + ratio[down])
@@ -140,49 +161,75 @@ def solve_quadratic(program: QuadraticProgram, *, accuracy: float = TOLERANCE) -
     return QuadraticSolution(x, y / scale, v[low] / scale, v[high] / scale, converged, iteration)
 
 
-def _by_active_sets(program: QuadraticProgram) -> QuadraticSolution | None:
+@dataclass(frozen=True, eq=False)
+class _Binding:
+    """What binds: unknowns at their bounds, rows that are met, rows that are broken with their sign (0: not).
+
+    The multiplier of a broken row is its price, or less its price where it is an equality passed upwards.
+    """
+
+    low: BoolArray
+    high: BoolArray
+    met: BoolArray
+    broken: FloatArray
+
+    @classmethod
+    def of(cls, solution: QuadraticSolution, program: QuadraticProgram) -> "_Binding":
+        """What binds in a solution of a program like this one."""
+        y, least = solution.row_multipliers, _BINDS * float(np.abs(program.gradient).max())
+        broken = np.where(np.abs(y) > _AT_PRICE * program.price, np.sign(y), 0.0)
+        met = (~program.one_sided | (y > least)) & (broken == 0)
+        return cls(solution.lower_multipliers > least, solution.upper_multipliers > least, met, broken)
+
+    def differs(self, other: "_Binding") -> int:
+        """In how many places."""
+        pairs = ((self.low, other.low), (self.high, other.high), (self.met, other.met))
+        return sum(int(np.count_nonzero(a != b)) for a, b in (*pairs, (self.broken, other.broken)))
+
+
+def _by_active_sets(program: QuadraticProgram, start: _Binding | None) -> QuadraticSolution | None:
     """The exact minimum where guessing what binds settles at once, as it does where few bounds bind.
 
     What is passed binds in the next guess, and what pulls inwards does no more (primal-dual active sets); None
-    as soon as the guesses do not come nearer to each other.
+    as soon as the guesses do not come nearer to each other, or where those that began from `start` do not settle.
     """
     from scipy.linalg.lapack import dsysv
 
     H, g, A, r = program.hessian, program.gradient, program.rows, program.right
-    lower, upper = program.lower, program.upper
-    at_low, at_high = np.zeros(g.size, dtype=bool), np.zeros(g.size, dtype=bool)
-    active, changed = ~program.one_sided, g.size
-    for guess in range(_MOST_GUESSES):
-        free = ~(at_low | at_high)
-        x, y = np.where(at_low, lower, np.where(at_high, upper, 0.0)), np.zeros(r.size)
-        inner, count = A[np.ix_(active, free)], int(free.sum())
+    lower, upper, price, one_sided = program.lower, program.upper, program.price, program.one_sided
+    none = np.zeros(g.size, dtype=bool)
+    bound = start or _Binding(none, none, ~one_sided, np.zeros(r.size))
+    changed = g.size
+    for guess in range(_MOST_GUESSES if start is None else _MOST_GUESSES_NEAR):
+        free = ~(bound.low | bound.high)
+        x, y = np.where(bound.low, lower, np.where(bound.high, upper, 0.0)), bound.broken * price
+        inner, count = A[np.ix_(bound.met, free)], int(free.sum())
         system = np.zeros((count + inner.shape[0],) * 2)
         system[:count, :count] = H[np.ix_(free, free)]
         system[count:, :count] = inner
-        right = np.concatenate([-(g + H @ x)[free], (r - A @ x)[active]])
+        right = np.concatenate([-(g + H @ x - y @ A)[free], (r - A @ x)[bound.met]])
         if not right.size:
             return None
         *_, solution, info = dsysv(system, right, lower=1)
         if info != 0:
             return None
-        x[free], y[active] = solution[:count], -solution[count:]
-        pull = H @ x + g - y @ A
-        low = (at_low & (pull > 0)) | (free & (x < lower))
-        high = (at_high & (pull < 0)) | (free & (x > upper))
-        rows = ~program.one_sided | (active & (y > 0)) | (~active & (A @ x < r))
-        before, changed = (
-            changed,
-            sum(int(np.count_nonzero(a != b)) for a, b in ((low, at_low), (high, at_high), (rows, active))),
+        x[free], y[bound.met] = solution[:count], -solution[count:]
+        pull, gap = H @ x + g - y @ A, A @ x - r
+        beyond = np.where(np.abs(y) > price, np.sign(y), 0.0)
+        broken = np.where(bound.met, beyond, np.where(bound.broken * gap < 0, bound.broken, 0.0))
+        following = _Binding(
+            (bound.low & (pull > 0)) | (free & (x < lower)),
+            (bound.high & (pull < 0)) | (free & (x > upper)),
+            (~one_sided | np.where(bound.met, y > 0, (gap < 0) | (bound.broken != 0))) & (broken == 0),
+            broken,
         )
+        before, changed = changed, bound.differs(following)
         if changed == 0:
-            if np.any(np.abs(y) > program.price):
-                return None
-            return QuadraticSolution(
-                x, y, np.where(low, pull, 0.0), np.where(high, -pull, 0.0), True, guess + 1
-            )
-        if 2 * changed > before:
+            low, high = np.where(bound.low, pull, 0.0), np.where(bound.high, -pull, 0.0)
+            return QuadraticSolution(x, y, low, high, True, guess + 1)
+        if start is None and 2 * changed > before:
             return None
-        at_low, at_high, active = low, high, rows
+        bound = following
     return None
 
 
@@ -241,9 +288,14 @@ def _without_unknowns(program: QuadraticProgram) -> QuadraticSolution:
     return QuadraticSolution(none, program.price * broken, none, none, True, 0)
 
 
-def _without(program: QuadraticProgram, fixed: BoolArray, accuracy: float) -> QuadraticSolution:
+def _without(
+    program: QuadraticProgram, fixed: BoolArray, accuracy: float, near: QuadraticSolution | None
+) -> QuadraticSolution:
     """The program with its fixed unknowns put in."""
     free = ~fixed
+    if near is not None and near.x.size == free.size:
+        low, high = near.lower_multipliers[free], near.upper_multipliers[free]
+        near = replace(near, x=near.x[free], lower_multipliers=low, upper_multipliers=high)
     known = np.where(fixed, program.lower, 0.0)
     inner = solve_quadratic(
         QuadraticProgram(
@@ -252,6 +304,7 @@ def _without(program: QuadraticProgram, fixed: BoolArray, accuracy: float) -> Qu
             program.right - program.rows @ known, program.price, program.one_sided,
         ),
         accuracy=accuracy,
+        near=near,
     )  # fmt: skip
     x = known.copy()
     x[free] = inner.x

@@ -84,11 +84,12 @@ def lift(program: NonlinearProgram[Point], start: Point, steps: int = LIFTS) -> 
     program = program.for_open_points()
     point = best = start
     before = least = np.inf
+    solution: QuadraticSolution | None = None
     for k in range(steps):
         here = iterate_at(program, point)
         if here is None:
             break
-        step, solution = _solve_step(here, _FAR, _damping(here, _CALM, np.inf if k == 0 else _IDLE))
+        step, solution = _solve_step(here, _FAR, _damping(here, _CALM, np.inf if k == 0 else _IDLE), solution)
         if step is None or solution is None:
             break
         change = np.append(step, 1.0)
@@ -136,7 +137,7 @@ def minimize(
         damping = ease * _damping(here, _DAMPING, _IDLE)
         accepted = False
         while not accepted and radius > SMALLEST_RADIUS:
-            step, solution = _solve_step(here, radius, damping)
+            step, solution = _solve_step(here, radius, damping, None if found is None else found[1])
             if step is None or solution is None:
                 radius *= 0.25
                 continue
@@ -199,9 +200,9 @@ def _touched(here: Iterate[Point], step: FloatArray, solution: QuadraticSolution
 
 
 def _solve_step(
-    here: Iterate[Point], radius: float, damping: float
+    here: Iterate[Point], radius: float, damping: float, near: QuadraticSolution | None
 ) -> tuple[FloatArray | None, QuadraticSolution | None]:
-    """The step of the quadratic program within `radius` scales, and its solution in scales."""
+    """The step of the quadratic program within `radius` scales, and its solution in scales; `near` is the last."""
     program, local = here.program, here.local
     rows, model, z = local.rows, local.model, local.z
     s = program.scale
@@ -224,7 +225,7 @@ def _solve_step(
         price = np.append(price, np.full(k, 10.0))
         one_sided = np.append(one_sided, np.ones(k, dtype=bool))
     solution = solve_quadratic(
-        QuadraticProgram(hessian, gradient, lower, upper, jacobian, -value, price, one_sided)
+        QuadraticProgram(hessian, gradient, lower, upper, jacobian, -value, price, one_sided), near=near
     )
     if not np.all(np.isfinite(solution.x)):
         return None, None

@@ -12,8 +12,11 @@ from elastica_cad.geometry.polynomials.chebyshev import chebyshev, series_at
 _DEGREE = 15
 """Of the Chebyshev series for the speed on one panel."""
 
-_MOST_HALVINGS = 40
-"""A panel halved this often is as wide as rounding."""
+_NARROWEST = 2.0**-40
+"""Share of the whole: a panel as narrow is as wide as rounding."""
+
+_FINE = 2e-15
+"""Share of the speed below which the last coefficients are rounding."""
 
 _NOISE_SHARE = 1e-8
 """Coefficients below this share of the speed that halving no longer lessens are rounding."""
@@ -96,34 +99,38 @@ class ArcLength:
 def arc_length_table(speed: Callable[[FloatArray], FloatArray], edges: FloatArray) -> ArcLength:
     """Tabulate the integral of `speed` (parameters (n,) to mm per unit of t) over spans between `edges`.
 
-    Panels are halved until the Chebyshev coefficients of the speed have fallen to rounding level, which is
-    where halving no longer helps when the parameters themselves are large beside their domain.
+    Panels are cut into 2, 4 or 8 until the Chebyshev coefficients of the speed have fallen to rounding level, which
+    is where cutting no longer helps when the parameters themselves are large beside their domain.
     """
     nodes, to_series, integrate = _chebyshev()
-    low, width = edges[:-1], np.diff(edges)
-    parent = np.full(low.shape, np.inf)
+    low: FloatArray = edges[:-1]
+    width: FloatArray = np.diff(edges)
+    parent: FloatArray = np.full(low.shape, np.inf)
     starts, widths, tables = [], [], []
     total = 0.0
-    for depth in range(_MOST_HALVINGS):
+    while low.size:
         t = low[:, None] + width[:, None] * (1 + nodes) / 2
         values = speed(t.ravel()).reshape(t.shape)
         coefficients = values @ to_series.T
         total = max(total, float((coefficients[:, 0] * width).sum()))
         tail = np.abs(coefficients[:, -3:]).max(axis=1)
         fine = (
-            (tail <= 2e-15 * coefficients[:, 0])
+            (tail <= _FINE * coefficients[:, 0])
             | (tail * width <= 1e-15 * total)
-            | (depth == _MOST_HALVINGS - 1)
+            | (width < _NARROWEST * (edges[-1] - edges[0]))
         )
         fine |= (tail < _NOISE_SHARE * coefficients[:, 0]) & (tail > 0.3 * parent)
         starts.append(low[fine])
         widths.append(width[fine])
         tables.append((coefficients[fine] * width[fine, None] / 2) @ integrate.T)
-        low, width = low[~fine], width[~fine] / 2
-        low, width = np.concatenate([low, low + width]), np.concatenate([width, width])
-        parent = np.concatenate([tail[~fine], tail[~fine]])
-        if not low.size:
-            break
+        rough = ~fine
+        # halving divides the last coefficients by 2^degree or so
+        excess = tail[rough] / (_FINE * coefficients[rough, 0])
+        parts = 2 ** np.clip(np.ceil(np.log2(excess) / _DEGREE), 1, 3).astype(int)
+        part = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
+        width = np.repeat(width[rough] / parts, parts)
+        low = np.repeat(low[rough], parts) + part * width
+        parent = np.repeat(tail[rough], parts)
     t = np.concatenate(starts)
     order = np.argsort(t)
     series = np.concatenate(tables)[order]

@@ -57,7 +57,10 @@ class RationalPieces:
             if remaining <= order:
                 differences.append(_difference(c))
             if remaining:
-                c = c[:-1] + (c[1:] - c[:-1]) * u
+                step = c[1:] - c[:-1]
+                step *= u
+                step += c[:-1]
+                c = step
         homogeneous = []
         factor, scale = np.ones_like(u), 1 / self.spans.widths[index]
         for k, difference in enumerate(reversed(differences)):

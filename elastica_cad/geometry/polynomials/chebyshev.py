@@ -19,8 +19,9 @@ def chebyshev(x: FloatArray, count: int) -> FloatArray:
     known = 1
     while known + 1 < count:
         more = min(known, count - 1 - known)
-        before = values[known - more : known][::-1]
-        values[known + 1 : known + 1 + more] = 2 * values[known] * values[1 : more + 1] - before
+        following = values[known + 1 : known + 1 + more]
+        np.multiply(2 * values[known], values[1 : more + 1], out=following)
+        following -= values[known - more : known][::-1]
         known += more
     return values
 
