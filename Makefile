@@ -19,9 +19,9 @@ demo: $(VENV)/demo-installed
 	$(BIN)/elastica strip examples/arch/arch.dxf --sheet birch-plywood-0.8 --max-width 40 \
 		--label ARCH --output $(OUT)/arch --force
 
-# The manual as a site in out/manual; a warning is an error.
+# The manual as a site in out/manual, in three languages; a warning is an error.
 docs: $(VENV)/docs-installed
-	$(BIN)/python -m sphinx -W --keep-going -b html docs $(OUT)/manual
+	$(BIN)/python docs/build.py $(OUT)/manual
 
 test: lint test-core test-freecad test-kernels test-programs
 	$(BIN)/python -m pytest -n 2 --ignore=tests/freecad --ignore=tests/benchmarks --ignore=tests/programs

@@ -46,10 +46,35 @@ def test_a_wrong_page_is_found(tmp_path):
 
 def test_the_site_is_built_without_a_warning(tmp_path):
     done = subprocess.run(
-        [sys.executable, "-m", "sphinx", "-W", "--keep-going", "-q", "-b", "html", DOCS, tmp_path / "site"],
+        [sys.executable, DOCS / "build.py", tmp_path / "site"],
         cwd=ROOT, capture_output=True, text=True, check=False,
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
+    assert done.stderr == ""
     shown = (tmp_path / "site" / "reference" / "python.html").read_text(encoding="utf-8")
     packages = {"fabrication", "formats", "forming", "geometry", "mechanics", "plot", "published"}
     assert [name for name in ec.__all__ if name not in packages and f'id="{name.lower()}"' not in shown] == []
+    for language, title in (("de", "Ihr erster Streifen"), ("zh_CN", "您的第一条条带")):
+        first = (tmp_path / "site" / language / "tutorials" / "first_strip.html").read_text(encoding="utf-8")
+        assert title in first
+        assert 'href="../../explanation/which_curves.html"' in first  # what is in English only
+
+
+def test_every_sentence_is_translated(monkeypatch):
+    monkeypatch.syspath_prepend(str(DOCS))
+    import catalogues
+
+    wanted = catalogues.templates()
+    assert len(wanted) > 20
+    for language in catalogues.LANGUAGES:
+        for name, template in wanted.items():
+            known = catalogues.read(catalogues.catalogue_path(language, name))
+            words = catalogues.workbench_words(language)
+            for message in template:
+                if not message.id:
+                    continue
+                said = known.get(message.id)
+                there = said is not None and said.string and not said.fuzzy
+                assert there, f"{language} {name}: {message.id}"
+                told = words.get(message.id, said.string)
+                assert told == said.string, f"{language} {name}: not as the workbench says it"
