@@ -20,7 +20,7 @@ except ImportError as error:
 
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
 from elastica_cad.fabrication.solids.prisms import PrismSolid
-from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord, FlatSolid
+from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord, FlatSolid, bent_sheets
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
@@ -128,8 +128,8 @@ class _Made(StripBody, cq.Shape):
     def assembly(self) -> cq.Assembly:
         """The sheets of the bent strip as children of one assembly, with names and colours."""
         made = cq.Assembly(name=_plain(self.strip.label or "strip"))
-        for solid, layer in zip(self.layers, self.strip.layers, strict=True):
-            made.add(solid, name=_called(solid.label, made), color=cq.Color(*sheet_color(layer.sheet)))
+        for solid, sheet in zip(self.layers, bent_sheets(self.strip), strict=True):
+            made.add(solid, name=_called(solid.label, made), color=cq.Color(*sheet_color(sheet)))
         return made
 
     def fixture(self, end: "End" = "start", **sizes: Any) -> "FixtureSolid":

@@ -21,6 +21,7 @@ from elastica_cad.mechanics.material.tapered_sections import ThicknessLaw
 CARD = Sheet.named("card-200gsm")
 ARCH = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]
 BOW = [(0, 0), (40, 50), (110, 60), (150, 0)]
+OVAL = [(0, 0), (80, 0), (160, 120), (0, 360), (-160, 120), (-80, 0), (0, 0)]
 WAVE = [(0, 0), (20, 90), (60, -60), (90, 95), (120, -20), (150, 0)]
 
 
@@ -121,6 +122,14 @@ ASKED = {
         "max_width = 20\nends = [{ length = 12, width = 8 }, { length = 8 }]\ncompensate = true",
         {"StartTabKeys": "length = 12, width = 8", "EndTabKeys": "length = 8", "Compensate": True},
     ),
+    "closed": Asked(
+        {"max_width": 20.0, "ends": (Tab(8), Tab(8)), "joint": 60.0},
+        "--max-width 20 --tab 8 --joint 60",
+        "max_width = 20\nends = { length = 8 }\njoint = 60",
+        {"StartTab": 8.0, "EndTab": 8.0, "Joint": 60.0},
+        OVAL,
+    ),
+    "closed where it is bent least": Asked({"max_width": 20.0}, "--max-width 20", "max_width = 20", {}, OVAL),
     "slotted": Asked(
         {"max_width": 20.0, "ends": (Tab(12, chamfer=2, holes=(Hole(6, 3),)), Tab(8, corner_radius=1)),
          "slots": (Slot(40.0, 1.2, side="lower"), Slot(80.0, 1.5, 4.0, lean=0.1, relief="round", mate="B"))},

@@ -166,6 +166,8 @@ def _tell(kit: StripKit, written: Iterable[Path]) -> None:
             say(str(made.crept))
     with suppress(NotConvergedError):
         say(str(made.held()))
+    if made.joint:
+        say(made.joint)
     for warning in made.warnings:
         if near is not None and warning == near.status.value:
             continue  # told with the distance

@@ -52,7 +52,7 @@ def compensate_widths(strip: Strip, start: TabSeat | None = None, end: TabSeat |
     """
     strip = replace(strip, correction=None) if strip.correction is not None else strip
     design = strip.as_made.design
-    basis = width_basis(design.s)
+    basis = width_basis(design.s, closed=strip.is_closed)
     best, least, damping = strip, np.inf, FIRST_DAMPING
     # a first guess: as much wider as each place is softer, evened out along the strip
     softer = -np.log(np.prod([np.ones(design.s.size), *strip.as_made.shares.values()], axis=0))

@@ -26,7 +26,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.loads.arguments import require_curve, require_supports
 from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
+from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature, RestCurvature
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.laminated_section import LaminatedSection
@@ -35,6 +35,8 @@ from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.material.tapered_sections import WidthLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.studies.creep import require_creep
+from elastica_cad.mechanics.theorem1.closed_curves import begin_at, flattest_place, seam_turn
+from elastica_cad.mechanics.theorem1.equilibrium_check import CORNER_RAD
 
 AskedGravity: TypeAlias = "Gravity | bool | Sequence[float] | None"
 """A `Gravity`, True for the sheet's own weight along -y, or the direction in which that falls."""
@@ -74,6 +76,10 @@ class StripSpec(EqualByValue):
     samples : int, optional
         Nodes of the rod; chosen unless given.
     ends : pair of Tab
+        Of a closed strip the second is the lap that is glued behind its start, the first is left out.
+    joint : float, optional
+        Where a closed strip begins and ends, mm along the curve as drawn; where it is bent least unless given. All
+        places along the strip are counted from there.
     slots : sequence of Slot
     label : str
         Engraved on the strip; empty for none.
@@ -125,6 +131,7 @@ class StripSpec(EqualByValue):
     natural_curvature: NaturalCurvature = 0.0
     samples: int | None = None
     ends: tuple[Tab, Tab] = (Tab(10.0), Tab(10.0))
+    joint: float | None = None
     slots: tuple[Slot, ...] = ()
     label: str = ""
     smooth: float | None = None
@@ -157,6 +164,10 @@ class StripSpec(EqualByValue):
         if len(ends) != 2:
             raise InputError(
                 f"ends are {len(ends)} tabs: give two, for the start and the end; Tab(0) is none"
+            )
+        if self.joint is not None and not (_is_number(self.joint) and 0 <= self.joint <= self.curve.length):
+            raise InputError(
+                f"joint is {self.joint!r}: give a place along the curve, 0 to {self.curve.length:.4g} mm, or none"
             )
         if not isinstance(self.label, str):
             raise InputError(f"label is {self.label!r}: give a text, empty for none")
@@ -231,7 +242,7 @@ class StripSpec(EqualByValue):
                     "a laminate's own weight follows from its layers: give loads as PointMass records only"
                 )
         return RodSpec(
-            self.curve,
+            self._begun,
             gravity,
             require_supports(self.supports),
             self.natural_curvature,
@@ -243,6 +254,19 @@ class StripSpec(EqualByValue):
             smooth=self.smooth,
             section=self._section(share),
         )
+
+    @cached_property
+    def _begun(self) -> PlaneCurve:
+        """The curve; a closed one from where the strip is joined, as long as it may not change."""
+        if not self.curve.is_closed or self.curve.tangent_breaks or self.limits or self.keep:
+            return self.curve
+        if abs(seam_turn(self.curve)) > CORNER_RAD:
+            return self.curve
+        if self.joint is not None:
+            return begin_at(self.curve, self.joint)
+        if isinstance(self.natural_curvature, RestCurvature):  # which counts from the start
+            return self.curve
+        return begin_at(self.curve, flattest_place(self.curve))
 
     def _section(self, share: float) -> BoundedLaw | None:
         """The law with the weight that pulls in the plane."""
@@ -334,7 +358,7 @@ class StripSpec(EqualByValue):
     @property
     def _bent(self) -> PlaneCurve:
         """The curve that the strip takes where it may not change."""
-        return smooth_curve(self.curve, self.smooth, supports=require_supports(self.supports)).curve
+        return smooth_curve(self._begun, self.smooth, supports=require_supports(self.supports)).curve
 
     def _layers(self, style: Laminated, gravity: Gravity) -> LaminateLayers:
         """What the rod of a laminate is found from; its weight is known for sheets that stand upright only."""

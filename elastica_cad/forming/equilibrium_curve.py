@@ -71,9 +71,14 @@ class EquilibriumCurve:
         Raises
         ------
         NotRealizable, InputError
-            As `check_equilibrium`; a straight curve too, which leaves nothing to optimise.
+            As `check_equilibrium`; a closed curve and a straight one too, which leaves nothing to optimise.
         """
         supports = supports or Supports()
+        if curve.is_closed:
+            raise InputError(
+                "the curve is closed, and moving its control points would open it: leave a gap between its ends, "
+                "or cut it in pieces"
+            )
         check = check_equilibrium(curve, supports, tolerance=tolerance)
         if not check.realizable:
             raise NotRealizable(check)

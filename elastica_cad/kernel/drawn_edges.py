@@ -29,8 +29,7 @@ def plane_curve(
     Raises
     ------
     InputError
-        Faces and bodies; edges that are not plane, have no length, do not meet or meet at a corner, a closed wire,
-        or another plane.
+        Faces and bodies; edges that are not plane, have no length, do not meet or meet at a corner; another plane.
     """
     if _has_faces(shape):
         raise InputError(

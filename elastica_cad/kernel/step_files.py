@@ -13,9 +13,9 @@ import numpy as np
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.sheet_colors import Color, sheet_color
-from elastica_cad.fabrication.model.assembly import Holder, assembly_parts, layer_names, shape_parts
+from elastica_cad.fabrication.model.assembly import Holder, assembly_parts, bent_names, shape_parts
 from elastica_cad.fabrication.model.strip_model import Model
-from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid, frame_beside
+from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid, bent_sheets, frame_beside
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.curve_files.drawn_file import (
     DrawnCurve,
@@ -158,7 +158,7 @@ def write_strip_step(
     The sheets of a laminate are parts of their own.
     """
     name = strip.label or "strip"
-    names, sheets = layer_names(name, strip), [layer.sheet for layer in strip.layers]
+    names, sheets = bent_names(name, strip), bent_sheets(strip)
     frame = frame or Frame()
     shapes = {
         "flat": [make_solid(solid) for solid in FlatSolid.layers(strip, frame_beside(strip, frame))],
@@ -167,7 +167,7 @@ def write_strip_step(
     parts = [
         NamedShape(f"{called} {form}", shape, sheet_color(sheet))
         for form, made in shapes.items()
-        for called, shape, sheet in zip(names, made, sheets, strict=True)
+        for called, shape, sheet in zip(names[: len(made)], made, sheets[: len(made)], strict=True)
     ]
     write_step(parts, path, name=name, force=force)
 

@@ -12,7 +12,7 @@ from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.solids.self_contact import self_contact
 from elastica_cad.fabrication.solids.smooth_pieces import in_smooth_pieces
-from elastica_cad.fabrication.solids.strip_solids import BentSolid
+from elastica_cad.fabrication.solids.strip_solids import BentSolid, bent_sheets
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.styles import Style
 from elastica_cad.fabrication.strip.tabs import Tab
@@ -74,6 +74,7 @@ class StripOptions(TypedDict, total=False):
     samples: int | None
     smooth: float | None
     ends: Tab | Sequence[Tab]
+    joint: float | None
     slots: Slot | Sequence[Slot]
     label: str
     shop: "Shop"
@@ -171,12 +172,12 @@ class StripBody:
 
     def _layers(self) -> Iterator[tuple[Shape, str, Sheet]]:
         """The bent sheets, the base first: TopoDS_Solid, name, material."""
-        from elastica_cad.fabrication.model.assembly import layer_names
+        from elastica_cad.fabrication.model.assembly import bent_names
 
-        names = layer_names(self.strip.label or "strip", self.strip)
+        names = bent_names(self.strip.label or "strip", self.strip)
         records = BentSolid.layers(self.strip, self.frame)
-        for record, name, layer in zip(records, names, self.strip.layers, strict=True):
-            yield make_solid(record), name, layer.sheet
+        for record, name, sheet in zip(records, names, bent_sheets(self.strip), strict=True):
+            yield make_solid(record), name, sheet
 
     def _require_backing(self) -> None:
         if len(self.strip.layers) == 1:
@@ -202,7 +203,7 @@ def make_strip_on(
     Raises
     ------
     InputError
-        Edges that are no open, smooth, plane curve, or lie in another plane; options that are not known, or that
+        Edges that are no smooth, plane curve, or lie in another plane; options that are not known, or that
         come too late for a strip that is made; and as `StripSpec.make`.
     """
     from elastica_cad.fabrication.strip_spec import StripSpec

@@ -47,7 +47,11 @@ def degenerate():
 REFUSED = {
     "not plane": (lambda: [helix()], {}, r"leaves its plane by [\d.]+ mm"),
     "disjoint": (lambda: [line((0, 0, 0), (9, 0, 0)), line((20, 0, 0), (30, 0, 0))], {}, "2 separate chains"),
-    "closed": (lambda: [circle(50)], {}, "closed: a strip has two ends"),
+    "closed with a corner": (
+        lambda: [line((0, 0, 0), (9, 0, 0)), line((9, 0, 0), (4, 5, 0)), line((4, 5, 0), (0, 0, 0))],
+        {},
+        "corner of",
+    ),
     "degenerate": (lambda: [degenerate()], {}, "degenerate"),
     "corner": (lambda: [line((0, 0, 0), (9, 0, 0)), line((9, 0, 0), (9, 5, 0))], {}, "corner of 90 degrees"),
     "too tight": (

@@ -161,6 +161,6 @@ class TestBadInput:
         with pytest.raises(NotRealizable):
             FlatStrip(wild, SHEET, max_width=10)
 
-    def test_closed(self):
-        with pytest.raises(ValueError, match="closed"):
-            StripOutline(bd.Edge.make_circle(50), SHEET, max_width=10)
+    def test_closed_with_a_corner(self):
+        with pytest.raises(ValueError, match="corner"):
+            StripOutline(bd.Wire.make_polygon([(0, 0), (90, 0), (40, 60)]), SHEET, max_width=10)

@@ -135,7 +135,7 @@ class AskedCurve:
 
     @property
     def bendable(self) -> PlaneCurve:
-        """As drawn, open and without corners.
+        """As drawn, without corners.
 
         Raises
         ------

@@ -56,7 +56,7 @@ OPTION_OF = {
     "natural curvature": "--natural-curvature", "natural_curvature": "--natural-curvature",
     "limits": "--nearest and the limits", "gravity": "--gravity", "width of the outline": "--outer-width",
     "width of the base": "--outer-width", "smooth": "--smooth", "anyway": "--anyway",
-    "least_width": "--least-width", "law": "--law",
+    "least_width": "--least-width", "law": "--law", "joint": "--joint",
 }  # fmt: skip
 """Options for what the sentences of `StripSpec` name by its fields."""
 
@@ -163,6 +163,8 @@ _PATTERN = (
     click.option("--start-tab", type=_Keys(read_tab), metavar="KEYS",
                  help="The first tab: 'length = 12, holes = [{at = 6, diameter = 3}]'."),
     click.option("--end-tab", type=_Keys(read_tab), metavar="KEYS", help="The last tab, in the same way."),
+    click.option("--joint", type=LENGTH, metavar="MM",
+                 help="Where a closed strip is joined, along the drawn curve [default: where it is bent least]."),
     click.option("--slot", "slots", type=_Keys(read_slot), multiple=True, metavar="KEYS",
                  help="A slot: 'at = 40, width = 1.2, side = \"lower\"'; repeatable."),
     click.option("--label", help="Text engraved on the strip [default: the file's name]."),
@@ -211,6 +213,7 @@ def spec_from_options(curve: PlaneCurve, name: str, chosen: Mapping[str, Any]) -
             natural_curvature=chosen["natural_curvature"],
             samples=chosen["samples"],
             ends=_ends(chosen),
+            joint=chosen["joint"],
             slots=chosen["slots"],
             label=engravable(name) if chosen["label"] is None else chosen["label"],
             smooth=chosen["smooth"],

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from elastica_cad.fabrication.holding.lap_joint import closes
 from elastica_cad.fabrication.holding.rest_in_seats import EndPose
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.mechanics.rod.rod_record import Rod
@@ -58,5 +59,15 @@ class HeldShape:
 
 
 def strayed(design: Rod, found: Rod) -> float:
-    """Largest distance, mm, of the nodes of a shape from those of the design."""
-    return float(np.hypot(*(found.position - design.position).T).max())
+    """Largest distance, mm, of the nodes of a shape from those of the design.
+
+    A closed strip, which nothing holds in its place, is laid over its design as well as it fits.
+    """
+    place = found.position
+    if closes(design):
+        middle, wanted = place.mean(axis=0), design.position.mean(axis=0)
+        (x, y), (u, v) = (place - middle).T, (design.position - wanted).T
+        turn = np.arctan2(np.sum(x * v - y * u), np.sum(x * u + y * v))
+        cos, sin = np.cos(turn), np.sin(turn)
+        place = wanted + (place - middle) @ np.array([[cos, sin], [-sin, cos]])
+    return float(np.hypot(*(place - design.position).T).max())

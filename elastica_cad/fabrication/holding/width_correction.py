@@ -3,6 +3,7 @@
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad.fabrication.holding.lap_joint import closes
 from elastica_cad.mechanics.rod.banded_matrices import solve_tridiagonal
 from elastica_cad.mechanics.rod.rod_record import Rod
 
@@ -11,13 +12,17 @@ SMOOTHING = 2e-2  # weight of the second differences of coefficients against the
 SIZE = 1e-2  # the same of the coefficients themselves: of many changes that serve, the smallest
 
 
-def width_basis(s: FloatArray) -> FloatArray:
-    """Cubic B-splines (n, m) at even stations s (n,) of a strip."""
+def width_basis(s: FloatArray, *, closed: bool = False) -> FloatArray:
+    """Cubic B-splines (n, m) at even stations s (n,) of a strip; of a closed one both ends share theirs."""
     from scipy.interpolate import BSpline
 
     pieces = round(1 / SPACING_SHARE)
     knots = np.concatenate([np.zeros(3), np.linspace(0.0, s[-1], pieces + 1), np.full(3, s[-1])])
-    return np.asarray(BSpline(knots, np.eye(pieces + 3), 3)(s))
+    one = np.eye(pieces + 3)
+    if closed:
+        one[0, -1] = 1.0
+        one = one[:, 1:]
+    return np.asarray(BSpline(knots, one, 3)(s))
 
 
 def correct_widths(
@@ -37,7 +42,7 @@ def correct_widths(
     drift : (n, 2) array
         Of its nodes from the design, mm.
     basis : (n, m) array
-        Of the changes: see `width_basis`.
+        Of the changes: see `width_basis`. Of a closed strip only its shape counts, not where it lies.
     kept : (m,) array
         Coefficients of the change that the rod has already.
     damping : float
@@ -58,12 +63,23 @@ def correct_widths(
     turned = free - forced @ np.linalg.solve(rows @ forced, rows @ free) if len(rows) else free
     normals = np.column_stack([-tangents[:, 1], tangents[:, 0]])
     moved = np.cumsum(lengths[..., None] * turned[..., None] * normals[:, None, :], axis=0)
-    A = np.moveaxis(moved, 1, 2).reshape(-1, basis.shape[1])
+    A, left = np.moveaxis(moved, 1, 2).reshape(-1, basis.shape[1]), drift[1:].ravel()
+    if closes(made):
+        A, left = _without_motion(made.position[1:], A), _without_motion(made.position[1:], left)
     scale = float(np.abs(A).max()) * np.sqrt(len(A))
     one = np.eye(basis.shape[1])
     bends = np.diff(one, n=2, axis=0)
     # the step is damped; the whole change is to be small and smooth
     whole = np.concatenate([SMOOTHING * bends, SIZE * one])
     system = np.concatenate([A, damping * scale * one, scale * whole])
-    wanted = np.concatenate([-drift[1:].ravel(), np.zeros(len(one)), -scale * whole @ kept])
+    wanted = np.concatenate([-left, np.zeros(len(one)), -scale * whole @ kept])
     return np.asarray(kept + np.linalg.lstsq(system, wanted, rcond=None)[0])
+
+
+def _without_motion(position: FloatArray, moves: FloatArray) -> FloatArray:
+    """Moves (2 n, ...) of points (n, 2) without what shifts and turns them all."""
+    x, y = (position - position.mean(axis=0)).T
+    one, none = np.ones(x.size), np.zeros(x.size)
+    rigid = np.array([np.column_stack(row).ravel() for row in ((one, none), (none, one), (-y, x))])
+    rigid /= np.linalg.norm(rigid, axis=1)[:, None]
+    return np.asarray(moves - rigid.T @ (rigid @ moves))

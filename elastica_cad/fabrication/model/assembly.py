@@ -13,7 +13,7 @@ from elastica_cad.fabrication.holders.ring_plate import Ring
 from elastica_cad.fabrication.holders.slotted_frame import Rib, SlottedFrame
 from elastica_cad.fabrication.placed_strip import Placed, strip_names
 from elastica_cad.fabrication.solids.prisms import PrismSolid
-from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord
+from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord, bent_sheets
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
 
@@ -50,12 +50,17 @@ class AssemblyPart:
     @property
     def names(self) -> tuple[str, ...]:
         """Of its solids."""
-        return (self.name,) if self.strip is None else layer_names(self.name, self.strip)
+        return (self.name,) if self.strip is None else bent_names(self.name, self.strip)
 
 
 def layer_names(name: str, strip: Strip) -> tuple[str, ...]:
     """Names of a strip's sheets: its own for the base, with "backing" for what is glued on."""
     return (name, f"{name} backing")[: len(strip.layers)]
+
+
+def bent_names(name: str, strip: Strip) -> tuple[str, ...]:
+    """Names of its bodies when bent: those of its sheets, and of the lap that closes it."""
+    return (*layer_names(name, strip), f"{name} lap")[: len(bent_sheets(strip))]
 
 
 def assembly_parts(placed: Sequence[Placed], holders: Iterable[Holder] = ()) -> tuple[AssemblyPart, ...]:
@@ -72,7 +77,7 @@ def assembly_parts(placed: Sequence[Placed], holders: Iterable[Holder] = ()) -> 
         strip = one.strip
         if id(strip) not in solids:
             solids[id(strip)] = BentSolid.layers(strip)
-        colors = tuple(sheet_color(layer.sheet) for layer in strip.layers)
+        colors = tuple(sheet_color(sheet) for sheet in bent_sheets(strip))
         strips.append(AssemblyPart(name, solids[id(strip)], colors, one.frame, strip))
     return (*_numbered(strips), *_numbered([part for holder in holders for part in _holder_parts(holder)]))
 

@@ -25,6 +25,8 @@ def self_contact(strip: Strip) -> tuple[float, float] | None:
     True
     """
     rod = strip.rod
+    if strip.is_closed:
+        return _closed_contact(strip)
     if np.ptp(rod.angle) < np.pi:  # all of it runs on in one direction
         return None
     thickness = sum(layer.sheet.thickness for layer in strip.layers)
@@ -43,6 +45,19 @@ def self_contact(strip: Strip) -> tuple[float, float] | None:
     if any(abs(slot.at - place) < slot.width + thickness for slot in strip.slots for place in places):
         return None
     return float(places[0]), float(places[1])
+
+
+def _closed_contact(strip: Strip) -> tuple[float, float] | None:
+    """The same of a closed strip, whose ends and lap meet by intent."""
+    rod = strip.rod
+    kept = np.unique(np.searchsorted(_turned(rod.angle), np.arange(0.0, _turned(rod.angle)[-1], STEP_RAD)))
+    kept = kept[kept < len(rod.s) - 1]
+    ring = rod.position[kept]
+    meeting = self_crossing(ring, closed=True)
+    if meeting is None:
+        return None
+    near = np.sort(np.argsort(np.hypot(*(ring - meeting).T))[:2])
+    return float(rod.s[kept[near[0]]]), float(rod.s[kept[near[1]]])
 
 
 def _middle(strip: Strip) -> tuple[FloatArray, FloatArray, FloatArray]:

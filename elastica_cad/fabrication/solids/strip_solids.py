@@ -1,7 +1,7 @@
 """Solid records that a CAD kernel only translates: flat parts, and strips bent into their curves."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import pairwise, product
 from typing import TypeAlias
@@ -19,11 +19,18 @@ from elastica_cad.fabrication.solids.pattern_strips import CutPattern, cut_acros
 from elastica_cad.fabrication.solids.round_solids import RoundSolid
 from elastica_cad.fabrication.solids.side_views import side_view
 from elastica_cad.fabrication.solids.smooth_pieces import in_smooth_pieces
+from elastica_cad.fabrication.strip.flat_outline import close_chain, fix_tab_widths
 from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.paths.clip import clip_across
 from elastica_cad.geometry.paths.path import Path
+from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.tapered_sections import RoundLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
+
+JOINT_GAP_MM = 0.01
+"""Between the ends of a closed strip: far above the tolerance of kernels, far below what a saw takes."""
 
 BESIDE_MM = 20.0  # between the flat and the bent strip of a file
 
@@ -199,7 +206,8 @@ class BentSolid:
     def layers(cls, strip: Strip, frame: Frame | None = None) -> tuple["BodyRecord", ...]:
         """Every sheet of the strip, the whole centred on the curve; the base has the joints. Errors as `of`.
 
-        A strip that is tapered in thickness is its side view, extruded by its width; a rod is round.
+        A strip that is tapered in thickness is its side view, extruded by its width; a rod is round. Of a closed
+        strip the lap is a body of its own, on the inside, where it is glued.
         """
         if strip.layout.size is not None:
             return (_tapered_solid(strip, frame or Frame(), bent=True),)
@@ -207,6 +215,11 @@ class BentSolid:
 
     @classmethod
     def _layers(cls, strip: Strip, frame: Frame | None) -> Iterator["BentSolid"]:
+        if strip.is_closed:
+            yield cls._ring(replace(strip, ends=(Tab(0.0), Tab(0.0))), frame)
+            if strip.ends[1].length:
+                yield cls._lap(strip, frame)
+            return
         heights = levels(strip)
         joints: Mapping[str, tuple[float, float, int]] = joint_places(strip)
         half = heights[-1] / 2
@@ -222,6 +235,31 @@ class BentSolid:
                 between=heights[-1],
             )
             joints = {}
+
+    @classmethod
+    def _ring(cls, strip: Strip, frame: Frame | None) -> "BentSolid":
+        """A closed strip without its lap, its ends a hair apart: kernels cannot cut a body that touches itself."""
+        half, layer = strip.sheet.thickness / 2, strip.layers[0]
+        outline = clip_across(layer.outline, 0.0, strip.rod.length - JOINT_GAP_MM)
+        return cls.wrapped(
+            strip.rod,
+            outline,
+            layer.holes,
+            heights=(-half, half),
+            frame=frame,
+            joints=joint_places(strip),
+            between=2 * half,
+        )
+
+    @classmethod
+    def _lap(cls, strip: Strip, frame: Frame | None) -> "BentSolid":
+        """The tab that closes a strip, behind its start."""
+        width, thickness = strip.end_widths[1], strip.sheet.thickness
+        tab = fix_tab_widths(strip.width, strip.ends)[1]
+        inside = -1.0 if strip.rod.curvature[0] > 0 else 1.0
+        low, high = sorted((inside * thickness / 2, inside * 1.5 * thickness))
+        outline = Path(close_chain(tab.corners(width)), closed=True)
+        return cls.wrapped(strip.rod, outline, tab.hole_paths(width), heights=(low, high), frame=frame)
 
     @classmethod
     def wrapped(
@@ -274,6 +312,12 @@ class BentSolid:
         if not made.boundary.is_closed:
             raise InputError("the flat pattern's loops cross or touch: the bent strip has no closed skin")
         return made
+
+
+def bent_sheets(strip: Strip) -> tuple[Sheet, ...]:
+    """What each body of `BentSolid.layers` is cut from."""
+    lap = (strip.sheet,) if strip.is_closed and strip.ends[1].length else ()
+    return (*(layer.sheet for layer in strip.layers), *lap)
 
 
 BodyRecord: TypeAlias = FlatSolid | BentSolid | RoundSolid

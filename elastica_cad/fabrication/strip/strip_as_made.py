@@ -1,13 +1,14 @@
 """A strip as it is made: all that changes its stiffness, and the shape that it takes in its holders."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.holding.held_shape import HeldShape, Seats, strayed
+from elastica_cad.fabrication.holding.lap_joint import LapJoint, closes
 from elastica_cad.fabrication.holding.rest_in_seats import rest_in_seats
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.as_built import rod_as_built
@@ -40,6 +41,8 @@ class StripAsMade:
         Factors on that stiffness at the nodes by cause: see `stiffness_shares`.
     approximated : bool
         Does the drawing only come near to the stiffness, as holes and backings do?
+    lap : LapJoint, optional
+        The joint of a closed strip.
     """
 
     design: Rod
@@ -48,6 +51,7 @@ class StripAsMade:
     cut: Rod
     shares: Mapping[str, FloatArray]
     approximated: bool
+    lap: LapJoint | None = None
 
     @classmethod
     def of(cls, rod: Rod, layout: Layout, ends: Ends, slots: Sequence[Slot]) -> "StripAsMade":
@@ -65,12 +69,16 @@ class StripAsMade:
             rod_as_built(design, layout, [layer.material for layer in whole]),
             stiffness_shares(design, layout, slots, (ends[0].width, ends[1].width)),
             layout.pattern is not None or layout.backing is not None,
+            LapJoint.of(design, layout.material(design.s), ends[1].length, float(widths[1]))
+            if ends[1].length and closes(rod)
+            else None,
         )
 
     @cached_property
     def rod(self) -> Rod:
         """The rod with all causes together, out of balance until bent."""
-        return with_shares(self.cut, list(self.shares.values()))
+        made = with_shares(self.cut, list(self.shares.values()))
+        return made if self.lap is None else _lapped(made, self.lap)
 
     def tab_ratios(self, rod: Rod | None = None) -> tuple[float, float]:
         """E I of the tabs at start and end over the B of a rod made of the design, or of the design itself."""
@@ -98,6 +106,8 @@ class StripAsMade:
         alone = {cause: with_shares(self.cut, [share]) for cause, share in self.shares.items()}
         if self.approximated:
             alone["fit of the drawing"] = self.cut
+        if self.lap is not None:
+            alone["lap joint"] = _lapped(self.cut, self.lap)
         shapes = {cause: rest_in_seats(made, self.design, (None, None))[0] for cause, made in alone.items()}
         one_seat: tuple[Seats, Seats] = (seats[0], None), (None, seats[1])
         for end, seat, one in zip(("start", "end"), seats, one_seat, strict=True):
@@ -105,3 +115,8 @@ class StripAsMade:
                 bent, _ = rest_in_seats(self.design, self.design, one, self.tab_ratios())
                 shapes[f"{end}: {seat.name}"] = bent
         return {cause: strayed(self.design, shape) for cause, shape in shapes.items()}
+
+
+def _lapped(made: Rod, lap: LapJoint) -> Rod:
+    """The rod with its joint: stiffer there, and glued in a shape that it keeps in part."""
+    return replace(with_shares(made, [lap.share]), natural_curvature=lap.rest)

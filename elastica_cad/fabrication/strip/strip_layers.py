@@ -93,14 +93,22 @@ def cut_layers(layout: Layout, ends: Ends, slots: Sequence[Slot], *, name: str) 
 
 
 def draw_layers(
-    layout: Layout, layers: Sequence[Layer], ends: Ends, slots: Sequence[Slot], label: str
+    layout: Layout,
+    layers: Sequence[Layer],
+    ends: Ends,
+    slots: Sequence[Slot],
+    label: str,
+    *,
+    lap: float = 0.0,
 ) -> tuple[Drawing, ...]:
-    """The cut pattern of each layer: label, marks, inner cuts, outer cut."""
+    """The cut pattern of each layer: label, marks, inner cuts, outer cut; `lap` mm from the start a mark where the
+    lap of a closed strip ends.
+    """
     name = label or "strip"
     drawn = []
     for i, layer in enumerate(layers):
         width = layout.width if i == 0 or layout.backing is None else layout.backing.width
-        marks = (*_ticks(layout, width), *(() if i else layout.guides))
+        marks = (*_ticks(layout, width, lap), *(() if i else layout.guides))
         paths = (
             *(LayeredPath(MARK, mark) for mark in marks),
             *(LayeredPath(CUT_INNER, hole) for hole in layer.holes),
@@ -119,11 +127,13 @@ def _reaches(slot: Slot, outer: Profile, inner: Profile) -> bool:
     return bool(abs(points[0, 1]) < float(inner(np.clip(points[0, 0], 0.0, inner.length))) / 2)
 
 
-def _ticks(layout: Layout, width: Profile) -> tuple[Path, ...]:
-    """Marks across where the free part ends; not along the flat ends of the first and last holes."""
+def _ticks(layout: Layout, width: Profile, lap: float) -> tuple[Path, ...]:
+    """Marks across where the free part ends, and the lap; not along the flat ends of the first and last holes."""
     if layout.pattern is not None:
         return ()
-    heights = [(x, TICK_SHARE * float(width(x))) for x in (0.0, width.length)]
+    # of a closed strip the start is an edge itself
+    places = (lap, width.length) if lap else (0.0, width.length)
+    heights = [(x, TICK_SHARE * float(width(x))) for x in places]
     return tuple(Path((Line((x, -y), (x, y)),), closed=False) for x, y in heights)
 
 

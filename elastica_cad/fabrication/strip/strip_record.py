@@ -11,6 +11,7 @@ from elastica_cad.fabrication.drawings.drawing import (
     Drawing,
 )
 from elastica_cad.fabrication.holding.held_shape import HeldShape
+from elastica_cad.fabrication.holding.lap_joint import closes
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.as_built import rod_as_built
@@ -38,6 +39,9 @@ CORRECTION_TOLERANCE = 1e-6
 
 LINEAR_CREEP_SHARE = 0.5
 """Of the strain limit: beyond it creep grows faster than the stress."""
+
+UNEVEN_JOINT_MM = 0.05
+"""Difference between the widths of a closed strip's ends that is told: finer than it is cut."""
 
 CURVATURE_STATIONS = 2001
 """At which strain is looked for, spread over the curve's smooth panels."""
@@ -71,7 +75,7 @@ class Strip:
         How stiffness becomes material. The last two give the strip a width of its own; `max_width` and `min_width`
         then limit the material: the ligaments' sum, the backing.
     ends : pair of Tab
-        Tabs at the start and at the end.
+        Tabs at the start and at the end. Of a strip that closes the second is its lap, the first is left out.
     slots : tuple of Slot
         Cuts for other strips; they become part of the outline.
     label : str
@@ -118,6 +122,13 @@ class Strip:
                 raise InputError(f"{name} is {value}: it must be positive, in mm")
         printable(self.label, "the label")
         object.__setattr__(self, "creep", require_creep(self.creep))
+        if self.is_closed:
+            object.__setattr__(self, "ends", (Tab(0.0), self.ends[1]))
+            if self.layout.backing is not None or self.layout.size is not None:
+                raise InputError(
+                    "a closed strip is of one sheet of even thickness, which its lap can join: take a plain or "
+                    "perforated strip, or leave a gap between its ends"
+                )
         _ = self.layout
 
     def __repr__(self) -> str:
@@ -190,6 +201,28 @@ class Strip:
         slots = tuple(slot.mirrored() for slot in self.slots)
         return replace(self, ends=(start.mirrored(), end.mirrored()), slots=slots)
 
+    @cached_property
+    def is_closed(self) -> bool:
+        """Does it close? Its second tab is then the lap, glued behind its start, and it has no first one."""
+        return closes(self.rod)
+
+    @property
+    def joint(self) -> str:
+        """How a closed strip is joined, and what the joint carries; empty for an open one."""
+        if not self.is_closed:
+            return ""
+        (x, y), held = self.rod.position[0], self.reactions()
+        lap, (_, wide) = self.ends[1].length, self.end_widths
+        how = (
+            f"glue its tab of {lap:.3g} mm, bent as drawn, behind its start"
+            if lap
+            else "join its ends butt to butt"
+        )
+        return (
+            f"closed: {how} at ({x:.4g}, {y:.4g}), where it is {wide:.3g} mm wide; the joint "
+            f"carries {abs(held.end_moment):.3g} N mm and {np.hypot(*held.end_force):.2g} N"
+        )
+
     @property
     def end_widths(self) -> tuple[float, float]:
         """Width of the free part at its start and end, mm."""
@@ -249,6 +282,12 @@ class Strip:
                     f"that {layer.name} bears: its radius there is {1 / bend[at]:.1f} mm, the least advisable "
                     f"{1 / bearable:.1f} mm; use a thinner sheet or a gentler curve"
                 )
+        start, end = self.end_widths
+        if self.is_closed and abs(end - start) > UNEVEN_JOINT_MM:
+            found.append(
+                f"its ends are {start:.3g} and {end:.3g} mm wide where it closes: choose another joint, leave out "
+                "gravity, or make the curvature continuous there"
+            )
         if self.layout.size is not None:
             return tuple(found)
         tightest = int(np.argmax(bend))
@@ -383,4 +422,5 @@ class Strip:
 
         Where the backing of a laminate comes to lie is marked on the base.
         """
-        return draw_layers(self.layout, self.layers, self.ends, self.slots, self.label)
+        lap = self.ends[1].length if self.is_closed else 0.0
+        return draw_layers(self.layout, self.layers, self.ends, self.slots, self.label, lap=lap)

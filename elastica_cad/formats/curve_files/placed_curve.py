@@ -24,10 +24,10 @@ def placed_curve(
 ) -> tuple[PlaneCurve, Frame]:
     """The one curve that edges (m, 3) make end to end, and its plane in space.
 
-    The curve runs the way the first edge does. Where the plane is parallel to xy the frame's axes are the
-    world's. In every other plane the frame's y axis points up, towards z, as far as it can, and its z axis to the
-    side from which the curve turns anticlockwise on the whole: where edges are turned, the frame's side turns with
-    them.
+    The curve runs the way the first edge does; a closed one begins there. Where the plane is parallel to xy the
+    frame's axes are the world's. In every other plane the frame's y axis points up, towards z, as far as it can,
+    and its z axis to the side from which the curve turns anticlockwise on the whole: where edges are turned, the
+    frame's side turns with them.
 
     Parameters
     ----------
@@ -41,8 +41,8 @@ def placed_curve(
     Raises
     ------
     InputError
-        Edges that are not plane, have no length, do not meet or meet at a corner, that close, or that lie in
-        another plane than `plane`.
+        Edges that are not plane, have no length, do not meet or meet at a corner, or that lie in another plane than
+        `plane`.
     """
     runs = join_runs([(edge,) for edge in edges], JOIN)
     if not runs:
@@ -64,9 +64,9 @@ def place_chain(
     run: Sequence[Edge], plane: Frame | None = None, turned: FloatArray = AS_DRAWN
 ) -> tuple[PlaneCurve, Frame]:
     """The curve of one chain and its plane, as in `placed_curve`."""
-    if np.linalg.norm(run[0].start - run[-1].end) <= JOIN:
-        raise InputError("the wire is closed: a strip has two ends, so leave an edge out or split the wire")
-    for before, after in pairwise(run):
+    # of a closed wire the last edge goes on in the first
+    closed = np.linalg.norm(run[0].start - run[-1].end) <= JOIN
+    for before, after in pairwise((*run, *run[:1]) if closed else run):
         out, onward = before.points[-1] - before.points[-2], after.points[1] - after.points[0]
         turn = np.arctan2(np.linalg.norm(np.cross(out, onward)), out @ onward)
         if turn > TANGENT:

@@ -112,6 +112,7 @@ def read_strip(
         "limits": read_limits(table.table("limits"), sheet) if limited else None,
         "keep": read_keep(table.table("keep")) if limited else None,
         "ends": read_tabs(table),
+        "joint": table.maybe("joint"),
         "style": read_style(table.table("style"), sheets),
         "slots": tuple(read_slot(slot) for slot in table.tables("slots")),
         "smooth": table.maybe("smooth"),

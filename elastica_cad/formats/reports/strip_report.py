@@ -110,6 +110,7 @@ def report_strip(
             "limit": strip.strain_limit,
         },
         "held": _held(strip),
+        "joint": _joint(strip),
         "mass": round_numbers(strip.mass),
         "layers": [
             {"sheet": layer.sheet.name, "thickness": layer.sheet.thickness, "mass": round_numbers(layer.mass)}
@@ -195,6 +196,21 @@ def _held(strip: Strip) -> dict[str, Any] | None:
         return report_held(strip.held())
     except NotConvergedError:
         return None
+
+
+def _joint(strip: Strip) -> dict[str, Any] | None:
+    """Where a closed strip is joined, by what, and what that carries; None for an open one."""
+    if not strip.is_closed:
+        return None
+    held = strip.reactions()
+    return {
+        "place": round_numbers(strip.rod.position[0]),
+        "lap": strip.ends[1].length,
+        "widths": round_numbers(np.array(strip.end_widths)),
+        "moment": round_numbers(held.end_moment),
+        "force": round_numbers(held.end_force),
+        "meaning": strip.joint,
+    }
 
 
 def list_versions() -> dict[str, str]:

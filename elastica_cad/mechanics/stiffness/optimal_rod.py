@@ -90,7 +90,7 @@ def optimal_rod(
     NotRealizable
         No admissible stiffness exists; `check` of the error says why and where.
     InputError
-        Options that do not fit together, a closed or kinked curve.
+        Options that do not fit together, a kinked curve.
 
     References
     ----------

@@ -16,6 +16,7 @@ from elastica_cad.mechanics.loads.rest_curvature import (
     require_natural_curvature,
 )
 from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.theorem1.closed_curves import begin_at, flattest_place, seam_turn
 from elastica_cad.mechanics.theorem1.inflection_line import (
     WIDEST_RATIO,
     find_separating_line,
@@ -45,6 +46,12 @@ from elastica_cad.mechanics.theorem1.verdict import (
     places,
 )
 
+CORNER_RAD = 1e-5
+"""Turn of a closed curve where it closes that is a corner, as along a curve."""
+
+SEAM_SHARE = 0.01
+"""Of the largest curvature: a closed curve that is bent less where it begins is begun elsewhere."""
+
 _DIP_SHARE = 0.01  # of the largest curvature: deeper dips are looked at closely
 
 
@@ -61,7 +68,8 @@ def check_equilibrium(
     none. Condition (2): the curvature changes sign in each of them with a finite slope. A pinned end must
     have no curvature, which puts it on the line too; an end free to slide along x (y) makes the line vertical
     (horizontal); ends that carry no force at all allow no line. A natural curvature is taken off the
-    curvature.
+    curvature. A closed curve is held by its own other end; where it was drawn to begin in an inflection, it is
+    begun elsewhere (`curve`), and a warning says so.
 
     Parameters
     ----------
@@ -76,7 +84,7 @@ def check_equilibrium(
     Raises
     ------
     InputError
-        A closed curve, or one with corners.
+        A curve with corners, also where it closes.
 
     References
     ----------
@@ -119,8 +127,9 @@ def examine_curvature(
     require_curve(curve)
     require_natural_curvature(natural_curvature)
     require_bendable(curve)
+    largest = _largest(ExcessCurvature(curve, natural_curvature))
+    curve, begun = _begun_clear(curve, natural_curvature, largest)
     excess = ExcessCurvature(curve, natural_curvature)
-    largest = _largest(excess)
     zeros = _zeros_of(excess, supports, largest)
     flats = [z for z in zeros if z.kind == "flat"]
     jumps = tuple(z.s for z in zeros if z.kind == "jump")
@@ -155,7 +164,7 @@ def examine_curvature(
         check,
         realizable=not reasons,
         reasons=tuple(reasons),
-        warnings=(*warn_of_widths(curve, jumps), *warn_of_crossing(curve)),
+        warnings=(*begun, *warn_of_widths(curve, jumps), *warn_of_crossing(curve)),
         curvature_touches=tuple(sorted([*touches, *gentle])),
     )
 
@@ -192,7 +201,8 @@ def _with_line(
     if largest > tolerance * check.length:
         return _refused(check, _off_line_reason(check, normal, tolerance * check.length))
     if largest > 1e-10 * check.length and check.realizable:
-        if isinstance(natural_curvature, RestCurvature):
+        # what moves inflections would open a closed curve
+        if isinstance(natural_curvature, RestCurvature) or check.curve.is_closed:
             return _refused(check, _off_line_reason(check, normal, 0.0))
         try:
             moved = project_inflections(
@@ -258,7 +268,7 @@ def _refused(check: EquilibriumCheck, reason: str) -> EquilibriumCheck:
 
 
 def require_bendable(curve: PlaneCurve) -> None:
-    """Refuse what no strip can follow, whatever holds it: a closed curve, a corner.
+    """Refuse what no strip can follow, whatever holds it: a corner, also where a curve closes.
 
     Raises
     ------
@@ -268,10 +278,31 @@ def require_bendable(curve: PlaneCurve) -> None:
     corners = curve.tangent_breaks
     if corners:
         raise InputError(tell_corners(curve, corners))
-    if curve.is_closed:
+    turn = seam_turn(curve) if curve.is_closed else 0.0
+    if abs(turn) > CORNER_RAD:
+        x, y = curve.evaluate(np.array(curve.domain[0]))
         raise InputError(
-            "the curve is closed: a strip has two ends; leave a gap between them, or cut the curve in pieces"
+            f"the curve is closed with a corner of {np.degrees(abs(turn)):.3g} degrees at ({x:.4g}, {y:.4g}): a "
+            "strip bends without kinks; round it, or leave a gap between its ends"
         )
+
+
+def _begun_clear(
+    curve: PlaneCurve, natural_curvature: NaturalCurvature, largest: float
+) -> tuple[PlaneCurve, tuple[str, ...]]:
+    """The curve; a closed one that begins where its bending vanishes begun elsewhere, with a sentence about it."""
+    if not curve.is_closed or isinstance(natural_curvature, RestCurvature):  # which counts from the start
+        return curve, ()
+    bent = np.abs(curve.curvature_at(np.array(curve.domain)) - natural_curvature)
+    if bent.min() > SEAM_SHARE * largest:
+        return curve, ()
+    place = flattest_place(curve)
+    x, y = curve.at(np.array([place])).position[0]
+    told = (
+        f"The curve is closed and begins where it is not bent, so places are counted from ({x:.4g}, {y:.4g}), "
+        f"{figure(place)} mm after its start."
+    )
+    return begin_at(curve, place), (told,)
 
 
 def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tuple[CurvatureZero, ...]:

@@ -92,6 +92,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Where a closed strip is joined, along its curve; 0 chooses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Make up for slots, narrow tabs and holes in the widths</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1819,6 +1823,42 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>the curve is closed with a corner of %1 degrees at (%2, %3): a strip bends without kinks; round it, or leave a gap between its ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The curve is closed and begins where it is not bent, so places are counted from (%1, %2), %3 mm after its start.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a closed strip is of one sheet of even thickness, which its lap can join: take a plain or perforated strip, or leave a gap between its ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its ends are %1 and %2 mm wide where it closes: choose another joint, leave out gravity, or make the curvature continuous there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>glue its tab of %1 mm, bent as drawn, behind its start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>join its ends butt to butt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>closed: %1 at (%2, %3), where it is %4 mm wide; the joint carries %5 N mm and %6 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joint is %1: give a place along the curve, 0 to %2 mm, or none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lap joint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>anticlastic bending</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1880,10 +1920,6 @@
     </message>
     <message>
         <source>The curve crosses itself (at %1 mm): two parts of the strip must pass side by side there.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the curve is closed: a strip has two ends; leave a gap between them, or cut the curve in pieces</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2356,10 +2392,6 @@
     </message>
     <message>
         <source>the edges make %1 separate chains: a strip follows one chain of edges that meet end to end</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the wire is closed: a strip has two ends, so leave an edge out or split the wire</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -96,6 +96,10 @@
         <translation>Kriechzahl der Platte auf Dauer; 0 lässt das Kriechen weg</translation>
     </message>
     <message>
+        <source>Where a closed strip is joined, along its curve; 0 chooses</source>
+        <translation>Wo ein geschlossener Streifen verbunden ist, entlang seiner Kurve; 0 wählt</translation>
+    </message>
+    <message>
         <source>Make up for slots, narrow tabs and holes in the widths</source>
         <translation>Schlitze, schmale Laschen und Löcher in den Breiten ausgleichen</translation>
     </message>
@@ -1831,6 +1835,42 @@
         <translation>er nimmt keine Form nahe seinem Entwurf an: näher an seiner Kurve halten</translation>
     </message>
     <message>
+        <source>the curve is closed with a corner of %1 degrees at (%2, %3): a strip bends without kinks; round it, or leave a gap between its ends</source>
+        <translation>die Kurve schließt sich mit einer Ecke von %1 Grad bei (%2, %3): ein Streifen biegt sich ohne Knick; sie abrunden oder eine Lücke zwischen den Enden lassen</translation>
+    </message>
+    <message>
+        <source>The curve is closed and begins where it is not bent, so places are counted from (%1, %2), %3 mm after its start.</source>
+        <translation>Die Kurve ist geschlossen und beginnt, wo sie nicht gebogen ist; Stellen zählen daher ab (%1, %2), %3 mm nach ihrem Anfang.</translation>
+    </message>
+    <message>
+        <source>a closed strip is of one sheet of even thickness, which its lap can join: take a plain or perforated strip, or leave a gap between its ends</source>
+        <translation>ein geschlossener Streifen ist aus einer Platte gleicher Dicke, die seine Überlappung verbinden kann: einen einfachen oder gelochten Streifen nehmen oder eine Lücke zwischen den Enden lassen</translation>
+    </message>
+    <message>
+        <source>its ends are %1 and %2 mm wide where it closes: choose another joint, leave out gravity, or make the curvature continuous there</source>
+        <translation>seine Enden sind %1 und %2 mm breit, wo er sich schließt: eine andere Verbindungsstelle wählen, die Schwerkraft weglassen oder die Krümmung dort stetig machen</translation>
+    </message>
+    <message>
+        <source>glue its tab of %1 mm, bent as drawn, behind its start</source>
+        <translation>seine Lasche von %1 mm, gebogen wie gezeichnet, hinter den Anfang kleben</translation>
+    </message>
+    <message>
+        <source>join its ends butt to butt</source>
+        <translation>seine Enden stumpf verbinden</translation>
+    </message>
+    <message>
+        <source>closed: %1 at (%2, %3), where it is %4 mm wide; the joint carries %5 N mm and %6 N</source>
+        <translation>geschlossen: %1 bei (%2, %3), wo er %4 mm breit ist; die Verbindung trägt %5 N mm und %6 N</translation>
+    </message>
+    <message>
+        <source>joint is %1: give a place along the curve, 0 to %2 mm, or none</source>
+        <translation>die Verbindungsstelle ist %1: eine Stelle entlang der Kurve angeben, 0 bis %2 mm, oder keine</translation>
+    </message>
+    <message>
+        <source>lap joint</source>
+        <translation>Überlappung</translation>
+    </message>
+    <message>
         <source>anticlastic bending</source>
         <translation>Querkrümmung</translation>
     </message>
@@ -1893,10 +1933,6 @@
     <message>
         <source>The curve crosses itself (at %1 mm): two parts of the strip must pass side by side there.</source>
         <translation>Die Kurve kreuzt sich selbst (bei %1 mm): zwei Teile des Streifens müssen dort nebeneinander vorbei.</translation>
-    </message>
-    <message>
-        <source>the curve is closed: a strip has two ends; leave a gap between them, or cut the curve in pieces</source>
-        <translation>die Kurve ist geschlossen: ein Streifen hat zwei Enden; eine Lücke lassen oder die Kurve zerteilen</translation>
     </message>
     <message>
         <source>less the natural %1</source>
@@ -2369,10 +2405,6 @@
     <message>
         <source>the edges make %1 separate chains: a strip follows one chain of edges that meet end to end</source>
         <translation>die Kanten bilden %1 getrennte Ketten: ein Streifen folgt einer Kette von Kanten, die aneinanderstoßen</translation>
-    </message>
-    <message>
-        <source>the wire is closed: a strip has two ends, so leave an edge out or split the wire</source>
-        <translation>der Draht ist geschlossen: ein Streifen hat zwei Enden; eine Kante weglassen oder den Draht teilen</translation>
     </message>
     <message>
         <source>the curve lies up to %1 mm off the plane that is given for it: give the one in which it is drawn, or none</source>

@@ -96,6 +96,10 @@
         <translation>板材的长期蠕变系数；0 表示不计蠕变</translation>
     </message>
     <message>
+        <source>Where a closed strip is joined, along its curve; 0 chooses</source>
+        <translation>闭合条的接合处，沿其曲线；0 为自动选择</translation>
+    </message>
+    <message>
         <source>Make up for slots, narrow tabs and holes in the widths</source>
         <translation>用宽度补偿槽口、窄接片和孔</translation>
     </message>
@@ -1831,6 +1835,42 @@
         <translation>它不会呈现接近设计的形状：请在更靠近其曲线处夹持</translation>
     </message>
     <message>
+        <source>the curve is closed with a corner of %1 degrees at (%2, %3): a strip bends without kinks; round it, or leave a gap between its ends</source>
+        <translation>曲线在 (%2, %3) 处以 %1 度的尖角闭合：条弯曲时没有折角；请将其倒圆，或在两端之间留出间隙</translation>
+    </message>
+    <message>
+        <source>The curve is closed and begins where it is not bent, so places are counted from (%1, %2), %3 mm after its start.</source>
+        <translation>曲线闭合，且起点处没有弯曲，因此位置从 (%1, %2) 起算，即其起点之后 %3 mm。</translation>
+    </message>
+    <message>
+        <source>a closed strip is of one sheet of even thickness, which its lap can join: take a plain or perforated strip, or leave a gap between its ends</source>
+        <translation>闭合条须由一张等厚板材制成，才能用搭接连接：请采用普通条或穿孔条，或在两端之间留出间隙</translation>
+    </message>
+    <message>
+        <source>its ends are %1 and %2 mm wide where it closes: choose another joint, leave out gravity, or make the curvature continuous there</source>
+        <translation>闭合处两端宽 %1 和 %2 mm：请选择另一接合处、不计重力，或使该处曲率连续</translation>
+    </message>
+    <message>
+        <source>glue its tab of %1 mm, bent as drawn, behind its start</source>
+        <translation>将其 %1 mm 的端片按所绘形状弯曲，粘在起点背面</translation>
+    </message>
+    <message>
+        <source>join its ends butt to butt</source>
+        <translation>将两端对接</translation>
+    </message>
+    <message>
+        <source>closed: %1 at (%2, %3), where it is %4 mm wide; the joint carries %5 N mm and %6 N</source>
+        <translation>闭合：在 (%2, %3) 处%1，该处宽 %4 mm；接合处承受 %5 N mm 和 %6 N</translation>
+    </message>
+    <message>
+        <source>joint is %1: give a place along the curve, 0 to %2 mm, or none</source>
+        <translation>接合处为 %1：请给出沿曲线的位置，0 至 %2 mm，或不给出</translation>
+    </message>
+    <message>
+        <source>lap joint</source>
+        <translation>搭接</translation>
+    </message>
+    <message>
         <source>anticlastic bending</source>
         <translation>反向弯曲</translation>
     </message>
@@ -1893,10 +1933,6 @@
     <message>
         <source>The curve crosses itself (at %1 mm): two parts of the strip must pass side by side there.</source>
         <translation>曲线自相交（在 %1 mm 处）：条带的两部分必须在那里并排通过。</translation>
-    </message>
-    <message>
-        <source>the curve is closed: a strip has two ends; leave a gap between them, or cut the curve in pieces</source>
-        <translation>曲线是闭合的：条带有两端；在两端之间留出间隙，或把曲线分段</translation>
     </message>
     <message>
         <source>less the natural %1</source>
@@ -2369,10 +2405,6 @@
     <message>
         <source>the edges make %1 separate chains: a strip follows one chain of edges that meet end to end</source>
         <translation>这些边组成 %1 条分离的链：条带只跟随一条首尾相接的链</translation>
-    </message>
-    <message>
-        <source>the wire is closed: a strip has two ends, so leave an edge out or split the wire</source>
-        <translation>线框是闭合的：条带有两端；去掉一条边或分割线框</translation>
     </message>
     <message>
         <source>the curve lies up to %1 mm off the plane that is given for it: give the one in which it is drawn, or none</source>

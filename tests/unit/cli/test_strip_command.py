@@ -178,7 +178,8 @@ BAD = {
     "plain.svg": b"<svg xmlns='http://www.w3.org/2000/svg' width='10mm' height='10mm'/>",
     "broken.svg": b"<svg",
     "corner.csv": b"0,0\n50,30\n100,0\n",
-    "ring.svg": b"<svg xmlns='http://www.w3.org/2000/svg' width='99mm' height='99mm'><circle r='9'/></svg>",
+    "drop.svg": b"<svg xmlns='http://www.w3.org/2000/svg' width='99mm' height='99mm'>"
+    b"<path d='M10 10 C90 90 -70 90 10 10'/></svg>",
 }
 
 
@@ -196,12 +197,13 @@ def test_bad_files_get_one_sentence_that_names_them(name, tmp_path):
 
 def test_the_curve_at_fault_is_named_by_its_number(tmp_path):
     path = tmp_path / "several.json"
-    arc, ring = (ec.PlaneCurve.arc((0, 0), 100.0, 0.0, end) for end in (2.0, 2 * np.pi))
-    path.write_text(curves_json([arc, ring]))
+    arc = ec.PlaneCurve.arc((0, 0), 100.0, 0.0, 2.0)
+    drop = ec.PlaneCurve.spline([(0, 0), (90, 90), (-90, 90), (0, 0)], degree=3)
+    path.write_text(curves_json([arc, drop]))
     options = ("--sheet", "card-200gsm", "--max-width", 20, "-o", tmp_path)
     asked = elastica("check", path)
     assert asked.returncode == 2
-    assert "several.json, curve 2 of 2: the curve is closed" in asked.stderr
+    assert "several.json, curve 2 of 2: the curve is closed with a corner" in asked.stderr
     assert elastica("strip", path, "--curve", 1, *options).returncode == 0
     assert "curve 2 of 2" in elastica("strip", path, "--curve", 2, *options).stderr
 

@@ -301,9 +301,10 @@ class TestNaturalCurvature:
 
 
 class TestBadCurves:
-    def test_closed(self):
-        with pytest.raises(InputError, match="closed"):
-            check_equilibrium(PlaneCurve.arc((0, 0), 10, 0, 2 * np.pi))
+    def test_closed_with_a_corner(self):
+        drop = PlaneCurve.spline([(0, 0), (40, 60), (-40, 60), (0, 0)], degree=3)
+        with pytest.raises(InputError, match=r"closed with a corner of 113 degrees at \(0, 0\)"):
+            check_equilibrium(drop)
 
     def test_corner(self):
         with pytest.raises(InputError, match=r"corner at 30 mm"):

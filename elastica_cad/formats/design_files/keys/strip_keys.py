@@ -50,6 +50,7 @@ MAKING: Keys = {
     ),
     "smooth": (NUMBER, "how far the curve may move to become fair, mm; 0: exactly as drawn"),
     "shop": (table("shop"), "what the workshop can make"),
+    "joint": (NUMBER, "where a closed strip is joined, mm along its curve; where it is bent least unless given"),
     "compensate": (FLAG, "change the widths so that the strip as made and held takes the curve"),
     "creep": (NUMBER, "creep factor of the sheet in the long run; tells sag and springback"),
     "law": (

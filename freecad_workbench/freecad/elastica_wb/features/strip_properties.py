@@ -47,6 +47,7 @@ PROPERTIES = (
         "How far the curve may be moved to smooth its curvature; 0 follows it as drawn",
         0.0,
     ),
+    Property("Length", "Joint", "Tabs", "Where a closed strip is joined, along its curve; 0 chooses", 0.0),
     Property("Bool", "Compensate", "Width", "Make up for slots, narrow tabs and holes in the widths", False),
     Property("Float", "Creep", "Sheet", "Creep factor of the sheet in the long run; 0 leaves creep out", 0.0),
     Property(

@@ -69,6 +69,7 @@ def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
         natural_curvature=_natural_curvature(obj),
         samples=None if nearest else obj.Samples or None,
         ends=_ends(obj),
+        joint=obj.Joint.Value or None,
         slots=parse_lines(obj.Slots, "Slots", read_slot),
         label=obj.EngravedText,
         smooth=obj.Smooth.Value or None,

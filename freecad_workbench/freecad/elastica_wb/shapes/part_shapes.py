@@ -111,7 +111,7 @@ def plane_curve(drawn: Iterable[Any]) -> tuple[PlaneCurve, Frame]:
     Raises
     ------
     InputError
-        Nothing drawn, a closed curve, several curves, corners, or edges that are not plane.
+        Nothing drawn, several curves, corners, or edges that are not plane.
     """
     edges = [_drawn_edge(item) for item in drawn]
     if not edges:
