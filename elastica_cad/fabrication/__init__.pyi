@@ -56,6 +56,7 @@ from elastica_cad.fabrication.makeability.shop import Shop as Shop
 from elastica_cad.fabrication.model.revolution_model import revolution as revolution, revolve as revolve
 from elastica_cad.fabrication.model.strip_model import Model as Model
 from elastica_cad.fabrication.model.touching_widths import touching_widths as touching_widths
+from elastica_cad.fabrication.leaf_stack import LeafStack as LeafStack
 from elastica_cad.fabrication.placed_strip import Placed as Placed
 from elastica_cad.fabrication.sheets.coupon import (
     coupon_drawing as coupon_drawing,

@@ -13,11 +13,13 @@ from elastica_cad.fabrication.solids.side_views import side_view
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.fabrication.strip_spec import StripSpec
+from elastica_cad.forming.leaf_ends import LeafedRod, lay_leaves
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Line
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.material.glued_leaves import LeavesLaw
 from elastica_cad.mechanics.material.tapered_sections import RoundLaw, ThicknessLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 
@@ -93,7 +95,7 @@ class BattenSpec:
         thin = self.stock.largest * np.exp(-abs(taper))
         if thin < self.stock.least * (1 - 1e-9):
             most = float(np.log(self.stock.largest / self.stock.least)) * np.sign(taper)
-            within = _place(_pressed(self, most, chord, SEARCH_NODES))[1]
+            within = camber_of(_pressed(self, most, chord, SEARCH_NODES))[1]
             raise InputError(
                 f"camber at {100 * self.place:.4g} % asks for {thin:.3g} mm at the thin end of stock of "
                 f"{self.stock.largest:g} mm, and {self.stock.least:g} mm must be left: with that it comes to "
@@ -107,7 +109,7 @@ class BattenSpec:
         x = np.array([6.0 * (0.5 - self.place), 1 - 2.4 * self.camber**2])
 
         def missed(x: FloatArray) -> FloatArray:
-            found = _place(_pressed(self, float(x[0]), float(x[1]), SEARCH_NODES))
+            found = camber_of(_pressed(self, float(x[0]), float(x[1]), SEARCH_NODES))
             return np.array(found) - (self.camber, self.place)
 
         for _ in range(MOST_STEPS):
@@ -157,7 +159,7 @@ class Batten:
     @property
     def camber(self) -> tuple[float, float]:
         """Depth and its place, in chords."""
-        return _place(self.strip.rod)
+        return camber_of(self.strip.rod)
 
     @property
     def chord(self) -> float:
@@ -168,6 +170,22 @@ class Batten:
     def end_force(self) -> float:
         """With which the ends are pressed together, N."""
         return float(np.hypot(*self.strip.reactions().start_force))
+
+    def of_leaves(self, leaves: int) -> LeafedRod:
+        """The stock glued of so many equal leaves, not planed; their ends bring it nearest to this shape.
+
+        Raises
+        ------
+        InputError
+            The stock is no strip, or the number no whole one.
+        NotConvergedError
+            No such stack comes to rest between the pressed ends.
+        """
+        stock = self.spec.stock
+        if not isinstance(stock, ThicknessLaw):
+            raise InputError("leaves are of a strip: give a ThicknessLaw as stock")
+        leaf = stock.sheet.with_thickness(stock.largest / max(leaves, 1))
+        return lay_leaves(self.strip.rod, LeavesLaw(leaf, leaves, stock.width))
 
     def table(self, stations: FloatArray | list[float]) -> dict[str, FloatArray]:
         """Columns (n,) by name at stations (n,), mm along the batten: size in mm and inch, strain, and safety.
@@ -210,7 +228,7 @@ def _pressed(spec: BattenSpec, taper: float, chord: float, nodes: int) -> Rod:
     return bend(flat, end=(chord * spec.length, 0.0))
 
 
-def _place(rod: Rod) -> tuple[float, float]:
+def camber_of(rod: Rod) -> tuple[float, float]:
     """The largest distance from the chord and where it lies, in chords, by a parabola through three nodes."""
     chord = rod.position[-1] - rod.position[0]
     size = float(chord @ chord)

@@ -14,9 +14,11 @@ from elastica_cad.cli.asking.lengths import LENGTH, POINT
 from elastica_cad.cli.asking.options import asked_sheet, join_options, output_options, sheet_options
 from elastica_cad.cli.running.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.batten import Batten, BattenSpec
+from elastica_cad.fabrication.batten import MM_PER_INCH, Batten, BattenSpec, camber_of
+from elastica_cad.fabrication.leaf_stack import LeafStack
 from elastica_cad.files import save
 from elastica_cad.formats.file_access.file_transaction import write_together
+from elastica_cad.mechanics.material.glued_leaves import MOST_LEAVES
 from elastica_cad.mechanics.material.tapered_sections import RoundLaw, ThicknessLaw
 
 LEAST_SHARE = 0.25  # of the stock's size, that is left unless told
@@ -33,6 +35,8 @@ _STOCK = (
     click.option("--bore", type=float, default=0.0, metavar="SHARE", help="Of a tube: inner over outer diameter."),
     click.option("--least", type=LENGTH, metavar="MM",
                  help="Thinnest place that is allowed  [default: a quarter of the stock]."),
+    click.option("--leaves", type=click.IntRange(2, MOST_LEAVES), metavar="N",
+                 help="Glue the strip of N equal leaves instead of planing it: where they end is told."),
     click.option("--stations", type=click.IntRange(2, MOST_STATIONS), default=11, show_default=True, metavar="N",
                  help="Rows of the table, evenly from end to end."),
     click.option("--every", type=LENGTH, metavar="MM", help="A row for this distance instead."),
@@ -50,7 +54,8 @@ def batten(**chosen: Any) -> None:
 
     The ends turn freely and are pressed together until the camber is as deep as asked. Writes NAME.csv (sizes in mm
     and inch, strain, safety), NAME.svg and NAME.dxf (the side view at full size), NAME.json, NAME.pdf (the same on
-    paper, in tiles; needs matplotlib) and NAME.step (flat and bent; needs build123d or CadQuery).
+    paper, in tiles; needs matplotlib) and NAME.step (flat and bent; needs build123d or CadQuery). With --leaves the
+    drawings are those of the leaves, NAME.csv is their cut list, and there is no STEP file.
 
     \b
       elastica batten --sheet pom-1 --length 2400 --camber 10 --at 40 --stock 25 8 --least 3 -o out
@@ -58,9 +63,11 @@ def batten(**chosen: Any) -> None:
     name = chosen["name"]
     if "/" in name or "\\" in name:
         raise InputError(f"the name {name!r} is to name files: leave out / and \\")
-    made = BattenSpec(
-        chosen["length"], chosen["camber"] / 100, chosen["at"] / 100, _stock(chosen), name
-    ).make()
+    spec = BattenSpec(chosen["length"], chosen["camber"] / 100, chosen["at"] / 100, _stock(chosen), name)
+    made = spec.make()
+    if chosen["leaves"] is not None:
+        _glue(made, chosen)
+        return
     stations = _stations(chosen)
     table = made.table(stations)
     report = _report(made, table)
@@ -72,6 +79,62 @@ def batten(**chosen: Any) -> None:
     wrote(written)
 
 
+def _glue(made: Batten, chosen: dict[str, Any]) -> None:
+    """The batten of leaves: told and written."""
+    leafed = made.of_leaves(chosen["leaves"])
+    stack, rod, law = LeafStack(leafed, made.spec.label), leafed.rod, leafed.law
+    depth, place = camber_of(rod)
+    force = float(np.hypot(*rod.force[0])) * float(rod.bending_stiffness or 0.0)
+    strain, rows = leafed.strain, stack.cut_list
+    report = {
+        "length_mm": rod.length, "camber": depth, "camber_place": place, "end_force_N": force,
+        "mass_g": rows.mass, "deviation_mm": leafed.deviation, "settled": leafed.settled,
+        "max_strain": strain.largest, "strain_limit": law.sheet.max_strain,
+        "leaf_thickness_mm": law.sheet.thickness, "leaf_width_mm": law.width,
+        "leaves": [
+            {"leaf": name, "start_mm": leaf.start, "end_mm": leaf.end, "length_mm": leaf.length}
+            for name, leaf in zip(stack.names, leafed.leaves, strict=True)
+        ],
+    }  # fmt: skip
+    written = _write_leaves(stack, report, chosen)
+    answer({"batten": report})
+    say(
+        f"{stack.label}: {rod.length:.1f} mm, {law.leaves} leaves of {law.sheet.thickness:.4g} mm: camber "
+        f"{100 * depth:.2f} % at {100 * place:.2f} % of the chord, {leafed.deviation:.2g} mm off the planed one"
+    )
+    say(
+        f"end force {force:.3g} N, {rows.mass:.4g} g, largest strain {100 * strain.largest:.2f} % "
+        f"({law.sheet.name} bears {100 * law.sheet.max_strain:.2f} %)"
+    )
+    say(f"{'leaf':>5} {'from mm':>9} {'to mm':>9} {'length mm':>10} {'inch':>8}")
+    for name, leaf in zip(stack.names, leafed.leaves, strict=True):
+        inch = leaf.length / MM_PER_INCH
+        say(f"{name:>5} {leaf.start:9.1f} {leaf.end:9.1f} {leaf.length:10.1f} {inch:8.3f}")
+    if strain.largest > law.sheet.max_strain:
+        warn(
+            "Warning: the leaves bend beyond what they bear: take thinner stock, less camber or another sheet"
+        )
+    if not leafed.settled:
+        warn("Warning: the search stopped before the ends of the leaves settled; others may come nearer")
+    wrote(written)
+
+
+def _write_leaves(stack: LeafStack, report: dict[str, Any], chosen: dict[str, Any]) -> list[Path]:
+    """Cut list, pattern, print and numbers, or none of them."""
+    name, folder = stack.label, chosen["output"]
+    kinds = ["csv", "svg", "dxf", "json", *(["pdf"] if find_spec("matplotlib") else [])]
+    with write_together(folder, [f"{name}.{kind}" for kind in kinds], force=chosen["force"]) as workshop:
+        (workshop / f"{name}.csv").write_text(stack.cut_list.csv, encoding="utf-8")
+        (workshop / f"{name}.json").write_text(json.dumps(report, indent=1) + "\n", encoding="utf-8")
+        for kind in ("svg", "dxf"):
+            save(stack.drawing, workshop / f"{name}.{kind}")
+        if "pdf" in kinds:
+            from elastica_cad.plot.template_pages import save_template
+
+            save_template(stack.drawing, workshop / f"{name}.pdf", paper=chosen["paper"])
+    return [folder / f"{name}.{kind}" for kind in kinds]
+
+
 def _stock(chosen: dict[str, Any]) -> ThicknessLaw | RoundLaw:
     sheet, strip, rod = asked_sheet(chosen), chosen["stock"], chosen["rod"]
     if (strip is None) == (rod is None):
@@ -80,6 +143,10 @@ def _stock(chosen: dict[str, Any]) -> ThicknessLaw | RoundLaw:
         )
     largest = rod if strip is None else strip[1]
     least = LEAST_SHARE * largest if chosen["least"] is None else chosen["least"]
+    if chosen["leaves"] is not None:
+        if strip is None:
+            raise InputError("--leaves are of a strip: give --stock WIDTH THICKNESS instead of --rod")
+        least = max(least, largest / chosen["leaves"])
     if strip is not None:
         if chosen["bore"]:
             raise InputError("--bore is of a tube: give --rod DIAMETER, or leave it out")

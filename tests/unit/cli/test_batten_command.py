@@ -74,6 +74,23 @@ def test_an_independent_solver_finds_the_camber_where_it_is_asked_for(law, cambe
     assert np.hypot(*(found.sol(u)[:2] - (x, y))).max() < 1e-4
 
 
+def test_leaves_instead_of_a_plane(tmp_path, check_drawing_file):
+    told = run(*ASKED, "--stock", 25, 8, "--least", 3, "--leaves", 4, "-o", tmp_path)
+    assert told.exit_code == 0, told.output
+    assert "4 leaves of 2 mm" in told.output
+    report = json.loads((tmp_path / "batten.json").read_text())
+    assert report["camber"] == pytest.approx(0.1, abs=2e-3)
+    assert report["camber_place"] == pytest.approx(0.4, abs=1e-2)
+    rows = list(csv.DictReader((tmp_path / "batten.csv").read_text().splitlines()))
+    lengths = [float(row["length_mm"]) for row in rows]
+    assert lengths == pytest.approx([one["length_mm"] for one in report["leaves"]], abs=0.01)
+    assert (lengths[0], len(lengths), {row["thickness_mm"] for row in rows}) == (2400.0, 4, {"2"})
+    outlines = [one for one in check_drawing_file(tmp_path / "batten.dxf") if one.layer == "CUT_OUTER"]
+    assert sorted(one.area for one in outlines) == pytest.approx(sorted(25.0 * np.array(lengths)), rel=1e-4)
+    assert sum(lengths) * 25 * 2 * 1.41e-3 == pytest.approx(report["mass_g"], rel=0.01)
+    assert not (tmp_path / "batten.step").exists()
+
+
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
@@ -83,6 +100,8 @@ def test_an_independent_solver_finds_the_camber_where_it_is_asked_for(law, cambe
         (("--stock", 25, 8, "--bore", 0.5), "--bore is of a tube"),
         (("--stock", 25, 8, "--every", 0.1), "--every is 0.1 mm"),
         (("--stock", 25, 8, "--name", "a/b"), "leave out /"),
+        (("--rod", 8, "--leaves", 4), "--leaves are of a strip"),
+        (("--stock", 25, 8, "--leaves", 1), "2<=x<=50"),
     ],
 )
 def test_a_slip_is_one_sentence(arguments, said, tmp_path):

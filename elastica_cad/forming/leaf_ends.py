@@ -1,0 +1,335 @@
+"""Where the leaves of a glued stack end, so that it bends as near as it can to a given curve."""
+
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
+
+import numpy as np
+
+from elastica_cad._types import FloatArray, IntArray
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.forming.limits import Keep, Limits
+from elastica_cad.forming.nearest.nearest_rod import nearest_rod
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.loads.weight import Weight
+from elastica_cad.mechanics.material.glued_leaves import LeavesLaw
+from elastica_cad.mechanics.material.section_limits import LayerStrain
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.mechanics.theorem1.verdict import NotRealizable
+
+NODES = 401
+"""Of the rods that are compared: a step within a cell counts by its share, so places are continuous."""
+
+SHORTEST_SHARE = 0.01
+"""Of the length: pieces of leaves, and what lies between ends, are no shorter."""
+
+ROUNDINGS = (0.35, 0.5, 0.65)
+"""From which part of a leaf on it is laid, where searches begin; the best of their answers is taken."""
+
+DIFFERENCE = 1e-4
+"""Step, in lengths, of the differences that the search goes by."""
+
+SETTLED = 1e-7
+"""Relative change of the distance, and of the places, that ends a search."""
+
+MOST_TRIALS = 60  # of one search, each with one difference a place
+
+
+@dataclass(frozen=True)
+class Leaf:
+    """One leaf, or a piece of one: the `number`th from the through one (1), from `start` to `end`, mm."""
+
+    number: int
+    start: float
+    end: float
+
+    @property
+    def length(self) -> float:
+        """mm."""
+        return self.end - self.start
+
+
+@dataclass(frozen=True, eq=False)
+class LeafedRod:
+    """A rod of glued leaves, bent.
+
+    Attributes
+    ----------
+    rod : Rod
+        At rest, bent forward with the stiffness of its leaves.
+    law : LeavesLaw
+    leaves : tuple of Leaf
+        The first goes all the way; the others in the order of their numbers.
+    deviation, mean_deviation : float
+        Largest and root mean square distance, mm, of its points from those of the curve at the same share of
+        the length.
+    relaxed : Rod
+        The rod from which the leaves were laid: any thickness, and no leaf.
+    settled : bool
+        Did the search end where small moves of the leaves' ends bring nothing? A local optimum then.
+    """
+
+    rod: Rod
+    law: LeavesLaw
+    leaves: tuple[Leaf, ...]
+    deviation: float
+    mean_deviation: float
+    relaxed: Rod
+    settled: bool
+
+    def counts(self, s: FloatArray) -> FloatArray:
+        """How many leaves (n,) lie at arc lengths (n,), mm."""
+        inside = np.minimum(s, np.nextafter(self.rod.length, 0.0))
+        lie = [(leaf.start <= inside) & (inside < leaf.end) for leaf in self.leaves]
+        return np.asarray(np.sum(lie, axis=0), dtype=float)
+
+    @cached_property
+    def strain(self) -> LayerStrain:
+        """Of the outermost fibre at the nodes (n,), and on either side of where leaves end, from the moment."""
+        rod, law = self.rod, self.law
+        steps = np.array([s for leaf in self.leaves for s in (leaf.start, leaf.end) if 0 < s < rod.length])
+        nudge = 1e-9 * rod.length
+        s = np.sort(np.concatenate([rod.s, steps - nudge, steps + nudge]))
+        counts = self.counts(s)
+        moment = np.interp(s, rod.s, rod.moment) * float(rod.bending_stiffness or 1.0)
+        (found,) = law.strains(moment / law.bending_stiffness(counts), counts)
+        return found
+
+
+def nearest_leaves(
+    curve: PlaneCurve,
+    law: LeavesLaw,
+    limits: Limits | None = None,
+    keep: Keep | None = None,
+    gravity: Gravity | None = None,
+    *,
+    supports: Supports | None = None,
+) -> LeafedRod:
+    """The glued stack whose leaves end where it bends nearest to a curve, between the same ends.
+
+    First a rod of any thickness between one leaf and all: `optimal_rod`, or where limits or keep are given,
+    or no such rod rests in the curve, `nearest_rod`. Then leaves where that is thick; then their ends and the
+    angles of the clamps are moved until the distance is least: a local optimum. Of gravity only the direction
+    counts, as with every section.
+
+    Raises
+    ------
+    InputError
+        Arguments of another kind, or limits that exclude each other.
+    NotConvergedError
+        No taper meets the limits, or no stack comes to rest.
+
+    Examples
+    --------
+    >>> arch = PlaneCurve.spline([(0, 0), (60, 150), (150, 190), (240, 150), (300, 0)])
+    >>> from elastica_cad.mechanics.material.sheet import Sheet
+    >>> law = LeavesLaw(Sheet("ash leaf", 0.6, 12000.0, density=680.0, max_strain=0.02), 4, width=20.0)
+    >>> stack = nearest_leaves(arch, law)
+    >>> [leaf.number for leaf in stack.leaves], stack.deviation < 0.01 * stack.rod.length
+    ([1, 2, 3, 4], True)
+    """
+    if not isinstance(law, LeavesLaw):
+        raise InputError(f"the law is {law!r}: give a LeavesLaw(sheet, leaves, width)")
+    return lay_leaves(
+        _relaxed(curve, law, limits, keep, gravity, supports), law, curve.sample(NODES).position
+    )
+
+
+def _relaxed(
+    curve: PlaneCurve,
+    law: LeavesLaw,
+    limits: Limits | None,
+    keep: Keep | None,
+    gravity: Gravity | None,
+    supports: Supports | None,
+) -> Rod:
+    """The rod of any thickness: as thick as the stack may be where it can rest in the curve."""
+    if limits is None and keep is None:
+        try:
+            return optimal_rod(curve, gravity, supports, section=law.relaxed)
+        except (InputError, NotRealizable, NotConvergedError):
+            pass  # too thin somewhere, or no such curve: then the nearest
+    near = nearest_rod(curve, limits, keep, gravity, supports=supports, section=law.relaxed)
+    if not near.met:
+        raise NotConvergedError(str(near))
+    return near.rod
+
+
+def lay_leaves(relaxed: Rod, law: LeavesLaw, drawn: FloatArray | None = None) -> LeafedRod:
+    """Leaves for a rod of any thickness, their ends moved until it bends nearest to `drawn`.
+
+    Parameters
+    ----------
+    relaxed : Rod
+        With `bending_stiffness`, between those of one leaf and of all.
+    drawn : (NODES, 2) array, optional
+        Points at equal shares of the length, mm; the rod's own shape unless given.
+
+    Raises
+    ------
+    NotConvergedError
+        No stack comes to rest between the same ends.
+    """
+    target = _at_shares(relaxed) if drawn is None else drawn
+    searches: dict[tuple[tuple[int, ...], ...], _Search] = {}
+    for rounding in ROUNDINGS:
+        search = _Search.of(relaxed, law, target, rounding)
+        searches.setdefault(tuple(map(tuple, search.steps.tolist())), search)
+    found = [answer for search in searches.values() if (answer := search.answer()) is not None]
+    if not found:
+        raise NotConvergedError(
+            f"no stack of {law.leaves} leaves comes to rest near this curve: take more and thinner leaves"
+        )
+    return min(found, key=lambda one: one.mean_deviation)
+
+
+def _at_shares(rod: Rod) -> FloatArray:
+    s = np.linspace(0.0, rod.length, NODES)
+    return np.column_stack([np.interp(s, rod.s, column) for column in rod.position.T])
+
+
+@dataclass(frozen=True, eq=False)
+class _Search:
+    """Places of steps of a given order, and the angles of clamps, that bring a stack nearest to points.
+
+    Attributes
+    ----------
+    steps : (m, 2) int array
+        Number of the leaf that begins (+1) or ends (-1) at each place, in the order of `places`.
+    places : (m,) array
+        To begin with, in lengths.
+    first : tuple of int
+        Numbers of the leaves that begin at the start.
+    """
+
+    relaxed: Rod
+    law: LeavesLaw
+    drawn: FloatArray
+    steps: IntArray
+    places: FloatArray
+    first: tuple[int, ...]
+
+    @classmethod
+    def of(cls, relaxed: Rod, law: LeavesLaw, drawn: FloatArray, rounding: float) -> "_Search":
+        """Leaf k where the relaxed thickness is more than k - 1 + `rounding` leaves."""
+        s = np.linspace(0.0, 1.0, 20 * NODES)
+        EI = relaxed.profile(s * relaxed.length) * float(relaxed.bending_stiffness or 1.0)
+        leaves = law.relaxed.parameter(EI) / law.sheet.thickness
+        found: list[tuple[float, int, int]] = []
+        first = [1]
+        for number in range(2, law.leaves + 1):
+            inside = leaves > number - 1 + rounding
+            edges = np.flatnonzero(np.diff(inside.astype(int)))
+            signs = np.diff(inside.astype(int))[edges]
+            first += [number] if inside[0] else []
+            found += [(float(s[i + 1]), number, int(sign)) for i, sign in zip(edges, signs, strict=True)]
+        found.sort()
+        return cls(
+            relaxed, law, drawn, np.array([(number, sign) for _, number, sign in found]).reshape(-1, 2),
+            np.array([at for at, _, _ in found]), tuple(first),
+        )  # fmt: skip
+
+    @property
+    def turned(self) -> list[int]:
+        """Which ends (0, 1) are clamps, whose angle may change."""
+        return [i for i, end in enumerate(self.relaxed.supports.ends) if end.angle]
+
+    def answer(self) -> LeafedRod | None:
+        """The best places found; None where no stack rests."""
+        from scipy.optimize import least_squares
+
+        start = np.concatenate([self.places, self.relaxed.angle[[0, -1]][self.turned]])
+        try:
+            known = self._bent(start, self.relaxed)
+        except (InputError, NotConvergedError):
+            return None
+        shape = [known]
+        missed = partial(self._missed, shape=shape)
+        if not start.size:
+            return self._told(start, known, settled=True)
+        low = np.full(start.size, -np.inf)
+        high = np.full(start.size, np.inf)
+        low[: self.places.size], high[: self.places.size] = 0.0, 1.0
+        found = least_squares(
+            missed, start, bounds=(low, high), diff_step=DIFFERENCE, ftol=SETTLED, xtol=SETTLED, gtol=1e-12,
+            max_nfev=MOST_TRIALS, x_scale="jac",
+        )  # fmt: skip
+        return self._told(found.x, self._bent(found.x, shape[0]), settled=found.status > 0)
+
+    def _missed(self, x: FloatArray, shape: list[Rod]) -> FloatArray:
+        """Distances from the drawn points in lengths; far where the stack does not rest."""
+        try:
+            rod = self._bent(x, shape[0])
+        except (InputError, NotConvergedError):
+            return np.ones(2 * NODES)
+        shape[0] = rod
+        return np.asarray((rod.position - self.drawn).ravel() / (rod.length * np.sqrt(NODES)))
+
+    def _apart(self, places: FloatArray) -> FloatArray:
+        """The places in their order, no nearer to each other or to the ends than a piece is long."""
+        m = places.size
+        room = min(SHORTEST_SHARE, 0.5 / (m + 1))
+        low, high = room * np.arange(1, m + 1), 1 - room * np.arange(m, 0, -1)
+        gaps = np.clip(np.sort(places), low, high) - low
+        return np.asarray(np.maximum.accumulate(gaps) + low)
+
+    def _bent(self, x: FloatArray, guess: Rod) -> Rod:
+        """The stack of places x at rest between the ends of the relaxed rod."""
+        relaxed = self.relaxed
+        s = np.linspace(0.0, relaxed.length, NODES)
+        compliance, newtons = self._cells(x[: self.places.size])
+        B = 1 / float(compliance.max())
+        weight = None if relaxed.gravity is None else Weight(alpha=Profile.interpolate(s, newtons))
+        flat = Rod.straight(
+            relaxed.length, 1 / (compliance * B), samples=NODES, gravity=relaxed.gravity, supports=relaxed.supports,
+            weight=weight, bending_stiffness=B,
+        )  # fmt: skip
+        angles: list[float | None] = [None, None]
+        for i, value in zip(self.turned, x[self.places.size :], strict=True):
+            angles[i] = float(value)
+        start, end = (
+            place if support.x or support.y else None
+            for place, support in zip(relaxed.position[[0, -1]], relaxed.supports.ends, strict=True)
+        )
+        return bend(flat, start=start, end=end, angles=(angles[0], angles[1]), guess=guess)
+
+    def _cells(self, places: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Mean of 1 / (E I) and of the weight per length, N/mm, over the cells of the nodes (n,)."""
+        edges = np.concatenate([[0.0], (np.arange(NODES - 1) + 0.5) / (NODES - 1), [1.0]])
+        cuts, counts = self._stack(places)
+        values = 1 / self.law.bending_stiffness(counts), self.law.weight_per_length(counts)
+        means = []
+        for value in values:
+            reached = np.concatenate([[0.0], np.cumsum(value * np.diff(cuts))])
+            means.append(np.diff(np.interp(edges, cuts, reached)) / np.diff(edges))
+        return means[0], means[1]
+
+    def _stack(self, places: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Where the number of leaves changes (m + 2,), in lengths, and how many lie between (m + 1,)."""
+        cuts = np.concatenate([[0.0], self._apart(places), [1.0]])
+        return cuts, len(self.first) + np.concatenate([[0], np.cumsum(self.steps[:, 1])])
+
+    def _told(self, x: FloatArray, rod: Rod, *, settled: bool) -> LeafedRod:
+        places, length = self._apart(x[: self.places.size]), rod.length
+        began = dict.fromkeys(self.first, 0.0)
+        leaves = []
+        for at, (number, sign) in zip(places * length, self.steps, strict=True):
+            if sign > 0:
+                began[int(number)] = float(at)
+            else:
+                leaves.append(Leaf(int(number), began.pop(int(number)), float(at)))
+        leaves += [Leaf(number, start, length) for number, start in began.items()]
+        cuts, counts = self._stack(places)
+        K = self.law.bending_stiffness(counts) / float(rod.bending_stiffness or 1.0)
+        stepped = Profile(
+            np.concatenate([[0.0], np.repeat(cuts, 2)[1:-1], [1.0]]) * length, np.repeat(K, 2), 1
+        )
+        off = np.hypot(*(rod.position - self.drawn).T)
+        return LeafedRod(
+            replace(rod, profile=stepped), self.law, tuple(sorted(leaves, key=lambda one: (one.number, one.start))),
+            float(off.max()), float(np.sqrt((off**2).mean())), self.relaxed, settled,
+        )  # fmt: skip
