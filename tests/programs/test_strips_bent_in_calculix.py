@@ -14,6 +14,7 @@ from tests.campaign.finite_elements.cases import CASES
 from tests.campaign.finite_elements.closed_forms import LENGTH, elastica, uniform_strip
 from tests.campaign.finite_elements.sideways import pushed_together
 from tests.campaign.finite_elements.strips_in_pockets import held_in_pockets
+from tests.campaign.finite_elements.tapered import TAPERED, bend_tapered
 
 
 def test_a_rectangle_bends_into_the_elastica_of_elliptic_functions(tmp_path):
@@ -74,3 +75,11 @@ def test_pockets_with_play_move_a_strip_as_far_as_it_says(tmp_path):
     found = held_in_pockets(strip, tmp_path, name="arch", size=5.0)
     assert found.strayed == pytest.approx(found.told, rel=0.03)
     assert found.strayed > 0.5
+
+
+def test_a_tapered_strip_takes_the_drawn_curve(tmp_path):
+    """Its side view, meshed coarsely; the bank of five is the campaign's."""
+    name = "tall ellipse, nu 0"
+    bent = bend_tapered(name, TAPERED[name], tmp_path, size=8.0)
+    assert bent.strayed < 1e-3
+    assert bent.thickness[0] < 0.75 * bent.thickness[1]

@@ -13,6 +13,7 @@ from tests.campaign.finite_elements.closed_forms import known_answers
 from tests.campaign.finite_elements.sideways import swings
 from tests.campaign.finite_elements.strips_in_pockets import strips_in_pockets, strips_posed
 from tests.campaign.finite_elements.table import keep, measured
+from tests.campaign.finite_elements.tapered import tapered_strips
 
 WIDTHS = {"plain widths": False, "compensated": True}
 
@@ -23,7 +24,10 @@ def main() -> None:
     )
     parser.add_argument("--out", type=Path, default=Path("out/campaign"), help="for decks and answers of ccx")
     parser.add_argument(
-        "--only", nargs="+", default=[""], help="parts of names of strips, or: known, sideways, pockets"
+        "--only",
+        nargs="+",
+        default=[""],
+        help="parts of names of strips, or: known, sideways, pockets, tapered",
     )
     parser.add_argument("--widths", nargs="+", choices=list(WIDTHS), default=list(WIDTHS))
     asked = parser.parse_args()
@@ -46,6 +50,9 @@ def main() -> None:
     if wanted("pockets"):
         for held in (*strips_in_pockets(folder), *strips_posed(folder)):
             told("pockets", held)
+    if wanted("tapered"):
+        for bent in tapered_strips(folder):
+            told("tapered", bent)
     for case in CASES:
         if wanted(f"{case.group}, {case.name}"):
             for widths in asked.widths:
