@@ -95,6 +95,8 @@ def python() -> str:
             if inspect.isclass(thing) and issubclass(thing, Exception):
                 kind = "autoexception"
             members = "   :members:\n" if inspect.isclass(thing) else ""
+            if inspect.isclass(thing) and thing.__base__.__module__.startswith("elastica_cad.geometry"):
+                members += "   :inherited-members:\n"
             where = f"elastica_cad.{name}"
             parts += [f"### {name}", "", f"```{{eval-rst}}\n.. {kind}:: {where}\n{members}```", ""]
     return "\n".join(parts)

@@ -20,7 +20,7 @@ ROOTS = {
 
 FLOORS = (
     ("elastica_cad.cli", "command line"),
-    ("elastica_cad.kit", "a folder of files for a whole model"),
+    ("elastica_cad.kit", "a folder of files for a strip or a model"),
     ("elastica_cad.files", "the format taken from a file's name"),
     ("elastica_cad.plot", "pictures (matplotlib)"),
     ("elastica_cad.build123d", "a skin for build123d"),

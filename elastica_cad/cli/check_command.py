@@ -18,8 +18,8 @@ from elastica_cad.cli.running.typed_command import MOST_CURES
 from elastica_cad.cli.running.voice import answer, say, warn
 from elastica_cad.errors import ElasticaError
 from elastica_cad.formats.reports.check_report import report_check
+from elastica_cad.forming.fairing_request import smooth_curve
 from elastica_cad.forming.rounding_verdict import undecided_by_rounding
-from elastica_cad.forming.smoothing import smooth_curve
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
 from elastica_cad.mechanics.loads.supports import EndName, Supports
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium

@@ -3,25 +3,24 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any, TypeAlias, cast
-
-import numpy as np
+from typing import Any, cast
 
 from elastica_cad._equality import EqualByValue
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.makeability.faults import accept_faults, find_strip_faults
+from elastica_cad.fabrication.asked_gravity import AskedGravity, is_number, lightened, pull_in_plane
 from elastica_cad.fabrication.makeability.makeable_widths import compensate_within
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.makeability.splices import spliced
+from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults, find_strip_faults
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.styles import NO_WIDTH, PLAIN, Plain, Style, width_profile
 from elastica_cad.fabrication.strip.tabs import Tab
+from elastica_cad.forming.fairing_request import smooth_curve
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import LaminateLayers, RodSpec, accepted_rod
-from elastica_cad.forming.smoothing import smooth_curve
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.loads.arguments import require_curve, require_supports
@@ -37,9 +36,6 @@ from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.studies.creep import require_creep
 from elastica_cad.mechanics.theorem1.closed_curves import begin_at, flattest_place, seam_turn
 from elastica_cad.mechanics.theorem1.equilibrium_check import CORNER_RAD
-
-AskedGravity: TypeAlias = "Gravity | bool | Sequence[float] | None"
-"""A `Gravity`, True for the sheet's own weight along -y, or the direction in which that falls."""
 
 SAME_LENGTH = 1e-9
 """Relative difference below which two gravity lengths are of the same sheet: they were computed alike."""
@@ -150,7 +146,7 @@ class StripSpec(EqualByValue):
             raise InputError(f"frame is {self.frame!r}: give a Frame, the plane of the curve, or None")
         for name in ("max_width", "min_width"):
             width = getattr(self, name)
-            if width is not None and not (_is_number(width) and width > 0):
+            if width is not None and not (is_number(width) and width > 0):
                 raise InputError(f"{name} is {width}: it must be positive, in mm")
         if not callable(getattr(self.style, "laid_out", None)):
             raise InputError(
@@ -165,7 +161,7 @@ class StripSpec(EqualByValue):
             raise InputError(
                 f"ends are {len(ends)} tabs: give two, for the start and the end; Tab(0) is none"
             )
-        if self.joint is not None and not (_is_number(self.joint) and 0 <= self.joint <= self.curve.length):
+        if self.joint is not None and not (is_number(self.joint) and 0 <= self.joint <= self.curve.length):
             raise InputError(
                 f"joint is {self.joint!r}: give a place along the curve, 0 to {self.curve.length:.4g} mm, or none"
             )
@@ -198,22 +194,7 @@ class StripSpec(EqualByValue):
     @cached_property
     def _pulled(self) -> tuple[Gravity | None, float]:
         """Gravity in the plane of the curve, and the share of a weight that acts there."""
-        given = self.gravity
-        if given is None or isinstance(given, bool):
-            return (self.material.gravity() if given else None), 1.0
-        if isinstance(given, Gravity):
-            return given, 1.0
-        direction = _direction(given)
-        if len(direction) == 2:
-            return self.material.gravity(direction), 1.0
-        if self.frame is None:
-            raise InputError(
-                f"gravity {direction} is a direction in space: give frame, the plane of the curve, or two numbers, "
-                "the direction in the drawing"
-            )
-        own = self.material.elasto_gravity_length
-        felt = Gravity.in_plane(own, direction, self.frame.x_axis, self.frame.y_axis)
-        return felt, 1.0 if felt is None else (own / felt.length) ** 3
+        return pull_in_plane(self.gravity, self.material, self.frame)
 
     @property
     def in_plane(self) -> "StripSpec":
@@ -221,7 +202,7 @@ class StripSpec(EqualByValue):
         gravity, share = self._pulled
         if self.frame is None:
             return self
-        loads = self.loads if isinstance(self.loads, Weight) else _lightened(self.loads, share)
+        loads = self.loads if isinstance(self.loads, Weight) else lightened(self.loads, share)
         return replace(self, frame=None, gravity=gravity, loads=loads)
 
     @property
@@ -353,7 +334,7 @@ class StripSpec(EqualByValue):
             return self.loads
         if not self.loads:
             return None
-        return Weight(masses=_lightened(self.loads, share), own=True)
+        return Weight(masses=lightened(self.loads, share), own=True)
 
     @property
     def _bent(self) -> PlaneCurve:
@@ -404,29 +385,6 @@ def make_strip(curve: PlaneCurve, sheet: Sheet | str, **fields: Any) -> Strip:
     30.0
     """
     return StripSpec(curve, sheet, **fields).make()
-
-
-def _lightened(loads: tuple[PointMass, ...], share: float) -> tuple[PointMass, ...]:
-    return tuple(replace(one, mass=share * one.mass) for one in loads)
-
-
-def _is_number(value: object) -> bool:
-    return (
-        isinstance(value, float | int | np.number)
-        and not isinstance(value, bool)
-        and bool(np.isfinite(value))
-    )
-
-
-def _direction(given: object) -> tuple[float, ...]:
-    """Two or three numbers that say where things fall."""
-    row = tuple(given) if isinstance(given, Sequence | np.ndarray) and not isinstance(given, str) else ()
-    if len(row) not in (2, 3) or not all(_is_number(one) for one in row) or not any(row):
-        raise InputError(
-            f"gravity is {given!r}: give True, a Gravity record, or the direction in which things fall as two "
-            "numbers in the drawing or three in space, not all zero, such as (0, -1) or (0, 0, -1)"
-        )
-    return tuple(float(one) for one in row)
 
 
 def _masses(loads: object) -> tuple[PointMass, ...]:

@@ -5,10 +5,10 @@ from functools import cached_property
 
 from elastica_cad._equality import EqualByValue
 from elastica_cad.errors import InputError, NotMetError
+from elastica_cad.forming.fairing_request import Smoothing, check_smooth, smooth_curve
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod, Status
 from elastica_cad.forming.nearest.nearest_rod import nearest_rod
-from elastica_cad.forming.smoothing import Smoothing, check_smooth, smooth_curve
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.loads.arguments import (

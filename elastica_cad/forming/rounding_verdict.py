@@ -7,11 +7,11 @@ from itertools import chain
 import numpy as np
 
 from elastica_cad.errors import ElasticaError
-from elastica_cad.forming.smoothing import smooth_curve
+from elastica_cad.forming.fairing_request import smooth_curve
 from elastica_cad.geometry.curve_editing.fairing import choose_tolerance, usual_tolerance
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.curves.provenance import Provenance
-from elastica_cad.geometry.curves.tangent_healing import heal_tangents
+from elastica_cad.geometry.pen_curves.provenance import Provenance
+from elastica_cad.geometry.pen_curves.tangent_healing import heal_tangents
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 

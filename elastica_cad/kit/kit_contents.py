@@ -10,8 +10,8 @@ from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.rocking_tabs import holder_plays, rocking_tabs
 from elastica_cad.fabrication.holders.tab_seats import hold_each
 from elastica_cad.fabrication.holding.held_shape import HeldShape
-from elastica_cad.fabrication.makeability.faults import accept_faults, find_strip_faults
 from elastica_cad.fabrication.makeability.splices import Splice, spliced
+from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults, find_strip_faults
 from elastica_cad.fabrication.model.assembly import Holder
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import distinct_names

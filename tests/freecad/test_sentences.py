@@ -38,7 +38,7 @@ SPOKEN = [
     "forming/nearest/advice.py",
     "forming/plane_sections/section_curves.py",
     "forming/plane_sections/section_lines.py",
-    "forming/smoothing.py",
+    "forming/fairing_request.py",
 ]
 """Where the core makes what a user of the workbench reads."""
 

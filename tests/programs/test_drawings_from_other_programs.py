@@ -10,7 +10,7 @@ import pytest
 from elastica_cad.errors import ElasticaError
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.files import read_curves, read_drawing, save
-from elastica_cad.forming.smoothing import smooth_curve
+from elastica_cad.forming.fairing_request import smooth_curve
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod

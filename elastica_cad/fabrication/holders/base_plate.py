@@ -12,8 +12,12 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text, text_width
 from elastica_cad.fabrication.holders.placed_tab import ENDS, End, PlacedTab, place_tabs
-from elastica_cad.fabrication.makeability.faults import accept_faults, find_plate_faults, find_slot_faults
 from elastica_cad.fabrication.makeability.shop import Shop
+from elastica_cad.fabrication.makeability.uncuttable_parts import (
+    accept_faults,
+    find_plate_faults,
+    find_slot_faults,
+)
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.sheets.pieces import Piece
 from elastica_cad.fabrication.slots.slot import CLEARANCE_MM

@@ -16,8 +16,8 @@ from elastica_cad.fabrication.holders.end_plates import tab_plane, through_slots
 from elastica_cad.fabrication.holders.placed_tab import ENDS, End, place_tabs
 from elastica_cad.fabrication.holders.plate_pair import lean_pair, require_gap
 from elastica_cad.fabrication.holders.ring_plate import PLAY_MM
-from elastica_cad.fabrication.makeability.faults import accept_faults, find_plate_faults
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
+from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults, find_plate_faults
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.sheets.pieces import Piece
 from elastica_cad.fabrication.slots.slot import CLEARANCE_MM

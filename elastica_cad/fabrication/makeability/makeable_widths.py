@@ -3,8 +3,8 @@
 from dataclasses import replace
 
 from elastica_cad.fabrication.compensation import compensate_widths
-from elastica_cad.fabrication.makeability.faults import find_strip_faults
 from elastica_cad.fabrication.makeability.shop import Shop
+from elastica_cad.fabrication.makeability.uncuttable_parts import find_strip_faults
 from elastica_cad.fabrication.strip.strip_record import Strip
 
 

@@ -11,8 +11,8 @@ from elastica_cad.fabrication.holders.base_plate import FLATTEST_RAD
 from elastica_cad.fabrication.holders.placed_tab import ENDS, place_tabs
 from elastica_cad.fabrication.holders.plate_pair import ring_pair
 from elastica_cad.fabrication.holders.ring_plate import PLAY_MM, Ring, ring_plate, slot_reach
-from elastica_cad.fabrication.makeability.faults import accept_faults, find_strip_faults
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
+from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults, find_strip_faults
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.strip.strip_record import Strip

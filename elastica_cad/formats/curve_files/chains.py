@@ -17,8 +17,8 @@ from elastica_cad.formats.curve_files.number_gate import (
     check_tolerance,
 )
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.curves.provenance import Provenance
-from elastica_cad.geometry.curves.tangent_healing import heal_tangents
+from elastica_cad.geometry.pen_curves.provenance import Provenance
+from elastica_cad.geometry.pen_curves.tangent_healing import heal_tangents
 from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
 
 JOIN_TOLERANCE = 0.01  # mm: files are written with three or four decimals

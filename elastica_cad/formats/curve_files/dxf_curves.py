@@ -21,7 +21,7 @@ from elastica_cad.formats.curve_files.edge_plane import flatten_run
 from elastica_cad.formats.curve_files.edges import Edge, Run, Source
 from elastica_cad.formats.curve_files.number_gate import check_degree, check_places
 from elastica_cad.formats.file_access.source_file import look_up_unit, quiet_log
-from elastica_cad.geometry.curves.provenance import Provenance
+from elastica_cad.geometry.pen_curves.provenance import Provenance
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing

@@ -21,7 +21,7 @@ from elastica_cad.formats.curve_files.number_gate import (
 )
 from elastica_cad.formats.file_access.source_file import look_up_unit
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.curves.provenance import Provenance
+from elastica_cad.geometry.pen_curves.provenance import Provenance
 
 _DIGITS = 20_000  # numbers whose digits are looked at
 

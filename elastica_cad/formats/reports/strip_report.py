@@ -10,8 +10,8 @@ from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.curve_files.json_curves import curve_record
 from elastica_cad.formats.reports.check_report import report_check, round_numbers
+from elastica_cad.forming.fairing_request import Smoothing
 from elastica_cad.forming.nearest.nearest_record import NearestRod
-from elastica_cad.forming.smoothing import Smoothing
 from elastica_cad.mechanics.stability.sideways import SidewaysStability
 from elastica_cad.mechanics.stability.stability_verdict import Stability
 

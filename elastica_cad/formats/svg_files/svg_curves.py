@@ -17,7 +17,7 @@ from elastica_cad.formats.curve_files.number_gate import MOST_EDGES, NUMBER, che
 from elastica_cad.formats.file_access.source_file import MILLIMETRES, look_up_unit
 from elastica_cad.formats.svg_files.path_data import PathData, bezier_edge, path_data
 from elastica_cad.formats.svg_files.svg_tree import LENGTH, MARK, MM, SvgTree, svg_tree
-from elastica_cad.geometry.curves.provenance import Provenance
+from elastica_cad.geometry.pen_curves.provenance import Provenance
 
 _PX = MILLIMETRES["px"]
 _LEAST_UNIT = 1e-9  # mm

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from elastica_cad.forming.nearest.constraints.limit_rows import CurvatureLimit, MarginLimit
 from elastica_cad.forming.nearest.nearest_task import Measure, NearestTask
-from elastica_cad.forming.nearest.rod_constraints import CurvatureLimit, MarginLimit
 from elastica_cad.forming.nearest.rod_problem import RodProblem
 from elastica_cad.forming.nearest.starts import MET, RodOutcome
 

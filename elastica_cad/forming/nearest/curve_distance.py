@@ -6,7 +6,7 @@ from typing import Protocol
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
-from elastica_cad.forming.nearest.rod_constraints import thin_rows
+from elastica_cad.forming.nearest.constraints.constraint import thin_rows
 from elastica_cad.forming.nearest.rod_map import MappedRod, Sensitivities
 from elastica_cad.forming.nearest.target_curve import TargetCurve
 from elastica_cad.forming.optimizer.dense_solves import gram

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import lru_cache, partial
+from functools import partial
 from typing import Literal, TypeAlias
 
 import numpy as np
@@ -10,7 +10,24 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.forming.limits import Keep, Limits, Symmetry
-from elastica_cad.forming.nearest import rod_constraints as rows
+from elastica_cad.forming.nearest.constraints.constraint import Constraint
+from elastica_cad.forming.nearest.constraints.kept_shape import (
+    EndAngle,
+    EndForce,
+    EndMoment,
+    EndPosition,
+    InflectionLine,
+    MiddleOfMirror,
+    MiddleOfTurn,
+    Through,
+)
+from elastica_cad.forming.nearest.constraints.limit_rows import (
+    CurvatureLimit,
+    KeepOut,
+    LeastStiffness,
+    MarginLimit,
+    StrainLimit,
+)
 from elastica_cad.forming.nearest.curve_distance import (
     ClosestDistance,
     Distance,
@@ -19,6 +36,7 @@ from elastica_cad.forming.nearest.curve_distance import (
 )
 from elastica_cad.forming.nearest.rod_map import MappedRod, StripGrid
 from elastica_cad.forming.nearest.rod_problem import RodProblem
+from elastica_cad.forming.nearest.stiffness_basis import StiffnessBasis
 from elastica_cad.forming.nearest.target_curve import TargetCurve, symmetry_frame
 from elastica_cad.forming.section_scale import SectionScale
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -147,7 +165,7 @@ class NearestTask:
 
     def grid(self, weight: float = 1.0) -> StripGrid:
         """The nodes, with a share `weight` of gravity."""
-        basis = self._paired(_nodal_basis(self.nodes, self.coefficients))
+        basis = self.basis.at_nodes(self.nodes)
         if self.gravity is None:
             return StripGrid(basis, np.zeros(2), supports=self.supports)
         if self.section is None:
@@ -156,34 +174,12 @@ class NearestTask:
         carried = partial(self.section.weight, size=self.target.size)
         return StripGrid(basis, up, supports=self.supports, weight=carried)
 
-    def basis(self, s: FloatArray) -> FloatArray:
-        """Values of the basis of K at s (n,) in 0..1, its functions in mirrored pairs where symmetry is kept."""
-        return self._paired(spline_basis(s, self.coefficients))
-
-    def _paired(self, basis: FloatArray) -> FloatArray:
-        if not self.keep.symmetry:
-            return basis
-        half = (self.coefficients + 1) // 2
-        mirrored = basis[:, ::-1][:, :half].copy()
-        if self.coefficients % 2:
-            mirrored[:, -1] = 0
-        return np.asarray(basis[:, :half] + mirrored)
-
-    def coefficients_of(self, z: FloatArray) -> FloatArray:
-        """All coefficients of K, mirrored where symmetry is kept."""
-        m = self.coefficients
-        if not self.keep.symmetry:
-            return z[:m].copy()
-        half = (m + 1) // 2
-        return np.concatenate([z[:half], z[: m // 2][::-1]])
-
     def rod_of(self, mapped: MappedRod) -> Rod:
         """The rod in millimetres, least stiffness 1."""
         size = self.target.size
         least = float(mapped.stiffness.min())
         length = mapped.length * size
-        knots = _spline_knots(self.coefficients) * length
-        profile = Profile(knots, self.coefficients_of(mapped.z) / least)
+        profile = Profile(self.basis.knots * length, self.basis.coefficients(mapped.z) / least)
         nodes = self.nodes
         blank = Rod.straight(length, profile, samples=nodes, gravity=self.gravity, supports=self.supports)
         if self.section is not None:
@@ -197,6 +193,11 @@ class NearestTask:
         force = mapped.force / (least * size**2)
         reactions = (force - system.given_force)[:, list(system.held)].mean(axis=0)
         return system.state(mapped.angles, reactions).rod(blank)
+
+    @property
+    def basis(self) -> StiffnessBasis:
+        """What K is a sum of."""
+        return StiffnessBasis(self.coefficients, mirrored=bool(self.keep.symmetry))
 
     @property
     def moment_scale(self) -> float:
@@ -264,21 +265,21 @@ class NearestTask:
         shares[[0, -1]] /= 2
         return np.asarray(shares / shares.sum())
 
-    def _constraints(self, with_margin: bool) -> list[rows.Constraint]:
+    def _constraints(self, with_margin: bool) -> list[Constraint]:
         target, limits, keep = self.target, self.limits, self.keep
         end = self.supports.ends[1]
-        found: list[rows.Constraint] = []
+        found: list[Constraint] = []
         if keep.symmetry:
             found.append(self._symmetry(keep.symmetry))
         else:
             if keep.both_ends[1]:
-                found.append(rows.EndPosition(target=_pair(target.position[-1])))
+                found.append(EndPosition(target=_pair(target.position[-1])))
             if keep.both_tangents[1]:
-                found.append(rows.EndAngle(target=float(target.angle[-1])))
+                found.append(EndAngle(target=float(target.angle[-1])))
             if not end.angle:
-                found.append(rows.EndMoment(scale=self.moment_scale))
+                found.append(EndMoment(scale=self.moment_scale))
             found += [
-                rows.EndForce(axis=axis, scale=5 * self.moment_scale)
+                EndForce(axis=axis, scale=5 * self.moment_scale)
                 for axis, held in enumerate((end.x, end.y))
                 if not held
             ]
@@ -287,35 +288,33 @@ class NearestTask:
                 raise InputError(f"keep point at {s:.6g} mm lies off the drawn curve of {target.size:.6g} mm")
             place = min(s / target.size, 1.0)
             point, _ = target.at(np.array([place]))
-            found.append(rows.Through(target=_pair(point[0]), place=place))
+            found.append(Through(target=_pair(point[0]), place=place))
         if self.line is not None:
             a, b = ((np.asarray(p) - target.origin) / target.size for p in self.line)
             direction = (b - a) / np.hypot(*(b - a))
-            found.append(
-                rows.InflectionLine(point=_pair(a), direction=_pair(direction), scale=self.moment_scale)
-            )
+            found.append(InflectionLine(point=_pair(a), direction=_pair(direction), scale=self.moment_scale))
         curvature = limits.largest_curvature if self.section is None else limits.curvature
         if self.section is not None and limits.sheet is not None:
-            found.append(rows.StrainLimit(section=self.section, strain=limits.strain, size=target.size))
+            found.append(StrainLimit(section=self.section, strain=limits.strain, size=target.size))
         if curvature is not None:
-            found.append(rows.CurvatureLimit(limit=curvature * target.size))
+            found.append(CurvatureLimit(limit=curvature * target.size))
         found += [
-            rows.KeepOut(region=region, size=target.size, origin=_pair(target.origin), kept=keep.both_ends)
+            KeepOut(region=region, size=target.size, origin=_pair(target.origin), kept=keep.both_ends)
             for region in limits.keep_out
         ]
         if limits.stiffness_bounds is not None and limits.stiffness_bounds[0] is not None:
-            found.append(rows.LeastStiffness())
+            found.append(LeastStiffness())
         if with_margin and limits.margin is not None:
-            found.append(rows.MarginLimit(limit=limits.margin))
+            found.append(MarginLimit(limit=limits.margin))
         return found
 
-    def _symmetry(self, kind: Symmetry) -> rows.Constraint:
+    def _symmetry(self, kind: Symmetry) -> Constraint:
         target = self.target
         centre, axis = symmetry_frame(target, kind)
         if kind == "turn":
             if self.gravity is not None:
                 raise InputError("a half turn turns gravity over: keep symmetry='turn' only without weight")
-            return rows.MiddleOfTurn(centre=_pair(centre), scale=self.moment_scale)
+            return MiddleOfTurn(centre=_pair(centre), scale=self.moment_scale)
         if self.gravity is not None and abs(np.dot(self.gravity.direction, axis)) < 1 - 1e-9:
             raise InputError(
                 "gravity pulls across the mirror axis: a strip with weight cannot stay symmetric"
@@ -324,7 +323,7 @@ class NearestTask:
         middle = float(target.angles(np.array([0.5]))[0])
         angle = float(np.arctan2(across[1], across[0]))
         angle += np.pi * np.round((middle - angle) / np.pi)
-        return rows.MiddleOfMirror(
+        return MiddleOfMirror(
             centre=_pair(centre), axis=_pair(axis), angle=angle, scale=5 * self.moment_scale
         )
 
@@ -335,7 +334,7 @@ class NearestTask:
         if self.limits.stiffness_bounds is None:
             return low, high
         s = np.linspace(0, 1, 20 * self.coefficients + 1)
-        support = self.basis(s) > 0
+        support = self.basis.at(s) > 0
         below, above = self.limits.stiffness_bounds
         if below is not None:
             values = _along(below, s, self.target.size, "stiffness bounds")
@@ -374,25 +373,6 @@ def _inflection_line(
         )
     point, direction = np.asarray(line.point), np.asarray(line.direction)
     return point, point + direction * curve.length
-
-
-@lru_cache(maxsize=16)
-def _nodal_basis(nodes: int, coefficients: int) -> FloatArray:
-    basis = spline_basis(np.linspace(0, 1, nodes), coefficients)
-    basis.flags.writeable = False
-    return basis
-
-
-def spline_basis(x: FloatArray, count: int) -> FloatArray:
-    """Values (n, count) of the cubic B-splines with uniform clamped knots at x (n,) in 0..1."""
-    from scipy.interpolate import BSpline
-
-    return np.asarray(BSpline.design_matrix(np.clip(x, 0, 1), _spline_knots(count), 3).toarray())
-
-
-def _spline_knots(count: int) -> FloatArray:
-    """Their knots."""
-    return np.concatenate([np.zeros(3), np.linspace(0, 1, count - 2), np.ones(3)])
 
 
 def _node_weights(weights: Weights, nodes: int, size: float) -> FloatArray:

@@ -7,8 +7,8 @@ from functools import cached_property, partial
 import numpy as np
 
 from elastica_cad._types import BoolArray, FloatArray, IntArray
+from elastica_cad.forming.nearest.constraints.constraint import Constraint
 from elastica_cad.forming.nearest.curve_distance import Distance
-from elastica_cad.forming.nearest.rod_constraints import Constraint
 from elastica_cad.forming.nearest.rod_map import MappedRod, Sensitivities, StripGrid
 from elastica_cad.forming.optimizer.dense_solves import matvec
 from elastica_cad.forming.optimizer.nonlinear_program import ConstraintRows, Linearization, NonlinearProgram

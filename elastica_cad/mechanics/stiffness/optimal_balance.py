@@ -21,7 +21,7 @@ from elastica_cad.mechanics.stiffness.moment_conditions import (
 )
 from elastica_cad.mechanics.stiffness.moment_rows import LineLoad, moment_rows
 from elastica_cad.mechanics.stiffness.quadrature_panels import Panels, cut_into_panels
-from elastica_cad.mechanics.stiffness.smoothest_stiffness import largest_number
+from elastica_cad.mechanics.stiffness.stiffness_smoothing import largest_number
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
 
 ROUGH = 1e-9

@@ -23,7 +23,7 @@ from elastica_cad.mechanics.stiffness.quadrature_panels import (
     Panels,
     legendre_basis,
 )
-from elastica_cad.mechanics.stiffness.smoothest_stiffness import least_variation
+from elastica_cad.mechanics.stiffness.stiffness_smoothing import least_variation
 
 
 def _lobatto(parts: int) -> FloatArray:

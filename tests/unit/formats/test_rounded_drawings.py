@@ -7,8 +7,8 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.files import read_curves, read_drawing
+from elastica_cad.forming.fairing_request import smooth_curve
 from elastica_cad.forming.rounding_verdict import undecided_by_rounding
-from elastica_cad.forming.smoothing import smooth_curve
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium, require_bendable
 
 pytest.importorskip("svgelements")

@@ -6,15 +6,16 @@ import numpy as np
 import pytest
 
 from elastica_cad.forming.limits import Box, HalfPlane
-from elastica_cad.forming.nearest import rod_constraints as constraints
+from elastica_cad.forming.nearest.constraints import kept_shape as kept
+from elastica_cad.forming.nearest.constraints import limit_rows as limits
 from elastica_cad.forming.nearest.curve_distance import (
     ClosestDistance,
     LargestDistance,
     MeanDistance,
     measure_deviation,
 )
-from elastica_cad.forming.nearest.nearest_task import spline_basis
 from elastica_cad.forming.nearest.rod_map import StripGrid
+from elastica_cad.forming.nearest.stiffness_basis import spline_basis
 from elastica_cad.forming.nearest.target_curve import TargetCurve
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.supports import Supports
@@ -46,20 +47,20 @@ def derivative(function, z, j, h=1e-5):  # rounding and curvature weigh alike
 
 
 CONSTRAINTS = [
-    constraints.EndPosition(target=(0.5, 0.2)),
-    constraints.EndAngle(target=0.3),
-    constraints.EndMoment(scale=2.0),
-    constraints.EndForce(axis=0, scale=3.0),
-    constraints.EndForce(axis=1, scale=3.0),
-    constraints.MarginLimit(limit=5.0),
-    constraints.MarginLimit(limit=-2.0, name="margin of a rod with a pinned end"),
-    constraints.CurvatureLimit(limit=4.0),
-    constraints.KeepOut(region=HalfPlane((0, 10), (0.3, 1)), size=100.0, origin=(1.0, 2.0)),
-    constraints.KeepOut(region=Box((-500, -20), (40, 2)), size=100.0, origin=(1.0, 2.0)),
-    constraints.LeastStiffness(),
-    constraints.InflectionLine(point=(0.2, 0.3), direction=(0.6, 0.8), scale=2.0),
-    constraints.MiddleOfMirror(centre=(0.2, 0.1), axis=(0.6, 0.8), angle=0.3, scale=4.0),
-    constraints.MiddleOfTurn(centre=(0.2, 0.1), scale=4.0),
+    kept.EndPosition(target=(0.5, 0.2)),
+    kept.EndAngle(target=0.3),
+    kept.EndMoment(scale=2.0),
+    kept.EndForce(axis=0, scale=3.0),
+    kept.EndForce(axis=1, scale=3.0),
+    limits.MarginLimit(limit=5.0),
+    limits.MarginLimit(limit=-2.0, name="margin of a rod with a pinned end"),
+    limits.CurvatureLimit(limit=4.0),
+    limits.KeepOut(region=HalfPlane((0, 10), (0.3, 1)), size=100.0, origin=(1.0, 2.0)),
+    limits.KeepOut(region=Box((-500, -20), (40, 2)), size=100.0, origin=(1.0, 2.0)),
+    limits.LeastStiffness(),
+    kept.InflectionLine(point=(0.2, 0.3), direction=(0.6, 0.8), scale=2.0),
+    kept.MiddleOfMirror(centre=(0.2, 0.1), axis=(0.6, 0.8), angle=0.3, scale=4.0),
+    kept.MiddleOfTurn(centre=(0.2, 0.1), scale=4.0),
 ]
 
 
@@ -77,7 +78,7 @@ def test_rows_are_derivatives(constraint, grid, z):
 def test_a_point_is_passed_at_its_foot(grid, z):
     """On the rod the foot does not matter; beside it the row holds for the foot that is found."""
     rod = grid.shoot(z)
-    constraint = constraints.Through(target=tuple(rod.position[30]), place=30 / EDGES)
+    constraint = kept.Through(target=tuple(rod.position[30]), place=30 / EDGES)
     assert abs(constraint.values(rod)[0]) < 1e-14
     _, rows = constraint.rows(grid.sensitivities(rod))
     for j in range(z.size):

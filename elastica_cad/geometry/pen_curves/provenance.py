@@ -6,7 +6,7 @@ from typing import Literal, TypeAlias
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad.geometry.curves.tangent_healing import Turn
+from elastica_cad.geometry.pen_curves.tangent_healing import Turn
 
 Drawn: TypeAlias = Literal["pen", "exact"]
 """What a curve was drawn as: Bezier pieces of a pen tool, or a shape that is meant to the last digit."""

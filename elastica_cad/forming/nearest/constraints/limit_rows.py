@@ -1,0 +1,157 @@
+"""What a rod may not exceed: curvature, strain, keep-out regions, least stiffness, margin of stability."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad._types import FloatArray, IntArray
+from elastica_cad.forming.limits import Box, HalfPlane
+from elastica_cad.forming.nearest.constraints.constraint import Constraint, all_rows, thin_rows
+from elastica_cad.forming.nearest.rod_map import MappedRod, Sensitivities
+from elastica_cad.forming.section_scale import SectionScale
+
+_NEAR = 0.6  # of a limit: values within it enter the quadratic program, as a step may use them up
+_STEP = 1e-5  # relative step of K for derivatives of strain
+
+
+@dataclass(frozen=True, kw_only=True)
+class MarginLimit(Constraint):
+    """Stability margin, for least stiffness 1, at least `limit`."""
+
+    limit: float
+    name: str = "margin"
+    one_sided: bool = True
+    price: float = 1.0
+    near_balance_only: bool = True
+
+    @property
+    def scale(self) -> float:
+        """Size of a badly missed margin."""
+        return max(10.0, abs(self.limit))
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """(mu - limit min K) / scale, (1,)."""
+        return np.array([(rod.margin.value - self.limit * rod.stiffness.min()) / self.scale])
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """Chain rule from K, angles, forces and length to z."""
+        rod, d = sensitivities.rod, sensitivities.rod.margin_derivatives
+        u = sensitivities.grid.unknowns
+        row = d.angles @ sensitivities.angles[1:-1] + sensitivities.along_forces(d.force)
+        by_stiffness = d.stiffness.copy()
+        by_stiffness[int(np.argmin(rod.stiffness))] -= self.limit
+        row[u.stiffness] += by_stiffness @ sensitivities.grid.basis
+        row[u.length] += d.length
+        return all_rows(row[None] / self.scale)
+
+
+@dataclass(frozen=True, kw_only=True)
+class CurvatureLimit(Constraint):
+    """|M / K| at most `limit`, node by node."""
+
+    limit: float
+    name: str = "curvature"
+    one_sided: bool = True
+    price: float = 1.0
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """1 - |M / K| / limit, (n+1,)."""
+        return np.asarray(1 - np.abs(rod.moments / rod.stiffness) / self.limit)
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """The nodes that are bent most."""
+        rod = sensitivities.rod
+        values = self.values(rod)
+        near = thin_rows(np.flatnonzero(values < 1 - _NEAR), -values)
+        K, M = rod.stiffness[near, None], rod.moments[near, None]
+        rows = -np.sign(M) / K * sensitivities.moments[near] / self.limit
+        rows[:, sensitivities.grid.unknowns.stiffness] += (
+            np.abs(M) / K**2 * sensitivities.grid.basis[near] / self.limit
+        )
+        return near, rows
+
+
+@dataclass(frozen=True, kw_only=True)
+class StrainLimit(Constraint):
+    """The strain of every node at most its limit, whatever the section is there."""
+
+    section: SectionScale
+    strain: float | None
+    size: float
+    name: str = "strain"
+    one_sided: bool = True
+    price: float = 1.0
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """1 - strain / limit, (n+1,)."""
+        return np.asarray(1 - self._share(rod.stiffness) * np.abs(rod.moments / rod.stiffness))
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """The nodes that are strained most."""
+        rod = sensitivities.rod
+        values = self.values(rod)
+        near = thin_rows(np.flatnonzero(values < 1 - _NEAR), -values)
+        K, M = rod.stiffness, rod.moments
+        share = self._share(K)
+        slope = (self._share(K * (1 + _STEP)) - self._share(K * (1 - _STEP))) / (2 * _STEP * K)
+        by_moment, by_stiffness = -np.sign(M) * share / K, np.abs(M) * (share / K - slope) / K
+        rows = by_moment[near, None] * sensitivities.moments[near]
+        basis = sensitivities.grid.basis[near]
+        rows[:, sensitivities.grid.unknowns.stiffness] += by_stiffness[near, None] * basis
+        return near, rows
+
+    def _share(self, stiffness: FloatArray) -> FloatArray:
+        return self.section.strain(stiffness, self.strain) / self.size
+
+
+@dataclass(frozen=True, kw_only=True)
+class KeepOut(Constraint):
+    """Every node outside a region; the region is in millimetres, the rod in `size` from `origin`.
+
+    Ends that are `kept` where they are do not count: on the border they would only fight what keeps them.
+    """
+
+    region: HalfPlane | Box
+    size: float
+    origin: tuple[float, float]
+    kept: tuple[bool, bool] = (False, False)
+    name: str = "keep-out"
+    one_sided: bool = True
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """Clearances (n+1,)."""
+        return self._clearance(rod)[0]
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """The nodes that may come near in one step."""
+        rod = sensitivities.rod
+        value, gradient = self._clearance(rod)
+        near = thin_rows(np.flatnonzero(value < 0.1), -value)
+        d = sensitivities.position[near]
+        return near, gradient[near, 0, None] * d[:, 0] + gradient[near, 1, None] * d[:, 1]
+
+    def _clearance(self, rod: MappedRod) -> tuple[FloatArray, FloatArray]:
+        value, gradient = self.region.clearance(rod.position * self.size + np.asarray(self.origin))
+        value = value / self.size
+        value[[0, -1]] = np.where(self.kept, 1.0, value[[0, -1]])
+        return value, gradient
+
+
+@dataclass(frozen=True, kw_only=True)
+class LeastStiffness(Constraint):
+    """The least stiffness is 1, where lower bounds along the strip are meant in units of it."""
+
+    name: str = "stiffness bounds"
+    one_sided: bool = True
+    price: float = 1.0
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """1 - min K, (1,); the box keeps it from growing."""
+        return np.array([1 - rod.stiffness.min()])
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """The softest node."""
+        grid, rod = sensitivities.grid, sensitivities.rod
+        row = np.zeros((1, sensitivities.angles.shape[1]))
+        row[0, grid.unknowns.stiffness] = -grid.basis[int(np.argmin(rod.stiffness))]
+        return all_rows(row)

@@ -1,0 +1,293 @@
+"""Plane NURBS curves as numbers: how they are made, checked, evaluated and mapped."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Self
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.curves.continuity import in_millimetres, refuse_standstill
+from elastica_cad.geometry.curves.curve_derivatives import RationalPieces, quotient
+from elastica_cad.geometry.curves.projective_maps import keeps_shape, map_spline
+from elastica_cad.geometry.pen_curves.provenance import Provenance
+from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
+from elastica_cad.geometry.polynomials.conics import unit_circle_arc
+from elastica_cad.geometry.polynomials.fit_function import adaptive_spline
+from elastica_cad.geometry.polynomials.fit_points import fit_spline
+from elastica_cad.geometry.polynomials.spline_checks import check_knots, finite, whole_degree
+
+FAR_SIZES = 1e6
+"""A curve moved farther away than so many of its sizes loses digits, and is checked again."""
+
+MOST_UNEVEN = 1e8
+"""Largest weight over the least: beyond, places come to rounding."""
+
+
+@dataclass(frozen=True, eq=False)
+class NurbsCurve:
+    """Knots, control points and weights that make a curve with a tangent everywhere: see `PlaneCurve`."""
+
+    knots: FloatArray
+    control_points: FloatArray
+    degree: int
+    weights: FloatArray | None = None
+    provenance: Provenance | None = None
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "degree", whole_degree(self.degree))
+        points = finite("control_points", self.control_points)
+        if points.ndim != 2 or points.shape[1] != 2:
+            raise InputError(f"control_points must be rows of x, y: shape (m, 2), not {points.shape}")
+        object.__setattr__(self, "control_points", points)
+        object.__setattr__(self, "knots", finite("knots", self.knots))
+        check_knots(self.knots, points.shape[0], self.degree)
+        if self.weights is not None:
+            weights = finite("weights", self.weights)
+            if weights.shape != (points.shape[0],):
+                raise InputError(f"{points.shape[0]} control points need as many weights, not {weights.size}")
+            if weights.min() <= 0:
+                raise InputError(
+                    f"weight {int(weights.argmin())} is {weights.min():g}: weights must be positive"
+                )
+            if weights.max() > MOST_UNEVEN * weights.min():
+                raise InputError(
+                    f"weights run from {weights.min():.3g} to {weights.max():.3g}: the largest may be "
+                    f"{MOST_UNEVEN:g} times the least; export the curve without them"
+                )
+            object.__setattr__(self, "weights", weights if np.ptp(weights) > 0 else None)
+        drawn = self.provenance
+        shown, rounding = (in_millimetres, 0.0) if drawn is None else (drawn.shown, drawn.rounding)
+        refuse_standstill(self._pieces, self.control_points, shown, rounding)
+
+    @classmethod
+    def of_sound(
+        cls,
+        knots: FloatArray,
+        control_points: FloatArray,
+        degree: int,
+        weights: FloatArray | None,
+        provenance: Provenance | None = None,
+    ) -> Self:
+        """The curve of numbers that need no check, being those of a part or a moved copy of a curve."""
+        made = object.__new__(cls)
+        for name, value in (("knots", knots), ("control_points", control_points), ("weights", weights)):
+            if value is not None:
+                value.setflags(write=False)
+            object.__setattr__(made, name, value)
+        object.__setattr__(made, "degree", degree)
+        object.__setattr__(made, "provenance", provenance)
+        return made
+
+    @classmethod
+    def spline(cls, control_points: ArrayLike, degree: int = 4) -> Self:
+        """The clamped B-spline with uniform knots over `control_points` (m, 2), m > degree."""
+        points, degree = finite("control_points", control_points), whole_degree(degree)
+        count = points.shape[0] if points.ndim else 0
+        if count <= degree:
+            raise InputError(
+                f"{count} control points are too few for degree {degree}: give {degree + 1} or more"
+            )
+        inner = np.linspace(0.0, 1.0, count - degree + 1)
+        knots = np.concatenate([np.zeros(degree), inner, np.ones(degree)])
+        return cls(knots, points, degree)
+
+    @classmethod
+    def line(cls, start: ArrayLike, end: ArrayLike, *, degree: int = 2) -> Self:
+        """The straight segment between two points."""
+        a, b = finite("start", start), finite("end", end)
+        u = np.linspace(0.0, 1.0, degree + 1)[:, None]
+        return cls(np.repeat([0.0, 1.0], degree + 1), a * (1 - u) + b * u, degree)
+
+    @classmethod
+    def arc(cls, center: ArrayLike, radius: float, start_angle: float, end_angle: float) -> Self:
+        """The circular arc between two angles (rad), counterclockwise when end_angle > start_angle; exact."""
+        return cls.ellipse(center, (radius, radius), start=start_angle, end=end_angle)
+
+    @classmethod
+    def ellipse(
+        cls,
+        center: ArrayLike,
+        semi_axes: ArrayLike,
+        rotation: float = 0.0,
+        start: float = 0.0,
+        end: float = 2 * np.pi,
+    ) -> Self:
+        """The ellipse arc (a cos v, b sin v), v from start to end (rad), turned and moved; exact."""
+        centre, axes = finite("center", center), finite("semi_axes", semi_axes)
+        if axes.shape != (2,) or axes.min() <= 0:
+            raise InputError(f"semi-axes (or the radius) must be positive, not {axes.tolist()}")
+        span = finite("angles", [rotation, start, end])
+        if start == end:
+            raise InputError("the arc has zero length: start and end angle are the same")
+        knots, points, weights = unit_circle_arc(float(span[1]), float(span[2]))
+        c, s = np.cos(rotation), np.sin(rotation)
+        return cls(knots, centre + points * axes @ np.array([[c, s], [-s, c]]), 2, weights)
+
+    @classmethod
+    def fit(
+        cls, points: ArrayLike, degree: int = 4, tolerance: float = 0.05, smoothing: float | None = None
+    ) -> Self:
+        """A spline with few control points that passes all `points` (n, 2) within `tolerance` mm.
+
+        Parameters
+        ----------
+        points : (n, 2) array_like
+            Points in order, mm; the first and last are met exactly.
+        degree : int
+            3, 4 or 5.
+        tolerance : float
+            Largest distance of a point from the curve, mm.
+        smoothing : float, optional
+            Weight of the mean square third derivative (mm, parameter from 0 to 1) beside the mean square
+            distance (mm2); it may then miss the tolerance. Chosen by the noise of the points when not given.
+
+        Examples
+        --------
+        >>> v = np.linspace(0, 3, 60)
+        >>> from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+        >>> curve = PlaneCurve.fit(np.column_stack([100 * np.cos(v), 100 * np.sin(v)]), tolerance=1e-3)
+        >>> round(curve.length, 2)
+        300.0
+        """
+        knots, control_points = fit_spline(points, degree, tolerance, smoothing)
+        return cls(knots, control_points, degree)
+
+    @classmethod
+    def fit_function(
+        cls,
+        function: Callable[[FloatArray], FloatArray],
+        start: float,
+        end: float,
+        *,
+        tolerance: float = 1e-6,
+        degree: int = 4,
+        breaks: Sequence[tuple[float, int]] = (),
+    ) -> Self:
+        """The spline that follows a smooth function within `tolerance` mm, in the function's own parameter.
+
+        Parameters
+        ----------
+        function : callable
+            Maps parameters (k,) between `start` and `end` to points (k, 2), mm.
+        breaks : sequence of (parameter, continuity)
+            Places where the function is only `continuity` times differentiable; they become knots.
+
+        Examples
+        --------
+        >>> from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+        >>> spiral = PlaneCurve.fit_function(lambda v: np.column_stack([v * np.cos(v), v * np.sin(v)]), 3, 9)
+        >>> round(spiral.length, 4)
+        36.5433
+        """
+        knots, control_points = adaptive_spline(
+            function, (float(start), float(end)), degree=degree, tolerance=tolerance, breaks=breaks
+        )
+        return cls(knots, control_points, degree)
+
+    def drawn_as(self, provenance: Provenance | None) -> Self:
+        """The same curve with another record of where it comes from."""
+        return self.of_sound(self.knots, self.control_points, self.degree, self.weights, provenance)
+
+    @property
+    def domain(self) -> tuple[float, float]:
+        """First and last parameter."""
+        return float(self.knots[self.degree]), float(self.knots[-self.degree - 1])
+
+    @property
+    def is_rational(self) -> bool:
+        """Are there weights that differ?"""
+        return self.weights is not None
+
+    def evaluate(self, t: ArrayLike, derivative: int = 0, *, left: bool = False) -> FloatArray:
+        """Position or its derivative d/dt of order up to 3, shape (..., 2) for parameters (...).
+
+        At a knot of low continuity the right-hand value is given, with `left=True` the left-hand one.
+        """
+        if not 0 <= derivative <= 3:
+            raise InputError(f"derivatives of order 0 to 3 are known, not {derivative}")
+        t = np.asarray(t, dtype=float)
+        return self._pieces.at(t.ravel(), derivative, left=left)[derivative].reshape(*t.shape, 2)
+
+    def derivatives(self, t: FloatArray, order: int) -> list[FloatArray]:
+        """Positions and their derivatives d/dt up to `order`, (n, 2) each, at parameters (n,), at one go."""
+        return self._pieces.at(t, order)
+
+    def position_and_velocity(self, t: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Positions and their derivatives d/dt, (n, 2) each, at parameters (n,), in one evaluation."""
+        return self._pieces.position_and_velocity(t)
+
+    def basis(self, t: ArrayLike, derivative: int = 0) -> FloatArray:
+        """Derivatives (n, m) of the position (or of its derivative) at t (n,) by the m control points.
+
+        The rational basis functions R_i: position = sum of R_i(t) times control point i.
+        """
+        t = self._pieces.inside(np.atleast_1d(np.asarray(t, dtype=float)))
+        spans = self._pieces.spans
+        if self.weights is None:
+            return spans.basis(t, derivative)
+        numerators = [(spans.basis(t, k) * self.weights).T for k in range(derivative + 1)]
+        return quotient(numerators, [rows.sum(axis=0) for rows in numerators])[derivative].T
+
+    def with_control_points(self, control_points: ArrayLike) -> Self:
+        """The curve with the same knots and weights over other control points (m, 2)."""
+        return type(self)(self.knots, np.asarray(control_points, dtype=float), self.degree, self.weights)
+
+    def bezier_pieces(self) -> tuple[tuple[float, float, FloatArray], ...]:
+        """The knot spans as (t0, t1, homogeneous control points (degree + 1, 3): rows x w, y w, w)."""
+        edges = self._pieces.edges
+        return tuple(
+            (float(a), float(b), piece.copy())
+            for a, b, piece in zip(edges[:-1], edges[1:], self._pieces.bezier, strict=True)
+        )
+
+    def reversed(self) -> Self:
+        """The curve run from its other end."""
+        weights = None if self.weights is None else self.weights[::-1]
+        return self.of_sound(
+            self.knots[0] + self.knots[-1] - self.knots[::-1],
+            self.control_points[::-1],
+            self.degree,
+            weights,
+            self.provenance,
+        )
+
+    def transformed(self, matrix: ArrayLike) -> Self:
+        """The exact image under a projective map: matrix @ (x, y, 1), divided by its third number.
+
+        Realizable curves stay realizable with clamped ends (paper, section 4.3).
+
+        Raises
+        ------
+        InputError
+            When the matrix is singular, or when it sends a point of the curve to infinity.
+        """
+        knots, points, weights = map_spline(
+            self.knots,
+            self.control_points,
+            self.weights,
+            matrix,
+            degree=self.degree,
+            pieces=lambda: (self._pieces.bezier, self._pieces.edges),
+        )
+        drawn = (
+            None if self.provenance is None else self.provenance.transformed(np.asarray(matrix, dtype=float))
+        )
+        if keeps_shape(matrix) and np.abs(points).max() < FAR_SIZES * np.ptp(points, axis=0).max():
+            return self.of_sound(knots, points, self.degree, weights, drawn)
+        return type(self)(knots, points, self.degree, weights, drawn)
+
+    @cached_property
+    def bounds(self) -> FloatArray:
+        """The smallest box around the curve, [[x_min, y_min], [x_max, y_max]], mm."""
+        points = self.evaluate(self._pieces.stationary())
+        return np.array([points.min(axis=0), points.max(axis=0)])
+
+    @cached_property
+    def _pieces(self) -> RationalPieces:
+        spans = bezier_spans(self.knots, self.degree)
+        weights = np.ones(self.control_points.shape[0]) if self.weights is None else self.weights
+        homogeneous = np.column_stack([self.control_points * weights[:, None], weights])
+        return RationalPieces(spans, spans.bezier(homogeneous), self.is_rational)
