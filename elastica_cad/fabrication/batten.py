@@ -1,7 +1,8 @@
 """Battens: rods of tapered stock that end compression bends to a camber at the place that is asked for."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Literal
 
 import numpy as np
 
@@ -16,9 +17,12 @@ from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.forming.leaf_ends import LeafedRod, lay_leaves
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Line
 from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.glued_leaves import LeavesLaw
 from elastica_cad.mechanics.material.tapered_sections import RoundLaw, ThicknessLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
@@ -26,6 +30,7 @@ from elastica_cad.mechanics.rod.rod_record import Rod
 ENDS = Supports("pinned", "pinned")
 SEARCH_NODES, FINE_NODES = 401, 2401  # while the taper is sought, and of the curve that is handed on
 MOST_CAMBER = 0.4  # of the chord: deeper ones are bows, not battens
+MOST_FULL = 0.8  # of the length: what is left must make the taper
 SETTLED = 1e-7  # of camber and place, in chords
 MOST_STEPS = 30
 MM_PER_INCH = 25.4
@@ -47,6 +52,9 @@ class BattenSpec:
     stock : ThicknessLaw or RoundLaw
         A strip planed in thickness, or a rod; its largest size is that of the stock, its least what may be left.
     label : str
+    full : float
+        Share of the length, at the thick end, that keeps the full size: the taper goes over the rest, so that the
+        entry at the thin end comes fuller or finer.
 
     Raises
     ------
@@ -68,6 +76,7 @@ class BattenSpec:
     place: float
     stock: ThicknessLaw | RoundLaw
     label: str = "batten"
+    full: float = 0.0
 
     def __post_init__(self) -> None:
         if not (np.isfinite(self.length) and self.length > 0):
@@ -78,11 +87,15 @@ class BattenSpec:
             )
         if not 0 < self.place < 1:
             raise InputError(f"the camber's place is {100 * self.place:g} % of the chord: give 1 to 99")
+        if not 0 <= self.full <= MOST_FULL:
+            raise InputError(
+                f"{100 * self.full:g} % of the batten is to keep its full size: give 0 to {100 * MOST_FULL:g}"
+            )
         if not isinstance(self.stock, ThicknessLaw | RoundLaw):
             raise InputError(f"stock is {self.stock!r}: give a ThicknessLaw or a RoundLaw")
 
     def make(self) -> "Batten":
-        """The batten: its size grows evenly from one end to the other, by as much as the place asks for.
+        """The batten: its size falls evenly towards one end, by as much as the place asks for.
 
         Raises
         ------
@@ -161,6 +174,15 @@ class Batten:
         """Depth and its place, in chords."""
         return camber_of(self.strip.rod)
 
+    def camber_with_weight(self, *, bulging: Literal["up", "down"]) -> tuple[float, float]:
+        """The same under its own weight, lying with its chord level, the ends pressed as near as before."""
+        rod, size = self.strip.rod, self.strip.layout.size
+        assert size is not None
+        side = float(np.sign(rod.position[rod.s.size // 2, 1] - rod.position[0, 1]))
+        down = (0.0, -side if bulging == "up" else side)
+        newtons = Profile.interpolate(rod.s, self.spec.stock.weight_per_length(size(rod.s)))
+        return camber_of(bend(replace(rod, gravity=Gravity(1.0, down), weight=Weight(alpha=newtons))))
+
     @property
     def chord(self) -> float:
         """Distance of the pressed ends, mm."""
@@ -221,9 +243,11 @@ class Batten:
 
 
 def _pressed(spec: BattenSpec, taper: float, chord: float, nodes: int) -> Rod:
-    """The batten between hinges at this distance; its size goes evenly from 1 to exp(taper)."""
-    end = np.exp(taper)
-    sizes = np.linspace(1.0, end, nodes)
+    """The batten between hinges at this distance; its size goes from 1 to exp(taper), full at the thick end."""
+    along = np.linspace(0.0, 1.0, nodes)
+    tapered = 1 - spec.full
+    share = along / tapered if taper > 0 else (along - spec.full) / tapered
+    sizes = 1 + np.expm1(taper) * np.clip(share, 0.0, 1.0)
     flat = Rod.straight(spec.length, spec.stock.bending_stiffness(sizes), samples=nodes, supports=ENDS)
     return bend(flat, end=(chord * spec.length, 0.0))
 

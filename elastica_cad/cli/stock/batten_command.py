@@ -35,6 +35,9 @@ _STOCK = (
     click.option("--bore", type=float, default=0.0, metavar="SHARE", help="Of a tube: inner over outer diameter."),
     click.option("--least", type=LENGTH, metavar="MM",
                  help="Thinnest place that is allowed  [default: a quarter of the stock]."),
+    click.option("--full", type=float, default=0.0, show_default=True, metavar="PERCENT",
+                 help="Of the length, at the thick end, that keeps the full size; the rest is tapered."),
+    click.option("--weight", is_flag=True, help="Tell the camber under its own weight too, lying level."),
     click.option("--leaves", type=click.IntRange(2, MOST_LEAVES), metavar="N",
                  help="Glue the strip of N equal leaves instead of planing it: where they end is told."),
     click.option("--stations", type=click.IntRange(2, MOST_STATIONS), default=11, show_default=True, metavar="N",
@@ -63,17 +66,34 @@ def batten(**chosen: Any) -> None:
     name = chosen["name"]
     if "/" in name or "\\" in name:
         raise InputError(f"the name {name!r} is to name files: leave out / and \\")
-    spec = BattenSpec(chosen["length"], chosen["camber"] / 100, chosen["at"] / 100, _stock(chosen), name)
+    spec = BattenSpec(
+        chosen["length"],
+        chosen["camber"] / 100,
+        chosen["at"] / 100,
+        _stock(chosen),
+        name,
+        chosen["full"] / 100,
+    )
+    stations = _stations(chosen)
     made = spec.make()
     if chosen["leaves"] is not None:
         _glue(made, chosen)
         return
-    stations = _stations(chosen)
     table = made.table(stations)
     report = _report(made, table)
+    if chosen["weight"]:
+        report["camber_with_weight"] = {
+            way: dict(zip(("camber", "camber_place"), made.camber_with_weight(bulging=way), strict=True))
+            for way in ("up", "down")
+        }
     written = _write(made, name, stations, report, chosen)
     answer({"batten": report})
     _tell(made, table)
+    for way, told in report.get("camber_with_weight", {}).items():
+        say(
+            f"under its own weight, lying level and bulging {way}: camber {100 * told['camber']:.2f} % at "
+            f"{100 * told['camber_place']:.2f} % of the chord"
+        )
     for warning in made.strip.warnings:
         warn(f"Warning: {warning}")
     wrote(written)

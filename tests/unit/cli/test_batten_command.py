@@ -21,9 +21,10 @@ def run(*arguments):
 
 
 def test_the_files_say_what_is_told(tmp_path, check_drawing_file):
-    told = run(*ASKED, "--stock", 25, 8, "--least", 3, "--every", 300, "-o", tmp_path)
+    told = run(*ASKED, "--stock", 25, 8, "--least", 3, "--every", 300, "--weight", "-o", tmp_path)
     assert told.exit_code == 0, told.output
     assert "camber 10.00 % at 40.00 % of the chord" in told.output
+    assert "under its own weight, lying level and bulging down: camber" in told.output
     rows = list(csv.DictReader((tmp_path / "batten.csv").read_text().splitlines()))
     assert [float(row["s_mm"]) for row in rows] == list(np.arange(0.0, 2401.0, 300.0))
     sizes = np.array([float(row["thickness_mm"]) for row in rows])
@@ -74,6 +75,51 @@ def test_an_independent_solver_finds_the_camber_where_it_is_asked_for(law, cambe
     assert np.hypot(*(found.sol(u)[:2] - (x, y))).max() < 1e-4
 
 
+@pytest.mark.parametrize("full", [0.0, 0.3, 0.6])
+def test_part_of_the_length_keeps_its_size(full):
+    """Another family of tapers: the same camber at the same place."""
+    stock = ThicknessLaw(Sheet("glass", 8.0, 38000.0, density=1900.0, max_strain=0.012), 2.0, 8.0, width=25.0)
+    made = BattenSpec(2400.0, 0.1, 0.4, stock, full=full).make()
+    assert made.camber == pytest.approx((0.1, 0.4), abs=1e-5)
+    s = np.linspace(0.0, 2400.0, 49)
+    size = made.table(s)["thickness_mm"]
+    inside = s < 2400.0 * (1 - full) - 60
+    assert size[s > 2400.0 * (1 - full) + 60] == pytest.approx(8.0, abs=0.02)
+    assert np.abs(np.diff(size[inside], 2)).max() < 0.02
+    assert size[0] < 4.1
+
+
+@pytest.mark.parametrize("bulging", ["up", "down"])
+def test_weight_moves_the_camber_as_an_independent_solver_has_it(bulging):
+    rubber = Sheet("rubbery", 2.0, 900.0, density=1150.0, max_strain=0.05)
+    made = BattenSpec(900.0, 0.12, 0.44, ThicknessLaw(rubber, 2.0, 8.0, width=25.0)).make()
+    rod, L = made.strip.rod, 900.0
+    side = np.sign(rod.position[300, 1])
+    size = made.strip.layout.size
+    unit = 900.0 * 25.0 * 8.0**3 / 12
+    pull = (-side if bulging == "up" else side) * 1150.0 * 9.80665e-9 * 25.0 * L**3 / unit
+
+    def slopes(u, y):
+        t = size(u * L)
+        c, sn = np.cos(y[2]), np.sin(y[2])
+        return np.array([c, sn, y[3] / (t / 8.0) ** 3, y[4] * sn - y[5] * c, 0 * c, -pull * t])
+
+    def held(a, b):
+        return np.array([a[0], a[1], a[3], b[3], b[0] - made.chord / L, b[1]])
+
+    begin = np.vstack(
+        [rod.position.T / L, rod.angle, -10.0 * rod.position[:, 1] / L, -10.0 + 0 * rod.s, 0 * rod.s]
+    )
+    found = solve_bvp(slopes, held, rod.s / L, begin, tol=1e-7, max_nodes=40000)
+    assert found.success
+    u = np.linspace(0, 1, 20001)
+    x, y = found.sol(u)[:2] / (made.chord / L)
+    k = int(np.abs(y).argmax())
+    camber, place = made.camber_with_weight(bulging=bulging)
+    assert (camber, place) == (pytest.approx(abs(y[k]), abs=1e-5), pytest.approx(x[k], abs=5e-4))
+    assert abs(place - 0.44) > 0.005
+
+
 def test_leaves_instead_of_a_plane(tmp_path, check_drawing_file):
     told = run(*ASKED, "--stock", 25, 8, "--least", 3, "--leaves", 4, "-o", tmp_path)
     assert told.exit_code == 0, told.output
@@ -101,6 +147,7 @@ def test_leaves_instead_of_a_plane(tmp_path, check_drawing_file):
         (("--stock", 25, 8, "--every", 0.1), "--every is 0.1 mm"),
         (("--stock", 25, 8, "--name", "a/b"), "leave out /"),
         (("--rod", 8, "--leaves", 4), "--leaves are of a strip"),
+        (("--stock", 25, 8, "--full", 95), "95 % of the batten is to keep its full size: give 0 to 80"),
         (("--stock", 25, 8, "--leaves", 1), "2<=x<=50"),
     ],
 )
