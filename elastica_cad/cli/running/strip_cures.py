@@ -11,6 +11,7 @@ import numpy as np
 from elastica_cad.cli.running.typed_command import TRYING, TYPED, command_line
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.fabrication.makeability.splices import SPLICED
+from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.styles import Plain
 from elastica_cad.fabrication.strip_spec import StripSpec
@@ -237,7 +238,7 @@ def _ways(spec: StripSpec) -> Iterator[tuple[tuple[str, ...], dict[str, Any]]]:
     limits, keep = spec.limits or Limits(), spec.keep or Keep()
     flat = spec.curve.length + sum(tab.length for tab in spec.ends)
     too_long = flat > spec.shop.stock_for(spec.material)[0]
-    if too_long and spec.shop.lap is None and isinstance(spec.style, Plain):
+    if too_long and spec.shop.lap is None and isinstance(spec.style, Plain | Perforated):
         lap = round(LAP_THICKNESSES * spec.material.thickness)
         joined = {"shop": replace(spec.shop, lap=float(lap))}
         yield ("--lap", f"{lap}"), joined

@@ -19,15 +19,14 @@ from elastica_cad.fabrication.drawings.drawing import (
 from elastica_cad.fabrication.drawings.lettering import Text, text_width
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.sheets.pieces import Piece
+from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.styles import Plain
 from elastica_cad.geometry.paths.clip import clip_across
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.bending.bend_forward import bend
-
-TWO_SHEETS = 8.0
-"""Stiffness of two sheets glued onto each other, in that of one: (2 h)^3 / h^3."""
+from elastica_cad.mechanics.material.laminated_section import LaminatedSection
 
 PLACES = 400
 """Places along a strip where a joint is tried."""
@@ -45,6 +44,8 @@ APART_MM = 5.0
 @dataclass(frozen=True, eq=False)
 class Splice:
     """A strip in pieces, butt to butt, with a plate of the same sheet glued over each joint on one side.
+
+    Plates are solid and as wide as the strip; holes that would come to lie under one are not cut.
 
     Attributes
     ----------
@@ -90,7 +91,13 @@ class Splice:
         """
         made = self.strip.as_built
         covered = self._covered(made.s)
-        K = made.stiffness / (1 - covered + covered / TWO_SHEETS)
+        base = self.strip.layers[0]
+        section, wide = LaminatedSection(base.sheet, base.sheet), self.strip.width(made.s)
+        left = np.minimum(replace(base, holes=self._holes).material(made.s), wide)
+        designed = section.bending_stiffness(base.material(made.s), 0.0)
+        bare = section.bending_stiffness(left, 0.0) / designed
+        under = section.bending_stiffness(wide, left) / designed
+        K = made.stiffness / ((1 - covered) / bare + covered / under)
         factor = float(K.min() / made.stiffness.min())
         B = made.bending_stiffness
         stiffer = replace(
@@ -104,9 +111,26 @@ class Splice:
         """One sentence."""
         count = len(self.joints) + 1
         places = " and ".join(f"{at:.1f}" for at in self.joints)
+        lost = len(self.strip.holes) - len(self._holes)
+        if lost:
+            return (
+                f"{SPLICED} {count} pieces at {places} mm, joined by plates of {self.lap:g} mm, without the {lost} "
+                f"holes that lie under them; they are stiffer and move the shape by {self.deviation:.2g} mm"
+            )
         return (
             f"{SPLICED} {count} pieces at {places} mm, joined by plates of {self.lap:g} mm, which are stiffer and "
             f"move the shape by {self.deviation:.2g} mm"
+        )
+
+    @cached_property
+    def _holes(self) -> tuple[Path, ...]:
+        """Holes that are cut: those clear of the plates."""
+        half = self.lap / 2
+        spans = [(hole, hole.bounds[:, 0]) for hole in self.strip.holes]
+        return tuple(
+            hole
+            for hole, (low, high) in spans
+            if not any(low < at + half and high > at - half for at in self.joints)
         )
 
     def _covered(self, s: FloatArray) -> FloatArray:
@@ -120,7 +144,7 @@ class Splice:
     def _piece(self, name: str, low: float, high: float, *, marked: bool = True) -> Piece:
         strip = self.strip
         outline = clip_across(strip.outline, low, high)
-        holes = [hole for hole in strip.holes if low < float(hole.bounds.mean(axis=0)[0]) < high and marked]
+        holes = [hole for hole in self._holes if low < float(hole.bounds.mean(axis=0)[0]) < high and marked]
         edges = [at + side * self.lap / 2 for at in self.joints for side in (-1, 1)] if marked else []
         paths = [
             *(LayeredPath(MARK, self._tick(x)) for x in edges if low < x < high),
@@ -134,6 +158,9 @@ class Splice:
         return Path.polyline([(x, -half), (x, half)])
 
     def _label(self, name: str, low: float, high: float) -> Text:
+        if isinstance(self.strip.style, Perforated) and high - low > self.lap:  # no room between the holes
+            joint = next(at for at in self.joints if at in (low, high))
+            low, high = sorted((joint, joint + (self.lap / 2 if joint == low else -self.lap / 2)))
         middle = (max(low, 0.0) + min(high, self.strip.rod.length)) / 2
         height = min(LABEL_MM, 0.3 * float(self.strip.width(middle)))
         height *= min(1.0, 0.6 * (high - low) / text_width(name, height))
@@ -142,7 +169,7 @@ class Splice:
 
 
 def splice(strip: Strip, stock: float, lap: float) -> Splice:
-    """Cut a plain strip into as few pieces as the stock allows, where plates change its shape least.
+    """Cut a plain or perforated strip into as few pieces as the stock allows, where plates change its shape least.
 
     Joints keep off slots, tabs and each other; of the places left those are taken where the strip turns least under
     the plates, in the sum of squares (dynamic programming).
@@ -158,7 +185,7 @@ def splice(strip: Strip, stock: float, lap: float) -> Splice:
     Raises
     ------
     InputError
-        Styles other than plain, a lap that is not possible, or no places for the joints.
+        A laminate or a strip of varying thickness, a lap that is not possible, or no places for the joints.
 
     Examples
     --------
@@ -169,9 +196,10 @@ def splice(strip: Strip, stock: float, lap: float) -> Splice:
     ['A-1', 'A-2', 'A-lap-1']
     """
     name = strip.label or "strip"
-    if not isinstance(strip.style, Plain):
+    if not isinstance(strip.style, Plain | Perforated) or strip.rod.section is not None:
         raise InputError(
-            f"{name}: only plain strips are cut in pieces: take a larger stock, or a plain strip"
+            f"{name}: only plain and perforated strips of one sheet are cut in pieces, for every layer would need "
+            "plates of its own: take a larger stock, or a plain strip"
         )
     (first, _), (last, _) = strip.outline.bounds
     length = float(last - first)

@@ -22,6 +22,9 @@ ROWS_INCH = {
 }  # fmt: skip
 """Plies: rows of the table."""
 
+SOLD_AS = 0.02
+"""Share by which a sheet may be thinner than the first row of its plies: 4 mm is sold for 0.160 in."""
+
 LEAST_MM, LARGEST_MM = 0.7, 9.6
 """Thicknesses that the rows speak of: a sheet of 0.8 mm takes the strain of the thinnest row, 0.89 mm."""
 
@@ -54,7 +57,7 @@ def least_plywood_radius(thickness: float, grain: Literal["along", "across"]) ->
     strains = []
     for rows in ROWS_INCH.values():
         table = INCH_MM * np.array(rows)
-        inside = table[0, 0] <= thickness <= table[-1, 0]
+        inside = table[0, 0] * (1 - SOLD_AS) <= thickness <= table[-1, 0]
         thinnest, thickest = min(ROWS_INCH), max(ROWS_INCH)
         below = thickness < table[0, 0] and rows is ROWS_INCH[thinnest]
         above = thickness > table[-1, 0] and rows is ROWS_INCH[thickest]

@@ -3007,7 +3007,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: only plain strips are cut in pieces: take a larger stock, or a plain strip</source>
+        <source>%1: only plain and perforated strips of one sheet are cut in pieces, for every layer would need plates of its own: take a larger stock, or a plain strip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2 pieces at %3 mm, joined by plates of %4 mm, without the %5 holes that lie under them; they are stiffer and move the shape by %6 mm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -3019,8 +3019,12 @@
         <translation>%1: eine Überlappung von %2 mm: eine Länge über 0 und unter einem Drittel von %3 mm angeben</translation>
     </message>
     <message>
-        <source>%1: only plain strips are cut in pieces: take a larger stock, or a plain strip</source>
-        <translation>%1: nur schlichte Streifen werden in Stücke geteilt: größeres Rohmaterial oder einen schlichten Streifen nehmen</translation>
+        <source>%1: only plain and perforated strips of one sheet are cut in pieces, for every layer would need plates of its own: take a larger stock, or a plain strip</source>
+        <translation>%1: nur schlichte und gelochte Streifen aus einer Platte werden in Stücke geteilt, denn jede Lage bräuchte eigene Laschen: größeres Rohmaterial oder einen schlichten Streifen nehmen</translation>
+    </message>
+    <message>
+        <source>%1 %2 pieces at %3 mm, joined by plates of %4 mm, without the %5 holes that lie under them; they are stiffer and move the shape by %6 mm</source>
+        <translation>%1 %2 Stücke bei %3 mm, mit Laschen von %4 mm verbunden, ohne die %5 Löcher, die unter ihnen liegen; sie sind steifer und bewegen die Form um %6 mm</translation>
     </message>
     <message>
         <source>%1: there is no room for %2 joints of %3 mm between its slots: take a shorter lap or a larger stock</source>

@@ -3019,8 +3019,12 @@
         <translation>%1：搭接 %2 mm：请给出大于 0 且小于 %3 mm 三分之一的长度</translation>
     </message>
     <message>
-        <source>%1: only plain strips are cut in pieces: take a larger stock, or a plain strip</source>
-        <translation>%1：只有普通条带可分段：使用更大的板料，或普通条带</translation>
+        <source>%1: only plain and perforated strips of one sheet are cut in pieces, for every layer would need plates of its own: take a larger stock, or a plain strip</source>
+        <translation>%1：只有单层的普通条带和打孔条带可分段，因为每层都需要自己的搭板：使用更大的板料，或普通条带</translation>
+    </message>
+    <message>
+        <source>%1 %2 pieces at %3 mm, joined by plates of %4 mm, without the %5 holes that lie under them; they are stiffer and move the shape by %6 mm</source>
+        <translation>%1 %2 段，接于 %3 mm，用 %4 mm 的搭板连接，搭板下的 %5 个孔不切；搭板较硬，使形状移动 %6 mm</translation>
     </message>
     <message>
         <source>%1: there is no room for %2 joints of %3 mm between its slots: take a shorter lap or a larger stock</source>

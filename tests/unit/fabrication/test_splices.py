@@ -9,7 +9,7 @@ from click.testing import CliRunner
 import elastica_cad as ec
 from elastica_cad.cli.commands import elastica
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.drawing import CUT_OUTER
+from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER
 from elastica_cad.fabrication.makeability.splices import splice, spliced
 from elastica_cad.geometry.paths.clip import clip_across
 from elastica_cad.geometry.paths.path import Path
@@ -66,6 +66,34 @@ def test_joints_keep_off_slots(arch):
     slotted = ec.Strip(arch.rod, PLY, max_width=120, slots=(ec.Slot(at, 4.2),), label="A")
     (moved,) = splice(slotted, 2200.0, 80.0).joints
     assert abs(moved - at) > 44
+
+
+def test_perforated_strips_are_solid_under_their_plates():
+    """Holes under a plate stay uncut, the others go with their piece, and what that stiffens is bent forward."""
+    style = ec.Perforated(width=120.0, columns=2, least_ligament=2.0)
+    strip = ec.make_strip(ARCH, PLY, style=style, label="A", shop=ec.Shop(stock=(4000, 1500)))
+    joined = splice(strip, 2200.0, 80.0)
+    one, two, plate = joined.pieces
+    (at,) = joined.joints
+    assert not plate.drawing.on(CUT_INNER)
+    assert plate.area == pytest.approx(80 * 120.0)
+    spans = [hole.bounds[:, 0] for hole in strip.holes]
+    under = [low < at + 40 and high > at - 40 for low, high in spans]
+    assert any(under)
+    assert len([*one.drawing.on(CUT_INNER), *two.drawing.on(CUT_INNER)]) == len(spans) - sum(under)
+    for piece, side in ((one, -1), (two, 1)):
+        for hole in piece.drawing.on(CUT_INNER):
+            assert np.all(side * (hole.bounds[:, 0] - at) >= 40)
+    assert f"without the {sum(under)} holes that lie under them" in str(joined)
+    plain = ec.make_strip(ARCH, PLY, max_width=120, shop=ec.Shop(stock=(4000, 1500)))
+    assert joined.deviation > splice(plain, 2200.0, 80.0).deviation > 0.1
+
+
+def test_laminates_are_refused_with_the_reason():
+    style = ec.Laminated(width=60.0, backing=ec.Sheet.named("birch-plywood-0.8"))
+    strip = ec.make_strip(ARCH, "birch-plywood-0.8", style=style, label="A", shop=ec.Shop(stock=(4000, 1500)))
+    with pytest.raises(InputError, match="every layer would need plates of its own: take a larger stock"):
+        splice(strip, 2200.0, 80.0)
 
 
 @pytest.mark.parametrize(
