@@ -91,7 +91,7 @@ $(VENV)/created:
 	@touch $@
 
 $(VENV)/demo-installed: $(VENV)/created pyproject.toml
-	$(call install,$(VENV),--editable ".[plot]")
+	$(call install,$(VENV),--editable ".[plot$(COMMA)mesh]")
 
 $(VENV)/docs-installed: $(VENV)/created pyproject.toml
 	$(call install,$(VENV),--editable ".[plot$(COMMA)docs]")

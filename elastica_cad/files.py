@@ -148,9 +148,7 @@ def read_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.
 
 
 def _no_kernel(path: Path) -> MissingDependencyError:
-    return MissingDependencyError(
-        f"reading {path.name} needs a CAD kernel: {how_to_install('elastica-cad[build123d]')}"
-    )
+    return MissingDependencyError(f"reading {path.name} needs a CAD kernel: {how_to_install('build123d')}")
 
 
 def save(drawing: "Drawing", path: str | Path, **options: Any) -> Path:

@@ -30,6 +30,10 @@ def travel(moved: Travel) -> Figure:
     beside = below.twinx()
     beside.plot(moved.travel, moved.energy, color=ENERGY, linestyle="--")
     beside.set_ylabel("bending energy, N mm", color=ENERGY)
+    for axes in (below, beside):  # from 0, so that a force that hardly changes looks so
+        low, high = axes.get_ylim()
+        room = 0.05 * (high - low) if low * high > 0 else 0.0
+        axes.set_ylim(min(low - room, 0.0), max(high + room, 0.0))
     worst = int(np.argmin(moved.safety))
     below.set_title(
         f"largest strain {100 * moved.strain[worst]:.2f} % at {moved.travel[worst]:.4g} mm of travel, "

@@ -34,10 +34,15 @@ def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
         if room < NO_PLAY_MM and high.max() - low.min() < NO_PLAY_DEGREES:
             told.append(f"{name} leaves its tabs no play: they bend a little between its edges")
         else:
-            told.append(
-                f"{name} leaves its tabs {room:.2g} mm across and {low.min():+.2g} to {high.max():+.2g} degrees"
-            )
+            across = 0.0 if room < NO_PLAY_MM else room
+            least, most = _turn(low.min()), _turn(high.max())
+            told.append(f"{name} leaves its tabs {across:.2g} mm across and {least} to {most} degrees")
     return tuple(told)
+
+
+def _turn(degrees: float) -> str:
+    """With its sign; what nobody sees is 0."""
+    return "0" if abs(degrees) < NO_PLAY_DEGREES else f"{degrees:+.2g}"
 
 
 def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:

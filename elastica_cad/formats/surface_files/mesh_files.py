@@ -64,7 +64,7 @@ def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) 
         from trimesh import load
     except ImportError as error:
         raise MissingDependencyError(
-            f"reading {path.name} needs trimesh: {how_to_install('elastica-cad[mesh]')}"
+            f"reading {path.name} needs trimesh: {how_to_install('trimesh')}"
         ) from error
     with name_source(path):
         try:
