@@ -8,14 +8,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 from click.testing import CliRunner
-from elastica_cad.forming.smoothing import smooth_curve
-from elastica_cad.geometry.curves.provenance import Provenance
 
 from elastica_cad.cli.commands import elastica
 from elastica_cad.errors import InputError
 from elastica_cad.files import read_drawing
+from elastica_cad.forming.fairing_request import smooth_curve
 from elastica_cad.forming.rounding_verdict import undecided_by_rounding
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.pen_curves.provenance import Provenance
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium, require_bendable
 
 pytest.importorskip("svgelements")
