@@ -8,7 +8,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.fabrication.strip.flat_outline import pace
 from elastica_cad.fabrication.strip.styles import Layout
-from elastica_cad.geometry.paths.chords import chord_parameters
+from elastica_cad.geometry.paths.chords import chord_points
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Spline
@@ -124,7 +124,7 @@ def _chord(loop: Path, s: FloatArray) -> FloatArray:
                 t = np.clip((at[first:last] - even[0]) / even[1], *segment.curve.domain)
                 sums[first:last] += np.sign(x0 - x1) * segment.curve.evaluate(t)[:, 1]
             continue
-        points = segment.at(chord_parameters(segment, CHORD_MM)[:-1])
+        points = chord_points(segment, CHORD_MM)[:-1]
         starts.append(points)
         ends += [points[1:], following.start[None]]
     if starts:

@@ -9,7 +9,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.paths.chords import chord_parameters
+from elastica_cad.geometry.paths.chords import chord_points
 from elastica_cad.geometry.paths.segments import (
     Arc,
     Line,
@@ -166,7 +166,7 @@ class Path:
 
         The first point of a closed path is not repeated at the end.
         """
-        rows = [segment.at(chord_parameters(segment, tolerance)[:-1]) for segment in self.segments]
+        rows = [chord_points(segment, tolerance)[:-1] for segment in self.segments]
         points = np.concatenate(rows if self.closed else [*rows, self.end[None]])
         if self.closed and len(points) < 3 and not all(isinstance(s, Line) for s in self.segments):
             return self.points(tolerance / 4)  # a thin lens keeps its inside

@@ -13,7 +13,7 @@ from elastica_cad.mechanics.stiffness.moment_rows import MomentRows
 from elastica_cad.mechanics.stiffness.quadrature_panels import PanelFunction, Panels
 from elastica_cad.mechanics.stiffness.stiffness_family import (
     StiffnessFamily,
-    dense_places,
+    dense_values,
     find_violations,
     least_ratio,
     smoothest,
@@ -146,7 +146,8 @@ class ConditionedRows:
         """A constant moment instead of `state` where that is as good: on arcs the program has many optima."""
         if self.check.zeros:
             return state
-        rows = PanelFunction.through(self.rows.stiffness).at(*(self.places or dense_places(self.panels)))
+        table = PanelFunction.through(self.rows.stiffness)
+        rows = dense_values(table) if self.places is None else table.at(*self.places)
         K, steady = rows @ state, np.abs(rows[:, 0])
         if steady.max() * K.min() > (1 + NO_GAIN_SHARE) * K.max() * steady.min():
             return state

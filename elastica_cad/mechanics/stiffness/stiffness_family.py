@@ -75,10 +75,8 @@ class StiffnessFamily:
     @cached_property
     def dense(self) -> tuple[FloatArray, FloatArray]:
         """Rows and offsets at `dense_places`."""
-        rows = self.rows.in_every_panel(_DENSE_BASIS).reshape(self.panels.count * DENSE.size, self.freedom)
-        if self.offset is None:
-            return rows, np.zeros(len(rows))
-        return rows, self.offset.in_every_panel(_DENSE_BASIS).ravel()
+        rows = dense_values(self.rows)
+        return rows, np.zeros(len(rows)) if self.offset is None else dense_values(self.offset)
 
     def extremes(self, y: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Rows and offsets where K of the numbers y has its extremes."""
@@ -88,6 +86,12 @@ class StiffnessFamily:
         """K of the numbers y."""
         K = self.rows.combined(y)
         return K if self.offset is None else PanelFunction(K.coefficients + self.offset.coefficients)
+
+
+def dense_values(function: PanelFunction) -> FloatArray:
+    """Values (n, ...) at `dense_places`."""
+    values = function.in_every_panel(_DENSE_BASIS)
+    return values.reshape(-1, *values.shape[2:])
 
 
 def dense_places(panels: Panels, parts: int | None = None) -> tuple[IntArray, FloatArray]:
