@@ -24,11 +24,15 @@ from elastica_cad.cli.running.typed_command import MOST_CURES, say_with_cure
 from elastica_cad.cli.running.voice import answer, say, say_step, warn, wrote
 from elastica_cad.errors import ElasticaError, InputError, NotConvergedError, how_to_install
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
+from elastica_cad.fabrication.makeability.makeable_widths import compensate_within
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.formats.design_files.kit_spec import Cutting
 from elastica_cad.forming.nearest.advice import advise
 from elastica_cad.kit.strip_kit import StripFiles, StripKit, write_strip
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
+
+STRAYED_SHARE = 3e-4
+"""Of the length: a strip that strays more as it is made is told what other widths would do."""
 
 MOST_ADVICE = 1
 """Sentences after a success; each costs a solve or two."""
@@ -139,6 +143,20 @@ def _made(
         raise explain(problem, spec) from problem.__cause__
 
 
+def _tell_compensation(kit: StripKit) -> None:
+    """What other widths would leave, where the strip strays more than it needs."""
+    made = kit.strip
+    if (
+        kit.spec.compensate
+        or kit.spec.law is not None
+        or made.held_deviation <= STRAYED_SHARE * made.rod.length
+    ):
+        return
+    better = compensate_within(made, kit.spec.shop)
+    if better.correction is not None and better.held_deviation < made.held_deviation / 2:
+        say(f"--compensate makes up for that in the widths: {better.held_deviation:.2g} mm are left")
+
+
 def _tell(kit: StripKit, written: Iterable[Path]) -> None:
     """What was made, in a few lines."""
     made, near, verdict = kit.strip, kit.near, kit.stability
@@ -166,6 +184,7 @@ def _tell(kit: StripKit, written: Iterable[Path]) -> None:
             say(str(made.crept))
     with suppress(NotConvergedError):
         say(str(made.held()))
+        _tell_compensation(kit)
     if made.joint:
         say(made.joint)
     for warning in made.warnings:

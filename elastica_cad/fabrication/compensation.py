@@ -18,13 +18,15 @@ FIRST_DAMPING, MOST_DAMPING = 3e-4, 1.0  # of corrections: the first, and the la
 DAMPED = 5.0  # times as much after a correction that did not help
 LEAST_GAIN = 0.9  # of what is left in one round: a round that leaves more is the last
 LARGEST_GUESS = 0.5  # of the logarithm of a width's change
+SMOOTHINGS = (2e-2, 1e-2, 5e-3, 2e-3)  # of corrections: the next where the smoother one leaves too much
+LEFT_SHARE = 4e-4  # of the length: what a correction may leave
 ENOUGH_SHARE = 1e-5  # of the length: a deviation that needs no correction
 
 
 def compensate_widths(strip: Strip, start: TabSeat | None = None, end: TabSeat | None = None) -> Strip:
     """The strip with widths that bring it, as it is made and held, back to its design.
 
-    Bent forward as made (`Strip.held`) it strays; its widths are changed to first order, smoothly along the strip,
+    Bent forward as made (`Strip.held`) it strays; its widths are changed to first order, as smoothly as suffices,
     and that is repeated as long as it helps. What is left is `Strip.held().deviation`.
 
     Parameters
@@ -53,7 +55,7 @@ def compensate_widths(strip: Strip, start: TabSeat | None = None, end: TabSeat |
     strip = replace(strip, correction=None) if strip.correction is not None else strip
     design = strip.as_made.design
     basis = width_basis(design.s, closed=strip.is_closed)
-    best, least, damping = strip, np.inf, FIRST_DAMPING
+    best, least = strip, np.inf
     # a first guess: as much wider as each place is softer, evened out along the strip
     softer = -np.log(np.prod([np.ones(design.s.size), *strip.as_made.shares.values()], axis=0))
     guess = np.clip(
@@ -64,17 +66,22 @@ def compensate_widths(strip: Strip, start: TabSeat | None = None, end: TabSeat |
         found = _rest(strip, basis @ coefficients, start, end)
         if found is not None and strayed(design, found[1]) < least:
             (best, rest), kept, least = found, coefficients, strayed(design, found[1])
-    for _ in range(ROUNDS):
-        if rest is None or least <= ENOUGH_SHARE * design.length or damping > MOST_DAMPING:
-            break
-        coefficients = correct_widths(rest, rest.position - design.position, basis, kept, damping)
-        found = _rest(strip, basis @ coefficients, start, end)
-        if found is None or strayed(design, found[1]) >= least:
-            damping *= DAMPED
-            continue
-        gain = strayed(design, found[1]) / least
-        (best, rest), kept, least, damping = found, coefficients, gain * least, damping / 3
-        if gain > LEAST_GAIN:
+    for smoothing in SMOOTHINGS:
+        damping = FIRST_DAMPING
+        for _ in range(ROUNDS):
+            if rest is None or least <= ENOUGH_SHARE * design.length or damping > MOST_DAMPING:
+                break
+            drift = rest.position - design.position
+            coefficients = correct_widths(rest, drift, basis, kept, damping, smoothing)
+            found = _rest(strip, basis @ coefficients, start, end)
+            if found is None or strayed(design, found[1]) >= least:
+                damping *= DAMPED
+                continue
+            gain = strayed(design, found[1]) / least
+            (best, rest), kept, least, damping = found, coefficients, gain * least, damping / 3
+            if gain > LEAST_GAIN:
+                break
+        if least <= LEFT_SHARE * design.length:
             break
     return best
 

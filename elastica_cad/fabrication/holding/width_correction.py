@@ -8,7 +8,6 @@ from elastica_cad.mechanics.rod.banded_matrices import solve_tridiagonal
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 SPACING_SHARE = 1 / 24  # of the length: between knots of a correction, so that outlines stay smooth
-SMOOTHING = 2e-2  # weight of the second differences of coefficients against the drift that is left
 SIZE = 1e-2  # the same of the coefficients themselves: of many changes that serve, the smallest
 
 
@@ -26,7 +25,7 @@ def width_basis(s: FloatArray, *, closed: bool = False) -> FloatArray:
 
 
 def correct_widths(
-    made: Rod, drift: FloatArray, basis: FloatArray, kept: FloatArray, damping: float
+    made: Rod, drift: FloatArray, basis: FloatArray, kept: FloatArray, damping: float, smoothing: float
 ) -> FloatArray:
     """Coefficients (m,) of the change of width that takes a drift back, to first order.
 
@@ -45,6 +44,8 @@ def correct_widths(
         Of the changes: see `width_basis`. Of a closed strip only its shape counts, not where it lies.
     kept : (m,) array
         Coefficients of the change that the rod has already.
+    smoothing : float
+        Weight of the second differences of the coefficients against the drift that is left.
     damping : float
         Weight of the step against the drift, relative: larger for shorter steps.
     """
@@ -70,7 +71,7 @@ def correct_widths(
     one = np.eye(basis.shape[1])
     bends = np.diff(one, n=2, axis=0)
     # the step is damped; the whole change is to be small and smooth
-    whole = np.concatenate([SMOOTHING * bends, SIZE * one])
+    whole = np.concatenate([smoothing * bends, SIZE * one])
     system = np.concatenate([A, damping * scale * one, scale * whole])
     wanted = np.concatenate([-left, np.zeros(len(one)), -scale * whole @ kept])
     return np.asarray(kept + np.linalg.lstsq(system, wanted, rcond=None)[0])

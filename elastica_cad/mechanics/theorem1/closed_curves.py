@@ -16,7 +16,8 @@ PLACE_DIGITS = 6
 """Of a place, mm: the same curve of two programs begins at the same one."""
 
 ALIKE = 1e-6
-"""Share of the largest curvature by which two places differ that are flat alike: rounding and a little."""
+"""Share of the largest curvature by which two places differ that are flat alike, and of its range by which a
+parameter differs from a knot: rounding and a little."""
 
 
 def seam_turn(curve: PlaneCurve) -> float:
@@ -49,7 +50,10 @@ def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
     low, high = curve.domain
     t = float(curve.parameter(np.array(s)))
     curve = _closed_exactly(curve)
-    if min(t - low, high - t) <= ALIKE * (high - low):
+    # a span of rounding size would have no curvature to speak of
+    knot = float(curve.knots[np.argmin(np.abs(curve.knots - t))])
+    t = knot if abs(knot - t) <= ALIKE * (high - low) else t
+    if t <= low or t >= high:
         return curve
     first, second = trim_curve(curve, t, high), trim_curve(curve, low, t)
     p = curve.degree

@@ -1,6 +1,7 @@
 """The command line as a user meets it: files, messages, exit codes."""
 
 import json
+import re
 import subprocess
 import sys
 
@@ -261,3 +262,14 @@ def test_output_folder_that_is_a_file(drawn, tmp_path):
     assert result.returncode == 2
     assert "file" in result.stderr
     assert "Traceback" not in result.stderr
+
+
+def test_a_strip_that_strays_is_told_what_compensates(tmp_path):
+    path = tmp_path / "arch.json"
+    path.write_text(curves_json([ec.PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])]))
+    asked = ("strip", path, "--sheet", "birch-plywood-0.8", "--max-width", 30, "--slot", "at = 70, width = 1")
+    told = elastica(*asked, "-o", tmp_path / "plain").stdout
+    left = float(re.search(r"--compensate makes up for that in the widths: ([\d.]+) mm are left", told)[1])
+    made_up = elastica(*asked, "--compensate", "-o", tmp_path / "made up").stdout
+    assert float(re.search(r"as made and held the strip strays ([\d.]+) mm", made_up)[1]) == left
+    assert "makes up for that" not in made_up

@@ -41,7 +41,8 @@ def periodic(radius, count=24, degree=4):
 
 SQUARISH = periodic(lambda angle: 100 + 4 * np.cos(4 * angle))
 PEANUT = periodic(lambda angle: 70 + 30 * np.cos(2 * angle))
-CLOSED = {"circle": CIRCLE, "ellipse": ELLIPSE, "oval": OVAL, "squarish": SQUARISH}
+UPRIGHT = PlaneCurve.ellipse((0, 0), (90, 60), start=0, end=2 * np.pi)
+CLOSED = {"upright": UPRIGHT, "circle": CIRCLE, "ellipse": ELLIPSE, "oval": OVAL, "squarish": SQUARISH}
 
 
 def waisted():
