@@ -15,8 +15,8 @@ from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import Weight
-from elastica_cad.mechanics.material.glued_leaves import LeavesLaw
 from elastica_cad.mechanics.material.section_limits import LayerStrain
+from elastica_cad.mechanics.material.tapered_sections import LeavesLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable

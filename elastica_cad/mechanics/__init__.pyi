@@ -12,7 +12,6 @@ from elastica_cad.mechanics.material.anticlastic import (
     anticlastic_factor as anticlastic_factor,
     anticlastic_widths as anticlastic_widths,
 )
-from elastica_cad.mechanics.material.glued_leaves import LeavesLaw as LeavesLaw
 from elastica_cad.mechanics.material.laminated_section import LaminatedSection as LaminatedSection
 from elastica_cad.mechanics.material.plain_section import (
     PerforatedSection as PerforatedSection,
@@ -40,6 +39,7 @@ from elastica_cad.mechanics.material.stiffness_law import (
     StiffnessLaw as StiffnessLaw,
 )
 from elastica_cad.mechanics.material.tapered_sections import (
+    LeavesLaw as LeavesLaw,
     RoundLaw as RoundLaw,
     ThicknessLaw as ThicknessLaw,
     WidthLaw as WidthLaw,

@@ -12,8 +12,8 @@ from elastica_cad.forming.leaf_ends import NODES, LeafedRod, _Search, lay_leaves
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.material.glued_leaves import LeavesLaw
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.tapered_sections import LeavesLaw
 from elastica_cad.mechanics.stability.stability_verdict import stability
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 

@@ -18,8 +18,7 @@ from elastica_cad.fabrication.batten import MM_PER_INCH, Batten, BattenSpec, cam
 from elastica_cad.fabrication.leaf_stack import LeafStack
 from elastica_cad.files import save
 from elastica_cad.formats.file_access.file_transaction import write_together
-from elastica_cad.mechanics.material.glued_leaves import MOST_LEAVES
-from elastica_cad.mechanics.material.tapered_sections import RoundLaw, ThicknessLaw
+from elastica_cad.mechanics.material.tapered_sections import MOST_LEAVES, RoundLaw, ThicknessLaw
 
 LEAST_SHARE = 0.25  # of the stock's size, that is left unless told
 MOST_STATIONS = 1000
