@@ -37,6 +37,12 @@ BORDER_MM = 8.0
 LYING_RAD = np.radians(5.0)
 """Tabs at no larger angle to the ring lie on it: glue fills the wedge."""
 
+CLEAR_MM = 0.5
+"""Between a name and slots or rim."""
+
+TAILS = 1 / 3
+"""How far letters like g reach below their line, in heights."""
+
 LEAST_LABEL_MM = 1.5
 """Smaller names are left out: they could not be read."""
 
@@ -118,13 +124,18 @@ class Ring:
 
     def _label(self) -> tuple[Text, ...]:
         loops = [slot.corners for slot in self.slots] + [seat.points(0.1) for seat in self.seats]
-        room = self.radii[1] - max(float(np.hypot(*loop.T).max()) for loop in loops)
-        height = min(LABEL_MM, 0.4 * room)
-        half = text_width(self.name, height) / 2
-        low = self.radii[1] - room / 2 - height / 2
-        if height < LEAST_LABEL_MM or np.hypot(half, low + height) > self.radii[1] - 0.5:
+        inner = max(float(np.hypot(*loop.T).max()) for loop in loops) + CLEAR_MM
+        outer = self.radii[1] - CLEAR_MM
+        largest = min(LABEL_MM, 0.4 * (self.radii[1] - inner))
+        if largest < LEAST_LABEL_MM:
             return ()
-        return (Text((-half, low), self.name, height, 0.0, ENGRAVE),)
+        for height in np.linspace(largest, LEAST_LABEL_MM, 12).tolist():
+            half, below = text_width(self.name, height) / 2, height * TAILS
+            most = float(np.sqrt(max(outer**2 - half**2, 0.0))) - height  # its upper corners lie on the rim
+            if most >= inner + below:
+                low = min(most, (inner + below + outer - height) / 2)
+                return (Text((-half, low), self.name, height, 0.0, ENGRAVE),)
+        return ()
 
 
 def slot_reach(radius: float, angle: float, thickness: float, tab: float) -> float:

@@ -8,6 +8,7 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.lettering import text_strokes
 from elastica_cad.fabrication.holders.placed_tab import ENDS, PlacedTab
 
 CARD = ec.Sheet.named("card-200gsm")
@@ -68,6 +69,17 @@ def test_rings_are_flat_parts_with_room_between_slots(vase):
     heights = [ring.frame.origin[2] for ring in vase.plates]
     assert heights == pytest.approx([0, 140], abs=1e-6)
     assert [ring.frame.z_axis[2] for ring in vase.plates] == [1, -1]
+
+
+@pytest.mark.parametrize("name", ["R", "ring-start", "ring-start-outer-of-the-vase"])
+def test_names_of_rings_are_as_small_as_they_must_be_to_fit(vase, name):
+    ring = replace(vase.plates[0], name=name)
+    (text,) = ring.drawing.texts
+    strokes = np.concatenate([stroke.points(0.05) for stroke in text_strokes(text)])
+    reach = max(np.hypot(*slot.corners.T).max() for slot in ring.slots)
+    assert np.hypot(*strokes.T).max() < ring.radii[1] - 0.4
+    assert strokes[:, 1].min() > reach + 0.4
+    assert text.height >= 1.5
 
 
 def test_a_pole_is_closed_by_a_cap(globe):
