@@ -249,6 +249,8 @@ class _Ended(_Jointed):
     def end_face(self, end: End) -> cq.Face:
         """The plane face that closes the strip at one end."""
         tab = self.strip.ends[0 if end == "start" else 1].length
+        if self.strip.is_closed and self._made.home is not None:  # bent, its lap is another body
+            tab = 0.0
         tip = cq.Vector(*(self.joints[end] * cq.Location((tab, 0, 0))).toTuple()[0])
         return min(self.Faces(), key=lambda face: (face.Center() - tip).Length)
 

@@ -17,6 +17,7 @@ SKINS = {"build123d", "cadquery"}
 NEEDS = {
     "test_build123d_strips.py": {"build123d"},
     "test_cadquery_strips.py": {"cadquery"},
+    "test_closed_bodies.py": SKINS,
     "test_five_doors.py": SKINS,
     "test_same_strip.py": SKINS,
     "test_screws_of_bd_warehouse.py": SKINS,  # and bd_warehouse, which is in the environment of both
