@@ -52,7 +52,7 @@ class Design:
         return optimal_rod(self.curve, gravity, section=self.section, samples=801)
 
 
-def designs(count=50):
+def designs(count=250):
     """Arches, leaning arches and waves of 300 to 700 mm; every law in turn, every second one heavy."""
     rng = np.random.default_rng(19)
     found = []

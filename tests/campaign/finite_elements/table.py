@@ -36,7 +36,7 @@ long and 0.8 mm thick, nu = 0.3, in units of E I over mass per length and L^4. N
 shape. "Told" is the word of `sideways_stability` on the rod."""
 
 TAPERED = """Strips 8 mm wide whose thickness carries the stiffness. The side view (DXF) is meshed and made
-wide: one brick across the width, elements of 3 mm along. The tabs are held in the drawn pose; asked are 1e-03
+wide: two bricks across the width, elements of 8 mm along. The tabs are held in the drawn pose; asked are 1e-03
 of the length."""
 
 POCKETS = """Rigid walls 0.15 mm off either face of the tabs, 10 mm deep, without friction; weight included. A tab
