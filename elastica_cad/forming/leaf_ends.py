@@ -130,7 +130,7 @@ def nearest_leaves(
     >>> law = LeavesLaw(Sheet("ash leaf", 0.6, 12000.0, density=680.0, max_strain=0.02), 4, width=20.0)
     >>> stack = nearest_leaves(arch, law)
     >>> [leaf.number for leaf in stack.leaves], stack.deviation < 0.01 * stack.rod.length
-    ([1, 2, 3, 4], True)
+    ([1, 2, 3, 4, 4], True)
     """
     if not isinstance(law, LeavesLaw):
         raise InputError(f"the law is {law!r}: give a LeavesLaw(sheet, leaves, width)")
