@@ -91,7 +91,7 @@ class StiffnessFamily:
 def dense_values(function: PanelFunction) -> FloatArray:
     """Values (n, ...) at `dense_places`."""
     values = function.in_every_panel(_DENSE_BASIS)
-    return values.reshape(-1, *values.shape[2:])
+    return values.reshape(len(values) * DENSE.size, *values.shape[2:])
 
 
 def dense_places(panels: Panels, parts: int | None = None) -> tuple[IntArray, FloatArray]:
