@@ -95,11 +95,11 @@ def test_edges_of_solids(document):
         (box, ("Edge1", "Edge2"), "corner"),
         (box, ("Edge1", "Edge7"), "chains"),
         (box, (), "many edges"),
-        (box, ("Face1",), "closed"),
+        (box, ("Face1",), "corner"),
         (box, ("Vertex1",), "no curve"),
         (box, ("Edge99",), "no Edge99"),
         (box, ("nonsense",), "no nonsense"),
-        (cylinder, (round_edge,), "closed"),
+        (cylinder, (round_edge,), ""),
         (ball, ("Edge1",), "degenerate"),
         (helix, (), "plane"),
     ]

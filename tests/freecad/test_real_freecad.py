@@ -184,7 +184,7 @@ def test_a_hostile_user(tmp_path):
     assert found["trouble"] == []
     assert len(found["times"]) == 14 * 5 + 5
     assert "is empty" in found["empty in edit"]
-    assert "closed" in found["circle in edit"]
+    assert "break" in found["circle in edit"]
     assert "missing" in found["sketch gone"]
     # two strips, and their copies beside them
     assert found["pasted into Pasted"] == [[["Up-to-date"], True]] * 2

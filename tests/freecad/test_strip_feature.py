@@ -160,9 +160,11 @@ def two_curves(sketch):
     sketch.addGeometry(Part.LineSegment(App.Vector(500, 0, 0), App.Vector(600, 50, 0)), False)
 
 
-def closed(sketch):
+def triangle(sketch):
     sketch.delGeometry(0)
-    sketch.addGeometry(Part.Circle(App.Vector(0, 0, 0), App.Vector(0, 0, 1), 50), False)
+    corners = [App.Vector(0, 0, 0), App.Vector(200, 0, 0), App.Vector(100, 150, 0)]
+    for start, end in zip(corners, corners[1:] + corners[:1], strict=True):
+        sketch.addGeometry(Part.LineSegment(start, end), False)
 
 
 def corner(sketch):
@@ -179,7 +181,7 @@ def deleted(sketch):
         (empty, "is empty"),
         (construction_only, "construction geometry"),
         (two_curves, "2 separate chains"),
-        (closed, "closed"),
+        (triangle, "corner"),
         (corner, "corner"),
         (deleted, "missing"),
     ],
