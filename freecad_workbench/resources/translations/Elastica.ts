@@ -1823,6 +1823,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>the curve is open: only a closed one can begin anywhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the curve cannot begin at %1 mm: it is %2 mm long; give a place along it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the curve is closed with a corner of %1 degrees at (%2, %3): a strip bends without kinks; round it, or leave a gap between its ends</source>
         <translation type="unfinished"></translation>
     </message>

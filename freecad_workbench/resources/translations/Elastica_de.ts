@@ -1835,6 +1835,14 @@
         <translation>er nimmt keine Form nahe seinem Entwurf an: näher an seiner Kurve halten</translation>
     </message>
     <message>
+        <source>the curve is open: only a closed one can begin anywhere</source>
+        <translation>die Kurve ist offen: nur eine geschlossene kann irgendwo beginnen</translation>
+    </message>
+    <message>
+        <source>the curve cannot begin at %1 mm: it is %2 mm long; give a place along it</source>
+        <translation>die Kurve kann nicht bei %1 mm beginnen: sie ist %2 mm lang; eine Stelle auf ihr angeben</translation>
+    </message>
+    <message>
         <source>the curve is closed with a corner of %1 degrees at (%2, %3): a strip bends without kinks; round it, or leave a gap between its ends</source>
         <translation>die Kurve schließt sich mit einer Ecke von %1 Grad bei (%2, %3): ein Streifen biegt sich ohne Knick; sie abrunden oder eine Lücke zwischen den Enden lassen</translation>
     </message>

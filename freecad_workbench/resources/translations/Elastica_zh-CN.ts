@@ -1835,6 +1835,14 @@
         <translation>它不会呈现接近设计的形状：请在更靠近其曲线处夹持</translation>
     </message>
     <message>
+        <source>the curve is open: only a closed one can begin anywhere</source>
+        <translation>曲线是开口的：只有闭合曲线才能从任意处开始</translation>
+    </message>
+    <message>
+        <source>the curve cannot begin at %1 mm: it is %2 mm long; give a place along it</source>
+        <translation>曲线不能从 %1 mm 处开始：其长度为 %2 mm；请给出曲线上的位置</translation>
+    </message>
+    <message>
         <source>the curve is closed with a corner of %1 degrees at (%2, %3): a strip bends without kinks; round it, or leave a gap between its ends</source>
         <translation>曲线在 (%2, %3) 处以 %1 度的尖角闭合：条弯曲时没有折角；请将其倒圆，或在两端之间留出间隙</translation>
     </message>
