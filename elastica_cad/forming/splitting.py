@@ -173,6 +173,8 @@ class _Cut:
             return self.ratio_of(start, end) <= self.ratio
         try:
             piece, held, tolerance = self._held(start, end)
+            if piece.is_closed:  # pieces have two ends
+                return False
             return check_equilibrium(piece, held, tolerance=tolerance).realizable
         except InputError:
             return False
