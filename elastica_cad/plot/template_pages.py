@@ -180,6 +180,8 @@ def _draw_page(figure: Any, drawing: Drawing, tiling: Tiling, k: int, overlap: f
     window = Rectangle((low[0], low[1]), *tiling.size, transform=axes.transData)
     for item in drawing.strokes:
         points = item.path.points(CHORD_MM)
+        if np.any(points.max(axis=0) < low) or np.any(points.min(axis=0) > high):
+            continue  # on another page: a line that is clipped away costs as much as one that is seen
         points = np.concatenate([points, points[:1]]) if item.path.closed else points
         axes.plot(*points.T, color=LAYER_COLORS[item.layer], linewidth=0.6, solid_capstyle="butt")[
             0
