@@ -57,8 +57,9 @@ def test_files_of_earlier_versions_in_a_window(tmp_path):
             assert one["icon"]
             assert one["state"] == ["Up-to-date"], (name, one["said"])
             before, after = one["volumes"]
-            # strokes of engraved letters have had mitred corners since
-            assert after == pytest.approx(before, rel=1e-4 if kind == "FixturesFeature" else 1e-5), name
+            # strokes of engraved letters have had mitred corners since; searches for the nearest rod end elsewhere
+            changed = kind == "FixturesFeature" or name == "Strip003"
+            assert after == pytest.approx(before, rel=1e-4 if changed else 1e-5), name
     assert len(kinds) == 6
 
 
