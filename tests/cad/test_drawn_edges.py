@@ -121,7 +121,6 @@ class TestRefused:
         [
             (lambda: wire(*(line(a, b) for a, b in pairwise(HELIX))), "corner of .* degrees at"),
             (lambda: [line((0, 0, 0), (1, 0, 0)), line((5, 0, 0), (9, 0, 0))], "2 separate chains"),
-            (lambda: arc(10, 0, 2 * np.pi), "closed"),
             (lambda: [line((0, 0, 0), (9, 0, 0)), line((9, 0, 0), (9, 5, 0))], r"90 degrees at \(9, 0, 0\)"),
             (lambda: [], "no length"),
             (lambda: 7, "edge or wire .* not int"),

@@ -38,8 +38,8 @@ def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
     Examples
     --------
     >>> circle = PlaneCurve.arc((0, 0), 10, 0, 2 * np.pi)
-    >>> begin_at(circle, circle.length / 4).evaluate([0.0]).round(6).tolist()
-    [[10.0, 0.0]]
+    >>> begin_at(circle, circle.length / 4).at([0.0]).position.round(6).tolist()
+    [[0.0, 10.0]]
     """
     if not curve.is_closed:
         raise InputError("the curve is open: only a closed one can begin anywhere")

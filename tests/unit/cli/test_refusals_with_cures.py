@@ -98,7 +98,6 @@ REFUSED = [
     ("strip corner.svg --sheet birch-plywood-0.8 --max-width 20", "--nearest"),
     ("strip ring.svg --sheet birch-plywood-0.8 --max-width 20", "--nearest"),
     ("check corner.svg", "strip corner.svg --sheet"),
-    ("check ring.svg", "strip ring.svg --sheet"),
     ("check both.svg --curve 2", "strip both.svg --curve 2 --sheet"),
     ("bend corner.svg --to 100 0", "--nearest"),
     ("bend wave.dxf --to 130 0", "--nearest"),

@@ -77,5 +77,5 @@ def test_wrong_files(tmp_path, name, text, words):
 
 def test_without_trimesh(tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "trimesh", None)
-    with pytest.raises(MissingDependencyError, match=r"elastica-cad\[mesh\]"):
+    with pytest.raises(MissingDependencyError, match="pip install trimesh"):
         read_mesh(written(tmp_path, "a.obj", TENT))
