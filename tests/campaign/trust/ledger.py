@@ -32,7 +32,7 @@ CLAIMS = {
         "tests/validation/test_stability_reference.py",
     ("docs/architecture.md", "bent strips are elastica", "second variation, margin"):
         "tests/validation/test_elastica_tables.py",
-    ("docs/architecture.md", "all files appear together or not at all", "All files appear together or not at all"):
+    ("docs/architecture.md", "all files appear together or not at all", "appear together or not at all"):
         "tests/unit/formats/test_living_writers.py",
     ("SECURITY.md", "files are read within limits", "counted before they are expanded"):
         "tests/unit/formats/test_hostile_drawings.py",
