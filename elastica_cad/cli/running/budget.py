@@ -69,6 +69,8 @@ def spend(seconds: float, mib: float) -> Iterator[None]:
         finally:
             done.set()
             watcher.join()
+        if said:  # it came where Python ignores exceptions, as in a destructor
+            raise OutOfBudgetError(said[0])
     except _Ended:
         raise OutOfBudgetError(said[0]) from None
     except MemoryError:
