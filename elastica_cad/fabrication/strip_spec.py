@@ -34,8 +34,7 @@ from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.material.tapered_sections import WidthLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.studies.creep import require_creep
-from elastica_cad.mechanics.theorem1.closed_curves import begin_at, flattest_place, seam_turn
-from elastica_cad.mechanics.theorem1.equilibrium_check import CORNER_RAD
+from elastica_cad.mechanics.theorem1.closed_curves import CORNER_RAD, begin_at, flattest_place, seam_turn
 
 SAME_LENGTH = 1e-9
 """Relative difference below which two gravity lengths are of the same sheet: they were computed alike."""

@@ -6,19 +6,17 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.theorem1.closed_curves import CORNER_RAD
 
 MEETING_SHARE = 1e-4
 """Of the length: ends that are nearer meet; rods on few nodes close as well as that."""
-
-ALIGNED_RAD = 1e-5
-"""Ends that differ less in direction go on in each other."""
 
 
 def closes(rod: Rod) -> bool:
     """Do the ends of a rod meet, one going on in the other?"""
     gap = float(np.hypot(*(rod.position[-1] - rod.position[0])))
     turn = np.angle(np.exp(1j * float(rod.angle[-1] - rod.angle[0])))
-    return gap <= MEETING_SHARE * rod.length and abs(turn) <= ALIGNED_RAD
+    return gap <= MEETING_SHARE * rod.length and abs(turn) <= CORNER_RAD
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,7 +57,6 @@ class LapJoint:
         covered = np.clip((length - edges[:-1]) / np.diff(edges), 0.0, 1.0)
         both = width + lap_width
         stiffer = (both + 12 * width * lap_width / both) / width
-        natural = np.broadcast_to(np.asarray(rod.natural_curvature, dtype=float), rod.s.shape)
-        bent = rod.curvature - natural
-        lapped = rod.curvature - both / width / stiffer * bent
+        natural = rod.natural_curvature
+        lapped = rod.curvature - both / width / stiffer * (rod.curvature - natural)
         return cls(1 / (covered / stiffer + 1 - covered), natural + covered * (lapped - natural))

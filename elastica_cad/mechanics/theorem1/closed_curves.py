@@ -9,6 +9,9 @@ from elastica_cad.geometry.paths.trim import clamp_ends, trim_curve
 PLACES = 721
 """Places along a curve that may be its flattest."""
 
+CORNER_RAD = 1e-5
+"""Turn at once that is a corner where a closed curve or strip closes, as along a curve."""
+
 CLEAR_SHARE = 0.05
 """Of the largest curvature: places that are bent less lie too near to an inflection to begin there."""
 
@@ -69,10 +72,11 @@ def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
 
 def _closed_exactly(curve: PlaneCurve) -> PlaneCurve:
     """The curve with its last point on its first: programs that drew the same one then begin alike."""
-    points = clamp_ends(curve).control_points
+    clamped = clamp_ends(curve)
+    points = clamped.control_points
     if np.array_equal(points[0], points[-1]):
         return curve
-    return clamp_ends(curve).with_control_points(np.concatenate([points[:-1], points[:1]]))
+    return clamped.with_control_points(np.concatenate([points[:-1], points[:1]]))
 
 
 def flattest_place(curve: PlaneCurve) -> float:

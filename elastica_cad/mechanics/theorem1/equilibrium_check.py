@@ -16,7 +16,7 @@ from elastica_cad.mechanics.loads.rest_curvature import (
     require_natural_curvature,
 )
 from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.theorem1.closed_curves import begin_at, flattest_place, seam_turn
+from elastica_cad.mechanics.theorem1.closed_curves import CORNER_RAD, begin_at, flattest_place, seam_turn
 from elastica_cad.mechanics.theorem1.inflection_line import (
     WIDEST_RATIO,
     find_separating_line,
@@ -45,9 +45,6 @@ from elastica_cad.mechanics.theorem1.verdict import (
     listed,
     places,
 )
-
-CORNER_RAD = 1e-5
-"""Turn of a closed curve where it closes that is a corner, as along a curve."""
 
 SEAM_SHARE = 0.01
 """Of the largest curvature: a closed curve that is bent less where it begins is begun elsewhere."""
@@ -127,9 +124,10 @@ def examine_curvature(
     require_curve(curve)
     require_natural_curvature(natural_curvature)
     require_bendable(curve)
-    largest = _largest(ExcessCurvature(curve, natural_curvature))
-    curve, begun = _begun_clear(curve, natural_curvature, largest)
     excess = ExcessCurvature(curve, natural_curvature)
+    largest = _largest(excess)
+    excess, begun = _begun_clear(excess, largest)
+    curve = excess.curve
     zeros = _zeros_of(excess, supports, largest)
     flats = [z for z in zeros if z.kind == "flat"]
     jumps = tuple(z.s for z in zeros if z.kind == "jump")
@@ -287,22 +285,20 @@ def require_bendable(curve: PlaneCurve) -> None:
         )
 
 
-def _begun_clear(
-    curve: PlaneCurve, natural_curvature: NaturalCurvature, largest: float
-) -> tuple[PlaneCurve, tuple[str, ...]]:
-    """The curve; a closed one that begins where its bending vanishes begun elsewhere, with a sentence about it."""
-    if not curve.is_closed or isinstance(natural_curvature, RestCurvature):  # which counts from the start
-        return curve, ()
-    bent = np.abs(curve.curvature_at(np.array(curve.domain)) - natural_curvature)
-    if bent.min() > SEAM_SHARE * largest:
-        return curve, ()
+def _begun_clear(excess: ExcessCurvature, largest: float) -> tuple[ExcessCurvature, tuple[str, ...]]:
+    """The same; of a closed curve that begins where its bending vanishes, begun elsewhere, with a sentence."""
+    curve = excess.curve
+    if not curve.is_closed or isinstance(excess.rest, RestCurvature):  # which counts from the start
+        return excess, ()
+    if np.abs(excess.at(np.array(curve.domain))).min() > SEAM_SHARE * largest:
+        return excess, ()
     place = flattest_place(curve)
     x, y = curve.at(np.array([place])).position[0]
     told = (
         f"The curve is closed and begins where it is not bent, so places are counted from ({x:.4g}, {y:.4g}), "
         f"{figure(place)} mm after its start."
     )
-    return begin_at(curve, place), (told,)
+    return replace(excess, curve=begin_at(curve, place)), (told,)
 
 
 def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tuple[CurvatureZero, ...]:
