@@ -109,7 +109,10 @@ def _drawn_edge(edge: Shape) -> DrawnEdge:
             raise InputError("an offset edge is too rough to be followed: draw the curve itself")
         spline = followed.Curve()
     else:
-        spline = k.GeomConvert.CurveToBSplineCurve_s(trimmed)
+        try:
+            spline = k.GeomConvert.CurveToBSplineCurve_s(trimmed)
+        except Exception as error:  # whatever the kernel's binding makes of Standard_Failure
+            raise InputError("an edge is no curve that the kernel can follow: draw it anew") from error
     if spline.IsPeriodic():
         spline.SetNotPeriodic()
     places = range(1, spline.NbPoles() + 1)

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.campaign.trust import commands, files, ledger, met_checks
+from tests.campaign.trust import commands, files, ledger, met_checks, written
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -47,6 +47,32 @@ def test_a_wrong_verdict_would_be_noticed():
     asked = {"ratio": 1.1, "curvature": 1e-3, "margin": 1e4}
     found = met_checks.faults(near, [(5, 0), *points[1:]], asked, {"length": True})
     assert [text.split()[0] for text in found] == ["ratio", "curvature", "margin", "ends", "length"]
+
+
+@pytest.mark.parametrize("number", range(6))
+def test_strips_at_random_can_be_cut(number, tmp_path):
+    ended, wrong = written.drawn(2026, number, tmp_path)
+    assert wrong == [], ended
+
+
+def test_a_drawing_that_cannot_be_cut_would_be_noticed(tmp_path):
+    import elastica_cad as ec
+    from elastica_cad.fabrication.drawings.drawing import LayeredPath
+
+    def told(*paths, size=None):
+        ec.save(ec.Drawing("bad", paths), tmp_path / "bad.dxf", force=True)
+        return " ".join(written.faults(tmp_path / "bad.dxf", size))
+
+    plate = LayeredPath("CUT_OUTER", ec.Path.rectangle(80, 40))
+    hole, other = (LayeredPath("CUT_INNER", ec.Path.circle((x, 20), 6)) for x in (30, 39))
+    assert told(plate, hole) == ""
+    assert "holes touch or cross" in told(plate, hole, other)
+    assert "crosses its edge" in told(plate, LayeredPath("CUT_INNER", ec.Path.circle((80, 20), 6)))
+    assert "parts touch or cross" in told(plate, LayeredPath("CUT_OUTER", ec.Path.circle((80, 20), 6)))
+    assert "leaves the sheet" in told(plate, size=(60, 60))
+    bow = ec.Path.polyline([(0, 0), (40, 30), (40, 0), (0, 30)], closed=True)
+    assert "through itself" in told(LayeredPath("CUT_OUTER", bow))
+    assert "stay open" in told(plate, LayeredPath("CUT_OUTER", ec.Path.polyline([(0, 60), (40, 60)])))
 
 
 def test_the_ledger_names_what_pages_say():

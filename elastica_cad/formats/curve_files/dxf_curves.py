@@ -52,11 +52,14 @@ def read_dxf_drawing(file: Path, *, tolerance: float, fit_tolerance: float, unit
     rounding = scale * dxf_rounding(file)
     skipped: Counter[str] = Counter()
     place, called = np.diag([1 / scale, 1 / scale, 1.0]), "mm" if scale == 1 else "drawing units"
-    return collect_curves(
-        file, _runs(document, scale, rounding, skipped), skipped, tolerance=tolerance, flat=flatten_run,
-        nothing="holds no curve in its model space: draw a SPLINE, ARC, ELLIPSE, LINE or polyline there",
-        fit_tolerance=fit_tolerance, shown=Provenance(place=place, unit=called),
-    )  # fmt: skip
+    with np.errstate(
+        over="ignore", invalid="ignore"
+    ):  # what is not finite is refused where places are checked
+        return collect_curves(
+            file, _runs(document, scale, rounding, skipped), skipped, tolerance=tolerance, flat=flatten_run,
+            nothing="holds no curve in its model space: draw a SPLINE, ARC, ELLIPSE, LINE or polyline there",
+            fit_tolerance=fit_tolerance, shown=Provenance(place=place, unit=called),
+        )  # fmt: skip
 
 
 def _runs(document: "Drawing", scale: float, rounding: float, skipped: Counter[str]) -> Iterator[Run]:

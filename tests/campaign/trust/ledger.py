@@ -18,6 +18,24 @@ KEPT = Path(__file__).with_name("measured.json")
 PAGE = ROOT / "docs" / "trust.md"
 
 CLAIMS = {
+    ("README.md", "what is cut, read and bent by another solver, is the drawn curve", "takes exactly that curve"):
+        "tests/validation/test_closed_loop.py",
+    ("README.md", "curves are read from all these formats", "Curves come from DXF, SVG, CSV points, JSON"):
+        "tests/unit/formats/test_read_curves.py",
+    ("README.md", "a real FreeCAD makes strips of sketches", "it runs on FreeCAD 0.20, 1.0 and 1.1"):
+        "tests/freecad/test_strip_feature.py",
+    ("README.md", "its blocks for both CAD libraries run", "BuildLine, BuildPart, Plane, Spline"):
+        "tests/examples/test_readme_cad.py",
+    ("docs/gallery.md", "every model can be cut, bent and put together", "each a short script to change"):
+        "tests/examples/test_gallery_examples.py",
+    ("docs/explanation/validation.md", "the tables are those of a run", "written by a run"):
+        "tests/manual/test_validation_page.py",
+    ("docs/explanation/left_out.md", "between clamps creep takes force and leaves the shape",
+     "the shape of a strip between clamps stays, its force falls"): "tests/validation/test_creep.py",
+    ("docs/explanation/left_out.md", "a strip stays in its plane where it is said to",
+     "the strip stays in its plane, or not, or undecided for wide ones"): "tests/validation/test_sideways.py",
+    ("docs/how_to/batten.md", "tapers are those of closed forms", "Planed thinner towards one end"):
+        "tests/validation/test_tapered_tables.py",
     ("docs/explanation/which_curves.md", "a strip bends exactly when one line meets its inflections",
      "one straight line meets it in its inflections"): "tests/unit/mechanics/test_equilibrium_check.py",
     ("docs/how_to/cutting.md", "one closed loop a cut", "one closed loop a cut"):
@@ -91,6 +109,13 @@ def _told(kind, record, seed):
         yield (
             f"python -m tests.campaign.trust.met_checks --seed {seed}",
             (f"{sums['solves']} solves ({met}), {sums['wrong']} wrong"),
+        )
+    elif kind == "written":
+        sums = record["sums"]
+        made = ", ".join(f"{n} {name}" for name, n in sorted(sums["ends"].items()))
+        yield (
+            f"{module} --seed {seed}",
+            f"{sums['strips']} strips ({made}), {sums['wrong']} with a fault in their files",
         )
     elif kind == "faults":
         for part in record:

@@ -2,8 +2,9 @@
 
 python -m tests.campaign.trust.mutants --count 400 --seed 1 --minutes 120
 
-A comparison turned, an operator swapped, a number moved, a condition negated. For each mutant the module's own
-examples run, then tests that import it, those beside it and of its floor, until one fails; survivors are listed.
+A comparison turned, an operator swapped, a number moved, a condition negated, a constant a hundred times as large.
+For each mutant the tests that run its lines are asked, the quickest first, until one fails; survivors are listed.
+A run goes on where the record of its seed ends.
 """
 
 import argparse
@@ -14,16 +15,35 @@ import random
 import resource
 import shutil
 import signal
-import subprocess
 import sys
 import time
+from importlib import import_module
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+import pytest
+
+from tests.campaign.trust.covering_tests import Covering, gather
+
 ROOT = Path(__file__).resolve().parents[3]
 FLOORS = ("geometry", "mechanics", "forming", "fabrication", "formats")
-PATIENCE_S = 300
-"""Processor seconds of one mutant's tests: a loop that a change made endless ends there."""
+FIRST_S, LONG_S = 6.0, 60.0
+"""Processor seconds of the tests of a mutant as they take without a change: a quick look, then a long one."""
+
+PATIENCE_S = 200
+"""Processor seconds at which a loop that a change made endless ends."""
+
+LIBRARIES = (
+    "numpy", "scipy.integrate", "scipy.interpolate", "scipy.linalg", "scipy.optimize", "scipy.sparse.linalg",
+    "scipy.spatial", "highspy", "ezdxf", "shapely", "svgelements", "click",
+)  # fmt: skip
+"""What tests load before they begin, loaded once for all mutants."""
+
+FAILED = 99
+"""Exit code of a process that ended otherwise than by pytest's own."""
+
+UNITS = 100
+"""A constant of a module is moved by so much, as a number in wrong units is: its half again is often as good."""
 
 SWAPS = {
     ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult, ast.Lt: ast.GtE, ast.LtE: ast.Gt,
@@ -59,13 +79,15 @@ def places(tree):
             yield node, "test"
 
 
-def changed(node, field):
-    """Change the node in place and say how."""
+def changed(node, field, at_top=False):
+    """Change the node in place, by UNITS where it is a constant of the module, and say how."""
     before = ast.unparse(node)
     if field == "op":
         node.op = SWAPS[type(node.op)]()
     elif field == "ops":
         node.ops[0] = SWAPS[type(node.ops[0])]()
+    elif field == "value" and at_top and node.value:
+        node.value *= UNITS
     elif field == "value":
         node.value = node.value + 1 if isinstance(node.value, int) else node.value * 1.5 + 1e-3
     else:
@@ -84,52 +106,62 @@ def mutants(count, seed):
     return found
 
 
-def asked_tests(file):
-    """The module itself (its examples), then tests of its floor that name it, then those of other floors."""
-    module = ".".join(file.relative_to(ROOT).with_suffix("").parts)
-    near = [module, module.rpartition(".")[0]]
-    floor = file.relative_to(ROOT / "elastica_cad").parts[0]
-    tests = sorted((ROOT / "tests").rglob("test_*.py"), key=lambda path: path.stat().st_size)
-    tests = [
-        path for path in tests if path.parts[len(ROOT.parts) + 1] in ("unit", "properties", "validation")
-    ]
-    direct = [path for path in tests if f"{near[0]} import" in path.read_text()]
-    beside = [path for path in tests if f"{near[1]}." in path.read_text() and path not in direct]
-    rest = [path for path in tests if path.parent.name == floor and path not in (*direct, *beside)]
-    return [str(path.relative_to(ROOT)) for path in (file, *direct, *beside, *rest)]
-
-
-def tried(copy, file, number):
-    """What was changed, and the verdict: killed, survived or too long."""
+def tried(copy, file, number, covering):
+    """What was changed, and the verdict: killed, survived, too long, or run by no test."""
     path, text = copy / file.relative_to(ROOT), file.read_text()
     tree = ast.parse(text)
     node, field = list(places(tree))[number]
-    told = changed(node, field)
+    last = node.end_lineno if field != "test" else node.test.end_lineno
+    tests = covering.of(file.relative_to(ROOT), node.lineno, last)
+    told = changed(node, field, at_top=any(node in ast.walk(one) for one in tree.body if _is_constant(one)))
+    verdict = "survived"
     path.write_text(ast.unparse(tree))
-    words = [
-        sys.executable,
-        "-m",
-        "pytest",
-        "-q",
-        "-x",
-        "-n",
-        "0",
-        "-p",
-        "no:cacheprovider",
-        *asked_tests(file),
-    ]
-    try:
-        done = subprocess.run(
-            words, cwd=copy, capture_output=True, check=False, timeout=10 * PATIENCE_S,
-            env={**os.environ, "PYTHONPATH": str(copy), "PYTHONDONTWRITEBYTECODE": "1"},
-            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (PATIENCE_S, PATIENCE_S)),
-        )  # fmt: skip
-        verdict = {0: "survived", -signal.SIGKILL: "too long"}.get(done.returncode, "killed")
-    except subprocess.TimeoutExpired:
-        verdict = "too long"
-    finally:
-        path.write_text(text)
-    return {"file": str(file.relative_to(ROOT)), "change": told, "verdict": verdict}
+    for seconds in (FIRST_S, LONG_S) if tests else ():
+        verdict = asked_tests(copy, covering.within(tests, seconds))
+        if verdict != "survived":
+            break
+    path.write_text(text)
+    return {"file": str(file.relative_to(ROOT)), "change": told, "tests": len(tests), "verdict": verdict}
+
+
+def asked_tests(copy, tests):
+    """How the tests end in the changed copy, in a process that has the libraries loaded but nothing of ours."""
+    child = os.fork()
+    if not child:
+        code = FAILED
+        try:
+            code = _run(copy, tests)
+        finally:
+            os._exit(code)
+    end = time.monotonic() + 10 * PATIENCE_S
+    while not (done := os.waitpid(child, os.WNOHANG))[0]:
+        if time.monotonic() > end:
+            os.kill(child, signal.SIGKILL)
+            done = os.waitpid(child, 0)
+            break
+        time.sleep(0.02)
+    code = os.waitstatus_to_exitcode(done[1])
+    return {0: "survived", -signal.SIGKILL: "too long"}.get(code, "killed")
+
+
+def _run(copy, tests):
+    """The code with which pytest ends the tests, in this process."""
+    resource.setrlimit(resource.RLIMIT_CPU, (PATIENCE_S, PATIENCE_S))
+    os.chdir(copy)
+    os.environ["PYTHONPATH"] = sys.path[0] = str(copy)
+    for name in [name for name in sys.modules if name.partition(".")[0] in ("tests", "elastica_cad")]:
+        del sys.modules[name]
+    sys.dont_write_bytecode = True
+    nowhere = os.open(os.devnull, os.O_RDWR)
+    for stream in (0, 1, 2):
+        os.dup2(nowhere, stream)
+    words = ["-q", "-x", "-n", "0", "-p", "no:cacheprovider", "--rootdir", str(copy), *tests]
+    return int(pytest.main(words))
+
+
+def _is_constant(node):
+    """A number of the module that has a name of its own."""
+    return isinstance(node, ast.Assign | ast.AnnAssign)
 
 
 def main():
@@ -140,16 +172,27 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--minutes", type=float, default=600.0)
     parser.add_argument("--out", type=Path, default=Path("out/campaign"))
+    parser.add_argument("--covering", type=Path, help="what an earlier run found out about tests and lines")
     asked = parser.parse_args()
-    found, since = [], time.monotonic()
     asked.out.mkdir(parents=True, exist_ok=True)
+    log, since = asked.out / f"mutants-{asked.seed}.json", time.monotonic()
+    found = json.loads(log.read_text()) if log.exists() else []
+    for library in LIBRARIES:
+        import_module(library)
     with TemporaryDirectory() as folder:
         copy = Path(folder, "copy")
         shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(".git", ".venv*", "out", "__pycache__"))
-        for file, number in mutants(asked.count, asked.seed):
-            found.append(tried(copy, file, number))
+        if asked.covering is None:
+            asked.covering = Path(folder, "covering")
+            gather(copy, asked.covering, FLOORS)
+        covering = Covering(asked.covering)
+        sound = covering.within(sorted(covering.seconds, key=covering.seconds.__getitem__), LONG_S)
+        if asked_tests(copy, sound) != "survived":
+            sys.exit("tests fail without any change: mend them first")
+        for file, number in mutants(asked.count, asked.seed)[len(found) :]:
+            found.append(tried(copy, file, number, covering))
             print(json.dumps(found[-1]), flush=True)
-            (asked.out / f"mutants-{asked.seed}.json").write_text(json.dumps(found, indent=1) + "\n")
+            log.write_text(json.dumps(found, indent=1) + "\n")
             if time.monotonic() - since > 60 * asked.minutes:
                 break
     killed = sum(one["verdict"] != "survived" for one in found)

@@ -1,4 +1,4 @@
-"""Many strips and many files in one process: memory, threads and open files stay where they are.
+"""Many strips, files and examples in one process: memory, threads and open files stay where they are.
 
 python -m tests.campaign.trust.soak --solves 10000 --minutes 60
 """
@@ -8,6 +8,7 @@ import gc
 import json
 import os
 import random
+import runpy
 import sys
 import threading
 import time
@@ -16,7 +17,12 @@ from tempfile import TemporaryDirectory
 
 import elastica_cad as ec
 
-WARM = 50  # rounds after which caches are full
+ROOT = Path(__file__).resolve().parents[3]
+EXAMPLES = ("vase", "lantern", "shell", "revolution", "carpet", "projective", "spiral")
+EVERY = 150
+"""Rounds after which one of the examples is built whole and drawn."""
+
+WARM = EVERY * len(EXAMPLES)  # rounds after which caches are full: every example was built once
 MOST_GROWTH_MIB = 60.0
 
 
@@ -46,6 +52,16 @@ def round_of(rng, folder):
         ec.nearest_rod(curve, ec.Limits(ratio=1.3))
 
 
+def built(name, folder):
+    """An example as its script builds it, every part drawn."""
+    built = runpy.run_path(str(ROOT / "examples" / name / f"{name}.py"))["build"]()
+    models = built if isinstance(built, list | tuple | dict) else [built]
+    for model in models.values() if isinstance(models, dict) else models:
+        for part in getattr(model, "parts", ()):
+            for number, drawing in enumerate(part.strip.drawings()):
+                ec.save(drawing, folder / f"{number}.dxf", force=True)
+
+
 def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
@@ -58,6 +74,8 @@ def main():
     with TemporaryDirectory() as folder:
         for done in range(1, asked.solves + 1):
             round_of(rng, Path(folder))
+            if done % EVERY == EVERY - 1:
+                built(EXAMPLES[done // EVERY % len(EXAMPLES)], Path(folder))
             if done == WARM:
                 first = held()
             if time.monotonic() - since > 60 * asked.minutes:

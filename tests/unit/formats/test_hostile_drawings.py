@@ -250,3 +250,12 @@ def problem_of(path):
     except ElasticaError as error:
         return str(error)
     return " ".join(one.problem for one in file.bad[:1])
+
+
+def test_a_circle_of_infinite_radius_is_refused_without_a_warning(tmp_path):
+    path = tmp_path / "endless.dxf"
+    rows = ("0", "SECTION", "2", "ENTITIES", "0", "CIRCLE", "8", "0", "10", "0.0", "20", "0.0", "40", "-inf")
+    path.write_text("\n".join((*rows, "0", "ENDSEC", "0", "EOF", "")))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        refused(path, "not a finite number")
