@@ -103,6 +103,19 @@ def draw(name, model):
     Image.open(file).convert("RGB").quantize(48).save(file, optimize=True)
 
 
+def draw_arch(file):
+    """The first picture of README: what `make demo` draws, small enough for a page."""
+    from PIL import Image
+
+    from elastica_cad.plot.canvas import save_figure
+    from elastica_cad.plot.strip_pictures import strip_sheet
+
+    (curve,) = ec.read_curves(HERE / "arch" / "arch.dxf")
+    strip = ec.make_strip(curve, "birch-plywood-0.8", max_width=40, label="ARCH")
+    save_figure(strip_sheet(strip), file, force=True, resolution=90)
+    Image.open(file).convert("RGB").quantize(48).save(file, optimize=True)
+
+
 def shares(distances, lengths):
     """The largest of some distances in mm, and the largest share of the curve's length."""
     share = max(distance / length for distance, length in zip(distances, lengths, strict=True))
@@ -152,6 +165,8 @@ def main(*options):
             apart = max(apart, off)
         if "--pictures" in options:
             draw(name, model)
+    if "--pictures" in options:
+        draw_arch(HERE / "arch" / "arch.png")
     lines.append(
         f"| all of the paper's | | | | | | | | {total[0]:.2f} | {total[2]:.2f} | {total[1]:.2f} | {total[3]:.2f} |"
     )

@@ -396,6 +396,22 @@ def test_the_table_comes_from_a_run(project_root):
     assert all(f"| {name.replace('_', ' ')} |" in table for name in names["PAPER"])
 
 
+@pytest.mark.parametrize("name", [name for name in MODELS if name != "facade"])
+def test_the_table_is_of_the_models_as_they_are(name, built, project_root):
+    """Sheets, counts, samples, size, ratios and deviation as made; seconds are those of the run that wrote it."""
+    names = runpy.run_path(str(project_root / "examples" / "gallery.py"))
+    table = (project_root / "examples" / "gallery.md").read_text()
+    (line,) = [
+        one for one in table.split("\n") if one.startswith(f"| {name.replace('_', ' ')} | ") and "x" in one
+    ]
+    told = line.strip("| ").split(" | ")
+    cells = names["row"](name, built(name), [], 0.0, 0.0).strip("| ").split(" | ")
+    assert told[:5] == cells[:5]
+    ratios = [[float(ratio) for ratio in one[5].split("-")] for one in (told, cells)]
+    assert ratios[0] == pytest.approx(ratios[1], abs=0.03), "write it again: python examples/gallery.py"
+    assert float(told[7].split()[0]) == pytest.approx(float(cells[7].split()[0]), abs=0.005)
+
+
 def test_pictures_are_there_and_small(project_root):
     """One of each model and study."""
     for name in (*MODELS, "revolution", "s_curve", "projective", "robustness"):

@@ -79,7 +79,10 @@ def crawl(home: str, pictures: Path | None) -> tuple[list[str], list[str]]:
                     pictures.mkdir(parents=True, exist_ok=True)
                     browser.save_screenshot(pictures / f"{name.replace('/', '-')}-{width}.png")
             wrong += [f"{name}: no picture {one}" for one in browser.execute_script(BROKEN)]
-            wrong += [f"{name}: {entry['message']}" for entry in browser.get_log("browser")]
+            said = [entry["message"] for entry in browser.get_log("browser")]
+            wrong += [
+                f"{name}: {one}" for one in said if "/favicon.ico" not in one
+            ]  # asked for where a page has none
             for link in browser.execute_script(LINKS):
                 if not link.startswith(home):
                     continue

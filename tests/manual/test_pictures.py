@@ -1,21 +1,106 @@
 """Pictures of the manual are those that their scripts draw."""
 
 import importlib.util
+import re
+import runpy
 from pathlib import Path
 
 import matplotlib.image
 import numpy as np
+import pytest
 
-DOCS = Path(__file__).resolve().parents[2] / "docs"
+from elastica_cad.cli.commands import elastica
+from tests.manual.found_in_pages import PAGES, ROOT
+
+DOCS = ROOT / "docs"
+TOOLS = DOCS / "freecad_tools" / "pictures"
+DRAWS_TOOLS = (ROOT / "tests" / "freecad" / "scripts" / "manual_pictures.py").read_text(encoding="utf-8")
+
+
+def script_of(name):
+    """A script beside the pages, as a module."""
+    spec = importlib.util.spec_from_file_location(name, DOCS / f"{name}.py")
+    script = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(script)
+    return script
 
 
 def test_the_steps_of_the_theorem_are_drawn_by_the_functions_that_decide(tmp_path, monkeypatch):
-    spec = importlib.util.spec_from_file_location("theorem_picture", DOCS / "theorem_picture.py")
-    script = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(script)
+    script = script_of("theorem_picture")
     told = matplotlib.image.imread(script.PICTURE)
     monkeypatch.setattr(script, "PICTURE", tmp_path / "theorem1.png")
     script.main()
     drawn = matplotlib.image.imread(script.PICTURE)
     assert drawn.shape == told.shape
     assert np.abs(drawn - told).mean() < 0.01, "draw it again: python docs/theorem_picture.py"
+
+
+def shown():
+    """Every picture that a page shows, as a path from the repository."""
+    found = set()
+    for page in PAGES:
+        for target in re.findall(r"!\[[^\]]*\]\(([^)]+)\)", page.read_text(encoding="utf-8")):
+            found.add((page.parent / target).resolve().relative_to(ROOT).as_posix())
+    return sorted(found)
+
+
+@pytest.mark.parametrize("picture", shown())
+def test_a_script_draws_it(picture):
+    """Icons are drawings themselves, written as text."""
+    path = ROOT / picture
+    assert path.is_file()
+    if path.parent.name == "icons":
+        assert path.read_text(encoding="utf-8").lstrip().startswith(("<?xml", "<svg"))
+    elif path.parent == TOOLS:
+        names = re.findall(r'"(?:Elastica_)?(\w+)"', DRAWS_TOOLS, re.MULTILINE)
+        assert path.stem in {name.lower() for name in names}
+    elif path.parent == DOCS / "how_to" / "pictures":
+        assert path.stem in script_of("how_to_pictures").MADE
+    elif path.parent.name in ("explanation", "docs"):
+        assert path.name in {"theorem1.png", "plan.svg"}  # compared above and by tests/house
+    elif path.parent.name == "cad":
+        assert any(path.stem in script.name for script in path.parent.glob("*.py"))
+    elif path.parent.name == "arch":
+        assert picture == "examples/arch/arch.png"  # compared below
+    else:
+        assert path.stem == path.parent.name  # drawn by examples/gallery.py
+        gallery = (ROOT / "examples" / "gallery.py").read_text(encoding="utf-8")
+        studies = (ROOT / "examples" / "studies.py").read_text(encoding="utf-8")
+        assert f'"{path.stem}"' in gallery + studies
+
+
+def test_tools_are_shown_in_every_language_and_small():
+    english = {path.stem for path in TOOLS.glob("*.png") if "." not in path.stem}
+    assert len(english) == 19
+    for language in ("de", "zh_CN"):
+        assert {path.name.split(".")[0] for path in TOOLS.glob(f"*.{language}.png")} == english
+    assert max(path.stat().st_size for path in TOOLS.glob("*.png")) < 90_000
+
+
+def test_the_first_picture_is_drawn_by_its_script(tmp_path):
+    runpy.run_path(str(ROOT / "examples" / "gallery.py"))["draw_arch"](tmp_path / "arch.png")
+    told, drawn = (
+        matplotlib.image.imread(p) for p in (ROOT / "examples/arch/arch.png", tmp_path / "arch.png")
+    )
+    assert drawn.shape[:2] == told.shape[:2]
+    off = np.abs(drawn[..., :3] - told[..., :3]).mean()
+    assert off < 0.02, "draw it again: python examples/gallery.py --pictures"
+
+
+@pytest.mark.parametrize("page", ["curves", "tabs"])
+def test_a_how_to_page_shows_what_its_commands_make(page, tmp_path, monkeypatch):
+    script = script_of("how_to_pictures")
+    monkeypatch.setattr(script, "MADE", {page: script.MADE[page]})
+    script.main(tmp_path)
+    told, drawn = (matplotlib.image.imread(place / f"{page}.png") for place in (script.PICTURES, tmp_path))
+    assert drawn.shape[:2] == told.shape[:2]
+    assert np.abs(drawn[..., :3] - told[..., :3]).mean() < 0.02, (
+        "draw it again: python docs/how_to_pictures.py"
+    )
+
+
+def test_every_task_of_the_command_line_is_shown():
+    shown_there = {Path(one).stem for one in shown() if "/how_to/" in one}
+    assert shown_there == set(script_of("how_to_pictures").MADE)
+    pages = "".join(one.read_text(encoding="utf-8") for one in (DOCS / "how_to").glob("*.md"))
+    assert set(re.findall(r"^elastica (\w+)", pages, re.MULTILINE)) >= set(elastica.commands)

@@ -12,6 +12,7 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
 pytestmark = pytest.mark.core
 
@@ -27,6 +28,7 @@ def test_words_are_short(strip):
     model = Model((Placed(strip),), name="one")
     for record in (ARCH, strip.rod, strip, strip.drawing(), model):
         assert len(repr(record)) < 120
+    assert repr(check_equilibrium(ARCH)).startswith("<EquilibriumCheck realizable, ")
     assert repr(ARCH) == f"<PlaneCurve of degree 4, 5 control points, {ARCH.length:.4g} mm>"
     assert f"ratio {strip.rod.ratio:.4g}" in repr(strip.rod)
 

@@ -38,7 +38,8 @@ def scaled(points):
 ARCH, WAVE = scaled(ARCH), scaled(WAVE)
 HILL = scaled([(-75, 0), (-50, 60), (0, 95), (50, 60), (75, 0)])
 CROSSING = scaled([(5, -40), (12, 0), (15, 50), (12, 100), (5, 140)])
-BAD = scaled([(0, 0), (40, 60), (80, -55), (120, 10), (160, 30), (180, 0)])
+GENTLE = [(1.3 * x, 1.3 * y) for x, y in WAVE]
+BAD = scaled([(0, 0), (35, 80), (70, -70), (110, 60), (150, 70), (180, -30)])
 
 
 def drawn(points=ARCH, name="Sketch", upright=True, poles=False):
@@ -118,6 +119,22 @@ def crossing():
     return strip_of(HILL, "B", 40, "Hill"), strip_of(CROSSING, "C", 40, "Crossing")
 
 
+def standing():
+    """Two strips that are slotted into each other, in printed blocks."""
+    choose(*crossing())
+    assert trigger("Elastica_Interlock")
+    wait(500)
+    panel().accept()
+    wait(500)
+    choose(next(one for one in App.ActiveDocument.Objects if hasattr(one, "Strips")))
+    assert trigger("Elastica_Fixtures")
+    wait(900)
+    panel().accept()
+    wait(500)
+    look("model")
+    close()
+
+
 def tidy():
     """The 3D view and the panel, nothing else."""
     for dock in Gui.getMainWindow().findChildren(QtWidgets.QDockWidget):
@@ -127,13 +144,23 @@ def tidy():
             Gui.getMainWindow().resizeDocks([dock], [380], QtCore.Qt.Horizontal)
 
 
+def plain_background():
+    """One colour: a gradient would take those of thin lines from a small palette."""
+    view = App.ParamGet("User parameter:BaseApp/Preferences/View")
+    view.SetBool("Gradient", False)
+    view.SetBool("Simple", True)
+    view.SetUnsigned("BackgroundColor", 0x54588AFF)
+
+
 def work():
+    plain_background()
     window()
     App.newDocument("Manual")
     Gui.activateWorkbench("ElasticaWorkbench")
     window()
     close()
-    in_sketch("Elastica_Live", WAVE, "live")
+    in_sketch("Elastica_Live", GENTLE, "live")
+    in_sketch("Elastica_Live", BAD, "cannot")
     in_sketch("Elastica_Between", ARCH, "between")
     by_panel("Elastica_Check", drawn(BAD, upright=False), top=True)
     by_panel("Elastica_Nearest", drawn(BAD, upright=False), top=True)
@@ -151,6 +178,7 @@ def work():
     close()
     by_panel("Elastica_Interlock", *crossing())
     by_panel("Elastica_Fixtures", strip_of())
+    standing()
     by_panel("Elastica_Nest", *crossing())
     choose(strip_of())
     assert trigger("Elastica_Export")
@@ -164,7 +192,8 @@ def work():
     wait(500)
     panel().form.sheet.setCurrentText("card-200gsm")
     panel().make()
-    panel().form.readings.setText("100 = 13.5, 120 = 26")
+    point = QtCore.QLocale().decimalPoint()
+    panel().form.readings.setText(f"100 = 13{point}5; 120 = 26")
     panel().form.readings.textEdited.emit("")
     look("coupon", top=True)
     close()

@@ -1,0 +1,92 @@
+"""Draws the pictures of the how-to pages: python docs/how_to_pictures.py [FOLDER].
+
+Each page is run as its reader does (tests/manual/run_page.py); pictures and cut files that it made are shown.
+"""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import matplotlib as mpl
+from PIL import Image
+
+mpl.use("agg")
+ROOT = Path(__file__).resolve().parents[1]
+PICTURES = ROOT / "docs" / "how_to" / "pictures"
+WIDTH_PX, COLOURS = 900, 48
+MADE = {
+    "batten": "out/batten.dxf",
+    "carry": "lamp/arch.png",
+    "curves": "points.csv",
+    "cutting": "arcs/arch.dxf",
+    "design_files": "lamp-kit/sheets/*.dxf",
+    "forces": "spring/straight-travel.png",
+    "holding": "kit/parts/*base*.dxf",
+    "meshes": "kit/sheets/*.dxf",
+    "messages": "out/arch.png",
+    "models": "kit/sheets/*.dxf",
+    "own_material": "coupon/*.dxf",
+    "python": "arch-cut.dxf",
+    "reshape": "out/*.dxf",
+    "styles": "holes/arch.dxf",
+    "tabs": "screws/arch.dxf",
+    "too_much": "out/s.png",
+}
+"""What a page's commands made that is shown there, by the name of the page."""
+
+
+def main(folder: Path = PICTURES) -> None:
+    """One picture for each page, small enough to be read on a phone."""
+    folder.mkdir(exist_ok=True)
+    for page, made in MADE.items():
+        with TemporaryDirectory() as place:
+            picture = drawn(page, made, Path(place))
+            height = round(picture.height * WIDTH_PX / picture.width)
+            small = picture.resize((WIDTH_PX, height), Image.Resampling.LANCZOS)
+            small.quantize(COLOURS).save(folder / f"{page}.png", optimize=True)
+            print(folder / f"{page}.png")
+
+
+def drawn(page: str, made: str, place: Path) -> Image.Image:
+    """What the page made in an empty place, as a picture."""
+    tools = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
+    environment = {**os.environ, "PATH": tools, "PYTHONPATH": str(ROOT), "MPLBACKEND": "agg"}
+    run = [sys.executable, ROOT / "tests" / "manual" / "run_page.py", ROOT / "docs" / "how_to" / f"{page}.md"]
+    subprocess.run(run, cwd=place, env=environment, check=True)
+    file = sorted(place.glob(made))[0]
+    if file.suffix == ".png":
+        return Image.open(file).convert("RGB")
+    return looked_at(file, place / "looked-at.png")
+
+
+def looked_at(file: Path, picture: Path) -> Image.Image:
+    """The curves of a file as they lie there, in mm."""
+    import elastica_cad as ec
+    from elastica_cad.plot.canvas import new_figure, save_figure
+
+    figure = new_figure(4.0)
+    axes = figure.subplots()
+    for curve in ec.read_curves(file) if file.suffix == ".csv" else ():
+        points = curve.sample(400).position
+        axes.plot(points[:, 0], points[:, 1], color="black")
+    if file.suffix == ".dxf":
+        import ezdxf
+        from ezdxf.path import make_path
+
+        colours = {"CUT_OUTER": "black", "CUT_INNER": "tab:red", "ENGRAVE": "tab:blue", "MARK": "tab:green"}
+        for entity in ezdxf.readfile(file).modelspace():
+            if entity.dxftype() not in ("TEXT", "MTEXT", "INSERT"):
+                points = [(p.x, p.y) for p in make_path(entity).flattening(0.05)]
+                axes.plot(
+                    *zip(*points, strict=True), color=colours.get(entity.dxf.layer, "black"), linewidth=1
+                )
+    axes.set_aspect("equal")
+    axes.set_xlabel("mm")
+    save_figure(figure, picture)
+    return Image.open(picture).convert("RGB")
+
+
+if __name__ == "__main__":
+    main(*map(Path, sys.argv[1:]))

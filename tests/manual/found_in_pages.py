@@ -1,0 +1,72 @@
+"""Every table and every fenced block of the manual, of README, CONTRIBUTING and the workbench's README."""
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+WRITTEN_WHOLE = ROOT / "docs" / "reference"  # by docs/generated_pages.py at each build, never committed
+PAGES = [
+    *sorted(path for path in (ROOT / "docs").rglob("*.md") if WRITTEN_WHOLE not in path.parents),
+    *(ROOT / name for name in ("README.md", "CONTRIBUTING.md", "SECURITY.md", "freecad_workbench/README.md")),
+    ROOT / "examples" / "gallery.md",  # docs/gallery.md includes it
+]
+RULE = re.compile(r"\|[ :|-]*-[ :|-]*\|")
+FENCED = re.compile(r"^(?P<fence>`{3,})(?P<kind>[^\n]*)\n(?P<body>.*?)^(?P=fence)$", re.MULTILINE | re.DOTALL)
+
+
+@dataclass(frozen=True)
+class Table:
+    """One table: its page as a path from the repository, the cells of its head, those of its rows."""
+
+    page: str
+    head: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+
+
+@dataclass(frozen=True)
+class Block:
+    """One fenced block: its page, its line, what stands behind the fence, its text."""
+
+    page: str
+    line: int
+    kind: str
+    body: str
+
+
+def tables() -> list[Table]:
+    """All tables, in the order of the pages."""
+    found = []
+    for page in PAGES:
+        lines = FENCED.sub("", page.read_text(encoding="utf-8")).split("\n")
+        for number, line in enumerate(lines):
+            if RULE.fullmatch(line):
+                end = next(
+                    k
+                    for k in range(number + 1, len(lines) + 1)
+                    if not "".join(lines[k : k + 1]).startswith("|")
+                )
+                rows = tuple(cells(row) for row in lines[number + 1 : end])
+                found.append(Table(page.relative_to(ROOT).as_posix(), cells(lines[number - 1]), rows))
+    return found
+
+
+def cells(line: str) -> tuple[str, ...]:
+    """What stands between the bars."""
+    return tuple(cell.strip() for cell in line.strip().removeprefix("|").removesuffix("|").split("|"))
+
+
+def blocks() -> list[Block]:
+    """All fenced blocks, in the order of the pages."""
+    found = []
+    for page in PAGES:
+        text = page.read_text(encoding="utf-8")
+        for block in FENCED.finditer(text):
+            line = text[: block.start()].count("\n") + 1
+            found.append(Block(page.relative_to(ROOT).as_posix(), line, block["kind"].strip(), block["body"]))
+    return found
+
+
+def quoted(cell: str) -> list[str]:
+    """What a cell has between backticks."""
+    return re.findall(r"`([^`]+)`", cell)

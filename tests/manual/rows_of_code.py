@@ -1,0 +1,240 @@
+"""Asks the rows of the tables about the code: floors, names, commands of make and of FreeCAD, what is installed."""
+
+import ast
+import importlib.metadata
+import inspect
+import re
+import tomllib
+from functools import cache
+
+import pytest
+from packaging.requirements import Requirement
+
+from tests.manual.found_in_pages import ROOT, quoted, tables
+from tests.manual.proofs import asks, proved_by
+from tests.manual.test_freecad_pages import COMMANDS
+
+WORKBENCH = "freecad_workbench/README.md"
+LIBRARIES = {"highspy", "numpy", "scipy", "ezdxf", "svgelements", "trimesh", "OCP", "matplotlib", "build123d",
+             "cadquery", "click", "FreeCAD"}  # fmt: skip
+
+
+@asks("docs/architecture.md", "floor", "what it knows", "libraries")
+def _floors(row, _):
+    """A floor imports the libraries that its row or a row above names, and those of its own row."""
+    (floors,) = [t for t in tables() if t.page == "docs/architecture.md" and t.head[0] == "floor"]
+    above = floors.rows[: floors.rows.index(row)]
+    named = {word for one in (*above, row) for word in LIBRARIES if word.lower() in one[2].lower()}
+    found = set().union(
+        *(imported(place) for place in quoted(row[0]) if "." not in place or place.endswith(".py"))
+    )
+    assert found & LIBRARIES <= named | ({"FreeCAD"} if "FreeCAD" in row[2] else set())
+    own = {word for word in LIBRARIES if word.lower() in row[2].lower()}
+    assert own <= found | {"FreeCAD"}
+
+
+def imported(place):
+    """The libraries that the files of a place import, at the top or inside functions."""
+    path = ROOT / place
+    files = [path] if path.suffix == ".py" else path.rglob("*.py")
+    found = set()
+    for file in files:
+        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Import):
+                found |= {name.name.split(".")[0] for name in node.names}
+            elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
+                found.add(node.module.split(".")[0])
+    return found
+
+
+@asks("docs/architecture.md", "paper", "what", "file", "function")
+def _equations(row, _):
+    proved_by("tests/house/test_documentation.py::test_every_equation_has_its_function")
+
+
+@asks("CONTRIBUTING.md", "command", "what runs")
+def _make(row, _):
+    makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
+    for command in quoted(row[0]):
+        if command.startswith("make "):
+            assert re.search(rf"^{command.split()[1]}:", makefile, re.MULTILINE)
+        else:
+            assert (ROOT / command.split()[-1]).is_dir()
+    for name in quoted(row[1]):
+        assert (ROOT / name).exists() or name in makefile or name == "pytestmark = pytest.mark.core"
+
+
+@asks("docs/how_to/install.md", "extra", "gives", "weighs about")
+def _extras(row, _):
+    """What is installed here weighs what the row says, within a third: versions differ."""
+    extra = "" if row[0] == "(none)" else quoted(row[0])[0]
+    known = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"][
+        "optional-dependencies"
+    ]
+    assert extra == "" or extra in known
+    number, unit = re.match(r"([\d.]+) (MB|GB)", row[2]).groups()
+    told = float(number) * {"MB": 1, "GB": 1000}[unit]
+    base = weights("")
+    more = base if not extra else {name: size for name, size in weights(extra).items() if name not in base}
+    assert sum(more.values()) == pytest.approx(told, rel=1 / 3, abs=3)
+
+
+@cache
+def weights(extra):
+    """MB of every distribution that the package needs with an extra."""
+    found, waiting = {}, [("elastica-cad", extra)]
+    while waiting:
+        name, asked = waiting.pop()
+        there = importlib.metadata.distribution(name)
+        found[name] = sum(f.locate().stat().st_size for f in there.files or () if f.locate().exists()) / 1e6
+        for line in there.requires or ():
+            needed = Requirement(line)
+            plain = needed.name.lower().replace("_", "-")
+            if plain not in found and (needed.marker is None or needed.marker.evaluate({"extra": asked})):
+                waiting.append((plain, ",".join(needed.extras)))
+    return found
+
+
+@asks("docs/code_cad.md", "name", "what it is", "base")
+def _build123d(row, _):
+    import build123d as bd
+
+    from elastica_cad import build123d as ours
+
+    made = getattr(ours, quoted(row[0])[0])
+    bases = {"sketch object": bd.BaseSketchObject, "part object": bd.BasePartObject,
+             "line object": bd.BaseLineObject, "linear joint": bd.LinearJoint}  # fmt: skip
+    if row[2] in bases:
+        assert issubclass(made, bases[row[2]])
+    else:
+        returned = str(inspect.signature(made).return_annotation)
+        wanted = {
+            "operation": "",
+            "compound with children": "Compound",
+            "`BentStrip`s": "ShapeList[BentStrip]",
+        }[row[2]]
+        assert inspect.isfunction(made)
+        assert wanted in returned
+    for form in re.findall(r'"(\w+)"', row[1]):
+        assert form in inspect.getsource(made)
+
+
+@asks("docs/code_cad.md", "name", "what it is", "returns")
+def _cadquery(row, _):
+    import cadquery as cq
+
+    from elastica_cad import cadquery as ours
+
+    made = getattr(ours, quoted(row[0])[0])
+    if quoted(row[0]) == ["register"]:
+        made()
+        assert hasattr(cq.Workplane, "elasticStrip")
+        assert hasattr(cq.Sketch, "elasticStrip")
+    elif inspect.isclass(made):
+        assert all(hasattr(made, name) for name in quoted(row[2]))
+    else:
+        returned = str(inspect.signature(made).return_annotation)
+        assert all(name in returned for name in quoted(row[2])), returned
+        assert row[2].startswith("list") == returned.startswith("list")
+
+
+@asks("docs/code_cad.md", "attribute", "what it tells")
+def _attributes(row, _):
+    for rib in ribs():
+        for name in quoted(row[0]):
+            assert name.split("(")[0] in dir(rib), name
+        if "joints" in row[0]:
+            assert {"start", "end"} <= set(rib.joints)
+            assert set(quoted(row[1])) - {"hole1", "hole1:top", "hole1:bottom"} <= set(rib.joints)
+
+
+@cache
+def ribs():
+    """One bent strip of either kernel."""
+    import cadquery as cq
+
+    from elastica_cad.build123d import BentStrip, Elastica
+    from elastica_cad.cadquery import bent_strip, elastica
+
+    line = Elastica((0, 0), (70, 0), 100, angles=(80, -80))
+    edge = elastica((0, 0), (70, 0), 100, angles=(80, -80))
+    assert isinstance(edge, cq.Edge)
+    return (
+        BentStrip(line.edge(), "polypropylene-0.8", max_width=20),
+        bent_strip(edge, "polypropylene-0.8", max_width=20),
+    )
+
+
+@asks("docs/json.md", "schema", "keys besides", "what they are")
+def _records(row, _):
+    """Each command is typed and its keys are compared there."""
+    proved_by(
+        "tests/unit/cli/test_every_command.py::test_a_command_prints_one_record_with_the_documented_keys"
+    )
+    proved_by("tests/unit/cli/test_every_command.py::test_a_refusal_is_a_record_too")
+    assert re.fullmatch(r"`elastica-\w+/\d`", row[0])
+
+
+@asks("docs/gallery.md", "", "", "")
+def _gallery(row, _):
+    """Pictures and scripts are there; what a script draws, it says."""
+    for cell in row:
+        for target in re.findall(r"\]\(([^)]+)\)", cell):
+            path = re.sub(r"^(\.\./|https://github.com/elastica-cad/elastica_cad/blob/main/)", "", target)
+            assert (ROOT / path).is_file(), path
+
+
+def commands_by_text():
+    """Shortcuts of the workbench's commands by what is written on their buttons."""
+    return {said["text"]: said.get("shortcut") or "" for said in COMMANDS.values()}
+
+
+@asks(WORKBENCH, "command", "keys", "what it does")
+def _tools(row, _):
+    known = commands_by_text()
+    if row[0] == "New sketch":  # FreeCAD's own
+        proved_by("tests/freecad/test_real_freecad.py::test_first_use_by_mouse_and_keyboard")
+        return
+    names = ["Perforate", "Laminate"] if row[0] == "Perforate, Laminate" else [row[0]]
+    for name in names:
+        assert known[name] == row[1]
+
+
+@asks(WORKBENCH, "asked", "here")
+def _qualities(row, _):
+    """Of our answers all that a file can tell; the rest is what people promise."""
+    package = (ROOT / "package.xml").read_text(encoding="utf-8")
+    sources = [path.read_text(encoding="utf-8") for path in (ROOT / "freecad_workbench").rglob("*.py")]
+    asked = row[0]
+    if asked.startswith("an active maintainer"):
+        assert "<maintainer" in package
+        assert "bugtracker" in package
+    elif asked.startswith("no user data"):
+        assert not [
+            text
+            for text in sources
+            if re.search(r"^\s*(import|from) (urllib|socket|http|requests)", text, re.M)
+        ]
+    elif asked.startswith("safe storage"):
+        assert any("ParamGet" in text for text in sources)
+    elif asked.startswith("security reports"):
+        assert "bugtracker" in package
+        assert (ROOT / "CHANGELOG.md").is_file()
+    elif asked.startswith("fitting licences"):
+        assert "MIT" in (ROOT / "LICENSE").read_text(encoding="utf-8")
+        proved_by("tests/freecad/test_resources.py::test_sources_say_their_licence")
+    elif asked.startswith("Python 3"):
+        assert "<pythonmin>3.11</pythonmin>" in package
+    elif asked.startswith("FreeCAD's own Qt"):
+        package = ROOT / "freecad_workbench" / "freecad"
+        asking = [p for p in package.rglob("*.py") if re.search(r"from PySide\d? import", p.read_text())]
+        assert {path.name for path in asking} == {"qt.py"}
+    elif asked.startswith("a valid manifest"):
+        proved_by("tests/freecad/test_resources.py::test_package_for_the_addon_manager")
+    elif asked.startswith("the latest FreeCAD"):
+        assert (ROOT / "tests" / "freecad" / "release.sh").is_file()
+    else:
+        assert asked.startswith(("no dependencies", "nothing vendored"))
+        needed = re.findall(r'<depend type="python"( optional="true")?>(\w+)<', package)
+        assert needed == [("", "numpy"), ("", "scipy"), (' optional="true"', "ezdxf")]
+        assert not [text for text in sources if re.search(r"\bpip\b.*install|ensurepip", text)]

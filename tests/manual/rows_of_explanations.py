@@ -1,0 +1,122 @@
+"""Asks the rows of the tables in the explanations: curves are judged, causes computed, other tests named."""
+
+import math
+import re
+from dataclasses import replace
+
+import pytest
+
+import elastica_cad as ec
+from tests.manual.found_in_pages import tables
+from tests.manual.proofs import asks, proved_by
+
+EXPLAINED = "docs/explanation"
+VALIDATION = "tests/validation"
+CHECK = "tests/unit/mechanics/test_equilibrium_check.py"
+
+
+@asks(f"{EXPLAINED}/which_curves.md", "curve", "verdict")
+def _verdicts(row, _):
+    def verdict(points):
+        return ec.check_equilibrium(ec.PlaneCurve.spline(points, degree=3)).realizable
+
+    if row[0] == "no inflection":
+        assert verdict([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
+    elif row[0] == "one inflection":
+        proved_by(f"{CHECK}::test_no_line_through_one_inflection")
+    else:
+        assert row[0] == "two or more"
+        assert verdict([(-150, 0), (-100, 60), (-50, -60), (0, 0), (50, 60), (100, -60), (150, 0)])
+        assert not verdict([(0, 0), (40, 60), (80, -55), (120, 10), (160, 30), (180, 0)])
+
+
+@asks(f"{EXPLAINED}/stability.md", "word", "it means")
+def _words(row, _):
+    """The word and its meaning are those that every door tells."""
+    rod = ec.optimal_rod(ec.PlaneCurve.ellipse((0, 0), (100, 130), start=0, end=math.pi))
+    margin = {"unstable": -1.0, "low": 1.0, "ample": 50.0}[row[0]]
+    told = replace(ec.stability(rod), margin=margin, stable=margin > 0)
+    assert (told.word, told.meaning) == row
+
+
+def measured(head, part):
+    """Rows of one of the tables of finite elements whose first cell begins so."""
+    (table,) = [
+        one for one in tables() if one.page == "docs/finite_elements.md" and one.head[: len(head)] == head
+    ]
+    return [row for row in table.rows if row[0].startswith(part)]
+
+
+@asks(f"{EXPLAINED}/left_out.md", "left out", "how large", "what is done")
+def _left_out(row, _):
+    told = [float(number) for number in re.findall(r"[\d.]+e-\d", row[1])]
+    of = {
+        "anticlastic stiffening": "plain, nu 0.3",
+        "slots soften": "slotted, nu 0.3",
+        "leaning ligaments": "perforated, nu 0.3",
+    }
+    cause = next((words for words in of if row[0].startswith(words)), None)
+    if cause is not None:
+        ((_, median, worst, *_),) = measured(("strips", "stiffness alone: median"), of[cause])
+        assert told == [float(median), float(worst)], "docs/finite_elements.md was measured anew"
+    elif row[0].startswith("room in slots"):
+        pockets = measured(("strip", "length (mm)", "finite elements (mm)"), "Pavilion")
+        assert told == [pytest.approx(max(float(far) / float(long) for _, long, far, _ in pockets), rel=0.05)]
+    elif row[0].startswith("twist"):
+        words = {row[3] for row in measured(("strip", "width (mm)", "sideways"), "")}
+        assert words <= {"ample", "low", "unstable", "undecided"}
+    else:
+        assert row[0] == "creep"
+        proved_by(f"{VALIDATION}/test_creep.py::test_without_weight_the_shape_stays_and_the_forces_fall")
+
+
+NEAREST = "tests/unit/forming/test_nearest_rod.py"
+TESTS_OF_TASKS = {
+    "zeros of the curvature": "tests/unit/geometry/test_bernstein.py::test_all_roots_of_random_products",
+    "where the line meets the curve": f"{CHECK}::test_line_through_two_inflections_crossing_a_third_time",
+    "least ratio (Eqs. 4 and 6)": f"{VALIDATION}/test_optimal_ratios.py::test_same_ratio_as_the_full_program",
+    "a curve that cannot be bent": f"{NEAREST}::test_near_curve_is_realizable_and_asks_for_the_limit",
+    "stability (Algorithm 2)": f"{NEAREST}::test_an_unstable_wave_becomes_stable",
+    "rest shape": "tests/unit/mechanics/test_rest_shape.py::test_it_converges_to_the_drawn_curve",
+    "slots": "tests/unit/fabrication/test_interlock.py::test_all_crossings_are_found_and_exact",
+    "layers glued on": f"{VALIDATION}/test_laminate_section.py::test_error_of_the_published_formula",
+    "cutting curves": "tests/unit/formats/test_cutting_files.py::test_splines_keep_their_knots",
+}
+
+
+@asks(f"{EXPLAINED}/algorithms.md", "task", "the paper", "here", "why")
+def _algorithms(row, _):
+    """What is exact here is asked by a test of its own."""
+    proved_by(TESTS_OF_TASKS[row[0]])
+
+
+@asks("docs/how_to/holding.md", "cause", "what helps")
+def _what_helps(row, _):
+    """Each remedy in the table leaves less."""
+    tests = "tests/unit/fabrication/test_holding.py"
+    arch = ec.PlaneCurve.ellipse((0, 0), (100, 130), start=0, end=math.pi)
+
+    def strayed(**asked):
+        return (
+            ec.make_strip(arch, "birch-plywood-0.8", max_width=asked.pop("max_width", 40), **asked)
+            .held()
+            .deviation
+        )
+
+    if row[0].startswith("a tab that leans"):
+        proved_by(f"{tests}::test_an_inclined_tab_rocks_in_one_plate_and_not_in_two")
+        proved_by(f"{tests}::test_two_rings_hold_a_surface_of_revolution_at_its_angle")
+    elif row[0].startswith("room between"):
+        proved_by(f"{tests}::test_play_moves_the_shape_and_a_leaning_pocket_makes_up_for_it")
+    elif row[0].startswith("a tab narrower"):
+        narrow, wide = ec.Tab(15, width=10), ec.Tab(15)
+        assert strayed(ends=(wide, wide)) < strayed(ends=(narrow, narrow))
+    elif row[0].startswith("slots for"):
+        slots = (ec.Slot(150, 1.0, side="lower"),)
+        assert strayed(slots=slots, compensate=True) < 0.5 * strayed(slots=slots)
+    elif row[0].startswith("wide strips"):
+        assert strayed(max_width=60, compensate=True) < 0.5 * strayed(max_width=60)
+    else:
+        assert row[0].startswith("the lap")
+        proved_by("tests/unit/fabrication/test_closed_strips.py::test_widths_make_up_for_the_lap_and_close")
+        proved_by("tests/unit/fabrication/test_closed_strips.py::test_the_lap_straightens_the_joint_as_told")

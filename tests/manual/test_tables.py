@@ -1,0 +1,123 @@
+"""No table and no block of the manual is merely told: rows are asked, blocks run, the rest written by scripts."""
+
+import json
+import re
+import tomllib
+
+import pytest
+
+from tests.manual import proofs, rows_of_code, rows_of_commands, rows_of_explanations
+from tests.manual.found_in_pages import PAGES, ROOT, blocks, tables
+
+ASKERS = (rows_of_code, rows_of_commands, rows_of_explanations)
+TABLES = tables()
+ROWS = [
+    pytest.param(table, row, id=f"{table.page}: {row[0]}")
+    for table in TABLES
+    for row in table.rows
+    if table.page not in proofs.WRITTEN
+]
+RUN_WHOLE = ("docs/tutorials/", "docs/how_to/", "docs/explanation/")
+"""Pages that test_manual.py runs as their readers do."""
+RUN_ELSEWHERE = {
+    ("README.md", "python"): "tests/examples/test_readme_cad.py::test_snippet_runs",
+    ("docs/code_cad.md", "python"): "tests/examples/test_readme_cad.py::test_page_for_scripts",
+    (
+        "freecad_workbench/README.md",
+        "python",
+    ): "tests/freecad/test_real_freecad.py::test_what_the_readme_types",
+    ("README.md", "sh"): "tests/manual/test_tables.py::test_what_readme_types",
+    ("docs/code_cad.md", "rst"): "tests/manual/test_tables.py::test_entries_for_lists_lead_here",
+    ("docs/code_cad.md", "text"): "tests/manual/test_tables.py::test_entries_for_lists_lead_here",
+}
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+HOME = "https://github.com/elastica-cad/elastica_cad"
+
+
+def test_every_table_is_asked_or_written():
+    assert ASKERS
+    of_pages = {(table.page, table.head) for table in TABLES if table.page not in proofs.WRITTEN}
+    assert of_pages - set(proofs.ASKED) == set()
+    assert set(proofs.ASKED) - of_pages == set(), "asked, but on no page"
+    assert {page for page in proofs.WRITTEN if page in {table.page for table in TABLES}} == set(
+        proofs.WRITTEN
+    )
+    for test in proofs.WRITTEN.values():
+        proofs.proved_by(test)
+
+
+@pytest.mark.parametrize(("table", "row"), ROWS)
+def test_a_row_is_true(table, row, tmp_path):
+    assert len(row) == len(table.head)
+    proofs.ASKED[table.page, table.head](row, tmp_path)
+
+
+def test_pages_of_campaigns_are_what_was_measured():
+    from tests.campaign.finite_elements import table
+    from tests.campaign.trust import ledger
+
+    assert table.PAGE.read_text(encoding="utf-8") == table.written(table.kept())
+    assert ledger.PAGE.read_text(encoding="utf-8") == ledger.page(json.loads(ledger.KEPT.read_text()))
+
+
+def test_every_block_is_run():
+    left = []
+    for block in blocks():
+        name = re.match(r"\{?[\w-]*\}?", block.kind)[0]
+        if name in ("{toctree}", "{include}"):  # Sphinx finds what is lost
+            continue
+        if block.kind == "{code-block} none" and ":caption:" not in block.body:
+            installs(block.body)
+        elif (block.page, name) in RUN_ELSEWHERE:
+            proofs.proved_by(RUN_ELSEWHERE[block.page, name])
+        elif name == "sh" and block.page == "docs/code_cad.md":
+            installs(block.body)
+        elif not (
+            block.page.startswith(RUN_WHOLE)
+            and (name in ("sh", "python", "text") or ":caption:" in block.body)
+        ):
+            left.append(f"{block.page}:{block.line} {block.kind}")
+    assert left == []
+
+
+def test_every_option_that_a_page_names_is_one():
+    wrong = [
+        page.name for page in PAGES if rows_of_commands.unknown_options(page.read_text(encoding="utf-8"))
+    ]
+    assert wrong == []
+
+
+def installs(commands):
+    """Lines that fetch or install name this project and extras that it has; make's demo does what they do."""
+    for line in commands.strip().split("\n"):
+        wanted = re.fullmatch(
+            r"(?:\.venv/bin/)?pip install \"(?:elastica-cad|\.)\[([\w,]+)\](?: @ git\+(\S+))?\".*", line
+        )
+        if wanted is None:
+            assert line in (f"git clone {HOME}", "cd elastica_cad", "python3 -m venv .venv")
+            continue
+        assert set(wanted[1].split(",")) <= set(PROJECT["optional-dependencies"])
+        assert wanted[2] in (None, HOME)
+
+
+def test_what_readme_types(tmp_path):
+    made, typed, installed = [
+        block.body for block in blocks() if (block.page, block.kind) == ("README.md", "sh")
+    ]
+    makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
+    for line in made.strip().split("\n"):
+        assert re.search(rf"^{line.split()[1]}:", makefile, re.MULTILINE)
+    (tmp_path / "my-curve.dxf").write_bytes((ROOT / "examples" / "arch" / "arch.dxf").read_bytes())
+    for line in typed.strip().split("\n"):
+        words = line.split("#")[0].split()
+        assert words.pop(0) == ".venv/bin/elastica"
+        proofs.typed(tmp_path, *words)
+    assert (tmp_path / "out" / "my-curve.dxf").is_file()
+    installs(installed)
+
+
+def test_entries_for_lists_lead_here():
+    for block in blocks():
+        if block.page == "docs/code_cad.md" and block.kind in ("rst", "text"):
+            for target in re.findall(rf"{HOME}/blob/main/([\w/.]+)", block.body):
+                assert (ROOT / target).is_file()
