@@ -49,6 +49,12 @@ LAMINATE_OPTIONS = "--style laminated --outer-width 24 --backing card-200gsm"
 LAMINATE = Laminated(width=24.0, backing=CARD)
 
 ASKED = {
+    "nearest and curved before": Asked(
+        {"max_width": 20.0, "natural_curvature": 0.002, "limits": Limits(ratio=3.0)},
+        "--max-width 20 --natural-curvature 0.002 --ratio 3",
+        "max_width = 20\nnatural_curvature = 0.002\nlimits.ratio = 3",
+        NEAREST | {"RatioLimit": 3.0, "NaturalCurvature": 0.002},
+    ),
     "plain": Asked({"max_width": 20.0}, "--max-width 20", "max_width = 20"),
     "narrowest": Asked(
         {"min_width": 9.0}, "--min-width 9", "min_width = 9", {"MaxWidth": 0.0, "MinWidth": 9.0}
@@ -193,12 +199,6 @@ REFUSED = {
         "max_width = 20\nmin_width = 19.9", {"MinWidth": 19.9},
     ),
     "not realizable": Asked({"max_width": 20.0}, "--max-width 20", "max_width = 20", points=WAVE),
-    "nearest and curved before": Asked(
-        {"max_width": 20.0, "natural_curvature": 0.002, "limits": Limits(ratio=3.0)},
-        "--max-width 20 --natural-curvature 0.002 --ratio 3",
-        "max_width = 20\nnatural_curvature = 0.002\nlimits.ratio = 3",
-        NEAREST | {"RatioLimit": 3.0, "NaturalCurvature": 0.002},
-    ),
     "laminate with weight within limits": Asked(
         {"style": LAMINATE, "gravity": (0.0, -1.0), "limits": Limits(ratio=3.0)},
         f"{LAMINATE_OPTIONS} --gravity --ratio 3", f"{LAMINATE_KEYS}gravity = true\nlimits.ratio = 3",

@@ -8,9 +8,12 @@ from scipy.integrate import solve_bvp
 from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.nearest.nearest_rod import nearest_rod
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.material.laminated_section import LaminatedSection
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.tapered_sections import RoundLaw, ThicknessLaw, WidthLaw
+from elastica_cad.mechanics.stiffness.optimal_laminate import optimal_laminate
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
 GLASS = Sheet("glass", 3.0, 38000.0, density=1900.0, max_strain=0.012)
@@ -67,6 +70,31 @@ def designs(count=250):
     return found
 
 
+def laminates(count=50):
+    """Arches and waves of 100 to 250 mm in two glued layers, every second one heavy: rod, E I, weight."""
+    rng = np.random.default_rng(20)
+    for i in range(count):
+        size, lean = rng.uniform(100, 250), rng.uniform(-0.05, 0.05)
+        points = [(0, 0), (0.15 + lean, 0.3), (0.5, rng.uniform(0.3, 0.45)), (0.85 + lean, 0.3), (1, 0)]
+        if i % 3 == 2:  # one inflection
+            points = [(0, 0), (0.17, 0.26), (0.39, 0.3 + lean), (0.61, -0.04), (0.83, 0.04), (1, 0.26)]
+        curve = PlaneCurve.spline(size * np.array(points), degree=4)
+        thin, thick = rng.uniform(0.15, 0.2), rng.uniform(0.2, 0.3)
+        base = Sheet("base", thin, rng.uniform(1500, 3000), density=rng.uniform(600, 1200), max_strain=0.05)
+        backing = Sheet(
+            "backing", thick, rng.uniform(1500, 3000), density=rng.uniform(600, 1200), max_strain=0.05
+        )
+        width = Profile.interpolate([0.0, curve.length / 2, curve.length], rng.uniform(20, 24, 3))
+        down = (0, -1) if i % 2 else None
+        made = optimal_laminate(curve, LaminatedSection(base, backing), width, direction=down, samples=801)
+        w1, w2 = made.base_width, made.backing_width
+        A1, A2 = base.youngs_modulus * thin * w1, backing.youngs_modulus * thick * w2
+        apart = (thin + thick) / 2
+        EI = (A1 * thin**2 + A2 * thick**2) / 12 + A1 * A2 / (A1 + A2) * apart**2
+        weight = G * (base.density * thin * w1 + backing.density * thick * w2)
+        yield made.rod, EI, weight if down else 0.0 * weight
+
+
 def section_numbers(design, parameter, curvature):
     """E I (N mm2) and weight (N/mm) by the book, from the sizes of the section alone."""
     sheet, p = design.material, parameter
@@ -102,8 +130,11 @@ def errors(design, seed=0):
     section = design.section.bent(rod.curvature)
     parameter = section.parameter(rod.bending_stiffness * rod.stiffness)
     EI, weight = section_numbers(design, parameter, rod.curvature)
-    if not design.heavy:
-        weight = 0.0 * weight
+    return judged(rod, EI, weight if design.heavy else 0.0 * weight, seed)
+
+
+def judged(rod, EI, weight, seed=0):
+    """The same of any rod whose sections have E I (N mm2) and weight (N/mm) at its stations."""
     length, scale = rod.length, float(EI.max())
     stiffness, load = (
         lambda s: np.interp(s * length, rod.s, EI) / scale,

@@ -54,6 +54,9 @@ class BattenSpec:
     full : float
         Share of the length, at the thick end, that keeps the full size: the taper goes over the rest, so that the
         entry at the thin end comes fuller or finer.
+    lying : "up" or "down", optional
+        Which way it bulges as it lies with its chord level: camber and place are then meant under its own weight.
+        Without it the batten stands, as a sail holds it, and its weight does not count.
 
     Raises
     ------
@@ -76,6 +79,7 @@ class BattenSpec:
     stock: ThicknessLaw | RoundLaw
     label: str = "batten"
     full: float = 0.0
+    lying: Literal["up", "down"] | None = None
 
     def __post_init__(self) -> None:
         if not (np.isfinite(self.length) and self.length > 0):
@@ -92,6 +96,8 @@ class BattenSpec:
             )
         if not isinstance(self.stock, ThicknessLaw | RoundLaw):
             raise InputError(f"stock is {self.stock!r}: give a ThicknessLaw or a RoundLaw")
+        if self.lying not in (None, "up", "down"):
+            raise InputError(f'lying is {self.lying!r}: give "up" or "down", which way it bulges, or None')
 
     def make(self) -> "Batten":
         """The batten: its size falls evenly towards one end, by as much as the place asks for.
@@ -160,7 +166,7 @@ class Batten:
         stock = self.spec.stock
         return StripSpec(
             self.curve, stock.sheet, law=stock, supports=ENDS, ends=(Tab(0.0), Tab(0.0)), label=self.spec.label,
-            smooth=0.0,
+            smooth=0.0, gravity=None if self.spec.lying is None else _level(self.spec.lying),
         )  # fmt: skip
 
     @cached_property
@@ -178,9 +184,9 @@ class Batten:
         rod, size = self.strip.rod, self.strip.layout.size
         assert size is not None
         side = float(np.sign(rod.position[rod.s.size // 2, 1] - rod.position[0, 1]))
-        down = (0.0, -side if bulging == "up" else side)
+        down = _level(bulging, side)
         newtons = Profile.interpolate(rod.s, self.spec.stock.weight_per_length(size(rod.s)))
-        return camber_of(bend(replace(rod, gravity=Gravity(1.0, down), weight=Weight(alpha=newtons))))
+        return camber_of(bend(replace(rod, gravity=down, weight=Weight(alpha=newtons))))
 
     @property
     def chord(self) -> float:
@@ -207,6 +213,11 @@ class Batten:
             raise InputError("leaves are of a strip: give a ThicknessLaw as stock")
         leaf = stock.sheet.with_thickness(stock.largest / max(leaves, 1))
         return lay_leaves(self.strip.rod, LeavesLaw(leaf, leaves, stock.width))
+
+    def strip_of(self, leafed: LeafedRod) -> Strip:
+        """The strip of such leaves."""
+        spec = self.spec
+        return Strip(leafed.rod, leafed.section.sheet, ends=(Tab(0.0), Tab(0.0)), label=spec.label)
 
     def table(self, stations: FloatArray | list[float]) -> dict[str, FloatArray]:
         """Columns (n,) by name at stations (n,), mm along the batten: size in mm and inch, strain, and safety.
@@ -247,8 +258,25 @@ def _pressed(spec: BattenSpec, taper: float, chord: float, nodes: int) -> Rod:
     tapered = 1 - spec.full
     share = along / tapered if taper > 0 else (along - spec.full) / tapered
     sizes = 1 + np.expm1(taper) * np.clip(share, 0.0, 1.0)
-    flat = Rod.straight(spec.length, spec.stock.bending_stiffness(sizes), samples=nodes, supports=ENDS)
-    return bend(flat, end=(chord * spec.length, 0.0))
+    sizes *= spec.stock.largest / sizes.max()
+    EI = spec.stock.bending_stiffness(sizes)
+    flat = Rod.straight(spec.length, EI, samples=nodes, supports=ENDS, bending_stiffness=float(EI.min()))
+    light = bend(flat, end=(chord * spec.length, 0.0))
+    if spec.lying is None:
+        return light
+    newtons = Profile.interpolate(light.s, spec.stock.weight_per_length(sizes))
+    heavy = bend(replace(light, gravity=_level(spec.lying), weight=Weight(alpha=newtons)))
+    if heavy.position[nodes // 2, 1] <= 0:
+        raise NotConvergedError(
+            f"the batten does not stay bulging {spec.lying}: its own weight snaps it over; take stiffer or lighter "
+            "stock, or more camber"
+        )
+    return heavy
+
+
+def _level(bulging: Literal["up", "down"], side: float = 1.0) -> Gravity:
+    """Gravity across the chord, of a batten that bulges to its left, or where `side` is -1 to its right."""
+    return Gravity(1.0, (0.0, -side if bulging == "up" else side))
 
 
 def camber_of(rod: Rod) -> tuple[float, float]:

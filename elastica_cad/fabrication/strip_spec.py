@@ -91,7 +91,8 @@ class StripSpec(EqualByValue):
         Creep factor phi of the sheet in the long run, 0 for none: sag, forces and springback are told, see
         `Strip.crept`.
     law : BoundedLaw, optional
-        What stiffness is made of instead of width: `ThicknessLaw` or `RoundLaw` of the sheet's material; or
+        What stiffness is made of instead of width: `ThicknessLaw` or `RoundLaw` of the sheet's material;
+        `LeavesLaw` for glued leaves of the sheet, with limits or keep, as a stack only comes near a curve; or
         `WidthLaw`, for a plain strip that bends as a beam where it is narrow and as a plate where it is wide,
         station by station, and so carries its weight. Its limits stand for `max_width` and `min_width`.
     anyway : bool

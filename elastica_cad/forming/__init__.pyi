@@ -1,9 +1,7 @@
 from elastica_cad.forming.nearest.binding_limits import Binding as Binding
 from elastica_cad.forming.leaf_ends import (
-    Leaf as Leaf,
     LeafedRod as LeafedRod,
     lay_leaves as lay_leaves,
-    nearest_leaves as nearest_leaves,
 )
 from elastica_cad.forming.limits import (
     Box as Box,

@@ -7,10 +7,11 @@ import numpy as np
 
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.geometry.curve_editing.fairing import Fairing, choose_tolerance, fair_curve
+from elastica_cad.geometry.curve_editing.slight_corners import round_corners
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium, require_bendable
 
 LARGEST_SMOOTH = 1000.0
 """mm."""
@@ -77,6 +78,9 @@ class Smoothing:
                 "curve at most; "
                 f"{ratio} (smooth = 0 takes it as drawn, a larger number makes it fairer)."
             )
+        if self.fairing is not None and self.drawn.tangent_breaks:
+            sharpest = max(np.degrees(abs(corner.angle)) for corner in self.drawn.tangent_breaks)
+            found.append(f"Its corners, of {sharpest:.2g} degrees at most, were rounded within that.")
         return tuple(found)
 
 
@@ -107,9 +111,9 @@ def smooth_curve(
     Parameters
     ----------
     smooth : float, optional
-        0: exactly the drawn one; more: fair within so many mm; None: only a curve of a pen tool whose
-        curvature jumps
-        is moved (see `choose_tolerance`), and only where it can be bent afterwards if it could before.
+        0: exactly the drawn one; more: fair within so many mm, slight corners rounded; None: only a curve of a
+        pen tool whose curvature jumps is moved (see `choose_tolerance`), and only where it can be bent afterwards
+        if it could before.
     supports : Supports, optional
         What holds the ends.
 
@@ -127,18 +131,25 @@ def smooth_curve(
     """
     smooth = check_smooth(smooth)
     if smooth is not None:
-        fairing = fair_curve(curve, smooth) if smooth > 0 else None
-        return _with(curve, fairing, supports)
+        return _with(curve, _faired(curve, smooth) if smooth > 0 else None, supports)
     tolerance = choose_tolerance(curve)
     if tolerance == 0:
         return _with(curve, None, supports)
     try:
-        fairing = fair_curve(curve, tolerance)
+        fairing: Fairing | None = fair_curve(curve, tolerance)
     except InputError:
         return _with(curve, None, supports)
-    if _can_be_bent(curve, supports) and not _can_be_bent(fairing.curve, supports):
+    if fairing and _can_be_bent(curve, supports) and not _can_be_bent(fairing.curve, supports):
         fairing = None
     return _with(curve, fairing, supports)
+
+
+def _faired(curve: PlaneCurve, smooth: float) -> Fairing:
+    """Fair within so many mm, slight corners rounded."""
+    rounded, moved = round_corners(curve, smooth)
+    require_bendable(rounded)
+    fairing = fair_curve(rounded, smooth - moved)
+    return replace(fairing, moved=fairing.moved + moved, tolerance=smooth)
 
 
 def _can_be_bent(curve: PlaneCurve, supports: Supports | None) -> bool:

@@ -1,28 +1,23 @@
 """Where the leaves of a glued stack end, so that it bends as near as it can to a given curve."""
 
 from dataclasses import dataclass, replace
-from functools import cached_property, partial
+from functools import partial
 
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.forming.limits import Keep, Limits
-from elastica_cad.forming.nearest.nearest_rod import nearest_rod
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import Weight
-from elastica_cad.mechanics.material.section_limits import LayerStrain
-from elastica_cad.mechanics.material.tapered_sections import LeavesLaw
+from elastica_cad.mechanics.material.tapered_sections import LaidLeaves, Leaf, LeavesLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 
 NODES = 401
 """Of the rods that are compared: a step within a cell counts by its share, so places are continuous."""
+
+FINE_NODES = 1001
+"""Of the rod that is told: one that is nearly unstable strays a ten-thousandth of its length on fewer."""
 
 SHORTEST_SHARE = 0.01
 """Of the length: pieces of leaves, and what lies between ends, are no shorter."""
@@ -39,20 +34,6 @@ SETTLED = 1e-7
 MOST_TRIALS = 60  # of one search, each with one difference a place
 
 
-@dataclass(frozen=True)
-class Leaf:
-    """One leaf, or a piece of one: the `number`th from the through one (1), from `start` to `end`, mm."""
-
-    number: int
-    start: float
-    end: float
-
-    @property
-    def length(self) -> float:
-        """mm."""
-        return self.end - self.start
-
-
 @dataclass(frozen=True, eq=False)
 class LeafedRod:
     """A rod of glued leaves, bent.
@@ -60,12 +41,10 @@ class LeafedRod:
     Attributes
     ----------
     rod : Rod
-        At rest, bent forward with the stiffness of its leaves.
-    law : LeavesLaw
-    leaves : tuple of Leaf
-        The first goes all the way; the others in the order of their numbers.
+        At rest, bent forward with the stiffness of its leaves; `section` says where they lie.
+    section : LaidLeaves
     deviation, mean_deviation : float
-        Largest and root mean square distance, mm, of its points from those of the curve at the same share of
+        Largest and root mean square distance, mm, of its points from those of `relaxed` at the same share of
         the length.
     relaxed : Rod
         The rod from which the leaves were laid: any thickness, and no leaf.
@@ -74,110 +53,52 @@ class LeafedRod:
     """
 
     rod: Rod
-    law: LeavesLaw
-    leaves: tuple[Leaf, ...]
+    section: LaidLeaves
     deviation: float
     mean_deviation: float
     relaxed: Rod
     settled: bool
 
-    def counts(self, s: FloatArray) -> FloatArray:
-        """How many leaves (n,) lie at arc lengths (n,), mm."""
-        inside = np.minimum(s, np.nextafter(self.rod.length, 0.0))
-        lie = [(leaf.start <= inside) & (inside < leaf.end) for leaf in self.leaves]
-        return np.asarray(np.sum(lie, axis=0), dtype=float)
-
-    @cached_property
-    def strain(self) -> LayerStrain:
-        """Of the outermost fibre at the nodes (n,), and on either side of where leaves end, from the moment."""
-        rod, law = self.rod, self.law
-        steps = np.array([s for leaf in self.leaves for s in (leaf.start, leaf.end) if 0 < s < rod.length])
-        nudge = 1e-9 * rod.length
-        s = np.sort(np.concatenate([rod.s, steps - nudge, steps + nudge]))
-        counts = self.counts(s)
-        moment = np.interp(s, rod.s, rod.moment) * float(rod.bending_stiffness or 1.0)
-        (found,) = law.strains(moment / law.bending_stiffness(counts), counts)
-        return found
+    @property
+    def leaves(self) -> tuple[Leaf, ...]:
+        """Those that go all the way first, the others in the order of their numbers."""
+        return self.section.leaves
 
 
-def nearest_leaves(
-    curve: PlaneCurve,
-    law: LeavesLaw,
-    limits: Limits | None = None,
-    keep: Keep | None = None,
-    gravity: Gravity | None = None,
-    *,
-    supports: Supports | None = None,
-) -> LeafedRod:
-    """The glued stack whose leaves end where it bends nearest to a curve, between the same ends.
-
-    First a rod of any thickness between one leaf and all: `optimal_rod`, or where limits or keep are given,
-    or no such rod rests in the curve, `nearest_rod`. Then leaves where that is thick; then their ends and the
-    angles of the clamps are moved until the distance is least: a local optimum. Of gravity only the direction
-    counts, as with every section.
-
-    Raises
-    ------
-    InputError
-        Arguments of another kind, or limits that exclude each other.
-    NotConvergedError
-        No taper meets the limits, or no stack comes to rest.
-
-    Examples
-    --------
-    >>> arch = PlaneCurve.spline([(0, 0), (60, 150), (150, 190), (240, 150), (300, 0)])
-    >>> from elastica_cad.mechanics.material.sheet import Sheet
-    >>> law = LeavesLaw(Sheet("ash leaf", 0.6, 12000.0, density=680.0, max_strain=0.02), 4, width=20.0)
-    >>> stack = nearest_leaves(arch, law)
-    >>> [leaf.number for leaf in stack.leaves], stack.deviation < 0.01 * stack.rod.length
-    ([1, 2, 3, 4, 4], True)
-    """
-    if not isinstance(law, LeavesLaw):
-        raise InputError(f"the law is {law!r}: give a LeavesLaw(sheet, leaves, width)")
-    return lay_leaves(
-        _relaxed(curve, law, limits, keep, gravity, supports), law, curve.sample(NODES).position
-    )
+def leaf_bends(rod: Rod, section: LaidLeaves) -> tuple[FloatArray, FloatArray]:
+    """Stations (n,), mm, with both sides of each step, and what each is bent by, |M| / E I, 1/mm."""
+    beside = 1e-9 * rod.length
+    s = np.sort(np.concatenate([rod.s, section.steps - beside, section.steps + beside]))
+    EI = section.bending_stiffness(section.sheet.thickness * section.counts(s))
+    moment = np.interp(s, rod.s, rod.moment) * float(rod.bending_stiffness or 1.0)
+    return s, np.abs(moment) / EI
 
 
-def _relaxed(
-    curve: PlaneCurve,
-    law: LeavesLaw,
-    limits: Limits | None,
-    keep: Keep | None,
-    gravity: Gravity | None,
-    supports: Supports | None,
-) -> Rod:
-    """The rod of any thickness: as thick as the stack may be where it can rest in the curve."""
-    if limits is None and keep is None:
-        try:
-            return optimal_rod(curve, gravity, supports, section=law.relaxed)
-        except (InputError, NotRealizable, NotConvergedError):
-            pass  # too thin somewhere, or no such curve: then the nearest
-    near = nearest_rod(curve, limits, keep, gravity, supports=supports, section=law.relaxed)
-    if not near.met:
-        raise NotConvergedError(str(near))
-    return near.rod
+def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (False, False)) -> LeafedRod:
+    """Leaves for a rod of any thickness, their ends moved until it bends nearest to the same shape.
 
-
-def lay_leaves(relaxed: Rod, law: LeavesLaw, drawn: FloatArray | None = None) -> LeafedRod:
-    """Leaves for a rod of any thickness, their ends moved until it bends nearest to `drawn`.
+    First leaves where the rod is thick; then their ends, and the angles of clamps that need not keep theirs, are
+    moved until the distance is least: a local optimum.
 
     Parameters
     ----------
     relaxed : Rod
-        With `bending_stiffness`, between those of one leaf and of all.
-    drawn : (NODES, 2) array, optional
-        Points at equal shares of the length, mm; the rod's own shape unless given.
+        With `bending_stiffness`, between those of the fewest leaves and of all.
+    law : LeavesLaw
+    tangents : (bool, bool)
+        Whether the start and the end keep their angles.
 
     Raises
     ------
     NotConvergedError
         No stack comes to rest between the same ends.
     """
-    target = _at_shares(relaxed) if drawn is None else drawn
+    if not isinstance(law, LeavesLaw):
+        raise InputError(f"the law is {law!r}: give a LeavesLaw(sheet, leaves, width)")
+    drawn = relaxed.curve.sample(NODES).position
     searches: dict[tuple[tuple[int, ...], ...], _Search] = {}
     for rounding in ROUNDINGS:
-        search = _Search.of(relaxed, law, target, rounding)
+        search = _Search.of(relaxed, law, drawn, rounding, tangents)
         searches.setdefault(tuple(map(tuple, search.steps.tolist())), search)
     found = [answer for search in searches.values() if (answer := search.answer()) is not None]
     if not found:
@@ -185,11 +106,6 @@ def lay_leaves(relaxed: Rod, law: LeavesLaw, drawn: FloatArray | None = None) ->
             f"no stack of {law.leaves} leaves comes to rest near this curve: take more and thinner leaves"
         )
     return min(found, key=lambda one: one.mean_deviation)
-
-
-def _at_shares(rod: Rod) -> FloatArray:
-    s = np.linspace(0.0, rod.length, NODES)
-    return np.column_stack([np.interp(s, rod.s, column) for column in rod.position.T])
 
 
 @dataclass(frozen=True, eq=False)
@@ -204,6 +120,7 @@ class _Search:
         To begin with, in lengths.
     first : tuple of int
         Numbers of the leaves that begin at the start.
+    tangents : (bool, bool)
     """
 
     relaxed: Rod
@@ -212,16 +129,20 @@ class _Search:
     steps: IntArray
     places: FloatArray
     first: tuple[int, ...]
+    tangents: tuple[bool, bool] = (False, False)
 
     @classmethod
-    def of(cls, relaxed: Rod, law: LeavesLaw, drawn: FloatArray, rounding: float) -> "_Search":
+    def of(
+        cls, relaxed: Rod, law: LeavesLaw, drawn: FloatArray, rounding: float,
+        tangents: tuple[bool, bool] = (False, False),
+    ) -> "_Search":  # fmt: skip
         """Leaf k where the relaxed thickness is more than k - 1 + `rounding` leaves."""
         s = np.linspace(0.0, 1.0, 20 * NODES)
         EI = relaxed.profile(s * relaxed.length) * float(relaxed.bending_stiffness or 1.0)
         leaves = law.relaxed.parameter(EI) / law.sheet.thickness
         found: list[tuple[float, int, int]] = []
-        first = [1]
-        for number in range(2, law.leaves + 1):
+        first = list(range(1, law.fewest + 1))
+        for number in range(law.fewest + 1, law.leaves + 1):
             inside = leaves > number - 1 + rounding
             edges = np.flatnonzero(np.diff(inside.astype(int)))
             signs = np.diff(inside.astype(int))[edges]
@@ -230,13 +151,13 @@ class _Search:
         found.sort()
         return cls(
             relaxed, law, drawn, np.array([(number, sign) for _, number, sign in found]).reshape(-1, 2),
-            np.array([at for at, _, _ in found]), tuple(first),
+            np.array([at for at, _, _ in found]), tuple(first), tangents,
         )  # fmt: skip
 
     @property
     def turned(self) -> list[int]:
         """Which ends (0, 1) are clamps, whose angle may change."""
-        return [i for i, end in enumerate(self.relaxed.supports.ends) if end.angle]
+        return [i for i, end in enumerate(self.relaxed.supports.ends) if end.angle and not self.tangents[i]]
 
     def answer(self) -> LeafedRod | None:
         """The best places found; None where no stack rests."""
@@ -283,12 +204,17 @@ class _Search:
         s = np.linspace(0.0, relaxed.length, NODES)
         compliance, newtons = self._cells(x[: self.places.size])
         B = 1 / float(compliance.max())
+        rest = np.broadcast_to(np.asarray(relaxed.natural_curvature, dtype=float), relaxed.s.shape)
         weight = None if relaxed.gravity is None else Weight(alpha=Profile.interpolate(s, newtons))
         flat = Rod.straight(
             relaxed.length, 1 / (compliance * B), samples=NODES, gravity=relaxed.gravity, supports=relaxed.supports,
             weight=weight, bending_stiffness=B,
         )  # fmt: skip
-        angles: list[float | None] = [None, None]
+        flat = replace(flat, natural_curvature=np.interp(s, relaxed.s, rest))
+        angles = [
+            float(angle) if end.angle else None
+            for angle, end in zip(relaxed.angle[[0, -1]], relaxed.supports.ends, strict=True)
+        ]
         for i, value in zip(self.turned, x[self.places.size :], strict=True):
             angles[i] = float(value)
         start, end = (
@@ -328,8 +254,12 @@ class _Search:
         stepped = Profile(
             np.concatenate([[0.0], np.repeat(cuts, 2)[1:-1], [1.0]]) * length, np.repeat(K, 2), 1
         )
-        off = np.hypot(*(rod.position - self.drawn).T)
+        laid = self.law.laid(sorted(leaves, key=lambda one: (one.number, one.start)))
+        fine = bend(replace(rod, profile=stepped, section=laid), samples=FINE_NODES)
+        s = np.linspace(0.0, fine.length, NODES)
+        at_shares = np.column_stack([np.interp(s, fine.s, column) for column in fine.position.T])
+        off = np.hypot(*(at_shares - self.drawn).T)
         return LeafedRod(
-            replace(rod, profile=stepped), self.law, tuple(sorted(leaves, key=lambda one: (one.number, one.start))),
-            float(off.max()), float(np.sqrt((off**2).mean())), self.relaxed, settled,
+            fine, laid, float(off.max()), float(np.sqrt((off**2).mean())),
+            self.relaxed, settled,
         )  # fmt: skip

@@ -115,10 +115,6 @@ class RodSpec(EqualByValue):
                 "loads hang where gravity pulls in the plane of the curve: give gravity=True or a direction in "
                 "that plane, or leave loads out"
             )
-        if self.may_change and self.natural_curvature != 0.0:
-            raise InputError(
-                "a strip with a natural curvature follows its curve exactly: leave limits and keep out"
-            )
         if self.may_change and self.samples is not None:
             raise InputError(
                 "samples are of a strip that follows its curve exactly: leave limits and keep out, or samples"
@@ -156,6 +152,7 @@ class RodSpec(EqualByValue):
                 self.gravity,
                 supports=self.supports,
                 section=self.section,
+                natural_curvature=self.natural_curvature,
             )
         if self.layers is not None and self.gravity is not None:
             return optimal_laminate(

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
-from elastica_cad.fabrication.solids.joint_places import levels
+from elastica_cad.fabrication.solids.joint_places import centred_thickness
 from elastica_cad.fabrication.solids.strip_solids import BentSolid
 from elastica_cad.fabrication.strip.strip_layers import Layer
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -60,13 +60,11 @@ class SkinMesh:
 
 def skin_meshes(strip: Strip) -> tuple[SkinMesh, ...]:
     """The skins of the sheets of a strip, the base first."""
-    length, heights = strip.rod.length, levels(strip)
-    radius = length / TURN_RAD
+    radius = strip.rod.length / TURN_RAD
     circle = optimal_rod(PlaneCurve.arc((0.0, 0.0), radius, 0.0, TURN_RAD))
-    half = heights[-1] / 2
+    half = centred_thickness(strip) / 2
     return tuple(
-        _skin_mesh(layer, circle, radius, (low - half, high - half))
-        for layer, low, high in zip(strip.layers, heights[:-1], heights[1:], strict=True)
+        _skin_mesh(layer, circle, radius, (layer.low - half, layer.high - half)) for layer in strip.layers
     )
 
 

@@ -96,10 +96,10 @@ def _spliced(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> dict
 
 def _cut(strips: Sequence[Piece], joined: Mapping[str, Splice]) -> tuple[Piece, ...]:
     """What must be cut for strips, those that are joined of pieces in these."""
+    parts = {called: layer for splice in joined.values() for called, layer in splice.layer_pieces.items()}
     pieces: list[Piece] = []
     for piece in strips:
-        whole = piece.name not in joined
-        pieces += [piece] if whole else [replace(one, count=piece.count) for one in joined[piece.name].pieces]
+        pieces += [replace(one, count=piece.count) for one in parts.get(piece.name, (piece,))]
     return tuple(pieces)
 
 

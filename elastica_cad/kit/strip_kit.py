@@ -10,6 +10,7 @@ from typing import Any
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import Drawing
+from elastica_cad.fabrication.leaf_stack import LeafStack
 from elastica_cad.fabrication.makeability.splices import spliced
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
@@ -22,6 +23,7 @@ from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.formats.reports.strip_report import report_strip
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.mechanics.material.tapered_sections import LaidLeaves
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
 
@@ -90,9 +92,12 @@ class StripKit:
         # R12 has no header for its unit, so the name says it
         dxf = f"{self.name}-mm.dxf" if self.asked.cutting.version == "R12" else f"{self.name}.dxf"
         names = {"dxf": dxf} | {kind: f"{self.name}.{kind}" for kind in ("svg", "json")}
-        if len(self.strip.layers) > 1:
-            glued = f"{self.name}-backing"
-            names |= {f"backing {kind}": names[kind].replace(self.name, glued, 1) for kind in ("dxf", "svg")}
+        cuts = {kind: names[kind] for kind in ("dxf", "svg")}
+        for layer in self.strip.layers[1:]:
+            glued = layer.called(self.name)
+            names |= {
+                f"{layer.name} {kind}": file.replace(self.name, glued, 1) for kind, file in cuts.items()
+            }
         more = {
             "png": find_spec("matplotlib"),
             "pdf": self.asked.paper,
@@ -105,7 +110,7 @@ class StripKit:
     def drawings(self) -> tuple[Drawing, ...]:
         """The cut pattern of each layer; ends where another strip goes on are engraved with the joint's name."""
         strip, joined = self.strip, spliced(self.strip, self.spec.shop)
-        drawings = strip.drawings() if joined is None else (joined.drawing,)
+        drawings = strip.drawings() if joined is None else joined.drawings
         if any(self.joints) and joined is None:
             base, cuts = drawings[0], (*strip.holes, strip.outline)
             marks = end_numbers(strip.width, cuts, base.texts, self.joints)
@@ -141,7 +146,7 @@ def write_strip(
         raise InputError(f"{kept} holds the drawn curve and is kept: name another folder, e.g. -o out")
     with write_together(folder, kit.files.values(), force=force) as workshop:
         for kind, file in kit.files.items():
-            WRITERS[kind](kit, workshop / file)
+            _writer(kit, kind)(kit, workshop / file)
     return written
 
 
@@ -157,8 +162,17 @@ def _write_svg(kit: StripKit, path: Path, layer: int = 0) -> None:
 
 def _pattern(kit: StripKit, layer: int) -> tuple[Drawing, dict[str, Any]]:
     """What is cut of one layer, and how its file is to be written."""
-    drawing = replace(kit.drawings[layer], name=f"{kit.name}-backing" if layer else kit.name)
-    return drawing, kit.asked.cutting.options(kit.strip.layers[layer].sheet)
+    cut = kit.strip.layers[layer]
+    return replace(kit.drawings[layer], name=cut.called(kit.name)), kit.asked.cutting.options(cut.sheet)
+
+
+def _writer(kit: StripKit, kind: str) -> Callable[[StripKit, Path], None]:
+    """What writes a kind of file; "backing dxf" and the like are of a layer that is glued on."""
+    if kind in WRITERS:
+        return WRITERS[kind]
+    name, _, kind = kind.rpartition(" ")
+    number = [layer.name for layer in kit.strip.layers].index(name)
+    return partial({"dxf": _write_dxf, "svg": _write_svg}[kind], layer=number)
 
 
 def _draw_picture(kit: StripKit, path: Path) -> None:
@@ -171,7 +185,8 @@ def _draw_picture(kit: StripKit, path: Path) -> None:
 def _draw_template(kit: StripKit, path: Path) -> None:
     from elastica_cad.plot.template_pages import save_template
 
-    drawing, _ = _pattern(kit, 0)
+    leaves = isinstance(kit.strip.layout.section, LaidLeaves)
+    drawing = LeafStack(kit.strip).drawing if leaves else _pattern(kit, 0)[0]
     save_template(drawing, path, paper=str(kit.asked.paper))
 
 
@@ -197,8 +212,6 @@ def _write_report(kit: StripKit, path: Path) -> None:
 WRITERS: Mapping[str, Callable[[StripKit, Path], None]] = {
     "dxf": _write_dxf,
     "svg": _write_svg,
-    "backing dxf": partial(_write_dxf, layer=1),
-    "backing svg": partial(_write_svg, layer=1),
     "png": _draw_picture,
     "pdf": _draw_template,
     "step": _write_step,

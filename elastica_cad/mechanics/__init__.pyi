@@ -39,6 +39,8 @@ from elastica_cad.mechanics.material.stiffness_law import (
     StiffnessLaw as StiffnessLaw,
 )
 from elastica_cad.mechanics.material.tapered_sections import (
+    LaidLeaves as LaidLeaves,
+    Leaf as Leaf,
     LeavesLaw as LeavesLaw,
     RoundLaw as RoundLaw,
     ThicknessLaw as ThicknessLaw,

@@ -1,14 +1,19 @@
 """Tapered strips, rods and tubes as bodies of the kernels: closed, valid, as heavy as the strip, and in STEP."""
 
+from importlib import import_module
+from importlib.util import find_spec
+
 import pytest
 
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
+from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.fabrication.strip_spec import make_strip
+from elastica_cad.forming.limits import Keep
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.kernel.occt import make_solid
 from elastica_cad.kernel.step_files import write_strip_step
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.tapered_sections import RoundLaw, ThicknessLaw
+from elastica_cad.mechanics.material.tapered_sections import LeavesLaw, RoundLaw, ThicknessLaw
 
 GLASS = Sheet("glass", 3.0, 38000.0, density=1900.0, max_strain=0.02)
 ARCH = PlaneCurve.spline([(0, 0), (60, 120), (140, 160), (240, 120), (300, 0)])
@@ -33,3 +38,53 @@ def test_flat_and_bent_bodies_are_valid_and_weigh_what_the_strip_does(law, tmp_p
         assert properties.Mass() == pytest.approx(strip.mass / GLASS.density * 1e6, rel=2e-6)
     write_strip_step(strip, tmp_path / "batten.step")
     assert (tmp_path / "batten.step").stat().st_size > 10_000
+
+
+LEAF = Sheet("ash leaf", 0.6, 12000.0, density=680.0, max_strain=0.02)
+
+
+def test_leaves_are_bodies_of_their_own_that_touch(tmp_path):
+    from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
+    from OCP.BRepCheck import BRepCheck_Analyzer
+    from OCP.BRepExtrema import BRepExtrema_DistShapeShape
+    from OCP.BRepGProp import BRepGProp
+    from OCP.GProp import GProp_GProps
+
+    def volume(shape):
+        properties = GProp_GProps()
+        BRepGProp.VolumeProperties_s(shape, properties)
+        return properties.Mass()
+
+    strip = make_strip(ARCH, LEAF, law=LeavesLaw(LEAF, 3, 20.0), keep=Keep(), ends=(Tab(0), Tab(0)))
+    section = strip.layout.section
+    for form in (FlatSolid, BentSolid):
+        shapes = [make_solid(record) for record in form.layers(strip)]
+        assert all(BRepCheck_Analyzer(shape).IsValid() for shape in shapes)
+        assert [volume(shape) for shape in shapes] == pytest.approx(
+            [20.0 * 0.6 * leaf.length for leaf in section.leaves], rel=0.01 if form is BentSolid else 1e-6
+        )
+        for leaf, shape in list(zip(section.leaves, shapes, strict=True))[1:]:
+            below = next(
+                s for one, s in zip(section.leaves, shapes, strict=True) if one.number == leaf.number - 1
+            )
+            assert BRepExtrema_DistShapeShape(shape, below).Value() < 1e-5
+            assert volume(BRepAlgoAPI_Common(shape, below).Shape()) < 1e-2
+    write_strip_step(strip, tmp_path / "leaves.step")
+    text = (tmp_path / "leaves.step").read_text()
+    assert text.count("MANIFOLD_SOLID_BREP") == 2 * len(section.leaves)
+    assert "strip leaf 2" in text
+
+
+def test_leaves_in_the_kernels():
+    """The door of whichever kernel is there: as many solids as leaves."""
+    law, count = LeavesLaw(LEAF, 3, 20.0), None
+    for name in ("build123d", "cadquery"):
+        if find_spec(name) is None:
+            continue
+        door = import_module(f"elastica_cad.{name}")
+        make = door.elastic_strip if name == "build123d" else door.bent_strip
+        made = make(ARCH, sheet=LEAF, law=law, keep=Keep())
+        solids = made.layers if hasattr(made, "layers") else made.strip.layers
+        count = len(solids)
+        assert count == len(made.strip.layout.section.leaves)
+    assert count is not None

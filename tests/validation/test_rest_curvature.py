@@ -7,6 +7,10 @@ import pytest
 from scipy.integrate import solve_bvp
 
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.strip_spec import make_strip
+from elastica_cad.forming.limits import Keep, Limits
+from elastica_cad.forming.nearest.nearest_record import Status
+from elastica_cad.forming.nearest.nearest_rod import nearest_rod
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.bending.bend_forward import bend
@@ -144,6 +148,74 @@ def test_a_law_of_thickness_and_weight_with_a_bent_blank():
     rod = optimal_rod(arch, Gravity(1.0), natural_curvature=rest, section=section)
     bent = bend(rod)
     assert np.hypot(*(bent.position - rod.position).T).max() < 1e-5 * rod.length
+
+
+NEAR = {
+    "ratio": (Limits(ratio=1.5), None),
+    "margin and tangents": (Limits(margin=5.0), Keep(tangents=True)),
+    "curvature and length": (Limits(ratio=2.5, curvature=0.035), Keep(length=True)),
+}
+
+
+@pytest.mark.parametrize("asked", NEAR)
+@pytest.mark.parametrize("name", BLANKS)
+def test_the_nearest_strip_of_a_blank(name, asked):
+    """It rests where an independent solver has it, within its limits, and is as long as the blank."""
+    blank, (limits, keep) = BLANKS[name], NEAR[asked]
+    near = nearest_rod(blank.curve, limits, keep, blank.gravity, natural_curvature=blank.rest)
+    rod = near.rod
+    assert near.status is Status.MET
+    share = blank.curve.length / rod.length
+    assert share == pytest.approx(1.0, rel=1e-9 if keep and keep.length else 0.01)
+    assert strayed(rod, lambda s: blank.kappa_0(s * share)) < 2e-5
+    assert rod.natural_curvature == pytest.approx(blank.kappa_0(rod.s * share))
+    assert rod.ratio <= (limits.ratio or np.inf) * (1 + 1e-6)
+    assert np.abs(rod.curvature - rod.natural_curvature).max() <= (limits.curvature or np.inf) * (1 + 1e-6)
+    assert limits.margin is None or stability(rod).margin >= limits.margin - 1e-6
+    if keep is not None and keep.both_tangents[0]:
+        ends = blank.curve.angle_at(np.array([0.0, 1.0]) * blank.curve.domain[1])
+        assert rod.angle[[0, -1]] == pytest.approx(ends, abs=1e-9)
+    asked_ratio = optimal_rod(blank.curve, blank.gravity, natural_curvature=blank.rest).ratio
+    assert near.deviation < (1e-3 if asked_ratio < rod.ratio else 0.01) * rod.length
+
+
+@pytest.mark.parametrize("name", ["tent", "bent more than the curve", "of a wave"])
+def test_the_curve_of_the_nearest_strip_asks_for_its_ratio(name):
+    blank = BLANKS[name]
+    near = nearest_rod(blank.curve, Limits(ratio=1.8), natural_curvature=blank.rest)
+    assert check_equilibrium(near.curve, natural_curvature=blank.rest).moved < 1e-6
+    again = optimal_rod(near.curve, natural_curvature=blank.rest)
+    assert again.ratio < near.rod.ratio * 1.001
+
+
+def test_a_nearest_strip_of_a_blank_and_of_a_number():
+    """One curvature all along is the same as a blank of it; the strip bears what its skin bears."""
+    number = nearest_rod(ARCH, Limits(ratio=1.3), natural_curvature=-0.002).rod
+    rest = RestCurvature.linear([0, number.length], [-0.002, -0.002])
+    blank = nearest_rod(ARCH, Limits(ratio=1.3), natural_curvature=rest).rod
+    assert np.hypot(*(number.position - blank.position).T).max() < 1e-4
+    strip = make_strip(
+        ARCH, "birch-plywood-0.8", max_width=30, natural_curvature=rest, limits=Limits(ratio=1.3)
+    )
+    assert strip.max_strain <= strip.strain_limit
+    assert strip.rod.ratio == pytest.approx(1.3)
+
+
+@pytest.mark.parametrize(
+    ("rest", "keep", "words"),
+    [
+        (RestCurvature.linear([0, 150], [0, 0]), Keep(length=True), "the blank is 150 mm long"),
+        (
+            RestCurvature.linear([0, WAVE.length], [0, 0.001]),
+            Keep(symmetry="turn"),
+            "the blank is not its own half turn",
+        ),
+        (0.001, Keep(symmetry="turn"), "the blank is not its own half turn"),
+    ],
+)
+def test_what_a_blank_cannot_keep_is_told(rest, keep, words):
+    with pytest.raises(InputError, match=words):
+        nearest_rod(WAVE, None, keep, natural_curvature=rest)
 
 
 class TestZeros:

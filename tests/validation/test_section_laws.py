@@ -12,7 +12,7 @@ from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.stability.stability_verdict import stability
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from tests.section_designs import LAWS, Design, designs, errors
+from tests.section_designs import LAWS, Design, designs, errors, judged, laminates
 
 pytestmark = pytest.mark.core
 
@@ -28,6 +28,16 @@ def test_fifty_designs_rest_where_they_should(law):
     assert shape < 1e-5  # of the length; asked is 1e-4
     assert place < 1e-5  # of the chord; asked is 5e-3
     assert force < 5e-4  # of the largest end force; asked is 1e-2
+
+
+def test_fifty_laminates_rest_where_they_should():
+    """Holes need none of their own: stiffness and weight both go with the material left, as a plain width's do."""
+    found = np.array([judged(*laminate) for laminate in laminates()])
+    shape, place, force = found.max(axis=0)
+    assert len(found) == 50
+    assert shape < 1e-5
+    assert place < 1e-5
+    assert force < 5e-4
 
 
 def imbalance(rod, section):

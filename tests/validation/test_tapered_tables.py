@@ -25,8 +25,16 @@ NARROW = 1e-7
 def critical_factor(n, ratio):
     """P l^2 / (E I_2) of a column clamped at its thick end, E I = E I_2 (x/b)^n from b down to a, free there.
 
-    y(a) = 0 and y'(b) = 0 for (x/b)^n y'' + m y = 0, by Bessel functions, or for n = 2 and 4 elementary functions
-    (Dinnik; Timoshenko and Gere, Theory of Elastic Stability, chapter 2, bars of varying cross-section).
+    x is counted in lengths l from where the taper would end. The load turns the bent column by P y, so that
+    E I y'' + P y = 0 becomes (x/b)^n y'' + m y = 0 with y(a) = 0 where it is free, as y is counted from the load's
+    line, and y'(b) = 0 where it is clamped. Solved by
+
+        n = 2: x^(1/2) sin(beta log(x/a)), beta^2 = m b^2 - 1/4
+        n = 4: x sin(m^(1/2) b^2 (1/a - 1/x))
+        n = 1, 3: x^(1/2) Z_1(2 (m b^n)^(1/2) x^((2-n)/2)), Z_1 of Bessel's J_1 and Y_1
+
+    The forms are those of Timoshenko and Gere, Theory of Elastic Stability, chapter 2, on bars of varying
+    cross-section, after Dinnik; derived here, as no edition's page was at hand.
     """
     b = 1 / (1 - ratio ** (1 / n))
     a = b - 1
@@ -84,7 +92,10 @@ def test_the_factors_are_those_of_the_tables():
 def test_the_strongest_column():
     """4/3 of the load of an even rod of the same volume (Keller 1960, Arch. Rational Mech. Anal. 5, 275-285).
 
-    Clausen's shape: area ~ sin^2 theta at s = (theta - sin(2 theta) / 2) / pi, and E I ~ area^2.
+    Clausen's shape (Über die Form architektonischer Säulen, 1849, 279-294): area A ~ sin^2 theta at
+    s = (theta - sin(2 theta) / 2) / pi, and E I ~ A^2. It buckles as y = sin^3 theta: ds / dtheta is
+    (2 / pi) sin^2 theta, so y' = (3 pi / 2) cos theta, y'' = -(3 pi^2 / 4) / sin theta, and A^2 y'' + m y = 0 all
+    along with m = 3 pi^2 / 4. An even rod of the mean area 3/4 has m = (3/4)^2 pi^2; the quotient is 4/3.
     """
     theta = np.linspace(0.0, np.pi, 200001)
     s = (theta - np.sin(2 * theta) / 2) / np.pi
@@ -108,9 +119,11 @@ def tip(K, load=1e-5, samples=801):
 @pytest.mark.parametrize("n", [1, 2, 3, 4])
 @pytest.mark.parametrize("ratio", [0.2, 0.6])
 def test_tapered_cantilevers(n, ratio):
-    """Linear theory: the integral of (1 - s)^2 / (1 - (1 - q) s)^n.
+    """Linear theory: the moment P (1 - s) turns each piece by P (1 - s) / E I, which moves the tip by 1 - s of it.
 
-    I varies as (1 + K x / l)^n, as in the tables of tapered beams of Roark's Formulas for Stress and Strain.
+    So the deflection is P l^3 / (E I of the root) times the integral of (1 - s)^2 / (1 - (1 - q) s)^n. I varies as
+    (1 + K x / l)^n, as in the tables of tapered beams of Roark's Formulas for Stress and Strain, whose page was not
+    at hand: the integral is worked out below.
     """
     q = ratio ** (1 / n)
     c = 1 - q
@@ -130,8 +143,10 @@ def test_tapered_cantilevers(n, ratio):
 def test_springs_of_uniform_strength(kind):
     """Timoshenko, Strength of Materials, on beams of constant strength: a cantilever with a load at its tip.
 
-    Triangular in plan: constant strain and an arc of a circle, P L^3 / (2 E I). The same curvature comes of a
-    thickness ~ (1 - s)^(1/3); the same strain of one ~ (1 - s)^(1/2), and 2 P L^3 / (3 E I).
+    The strain is M t / (2 E I) and I ~ w t^3, M ~ 1 - s. Triangular in plan: w ~ 1 - s gives constant strain and
+    an arc of a circle, the integral of (1 - s) being 1/2: P L^3 / (2 E I). The same curvature comes of a thickness
+    ~ (1 - s)^(1/3); the same strain of one ~ (1 - s)^(1/2), whose curvature ~ (1 - s)^(-1/2) moves the tip by the
+    integral of (1 - s)^(1/2): 2 P L^3 / (3 E I).
     """
     nodes = np.linspace(0.0, 1.0, 4001)
     left = np.maximum(1 - nodes, NARROW)

@@ -15,7 +15,9 @@ from elastica_cad.cli.asking.options import asked_sheet, join_options, output_op
 from elastica_cad.cli.running.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.batten import MM_PER_INCH, Batten, BattenSpec, camber_of
+from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.leaf_stack import LeafStack
+from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.files import save
 from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.mechanics.material.tapered_sections import MOST_LEAVES, RoundLaw, ThicknessLaw
@@ -36,6 +38,8 @@ _STOCK = (
                  help="Thinnest place that is allowed  [default: a quarter of the stock]."),
     click.option("--full", type=float, default=0.0, show_default=True, metavar="PERCENT",
                  help="Of the length, at the thick end, that keeps the full size; the rest is tapered."),
+    click.option("--lying", type=click.Choice(["up", "down"]),
+                 help="Design it under its own weight, lying with its chord level and bulging this way."),
     click.option("--weight", is_flag=True, help="Tell the camber under its own weight too, lying level."),
     click.option("--leaves", type=click.IntRange(2, MOST_LEAVES), metavar="N",
                  help="Glue the strip of N equal leaves instead of planing it: where they end is told."),
@@ -57,7 +61,7 @@ def batten(**chosen: Any) -> None:
     The ends turn freely and are pressed together until the camber is as deep as asked. Writes NAME.csv (sizes in mm
     and inch, strain, safety), NAME.svg and NAME.dxf (the side view at full size), NAME.json, NAME.pdf (the same on
     paper, in tiles; needs matplotlib) and NAME.step (flat and bent; needs build123d or CadQuery). With --leaves the
-    drawings are those of the leaves, NAME.csv is their cut list, and there is no STEP file.
+    drawings and bodies are those of the leaves, and NAME.csv is their cut list.
 
     \b
       elastica batten --sheet pom-1 --length 2400 --camber 10 --at 40 --stock 25 8 --least 3 -o out
@@ -72,6 +76,7 @@ def batten(**chosen: Any) -> None:
         _stock(chosen),
         name,
         chosen["full"] / 100,
+        chosen["lying"],
     )
     stations = _stations(chosen)
     made = spec.make()
@@ -101,57 +106,66 @@ def batten(**chosen: Any) -> None:
 def _glue(made: Batten, chosen: dict[str, Any]) -> None:
     """The batten of leaves: told and written."""
     leafed = made.of_leaves(chosen["leaves"])
-    stack, rod, law = LeafStack(leafed, made.spec.label), leafed.rod, leafed.law
+    strip, rod, section = made.strip_of(leafed), leafed.rod, leafed.section
     depth, place = camber_of(rod)
-    force = float(np.hypot(*rod.force[0])) * float(rod.bending_stiffness or 0.0)
-    strain, rows = leafed.strain, stack.cut_list
+    force = float(np.hypot(*strip.reactions().start_force))
     report = {
         "length_mm": rod.length, "camber": depth, "camber_place": place, "end_force_N": force,
-        "mass_g": rows.mass, "deviation_mm": leafed.deviation, "settled": leafed.settled,
-        "max_strain": strain.largest, "strain_limit": law.sheet.max_strain,
-        "leaf_thickness_mm": law.sheet.thickness, "leaf_width_mm": law.width,
+        "mass_g": strip.mass, "deviation_mm": leafed.deviation, "settled": leafed.settled,
+        "max_strain": strip.max_strain, "strain_limit": strip.strain_limit,
+        "leaf_thickness_mm": strip.sheet.thickness, "leaf_width_mm": section.width,
         "leaves": [
             {"leaf": name, "start_mm": leaf.start, "end_mm": leaf.end, "length_mm": leaf.length}
-            for name, leaf in zip(stack.names, leafed.leaves, strict=True)
+            for name, leaf in zip(section.names, leafed.leaves, strict=True)
         ],
     }  # fmt: skip
-    written = _write_leaves(stack, report, chosen)
+    written = _write_leaves(strip, report, chosen)
     answer({"batten": report})
     say(
-        f"{stack.label}: {rod.length:.1f} mm, {law.leaves} leaves of {law.sheet.thickness:.4g} mm: camber "
+        f"{strip.label}: {rod.length:.1f} mm, {chosen['leaves']} leaves of {strip.sheet.thickness:.4g} mm: camber "
         f"{100 * depth:.2f} % at {100 * place:.2f} % of the chord, {leafed.deviation:.2g} mm off the planed one"
     )
     say(
-        f"end force {force:.3g} N, {rows.mass:.4g} g, largest strain {100 * strain.largest:.2f} % "
-        f"({law.sheet.name} bears {100 * law.sheet.max_strain:.2f} %)"
+        f"end force {force:.3g} N, {strip.mass:.4g} g, largest strain {100 * strip.max_strain:.2f} % at "
+        f"{strip.max_strain_at:.0f} mm ({strip.sheet.name} bears {100 * strip.strain_limit:.2f} %)"
     )
     say(f"{'leaf':>5} {'from mm':>9} {'to mm':>9} {'length mm':>10} {'inch':>8}")
-    for name, leaf in zip(stack.names, leafed.leaves, strict=True):
+    for name, leaf in zip(section.names, leafed.leaves, strict=True):
         inch = leaf.length / MM_PER_INCH
         say(f"{name:>5} {leaf.start:9.1f} {leaf.end:9.1f} {leaf.length:10.1f} {inch:8.3f}")
-    if strain.largest > law.sheet.max_strain:
-        warn(
-            "Warning: the leaves bend beyond what they bear: take thinner stock, less camber or another sheet"
-        )
+    for warning in strip.warnings:
+        warn(f"Warning: {warning}")
     if not leafed.settled:
         warn("Warning: the search stopped before the ends of the leaves settled; others may come nearer")
     wrote(written)
 
 
-def _write_leaves(stack: LeafStack, report: dict[str, Any], chosen: dict[str, Any]) -> list[Path]:
-    """Cut list, pattern, print and numbers, or none of them."""
-    name, folder = stack.label, chosen["output"]
-    kinds = ["csv", "svg", "dxf", "json", *(["pdf"] if find_spec("matplotlib") else [])]
+def _write_leaves(strip: Strip, report: dict[str, Any], chosen: dict[str, Any]) -> list[Path]:
+    """Cut list, pattern, print, bodies and numbers, or none of them."""
+    name, folder, stack = strip.label, chosen["output"], LeafStack(strip)
+    kinds = ["csv", "svg", "dxf", "json"]
+    kinds += [kind for kind, library in (("pdf", "matplotlib"), ("step", "OCP")) if find_spec(library)]
     with write_together(folder, [f"{name}.{kind}" for kind in kinds], force=chosen["force"]) as workshop:
         (workshop / f"{name}.csv").write_text(stack.cut_list.csv, encoding="utf-8")
         (workshop / f"{name}.json").write_text(json.dumps(report, indent=1) + "\n", encoding="utf-8")
-        for kind in ("svg", "dxf"):
-            save(stack.drawing, workshop / f"{name}.{kind}")
-        if "pdf" in kinds:
-            from elastica_cad.plot.template_pages import save_template
-
-            save_template(stack.drawing, workshop / f"{name}.pdf", paper=chosen["paper"])
+        _write_drawn(strip, stack.drawing, workshop / name, kinds, chosen)
     return [folder / f"{name}.{kind}" for kind in kinds]
+
+
+def _write_drawn(
+    strip: Strip, drawing: Drawing, path: Path, kinds: list[str], chosen: dict[str, Any]
+) -> None:
+    """The drawing for cutters and on paper, and the bodies."""
+    for kind in ("svg", "dxf"):
+        save(drawing, path.with_name(f"{path.name}.{kind}"))
+    if "pdf" in kinds:
+        from elastica_cad.plot.template_pages import save_template
+
+        save_template(drawing, path.with_name(f"{path.name}.pdf"), paper=chosen["paper"])
+    if "step" in kinds:
+        from elastica_cad.kernel.step_files import write_strip_step
+
+        write_strip_step(strip, path.with_name(f"{path.name}.step"))
 
 
 def _stock(chosen: dict[str, Any]) -> ThicknessLaw | RoundLaw:
@@ -187,7 +201,8 @@ def _stations(chosen: dict[str, Any]) -> FloatArray:
 def _report(made: Batten, table: dict[str, FloatArray]) -> dict[str, Any]:
     depth, place = made.camber
     return {
-        "length_mm": made.spec.length, "chord_mm": made.chord, "camber": depth, "camber_place": place,
+        "length_mm": made.spec.length, "lying": made.spec.lying, "chord_mm": made.chord,
+        "camber": depth, "camber_place": place,
         "end_force_N": made.end_force, "mass_g": made.strip.mass, "max_strain": made.strip.max_strain,
         "strain_limit": made.strip.strain_limit, "warnings": list(made.strip.warnings),
         # JSON has no infinity: the ends do not bend
@@ -209,25 +224,19 @@ def _write(
             rows.writerow(report["table"])
             for row in zip(*report["table"].values(), strict=True):
                 rows.writerow(["" if value is None else f"{value:.6g}" for value in row])
-        for kind in ("svg", "dxf"):
-            save(drawing, workshop / f"{name}.{kind}")
         (workshop / f"{name}.json").write_text(json.dumps(report, indent=1) + "\n", encoding="utf-8")
-        if "pdf" in kinds:
-            from elastica_cad.plot.template_pages import save_template
-
-            save_template(drawing, workshop / f"{name}.pdf", paper=chosen["paper"])
-        if "step" in kinds:
-            from elastica_cad.kernel.step_files import write_strip_step
-
-            write_strip_step(made.strip, workshop / f"{name}.step")
+        _write_drawn(made.strip, drawing, workshop / name, kinds, chosen)
     return [folder / f"{name}.{kind}" for kind in kinds]
 
 
 def _tell(made: Batten, table: dict[str, FloatArray]) -> None:
     depth, place = made.camber
     quantity = made.spec.stock.quantity
+    lying = (
+        "" if made.spec.lying is None else f", lying level under its own weight and bulging {made.spec.lying}"
+    )
     say(
-        f"{made.spec.label}: {made.spec.length:.1f} mm, between ends {made.chord:.1f} mm apart: camber "
+        f"{made.spec.label}: {made.spec.length:.1f} mm{lying}, between ends {made.chord:.1f} mm apart: camber "
         f"{100 * depth:.2f} % at {100 * place:.2f} % of the chord"
     )
     strip = made.strip

@@ -7,10 +7,12 @@ from typing import Literal
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
 from elastica_cad.fabrication.placed_strip import Placed, strip_names
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import Hole, TSlot
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.mechanics.material.tapered_sections import LaidLeaves
 
 End = Literal["start", "end"]
 ENDS: tuple[End, End] = ("start", "end")
@@ -49,6 +51,11 @@ class PlacedTab:
     ) -> "PlacedTab":
         """The tab at the start or the end of a strip whose curve is drawn in `frame`."""
         place = frame or Frame()
+        if isinstance(strip.layout.section, LaidLeaves):
+            raise InputError(
+                "a stack of leaves lies on one side of its curve, where none of our holders is: hold its ends in "
+                "clamps"
+            )
         k, way = (0, -1.0) if end == "start" else (-1, 1.0)
         alpha = float(strip.rod.angle[k])
         out = way * place.direction([np.cos(alpha), np.sin(alpha)])
@@ -59,7 +66,7 @@ class PlacedTab:
             Frame(origin, out, way * place.z_axis),
             tab.length,
             tab.width or own,
-            sum(layer.sheet.thickness for layer in strip.layers),
+            strip.end_thicknesses[k],
             tab.holes,
             f"{called}:{1 if end == 'start' else 2}",
             tab.t_slot,

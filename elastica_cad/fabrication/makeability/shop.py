@@ -32,8 +32,8 @@ class Shop:
     stock : (float, float), optional
         Longer and shorter side of the largest sheet, mm; where not given the sheet's own, or 3050 by 1525 mm.
     lap : float, optional
-        Length of the plates that join the pieces of a plain strip longer than the stock, mm; without it such strips
-        are refused.
+        Length of the plates that join the pieces of a strip longer than the stock, mm; without it such strips are
+        refused.
 
     Raises
     ------

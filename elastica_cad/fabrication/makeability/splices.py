@@ -1,5 +1,6 @@
 """A strip longer than the stock: cut in pieces, and joined by lap plates where that changes its shape least."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
@@ -20,13 +21,13 @@ from elastica_cad.fabrication.drawings.lettering import Text, text_width
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.sheets.pieces import Piece
 from elastica_cad.fabrication.strip.perforation import Perforated
+from elastica_cad.fabrication.strip.strip_layers import Layer
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.styles import Plain
-from elastica_cad.geometry.paths.clip import clip_across
+from elastica_cad.geometry.paths.clip import clip_across, trim_across
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.material.laminated_section import LaminatedSection
+from elastica_cad.mechanics.material.laminated_section import stack_stiffness
 
 PLACES = 400
 """Places along a strip where a joint is tried."""
@@ -45,63 +46,79 @@ APART_MM = 5.0
 class Splice:
     """A strip in pieces, butt to butt, with a plate of the same sheet glued over each joint on one side.
 
-    Plates are solid and as wide as the strip; holes that would come to lie under one are not cut.
+    Plates are solid and as wide as the strip; holes that would come to lie under one are not cut. Each layer of a
+    laminate has joints of its own, staggered, with plates on its free face.
 
     Attributes
     ----------
     strip : Strip
     joints : tuple of float
-        Where it is cut, mm along it.
+        Where it is cut, mm along it; of a laminate its base.
     lap : float
         Length of the plates, half of it on either piece, mm.
+    backing_joints : tuple of float
+        Where the backing of a laminate is cut, mm along it.
     """
 
     strip: Strip
     joints: tuple[float, ...]
     lap: float
+    backing_joints: tuple[float, ...] = ()
 
-    @cached_property
+    @property
     def pieces(self) -> tuple[Piece, ...]:
-        """The pieces in order, where the plates come to lie marked on them, then the plates."""
-        strip, name = self.strip, self.strip.label or "strip"
-        (first, _), (last, _) = strip.outline.bounds
-        ends = [float(first), *self.joints, float(last)]
-        cut = [self._piece(f"{name}-{k}", low, high) for k, (low, high) in enumerate(pairwise(ends), start=1)]
-        plates = [
-            self._piece(f"{name}-lap-{k}", at - self.lap / 2, at + self.lap / 2, marked=False)
-            for k, at in enumerate(self.joints, start=1)
-        ]
-        return (*cut, *plates)
+        """The pieces of every layer in order, where the plates come to lie marked on them, each with its plates."""
+        return tuple(piece for layer in self.layer_pieces.values() for piece in layer)
 
     @cached_property
-    def drawing(self) -> Drawing:
-        """All pieces and plates in one drawing, one above the other."""
-        placed, y = [], 0.0
-        for piece in self.pieces:
-            (x0, y0), (_, y1) = piece.bounds
-            placed.append(piece.drawing.transformed([[1, 0, -x0], [0, 1, y - y0], [0, 0, 1]]))
-            y += float(y1 - y0) + APART_MM
-        return Drawing.merged(self.strip.label or "strip", placed)
+    def layer_pieces(self) -> dict[str, tuple[Piece, ...]]:
+        """The pieces by the name of the layer that they are cut of, the base first."""
+        strip, layout = self.strip, self.strip.layout
+        name, base = strip.label or "strip", strip.layers[0]
+        whole = [_Whole(name, replace(base, holes=self._holes), strip.width, layout.guides, self.joints)]
+        if layout.backing is not None:
+            glued = strip.layers[1]
+            whole.append(_Whole(f"{name}-backing", glued, layout.backing.width, (), self.backing_joints))
+        return {one.name: self._cut(one) for one in whole}
+
+    @cached_property
+    def drawings(self) -> tuple[Drawing, ...]:
+        """Of each layer one with all its pieces and plates, one above the other."""
+        drawn = []
+        for name, pieces in self.layer_pieces.items():
+            placed, y = [], 0.0
+            for piece in pieces:
+                (x0, y0), (_, y1) = piece.bounds
+                placed.append(piece.drawing.transformed([[1, 0, -x0], [0, 1, y - y0], [0, 0, 1]]))
+                y += float(y1 - y0) + APART_MM
+            drawn.append(Drawing.merged(name, placed))
+        return tuple(drawn)
 
     @cached_property
     def deviation(self) -> float:
         """How far the plates move the shape, bent and held as designed, mm; their weight is left out.
 
-        Over a plate the strip is two sheets thick and as stiff as that; it ends at once, as glue does.
+        Over a plate the strip is a sheet thicker and as stiff as that; it ends at once, as glue does.
         """
-        made = self.strip.as_built
-        covered = self._covered(made.s)
-        base = self.strip.layers[0]
-        section, wide = LaminatedSection(base.sheet, base.sheet), self.strip.width(made.s)
-        left = np.minimum(replace(base, holes=self._holes).material(made.s), wide)
-        designed = section.bending_stiffness(base.material(made.s), 0.0)
-        bare = section.bending_stiffness(left, 0.0) / designed
-        under = section.bending_stiffness(wide, left) / designed
-        K = made.stiffness / ((1 - covered) / bare + covered / under)
+        made, (base, *more) = self.strip.as_built, self.strip.layers
+        s = made.s
+        wide, cut = self.strip.width(s), base.material(s)
+        left = np.minimum(replace(base, holes=self._holes).material(s), wide)
+        glued = [(layer.sheet, np.minimum(layer.material(s), cut)) for layer in more]
+        designed = stack_stiffness([(base.sheet, cut), *glued])
+        compliance = np.zeros(s.size)
+        on_base, on_backing = self._covered(s, self.joints), self._covered(s, self.backing_joints)
+        for share, stack in (
+            (1 - on_base - on_backing, [(base.sheet, left), *glued]),
+            (on_base, [(base.sheet, wide), (base.sheet, left), *glued]),
+            (on_backing, [(base.sheet, left), *glued, *glued]),
+        ):
+            compliance += share * designed / stack_stiffness(stack)
+        K = made.stiffness / compliance
         factor = float(K.min() / made.stiffness.min())
         B = made.bending_stiffness
         stiffer = replace(
-            made.with_stiffness(Profile.interpolate(made.s, K)),
+            made.with_stiffness(Profile.interpolate(s, K)),
             bending_stiffness=None if B is None else B * factor,
         )
         bent = bend(stiffer)
@@ -109,8 +126,14 @@ class Splice:
 
     def __str__(self) -> str:
         """One sentence."""
-        count = len(self.joints) + 1
-        places = " and ".join(f"{at:.1f}" for at in self.joints)
+        if len(self.strip.layers) > 1:
+            joints = zip(self.layer_pieces, (self.joints, self.backing_joints), strict=True)
+            where = " and ".join(f"{name} at {_tell_places(places)} mm" for name, places in joints if places)
+            return (
+                f"{SPLICED} pieces: {where}, joined by plates of {self.lap:g} mm on the free face of each layer, "
+                f"which are stiffer and move the shape by {self.deviation:.2g} mm"
+            )
+        count, places = len(self.joints) + 1, _tell_places(self.joints)
         lost = len(self.strip.holes) - len(self._holes)
         if lost:
             return (
@@ -124,7 +147,7 @@ class Splice:
 
     @cached_property
     def _holes(self) -> tuple[Path, ...]:
-        """Holes that are cut: those clear of the plates."""
+        """Holes of the base that are cut: those clear of the plates."""
         half = self.lap / 2
         spans = [(hole, hole.bounds[:, 0]) for hole in self.strip.holes]
         return tuple(
@@ -133,46 +156,79 @@ class Splice:
             if not any(low < at + half and high > at - half for at in self.joints)
         )
 
-    def _covered(self, s: FloatArray) -> FloatArray:
+    def _covered(self, s: FloatArray, joints: Sequence[float]) -> FloatArray:
         """Share (n,) of each node's cell that lies under a plate."""
         ends = np.concatenate([s[:1], (s[1:] + s[:-1]) / 2, s[-1:]])
         under = np.zeros(s.size)
-        for at in self.joints:
+        for at in joints:
             under += np.diff(np.clip(ends, at - self.lap / 2, at + self.lap / 2))
         return under / np.diff(ends)
 
-    def _piece(self, name: str, low: float, high: float, *, marked: bool = True) -> Piece:
-        strip = self.strip
-        outline = clip_across(strip.outline, low, high)
-        holes = [hole for hole in self._holes if low < float(hole.bounds.mean(axis=0)[0]) < high and marked]
-        edges = [at + side * self.lap / 2 for at in self.joints for side in (-1, 1)] if marked else []
-        paths = [
-            *(LayeredPath(MARK, self._tick(x)) for x in edges if low < x < high),
-            *(LayeredPath(CUT_INNER, hole) for hole in holes),
-            LayeredPath(CUT_OUTER, outline),
+    def _cut(self, whole: "_Whole") -> tuple[Piece, ...]:
+        """The pieces of one layer in order, then its plates."""
+        (first, _), (last, _) = whole.layer.outline.bounds
+        ends = [float(first), *whole.joints, float(last)]
+        pieces = [
+            self._piece(whole, f"{whole.name}-{k}", low, high)
+            for k, (low, high) in enumerate(pairwise(ends), start=1)
         ]
-        return Piece(name, Drawing(name, tuple(paths), (self._label(name, low, high),)), strip.sheet)
+        plates = [
+            self._piece(whole, f"{whole.name}-lap-{k}", at - self.lap / 2, at + self.lap / 2, plate=True)
+            for k, at in enumerate(whole.joints, start=1)
+        ]
+        return (*pieces, *plates)
 
-    def _tick(self, x: float) -> Path:
-        half = 0.4 * float(self.strip.width(x))
-        return Path.polyline([(x, -half), (x, half)])
+    def _piece(self, whole: "_Whole", name: str, low: float, high: float, *, plate: bool = False) -> Piece:
+        layer = whole.layer
+        paths = [LayeredPath(CUT_OUTER, clip_across(layer.outline, low, high))]
+        if not plate:
+            edges = [at + side * self.lap / 2 for at in whole.joints for side in (-1, 1)]
+            marks = [_tick(whole, x) for x in edges if low < x < high]
+            marks += [part for guide in whole.guides for part in trim_across(guide, low, high)]
+            holes = [hole for hole in layer.holes if low < float(hole.bounds.mean(axis=0)[0]) < high]
+            paths = [
+                *(LayeredPath(MARK, mark) for mark in marks),
+                *(LayeredPath(CUT_INNER, hole) for hole in holes),
+                *paths,
+            ]
+        return Piece(name, Drawing(name, tuple(paths), (self._label(whole, name, low, high),)), layer.sheet)
 
-    def _label(self, name: str, low: float, high: float) -> Text:
+    def _label(self, whole: "_Whole", name: str, low: float, high: float) -> Text:
         if isinstance(self.strip.style, Perforated) and high - low > self.lap:  # no room between the holes
-            joint = next(at for at in self.joints if at in (low, high))
+            joint = next(at for at in whole.joints if at in (low, high))
             low, high = sorted((joint, joint + (self.lap / 2 if joint == low else -self.lap / 2)))
         middle = (max(low, 0.0) + min(high, self.strip.rod.length)) / 2
-        height = min(LABEL_MM, 0.3 * float(self.strip.width(middle)))
+        height = min(LABEL_MM, 0.3 * float(whole.width(middle)))
         height *= min(1.0, 0.6 * (high - low) / text_width(name, height))
         start = (middle - text_width(name, height) / 2, -height / 2)
         return Text(start, name, height, 0.0, ENGRAVE)
 
 
-def splice(strip: Strip, stock: float, lap: float) -> Splice:
-    """Cut a plain or perforated strip into as few pieces as the stock allows, where plates change its shape least.
+@dataclass(frozen=True, eq=False)
+class _Whole:
+    """A layer before it is cut in pieces: its name, width, lines marked on it, and joints, mm along it."""
 
-    Joints keep off slots, tabs and each other; of the places left those are taken where the strip turns least under
-    the plates, in the sum of squares (dynamic programming).
+    name: str
+    layer: Layer
+    width: Profile
+    guides: tuple[Path, ...]
+    joints: tuple[float, ...]
+
+
+def _tick(whole: _Whole, x: float) -> Path:
+    half = 0.4 * float(whole.width(x))
+    return Path.polyline([(x, -half), (x, half)])
+
+
+def _tell_places(joints: Sequence[float]) -> str:
+    return " and ".join(f"{at:.1f}" for at in joints)
+
+
+def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | None = None) -> Splice:
+    """Cut a strip into as few pieces as the stock allows, where plates change its shape least.
+
+    Joints keep off slots, tabs and each other, those of a backing off those of its base; of the places left those
+    are taken where the strip turns least under the plates, in the sum of squares (dynamic programming).
 
     Parameters
     ----------
@@ -181,11 +237,13 @@ def splice(strip: Strip, stock: float, lap: float) -> Splice:
         Length of the longest piece, mm.
     lap : float
         Length of the plates, mm.
+    backing_stock : float, optional
+        Length of the longest piece of a laminate's backing, mm; that of the base where not given.
 
     Raises
     ------
     InputError
-        A laminate or a strip of varying thickness, a lap that is not possible, or no places for the joints.
+        A strip of varying thickness, a lap that is not possible, or no places for the joints.
 
     Examples
     --------
@@ -196,18 +254,16 @@ def splice(strip: Strip, stock: float, lap: float) -> Splice:
     ['A-1', 'A-2', 'A-lap-1']
     """
     name = strip.label or "strip"
-    if not isinstance(strip.style, Plain | Perforated) or strip.rod.section is not None:
+    if strip.rod.section is not None:
         raise InputError(
-            f"{name}: only plain and perforated strips of one sheet are cut in pieces, for every layer would need "
-            "plates of its own: take a larger stock, or a plain strip"
+            f"{name}: strips of a law are not cut in pieces, for their plates would have to taper too: take a "
+            "larger stock, or a strip of one sheet"
         )
-    (first, _), (last, _) = strip.outline.bounds
-    length = float(last - first)
-    if not (np.isfinite(lap) and 0 < lap < stock / 3):
+    longest = (stock, backing_stock or stock)[: len(strip.layers)]
+    if not (np.isfinite(lap) and 0 < lap < min(longest) / 3):
         raise InputError(
-            f"{name}: a lap of {lap:g} mm: give a length above 0 and below a third of {stock:g} mm"
+            f"{name}: a lap of {lap:g} mm: give a length above 0 and below a third of {min(longest):g} mm"
         )
-    count = int(np.ceil(length / stock * (1 - 1e-12))) - 1
     s = np.linspace(lap / 2, strip.rod.length - lap / 2, PLACES)
     clear = np.ones(PLACES, dtype=bool)
     for slot in strip.slots:
@@ -215,29 +271,39 @@ def splice(strip: Strip, stock: float, lap: float) -> Splice:
     rod = strip.rod
     turned = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(rod.angle)))])
     turn = np.interp(s + lap / 2, rod.s, turned) - np.interp(s - lap / 2, rod.s, turned)
-    cost = np.where(clear, turn**2, np.inf)
-    joints = _placed(s, cost, count, float(first), float(last), stock, lap)
-    if joints is None:
-        raise InputError(
-            f"{name}: there is no room for {count} joints of {lap:g} mm between its slots: take a shorter lap or a "
-            "larger stock"
-        )
-    return Splice(strip, joints, lap)
+    found: list[tuple[float, ...]] = []
+    for layer, most in zip(strip.layers, longest, strict=True):
+        for taken in (at for joints in found for at in joints):
+            clear &= np.abs(s - taken) >= lap
+        (first, _), (last, _) = layer.outline.bounds
+        count = int(np.ceil(float(last - first) / most * (1 - 1e-12))) - 1
+        joints = _placed(s, np.where(clear, turn**2, np.inf), count, float(first), float(last), most, lap)
+        if joints is None:
+            raise InputError(
+                f"{name}: there is no room for {count} joints of {lap:g} mm between its slots: take a shorter "
+                "lap or a larger stock"
+            )
+        found.append(joints)
+    return Splice(strip, found[0], lap, *found[1:])
 
 
 def spliced(strip: Strip, shop: Shop) -> Splice | None:
     """The strip in pieces, where the shop joins pieces and the strip is longer than its stock."""
     if shop.lap is None:
         return None
-    length = float(np.ptp(strip.outline.bounds, axis=0)[0])
-    stock = shop.stock_for(strip.sheet)[0]
-    return splice(strip, stock, shop.lap) if length > stock else None
+    stocks = [shop.stock_for(layer.sheet)[0] for layer in strip.layers]
+    lengths = [float(np.ptp(layer.outline.bounds, axis=0)[0]) for layer in strip.layers]
+    if all(length <= stock for length, stock in zip(lengths, stocks, strict=True)):
+        return None
+    return splice(strip, stocks[0], shop.lap, backing_stock=stocks[-1])
 
 
 def _placed(
     s: FloatArray, cost: FloatArray, count: int, first: float, last: float, stock: float, lap: float
 ) -> tuple[float, ...] | None:
     """Places of the joints with the least sum of costs, no piece longer than the stock or shorter than two laps."""
+    if count < 1:
+        return ()
     gap = s[:, None] - s[None, :]
     allowed = (gap <= stock) & (gap >= 2 * lap)
     best = np.where(s - first <= stock, cost, np.inf)

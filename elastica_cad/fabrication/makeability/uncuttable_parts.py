@@ -17,7 +17,6 @@ from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_layers import Layer
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.styles import Plain
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.mechanics.material.sheet import Sheet
 
@@ -26,6 +25,9 @@ WIDE = 1.5
 
 STEEPEST = 1.0
 """Slope of a width along the strip."""
+
+FAR_WIDER = 2.0
+"""Lengths of the stock across, beyond which a strip is told as too large and its thin places are not looked for."""
 
 MOST_TOLD = 3  # thin places of one part that are named; the count tells the rest
 
@@ -89,15 +91,16 @@ def find_strip_faults(strip: Strip, shop: Shop | None = None) -> tuple[Fault, ..
         return ()
     shop = shop or Shop()
     name = strip.label or "strip"
-    joined = shop.lap is not None and isinstance(strip.style, Plain)  # of pieces
+    joined = shop.lap is not None  # of pieces
     found: list[Fault] = []
     for i, layer in enumerate(strip.layers):
         called = name if i == 0 else f"{name}, backing"
         least = shop.width_for(layer.sheet)
         if i and isinstance(strip.style, Laminated):  # glued on, it needs no strength of its own
             least = min(least, strip.style.least_backing)
-        found += _thin_strip(called, strip, layer, least)
         length, width = _size(strip)
+        if width < FAR_WIDER * shop.stock_for(layer.sheet)[0]:
+            found += _thin_strip(called, strip, layer, least)
         longest = shop.stock_for(layer.sheet)[0] if joined else np.inf
         found += _too_large(called, min(length, longest), width, layer.sheet, shop)
     style = strip.style

@@ -54,8 +54,8 @@ class AssemblyPart:
 
 
 def layer_names(name: str, strip: Strip) -> tuple[str, ...]:
-    """Names of a strip's sheets: its own for the base, with "backing" for what is glued on."""
-    return (name, f"{name} backing")[: len(strip.layers)]
+    """Names of a strip's sheets: its own for the base, with "backing" or the leaf for what is glued on."""
+    return tuple(f"{name} {layer.name}".rstrip() for layer in strip.layers)
 
 
 def bent_names(name: str, strip: Strip) -> tuple[str, ...]:

@@ -130,7 +130,7 @@ def strip_pieces(parts: Sequence[EqualStrips], *, numbered: bool = False) -> tup
             taken.add(name)
             strip = replace(strip, label=name)
         for i, (drawing, layer) in enumerate(zip(strip.drawings(), strip.layers, strict=True)):
-            called = name if i == 0 else f"{name}-backing"
+            called = layer.called(name)
             marks: tuple[Text, ...] = ()
             if numbered and i == 0:
                 lines = (*layer.holes, layer.outline, *drawing.on(MARK))

@@ -1,15 +1,16 @@
 """Where other parts join a strip, and how its sheets lie on each other."""
 
 from collections.abc import Mapping
-from itertools import accumulate
 
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.mechanics.material.tapered_sections import LaidLeaves
 
 
-def levels(strip: Strip) -> list[float]:
-    """Heights of the faces of the strip's sheets, mm, from the base's lower one at 0."""
-    return [0.0, *accumulate(layer.sheet.thickness for layer in strip.layers)]
+def centred_thickness(strip: Strip) -> float:
+    """Thickness, mm, of the layers that are centred on the curve: all, but of glued leaves the through one."""
+    leaves = isinstance(strip.layout.section, LaidLeaves)
+    return strip.layers[0 if leaves else -1].high
 
 
 def joint_places(strip: Strip) -> dict[str, tuple[float, float, int]]:

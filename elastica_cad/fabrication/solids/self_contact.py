@@ -29,7 +29,7 @@ def self_contact(strip: Strip) -> tuple[float, float] | None:
         return _closed_contact(strip)
     if np.ptp(rod.angle) < np.pi:  # all of it runs on in one direction
         return None
-    thickness = sum(layer.sheet.thickness for layer in strip.layers)
+    thickness = _thickness(strip)
     s, middle, angle = _middle(strip)
     off = thickness / 2 * np.column_stack([-np.sin(angle), np.cos(angle)])
     meeting = self_crossing(np.concatenate([middle + off, (middle - off)[::-1]]), closed=True)
@@ -45,6 +45,12 @@ def self_contact(strip: Strip) -> tuple[float, float] | None:
     if any(abs(slot.at - place) < slot.width + thickness for slot in strip.slots for place in places):
         return None
     return float(places[0]), float(places[1])
+
+
+def _thickness(strip: Strip) -> float:
+    """The largest along it, mm."""
+    size = strip.layout.size
+    return strip.layers[-1].high if size is None else float(size.extremes[1])
 
 
 def _closed_contact(strip: Strip) -> tuple[float, float] | None:

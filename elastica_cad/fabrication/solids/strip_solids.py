@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from itertools import pairwise, product
+from itertools import product
 from typing import TypeAlias
 
 import numpy as np
@@ -14,7 +14,7 @@ from elastica_cad.fabrication.solids.bent_map import BentMap, bent_maps
 from elastica_cad.fabrication.solids.boundary_records import (
     Boundary,
 )
-from elastica_cad.fabrication.solids.joint_places import joint_places, levels, turned, with_faces
+from elastica_cad.fabrication.solids.joint_places import centred_thickness, joint_places, turned, with_faces
 from elastica_cad.fabrication.solids.pattern_strips import CutPattern, cut_across
 from elastica_cad.fabrication.solids.round_solids import RoundSolid
 from elastica_cad.fabrication.solids.side_views import side_view
@@ -26,7 +26,7 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.clip import clip_across
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.tapered_sections import RoundLaw
+from elastica_cad.mechanics.material.tapered_sections import LaidLeaves, RoundLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 JOINT_GAP_MM = 0.01
@@ -88,22 +88,22 @@ class FlatSolid:
     def layers(cls, strip: Strip, frame: Frame | None = None) -> tuple["FlatSolid | RoundSolid", ...]:
         """Every sheet of the strip as glued flat, one on the other; the base has the joints."""
         frame = frame or Frame()
-        if strip.layout.size is not None:
+        if strip.layout.size is not None and not isinstance(strip.layout.section, LaidLeaves):
             return (_tapered_solid(strip, frame, bent=False),)
-        heights = levels(strip)
-        middle = frame.shifted(z=heights[-1] / 2)
+        thick = centred_thickness(strip)
+        middle = frame.shifted(z=thick / 2)
         places = joint_places(strip).items()
         on_middle = {name: turned(middle.shifted(x, y), way) for name, (x, y, way) in places}
-        joints = with_faces(on_middle, heights[-1])
+        joints = with_faces(on_middle, thick)
         return tuple(
             cls(
                 in_smooth_pieces(layer.outline),
                 tuple(map(in_smooth_pieces, layer.holes)),
                 layer.sheet.thickness,
-                frame.shifted(z=low),
-                {} if low else joints,
+                frame.shifted(z=layer.low),
+                {} if layer.name else joints,
             )
-            for layer, low in zip(strip.layers, heights[:-1], strict=True)
+            for layer in strip.layers
         )
 
     @property
@@ -206,10 +206,11 @@ class BentSolid:
     def layers(cls, strip: Strip, frame: Frame | None = None) -> tuple["BodyRecord", ...]:
         """Every sheet of the strip, the whole centred on the curve; the base has the joints. Errors as `of`.
 
+        Of glued leaves the through one is centred on the curve, the others lie on its upper side.
         A strip that is tapered in thickness is its side view, extruded by its width; a rod is round. Of a closed
         strip the lap is a body of its own, on the inside, where it is glued.
         """
-        if strip.layout.size is not None:
+        if strip.layout.size is not None and not isinstance(strip.layout.section, LaidLeaves):
             return (_tapered_solid(strip, frame or Frame(), bent=True),)
         return tuple(cls._layers(strip, frame))
 
@@ -220,11 +221,10 @@ class BentSolid:
             if strip.ends[1].length:
                 yield cls._lap(strip, frame)
             return
-        heights = levels(strip)
         joints: Mapping[str, tuple[float, float, int]] = joint_places(strip)
-        half = heights[-1] / 2
-        for layer, (low, high) in zip(strip.layers, pairwise(heights), strict=True):
-            faces = (low - half, high - half)
+        thick = centred_thickness(strip)
+        for layer in strip.layers:
+            faces = (layer.low - thick / 2, layer.high - thick / 2)
             yield cls.wrapped(
                 strip.rod,
                 layer.outline,
@@ -232,7 +232,7 @@ class BentSolid:
                 heights=faces,
                 frame=frame,
                 joints=joints,
-                between=heights[-1],
+                between=thick,
             )
             joints = {}
 

@@ -41,7 +41,7 @@ class Laminated:
     width : float, Profile or callable
         Of the base, mm: one number, or a profile or function of arc length (`touching_widths` gives such).
     backing : Sheet
-        What is glued on.
+        What is glued on; the name of one is taken too.
     least_backing : float
         Narrowest backing that can be cut and glued, mm.
     dots : float
@@ -63,6 +63,8 @@ class Laminated:
     dots: float = 1.0
 
     def __post_init__(self) -> None:
+        if isinstance(self.backing, str):
+            object.__setattr__(self, "backing", Sheet.named(self.backing))
         if not (np.isfinite(self.least_backing) and self.least_backing > 0):
             raise InputError(f"least_backing is {self.least_backing}: it must be positive, in mm")
         if not (np.isfinite(self.dots) and self.dots >= 0):

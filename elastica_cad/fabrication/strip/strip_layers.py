@@ -31,6 +31,7 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Line
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.tapered_sections import LaidLeaves
 
 TICK_SHARE = 0.3
 """Of the width on each side of the middle: a mark across is kept off the edges, so that it is no notch."""
@@ -47,11 +48,26 @@ class Layer:
         Closed, anticlockwise.
     holes : tuple of Path
         Closed inner loops.
+    name : str
+        What is added to the strip's name; empty for the base.
+    low : float
+        Height of its lower face over the base's, mm.
     """
 
     sheet: Sheet
     outline: Path
     holes: tuple[Path, ...] = ()
+    name: str = ""
+    low: float = 0.0
+
+    @property
+    def high(self) -> float:
+        """Height of its upper face, mm."""
+        return self.low + self.sheet.thickness
+
+    def called(self, strip: str) -> str:
+        """Its name in files: that of the strip, and what it is of it."""
+        return f"{strip}-{self.name.replace(' ', '-')}" if self.name else strip
 
     @cached_property
     def area(self) -> float:
@@ -77,6 +93,8 @@ def cut_layers(layout: Layout, ends: Ends, slots: Sequence[Slot], *, name: str) 
         A slot meets an end, a hole or another slot; `name` is what the message calls the strip.
     """
     width = layout.width
+    if isinstance(layout.section, LaidLeaves):
+        return _cut_leaves(layout.section, width.length, ends)
     # the layers of a laminate are aligned by holes in their tabs
     ends_held = add_register_holes(ends, layout.dots) if layout.dots else ends
     holes = (*end_holes(width, ends_held), *layout.hole_paths(ends, slots))
@@ -89,7 +107,21 @@ def cut_layers(layout: Layout, ends: Ends, slots: Sequence[Slot], *, name: str) 
     reaching = [slot for slot in slots if _reaches(slot, width, drawn)]
     holes = end_holes(drawn, held)
     rim = cut_slots(flat_rim(drawn, held), holes, reaching, width, name=f"{name}, backing")
-    return base, Layer(layout.backing.sheet, rim, holes)
+    return base, Layer(layout.backing.sheet, rim, holes, "backing", layout.sheet.thickness)
+
+
+def _cut_leaves(section: LaidLeaves, length: float, ends: Ends) -> tuple[Layer, ...]:
+    """Rectangles, the through leaf first; those that reach an end go on through its tab."""
+    h, half = section.sheet.thickness, section.width / 2
+    layers: list[Layer] = []
+    for leaf, name in zip(section.leaves, section.names, strict=True):
+        start = leaf.start - (ends[0].length if leaf.start <= 0 else 0.0)
+        end = leaf.end + (ends[1].length if leaf.end >= length else 0.0)
+        corners = [(start, -half), (end, -half), (end, half), (start, half)]
+        sides = tuple(Line(a, b) for a, b in zip(corners, corners[1:] + corners[:1], strict=True))
+        called = f"leaf {name}" if layers else ""
+        layers.append(Layer(section.sheet, Path(sides, closed=True), (), called, (leaf.number - 1) * h))
+    return tuple(layers)
 
 
 def draw_layers(
@@ -109,16 +141,41 @@ def draw_layers(
     for i, layer in enumerate(layers):
         width = layout.width if i == 0 or layout.backing is None else layout.backing.width
         marks = (*_ticks(layout, width, lap), *(() if i else layout.guides))
+        if isinstance(layout.section, LaidLeaves):
+            marks = _leaf_marks(layer, layers)
         paths = (
             *(LayeredPath(MARK, mark) for mark in marks),
             *(LayeredPath(CUT_INNER, hole) for hole in layer.holes),
             LayeredPath(CUT_OUTER, layer.outline),
         )
         texts: tuple[Text, ...] = (_label_text(label, layout, width, ends[0].length),) if label else ()
-        if i == 0:
+        if isinstance(layout.section, LaidLeaves):
+            texts = (_leaf_text(name, layer),)
+        elif i == 0:
             texts += mating_marks(slots, layout.width, (*marks, *layer.holes), texts)
-        drawn.append(Drawing(name=f"{name}-backing" if i else name, paths=paths, texts=texts))
+        drawn.append(Drawing(name=layer.called(name), paths=paths, texts=texts))
     return tuple(drawn)
+
+
+def _leaf_marks(layer: Layer, layers: Sequence[Layer]) -> tuple[Path, ...]:
+    """Lines across a leaf where the leaves that are glued on it begin and end."""
+    (left, low), (right, high) = layer.outline.bounds
+    above = [one for one in layers if abs(one.low - layer.high) < layer.sheet.thickness / 2]
+    places = [float(x) for one in above for x in one.outline.bounds[:, 0] if left < x < right]
+    return tuple(Path((Line((x, float(low)), (x, float(high))),)) for x in places)
+
+
+def _leaf_text(name: str, layer: Layer) -> Text:
+    """The name of a leaf and where it lies along the stack, mm."""
+    (left, low), (right, high) = layer.outline.bounds
+    said = f"{layer.called(name)}: {left:.0f} - {right:.0f}"
+    return fit_label(
+        said,
+        ((left + right) / 2, (low + high) / 2),
+        angle=0.0,
+        room=float(right - left),
+        across=float(high - low),
+    )
 
 
 def _reaches(slot: Slot, outer: Profile, inner: Profile) -> bool:

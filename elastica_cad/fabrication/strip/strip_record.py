@@ -19,6 +19,7 @@ from elastica_cad.fabrication.strip.strip_as_made import StripAsMade
 from elastica_cad.fabrication.strip.strip_layers import Layer, cut_layers, draw_layers
 from elastica_cad.fabrication.strip.styles import PLAIN, Layout, Style, stations_of
 from elastica_cad.fabrication.strip.tabs import Tab
+from elastica_cad.forming.leaf_ends import leaf_bends
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.bending.bend_forward import bend
@@ -27,8 +28,13 @@ from elastica_cad.mechanics.material.plywood_radii import PLYWOOD_SOURCE
 from elastica_cad.mechanics.material.section_limits import LayerStrain
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.sheet_keys import printable
+from elastica_cad.mechanics.material.tapered_sections import LaidLeaves, RoundLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stability.sideways import SidewaysStability, sideways_stability
+from elastica_cad.mechanics.stability.sideways import (
+    SidewaysStability,
+    round_sideways_stability,
+    sideways_stability,
+)
 from elastica_cad.mechanics.studies.creep import Creep, creep, require_creep
 
 FINE_EDGES = 1600
@@ -258,6 +264,8 @@ class Strip:
     def _bend(self) -> tuple[FloatArray, FloatArray]:
         """Stations (n,) and what each is bent by, |kappa - kappa_0|, 1/mm."""
         rod = self.rod
+        if isinstance(self.layout.section, LaidLeaves):
+            return leaf_bends(rod, self.layout.section)
         s, curvature = rod.s, rod.curvature
         if rod.shape is not None:
             panels = rod.curve.smooth_panels
@@ -287,6 +295,12 @@ class Strip:
             found.append(
                 f"its ends are {start:.3g} and {end:.3g} mm wide where it closes: choose another joint, leave out "
                 "gravity, or make the curvature continuous there"
+            )
+        widest = float(self.width.extremes[1])
+        if widest > self.rod.length:
+            found.append(
+                f"it is {widest:.4g} mm wide and {self.rod.length:.4g} mm long: what is wider than long bends as a "
+                "plate, not as a strip; give a smaller max_width, and look at its unit"
             )
         if self.layout.size is not None:
             return tuple(found)
@@ -347,13 +361,21 @@ class Strip:
     def mass(self) -> float:
         """Mass in g, of all layers."""
         section, size = self.layout.section, self.layout.size
-        if section is None or size is None:
+        if section is None or size is None or isinstance(section, LaidLeaves):
             return sum(layer.mass for layer in self.layers)
         newtons = section.weight_per_length(size(stations_of(self.rod.length)))
         newtons = (newtons[1:] + newtons[:-1]) / 2
         ends = section.weight_per_length(size([0.0, self.rod.length])) @ [tab.length for tab in self.ends]
         free = float(newtons.mean()) * self.rod.length
         return (free + float(ends)) / STANDARD_GRAVITY_M_S2 * 1e3
+
+    @property
+    def end_thicknesses(self) -> tuple[float, float]:
+        """Thickness at the start and end of the free part, of all layers there, mm."""
+        if self.layout.size is not None:
+            start, end = self.layout.size([0.0, self.rod.length]).tolist()
+            return start, end
+        return (self.layers[-1].high,) * 2
 
     @property
     def bending_stiffness(self) -> float:
@@ -400,10 +422,13 @@ class Strip:
     @cached_property
     def sideways(self) -> SidewaysStability | None:
         """Whether it stays in the plane of its curve; None with a pattern of holes or a second layer."""
-        if self.layout.pattern is not None or self.layout.backing is not None:
+        layout, nu = self.layout, self.sheet.poisson_ratio
+        if layout.pattern is not None or layout.backing is not None:
             return None
-        sheet = self.sheet
-        return sideways_stability(self.rod, self.width, sheet.thickness, poisson_ratio=sheet.poisson_ratio)
+        if isinstance(layout.section, RoundLaw):
+            return round_sideways_stability(self.rod, float(self.width.extremes[1]), poisson_ratio=nu)
+        thickness = self.sheet.thickness if layout.size is None else layout.size
+        return sideways_stability(self.rod, self.width, thickness, poisson_ratio=nu)
 
     def reactions(self) -> Reactions:
         """Forces (N) and moments (N mm) that the supports exert on the strip.

@@ -17,6 +17,7 @@ from elastica_cad.mechanics.material.plain_section import PlainSection
 from elastica_cad.mechanics.material.section_limits import LayerStrain
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw, StiffnessLaw
+from elastica_cad.mechanics.material.tapered_sections import LaidLeaves, ThicknessLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 Width: TypeAlias = "float | Profile | Callable[[FloatArray], FloatArray]"
@@ -196,9 +197,12 @@ class Plain:
 
 def _of_section(rod: Rod, section: BoundedLaw, sheet: Sheet) -> Layout:
     """The sizes that a section needs: as wide as a tapered strip is, or as its width or diameter comes out."""
-    from elastica_cad.mechanics.material.tapered_sections import ThicknessLaw
-
     profile = rod.profile
+    if isinstance(section, LaidLeaves):
+        B = rod.bending_stiffness or 1.0
+        steps = Profile(profile.knots, section.parameter(B * profile.coefficients), profile.degree)
+        even = width_profile(section.width, rod.length, "width")
+        return Layout(sheet, even, material=even, bending_stiffness=B, section=section, size=steps)
     least, largest = section.limits
     s = stations_of(rod.length, profile)
     limit = largest if np.isfinite(largest) else least

@@ -20,7 +20,7 @@ from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
-from elastica_cad.mechanics.material.tapered_sections import RoundLaw, ThicknessLaw
+from elastica_cad.mechanics.material.tapered_sections import LeavesLaw, RoundLaw, ThicknessLaw
 
 T = TypeVar("T")
 
@@ -223,9 +223,13 @@ def read_style(table: Table, sheets: dict[str, Sheet]) -> Style:
 
 
 def read_law(table: Table, sheet: Sheet) -> BoundedLaw:
-    """What stiffness is made of: kind = "thickness", "rod" or "tube", with limits in mm."""
-    kind = table.text("kind", "", ("thickness", "rod", "tube"))
+    """What stiffness is made of: kind = "thickness", "rod" or "tube", with limits in mm, or "leaves"."""
+    kind = table.text("kind", "", ("thickness", "rod", "tube", "leaves"))
     table.only(*STRIP_TABLES[f"law {kind}"])
+    if kind == "leaves":
+        most, width = int(table.number("leaves")), table.number("width")
+        with table.naming():
+            return LeavesLaw(sheet, table.count("leaves", most), width, table.count("fewest", 1))
     least, largest = table.vector("limits", 2)
     with table.naming():
         if kind == "thickness":

@@ -12,6 +12,12 @@ from elastica_cad.formats.design_files.formulae import Formula, Value
 MOST = 10_000
 """Of anything that a file asks for a number of: strips, sections, repeats."""
 
+MOST_TOLD = 5
+"""Slips of one file that are told; what is behind them is counted, as one fault often makes many."""
+
+LONGEST_KEY = 60
+"""Letters of an unknown key that are told."""
+
 _AXES = {2: "[x, y]", 3: "[x, y, z]"}
 _COUNTS = {None: "", 2: "two ", 4: "four "}
 
@@ -54,8 +60,11 @@ class Slips:
 
     @property
     def text(self) -> str:
-        """All of them, a sentence each; empty where nothing is wrong."""
-        *others, last = self._said.values() or [""]
+        """All of them, a sentence each, or the first ones and how many more; empty where nothing is wrong."""
+        told = list(self._said.values())[:MOST_TOLD] or [""]
+        if (left := len(self._said) - len(told)) > 0:
+            told.append(f"{left} more; mend these first")
+        *others, last = told
         return " Also: ".join((*(one if one.endswith((".", "?")) else f"{one}." for one in others), last))
 
     def tell(self) -> None:
@@ -94,9 +103,9 @@ class Table:
         slips = Slips()
         for key in self.data:
             if key not in keys:
-                near = get_close_matches(key, keys, n=1, cutoff=0.5)
+                near = get_close_matches(key.lower(), keys, n=1, cutoff=0.5)
                 hint = f"did you mean {near[0]}?" if near else f"known keys are {', '.join(sorted(keys))}"
-                slips.add(f"{self.where}: unknown key {key!r}; {hint}")
+                slips.add(f"{self.where}: unknown key {key[:LONGEST_KEY]!r}; {hint}")
         slips.tell()
         return self
 

@@ -114,7 +114,11 @@ def _ways_out(near: NearestRod) -> Iterator[str]:
 def _supports(near: NearestRod) -> Iterator[str]:
     """Where supports would make strips of the drawn curve itself."""
     rod, target, bent = near.rod, near.target, near.limits.largest_curvature
-    if rod.gravity is not None or near.deviation < _NEAR_DIAGONALS * _diagonal(near):
+    if (
+        rod.gravity is not None
+        or np.any(rod.natural_curvature)
+        or near.deviation < _NEAR_DIAGONALS * _diagonal(near)
+    ):
         return
     if bent is not None and np.abs(target.sample(_CURVATURE_SAMPLES).curvature).max() > bent:
         return  # pieces that follow the drawn curve would be bent too much as well

@@ -87,6 +87,8 @@ class _Shape:
     Attributes
     ----------
     s, angle, curvature, stiffness : (k,) arrays
+    rest : (k,) array
+        Curvature before bending.
     position : (k, 2) array
     inflections : (j,) array
         Arc lengths where the moment vanishes: inside, and at ends that are free to turn.
@@ -99,6 +101,7 @@ class _Shape:
     angle: FloatArray
     curvature: FloatArray
     stiffness: FloatArray
+    rest: FloatArray
     inflections: FloatArray
     size: float
 
@@ -234,17 +237,16 @@ def _extrapolated(a: MappedRod, b: MappedRod, rod: Rod) -> _Shape:
     angle = (4 * _nodal(b)[::2] - _nodal(a)) / 3
     K = (4 * b.stiffness[::2] - a.stiffness) / 3
     s = np.linspace(0, (4 * b.length - a.length) / 3, K.size)
-    kappa_0 = np.asarray(rod.natural_curvature, dtype=float) * rod.length
-    if kappa_0.ndim:
-        kappa_0 = np.interp(s / s[-1], np.linspace(0, 1, kappa_0.size), kappa_0)
+    kappa_0 = np.broadcast_to(np.asarray(rod.natural_curvature, dtype=float) * rod.length, rod.s.shape)
+    kappa_0 = np.interp(s / s[-1], rod.s / rod.length, kappa_0)
     kappa = moment / K + kappa_0
-    bends, (start, end) = _zeros(s, kappa), rod.supports.ends
+    bends, (start, end) = _zeros(s, moment / K), rod.supports.ends
     # the zero of an end that is free to turn is counted once, at that end
     bends = bends[
         (start.angle | (bends > _SAME_LENGTHS * s[-1])) & (end.angle | (bends < (1 - _SAME_LENGTHS) * s[-1]))
     ]
     bends = np.concatenate([s[:1][: not start.angle], bends, s[-1:][: not end.angle]])
-    return _Shape(s, position, angle, kappa, K, bends, rod.length)
+    return _Shape(s, position, angle, kappa, K, kappa_0, bends, rod.length)
 
 
 def _nodal(rod: MappedRod) -> FloatArray:
@@ -254,7 +256,7 @@ def _nodal(rod: MappedRod) -> FloatArray:
 
 
 def _zeros(s: FloatArray, kappa: FloatArray) -> FloatArray:
-    """Arc lengths where the curvature changes sign, not at the very ends."""
+    """Arc lengths where kappa - kappa_0 changes sign, not at the very ends."""
     from scipy.interpolate import make_interp_spline
     from scipy.optimize import brentq
 
@@ -287,13 +289,22 @@ def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
     apart = np.diff(np.concatenate([ends[:1], bends, ends[1:]])) > 2 * np.diff(edges).max()
     inner = bends[apart[:-1] & apart[1:]]
     there, turned, _ = shape.at(np.concatenate([ends, inner]))
+    bent, rest = shape.at(bends)[1], np.interp(bends, shape.s, shape.rest)[:, None]
     along = np.column_stack([np.cos(turned), np.sin(turned)])
     across = np.column_stack([-along[2:, 1], along[2:, 0]])
+    # a curvature that is not 0 depends on the speed too
+    paced = inner[: inner.size * bool(np.any(rest))]
     C = np.vstack(
-        [spline(np.concatenate([ends, inner])), spline(ends, 1), spline(bends, 2), spline(inner, 3)]
+        [
+            spline(np.concatenate([ends, inner])),
+            spline(np.concatenate([ends, paced]), 1),
+            spline(bends, 2),
+            spline(inner, 3),
+        ]
     )
-    slope = shape.slope(inner)[:, None]
-    D = np.vstack([there, along[:2], np.zeros((bends.size, 2)), slope * across])
+    slope, kept = shape.slope(inner)[:, None], np.interp(inner, shape.s, shape.rest)[:, None]
+    turns = rest * np.column_stack([-np.sin(bent), np.cos(bent)])
+    D = np.vstack([there, along[: 2 + paced.size], turns, slope * across - kept**2 * along[2:]])
     return PlaneCurve(knots, _constrained_least_squares(A, B, C, D), DEGREE)
 
 
@@ -321,11 +332,11 @@ def _constrained_least_squares(A: FloatArray, B: FloatArray, C: FloatArray, D: F
 def _errors(curve: PlaneCurve, shape: _Shape) -> FloatArray:
     """The worst error at the stations, in tolerances: of position, of the stiffness that the curve asks
     for, and, stricter, of its extremes."""
-    s, kappa, K = shape.s, shape.curvature, shape.stiffness
+    s, kappa, K = shape.s, shape.curvature - shape.rest, shape.stiffness
     off = np.hypot(*(curve.evaluate(s) - shape.position).T) * shape.size / TOLERANCE_MM
     near = np.abs(kappa) < UNBENT_SHARE * np.abs(kappa).max()
     with np.errstate(divide="ignore", invalid="ignore"):
-        asked = np.where(near, K, K * kappa / curve.curvature_at(s))
+        asked = np.where(near, K, K * kappa / (curve.curvature_at(s) - shape.rest))
     beyond = np.maximum(asked / shape.stiffness.max() - 1, 1 - asked / shape.stiffness.min()) / FAITHFUL
     beyond = np.where(asked > 0, beyond, np.inf)
     return np.asarray(np.nan_to_num(np.maximum.reduce([off, beyond, np.abs(asked / K - 1) / LOOSE]), nan=0.0))

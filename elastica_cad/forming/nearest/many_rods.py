@@ -12,7 +12,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
 
-_OPTIONS = {"weights", "measure", "samples", "coefficients"}
+_OPTIONS = {"weights", "measure", "samples", "coefficients", "section", "natural_curvature"}
 
 
 def nearest_rods(
@@ -38,7 +38,7 @@ def nearest_rods(
     progress : callable, optional
         Called with (curves done, curves in all) in this process.
     **options
-        weights, measure, samples, coefficients for `nearest_rod`.
+        weights, measure, samples, coefficients, section, natural_curvature for `nearest_rod`.
 
     Returns
     -------

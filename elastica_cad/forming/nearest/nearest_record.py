@@ -14,6 +14,7 @@ from elastica_cad.forming.nearest.editable_curve import editable_curve
 from elastica_cad.forming.nearest.nearest_task import Measure
 from elastica_cad.forming.nearest.starts import MET
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.material.tapered_sections import LaidLeaves
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 
@@ -120,8 +121,10 @@ class NearestRod:
         """The rest shape as a spline of degree 4 with few control points, to go on editing.
 
         It follows the rod to 1e-3 mm; without weight its inflections lie on one line, so that
-        `check_equilibrium` accepts it.
+        `check_equilibrium` accepts it. Of glued leaves it is the rod's own curve.
         """
+        if isinstance(self.rod.section, LaidLeaves):  # its curvature goes in steps
+            return self.rod.curve
         return editable_curve(self.rod, tangents=self.keep.both_tangents)
 
     def relaxed(self, limits: Limits | None = None, keep: Keep | None = None) -> "NearestRod":

@@ -48,6 +48,12 @@ from elastica_cad.mechanics.loads.arguments import (
     whole_number,
 )
 from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.rest_curvature import (
+    LENGTHS_APART,
+    NaturalCurvature,
+    RestCurvature,
+    require_natural_curvature,
+)
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.rod.node_counts import SEARCH_SAMPLES
@@ -61,6 +67,8 @@ Weights: TypeAlias = "ArrayLike | Callable[[FloatArray], ArrayLike] | None"
 _MOST_NODES = 5000  # beyond, time grows and the shape hardly changes
 _FEWEST_COEFFICIENTS, _MOST_COEFFICIENTS = 20, 60  # of the stiffness unless told
 _COEFFICIENTS_PER_HALF_TURN = 4.2  # a curve that turns more often asks for a finer stiffness
+_SAME_LENGTH = 1e-6  # of the room that a blank has: rods keep inside it for all rounding
+_SAME_CURVATURE = 1e-6  # of the target's typical one: blanks are symmetric but for rounding
 _LENGTHS = (0.2, 5.0)  # of the target, least and largest: where no limit says so a rod stays of its kind
 
 
@@ -84,6 +92,8 @@ class NearestTask:
         Inflection line to be kept, mm.
     section : SectionScale or None
         What K is made of, where its weight or strain is not that of a plain strip.
+    natural_curvature : float or RestCurvature
+        1/mm before bending.
     """
 
     curve: PlaneCurve
@@ -97,12 +107,13 @@ class NearestTask:
     coefficients: int
     line: tuple[FloatArray, FloatArray] | None = None
     section: SectionScale | None = None
+    natural_curvature: NaturalCurvature = 0.0
 
     @classmethod
     def of(
         cls, curve: PlaneCurve, limits: Limits | None, keep: Keep | None, gravity: Gravity | None,
         supports: Supports | None, weights: Weights, samples: int, coefficients: int | None,
-        section: BoundedLaw | None = None,
+        section: BoundedLaw | None = None, natural_curvature: NaturalCurvature = 0.0,
     ) -> "NearestTask":  # fmt: skip
         """Checked input of `nearest_rod`.
 
@@ -113,6 +124,7 @@ class NearestTask:
         """
         require_curve(curve)
         require_gravity(gravity)
+        require_natural_curvature(natural_curvature)
         supports = require_supports(supports)
         for name, value, record in (("limits", limits, Limits), ("keep", keep, Keep)):
             if not (value is None or isinstance(value, record)):
@@ -137,6 +149,7 @@ class NearestTask:
             bent = np.interp(
                 np.linspace(0, 1, samples), np.linspace(0, 1, target.curvature.size), target.curvature
             )
+            bent -= _nodal_rest(natural_curvature, samples, target.size)
             scale = SectionScale.of(section.bent(bent / target.size), limits)
             limits = replace(limits, ratio=scale.ratio)
         for region in limits.keep_out:
@@ -151,7 +164,8 @@ class NearestTask:
         return cls(
             curve=curve, target=target, limits=limits, keep=keep, supports=supports, gravity=gravity,
             weights=_node_weights(weights, samples, target.size), nodes=int(samples),
-            coefficients=int(coefficients), line=_inflection_line(curve, keep, gravity), section=scale,
+            coefficients=int(coefficients), line=_inflection_line(curve, keep, gravity, natural_curvature),
+            section=scale, natural_curvature=natural_curvature,
         )  # fmt: skip
 
     def problem(self, measure: Measure, *, weight: float = 1.0, with_margin: bool = True) -> RodProblem:
@@ -166,13 +180,21 @@ class NearestTask:
     def grid(self, weight: float = 1.0) -> StripGrid:
         """The nodes, with a share `weight` of gravity."""
         basis = self.basis.at_nodes(self.nodes)
+        rest = self.rest
         if self.gravity is None:
-            return StripGrid(basis, np.zeros(2), supports=self.supports)
+            return StripGrid(basis, np.zeros(2), rest, supports=self.supports)
         if self.section is None:
-            return StripGrid(basis, self.gravity.e * self.target.size**3 * weight, supports=self.supports)
+            return StripGrid(
+                basis, self.gravity.e * self.target.size**3 * weight, rest, supports=self.supports
+            )
         up = -weight * np.asarray(self.gravity.direction)
         carried = partial(self.section.weight, size=self.target.size)
-        return StripGrid(basis, up, supports=self.supports, weight=carried)
+        return StripGrid(basis, up, rest, supports=self.supports, weight=carried)
+
+    @property
+    def rest(self) -> float | FloatArray:
+        """kappa_0, or that of a blank (nodes,), in the target's units; the blank is stretched to the rod."""
+        return _nodal_rest(self.natural_curvature, self.nodes, self.target.size)
 
     def rod_of(self, mapped: MappedRod) -> Rod:
         """The rod in millimetres, least stiffness 1."""
@@ -181,13 +203,16 @@ class NearestTask:
         length = mapped.length * size
         profile = Profile(self.basis.knots * length, self.basis.coefficients(mapped.z) / least)
         nodes = self.nodes
-        blank = Rod.straight(length, profile, samples=nodes, gravity=self.gravity, supports=self.supports)
+        blank = Rod.straight(
+            length, profile, samples=nodes, gravity=self.gravity, supports=self.supports,
+            natural_curvature=self.natural_curvature,
+        )  # fmt: skip
         if self.section is not None:
             blank = self.section.carried_by(blank, mapped.stiffness)
         position = mapped.position * size + self.target.origin
         system = RodSystem(
             stiffness=blank.stiffness, edge_length=length / (nodes - 1), load=blank.nodal_load,
-            natural_curvature=0.0, supports=self.supports, start=position[0], end=position[-1],
+            natural_curvature=blank.natural_curvature, supports=self.supports, start=position[0], end=position[-1],
             end_angles=mapped.all_angles[[0, -1]], force=np.zeros(2), moments=np.zeros(2),
         )  # fmt: skip
         force = mapped.force / (least * size**2)
@@ -232,6 +257,20 @@ class NearestTask:
     def _lengths(self) -> tuple[float, float]:
         target, limits = self.target, self.limits
         low, high = _LENGTHS if limits.length is None else np.asarray(limits.length) / target.size
+        blank = self.natural_curvature.length if isinstance(self.natural_curvature, RestCurvature) else None
+        if blank is not None:
+            asked = "keep length asks" if self.keep.length else "the limit length asks"
+            least, most = (1.0, 1.0) if self.keep.length else (low, high)
+            room = LENGTHS_APART * (1 - _SAME_LENGTH)
+            low, high = (
+                max(low, (1 - room) * blank / target.size),
+                min(high, (1 + room) * blank / target.size),
+            )
+            if least > high or most < low:
+                raise InputError(
+                    f"{asked} for {least * target.size:.6g} to {most * target.size:.6g} mm, but the blank is "
+                    f"{blank:.6g} mm long before it is bent: give its curvature along the length that is asked for"
+                )
         if self.keep.length:
             if not low * (1 - 1e-12) <= 1 <= high * (1 + 1e-12):
                 raise InputError(
@@ -311,6 +350,15 @@ class NearestTask:
     def _symmetry(self, kind: Symmetry) -> Constraint:
         target = self.target
         centre, axis = symmetry_frame(target, kind)
+        rest = np.broadcast_to(self.rest, (self.nodes,))
+        if (
+            np.abs(rest - (1 if kind == "mirror" else -1) * rest[::-1]).max()
+            > _SAME_CURVATURE * self.moment_scale
+        ):
+            image = "mirror image" if kind == "mirror" else "half turn"
+            raise InputError(
+                f"the blank is not its own {image} before it is bent: give one that is, or leave out keep symmetry"
+            )
         if kind == "turn":
             if self.gravity is not None:
                 raise InputError("a half turn turns gravity over: keep symmetry='turn' only without weight")
@@ -356,8 +404,15 @@ class NearestTask:
         return low, high
 
 
+def _nodal_rest(rest: NaturalCurvature, nodes: int, size: float) -> float | FloatArray:
+    """kappa_0 times `size`, or that of a blank at so many nodes (nodes,)."""
+    if isinstance(rest, RestCurvature):
+        return size * rest.at(np.linspace(0.0, rest.length, nodes))
+    return size * rest
+
+
 def _inflection_line(
-    curve: PlaneCurve, keep: Keep, gravity: Gravity | None
+    curve: PlaneCurve, keep: Keep, gravity: Gravity | None, rest: NaturalCurvature
 ) -> tuple[FloatArray, FloatArray] | None:
     """Two points of the inflection line that is kept."""
     if not keep.line:
@@ -366,7 +421,7 @@ def _inflection_line(
         raise InputError("a rod with weight has no inflection line: do without keep line, or without gravity")
     if not isinstance(keep.line, bool):
         return np.asarray(keep.line[0]), np.asarray(keep.line[1])
-    line = check_equilibrium(curve).line
+    line = check_equilibrium(curve, natural_curvature=rest).line
     if line is None:
         raise InputError(
             "the drawn curve has no inflection line to keep: give two points, keep line=((x, y), (x, y))"

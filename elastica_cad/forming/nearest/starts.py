@@ -75,7 +75,10 @@ def _leaner(task: NearestTask, measure: Measure, best: RodOutcome) -> tuple[RodP
     """
     K = best.point.stiffness
     try:
-        least = optimal_rod(task.curve, task.gravity, task.supports).ratio * _SPLINE_STIFFNESS
+        least = (
+            optimal_rod(task.curve, task.gravity, task.supports, task.natural_curvature).ratio
+            * _SPLINE_STIFFNESS
+        )
     except ElasticaError:
         return None
     if best.violation > MET or least >= float(K.max() / K.min()):
@@ -177,7 +180,7 @@ def _start(
     if same_length:
         problem = problem.with_length(z[u.length])
     z = np.clip(z, problem.lower, problem.upper)
-    moments = (grid.basis @ z[u.stiffness]) * np.diff(angles) / grid.shares
+    moments = (grid.basis @ z[u.stiffness]) * (np.diff(angles) / grid.shares - grid.natural_curvature)
     start = grid.assemble(z, angles, moments)
     return lift(replace(problem, distance=task.distance("mean")), start, lifts)
 

@@ -14,6 +14,7 @@ from elastica_cad.mechanics.loads.arguments import require_supports, whole_numbe
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.rod.discrete_rod import edge_positions, tangents
+from elastica_cad.mechanics.rod.nodal_stiffness import nodal_stiffness
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.rod.rod_system import RodState, RodSystem
 
@@ -242,7 +243,7 @@ def resample(rod: Rod, samples: int) -> Rod:
     """The same rod on another number of nodes: stiffness from its profile, the rest interpolated."""
     whole_number(samples, "samples", 4)
     s = np.linspace(0.0, rod.length, samples)
-    K = rod.profile(s)
+    K = nodal_stiffness(rod.profile, s)
 
     def at(values: FloatArray) -> FloatArray:
         return np.asarray(np.interp(s, rod.s, values))

@@ -1,5 +1,6 @@
 """Cross-sections whose size varies: tapered strips, rods and tubes, strips that bend as plates, glued leaves."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Self
@@ -247,7 +248,9 @@ class WidthLaw:
 
 @dataclass(frozen=True)
 class LeavesLaw:
-    """One to `leaves` leaves of a sheet, glued to one section: E I = E w (k h)^3 / 12 for k of them.
+    """`fewest` to `leaves` leaves of a sheet, glued to one section: E I = E w (k h)^3 / 12 for k of them.
+
+    Stiffness goes in steps, so a stack only comes near a curve: `nearest_rod` takes this law, `optimal_rod` none.
 
     Parameters
     ----------
@@ -257,6 +260,8 @@ class LeavesLaw:
         Of the whole stack, at most.
     width : float
         mm.
+    fewest : int
+        Leaves that go all the way.
 
     Examples
     --------
@@ -268,24 +273,44 @@ class LeavesLaw:
     sheet: Sheet
     leaves: int
     width: float
+    fewest: int = 1
 
     def __post_init__(self) -> None:
         if not isinstance(self.sheet, Sheet):
             raise InputError(f"a Sheet is needed for the leaves, not {self.sheet!r}")
-        whole = isinstance(self.leaves, int | np.integer) and not isinstance(self.leaves, bool)
-        if not whole or not 2 <= self.leaves <= MOST_LEAVES:
+        if not _is_whole(self.leaves) or not 2 <= self.leaves <= MOST_LEAVES:
             raise InputError(f"leaves is {self.leaves!r}: give a whole number from 2 to {MOST_LEAVES}")
+        if not _is_whole(self.fewest) or not 1 <= self.fewest <= self.leaves:
+            raise InputError(f"fewest is {self.fewest!r}: give a whole number of leaves, 1 to {self.leaves}")
         _ = self.relaxed  # which refuses a width that is none
+
+    @property
+    def quantity(self) -> str:
+        """Number of leaves."""
+        return "leaves"
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """Fewest and most leaves."""
+        return float(self.fewest), float(self.leaves)
 
     @cached_property
     def relaxed(self) -> ThicknessLaw:
-        """The same stack where any thickness between one leaf and all may be had."""
+        """The same stack where any thickness between the fewest leaves and all may be had."""
         h = self.sheet.thickness
-        return ThicknessLaw(self.sheet, h, self.leaves * h, width=self.width)
+        return ThicknessLaw(self.sheet, self.fewest * h, self.leaves * h, width=self.width)
+
+    def bent(self, curvature: ArrayLike) -> Self:  # noqa: ARG002 - bending does not change the section
+        """The law itself: bending does not change it."""
+        return self
 
     def bending_stiffness(self, count: ArrayLike) -> FloatArray:
         """E I (n,), N mm2, of `count` (n,) leaves."""
         return self.relaxed.bending_stiffness(self.thickness(count))
+
+    def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
+        """How many leaves (n,), not rounded, give the E I (n,), N mm2."""
+        return self.relaxed.parameter(bending_stiffness) / self.sheet.thickness
 
     def weight_per_length(self, count: ArrayLike) -> FloatArray:
         """N/mm (n,) of `count` (n,) leaves."""
@@ -300,6 +325,69 @@ class LeavesLaw:
     def thickness(self, count: ArrayLike) -> FloatArray:
         """mm (n,) of `count` (n,) leaves."""
         return np.asarray(self.sheet.thickness * np.asarray(count, dtype=float))
+
+    def laid(self, leaves: Sequence["Leaf"]) -> "LaidLeaves":
+        """The section of leaves that lie where they were laid."""
+        thick = self.relaxed
+        return LaidLeaves(self.sheet, thick.least, thick.largest, width=self.width, leaves=tuple(leaves))
+
+
+@dataclass(frozen=True)
+class Leaf:
+    """One leaf, or a piece of one: the `number`th from the through one (1), from `start` to `end`, mm."""
+
+    number: int
+    start: float
+    end: float
+
+    @property
+    def length(self) -> float:
+        """mm."""
+        return self.end - self.start
+
+
+@dataclass(frozen=True)
+class LaidLeaves(ThicknessLaw):
+    """A stack of glued leaves that lie where they were laid: its thickness goes in steps.
+
+    Parameters
+    ----------
+    sheet, least, largest, width
+        As of `ThicknessLaw`; the sheet is that of a leaf.
+    leaves : tuple of Leaf
+        Those that go all the way first, the others in the order of their numbers.
+    """
+
+    leaves: tuple[Leaf, ...] = ()
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """One a leaf: its number, and a letter where it is in pieces."""
+        numbers = [leaf.number for leaf in self.leaves]
+        seen: dict[int, int] = {}
+        found = []
+        for number in numbers:
+            piece = seen[number] = seen.get(number, -1) + 1
+            found.append(f"{number}{chr(ord('a') + piece) if numbers.count(number) > 1 else ''}")
+        return tuple(found)
+
+    @property
+    def steps(self) -> FloatArray:
+        """Where leaves begin or end inside the stack (m,), mm."""
+        length = max(leaf.end for leaf in self.leaves)
+        places = {s for leaf in self.leaves for s in (leaf.start, leaf.end) if 0 < s < length}
+        return np.array(sorted(places))
+
+    def counts(self, s: ArrayLike) -> FloatArray:
+        """How many leaves (n,) lie at arc lengths (n,), mm."""
+        length = max(leaf.end for leaf in self.leaves)
+        inside = np.minimum(np.asarray(s, dtype=float), np.nextafter(length, 0.0))
+        lie = [(leaf.start <= inside) & (inside < leaf.end) for leaf in self.leaves]
+        return np.asarray(np.sum(lie, axis=0), dtype=float)
+
+
+def _is_whole(value: object) -> bool:
+    return isinstance(value, int | np.integer) and not isinstance(value, bool)
 
 
 def _number(value: object, name: str) -> float:

@@ -75,7 +75,7 @@ class SidewaysStability:
 
 
 def sideways_stability(
-    rod: Rod, width: Profile | ArrayLike, thickness: float, *, poisson_ratio: float = 0.3
+    rod: Rod, width: Profile | ArrayLike, thickness: Profile | ArrayLike, *, poisson_ratio: float = 0.3
 ) -> SidewaysStability:
     """Is the rest shape of a rectangular strip stable against leaving its plane? O(n).
 
@@ -88,8 +88,8 @@ def sideways_stability(
         In balance; its stiffness is that of bending in the plane.
     width : Profile, number or (n,) array
         Of the strip along the rod, mm; values at equal distances.
-    thickness : float
-        mm.
+    thickness : Profile, number or (n,) array
+        The same of its thickness.
     poisson_ratio : float
         nu; an isotropic sheet's G / E = 1 / (2 (1 + nu)).
 
@@ -120,22 +120,43 @@ def sideways_stability(
     """
     if not isinstance(rod, Rod):
         raise InputError(f"sideways stability needs a Rod, not {type(rod).__name__}: bend one first")
-    h, nu = float(thickness), float(poisson_ratio)
-    if not (np.isfinite(h) and h > 0):
-        raise InputError(f"thickness is {thickness}: it must be positive, in mm")
-    if not -1 < nu < 1:
-        raise InputError(f"poisson_ratio is {poisson_ratio}: it must lie between -1 and 1")
+    nu = _checked_ratio(poisson_ratio)
     s = np.linspace(0.0, rod.length, EDGES + 1)
-    w = _widths(width, s)
+    w, h = _sizes(width, s, "strip width"), _sizes(thickness, s, "thickness")
     K = np.interp(s, rod.s, rod.stiffness)
     edgewise = K * (w / h) ** 2
     torsion = 2 * K / (1 + nu) * np.maximum(1 - 0.63 * h / w, 0.25)
     bend = np.abs(np.interp(s, rod.s, rod.curvature - rod.natural_curvature))
     return SidewaysStability(
         margin=sideways_margin(rod, edgewise, torsion),
-        ribbon_number=float((w**2 * bend).max() / h),
+        ribbon_number=float((w**2 * bend / h).max()),
         slenderness=float(rod.length / w.max()),
     )
+
+
+def round_sideways_stability(rod: Rod, diameter: float, *, poisson_ratio: float = 0.3) -> SidewaysStability:
+    """The same of a round rod or tube, at most `diameter` mm thick: E I all round, and G J = E I / (1 + nu).
+
+    Examples
+    --------
+    >>> from elastica_cad.mechanics.bending.bend_forward import bend
+    >>> arch = bend(Rod.straight(300.0), end=(280.0, 0.0))
+    >>> round_sideways_stability(arch, 4.0).decided
+    True
+    """
+    K = np.interp(np.linspace(0.0, rod.length, EDGES + 1), rod.s, rod.stiffness)
+    return SidewaysStability(
+        margin=sideways_margin(rod, K, K / (1 + _checked_ratio(poisson_ratio))),
+        ribbon_number=0.0,
+        slenderness=rod.length / diameter,
+    )
+
+
+def _checked_ratio(poisson_ratio: float) -> float:
+    nu = float(poisson_ratio)
+    if not -1 < nu < 1:
+        raise InputError(f"poisson_ratio is {poisson_ratio}: it must lie between -1 and 1")
+    return nu
 
 
 def sideways_margin(rod: Rod, edgewise: FloatArray, torsion: FloatArray) -> float:
@@ -164,7 +185,7 @@ def sideways_margin(rod: Rod, edgewise: FloatArray, torsion: FloatArray) -> floa
     return _lowest(lower / edge, row) * rod.length**2
 
 
-def _widths(width: Profile | ArrayLike, s: FloatArray) -> FloatArray:
+def _sizes(width: Profile | ArrayLike, s: FloatArray, name: str) -> FloatArray:
     if isinstance(width, Profile):
         found = np.asarray(width(s), dtype=float)
     else:
@@ -175,7 +196,7 @@ def _widths(width: Profile | ArrayLike, s: FloatArray) -> FloatArray:
             else np.full(s.size, given[0])
         )
     if not (np.all(np.isfinite(found)) and np.all(found > 0)):
-        raise InputError("strip width must be positive everywhere, in mm")
+        raise InputError(f"{name} must be positive everywhere, in mm")
     return found
 
 

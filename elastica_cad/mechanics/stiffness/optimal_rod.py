@@ -21,6 +21,7 @@ from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
+from elastica_cad.mechanics.material.tapered_sections import LeavesLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.moment_conditions import BalancedStiffness
 from elastica_cad.mechanics.stiffness.optimal_balance import balance_with_weight, balance_without_weight
@@ -168,6 +169,11 @@ class _Problem:
 def _check_section(
     section: BoundedLaw, weight: Weight | None, bending_stiffness: float | None, law: MaterialLaw | None
 ) -> None:
+    if isinstance(section, LeavesLaw):
+        raise InputError(
+            "glued leaves go in steps, so no stack follows a drawn curve exactly: give limits or keep, such as "
+            "keep=Keep(), or call nearest_rod, and the nearest stack is found"
+        )
     missing = [name for name in ("limits", "bent", "bending_stiffness") if not hasattr(section, name)]
     if missing:
         raise InputError(

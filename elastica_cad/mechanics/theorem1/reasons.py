@@ -4,6 +4,7 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
+from elastica_cad.geometry.curve_editing.slight_corners import smooth_for_corners
 from elastica_cad.geometry.curves.curve_records import CurvatureZero, TangentBreak
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature
@@ -45,10 +46,16 @@ def tell_corners(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
         )
     at = f" ({drawn.shown(curve.evaluate(np.array(corners[0].t)))})" if drawn is not None else ""
     sharpest = max(np.degrees(abs(corner.angle)) for corner in corners)
+    slight = smooth_for_corners(curve)
+    taken = (
+        ""
+        if slight is None
+        else f", or take it out within {slight:g} mm (smooth = {slight:g}, --smooth {slight:g})"
+    )
     return (
         f"the curve has a corner {places(c.s for c in corners)}{at}, of {sharpest:.3g} degrees: a strip "
         "bends without "
-        "kinks; round it, or draw two curves"
+        f"kinks; round it, or draw two curves{taken}"
     )
 
 

@@ -66,6 +66,10 @@ class EquilibriumCheck:
     moved: float = 0.0
     zeros: tuple[CurvatureZero, ...] = field(default=(), repr=False)
 
+    def __repr__(self) -> str:
+        verdict = "realizable" if self.realizable else "not realizable"
+        return f"<EquilibriumCheck {verdict}, {self.length:.4g} mm>"
+
     def __str__(self) -> str:
         if not self.realizable:
             opening = f"A flat strip cannot take this curve of {self.length:.4g} mm."

@@ -80,3 +80,10 @@ def test_no_blank_is_refused_in_a_sentence(drawn, given, words):
     assert told.exit_code != 0
     assert words in " ".join(told.output.split())
     assert not (drawn / "out").exists()
+
+
+def test_the_nearest_strip_of_a_blank(drawn):
+    told = run("strip", drawn / "arch.json", "--sheet", "birch-plywood-0.8", "--max-width", 20, "--ratio", 1.2,
+               "--natural-curvature", drawn / "blank.json", "-o", drawn / "out")  # fmt: skip
+    assert told.exit_code == 0, told.output
+    assert ratio_of(drawn / "out") == pytest.approx(1.2, rel=1e-6)

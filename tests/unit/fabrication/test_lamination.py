@@ -218,3 +218,9 @@ def test_a_backing_that_ends_without_a_tab_ends_square(rod, ends):
         if tab.length < 1:
             beyond = rim[at * (rim[:, 0] - x) > -1e-3]
             assert np.ptp(beyond[:, 1]) == pytest.approx(float(width(x)), abs=1e-3)
+
+
+def test_a_backing_may_be_named():
+    assert Laminated(width=20.0, backing="pom-0.5").backing == ec.Sheet.named("pom-0.5")
+    with pytest.raises(InputError, match=r"unknown sheet 'pon-0\.5'"):
+        Laminated(width=20.0, backing="pon-0.5")

@@ -7,7 +7,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.fabrication.strip_spec import make_strip
-from elastica_cad.forming.limits import Keep, Limits
+from elastica_cad.forming.limits import Keep
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -37,8 +37,6 @@ def test_bad_input():
         make_strip(ARCH, 3, max_width=20)
     with pytest.raises(InputError, match="unknown sheet"):
         make_strip(ARCH, "paper", max_width=20)
-    with pytest.raises(InputError, match="natural curvature"):
-        make_strip(ARCH, "card-200gsm", max_width=20, natural_curvature=0.01, limits=Limits(ratio=3))
 
 
 class TestLaminateWithWeight:

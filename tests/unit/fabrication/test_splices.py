@@ -9,10 +9,11 @@ from click.testing import CliRunner
 import elastica_cad as ec
 from elastica_cad.cli.commands import elastica
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER
-from elastica_cad.fabrication.makeability.splices import splice, spliced
+from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, MARK
+from elastica_cad.fabrication.makeability.splices import Splice, splice, spliced
 from elastica_cad.geometry.paths.clip import clip_across
 from elastica_cad.geometry.paths.path import Path
+from elastica_cad.mechanics.material.tapered_sections import ThicknessLaw
 
 PLY = ec.Sheet.named("birch-plywood-4")
 ARCH = ec.PlaneCurve.spline([(0, 0), (300, 900), (1500, 1400), (2700, 900), (3000, 0)])  # 3.7 m
@@ -89,11 +90,89 @@ def test_perforated_strips_are_solid_under_their_plates():
     assert joined.deviation > splice(plain, 2200.0, 80.0).deviation > 0.1
 
 
-def test_laminates_are_refused_with_the_reason():
+def laminated(**more):
     style = ec.Laminated(width=60.0, backing=ec.Sheet.named("birch-plywood-0.8"))
-    strip = ec.make_strip(ARCH, "birch-plywood-0.8", style=style, label="A", shop=ec.Shop(stock=(4000, 1500)))
-    with pytest.raises(InputError, match="every layer would need plates of its own: take a larger stock"):
+    shop = ec.Shop(stock=(4000, 1500))
+    return ec.make_strip(ARCH, "birch-plywood-0.8", **({"style": style, "label": "A", "shop": shop} | more))
+
+
+def test_layers_of_a_laminate_are_staggered():
+    """Each is cut elsewhere, under plates of its own, and the pieces of a layer are what it was."""
+    strip = laminated()
+    joined = splice(strip, 2200.0, 16.0)
+    (base,), (backing,) = joined.joints, joined.backing_joints
+    assert abs(base - backing) >= 16
+    names = [["A-1", "A-2", "A-lap-1"], ["A-backing-1", "A-backing-2", "A-backing-lap-1"]]
+    assert [[piece.name for piece in layer] for layer in joined.layer_pieces.values()] == names
+    for layer, pieces in zip(strip.layers, joined.layer_pieces.values(), strict=True):
+        *cut, plate = pieces
+        assert sum(piece.area for piece in cut) == pytest.approx(layer.area)
+        assert plate.size[0] == pytest.approx(16.0)
+        assert {piece.sheet for piece in pieces} == {layer.sheet}
+    assert f"cut in pieces: A at {base:.1f} mm and A-backing at {backing:.1f} mm, joined" in str(joined)
+    assert [drawing.name for drawing in joined.drawings] == ["A", "A-backing"]
+
+
+def test_a_layer_that_fits_its_stock_stays_whole():
+    joined = splice(laminated(), 2200.0, 16.0, backing_stock=4000.0)
+    assert joined.backing_joints == ()
+    assert str(joined).startswith(f"cut in pieces: A at {joined.joints[0]:.1f} mm, joined by plates")
+    assert [piece.name for piece in joined.layer_pieces["A-backing"]] == ["A-backing-1"]
+
+
+def test_three_glued_sheets_are_as_stiff_as_one_of_thrice_the_thickness():
+    """A short plate takes from the turn what it makes stiffer: 1 - 8/27 on two full layers, 1 - 1/8 on one."""
+    style = ec.Laminated(width=lambda s: 60.0 + 0 * s, backing=ec.Sheet.named("birch-plywood-0.8"))
+    bow = ec.PlaneCurve.fit([(500 * np.sin(a), 500 * np.cos(a)) for a in np.linspace(-1, 1, 81)])
+    plain = ec.make_strip(bow, "birch-plywood-0.8", max_width=60)
+    glued = ec.make_strip(bow, "birch-plywood-0.8", style=style)
+    at = plain.rod.length / 2
+    one = Splice(plain, (at,), 8.0).deviation
+    for joints in (((at,), 8.0), ((), 8.0, (at,))):
+        assert Splice(glued, *joints).deviation / one == pytest.approx((1 - 8 / 27) / (1 - 1 / 8), rel=5e-3)
+
+
+def test_marks_of_the_backing_go_on_across_the_pieces():
+    wave = ec.PlaneCurve.spline([(0, 0), (300, 900), (1500, 400), (2700, 900), (3000, 0)])
+    strip = ec.make_strip(
+        wave, "birch-plywood-0.8", label="A", shop=ec.Shop(stock=(6000, 1500)),
+        style=ec.Laminated(width=60.0, backing=ec.Sheet.named("birch-plywood-1.5")),
+        limits=ec.Limits(ratio=8.0), keep=ec.Keep(),
+    )  # fmt: skip
+    joined = splice(strip, 2200.0, 30.0)
+    whole = sum(path.length for path in strip.drawing().on(MARK))
+    plates = sum(0.8 * strip.width(at + side * 15.0) for at in joined.joints for side in (-1, 1))
+    ends = sum(0.6 * strip.width(x) for x in (0.0, strip.rod.length))  # ticks where the tabs begin
+    cut = sum(path.length for piece in joined.layer_pieces["A"] for path in piece.drawing.on(MARK))
+    assert cut == pytest.approx(whole - ends + plates)
+
+
+def test_tapered_strips_are_refused_with_the_reason():
+    law = ThicknessLaw(PLY, 3.0, 8.0, width=40.0)
+    strip = ec.make_strip(ARCH, PLY, law=law, label="A")
+    with pytest.raises(InputError, match="their plates would have to taper too: take a larger stock"):
         splice(strip, 2200.0, 80.0)
+
+
+@pytest.mark.parametrize("style", ["perforated", "laminated"])
+def test_the_door_takes_laps_for_every_style(style, tmp_path, check_drawing_file):
+    """As typed: the refusal's own command makes the strip, and each sheet's file holds its pieces."""
+    ec.write_curves([ARCH], tmp_path / "arch.dxf")
+    words = ["strip", str(tmp_path / "arch.dxf"), "--stock", "2500", "1250", "-o", str(tmp_path / "out")]
+    words += ["--style", style, "--outer-width", "60", "--sheet"]
+    words += {
+        "perforated": ["birch-plywood-4", "--columns", "1", "--least-ligament", "4"],
+        "laminated": ["birch-plywood-0.8", "--backing", "birch-plywood-1.5"],
+    }[style]
+    refused = CliRunner().invoke(elastica, words)
+    lap = {"perforated": "80", "laminated": "30"}[style]
+    assert f"--lap {lap}` keeps the drawn curve" in refused.stderr
+    made = CliRunner().invoke(elastica, [*words, "--lap", lap])
+    assert made.exit_code == 0, made.output
+    files = ["arch.dxf", "arch-backing.dxf"] if style == "laminated" else ["arch.dxf"]
+    for file in files:
+        curves = check_drawing_file(tmp_path / "out" / file)
+        assert sum(curve.layer == CUT_OUTER for curve in curves) == 3
 
 
 @pytest.mark.parametrize(

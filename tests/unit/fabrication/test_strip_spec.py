@@ -178,7 +178,6 @@ class TestLoads:
         ({"label": 7}, "label is 7"),
         ({"max_width": None}, "needs max_width or min_width"),
         ({"samples": 99, "limits": Limits(ratio=3)}, "samples are of a strip that follows its curve exactly"),
-        ({"natural_curvature": 1e-3, "keep": Keep()}, "natural curvature follows its curve exactly"),
     ],
 )
 def test_what_no_strip_can_be_asked(fields, match):
@@ -205,3 +204,18 @@ def test_samples_are_those_of_the_rod():
 def test_gravity_of_a_record_is_taken_as_it_is():
     weaker = Gravity(200.0, (1.0, 0.0))
     assert spec(gravity=weaker).make().rod.gravity is weaker
+
+
+@pytest.mark.parametrize("name", ["max_width", "min_width"])
+@pytest.mark.parametrize("width", [-5.0, 0.0, math.nan, "20"])
+def test_a_width_is_positive(name, width):
+    with pytest.raises(InputError, match=f"{name} is {width}: it must be positive, in mm"):
+        spec(**{name: width})
+
+
+def test_strain_is_that_of_the_curve_whatever_the_samples():
+    curve = PlaneCurve.ellipse((0, 0), (60, 110), start=0.2, end=2.7)
+    bend = 110 / 60**2  # the sharpest place of an ellipse
+    for samples in (12, 200):
+        made = make_strip(curve, "birch-plywood-0.8", max_width=20, samples=samples)
+        assert made.max_strain == pytest.approx(0.4 * bend, rel=1e-6)

@@ -1,19 +1,23 @@
 """Strips whose stiffness is a thickness or a diameter, and heavy strips that bend as plates."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.holders.placed_tab import PlacedTab
+from elastica_cad.fabrication.leaf_stack import LeafStack
 from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
+from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid, bent_sheets
 from elastica_cad.fabrication.strip.tabs import Hole, Tab
 from elastica_cad.fabrication.strip_spec import StripSpec, make_strip
-from elastica_cad.forming.limits import Limits
+from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.loads.weight import PointMass
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.tapered_sections import RoundLaw, ThicknessLaw, WidthLaw
+from elastica_cad.mechanics.material.tapered_sections import LeavesLaw, RoundLaw, ThicknessLaw, WidthLaw
 
 pytestmark = pytest.mark.core
 
@@ -106,3 +110,67 @@ def test_a_wide_heavy_strip_carries_its_weight_as_a_plate(limits):
     assert widest == pytest.approx(40.0, rel=1e-4) or plate.width.extremes[0] == pytest.approx(20.0, rel=1e-4)
     assert plate.held_deviation < 1e-5 * plate.rod.length
     assert beam.held_deviation > 10 * plate.held_deviation
+
+
+LEAF = Sheet("ash leaf", 0.6, 12000.0, density=680.0, max_strain=0.02)
+LEAVES = LeavesLaw(LEAF, 4, 20.0)
+
+
+def test_a_strip_of_leaves_is_cut_and_laid_leaf_by_leaf():
+    strip = make_strip(ARCH, LEAF, law=LEAVES, keep=Keep(), ends=(Tab(10), Tab(5)), label="bow")
+    section, length = strip.layout.section, strip.rod.length
+    table = strip.table()
+    assert table["thickness_mm"] == pytest.approx(0.6 * section.counts(strip.rod.s))
+    assert [layer.name for layer in strip.layers][:2] == ["", "leaf 2"]
+    for layer, leaf in zip(strip.layers, section.leaves, strict=True):
+        (left, low), (right, high) = layer.outline.bounds
+        assert (high - low, layer.low) == (20.0, pytest.approx(0.6 * (leaf.number - 1)))
+        assert left == pytest.approx(leaf.start if leaf.start else -10.0)
+        assert right == pytest.approx(leaf.end if leaf.end < length else length + 5.0)
+    assert strip.mass == pytest.approx(sum(layer.area for layer in strip.layers) * 0.6 * 680e-6)
+    flat, bent = FlatSolid.layers(strip), BentSolid.layers(strip)
+    assert len(flat) == len(bent) == len(strip.layers) == len(bent_sheets(strip))
+    for one, other, layer in zip(flat, bent, strip.layers, strict=True):
+        assert one.volume == pytest.approx(layer.area * 0.6)
+        assert other.boundary.is_closed
+        assert other.heights == pytest.approx((layer.low - 0.3, layer.high - 0.3))
+    assert strip.held_deviation < 1e-4 * length
+    assert strip.max_strain <= LEAF.max_strain
+    assert strip.end_thicknesses == pytest.approx(tuple(0.6 * section.counts([0.0, length])))
+    stack = LeafStack(strip)
+    assert stack.cut_list.mass == pytest.approx(strip.mass)
+    assert len(stack.drawing.on("CUT_OUTER")) == len(section.leaves)
+    marks = [path.bounds[0, 0] for path in stack.drawing.on("MARK")]
+    assert set(np.round(marks, 6)) <= {round(s, 6) for leaf in section.leaves for s in (leaf.start, leaf.end)}
+    assert len(marks) >= section.steps.size
+
+
+def test_a_heavy_strip_of_leaves_carries_them():
+    soft = Sheet("soft leaf", 0.6, 900.0, density=1150.0, max_strain=0.05)
+    strip = make_strip(
+        ARCH, soft, law=LeavesLaw(soft, 4, 20.0), keep=Keep(), gravity=True, ends=(Tab(0), Tab(0))
+    )
+    pull = strip.reactions()
+    assert pull.start_force[1] + pull.end_force[1] == pytest.approx(strip.mass * 9.80665e-3, rel=1e-5)
+
+
+def test_leaves_only_come_near():
+    with pytest.raises(InputError, match="give limits or keep, such as keep="):
+        make_strip(ARCH, LEAF, law=LEAVES)
+    with pytest.raises(InputError, match="the strip is not of leaves"):
+        LeafStack(make_strip(ARCH, GLASS, law=THICKNESS))
+    with pytest.raises(InputError, match="hold its ends in clamps"):
+        PlacedTab.of(make_strip(ARCH, LEAF, law=LEAVES, keep=Keep()), "start")
+
+
+@pytest.mark.parametrize("law", [THICKNESS, ROD, TUBE], ids=["thickness", "rod", "tube"])
+def test_a_tapered_strip_stays_in_its_plane_by_its_own_sizes(law):
+    """The sheet's thickness says nothing: a material ten times as thick is judged the same."""
+    thick = dataclasses.replace(GLASS, thickness=30.0)
+    one, other = (
+        make_strip(ARCH, sheet, law=dataclasses.replace(law, sheet=sheet)).sideways
+        for sheet in (GLASS, thick)
+    )
+    assert one == other
+    assert one.decided
+    assert make_strip(ARCH, GLASS, law=law).end_thicknesses[0] != 3.0

@@ -9,7 +9,7 @@ from elastica_cad.mechanics.material.plain_section import PerforatedSection, Pla
 from elastica_cad.mechanics.material.section_limits import ScaleRange
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.stiffness_law import StiffnessLaw
-from elastica_cad.mechanics.material.tapered_sections import RoundLaw, ThicknessLaw, WidthLaw
+from elastica_cad.mechanics.material.tapered_sections import LeavesLaw, RoundLaw, ThicknessLaw, WidthLaw
 
 pytestmark = pytest.mark.core
 
@@ -71,7 +71,7 @@ def test_each_layer_is_held_against_its_own_limit():
     assert closest == pytest.approx([1.0, 1.0, 1.0])
     assert not outer.exceeded
     assert not inner.exceeded
-    assert any(layer.exceeded for layer in section.strains(1.001 * limit, 10.0, [0.0, 3.0, 10.0]))
+    assert any(layer.exceeded for layer in section.strains(1.003 * limit, 10.0, [0.0, 3.0, 10.0]))
 
 
 def test_weight_law_of_a_laminate_touches_the_true_one():
@@ -177,6 +177,7 @@ def test_bad_input_is_one_sentence(call, message):
         (RoundLaw(sheet(), 1.0, 50.0), 40.0),
         (RoundLaw(sheet(), 1.0, 50.0, bore=0.8), 40.0),
         (WidthLaw(sheet(), 1.0, 50.0).bent([0.01, 0.03, 0.02]), 40.0),
+        (LeavesLaw(sheet(), 50, 30.0), 40.0),
     ],
 )
 def test_every_law_turns_its_parameter_into_stiffness_and_back(law: StiffnessLaw, dearest):

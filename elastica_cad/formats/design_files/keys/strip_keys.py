@@ -54,7 +54,7 @@ MAKING: Keys = {
     "compensate": (FLAG, "change the widths so that the strip as made and held takes the curve"),
     "creep": (NUMBER, "creep factor of the sheet in the long run; tells sag and springback"),
     "law": (
-        either(table("law thickness"), table("law rod"), table("law tube")),
+        either(table("law thickness"), table("law rod"), table("law tube"), table("law leaves")),
         "what stiffness is made of in place of width",
     ),
     "anyway": (FLAG, "make what the workshop cannot, and say so"),
@@ -184,6 +184,12 @@ STRIP_TABLES: dict[str, Keys] = {
         "kind": (choice("tube"), "a tube, turned thinner"),
         "limits": (vector(2), "least and largest diameter, mm"),
         "bore": (NUMBER, "inner over outer diameter"),
+    },
+    "law leaves": {
+        "kind": (choice("leaves"), "glued leaves of the sheet, some end before others; needs limits or keep"),
+        "leaves": (COUNT, "at most"),
+        "fewest": (COUNT, "that go all the way; 1 unless given"),
+        "width": (NUMBER, "of the leaves, mm"),
     },
     "curve file": {
         "file": (TEXT, "beside the design: DXF, SVG, CSV, JSON, STEP"),
