@@ -117,7 +117,7 @@ def _rod(curve: Path | None, chosen: dict[str, Any]) -> Rod:
     if chosen["nearest"]:
         spec = RodSpec(asked.curve, gravity, smooth=chosen["smooth"], limits=Limits())
     else:
-        spec = RodSpec(asked.bendable, gravity, smooth=chosen["smooth"])
+        spec = RodSpec(asked.bendable(chosen["smooth"]), gravity, smooth=chosen["smooth"])
     for note in spec.smoothing.notes:
         say(note)
     found = spec.solve()

@@ -94,7 +94,7 @@ def _judged(
     asked: AskedCurve, supports: Supports, natural_curvature: NaturalCurvature, smooth: float | None
 ) -> tuple[dict[str, Any], bool]:
     """The report on one curve, and whether it can be bent."""
-    drawn = asked.bendable
+    drawn = asked.bendable(smooth)
     smoothing = smooth_curve(drawn, smooth, supports=supports)
     found = check_equilibrium(smoothing.curve, supports=supports, natural_curvature=natural_curvature)
     doubt = "" if natural_curvature else undecided_by_rounding(drawn, found.realizable, smooth, supports)

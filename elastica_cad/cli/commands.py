@@ -8,13 +8,13 @@ from typing import Any
 import click
 import numpy as np
 
-from elastica_cad.cli.asking.lengths import UNITS
+from elastica_cad.cli.asking.lengths import UNITS, Length
 from elastica_cad.cli.running.budget import USUAL_MIB, USUAL_S, OutOfBudgetError, spend
 from elastica_cad.cli.running.typed_command import TYPED, say_with_cure
 from elastica_cad.cli.running.voice import voice
 from elastica_cad.cli.running.watching import remake_on_change
 from elastica_cad.errors import ElasticaError, InputError, NotMetError
-from elastica_cad.formats.curve_files.number_gate import LARGEST_NUMBER
+from elastica_cad.formats.curve_files.number_gate import LARGEST_NUMBER, LARGEST_SIZE
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 
 COMMANDS = {
@@ -187,10 +187,14 @@ def _refuse_odd_numbers(chosen: Mapping[str, Any]) -> None:
 def _refuse_huge_numbers(chosen: Mapping[str, Any]) -> None:
     """Refuse what no drawing holds, such as 1e200, before anything is computed with it."""
     for option in click.get_current_context().command.params:
+        kinds = option.type.types if isinstance(option.type, click.Tuple) else [option.type]
+        is_length = any(isinstance(kind, Length) for kind in kinds)
+        most, what = (LARGEST_SIZE, "a length") if is_length else (LARGEST_NUMBER, "a number")
         for number in _numbers(chosen.get(str(option.name))):
-            if abs(number) > LARGEST_NUMBER:
+            if abs(number) > most:
+                unit = " mm" if is_length else ""
                 raise InputError(
-                    f"{option.opts[0]} is {number:.3g}: give a number of at most {LARGEST_NUMBER:g}"
+                    f"{option.opts[0]} is {number:.3g}{unit}: give {what} of at most {most:g}{unit}"
                 )
 
 

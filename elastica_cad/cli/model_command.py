@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from elastica_cad.cli.asking.options import holding_option
+from elastica_cad.cli.asking.options import holding_option, output_options
 from elastica_cad.cli.running.voice import answer, say, say_step, voice, warn
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
 from elastica_cad.fabrication.sheets.cut_list import cut_list
@@ -22,7 +22,6 @@ MOST_SAID = 6
 
 @click.command()
 @click.argument("design", type=click.Path(path_type=Path))
-@click.option("-o", "--output", type=click.Path(path_type=Path), default=Path(), help="Folder for all files.")
 @click.option("--step/--no-step", default=True, help="Write the bent strips as STEP (needs a CAD kernel).")
 @click.option(
     "--pictures/--no-pictures", default=True, help="Draw the model and the sheets (needs matplotlib)."
@@ -43,7 +42,7 @@ MOST_SAID = 6
     metavar="FOLDER",
     help="Let the design read files below this folder, besides its own and the working folder.",
 )
-@click.option("--force", is_flag=True, help="Overwrite files that exist.")
+@output_options
 def model(
     design: Path,
     output: Path,

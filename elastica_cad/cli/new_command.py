@@ -7,6 +7,7 @@ from pathlib import Path
 import click
 import numpy as np
 
+from elastica_cad.cli.asking.options import output_options
 from elastica_cad.cli.running.program import name_program
 from elastica_cad.cli.running.voice import answer, say, wrote
 from elastica_cad.formats.curve_files.write_curves import write_curves
@@ -28,8 +29,7 @@ AROUND, UP = 48, 25  # its points
 
 @click.command()
 @click.argument("kind", type=click.Choice(KINDS))
-@click.option("-o", "--output", type=click.Path(path_type=Path), default=Path(), help="Folder for the files.")
-@click.option("--force", is_flag=True, help="Overwrite files that exist.")
+@output_options
 def new(kind: str, output: Path, force: bool) -> None:
     """Write KIND.toml, a commented design file that `elastica model` makes as it is.
 

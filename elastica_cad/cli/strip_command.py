@@ -136,7 +136,7 @@ def _made(
     say_step("looking for the nearest curve that can be made" if spec.may_change else "finding the widths")
     try:
         if not spec.may_change:
-            _ = asked.bendable
+            _ = asked.bendable(spec.smooth)
         found = spec.rod_spec.solve()
         return StripKit(spec, found, spec.make(found), asked.name, asked.drawn.joints, files)
     except (NotRealizable, NotConvergedError, InputError) as problem:

@@ -420,3 +420,29 @@ def test_a_sheet_of_the_library_that_all_commands_share(document, sketch, tmp_pa
     assert feature.State == ["Up-to-date"]
     assert feature.Thickness.Value == 0.9
     assert strip.strip_of(feature).sheet == board
+
+
+def test_a_spline_of_freecads_own_tool_is_replaced(document):
+    """The tool draws the poles before the spline; deleting that takes the poles away, and numbers move."""
+    sketch = document.addObject("Sketcher::SketchObject", "Sketch")
+    for i, (x, y) in enumerate(ARCH):
+        sketch.addGeometry(Part.Circle(App.Vector(x, y, 0), App.Vector(0, 0, 1), 10), True)
+        sketch.addConstraint(Sketcher.Constraint(*(("Equal", 0, i) if i else ("Weight", 0, 1.0))))
+    curve = Part.BSplineCurve()
+    curve.buildFromPoles([App.Vector(x, y, 0) for x, y in ARCH], False, 3)
+    number = sketch.addGeometry(curve, False)
+    for i in range(len(ARCH)):
+        sketch.addConstraint(
+            Sketcher.Constraint("InternalAlignment:Sketcher::BSplineControlPoint", i, 3, number, i)
+        )
+    sketch.exposeInternalGeometry(number)
+    beside = sketch.addGeometry(Part.LineSegment(App.Vector(0, -50, 0), App.Vector(9, -50, 0)), True)
+    assert beside > number
+    wanted = PlaneCurve.spline([(0, 0), (50, 90), (100, 90), (150, 0)], degree=3)
+    curve_into(sketch, wanted)
+    document.recompute()
+    kinds = [g.TypeId for g in sketch.Geometry]
+    assert kinds.count("Part::GeomBSplineCurve") == 1
+    assert kinds.count("Part::GeomLineSegment") == 1, "construction geometry stays"
+    assert kinds.count("Part::GeomCircle") == 4, "the new poles, none of the old"
+    assert sketch_curve(sketch).length == pytest.approx(wanted.length)

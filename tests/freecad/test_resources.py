@@ -59,6 +59,23 @@ def choices_of(entry):
             yield from LISTS[node.id]
 
 
+NAMES_OF_CAUSES = (
+    *("stiffness range", "weight", "end angles", "plasticity", "thickness", "kerf", "combined"),
+    *(
+        "ratio",
+        "margin",
+        "curvature",
+        "length",
+        "keep-out",
+        "stiffness bounds",
+        "end position",
+        "end tangent",
+    ),
+    *("start position", "start tangent", "points", "inflection line", "symmetry"),
+)
+"""What the core calls the rows of a tolerance study, and what holds a nearest curve away."""
+
+
 def words_of_panels():
     for path in (RESOURCES / "ui").glob("*.ui"):
         tree = ElementTree.parse(path).getroot()
@@ -79,7 +96,7 @@ def test_everything_is_translated(language):
         for context in ElementTree.parse(path).getroot().iter("context")
         for message in context.iter("message")
     }
-    wanted = {*words_of_code(), *words_of_panels()}
+    wanted = {*words_of_code(), *words_of_panels(), *(("Elastica", name) for name in NAMES_OF_CAUSES)}
     assert len(wanted) > 100
     assert {pair for pair in wanted if not known.get(pair)} == set()
     assert path.with_suffix(".qm").stat().st_size > 5000

@@ -142,6 +142,13 @@ def test_a_sentence_is_known_by_its_key(monkeypatch):
         "Es gibt keinen Streifen. Ein flacher Streifen kann diese Kurve von 200,5 mm annehmen; "
     )
     assert said.endswith("; sie hat 2 Wendepunkte, bei 12 und 34,5 mm.")
+    crossed = (
+        "The line through its inflections crosses the curve at 45.5 and 497 mm, where the moment would vanish "
+        "or change sign and the curvature does not: move the curve off the line there, or support the strip "
+        "between there and the inflections beside it."
+    )
+    said = user_units.worded(f"A flat strip cannot take this curve of 673.8 mm. {crossed}")
+    assert "Die Gerade durch die Wendepunkte kreuzt die Kurve bei 45,5 und 497 mm; dort " in said
     assert user_units.worded("at (25.4, -50.8) mm") == "bei (25,4; -50,8) mm"
     assert user_units.worded("12.7 x 25.4 mm, birch-plywood-0.8") == "12,7 x 25,4 mm, birch-plywood-0.8"
     assert user_units.worded("wrote A1_birch-0.8_0.8mm_x4.dxf") == "wrote A1_birch-0.8_0.8mm_x4.dxf"

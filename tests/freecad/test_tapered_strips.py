@@ -35,3 +35,19 @@ def test_a_law_that_no_strip_has_is_told(document, drawn):
     feature.Sheet, feature.Law = "pom-1", 'kind = "rod", limits = [3, 1]'
     document.recompute()
     assert "diameter limits are 3 and 1 mm" in feature.getStatusString()
+
+
+def test_leaves_are_a_compound_of_bodies(document, drawn):
+    leaf = 'kind = "leaves", leaves = 4, width = 12'
+    feature = strip.create(document, drawn(POINTS, 4))
+    feature.Sheet, feature.Law, feature.Follow = "birch-plywood-0.8", leaf, "Nearest"
+    feature.LimitMargin, feature.RatioLimit = False, 0.0
+    for form in ("Bent", "Flat"):
+        feature.Form = form
+        document.recompute()
+        assert feature.State == ["Up-to-date"], feature.getStatusString()
+        assert feature.Shape.isValid()
+        assert len(feature.Shape.Solids) > 1
+        assert feature.Shape.Volume == pytest.approx(
+            sum(solid.Volume for solid in feature.Shape.Solids), rel=1e-3
+        )

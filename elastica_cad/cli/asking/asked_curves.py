@@ -17,6 +17,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.files import read_drawing
 from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, DrawnFile
 from elastica_cad.formats.file_access.source_file import LARGEST_FILE
+from elastica_cad.geometry.curve_editing.slight_corners import round_corners
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.theorem1.equilibrium_check import require_bendable
 
@@ -133,9 +134,8 @@ class AskedCurve:
         with self._named():
             return self.drawn.curve
 
-    @property
-    def bendable(self) -> PlaneCurve:
-        """As drawn, without corners.
+    def bendable(self, smooth: float | None) -> PlaneCurve:
+        """As drawn, without corners but those that `smooth` mm take out.
 
         Raises
         ------
@@ -143,8 +143,9 @@ class AskedCurve:
             It is not; file and curve are named.
         """
         with self._named():
-            require_bendable(self.drawn.curve)
-            return self.drawn.curve
+            drawn = self.drawn.curve
+            require_bendable(round_corners(drawn, smooth)[0] if smooth else drawn)
+            return drawn
 
     @contextmanager
     def _named(self) -> Iterator[None]:
@@ -176,7 +177,7 @@ def asked_curves(
         No such curve, or several of which one is asked for; the file is named.
     """
     drawing = drawn_curves(path, unit, number, layer)
-    several = every and len(drawing) > 1
+    several = every and len(drawing) > 1 and number is None
     found = drawing.chosen(number, layer) if every else (drawing.one(number, layer, CHOICE),)
     return tuple(
         AskedCurve(

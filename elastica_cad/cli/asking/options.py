@@ -36,9 +36,21 @@ smooth_option = click.option(
 )  # fmt: skip
 """How far a curve may be moved to become fair."""
 
+
+class _Folder(click.Path):
+    """A folder for results; a forgotten name, which makes the next option the folder, is refused."""
+
+    def convert(self, value: Any, param: click.Parameter | None, context: click.Context | None) -> Any:
+        if str(value).startswith("-"):
+            self.fail(
+                f"'{value}' reads as an option: name a folder before it, or write ./{value}", param, context
+            )
+        return super().convert(value, param, context)
+
+
 output_options = join_options(
     click.option("--force", is_flag=True, help="Overwrite files that exist."),
-    click.option("-o", "--output", type=click.Path(path_type=Path), default=Path(), help="Folder for files."),
+    click.option("-o", "--output", type=_Folder(path_type=Path), default=Path(), help="Folder for files."),
 )
 """Where files are written, and over what."""
 

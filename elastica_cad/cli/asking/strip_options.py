@@ -97,7 +97,8 @@ _STYLE = (
                  help="Creep factor in the long run: tells sag and forces. Plywood indoors: 0.8 (Eurocode 5)."),
     click.option("--law", metavar="KEYS",
                  help="Stiffness from thickness or diameter: 'kind = \"thickness\", limits = [3, 8], width = 20', "
-                      "'kind = \"rod\", limits = [3, 8]', or 'tube' with 'bore = 0.7'."),
+                      "'kind = \"rod\", limits = [3, 8]', or 'tube' with 'bore = 0.7'; with --nearest 'kind = "
+                      "\"leaves\", leaves = 4, width = 20', glued of the sheet."),
     click.option("--style", type=click.Choice(["plain", "perforated", "laminated"]), default="plain",
                  show_default=True, help="How stiffness becomes material."),
     click.option("--outer-width", type=LENGTH, metavar="MM", help="Width of a perforated or laminated strip."),

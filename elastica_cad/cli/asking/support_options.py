@@ -36,7 +36,7 @@ class _Blank(click.ParamType):  # type: ignore[type-arg]  # no generic class bef
                 ctx,
             )
         (blank,) = asked_curves(Path(value), None, None, None)
-        return RestCurvature.of(blank.bendable)
+        return RestCurvature.of(blank.bendable(None))
 
 
 support_options = join_options(

@@ -11,13 +11,13 @@ import numpy as np
 from elastica_cad.cli.running.typed_command import TRYING, TYPED, command_line
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.fabrication.makeability.splices import SPLICED
-from elastica_cad.fabrication.strip.perforation import Perforated
+from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.styles import Plain
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.forming.rounding_verdict import undecided_by_rounding
+from elastica_cad.geometry.curve_editing.slight_corners import smooth_for_corners
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.trim import split_at_corners
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
@@ -105,14 +105,15 @@ def _cure_for(spec: StripSpec, which: Sequence[str], whole: PlaneCurve | None) -
         return ""
     spec = spec if whole is None else spec.changed(curve=whole)
     pieces = (np.inf, "")
-    if not (spec.may_change or spec.slots):
+    if not (spec.may_change or spec.slots or _slight(spec.curve, spec.smooth)):
         freed = {"limits": Limits(), "keep": Keep()}
         pieces = _in_pieces(spec.curve, which, spec.changed, (((), {}), ((NEAREST,), freed)))
     for added, fields in _ways(spec):
         answer = _solved(spec.changed, **fields)
         if answer is not None:
-            off = answer[0].deviation if isinstance(answer[0], NearestRod) else 0.0
-            return _told(pieces, off, f"`{_typed_line(*added, *which)}` {_costs(*answer)}")
+            smoothed = spec.changed(**fields).rod_spec.smoothing.moved
+            off = answer[0].deviation if isinstance(answer[0], NearestRod) else smoothed
+            return _told(pieces, off, f"`{_typed_line(*added, *which)}` {_costs(*answer, smoothed)}")
     return _told(pieces)
 
 
@@ -142,15 +143,22 @@ def cure_for_curve(
     if natural_curvature or TRYING.get():
         return ""
     width = float(np.clip(round(drawn.length / 12), *WIDTHS_MM))
-    asked: dict[str, Any] = {"max_width": width, "supports": supports, "smooth": smooth}
-    freed = {"limits": Limits(), "keep": Keep()}
+    asked: dict[str, Any] = {"max_width": width, "supports": supports}
+    freed: dict[str, Any] = {"limits": Limits(), "keep": Keep()}
+    slight = _slight(drawn, smooth)
 
     def strip(curve: PlaneCurve, sheet: str, **fields: Any) -> StripSpec:
-        return StripSpec(curve, sheet, **asked, **fields)
+        return StripSpec(curve, sheet, **asked, **{"smooth": smooth, **fields})
 
     def words(sheet: str, *added: str) -> tuple[str, ...]:
         return ("--sheet", sheet, "--max-width", f"{width:g}", *added)
 
+    for sheet in TRIED_SHEETS if slight and file is None else ():
+        answer = _solved(strip, drawn, sheet, smooth=slight)
+        if answer is not None and _bears(answer[1]):
+            smoothed = strip(drawn, sheet, smooth=slight).rod_spec.smoothing.moved
+            typed = _typed_line(*words(sheet, "--smooth", f"{slight:g}"), *which, instead="strip")
+            return _told((np.inf, ""), smoothed, f"`{typed}` {_costs(*answer, smoothed)}")
     tries = [(words(sheet, *added), {"sheet": sheet} | more) for sheet in TRIED_SHEETS
              for added, more in (((), {}), ((NEAREST,), freed))]  # fmt: skip
     pieces = (np.inf, "") if file else _in_pieces(drawn, which, strip, tries, instead="strip")
@@ -198,7 +206,7 @@ def _in_pieces(
         made: list[Answer] = []
         for piece in pieces:
             answer = _solved(asked, curve=piece, **fields)
-            if answer is None or answer[1].max_strain > answer[1].strain_limit * (1 + 1e-6):
+            if answer is None or not _bears(answer[1]):
                 break
             made.append(answer)
         off = max((one.deviation if isinstance(one, NearestRod) else 0.0 for one, _ in made), default=np.inf)
@@ -215,6 +223,10 @@ def _in_pieces(
             if off < NEAR_SHARE * drawn.length:
                 break
     return best
+
+
+def _bears(made: Strip) -> bool:
+    return made.max_strain <= made.strain_limit * (1 + 1e-6)
 
 
 def _off(deviation: float) -> str:
@@ -237,12 +249,16 @@ def _ways(spec: StripSpec) -> Iterator[tuple[tuple[str, ...], dict[str, Any]]]:
         return  # such strips follow their curve exactly
     limits, keep = spec.limits or Limits(), spec.keep or Keep()
     flat = spec.curve.length + sum(tab.length for tab in spec.ends)
-    too_long = flat > spec.shop.stock_for(spec.material)[0]
-    if too_long and spec.shop.lap is None and isinstance(spec.style, Plain | Perforated):
-        lap = round(LAP_THICKNESSES * spec.material.thickness)
+    sheets = [spec.material, *([spec.style.backing] if isinstance(spec.style, Laminated) else [])]
+    too_long = flat > min(spec.shop.stock_for(sheet)[0] for sheet in sheets)
+    if too_long and spec.shop.lap is None:
+        lap = round(LAP_THICKNESSES * max(sheet.thickness for sheet in sheets))
         joined = {"shop": replace(spec.shop, lap=float(lap))}
         yield ("--lap", f"{lap}"), joined
         yield ("--lap", f"{lap}", NEAREST), joined | {"limits": limits, "keep": keep}
+    slight = _slight(spec.curve, spec.smooth)
+    if slight and not spec.may_change:
+        yield ("--smooth", f"{slight:g}"), {"smooth": slight}
     if not spec.may_change:
         yield (NEAREST,), {"limits": limits, "keep": keep}
     if keep.both_ends == (True, True):
@@ -253,9 +269,16 @@ def _ways(spec: StripSpec) -> Iterator[tuple[tuple[str, ...], dict[str, Any]]]:
         yield ("--max-width", f"{wider:g}", NEAREST), {"limits": limits, "keep": keep, "max_width": wider}
 
 
-def _costs(found: Rod | NearestRod, made: Strip) -> str:
-    """What a strip gives up for being made."""
-    off = f"bends to {_off(found.deviation)}" if isinstance(found, NearestRod) else "keeps the drawn curve"
+def _slight(drawn: PlaneCurve, smooth: float | None) -> float | None:
+    """The distance, mm, within which slight corners are taken out, where no other was asked for."""
+    return smooth_for_corners(drawn) if smooth is None else None
+
+
+def _costs(found: Rod | NearestRod, made: Strip, smoothed: float = 0.0) -> str:
+    """What a strip gives up for being made; `smoothed`: how far its curve was moved to be fair, mm."""
+    off = f"stays {_off(smoothed)}" if smoothed else "keeps the drawn curve"
+    if isinstance(found, NearestRod):
+        off = f"bends to {_off(found.deviation)}"
     joined = "".join(f", {text}" for text in made.warnings if text.startswith(SPLICED))
     strain = 100 * made.max_strain / made.strain_limit
     return (

@@ -1,4 +1,4 @@
-"""What of a closed path lies between two lines across, as a closed path."""
+"""What of a path lies between two lines across."""
 
 from itertools import pairwise
 
@@ -24,6 +24,33 @@ def clip_across(path: Path, low: float, high: float) -> Path:
     >>> clip_across(Path.rectangle(40, 10), 5, 25).area
     200.0
     """
+    runs = _runs_between(path, low, high)
+    if len(runs) > 1 and _meets(runs[-1][-1], runs[0][0]):
+        runs[0] = runs.pop() + runs[0]
+    chain: list[Segment] = []
+    for run, following in zip(runs, [*runs[1:], runs[0]], strict=True):
+        chain += run
+        if not _meets(run[-1], following[0]):
+            if abs(run[-1].end[0] - following[0].start[0]) > JOIN:
+                raise InputError(f"the part between x = {low:g} and {high:g} mm is not in one piece")
+            chain.append(Line(run[-1].end, following[0].start))
+    return Path(chain, closed=True)
+
+
+def trim_across(path: Path, low: float, high: float) -> tuple[Path, ...]:
+    """The parts of an open path with low <= x <= high, in order.
+
+    Examples
+    --------
+    >>> (part,) = trim_across(Path.polyline([(0, 0), (40, 10)]), 10, 30)
+    >>> part.bounds.tolist()
+    [[10.0, 2.5], [30.0, 7.5]]
+    """
+    return tuple(Path(run) for run in _runs_between(path, low, high))
+
+
+def _runs_between(path: Path, low: float, high: float) -> list[list[Segment]]:
+    """Chains of a path's segments between two lines across, in order."""
     runs: list[list[Segment]] = [[]]
     (left, bottom), (right, top) = path.bounds
     walls = [Line((x, bottom - 1), (x, top + 1)) for x in (low, high) if left + JOIN < x < right - JOIN]
@@ -36,18 +63,7 @@ def clip_across(path: Path, low: float, high: float) -> Path:
                 runs[-1].append(trim_segment(segment, u0, u1))
             elif runs[-1]:
                 runs.append([])
-    if not runs[-1]:
-        runs.pop()
-    if len(runs) > 1 and _meets(runs[-1][-1], runs[0][0]):
-        runs[0] = runs.pop() + runs[0]
-    chain: list[Segment] = []
-    for run, following in zip(runs, [*runs[1:], runs[0]], strict=True):
-        chain += run
-        if not _meets(run[-1], following[0]):
-            if abs(run[-1].end[0] - following[0].start[0]) > JOIN:
-                raise InputError(f"the part between x = {low:g} and {high:g} mm is not in one piece")
-            chain.append(Line(run[-1].end, following[0].start))
-    return Path(chain, closed=True)
+    return runs if runs[-1] else runs[:-1]
 
 
 def _meets(before: Segment, after: Segment) -> bool:

@@ -923,6 +923,82 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>stiffness range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>weight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>end angles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plasticity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>thickness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kerf</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>combined</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>margin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>keep-out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stiffness bounds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>end position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>end tangent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>start position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>start tangent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>inflection line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>symmetry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the strip laid flat</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1758,6 +1834,10 @@
 </context>
 <context>
     <name>ElasticaSentences</name>
+    <message>
+        <source>glued leaves go in steps, so no stack follows a drawn curve exactly: give limits or keep, such as keep=Keep(), or call nearest_rod, and the nearest stack is found</source>
+        <translation type="unfinished"></translation>
+    </message>
     <message>
         <source>the blank is %1 mm long before it is bent, the curve %2 mm: give its curvature along the length of the curve</source>
         <translation type="unfinished"></translation>
@@ -2811,6 +2891,18 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>at %1 and %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The line through its inflections crosses the curve %1, where the moment would vanish or change sign and the curvature does not: move the curve off the line there, or support the strip between there and the inflections beside it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The line through its inflections touches the curve %1, where the moment would vanish or change sign and the curvature does not: move the curve off the line there, or support the strip between there and the inflections beside it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>between %1 and %2 mm</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2847,7 +2939,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the curve has a corner %1%2, of %3 degrees: a strip bends without kinks; round it, or draw two curves</source>
+        <source>the curve has a corner %1%2, of %3 degrees: a strip bends without kinks; round it, or draw two curves%4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, or take it out within %1 mm (smooth = %2, --smooth %3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its corners, of %1 degrees at most, were rounded within that.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is %1 mm wide and %2 mm long: what is wider than long bends as a plate, not as a strip; give a smaller max_width, and look at its unit</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3015,7 +3119,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: only plain and perforated strips of one sheet are cut in pieces, for every layer would need plates of its own: take a larger stock, or a plain strip</source>
+        <source>%1: strips of a law are not cut in pieces, for their plates would have to taper too: take a larger stock, or a strip of one sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 pieces: %2, joined by plates of %3 mm on the free face of each layer, which are stiffer and move the shape by %4 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 at %2 mm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

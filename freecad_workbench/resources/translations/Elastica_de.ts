@@ -927,6 +927,82 @@
         <translation>Krümmung</translation>
     </message>
     <message>
+        <source>stiffness range</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>end angles</source>
+        <translation>Endwinkel</translation>
+    </message>
+    <message>
+        <source>plasticity</source>
+        <translation>Plastizität</translation>
+    </message>
+    <message>
+        <source>thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>kerf</source>
+        <translation>Schnittfuge</translation>
+    </message>
+    <message>
+        <source>combined</source>
+        <translation>zusammen</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation>Verhältnis</translation>
+    </message>
+    <message>
+        <source>margin</source>
+        <translation>Stabilität</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>keep-out</source>
+        <translation>Sperrgebiet</translation>
+    </message>
+    <message>
+        <source>stiffness bounds</source>
+        <translation>Steifigkeitsgrenzen</translation>
+    </message>
+    <message>
+        <source>end position</source>
+        <translation>Ort des Endes</translation>
+    </message>
+    <message>
+        <source>end tangent</source>
+        <translation>Tangente am Ende</translation>
+    </message>
+    <message>
+        <source>start position</source>
+        <translation>Ort des Anfangs</translation>
+    </message>
+    <message>
+        <source>start tangent</source>
+        <translation>Tangente am Anfang</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>inflection line</source>
+        <translation>Wendelinie</translation>
+    </message>
+    <message>
+        <source>symmetry</source>
+        <translation>Symmetrie</translation>
+    </message>
+    <message>
         <source>the strip laid flat</source>
         <translation>der Streifen flach gelegt</translation>
     </message>
@@ -1762,6 +1838,10 @@
 </context>
 <context>
     <name>ElasticaSentences</name>
+    <message>
+        <source>glued leaves go in steps, so no stack follows a drawn curve exactly: give limits or keep, such as keep=Keep(), or call nearest_rod, and the nearest stack is found</source>
+        <translation>Geklebte Blätter gehen in Stufen, darum folgt kein Stapel einer gezeichneten Kurve genau: Gib Grenzen oder was bleiben soll (wie keep=Keep()) an, oder rufe nearest_rod auf, dann wird der nächste Stapel gefunden</translation>
+    </message>
     <message>
         <source>the blank is %1 mm long before it is bent, the curve %2 mm: give its curvature along the length of the curve</source>
         <translation>der Rohling ist vor dem Biegen %1 mm lang, die Kurve %2 mm: seine Krümmung über die Länge der Kurve angeben</translation>
@@ -2823,6 +2903,18 @@
         <translation>bei %1 mm</translation>
     </message>
     <message>
+        <source>at %1 and %2 mm</source>
+        <translation>bei %1 und %2 mm</translation>
+    </message>
+    <message>
+        <source>The line through its inflections crosses the curve %1, where the moment would vanish or change sign and the curvature does not: move the curve off the line there, or support the strip between there and the inflections beside it.</source>
+        <translation>Die Gerade durch die Wendepunkte kreuzt die Kurve %1; dort müsste das Moment verschwinden oder das Vorzeichen wechseln, die Krümmung tut es nicht: die Kurve dort von der Geraden wegziehen oder den Streifen zwischen dort und den Wendepunkten daneben stützen.</translation>
+    </message>
+    <message>
+        <source>The line through its inflections touches the curve %1, where the moment would vanish or change sign and the curvature does not: move the curve off the line there, or support the strip between there and the inflections beside it.</source>
+        <translation>Die Gerade durch die Wendepunkte berührt die Kurve %1; dort müsste das Moment verschwinden oder das Vorzeichen wechseln, die Krümmung tut es nicht: die Kurve dort von der Geraden wegziehen oder den Streifen zwischen dort und den Wendepunkten daneben stützen.</translation>
+    </message>
+    <message>
         <source>between %1 and %2 mm</source>
         <translation>zwischen %1 und %2 mm</translation>
     </message>
@@ -2859,8 +2951,20 @@
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>the curve has a corner %1%2, of %3 degrees: a strip bends without kinks; round it, or draw two curves</source>
-        <translation>die Kurve hat eine Ecke %1%2, von %3 Grad: ein Streifen biegt sich ohne Knicke; sie runden oder zwei Kurven zeichnen</translation>
+        <source>the curve has a corner %1%2, of %3 degrees: a strip bends without kinks; round it, or draw two curves%4</source>
+        <translation>die Kurve hat eine Ecke %1%2, von %3 Grad: ein Streifen biegt sich ohne Knicke; sie runden oder zwei Kurven zeichnen%4</translation>
+    </message>
+    <message>
+        <source>, or take it out within %1 mm (smooth = %2, --smooth %3)</source>
+        <translation>, oder sie innerhalb von %1 mm herausnehmen (smooth = %2, --smooth %3)</translation>
+    </message>
+    <message>
+        <source>Its corners, of %1 degrees at most, were rounded within that.</source>
+        <translation>Ihre Ecken, höchstens %1 Grad, wurden innerhalb dessen gerundet.</translation>
+    </message>
+    <message>
+        <source>it is %1 mm wide and %2 mm long: what is wider than long bends as a plate, not as a strip; give a smaller max_width, and look at its unit</source>
+        <translation>er ist %1 mm breit und %2 mm lang: was breiter als lang ist, biegt sich als Platte, nicht als Streifen; ein kleineres max_width angeben und auf seine Einheit achten</translation>
     </message>
     <message>
         <source>No force can act between its ends, so the moment is constant and the curve must bend one way only; it has %1, %2: hold both ends in x or in y.</source>
@@ -3027,8 +3131,16 @@
         <translation>%1: eine Überlappung von %2 mm: eine Länge über 0 und unter einem Drittel von %3 mm angeben</translation>
     </message>
     <message>
-        <source>%1: only plain and perforated strips of one sheet are cut in pieces, for every layer would need plates of its own: take a larger stock, or a plain strip</source>
-        <translation>%1: nur schlichte und gelochte Streifen aus einer Platte werden in Stücke geteilt, denn jede Lage bräuchte eigene Laschen: größeres Rohmaterial oder einen schlichten Streifen nehmen</translation>
+        <source>%1: strips of a law are not cut in pieces, for their plates would have to taper too: take a larger stock, or a strip of one sheet</source>
+        <translation>%1: Streifen nach einem Gesetz werden nicht in Stücke geteilt, denn ihre Laschen müssten sich auch verjüngen: größeres Rohmaterial oder einen Streifen aus einer Platte nehmen</translation>
+    </message>
+    <message>
+        <source>%1 pieces: %2, joined by plates of %3 mm on the free face of each layer, which are stiffer and move the shape by %4 mm</source>
+        <translation>%1 Stücke: %2, mit Laschen von %3 mm auf der freien Seite jeder Lage verbunden, die steifer sind und die Form um %4 mm bewegen</translation>
+    </message>
+    <message>
+        <source>%1 at %2 mm</source>
+        <translation>%1 bei %2 mm</translation>
     </message>
     <message>
         <source>%1 %2 pieces at %3 mm, joined by plates of %4 mm, without the %5 holes that lie under them; they are stiffer and move the shape by %6 mm</source>

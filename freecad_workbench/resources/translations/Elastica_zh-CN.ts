@@ -927,6 +927,82 @@
         <translation>曲率</translation>
     </message>
     <message>
+        <source>stiffness range</source>
+        <translation>刚度范围</translation>
+    </message>
+    <message>
+        <source>weight</source>
+        <translation>自重</translation>
+    </message>
+    <message>
+        <source>end angles</source>
+        <translation>端部角度</translation>
+    </message>
+    <message>
+        <source>plasticity</source>
+        <translation>塑性</translation>
+    </message>
+    <message>
+        <source>thickness</source>
+        <translation>厚度</translation>
+    </message>
+    <message>
+        <source>kerf</source>
+        <translation>切缝</translation>
+    </message>
+    <message>
+        <source>combined</source>
+        <translation>合计</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation>比值</translation>
+    </message>
+    <message>
+        <source>margin</source>
+        <translation>稳定裕度</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>长度</translation>
+    </message>
+    <message>
+        <source>keep-out</source>
+        <translation>禁入区域</translation>
+    </message>
+    <message>
+        <source>stiffness bounds</source>
+        <translation>刚度界限</translation>
+    </message>
+    <message>
+        <source>end position</source>
+        <translation>终点位置</translation>
+    </message>
+    <message>
+        <source>end tangent</source>
+        <translation>终点切线</translation>
+    </message>
+    <message>
+        <source>start position</source>
+        <translation>起点位置</translation>
+    </message>
+    <message>
+        <source>start tangent</source>
+        <translation>起点切线</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>inflection line</source>
+        <translation>拐点线</translation>
+    </message>
+    <message>
+        <source>symmetry</source>
+        <translation>对称</translation>
+    </message>
+    <message>
         <source>the strip laid flat</source>
         <translation>展平的条</translation>
     </message>
@@ -1762,6 +1838,10 @@
 </context>
 <context>
     <name>ElasticaSentences</name>
+    <message>
+        <source>glued leaves go in steps, so no stack follows a drawn curve exactly: give limits or keep, such as keep=Keep(), or call nearest_rod, and the nearest stack is found</source>
+        <translation>胶合叶片的刚度成阶梯变化，因此没有叠层能精确贴合所画曲线：请给出限制或保持条件（如 keep=Keep()），或调用 nearest_rod，即可找到最接近的叠层</translation>
+    </message>
     <message>
         <source>the blank is %1 mm long before it is bent, the curve %2 mm: give its curvature along the length of the curve</source>
         <translation>坯料弯曲前长 %1 mm，曲线长 %2 mm：请沿曲线的长度给出其曲率</translation>
@@ -2823,6 +2903,18 @@
         <translation>在 %1 mm</translation>
     </message>
     <message>
+        <source>at %1 and %2 mm</source>
+        <translation>在 %1 和 %2 mm</translation>
+    </message>
+    <message>
+        <source>The line through its inflections crosses the curve %1, where the moment would vanish or change sign and the curvature does not: move the curve off the line there, or support the strip between there and the inflections beside it.</source>
+        <translation>过其拐点的直线与曲线相交（%1），在那里弯矩必须为零或变号，而曲率不变：把曲线在该处移离直线，或在该处与旁边的拐点之间支撑条带。</translation>
+    </message>
+    <message>
+        <source>The line through its inflections touches the curve %1, where the moment would vanish or change sign and the curvature does not: move the curve off the line there, or support the strip between there and the inflections beside it.</source>
+        <translation>过其拐点的直线与曲线相切（%1），在那里弯矩必须为零或变号，而曲率不变：把曲线在该处移离直线，或在该处与旁边的拐点之间支撑条带。</translation>
+    </message>
+    <message>
         <source>between %1 and %2 mm</source>
         <translation>在 %1 与 %2 mm 之间</translation>
     </message>
@@ -2859,8 +2951,20 @@
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>the curve has a corner %1%2, of %3 degrees: a strip bends without kinks; round it, or draw two curves</source>
-        <translation>曲线%1%2 有 %3 度的拐角：条带弯曲无折角；请倒圆或画成两条曲线</translation>
+        <source>the curve has a corner %1%2, of %3 degrees: a strip bends without kinks; round it, or draw two curves%4</source>
+        <translation>曲线%1%2 有 %3 度的拐角：条带弯曲无折角；请倒圆或画成两条曲线%4</translation>
+    </message>
+    <message>
+        <source>, or take it out within %1 mm (smooth = %2, --smooth %3)</source>
+        <translation>，或在 %1 mm 内消除它（smooth = %2，--smooth %3）</translation>
+    </message>
+    <message>
+        <source>Its corners, of %1 degrees at most, were rounded within that.</source>
+        <translation>其拐角（最大 %1 度）已在此范围内倒圆。</translation>
+    </message>
+    <message>
+        <source>it is %1 mm wide and %2 mm long: what is wider than long bends as a plate, not as a strip; give a smaller max_width, and look at its unit</source>
+        <translation>宽 %1 mm，长 %2 mm：宽大于长时按板弯曲，而不是条带；请给出较小的 max_width，并检查其单位</translation>
     </message>
     <message>
         <source>No force can act between its ends, so the moment is constant and the curve must bend one way only; it has %1, %2: hold both ends in x or in y.</source>
@@ -3027,8 +3131,16 @@
         <translation>%1：搭接 %2 mm：请给出大于 0 且小于 %3 mm 三分之一的长度</translation>
     </message>
     <message>
-        <source>%1: only plain and perforated strips of one sheet are cut in pieces, for every layer would need plates of its own: take a larger stock, or a plain strip</source>
-        <translation>%1：只有单层的普通条带和打孔条带可分段，因为每层都需要自己的搭板：使用更大的板料，或普通条带</translation>
+        <source>%1: strips of a law are not cut in pieces, for their plates would have to taper too: take a larger stock, or a strip of one sheet</source>
+        <translation>%1：按规律变化的条带不分段，因为搭板也须渐变：使用更大的板料，或单层条带</translation>
+    </message>
+    <message>
+        <source>%1 pieces: %2, joined by plates of %3 mm on the free face of each layer, which are stiffer and move the shape by %4 mm</source>
+        <translation>%1 若干段：%2，在每层的外露面用 %3 mm 的搭板连接，搭板较硬，使形状移动 %4 mm</translation>
+    </message>
+    <message>
+        <source>%1 at %2 mm</source>
+        <translation>%1 位于 %2 mm</translation>
     </message>
     <message>
         <source>%1 %2 pieces at %3 mm, joined by plates of %4 mm, without the %5 holes that lie under them; they are stiffer and move the shape by %6 mm</source>

@@ -238,7 +238,7 @@ def edits():
     answers["empty in edit"] = live.session().sentence
     drawn.addGeometry(Part.Circle(App.Vector(), App.Vector(0, 0, 1), 20), False)
     wait(150)
-    answers["circle in edit"] = live.session().sentence
+    answers["circle in edit"] = live.session().card.heading.text()
     App.closeDocument(document.Name)
     wait(200)
     assert live.session() is None

@@ -90,6 +90,13 @@ def test_quiet_says_nothing_and_verbose_every_step(folder):
     assert re.search(r"s  wrote \S+ \(1 of \d+\)$", wordy.stderr, re.MULTILINE)
 
 
+def test_a_width_meant_in_mm_is_told_where_lengths_are_inches(folder):
+    words = ("--units", "inch", "--max-width", "40", "-o", "out")
+    made = typed("strip", "arch.dxf", "--sheet", "card-200gsm", *words, cwd=folder)
+    assert "1016 mm wide" in made.stderr
+    assert "look at its unit" in made.stderr
+
+
 @pytest.mark.parametrize(
     "words", [("--max-width", "1.5in"), ("--max-width", '1.5"'), ("--units", "inch", "--max-width", "1.5")]
 )

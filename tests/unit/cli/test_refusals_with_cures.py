@@ -115,6 +115,8 @@ REFUSED = [
     ("bend tall.dxf --from 10 0 --to 1000 0", "--to 240"),
     ("strip corner.svg --sheet birch-plywood-0.8 --max-width 20 -o out", "--split-corners"),
     ("check corner.svg", "--split-corners"),
+    ("strip slight.svg --sheet birch-plywood-0.8 --max-width 30 -o out", "--smooth 0.2"),
+    ("check slight.svg", "--smooth 0.2"),
     ("bend --straight 100 --gravity --to 90 0", "--sheet birch-plywood-0.8"),
     ("bend", "--straight 300 --to 200 0"),
     ("sheets birch-ply", "sheets birch-plywood-"),
@@ -127,9 +129,10 @@ REFUSED = [
     ("model design.toml --no-step --no-pictures", "--nearest"),
     ("model thin.toml --no-step --no-pictures", "--nearest"),
 ]
-CORNER, RING = (
+CORNER, RING, SLIGHT = (
     '<path d="M 10 100 C 40 60 70 60 100 100 C 130 60 160 60 190 100"/>',
     '<circle cx="100" cy="100" r="50"/>',
+    '<path d="M 20 150 C 50 90 90 60 140 60.00000 C 190 60.10000 240 100 270 150"/>',  # 0.115 degrees
 )
 DESIGN = """
 schema = 1
@@ -151,7 +154,7 @@ def desk(tmp_path_factory):
     write_curves(
         [drawn["wave"], drawn["tall"].transformed([[1, 0, 300], [0, 1, 0], [0, 0, 1]])], folder / "two.dxf"
     )
-    for name, paths in (("corner", CORNER), ("ring", RING), ("both", RING + CORNER)):
+    for name, paths in (("corner", CORNER), ("ring", RING), ("both", RING + CORNER), ("slight", SLIGHT)):
         (folder / f"{name}.svg").write_text(
             '<svg xmlns="http://www.w3.org/2000/svg" width="300mm" height="200mm" viewBox="0 0 300 200">'
             f"{paths}</svg>"
@@ -298,3 +301,21 @@ def test_a_reshaped_curve_that_cannot_be_bent_ends_with_a_strip_near_it(tmp_path
 def test_margins_of_bent_strips_come_with_a_word(tmp_path):
     made = typed(["bend", "--straight", "200", "--to", "150", "0", "-o", "out"], tmp_path)
     assert re.search(r"stable, margin [0-9.]+ \((low|ample)\)", made.stdout)
+
+
+def test_an_option_is_no_folder(tmp_path):
+    asked = typed(["new", "lamp", "-o", "--json"], tmp_path)
+    assert asked.returncode == 2
+    assert "'--json' reads as an option: name a folder before it" in asked.stderr
+    assert not (tmp_path / "--json").exists()
+
+
+@pytest.mark.parametrize(
+    ("width", "told"),
+    [("2e7", "is 2e+07 mm: give a length of at most 1e+06 mm"), ("9e5", "is larger than the stock of")],
+)
+def test_an_absurd_width_is_told_at_once(width, told, desk):
+    asked = ["strip", "arch.dxf", "--sheet", "birch-plywood-0.8", "--max-width", width]
+    refused = typed(asked, desk)
+    assert refused.returncode == 2
+    assert told in refused.stderr

@@ -10,6 +10,7 @@ from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.files import read_curves
 from elastica_cad.formats.curve_files.write_curves import write_curves
 from elastica_cad.formats.design_files.design_file import read_design
+from elastica_cad.formats.design_files.tables import Slips
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 
@@ -420,3 +421,21 @@ def test_a_pipe_is_no_file(tmp_path):
     os.mkfifo(tmp_path / "arch.csv")
     with pytest.raises(InputError, match="is no file but a device or a pipe"):
         read_curves(tmp_path / "arch.csv")
+
+
+def test_of_many_slips_the_first_are_told_and_the_others_counted():
+    slips = Slips()
+    for number in range(9):
+        slips.add(f"strip {number} has no width; give one")
+    assert slips.text.count("; give one") == 5
+    assert slips.text.endswith(" Also: 4 more; mend these first")
+
+
+def test_a_key_in_capitals_is_told_as_it_is_written(tmp_path):
+    design = tmp_path / "loud.toml"
+    design.write_text('SCHEMA = 1\nSHEET = "card-200gsm"\n' + "z" * 400 + " = 1\n")
+    with pytest.raises(
+        InputError, match=r"'SCHEMA'; did you mean schema\?.*'SHEET'; did you mean sheet"
+    ) as told:
+        read_design(design, read_curves)
+    assert "z" * 61 not in str(told.value)

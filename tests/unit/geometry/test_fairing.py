@@ -4,10 +4,17 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.curve_editing.fairing import fair_curve, has_rough_curvature, two_sided_distance
+from elastica_cad.forming.fairing_request import smooth_curve
+from elastica_cad.geometry.curve_editing.fairing import (
+    fair_curve,
+    has_rough_curvature,
+    two_sided_distance,
+    usual_tolerance,
+)
+from elastica_cad.geometry.curve_editing.slight_corners import smooth_for_corners
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium, require_bendable
 
 pytestmark = pytest.mark.core
 
@@ -74,3 +81,36 @@ def test_what_cannot_be_faired_is_told():
         fair_curve(ARCH, 0.0)
     with pytest.raises(InputError, match="allow more"):
         fair_curve(ARCH, 1e-9)
+
+
+def kinked(degrees, handle=30.0):
+    """Two cubics whose tangent turns by so much where they meet."""
+    turn = np.radians([degrees / 2, -degrees / 2])
+    node = np.array([100.0, 60.0])
+    into, out = (handle * np.array([np.cos(a), np.sin(a)]) for a in turn)
+    points = np.array([(0, 0), (20, 40), node - into, node, node + out, (180, 40), (200, 0)])
+    return PlaneCurve(np.repeat([0.0, 1.0, 2.0], [4, 3, 4]), points, 3)
+
+
+@pytest.mark.parametrize("degrees", [0.002, 0.05, 0.115, 0.2])
+def test_slight_corners_are_taken_out_within_what_was_asked_for(degrees):
+    drawn = kinked(degrees)
+    smooth = smooth_for_corners(drawn)
+    assert smooth >= 0.9 * usual_tolerance(drawn)
+    smoothing = smooth_curve(drawn, smooth)
+    assert not smoothing.curve.tangent_breaks
+    assert two_sided_distance(drawn, smoothing.curve, 20000) <= smoothing.moved <= smooth
+    assert f"corners, of {degrees:.2g} degrees at most, were rounded" in smoothing.notes[-1]
+    with pytest.raises(InputError, match=rf"take it out within {smooth:g} mm \(smooth = {smooth:g}, "):
+        require_bendable(drawn)
+
+
+def test_a_corner_that_would_take_more_stays_a_corner():
+    """Within 0.01 mm a handle of 30 mm turns by 0.01 degrees; 2 degrees are no detail of a curve of 250 mm."""
+    with pytest.raises(InputError, match=r"a corner at .* of 0.115 degrees"):
+        smooth_curve(kinked(0.115), 0.01)
+    assert smooth_for_corners(kinked(2.0)) is None
+    with pytest.raises(InputError, match=r"or draw two curves$"):
+        require_bendable(kinked(2.0))
+    with pytest.raises(InputError, match="of 6 degrees"):
+        smooth_curve(kinked(6.0, handle=1.0), 0.5)

@@ -124,13 +124,12 @@ def curve_into(sketch: Any, curve: PlaneCurve) -> None:
 
     Construction geometry stays.
     """
-    for i in reversed(range(len(sketch.Geometry))):
-        if not sketch.getConstruction(i):
-            sketch.delGeometry(i)
-    for i in reversed(range(len(sketch.Geometry))):
-        # what FreeCAD left of the old spline's poles and knots
-        if sketch.Geometry[i].TypeId in ("Part::GeomCircle", "Part::GeomPoint") and not _held(sketch, i):
-            sketch.delGeometry(i)
+    # all at once: FreeCAD takes the poles of a spline away with it, and what comes behind them gets other numbers
+    sketch.delGeometries([i for i in range(len(sketch.Geometry)) if not sketch.getConstruction(i)])
+    # what it left of the old spline's poles and knots
+    points = ("Part::GeomCircle", "Part::GeomPoint")
+    left = [i for i, g in enumerate(sketch.Geometry) if g.TypeId in points and not _held(sketch, i)]
+    sketch.delGeometries(left)
     number = sketch.addGeometry(spline_geometry(curve), False)
     if len(curve.control_points) <= MOST_DRAGGED:
         sketch.exposeInternalGeometry(number)

@@ -46,7 +46,7 @@ def pieces_of(sources: Iterable[Any]) -> list[Piece]:
 
 def _strip_pieces(obj: Any) -> list[Piece]:
     strip, name = strip_of(obj), obj.EngravedText or obj.Label
-    names = (name, f"{name}-backing")
+    names = [layer.called(name) for layer in strip.layers]
     return [
         Piece(called, replace(drawing, name=called), layer.sheet, obj.Quantity)
         for called, drawing, layer in zip(names, strip.drawings(), strip.layers, strict=False)

@@ -1,0 +1,76 @@
+"""Corners so slight that a strip may round them: taken out by turning handles, within a distance asked for."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from elastica_cad.geometry.curve_editing.fairing import usual_tolerance
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.pen_curves.tangent_healing import SURE, Healing, heal_tangents
+
+PER_ROUNDING = 2 * np.sqrt(2.0)
+"""How far a handle's end moves against its node for one of rounding in every coordinate."""
+
+SMOOTHING_SHARE = 0.5
+"""Of the distance asked for: the rest is left to make the curvature fair."""
+
+WORTH_SHARE = 1e-3
+"""Of the length: a move beyond this is no detail of the drawing any more, and is not offered."""
+
+
+def round_corners(curve: PlaneCurve, smooth: float) -> tuple[PlaneCurve, float]:
+    """The curve without the corners that moves within half of `smooth` (mm) take out, and a bound of the moves, mm.
+
+    Corners of more than 5 degrees stay.
+
+    Examples
+    --------
+    >>> kinked = PlaneCurve([0] * 4 + [1] * 3 + [2] * 4,
+    ...                     [(0, 0), (20, 20), (40, 30), (60, 30), (80, 30.02), (100, 20), (120, 0)], 3)
+    >>> smooth, moved = round_corners(kinked, 0.1)
+    >>> len(kinked.tangent_breaks), len(smooth.tangent_breaks), round(moved, 4)
+    (1, 0, 0.01)
+    """
+    if not curve.tangent_breaks or curve.degree < 2:
+        return curve, 0.0
+    healing = _healed(curve, SMOOTHING_SHARE * smooth)
+    if not healing.healed:
+        return curve, 0.0
+    rounded = PlaneCurve(healing.knots, healing.control_points, healing.degree, healing.weights)
+    return rounded.drawn_as(curve.provenance), healing.moved
+
+
+def smooth_for_corners(curve: PlaneCurve) -> float | None:
+    """The distance, mm, one figure long, within which all corners can be taken out; None where that is no detail.
+
+    No less than pen curves are made fair by.
+
+    Examples
+    --------
+    >>> kinked = PlaneCurve([0] * 4 + [1] * 3 + [2] * 4,
+    ...                     [(0, 0), (20, 20), (40, 30), (60, 30), (80, 30.02), (100, 20), (120, 0)], 3)
+    >>> smooth_for_corners(kinked)
+    0.06
+    """
+    corners = curve.tangent_breaks
+    if not corners or curve.degree < 2 or curve.is_closed or max(abs(one.angle) for one in corners) > SURE:
+        return None
+    most = WORTH_SHARE * curve.length
+    healing = _healed(curve, SMOOTHING_SHARE * most)
+    if len(healing.healed) < len(corners):
+        return None
+    needed = 1.05 * healing.moved / SMOOTHING_SHARE  # the bound of a turn is of sines
+    offered = max(_one_figure(needed, np.ceil), _one_figure(usual_tolerance(curve), np.floor))
+    return offered if offered <= most and not round_corners(curve, offered)[0].tangent_breaks else None
+
+
+def _one_figure(x: float, rounded: Callable[[float], float]) -> float:
+    step = 10.0 ** np.floor(np.log10(x))
+    return float(f"{rounded(x / step) * step:.1g}")
+
+
+def _healed(curve: PlaneCurve, reach: float) -> Healing:
+    """With the corners taken out for which no handle's end moves farther than `reach`, mm."""
+    return heal_tangents(
+        curve.knots, curve.control_points, curve.degree, curve.weights, rounding=reach / PER_ROUNDING
+    )
