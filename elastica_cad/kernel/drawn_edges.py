@@ -102,17 +102,18 @@ def _drawn_edge(edge: Shape) -> DrawnEdge:
     basis = curve
     while isinstance(basis, k.Geom_TrimmedCurve):
         basis = basis.BasisCurve()
-    trimmed = k.Geom_TrimmedCurve(curve, first, last)
-    if isinstance(basis, k.Geom_OffsetCurve):
+    try:
+        trimmed = k.Geom_TrimmedCurve(curve, first, last)
+        spline = (
+            None if isinstance(basis, k.Geom_OffsetCurve) else k.GeomConvert.CurveToBSplineCurve_s(trimmed)
+        )
+    except Exception as error:  # whatever the kernel's binding makes of Standard_Failure
+        raise InputError("an edge is no curve that the kernel can follow: draw it anew") from error
+    if spline is None:
         followed = k.GeomConvert_ApproxCurve(trimmed, OFFSET, k.GeomAbs_Shape.GeomAbs_C2, 1000, 9)
         if not followed.HasResult() or followed.MaxError() > 10 * OFFSET:
             raise InputError("an offset edge is too rough to be followed: draw the curve itself")
         spline = followed.Curve()
-    else:
-        try:
-            spline = k.GeomConvert.CurveToBSplineCurve_s(trimmed)
-        except Exception as error:  # whatever the kernel's binding makes of Standard_Failure
-            raise InputError("an edge is no curve that the kernel can follow: draw it anew") from error
     if spline.IsPeriodic():
         spline.SetNotPeriodic()
     places = range(1, spline.NbPoles() + 1)

@@ -4,10 +4,13 @@ import inspect
 
 import numpy as np
 import pytest
+from OCP.BRep import BRep_Builder
 from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeEdge
 from OCP.BRepPrimAPI import BRepPrimAPI_MakeCone
+from OCP.Geom import Geom_Hyperbola
 from OCP.GeomAPI import GeomAPI_PointsToBSpline
 from OCP.gp import gp_Ax2, gp_Circ, gp_Dir, gp_Pnt
+from OCP.TopoDS import TopoDS_Edge
 
 from elastica_cad.errors import MissingDependencyError
 from elastica_cad.fabrication.slots.slot import Slot
@@ -44,7 +47,32 @@ def degenerate():
     return k.as_edge(explorer.Current())
 
 
+def trimmed_beyond(curve, last):
+    """An edge as broken files have it: what trims it is beyond the curve's own range, or beyond floats."""
+    builder, edge = BRep_Builder(), TopoDS_Edge()
+    builder.MakeEdge(edge, curve, 1e-7)
+    builder.Range(edge, 0.0, last)
+    return edge
+
+
+def spline_through_three_points():
+    points = occt.kernel().Points(1, 3)
+    for i, at in enumerate([(0, 0, 0), (20, 5, 0), (40, 0, 0)], start=1):
+        points.SetValue(i, gp_Pnt(*at))
+    return GeomAPI_PointsToBSpline(points).Curve()
+
+
 REFUSED = {
+    "a hyperbola beyond floats": (
+        lambda: [trimmed_beyond(Geom_Hyperbola(gp_Ax2(), 1, 1), 1000.0)],
+        {},
+        "no curve that the kernel can follow",
+    ),
+    "trimmed beyond its end": (
+        lambda: [trimmed_beyond(spline_through_three_points(), 3.0)],
+        {},
+        "no curve that the kernel can follow",
+    ),
     "not plane": (lambda: [helix()], {}, r"leaves its plane by [\d.]+ mm"),
     "disjoint": (lambda: [line((0, 0, 0), (9, 0, 0)), line((20, 0, 0), (30, 0, 0))], {}, "2 separate chains"),
     "closed with a corner": (
