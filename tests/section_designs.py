@@ -1,10 +1,12 @@
 """Rods of every stiffness law, light and heavy, and an independent boundary-value solver that judges them."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.integrate import solve_bvp
 
+from elastica_cad.fabrication.strip.perforation import Perforated
+from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.nearest.nearest_rod import nearest_rod
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -93,6 +95,48 @@ def laminates(count=50):
         EI = (A1 * thin**2 + A2 * thick**2) / 12 + A1 * A2 / (A1 + A2) * apart**2
         weight = G * (base.density * thin * w1 + backing.density * thick * w2)
         yield made.rod, EI, weight if down else 0.0 * weight
+
+
+def perforated(count=50):
+    """Arches and waves of 150 to 400 mm with one to three columns of holes, every second heavy: rod, E I, weight.
+
+    What is left at a station is measured on the cut file's loops, as sums of straight cuts across their chords.
+    """
+    rng = np.random.default_rng(21)
+    for i in range(count):
+        size, lean = rng.uniform(150, 400), rng.uniform(-0.05, 0.05)
+        points = [(0, 0), (0.15 + lean, 0.3), (0.5, rng.uniform(0.3, 0.45)), (0.85 + lean, 0.3), (1, 0)]
+        if i % 3 == 2:  # one inflection
+            points = [(0, 0), (0.17, 0.26), (0.39, 0.3 + lean), (0.61, -0.04), (0.83, 0.04), (1, 0.26)]
+        curve = PlaneCurve.spline(size * np.array(points), degree=4)
+        sheet = Sheet("card", 0.4, rng.uniform(800, 3000), density=rng.uniform(600, 1400), max_strain=0.05)
+        gravity = sheet.gravity() if i % 2 else None
+        rod = optimal_rod(curve, gravity, samples=801)
+        if rod.ratio > 3.5:  # more than holes can take away
+            rod = nearest_rod(curve, Limits(ratio=3.5, margin=2.0), gravity=gravity, samples=801).rod
+        length, wide = rod.length, rng.uniform(36, 48, 3)
+        style = Perforated(
+            Profile.interpolate([0.0, length / 2, length], wide),
+            columns=1 + i % 3, rows=None if i % 4 else 5, sides="arc" if i % 5 == 4 else "spline",
+        )  # fmt: skip
+        strip = Strip(rod, sheet, style=style)
+        s = np.clip(rod.s, 1e-6, length - 1e-6)  # at the ends the side towards the holes counts, not the tab
+        left = across(strip.outline, s) - sum(across(hole, s) for hole in strip.holes)
+        EI = sheet.youngs_modulus * left * sheet.thickness**3 / 12
+        weight = sheet.density * G * sheet.thickness * left
+        told = replace(rod, bending_stiffness=strip.bending_stiffness)
+        yield told, EI, weight if i % 2 else 0.0 * weight
+
+
+def across(loop, s):
+    """Length (n,) inside a closed path of lines across it at the stations (n,)."""
+    points, total = loop.points(1e-4), np.zeros(s.size)
+    for (x, y), (x1, y1) in zip(points, np.roll(points, -1, axis=0), strict=True):
+        first, last = np.searchsorted(s, sorted((x, x1)))
+        met = slice(first, last)
+        if last > first:
+            total[met] += np.sign(x1 - x) * (y + (y1 - y) / (x1 - x) * (s[met] - x))
+    return np.abs(total)
 
 
 def section_numbers(design, parameter, curvature):

@@ -78,7 +78,8 @@ def shot(stack, *, forces=False):
     begun = np.array([rod.moment[0] * B, *(-rod.force[0] * B)]) / scale
     ends = np.array([*rod.position[-1] / length, rod.angle[-1]])
     answer = root(lambda x: path(x)[:3, -1] / [length, length, 1.0] - ends, begun, tol=1e-11)
-    assert answer.success, answer.message
+    # MINPACK says "no progress" where rounding ends before tol does, so the ends themselves are asked
+    assert np.abs(answer.fun).max() < 1e-10, answer.message
     shape = path(answer.x)[:2].T
     return (shape, answer.x[1:] * force) if forces else shape
 

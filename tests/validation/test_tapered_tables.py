@@ -1,4 +1,9 @@
-"""Tapered columns, cantilevers and springs against closed forms of the literature."""
+"""Tapered columns, cantilevers and springs against closed forms and printed tables of the literature.
+
+Pages were read in public copies or are told by another program's tests; each test says which.
+"""
+
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -7,9 +12,11 @@ from scipy.special import jv, yv
 
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import End, Supports
+from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.tapered_sections import RoundLaw, ThicknessLaw
+from elastica_cad.mechanics.material.tapered_sections import RoundLaw, ThicknessLaw, WidthLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import stability
 
@@ -89,6 +96,33 @@ def test_the_factors_are_those_of_the_tables():
         assert [critical_factor(n, ratio) for ratio in (0.1, 0.5, 0.9)] == pytest.approx(row, abs=6e-4)
 
 
+def own_weight_factor(n, p, samples):
+    """m of a column clamped at its foot, E I ~ (1 - s)^n and weight ~ (1 - s)^p, that buckles under m E I / l^2."""
+    left = 1 - np.linspace(0.0, 1.0, samples)
+    EI = np.maximum(left**n, 1e-4)  # of the foot 1
+    share = Profile.interpolate(1 - left, left**p * (p + 1))  # its whole is 1
+    line = Rod.straight(
+        1.0, EI, samples=samples, angle=np.pi / 2, supports=CANTILEVER, gravity=Gravity(1.0), weight=Weight(),
+        bending_stiffness=float(EI.min()),
+    )  # fmt: skip
+
+    def margin(whole):
+        heavy = replace(line, weight=Weight(alpha=share.scaled(whole)))
+        return stability(bend(heavy, guess=heavy)).margin
+
+    return brentq(margin, 4.0, 20.0, rtol=1e-6)
+
+
+@pytest.mark.parametrize(("n", "p", "printed"), [(0, 0, 7.84), (1, 0, 5.78), (0, 1, 16.1), (1, 1, 13.0)])
+def test_columns_that_buckle_under_their_own_weight(n, p, printed):
+    """Timoshenko, Theory of Elastic Stability, pages 138 and 139: m in (Q)cr = m E I / l^2, Q the whole weight.
+
+    Page and values as the tests of NREL's pBEAM quote them (src/runTests/testBeam.cpp, "buckling_tapered").
+    """
+    last_digit = 0.01 if printed < 10 else 0.1
+    assert own_weight_factor(n, p, 401) == pytest.approx(printed, abs=last_digit / 2)
+
+
 def test_the_strongest_column():
     """4/3 of the load of an even rod of the same volume (Keller 1960, Arch. Rational Mech. Anal. 5, 275-285).
 
@@ -137,6 +171,55 @@ def test_tapered_cantilevers(n, ratio):
     profile = Profile.fit(lambda s: (1 - c * s) ** n, 1.0, tolerance=1e-10)
     coarse, fine = (tip(profile, samples=count)[0] for count in (401, 801))
     assert (4 * fine - coarse) / 3 == pytest.approx(exact, rel=1e-6)
+
+
+def test_a_cantilever_of_a_textbook():
+    """Yang, Finite Element Structural Analysis, page 180: I falls in a line from 9 I to I, a load P at the tip.
+
+    The tip moves by 0.051166 P L^3 / (E I) and turns by 0.090668 P L^2 / (E I). Page and values as the tests of
+    NREL's pBEAM quote them (src/runTests/testBeam.cpp, "tapered_deflections").
+    """
+    load = 1e-5
+    moved, turned = [], []
+    for samples in (401, 801):
+        taper = 9 - 8 * np.linspace(0.0, 1.0, samples)
+        rod = bend(Rod.straight(1.0, taper, samples=samples, supports=CANTILEVER), force=(0.0, -load))
+        moved.append(-float(rod.position[-1, 1]) / load)
+        turned.append(-float(rod.angle[-1]) / load)
+    for (coarse, fine), printed in ((moved, 0.051166), (turned, 0.090668)):
+        assert (4 * fine - coarse) / 3 == pytest.approx(printed, abs=6e-7)
+
+
+TABULATED = {
+    "parabola": 8.0,  # Hicks, page 54: width constant, depth by a parabola
+    "triangular": 6.0,  # Hicks, page 55; Machinery's Handbook, page 345: depth constant, plan a triangle
+}
+
+
+@pytest.mark.parametrize("kind", TABULATED)
+def test_springs_of_uniform_strength_as_tabulated(kind):
+    """Deflection over P l^3 / (E b h^3) and stress over P l / (b h^2) of cantilevers of uniform strength.
+
+    Hicks, Civil Engineering Formulas, figure 2.17 "Beams of uniform strength (in bending)", pages 54 and 55;
+    Machinery's Handbook, 31st edition, table 3a "Beams of Uniform Strength Throughout Their Length", page 271
+    (shapes, stress), and table 19 "Formulas for Flat Springs", page 345 (t^3 = 6 P L^3 / (E b y) of the triangle).
+    """
+    b, h, length, load = 20.0, 4.0, 300.0, 1e-4
+    nodes = np.linspace(0.0, 1.0, 4001)
+    left = np.maximum(1 - nodes, 1e-6)
+    if kind == "parabola":
+        law = ThicknessLaw(MATERIAL, 1e-4, 10.0, width=b)
+        size = h * np.sqrt(left)
+    else:
+        law = WidthLaw(Sheet("any", h, 12000.0, density=1000.0, max_strain=0.01, poisson_ratio=0.0), 1e-5, b)
+        size = b * left
+    EI = law.bending_stiffness(size)
+    straight = Rod.straight(length, EI, samples=nodes.size, supports=CANTILEVER)
+    rod = bend(straight, force=(0.0, -load / float(EI.min())))
+    deflection = -float(rod.position[-1, 1]) / (load * length**3 / (12000.0 * b * h**3))
+    assert deflection == pytest.approx(TABULATED[kind], rel=1e-3)
+    stress = 12000.0 * law.strains(rod.curvature, size)[0].strain / (load * length / (b * h**2))
+    assert stress[nodes < 0.98] == pytest.approx(6.0, rel=2e-3)
 
 
 @pytest.mark.parametrize("kind", ["triangular", "parabola of third order", "parabola"])
