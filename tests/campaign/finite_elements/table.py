@@ -25,7 +25,7 @@ meshed by gmsh and bent by CalculiX in space: bricks of twenty nodes (C3D20R), o
 sheet, large displacements. The tabs are held in the drawn pose; all else is free. Numbers are the largest distance
 of the middle line (the mean over the section) from the drawn curve, as a share of the length.
 
-The last run was of a part: tapered strips; before them laminated, slotted and narrow-tabbed strips,
+The last run was of a part: tapered strips and rods; before them laminated, slotted and narrow-tabbed strips,
 perforated ones of nu 0.3 and two heavy ones, made up for. All other rows are of the run before, whose widths
 were fitted a little otherwise: `make campaign` asks all again. The S with two slots was
 asked once more, alone, since a correction may be sharper where smooth ones leave too much (1.6e-03 before).
@@ -36,8 +36,8 @@ long and 0.8 mm thick, nu = 0.3, in units of E I over mass per length and L^4. N
 shape. "Told" is the word of `sideways_stability` on the rod."""
 
 TAPERED = """Strips 8 mm wide whose thickness carries the stiffness. The side view (DXF) is meshed and made
-wide: two bricks across the width, elements of 8 mm along. The tabs are held in the drawn pose; asked are 1e-03
-of the length."""
+wide: two bricks across the width, elements of 8 mm along. Rods are round, twelve bricks to a section, as thick
+as their side view is high. The tabs are held in the drawn pose; asked are 1e-03 of the length."""
 
 POCKETS = """Rigid walls 0.15 mm off either face of the tabs, 10 mm deep, without friction; weight included. A tab
 touches where the free part ends and at its bottom, on the faces where the walls push. "Told" is what `Strip.held`
@@ -126,8 +126,8 @@ def written(everything: dict[str, list[dict[str, Any]]]) -> str:
             ("strip", "width (mm)", "sideways", "told", "in its plane"), everything["sideways"], _swung
         )
     if everything.get("tapered"):
-        lines += ["", "## Tapered in thickness", "", TAPERED, ""]
-        head = ("strip", "length (mm)", "thickness (mm)", "nodes", "strayed")
+        lines += ["", "## Tapered in thickness or diameter", "", TAPERED, ""]
+        head = ("strip", "length (mm)", "thickness, diameter (mm)", "nodes", "strayed")
         lines += _table(head, everything["tapered"], _thinned)
     if everything.get("pockets"):
         lines += ["", "## In pockets with play", "", POCKETS, ""]
