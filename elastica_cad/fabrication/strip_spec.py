@@ -34,7 +34,7 @@ from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.material.tapered_sections import WidthLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.studies.creep import require_creep
-from elastica_cad.mechanics.theorem1.closed_curves import CORNER_RAD, begin_at, flattest_place, seam_turn
+from elastica_cad.mechanics.theorem1.closed_curves import begin_at, flattest_place
 
 SAME_LENGTH = 1e-9
 """Relative difference below which two gravity lengths are of the same sheet: they were computed alike."""
@@ -239,9 +239,9 @@ class StripSpec(EqualByValue):
     @cached_property
     def _begun(self) -> PlaneCurve:
         """The curve; a closed one from where the strip is joined, as long as it may not change."""
-        if not self.curve.is_closed or self.curve.tangent_breaks or self.limits or self.keep:
+        if not self.curve.is_closed or self.limits or self.keep:
             return self.curve
-        if abs(seam_turn(self.curve)) > CORNER_RAD:
+        if self.curve.has_corners and not self.smooth:  # refused, with places as drawn
             return self.curve
         if self.joint is not None:
             return begin_at(self.curve, self.joint)

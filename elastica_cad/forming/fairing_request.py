@@ -76,7 +76,7 @@ class Smoothing:
             found.append(
                 f"The curvature jumped where pieces meet: made fair, {self.moved:.2g} mm from the drawn "
                 "curve at most; "
-                f"{ratio} (smooth = 0 takes it as drawn, a larger number makes it fairer)."
+                f"{ratio} (smooth = 0, or --smooth 0, takes it as drawn, a larger number makes it fairer)."
             )
         if self.fairing is not None and self.drawn.tangent_breaks:
             sharpest = max(np.degrees(abs(corner.angle)) for corner in self.drawn.tangent_breaks)

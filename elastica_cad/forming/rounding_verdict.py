@@ -63,6 +63,8 @@ def _rounded_alike(curve: PlaneCurve, drawn: Provenance) -> Iterator[PlaneCurve]
     rng = np.random.default_rng(0)
     for _ in range(TRIES):
         moved = curve.control_points + drawn.rounding * rng.choice([-1.0, 1.0], curve.control_points.shape)
+        if curve.is_closed:
+            moved[-1] = moved[0]
         healing = heal_tangents(curve.knots, moved, curve.degree, curve.weights, rounding=2 * drawn.rounding)
         try:
             other = PlaneCurve(

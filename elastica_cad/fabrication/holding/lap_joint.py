@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad.geometry.curves.plane_curve import CORNER_RAD
 from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.theorem1.closed_curves import CORNER_RAD
 
 MEETING_SHARE = 1e-4
 """Of the length: ends that are nearer meet; rods on few nodes close as well as that."""

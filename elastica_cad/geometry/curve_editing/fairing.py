@@ -4,8 +4,9 @@ The fair curve c is the spline of degree 4 with simple knots that minimises
 
     integral of (n . (c - drawn))^2 ds + l^6 integral of (d kappa / ds)^2 ds,
 
-its ends and end tangents as drawn, with the largest length l for which it stays within the tolerance. The slope of
-the curvature is linearised about the curve of the round before; all systems are banded.
+its ends and end tangents as drawn, with the largest length l for which it stays within the tolerance; of a closed
+curve it is periodic. The slope of the curvature is linearised about the curve of the round before; all systems are
+banded, that of a closed curve in a circle.
 """
 
 from dataclasses import dataclass
@@ -53,9 +54,10 @@ class Fairing:
 
 def has_rough_curvature(curve: PlaneCurve) -> bool:
     """Does the curvature jump, or its slope at an inflection, somewhere inside a curve without corners?"""
-    if any(b.continuity == 1 for b in curve.breaks):
+    breaks = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
+    if any(b.continuity == 1 for b in breaks):
         return True
-    kinks = np.array([b.t for b in curve.breaks if b.continuity == 2])
+    kinks = np.array([b.t for b in breaks if b.continuity == 2])
     zeros = [z.t for z in curve.curvature_zeros if z.kind in ("crossing", "touch")]
     near = 1e-9 * np.ptp(np.array(curve.domain))
     return any(np.abs(kinks - t).min(initial=np.inf) <= near for t in zeros)
@@ -70,7 +72,7 @@ def choose_tolerance(curve: PlaneCurve) -> float:
     those are meant to be straight.
     """
     drawn = curve.provenance
-    if drawn is None or drawn.drawn != "pen" or curve.tangent_breaks or curve.is_closed:
+    if drawn is None or drawn.drawn != "pen" or curve.has_corners:
         return 0.0
     if any(zero.kind == "flat" for zero in curve.curvature_zeros) or not has_rough_curvature(curve):
         return 0.0
@@ -85,10 +87,12 @@ def usual_tolerance(curve: PlaneCurve) -> float:
 def fair_curve(curve: PlaneCurve, tolerance: float) -> Fairing:
     """The curve with its curvature evened out as far as `tolerance` (mm) allows, ends and end tangents kept.
 
+    A closed curve is as fair where it closes as elsewhere, and nothing of it is kept.
+
     Raises
     ------
     InputError
-        A curve with corners or closed, a tolerance that is not positive, or so small that no spline of some
+        A curve with corners, a tolerance that is not positive, or so small that no spline of some
         hundred pieces can even out the jumps.
 
     Examples
@@ -104,10 +108,8 @@ def fair_curve(curve: PlaneCurve, tolerance: float) -> Fairing:
         raise InputError(
             f"a curve is made fair within a positive distance, not {tolerance!r} mm: give 0.1, for one"
         )
-    if curve.tangent_breaks or curve.is_closed:
-        raise InputError(
-            "a curve that is closed or has corners cannot be made fair: round the corners, cut it open"
-        )
+    if curve.has_corners:
+        raise InputError("a curve with corners cannot be made fair: round the corners, or cut it at them")
     spans = int(np.clip(4 * len(curve.breaks), _FEWEST, _MOST // 4))
     best: Fairing | None = None
     while spans <= _MOST:
@@ -128,7 +130,7 @@ def fair_curve(curve: PlaneCurve, tolerance: float) -> Fairing:
 
 def _fitted(curve: PlaneCurve, tolerance: float, spans: int) -> tuple[Fairing | None, float]:
     """The fairest spline of so many spans within the tolerance, if any, and its length of evening out."""
-    problem = _Problem(curve, spans)
+    problem = (_PeriodicProblem if curve.is_closed else _Problem)(curve, spans)
     points = problem.start()
     within: FloatArray | None = None
     reached = 0.0
@@ -163,7 +165,7 @@ class _Problem:
         length = curve.length
         edges = np.linspace(0.0, length, spans + 1)
         self.width = length / spans
-        self.knots = np.concatenate([np.zeros(DEGREE), edges, np.full(DEGREE, length)])
+        self.knots = self._knots_of(edges)
         self.spans = bezier_spans(self.knots, DEGREE)
         local = (np.arange(_EACH) + 0.5) / _EACH
         self.s = (edges[:-1, None] + self.width * local).ravel()
@@ -176,16 +178,23 @@ class _Problem:
         first = np.repeat(self.spans.first, _EACH)
         self.columns = 2 * first[:, None] + np.arange(2 * (DEGREE + 1))
         self.support = first[:, None] + np.arange(DEGREE + 1)
-        count = spans + DEGREE
-        ends = curve.at(np.array([0.0, length]))
-        step = self.width / DEGREE * np.column_stack([np.cos(ends.angle), np.sin(ends.angle)])
-        self.held = np.zeros((count, 2))
-        self.held[[0, -1]] = ends.position
-        self.held[1], self.held[-2] = ends.position[0] + step[0], ends.position[1] - step[1]
+        self.held = self._held_points(curve)
         normal, slide = self._rows(self.across, 0), self._rows(self.along, 0)
         bands, right = self._normal_equations(normal, (self.data * self.across).sum(axis=1))
         slide_bands, slide_right = self._normal_equations(slide, (self.data * self.along).sum(axis=1))
         self.data_part = bands + _SLIDE * slide_bands, right + _SLIDE * slide_right
+
+    def _knots_of(self, edges: FloatArray) -> FloatArray:
+        return np.concatenate([np.full(DEGREE, edges[0]), edges, np.full(DEGREE, edges[-1])])
+
+    def _held_points(self, curve: PlaneCurve) -> FloatArray:
+        """Control points that keep ends and end tangents; 0 for all that are sought."""
+        ends = curve.at(np.array([0.0, curve.length]))
+        step = self.width / DEGREE * np.column_stack([np.cos(ends.angle), np.sin(ends.angle)])
+        held = np.zeros((self.spans.count, 2))
+        held[[0, -1]] = ends.position
+        held[1], held[-2] = ends.position[0] + step[0], ends.position[1] - step[1]
+        return held
 
     def _rows(self, direction: FloatArray, derivative: int) -> FloatArray:
         """Rows (n, 10) that take control points to direction . c^(derivative) at the sites."""
@@ -249,6 +258,38 @@ class _Problem:
     def off(self, points: FloatArray) -> float:
         """Largest distance across the drawn curve at the sites, mm."""
         return float(np.abs(((self.values(points, 0) - self.data) * self.across).sum(axis=1)).max())
+
+
+class _PeriodicProblem(_Problem):
+    """The same of a closed curve: the last control points are the first ones again, and none is held."""
+
+    def _knots_of(self, edges: FloatArray) -> FloatArray:
+        beyond = self.width * np.arange(1, DEGREE + 1)
+        return np.concatenate([edges[0] - beyond[::-1], edges, edges[-1] + beyond])
+
+    def _held_points(self, curve: PlaneCurve) -> FloatArray:  # noqa: ARG002
+        return np.zeros((self.spans.count, 2))
+
+    def solved(self, slope: tuple[FloatArray, FloatArray], weight: float) -> FloatArray:
+        """Control points (m, 2) of least squares of distance and slope."""
+        from scipy.sparse import coo_matrix
+        from scipy.sparse.linalg import spsolve
+
+        bands = self.data_part[0] + weight * slope[0]
+        right = self.data_part[1] + weight * slope[1]
+        period = right.size - 2 * DEGREE
+        below, column = np.divmod(np.arange(bands.size), bands.shape[1])
+        bands = bands.ravel()
+        row = below + column
+        inside = row < right.size
+        i, j, value = row[inside] % period, column[inside] % period, bands[inside]
+        low = below[inside] > 0  # each entry below the diagonal stands above it too
+        entries = np.concatenate([value, value[low]])
+        places = np.concatenate([i, j[low]]), np.concatenate([j, i[low]])
+        folded = right[:period].copy()
+        folded[: 2 * DEGREE] += right[period:]
+        points = spsolve(coo_matrix((entries, places), shape=(period, period)).tocsc(), folded)
+        return np.concatenate([points, points[: 2 * DEGREE]]).reshape(-1, 2)
 
 
 def _times(bands: FloatArray, x: FloatArray) -> FloatArray:

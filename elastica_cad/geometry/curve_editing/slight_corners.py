@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 
 from elastica_cad.geometry.curve_editing.fairing import usual_tolerance
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.curves.plane_curve import CORNER_RAD, PlaneCurve
 from elastica_cad.geometry.pen_curves.tangent_healing import SURE, Healing, heal_tangents
 
 PER_ROUNDING = 2 * np.sqrt(2.0)
@@ -31,7 +31,7 @@ def round_corners(curve: PlaneCurve, smooth: float) -> tuple[PlaneCurve, float]:
     >>> len(kinked.tangent_breaks), len(smooth.tangent_breaks), round(moved, 4)
     (1, 0, 0.01)
     """
-    if not curve.tangent_breaks or curve.degree < 2:
+    if not curve.has_corners or curve.degree < 2:
         return curve, 0.0
     healing = _healed(curve, SMOOTHING_SHARE * smooth)
     if not healing.healed:
@@ -52,8 +52,10 @@ def smooth_for_corners(curve: PlaneCurve) -> float | None:
     >>> smooth_for_corners(kinked)
     0.06
     """
-    corners = curve.tangent_breaks
-    if not corners or curve.degree < 2 or curve.is_closed or max(abs(one.angle) for one in corners) > SURE:
+    corners = [one.angle for one in curve.tangent_breaks]
+    if abs(curve.seam_turn) > CORNER_RAD:
+        corners.append(curve.seam_turn)
+    if not corners or curve.degree < 2 or max(map(abs, corners)) > SURE:
         return None
     most = WORTH_SHARE * curve.length
     healing = _healed(curve, SMOOTHING_SHARE * most)
@@ -61,7 +63,7 @@ def smooth_for_corners(curve: PlaneCurve) -> float | None:
         return None
     needed = 1.05 * healing.moved / SMOOTHING_SHARE  # the bound of a turn is of sines
     offered = max(_one_figure(needed, np.ceil), _one_figure(usual_tolerance(curve), np.floor))
-    return offered if offered <= most and not round_corners(curve, offered)[0].tangent_breaks else None
+    return offered if offered <= most and not round_corners(curve, offered)[0].has_corners else None
 
 
 def _one_figure(x: float, rounded: Callable[[float], float]) -> float:

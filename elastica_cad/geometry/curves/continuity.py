@@ -28,6 +28,19 @@ class KnotSides:
             sides.append(np.array([angle, curvature(d1, d2), curvature_slope(d1, d2, d3)]))
         return cls(*sides)
 
+    @classmethod
+    def of_seam(cls, pieces: RationalPieces, turning: TangentAngle) -> "KnotSides":
+        """The same (3, 1) where a closed curve meets its start: before it closes, and after it begins."""
+        sides = []
+        for t, left in ((pieces.edges[-1:], True), (pieces.edges[:1], False)):
+            _, d1, d2, d3 = pieces.at(t, 3, left=left)
+            sides.append(
+                np.array([turning.at(t, d1, left=left), curvature(d1, d2), curvature_slope(d1, d2, d3)])
+            )
+        turn = (sides[1][0] - sides[0][0] + np.pi) % (2 * np.pi) - np.pi
+        sides[1][0] = sides[0][0] + turn
+        return cls(*sides)
+
     @property
     def corners(self) -> FloatArray:
         """Exterior angles (p - 1,), rad."""
@@ -42,11 +55,15 @@ def continuity_orders(pieces: RationalPieces, sides: KnotSides, knots: FloatArra
     """
     t = pieces.edges[1:-1]
     multiplicity = (knots[None, :] == t[:, None]).sum(axis=1)
+    return np.asarray(np.maximum(pieces.spans.degree - multiplicity, agreeing_orders(sides, length)))
+
+
+def agreeing_orders(sides: KnotSides, length: float) -> IntArray:
+    """How many of angle, curvature and its slope, in this order, are alike on both sides."""
     before, after = sides.before, sides.after
     scale = 1 / length + np.maximum(np.abs(before[1]), np.abs(after[1]))
-    allowed = np.array([np.full(t.size, 1e-9), 1e-8 * scale, 1e-6 * scale**2])
-    agreeing = np.cumprod(np.abs(before - after) <= allowed, axis=0).sum(axis=0)
-    return np.asarray(np.maximum(pieces.spans.degree - multiplicity, agreeing))
+    allowed = np.array([np.full(scale.size, 1e-9), 1e-8 * scale, 1e-6 * scale**2])
+    return np.asarray(np.cumprod(np.abs(before - after) <= allowed, axis=0).sum(axis=0))
 
 
 def in_millimetres(point: FloatArray) -> str:

@@ -13,6 +13,7 @@ from elastica_cad.geometry.curves import curvature_zeros as zeros
 from elastica_cad.geometry.curves.arc_length import ArcLength, arc_length_table
 from elastica_cad.geometry.curves.continuity import (
     KnotSides,
+    agreeing_orders,
     continuity_orders,
 )
 from elastica_cad.geometry.curves.curve_derivatives import (
@@ -28,6 +29,9 @@ from elastica_cad.geometry.polynomials.spline_checks import finite
 SURVEY_POINTS = 601  # at which all who look along the whole curve find it evaluated
 
 DRAWN_POINTS = 301  # of a curve in a notebook, a few pixels apart
+
+CORNER_RAD = 1e-5
+"""Turn at once, rad, that is a corner."""
 
 _ROUNDING = 1e-10  # of an angle
 
@@ -197,14 +201,31 @@ class PlaneCurve(NurbsCurve):
 
     @cached_property
     def tangent_breaks(self) -> tuple[TangentBreak, ...]:
-        """Corners of more than 1e-5 rad."""
+        """Corners of more than 1e-5 rad, without that of a closed curve's seam."""
         angle = self._knot_sides.corners
-        sharp = np.flatnonzero(np.abs(angle) > 1e-5)
+        sharp = np.flatnonzero(np.abs(angle) > CORNER_RAD)
         t = self._pieces.edges[1:-1][sharp]
         return tuple(
             TangentBreak(*map(float, corner))
             for corner in zip(self.arc_length(t), t, angle[sharp], strict=True)
         )
+
+    @cached_property
+    def seam(self) -> Break | None:
+        """Where a closed curve meets its own start, with its continuity there; None of an open one."""
+        if not self.is_closed:
+            return None
+        return Break(0.0, self.domain[0], int(agreeing_orders(self._seam_sides, self.length)[0]))
+
+    @property
+    def seam_turn(self) -> float:
+        """Angle, rad, by which a closed curve turns at once where it closes; 0 of an open one."""
+        return float(self._seam_sides.corners[0]) if self.is_closed else 0.0
+
+    @cached_property
+    def has_corners(self) -> bool:
+        """Does it turn at once anywhere, by more than 1e-5 rad, also where it closes?"""
+        return bool(self.tangent_breaks) or abs(self.seam_turn) > CORNER_RAD
 
     @cached_property
     def is_straight(self) -> bool:
@@ -239,6 +260,10 @@ class PlaneCurve(NurbsCurve):
     @cached_property
     def _knot_sides(self) -> KnotSides:
         return KnotSides.of(self._pieces, self._turning)
+
+    @cached_property
+    def _seam_sides(self) -> KnotSides:
+        return KnotSides.of_seam(self._pieces, self._turning)
 
     @cached_property
     def _curvature_continuous(self) -> BoolArray:

@@ -19,6 +19,7 @@ SURE = np.radians(5.0)
 """A turn by more than this is not put right unasked, even where rounding explains it."""
 
 _STRAIGHT = 1e-12  # of the squared chord: control points no farther off a line lie on it
+_CLOSED = 1e-9  # of the size: ends nearer than this are one place
 _SHORT = 1e-12  # of the longest handle: control points nearer than this lie in one place
 
 
@@ -87,9 +88,10 @@ def heal_tangents(
 ) -> Healing:
     """The spline with the corners taken out that `rounding` (mm, per coordinate) explains.
 
-    At each knot of full multiplicity the control points before and after it are turned about the node, the one with
-    the longer handle less, so that both move equally far. A straight piece is kept where its neighbour can turn
-    alone. Splines of degree 2, whose control points belong to two nodes, are raised to degree 3 first.
+    At each knot of full multiplicity, and where a clamped spline closes, the control points before and after it are
+    turned about the node, the one with the longer handle less, so that both move equally far. A straight piece is
+    kept where its neighbour can turn alone. Splines of degree 2, whose control points belong to two nodes, are
+    raised to degree 3 first.
 
     Parameters
     ----------
@@ -102,9 +104,11 @@ def heal_tangents(
         Half a unit of the last written digit, mm.
     """
     unchanged = Healing(knots, control_points, degree, weights, 0.0, (), ())
-    if not rounding > 0 or not _nodes(knots, degree).size:
+    if not rounding > 0:
         return unchanged
     turns = [_turn(knots, control_points, degree, node, rounding) for node in _nodes(knots, degree)]
+    if _closes(knots, control_points, degree, weights):
+        turns.append(_turn_of_seam(knots, control_points, degree, rounding))
     explained = [turn for turn in turns if turn.angle > ANYWAY and turn.is_explained]
     if not explained:
         return unchanged
@@ -119,6 +123,8 @@ def heal_tangents(
     for node in _nodes(knots, degree):
         if knots[node + 1] in wanted:
             _smooth_node(points, node, degree)
+    if knots[degree] in wanted:
+        _smooth_seam(points, degree)
     moved = float(np.hypot(*(points - control_points).T).max())
     return Healing(
         knots, points, degree, weights, moved, tuple(t for t in explained if t.t in wanted), undecided
@@ -152,6 +158,37 @@ def _turn(knots: FloatArray, points: FloatArray, degree: int, node: int, roundin
     reach = np.minimum(2 * np.sqrt(2.0) * rounding / lengths, 1.0)
     bound = float(np.arcsin(reach).sum())
     return Turn(float(knots[node + 1]), points[node].copy(), angle, bound, float(lengths.min()))
+
+
+def _closes(knots: FloatArray, points: FloatArray, degree: int, weights: FloatArray | None) -> bool:
+    """Does a clamped spline of more than one piece end in its start, so that it may be turned there?"""
+    clamped = knots[0] == knots[degree] and knots[-1] == knots[-degree - 1]
+    even = weights is None or weights[0] == weights[-1]
+    size = float(np.hypot(*np.ptp(points, axis=0)))
+    return bool(
+        clamped
+        and even
+        and len(points) > degree + 1
+        and np.hypot(*(points[-1] - points[0])) <= _CLOSED * size
+    )
+
+
+def _around_seam(points: FloatArray, degree: int) -> FloatArray:
+    """The control points of the last piece and of the first, whose middle one is where the spline closes."""
+    return np.concatenate([points[-degree - 1 :], points[1 : degree + 1]])
+
+
+def _turn_of_seam(knots: FloatArray, points: FloatArray, degree: int, rounding: float) -> Turn:
+    around = _around_seam(points, degree)
+    return _turn(np.repeat(knots[degree], 2 * degree + 2), around, degree, degree, rounding)
+
+
+def _smooth_seam(points: FloatArray, degree: int) -> None:
+    """Turn the handles beside the place where a spline closes onto one line, in place."""
+    around = _around_seam(points, degree)
+    _smooth_node(around, degree, degree)
+    points[-degree:-1] = around[1:degree]
+    points[1:degree] = around[degree + 1 : -1]
 
 
 def _smooth_node(points: FloatArray, node: int, degree: int) -> None:

@@ -9,9 +9,6 @@ from elastica_cad.geometry.paths.trim import clamp_ends, trim_curve
 PLACES = 721
 """Places along a curve that may be its flattest."""
 
-CORNER_RAD = 1e-5
-"""Turn at once that is a corner where a closed curve or strip closes, as along a curve."""
-
 CLEAR_SHARE = 0.05
 """Of the largest curvature: places that are bent less lie too near to an inflection to begin there."""
 
@@ -21,13 +18,6 @@ PLACE_DIGITS = 6
 ALIKE = 1e-6
 """Share of the largest curvature by which two places differ that are flat alike, and of its range by which a
 parameter differs from a knot: rounding and a little."""
-
-
-def seam_turn(curve: PlaneCurve) -> float:
-    """Angle, rad, by which a closed curve turns at once where it closes; 0 where it closes smoothly."""
-    low, high = curve.domain
-    turn = float(curve.angle_at(np.array(low))) - float(curve.angle_at(np.array(high)))
-    return float(np.angle(np.exp(1j * turn)))
 
 
 def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
@@ -67,7 +57,7 @@ def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
         # the weights of one part may be scaled as a whole: those of the second go on where the first's end
         onward = second.weights * (first.weights[-1] / second.weights[0])
         weights = np.concatenate([first.weights, onward[1:]])
-    return PlaneCurve.of_sound(knots, points, p, weights)
+    return PlaneCurve.of_sound(knots, points, p, weights).drawn_as(curve.provenance)
 
 
 def _closed_exactly(curve: PlaneCurve) -> PlaneCurve:

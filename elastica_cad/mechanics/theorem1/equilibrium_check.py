@@ -16,7 +16,7 @@ from elastica_cad.mechanics.loads.rest_curvature import (
     require_natural_curvature,
 )
 from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.theorem1.closed_curves import CORNER_RAD, begin_at, flattest_place, seam_turn
+from elastica_cad.mechanics.theorem1.closed_curves import begin_at, flattest_place
 from elastica_cad.mechanics.theorem1.inflection_line import (
     WIDEST_RATIO,
     find_separating_line,
@@ -30,9 +30,11 @@ from elastica_cad.mechanics.theorem1.reasons import (
     FAINT_SHARE,
     GENTLE_SHARE,
     PINNED_SHARE,
+    shown_on,
     tell_corners,
     tell_jumps,
     tell_pinned_ends,
+    tell_seam,
     tell_straight_parts,
     tell_touches,
     warn_of_crossing,
@@ -276,13 +278,8 @@ def require_bendable(curve: PlaneCurve) -> None:
     corners = curve.tangent_breaks
     if corners:
         raise InputError(tell_corners(curve, corners))
-    turn = seam_turn(curve) if curve.is_closed else 0.0
-    if abs(turn) > CORNER_RAD:
-        x, y = curve.evaluate(np.array(curve.domain[0]))
-        raise InputError(
-            f"the curve is closed with a corner of {np.degrees(abs(turn)):.3g} degrees at ({x:.4g}, {y:.4g}): a "
-            "strip bends without kinks; round it, or leave a gap between its ends"
-        )
+    if curve.has_corners:
+        raise InputError(tell_seam(curve))
 
 
 def _begun_clear(excess: ExcessCurvature, largest: float) -> tuple[ExcessCurvature, tuple[str, ...]]:
@@ -293,9 +290,9 @@ def _begun_clear(excess: ExcessCurvature, largest: float) -> tuple[ExcessCurvatu
     if np.abs(excess.at(np.array(curve.domain))).min() > SEAM_SHARE * largest:
         return excess, ()
     place = flattest_place(curve)
-    x, y = curve.at(np.array([place])).position[0]
     told = (
-        f"The curve is closed and begins where it is not bent, so places are counted from ({x:.4g}, {y:.4g}), "
+        "The curve is closed and begins where it is not bent, so places are counted from "
+        f"{shown_on(curve, curve.at(np.array([place])).position[0])}, "
         f"{figure(place)} mm after its start."
     )
     return replace(excess, curve=begin_at(curve, place)), (told,)

@@ -4,9 +4,12 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
+from elastica_cad._types import FloatArray
 from elastica_cad.geometry.curve_editing.slight_corners import smooth_for_corners
 from elastica_cad.geometry.curves.curve_records import CurvatureZero, TangentBreak
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.pen_curves.provenance import Provenance
+from elastica_cad.geometry.pen_curves.tangent_healing import Turn
 from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.theorem1.verdict import (
@@ -36,27 +39,52 @@ def tell_corners(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
     maybe = {} if drawn is None else {turn.t: turn for turn in drawn.undecided}
     if drawn is not None and all(corner.t in maybe for corner in corners):
         turn = max((maybe[corner.t] for corner in corners), key=lambda one: one.angle)
-        return (
-            f"undecided at this precision: the curve turns by {np.degrees(turn.angle):.2g} degrees at "
-            f"{drawn.shown(curve.evaluate(np.array(turn.t)))}, {places(c.s for c in corners)} along it, "
-            "and the digits "
-            f"of the file alone can turn its handle of {turn.handle:.3g} mm by "
-            f"{np.degrees(turn.bound):.2g}: save it "
-            "with more decimals, or make the node smooth with longer handles"
-        )
+        return _tell_undecided(drawn, turn, places(c.s for c in corners))
     at = f" ({drawn.shown(curve.evaluate(np.array(corners[0].t)))})" if drawn is not None else ""
     sharpest = max(np.degrees(abs(corner.angle)) for corner in corners)
-    slight = smooth_for_corners(curve)
-    taken = (
-        ""
-        if slight is None
-        else f", or take it out within {slight:g} mm (smooth = {slight:g}, --smooth {slight:g})"
-    )
     return (
         f"the curve has a corner {places(c.s for c in corners)}{at}, of {sharpest:.3g} degrees: a strip "
         "bends without "
-        f"kinks; round it, or draw two curves{taken}"
+        f"kinks; round it, or draw two curves{_taken_out(curve)}"
     )
+
+
+def tell_seam(curve: PlaneCurve) -> str:
+    """The same of a closed curve whose only corner is where it closes."""
+    drawn = curve.provenance
+    start = curve.evaluate(np.array(curve.domain[0]))
+    for turn in () if drawn is None else drawn.undecided:
+        if turn.t == curve.domain[0]:
+            return _tell_undecided(drawn, turn, places((0.0,)))
+    return (
+        f"the curve is closed with a corner of {np.degrees(abs(curve.seam_turn)):.3g} degrees at "
+        f"{shown_on(curve, start)}: a strip bends without kinks; round it, or leave a gap between its "
+        f"ends{_taken_out(curve)}"
+    )
+
+
+def shown_on(curve: PlaneCurve, point: FloatArray) -> str:
+    """A point (2,) as the program shows it in which the curve was drawn."""
+    drawn = curve.provenance
+    return f"({point[0]:.4g}, {point[1]:.4g})" if drawn is None else drawn.shown(point)
+
+
+def _tell_undecided(drawn: Provenance | None, turn: Turn, where: str) -> str:
+    shown = drawn or Provenance()
+    return (
+        f"undecided at this precision: the curve turns by {np.degrees(turn.angle):.2g} degrees at "
+        f"{shown.shown(turn.point)}, {where} along it, and the digits "
+        f"of the file alone can turn its handle of {turn.handle:.3g} mm by "
+        f"{np.degrees(turn.bound):.2g}: save it "
+        "with more decimals, or make the node smooth with longer handles"
+    )
+
+
+def _taken_out(curve: PlaneCurve) -> str:
+    slight = smooth_for_corners(curve)
+    if slight is None:
+        return ""
+    return f", or take it out within {slight:g} mm (smooth = {slight:g}, --smooth {slight:g})"
 
 
 def tell_pinned_ends(
@@ -129,8 +157,9 @@ def tell_touches(touches: Sequence[float]) -> Iterable[str]:
 
 def warn_of_widths(curve: PlaneCurve, jumps: Sequence[float]) -> Iterable[str]:
     """Where the width will jump or kink with the curvature."""
-    steps = [b.s for b in curve.breaks if b.continuity == 1 and b.s not in jumps]
-    kinks = [b.s for b in curve.breaks if b.continuity == 2]
+    breaks = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
+    steps = [b.s for b in breaks if b.continuity == 1 and b.s not in jumps]
+    kinks = [b.s for b in breaks if b.continuity == 2]
     if steps:
         yield (
             f"The width of the strip steps {places(steps)}, where the curvature jumps: smooth = 0.1, or "

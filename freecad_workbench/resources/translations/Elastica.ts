@@ -1911,11 +1911,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the curve is closed with a corner of %1 degrees at (%2, %3): a strip bends without kinks; round it, or leave a gap between its ends</source>
+        <source>the curve is closed with a corner of %1 degrees at %2: a strip bends without kinks; round it, or leave a gap between its ends%3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The curve is closed and begins where it is not bent, so places are counted from (%1, %2), %3 mm after its start.</source>
+        <source>The curve is closed and begins where it is not bent, so places are counted from %1, %2 mm after its start.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2683,7 +2683,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The curvature jumped where pieces meet: made fair, %1 mm from the drawn curve at most; %2 (smooth = 0 takes it as drawn, a larger number makes it fairer).</source>
+        <source>The curvature jumped where pieces meet: made fair, %1 mm from the drawn curve at most; %2 (smooth = 0, or --smooth 0, takes it as drawn, a larger number makes it fairer).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

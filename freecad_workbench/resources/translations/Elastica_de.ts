@@ -1923,12 +1923,12 @@
         <translation>die Kurve kann nicht bei %1 mm beginnen: sie ist %2 mm lang; eine Stelle auf ihr angeben</translation>
     </message>
     <message>
-        <source>the curve is closed with a corner of %1 degrees at (%2, %3): a strip bends without kinks; round it, or leave a gap between its ends</source>
-        <translation>die Kurve schließt sich mit einer Ecke von %1 Grad bei (%2, %3): ein Streifen biegt sich ohne Knick; sie abrunden oder eine Lücke zwischen den Enden lassen</translation>
+        <source>the curve is closed with a corner of %1 degrees at %2: a strip bends without kinks; round it, or leave a gap between its ends%3</source>
+        <translation>die Kurve schließt sich mit einer Ecke von %1 Grad bei %2: ein Streifen biegt sich ohne Knick; sie abrunden oder eine Lücke zwischen den Enden lassen%3</translation>
     </message>
     <message>
-        <source>The curve is closed and begins where it is not bent, so places are counted from (%1, %2), %3 mm after its start.</source>
-        <translation>Die Kurve ist geschlossen und beginnt, wo sie nicht gebogen ist; Stellen zählen daher ab (%1, %2), %3 mm nach ihrem Anfang.</translation>
+        <source>The curve is closed and begins where it is not bent, so places are counted from %1, %2 mm after its start.</source>
+        <translation>Die Kurve ist geschlossen und beginnt, wo sie nicht gebogen ist; Stellen zählen daher ab %1, %2 mm nach ihrem Anfang.</translation>
     </message>
     <message>
         <source>a closed strip is of one sheet of even thickness, which its lap can join: take a plain or perforated strip, or leave a gap between its ends</source>
@@ -2695,8 +2695,8 @@
         <translation>das Steifigkeitsverhältnis war wie gezeichnet %1</translation>
     </message>
     <message>
-        <source>The curvature jumped where pieces meet: made fair, %1 mm from the drawn curve at most; %2 (smooth = 0 takes it as drawn, a larger number makes it fairer).</source>
-        <translation>Die Krümmung sprang, wo Stücke sich treffen: geglättet, höchstens %1 mm von der gezeichneten Kurve; %2 (Smooth = 0 nimmt sie wie gezeichnet, eine größere Zahl glättet mehr).</translation>
+        <source>The curvature jumped where pieces meet: made fair, %1 mm from the drawn curve at most; %2 (smooth = 0, or --smooth 0, takes it as drawn, a larger number makes it fairer).</source>
+        <translation>Die Krümmung sprang, wo Stücke sich treffen: geglättet, höchstens %1 mm von der gezeichneten Kurve; %2 (Smooth = 0 oder --smooth 0 nimmt sie wie gezeichnet, eine größere Zahl glättet mehr).</translation>
     </message>
     <message>
         <source>nothing was changed; take fewer planes, or try again</source>

@@ -1923,12 +1923,12 @@
         <translation>曲线不能从 %1 mm 处开始：其长度为 %2 mm；请给出曲线上的位置</translation>
     </message>
     <message>
-        <source>the curve is closed with a corner of %1 degrees at (%2, %3): a strip bends without kinks; round it, or leave a gap between its ends</source>
-        <translation>曲线在 (%2, %3) 处以 %1 度的尖角闭合：条弯曲时没有折角；请将其倒圆，或在两端之间留出间隙</translation>
+        <source>the curve is closed with a corner of %1 degrees at %2: a strip bends without kinks; round it, or leave a gap between its ends%3</source>
+        <translation>曲线在 %2 处以 %1 度的尖角闭合：条弯曲时没有折角；请将其倒圆，或在两端之间留出间隙%3</translation>
     </message>
     <message>
-        <source>The curve is closed and begins where it is not bent, so places are counted from (%1, %2), %3 mm after its start.</source>
-        <translation>曲线闭合，且起点处没有弯曲，因此位置从 (%1, %2) 起算，即其起点之后 %3 mm。</translation>
+        <source>The curve is closed and begins where it is not bent, so places are counted from %1, %2 mm after its start.</source>
+        <translation>曲线闭合，且起点处没有弯曲，因此位置从 %1 起算，即其起点之后 %2 mm。</translation>
     </message>
     <message>
         <source>a closed strip is of one sheet of even thickness, which its lap can join: take a plain or perforated strip, or leave a gap between its ends</source>
@@ -2695,8 +2695,8 @@
         <translation>按所绘的刚度比为 %1</translation>
     </message>
     <message>
-        <source>The curvature jumped where pieces meet: made fair, %1 mm from the drawn curve at most; %2 (smooth = 0 takes it as drawn, a larger number makes it fairer).</source>
-        <translation>各段相接处曲率突变：已光顺，距所绘曲线最多 %1 mm；%2（Smooth = 0 按所绘，数值越大越光顺）。</translation>
+        <source>The curvature jumped where pieces meet: made fair, %1 mm from the drawn curve at most; %2 (smooth = 0, or --smooth 0, takes it as drawn, a larger number makes it fairer).</source>
+        <translation>各段相接处曲率突变：已光顺，距所绘曲线最多 %1 mm；%2（Smooth = 0 或 --smooth 0 按所绘，数值越大越光顺）。</translation>
     </message>
     <message>
         <source>nothing was changed; take fewer planes, or try again</source>

@@ -13,7 +13,9 @@ from elastica_cad.geometry.curve_editing.fairing import (
 )
 from elastica_cad.geometry.curve_editing.slight_corners import smooth_for_corners
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.pen_curves.provenance import Provenance
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.mechanics.theorem1.closed_curves import begin_at
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium, require_bendable
 
 pytestmark = pytest.mark.core
@@ -114,3 +116,60 @@ def test_a_corner_that_would_take_more_stays_a_corner():
         require_bendable(kinked(2.0))
     with pytest.raises(InputError, match="of 6 degrees"):
         smooth_curve(kinked(6.0, handle=1.0), 0.5)
+
+
+EGG = pen((150, 50), (200, 50), (240, 100), (240, 160), (240, 210), (200, 250), (150, 250),
+          (100, 250), (60, 210), (60, 160), (60, 100), (100, 50), (150, 50))  # fmt: skip
+
+
+def test_a_closed_pen_curve_is_fair_where_it_closes_too():
+    """Seam on a jump: begun at the egg's widest place, where two of its pieces meet."""
+    begun = begin_at(EGG, float(EGG.arc_length(np.array(1.0))))
+    for drawn in (EGG, begun):
+        assert has_rough_curvature(drawn)
+        fair = fair_curve(drawn, 0.1)
+        assert 0 < fair.moved <= 0.1
+        assert fair.curve.is_closed
+        assert fair.curve.seam.continuity == 3
+        assert min(b.continuity for b in fair.curve.breaks) >= 3
+        assert not has_rough_curvature(fair.curve)
+    assert begun.seam.continuity == 1
+    alike = two_sided_distance(fair_curve(EGG, 0.1).curve, fair_curve(begun, 0.1).curve)
+    assert alike < 0.05, "where the curve was begun moves it less than the tolerance"
+
+
+def test_only_pen_curves_that_close_are_moved_unasked():
+    drawn = EGG.drawn_as(Provenance("pen"))
+    assert 0 < smooth_curve(drawn).moved <= usual_tolerance(drawn)
+    assert smooth_curve(EGG).moved == 0
+    circle = PlaneCurve.arc((0, 0), 80, 0, 2 * np.pi)
+    assert circle.seam.continuity >= 3
+    assert smooth_curve(circle.drawn_as(Provenance("pen"))).moved == 0
+
+
+@pytest.mark.parametrize("degrees", [0.01, 0.1])
+def test_slight_corners_of_a_closed_curve_go_wherever_they_are(degrees):
+    points = EGG.control_points.copy()
+    points[1] += 50 * np.array([0, np.sin(np.radians(degrees))])  # the seam
+    points[4] += 50 * np.array([np.sin(np.radians(degrees)), 0])
+    drawn = pen(*points)
+    assert np.degrees(abs(drawn.seam_turn)) == pytest.approx(degrees, rel=1e-3)
+    assert drawn.has_corners
+    smooth = smooth_for_corners(drawn)
+    smoothing = smooth_curve(drawn, smooth)
+    assert smoothing.curve.is_closed
+    assert not smoothing.curve.has_corners
+    assert two_sided_distance(drawn, smoothing.curve, 20000) <= smoothing.moved <= smooth
+    assert "were rounded within that" in smoothing.notes[-1]
+
+
+def test_a_real_corner_where_a_curve_closes_is_refused_with_its_place_as_drawn():
+    points = EGG.control_points.copy()
+    points[1] += (0, 30)
+    drawn = pen(*points).drawn_as(Provenance("pen", place=np.diag([1.0, -1.0, 1.0])))
+    with pytest.raises(InputError, match=r"closed with a corner of 31 degrees at \(150, -50\) mm"):
+        require_bendable(drawn)
+    with pytest.raises(InputError, match="closed with a corner"):
+        smooth_curve(drawn, 1.0)
+    with pytest.raises(InputError, match="with corners cannot be made fair"):
+        fair_curve(drawn, 1.0)

@@ -114,3 +114,35 @@ def test_elevation_changes_nothing():
     after = PlaneCurve(raised_knots, raised, 4, raised_weights)
     t = np.linspace(0, 3, 50)
     assert after.evaluate(t) == pytest.approx(before.evaluate(t), abs=1e-12)
+
+
+def test_where_a_closed_path_closes_rounding_is_healed_as_elsewhere():
+    along = np.array([np.cos(0.3), np.sin(0.3)])
+    node = np.array([50.0, 20.0])
+    round_path = [
+        node,
+        node + 31.7 * along,
+        (120, 60),
+        (120, 100),
+        (120, 140),
+        (20, 150),
+        (10, 100),
+        node - 28.3 * along,
+    ]
+    points = np.round(np.array([*round_path[:-1], (5, 60), round_path[-1], node]), 1)
+    points = points[[0, 1, 2, 3, 4, 5, 6, 7, 8, 9]]
+    knots = np.repeat([0.0, 1.0, 2.0, 3.0], [4, 3, 3, 4])
+    before = PlaneCurve(knots, points, 3)
+    assert abs(before.seam_turn) > 1e-4
+    healing = heal_tangents(knots, points, 3, rounding=0.05)
+    after = PlaneCurve(healing.knots, healing.control_points, 3)
+    assert healing.healed[-1].t == 0.0
+    assert after.is_closed
+    assert abs(after.seam_turn) < 1e-9
+    assert 0 < healing.moved <= 2 * np.sqrt(2) * 0.05
+    sharp = points.copy()
+    sharp[1] += (0.0, 3.0)
+    assert heal_tangents(knots, sharp, 3, rounding=0.05).healed == healing.healed[:-1]
+    loop = np.array([(0, 0), (100, 80), (-100, 80), (0, 0)], dtype=float)
+    alone = heal_tangents(np.repeat([0.0, 1.0], 4), loop, 3, rounding=0.05)
+    assert alone.healed == (), "one piece that closes has a corner"
