@@ -2,6 +2,10 @@
 
 import sys
 from pathlib import Path
+from reprlib import Repr
+
+_QUOTED = Repr()
+_QUOTED.maxstring = _QUOTED.maxother = 60
 
 
 class ElasticaError(Exception):
@@ -22,6 +26,17 @@ class NotMetError(NotConvergedError):
 
 class MissingDependencyError(ElasticaError, ImportError, RuntimeError):
     """An optional library is needed for what was asked and is not installed, or of an unknown version."""
+
+
+def quoted(value: object) -> str:
+    """A value of a file as a message shows it: long texts and lists in part.
+
+    Examples
+    --------
+    >>> quoted("mm"), len(quoted("m" * 2000))
+    ("'mm'", 60)
+    """
+    return _QUOTED.repr(value)
 
 
 def how_to_install(package: str) -> str:

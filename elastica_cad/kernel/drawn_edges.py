@@ -9,6 +9,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.edges import Edge as DrawnEdge
 from elastica_cad.formats.curve_files.edges import Run
+from elastica_cad.formats.curve_files.number_gate import check_places
 from elastica_cad.formats.curve_files.placed_curve import edge_chains, placed_curve
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
@@ -117,7 +118,7 @@ def _drawn_edge(edge: Shape) -> DrawnEdge:
     if spline.IsPeriodic():
         spline.SetNotPeriodic()
     places = range(1, spline.NbPoles() + 1)
-    points = np.array([(p.X(), p.Y(), p.Z()) for p in map(spline.Pole, places)])
+    points = check_places(np.array([(p.X(), p.Y(), p.Z()) for p in map(spline.Pole, places)]))
     weights = np.array([spline.Weight(i) for i in places]) if spline.IsRational() else None
     knots = [np.full(spline.Multiplicity(i), spline.Knot(i)) for i in range(1, spline.NbKnots() + 1)]
     drawn = DrawnEdge(np.concatenate(knots), points, spline.Degree(), weights)

@@ -7,7 +7,7 @@ import pytest
 from OCP.BRep import BRep_Builder
 from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeEdge
 from OCP.BRepPrimAPI import BRepPrimAPI_MakeCone
-from OCP.Geom import Geom_Hyperbola
+from OCP.Geom import Geom_Hyperbola, Geom_Line
 from OCP.GeomAPI import GeomAPI_PointsToBSpline
 from OCP.gp import gp_Ax2, gp_Circ, gp_Dir, gp_Pnt
 from OCP.TopoDS import TopoDS_Edge
@@ -67,6 +67,11 @@ REFUSED = {
         lambda: [trimmed_beyond(Geom_Hyperbola(gp_Ax2(), 1, 1), 1000.0)],
         {},
         "no curve that the kernel can follow",
+    ),
+    "farther than any drawing": (
+        lambda: [trimmed_beyond(Geom_Line(gp_Pnt(0, 0, 0), gp_Dir(1, 0, 0)), 1e90)],
+        {},
+        r"a coordinate is 1e\+90 mm",
     ),
     "trimmed beyond its end": (
         lambda: [trimmed_beyond(spline_through_three_points(), 3.0)],

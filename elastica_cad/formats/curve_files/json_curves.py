@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, quoted
 from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, DrawnFile
 from elastica_cad.formats.curve_files.number_gate import (
     MOST_PIECES,
@@ -68,10 +68,10 @@ def _scale(data: dict[str, Any], unit: str | None) -> float:
     name, _, version = str(schema).partition("/")
     if name not in ("elastica-curves", "elastica-report"):
         raise InputError(
-            f"has the schema {schema!r}; curves are read from {CURVES_SCHEMA!r} and from reports of strips"
+            f"has the schema {quoted(schema)}; curves are read from {CURVES_SCHEMA!r} and from reports of strips"
         )
     if version != "1":
-        raise InputError(f"has the schema {schema!r}, which is newer than this program: update it")
+        raise InputError(f"has the schema {quoted(schema)}, which is newer than this program: update it")
     given = data.get("units", "mm")
     if isinstance(given, dict):
         given = given.get("length", "mm")
@@ -86,7 +86,7 @@ def _curve(record: Any, where: str, scale: float) -> PlaneCurve:
             raise InputError(f"{where} has no {key!r}")
     degree = record["degree"]
     if not isinstance(degree, int) or isinstance(degree, bool):
-        raise InputError(f"{where}: degree is {degree!r}; it must be a whole number")
+        raise InputError(f"{where}: degree is {quoted(degree)}; it must be a whole number")
     try:
         knots = np.array(record["knots"], dtype=float)
         points = np.array(record["control_points"], dtype=float)

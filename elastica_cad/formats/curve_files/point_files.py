@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, quoted
 from elastica_cad.formats.curve_files.chains import curve_from_points
 from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, DrawnFile
 from elastica_cad.formats.curve_files.number_gate import (
@@ -71,7 +71,7 @@ def read_text_drawing(file: Path, *, unit: str | None) -> DrawnFile:
     number, head = rows[0]
     if len(head) != 2 or not all(re.fullmatch(r"\d+", word) for word in head):
         raise InputError(
-            f"line {number} is {' '.join(head)!r}; it must be two whole numbers, degree and count of "
+            f"line {number} is {quoted(' '.join(head))}; it must be two whole numbers, degree and count of "
             "control points (measured points belong into a .csv file)"
         )
     if max(len(word) for word in head) > 9:

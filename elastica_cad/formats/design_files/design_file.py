@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from elastica_cad._equality import value_key
-from elastica_cad.errors import ElasticaError, InputError, NotConvergedError
+from elastica_cad.errors import ElasticaError, InputError, NotConvergedError, quoted
 from elastica_cad.fabrication.holders.ring_plate import Ring
 from elastica_cad.fabrication.model.compensated_model import interlock_compensated
 from elastica_cad.fabrication.model.strip_model import Model
@@ -178,7 +178,9 @@ def _read(path: Path, read_curves: CurveReader, read_surface: SurfaceReader) -> 
     with slips.gathering():
         top.only(*TOP)
     if data.get("schema") != DESIGN_SCHEMA:
-        slips.add(f"{path}: schema is {data.get('schema')!r}; this version reads schema = {DESIGN_SCHEMA}")
+        slips.add(
+            f"{path}: schema is {quoted(data.get('schema'))}; this version reads schema = {DESIGN_SCHEMA}"
+        )
     top.scope = top.within(data.get("let", {}))
     sheets = _own_sheets(top, path)
     revolution = None

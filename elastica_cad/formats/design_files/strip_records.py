@@ -4,7 +4,7 @@ import tomllib
 from collections.abc import Callable, Sequence
 from typing import Any, TypeVar
 
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, quoted
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lamination import Laminated
@@ -70,7 +70,9 @@ def read_supports(table: Table) -> Supports:
     """What holds the two ends, by their names."""
     given = table.raw("supports", ["clamped", "clamped"])
     if not isinstance(given, list) or len(given) != 2:
-        raise InputError(f'{table.place("supports")} is {given!r}: name two, e.g. ["clamped", "pinned"]')
+        raise InputError(
+            f'{table.place("supports")} is {quoted(given)}: name two, e.g. ["clamped", "pinned"]'
+        )
     with table.naming("supports"):
         return Supports(*given)
 
@@ -244,7 +246,7 @@ def read_rest_curvature(table: Table) -> RestCurvature:
     for key in STRIP_TABLES["blank"]:
         row = table.raw(key)
         if not isinstance(row, list) or not row:
-            raise InputError(f"{table.place(key)} is {row!r}: give a list of numbers, as many of each")
+            raise InputError(f"{table.place(key)} is {quoted(row)}: give a list of numbers, as many of each")
         columns.append(table.vector(key, len(row)))
     with table.naming():
         return RestCurvature.linear(*columns)

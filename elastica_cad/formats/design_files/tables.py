@@ -5,7 +5,7 @@ from contextlib import contextmanager
 from difflib import get_close_matches
 from typing import Any
 
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, quoted
 from elastica_cad.formats.curve_files.number_gate import LARGEST_NUMBER
 from elastica_cad.formats.design_files.formulae import Formula, Value
 
@@ -14,6 +14,9 @@ MOST = 10_000
 
 MOST_TOLD = 5
 """Slips of one file that are told; what is behind them is counted, as one fault often makes many."""
+
+LONGEST_TOLD = 800
+"""Letters after which no other slip is told: one of a nested table may hold several."""
 
 LONGEST_KEY = 60
 """Letters of an unknown key that are told."""
@@ -33,7 +36,7 @@ def _compute_number(value: object, where: str, scope: Mapping[str, Value]) -> fl
     if isinstance(value, str):
         value = Formula(value, where)(scope)
     if isinstance(value, bool) or not isinstance(value, int | float):
-        raise InputError(f"{where} is {value!r}: it must be a number or a formula in quotes")
+        raise InputError(f"{where} is {quoted(value)}: it must be a number or a formula in quotes")
     if not -LARGEST_NUMBER <= value <= LARGEST_NUMBER:
         told = f"{value:.3g}" if isinstance(value, float) else "a whole number of many digits"
         raise InputError(f"{where} is {told}: give a finite number of at most {LARGEST_NUMBER:g}")
@@ -61,7 +64,12 @@ class Slips:
     @property
     def text(self) -> str:
         """All of them, a sentence each, or the first ones and how many more; empty where nothing is wrong."""
-        told = list(self._said.values())[:MOST_TOLD] or [""]
+        told: list[str] = []
+        for sentence in list(self._said.values())[:MOST_TOLD]:
+            if told and sum(map(len, [*told, sentence])) > LONGEST_TOLD:
+                break
+            told.append(sentence)
+        told = told or [""]
         if (left := len(self._said) - len(told)) > 0:
             told.append(f"{left} more; mend these first")
         *others, last = told
@@ -163,7 +171,7 @@ class Table:
         """`size` numbers or formulae."""
         value = self.raw(key, default)
         if not isinstance(value, list | tuple) or len(value) != size:
-            raise InputError(f"{self.place(key)} is {value!r}: it must be {size} numbers in brackets")
+            raise InputError(f"{self.place(key)} is {quoted(value)}: it must be {size} numbers in brackets")
         return tuple(
             _compute_number(one, f"{self.place(key)}[{i}]", self.scope)
             for i, one in enumerate(value, start=1)
@@ -185,9 +193,9 @@ class Table:
         """A word or a line of text."""
         value = self.raw(key, default)
         if not isinstance(value, str):
-            raise InputError(f"{self.place(key)} is {value!r}: it must be text in quotes")
+            raise InputError(f"{self.place(key)} is {quoted(value)}: it must be text in quotes")
         if choices and value not in choices:
-            raise InputError(f"{self.place(key)} is {value!r}: use one of {', '.join(choices)}")
+            raise InputError(f"{self.place(key)} is {quoted(value)}: use one of {', '.join(choices)}")
         return value
 
     def texts(self, key: str, default: Sequence[str]) -> tuple[str, ...]:
@@ -195,14 +203,16 @@ class Table:
         value = self.raw(key, list(default))
         rows = [value] if isinstance(value, str) else value
         if not isinstance(rows, list) or not rows or not all(isinstance(row, str) for row in rows):
-            raise InputError(f"{self.place(key)} is {value!r}: it must be text in quotes, or a list of texts")
+            raise InputError(
+                f"{self.place(key)} is {quoted(value)}: it must be text in quotes, or a list of texts"
+            )
         return tuple(rows)
 
     def flag(self, key: str, default: bool = False) -> bool:
         """True or false."""
         value = self.raw(key, default)
         if not isinstance(value, bool):
-            raise InputError(f"{self.place(key)} is {value!r}: it must be true or false")
+            raise InputError(f"{self.place(key)} is {quoted(value)}: it must be true or false")
         return value
 
     def table(self, key: str) -> "Table":
@@ -213,7 +223,7 @@ class Table:
         """A list of tables."""
         value = self.raw(key, [])
         if not isinstance(value, list):
-            raise InputError(f"{self.place(key)} must be a list of tables, not {value!r}")
+            raise InputError(f"{self.place(key)} must be a list of tables, not {quoted(value)}")
         return [Table(one, f"{self.place(key)}[{i}]", self.scope) for i, one in enumerate(value, start=1)]
 
     def within(self, let: object) -> dict[str, Value]:

@@ -148,7 +148,8 @@ def _in_user_units(root: ElementTree.Element) -> bytes:
         root.attrib.pop(name, None)
     root.set("width", size[0])
     root.set("height", size[1])
-    return ElementTree.tostring(root)
+    # names of attributes may have letters beyond ASCII
+    return bytes(ElementTree.tostring(root, encoding="utf-8"))
 
 
 def _subpaths(segments: Any) -> Iterator[Run]:

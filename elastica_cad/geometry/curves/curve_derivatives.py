@@ -62,10 +62,11 @@ class RationalPieces:
                 step += c[:-1]
                 c = step
         homogeneous = []
-        factor, scale = np.ones_like(u), 1 / self.spans.widths[index]
+        factor, width = np.ones_like(u), self.spans.widths[index]
         for k, difference in enumerate(reversed(differences)):
+            if k:  # no place is divided by the width: it may be too small for that
+                factor = factor * (degree - k + 1) / width
             homogeneous.append(difference * factor)
-            factor = factor * scale * (degree - k)
         homogeneous += [np.zeros_like(homogeneous[0])] * (order + 1 - len(homogeneous))
         if self.rational:
             homogeneous = quotient([h[:2] for h in homogeneous], [h[2] for h in homogeneous])

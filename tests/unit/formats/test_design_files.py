@@ -439,3 +439,11 @@ def test_a_key_in_capitals_is_told_as_it_is_written(tmp_path):
     ) as told:
         read_design(design, read_curves)
     assert "z" * 61 not in str(told.value)
+
+
+def test_slips_that_hold_several_are_told_up_to_a_length():
+    slips = Slips()
+    for number in range(4):
+        slips.add(f"strip {number}: " + "an unknown key of the curve; " * 12 + "leave it out")
+    assert len(slips.text) < 1000
+    assert slips.text.endswith("2 more; mend these first")

@@ -1,5 +1,6 @@
 """Drawings that would fill memory, run for ever or hold no numbers: one sentence each, and soon."""
 
+import json
 import random
 import warnings
 from pathlib import Path
@@ -259,3 +260,38 @@ def test_a_circle_of_infinite_radius_is_refused_without_a_warning(tmp_path):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         refused(path, "not a finite number")
+
+
+def test_attributes_named_beyond_ascii_do_no_harm(tmp_path):
+    path = tmp_path / "named.svg"
+    path.write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" width="90mm" height="90mm" viewBox="0 0 90 90" dépôt="1">'
+        '<path d="M 0 0 C 20 40 60 40 80 0"/></svg>',
+        encoding="utf-8",
+    )
+    assert len(read_drawing(path).curves) == 1
+
+
+@pytest.mark.parametrize("name", ["words.txt", "words.json"])
+def test_a_long_text_is_quoted_in_part(tmp_path, name):
+    words = "elastica " * 300
+    path = tmp_path / name
+    path.write_text(words if name.endswith("txt") else f'{{"schema": "{words}", "curves": [1]}}')
+    said = problem_of(path)
+    assert "elastica" in said
+    assert len(said) < 400
+
+
+def test_knots_nearer_than_the_smallest_number_are_refused_without_a_warning(tmp_path):
+    path = tmp_path / "near.json"
+    points = [[50.0, 0.0], [50.0, 27.0], [27.0, 42.0], [4.0, 56.0], [-20.0, 45.0]]
+    curve = {
+        "degree": 2,
+        "knots": [0, 0, 0, 1e-320, 1, 2, 2, 2],
+        "control_points": points,
+        "weights": [1, 0.9, 1, 0.9, 1],
+    }
+    path.write_text(json.dumps({"schema": "elastica-curves/1", "units": "mm", "curves": [curve]}))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert "no tangent" in problem_of(path)
