@@ -10,7 +10,10 @@ import FreeCADGui as Gui
 from inside import (
     ARCH,
     answers,
+    at_rest,
     click,
+    fit,
+    live_at_rest,
     mouse,
     on_screen,
     picture,
@@ -20,6 +23,7 @@ from inside import (
     toolbar_button,
     trigger,
     type_into,
+    until,
     wait,
     window,
 )
@@ -28,14 +32,12 @@ from inside import (
 def edit(drawn):
     """Open a sketch as seen from above, with the tool at hand: 0.20's sketcher does not show foreign tools."""
     Gui.ActiveDocument.setEdit(drawn.Name)
+    until(lambda: Gui.ActiveDocument.getInEdit() is not None)
+    wait(400)
     if toolbar_button("Elastica_Between") is None:
         Gui.activateWorkbench("ElasticaWorkbench")
-    wait(400)
-    view = Gui.ActiveDocument.ActiveView
-    view.setCameraType("Orthographic")
-    view.viewTop()
-    view.getCameraNode().height.setValue(300)
-    wait(300)
+    until(lambda: toolbar_button("Elastica_Between") is not None, 20)
+    fit("Top", height=300)
 
 
 def spline_of(drawn):
@@ -48,6 +50,16 @@ def told(drawn):
     return [len(drawn.Geometry), round(curve.length(), 3), *ends]
 
 
+def opened():
+    """The tool by its button."""
+    from freecad.elastica_wb.panels.curves import between_clamps
+
+    press("Elastica_Between")
+    until(lambda: between_clamps.running() is not None, 20)
+    wait(300)
+    return between_clamps.running()
+
+
 def pull(tool, handle, dx, dy):
     """A handle, left of where 1.1 lays its panel: does the curve follow the mouse, does the sketch wait?"""
     x, y = on_screen(*tool.preview.handles.places[handle])
@@ -57,11 +69,13 @@ def pull(tool, handle, dx, dy):
     before = told(tool.sketch)
     mouse("mousemove", x - 3, y, "sleep", 0.1, "mousemove", x, y, "sleep", 0.1, "mousedown", 1)
     for i in range(1, 11):
+        seen = len(solved)
         mouse("mousemove", x + dx * i / 10, y + dy * i / 10)
-        wait(15)
+        until(lambda seen=seen: len(solved) > seen, 2)
     held = told(tool.sketch) == before
     picture(f"pulled-{handle}.png")
     mouse("mouseup", 1)
+    until(lambda: told(tool.sketch) != before, 20)
     wait(300)
     tool._solve = usual
     return [len(solved) >= 5, held]
@@ -81,9 +95,7 @@ def work():
     document.recompute()
     edit(drawn)
     answers["grey"] = not toolbar_button("Elastica_Between").isEnabled()
-    press("Elastica_Between")
-    wait(300)
-    tool = between_clamps.running()
+    tool = opened()
     answers["new"] = told(drawn)
     answers["length"] = tool.length
     answers["words"] = tool.card.words.text()
@@ -93,38 +105,36 @@ def work():
     answers["tangent pulled"] = [*pull(tool, 2, 40, 60), told(drawn), spline_of(drawn).NbPoles]
     before = tool.card.words.text()
     click(tool.card.side)
+    until(lambda: tool.card.words.text() != before, 20)
     wait(300)
     answers["other side"] = [before, tool.card.words.text(), told(drawn)]
     type_into(tool.card.length, "320 mm")
-    wait(600)
+    until(lambda: abs(told(drawn)[1] - 320) < 0.1, 20)
     answers["longer"] = told(drawn)
     type_into(tool.card.length, "20 mm")
-    wait(600)
+    until(lambda: "make it longer" in tool.card.words.text(), 20)
     answers["too short"] = [tool.card.words.text(), told(drawn)]
     picture("short.png")
     type_into(tool.card.length, "300 mm")
-    wait(600)
+    until(lambda: abs(told(drawn)[1] - 300) < 0.1, 20)
+    live_at_rest()
     from freecad.elastica_wb.live import session as live
 
     answers["verdict"] = live.session().card.answer.verdict.value
     click(tool.card.done)
-    wait(300)
-    answers["done"] = between_clamps.running() is None
-    press("Elastica_Between")
-    wait(300)
-    tool = between_clamps.running()
+    answers["done"] = until(lambda: between_clamps.running() is None, 20)
+    tool = opened()
     answers["taken again"] = [tool.number is not None, round(tool.length, 2), tool.side, told(drawn)]
     picture("again.png")
     trigger("Std_Undo")
-    wait(300)
+    until(lambda: between_clamps.running() is None and abs(spline_of(drawn).length() - 320) < 0.1, 20)
     answers["undone"] = [between_clamps.running() is None, round(spline_of(drawn).length(), 1)]
-    press("Elastica_Between")
-    wait(300)
+    opened()
     Gui.ActiveDocument.resetEdit()
-    wait(300)
-    answers["closed with its sketch"] = between_clamps.running() is None
+    answers["closed with its sketch"] = until(lambda: between_clamps.running() is None, 20)
     press("Elastica_Strip")
-    wait(900)
+    until(lambda: Gui.Control.activeDialog() and document.getObject("Strip").State == ["Up-to-date"])
+    at_rest()
     strip = document.getObject("Strip")
     answers["strip"] = [strip.State, strip.Ratio]
     Gui.Control.closeDialog()
@@ -137,19 +147,16 @@ def work():
     edit(line)
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(document.Name, line.Name, "Edge1")
-    press("Elastica_Between")
-    wait(300)
+    opened()
     answers["over a line"] = told(line)
     Gui.ActiveDocument.resetEdit()
     arch = sketch(document, ARCH, name="Arch")
     edit(arch)
-    press("Elastica_Between")
-    wait(300)
+    opened()
     answers["with poles"] = told(arch)
     answers["poles go"] = [*pull(between_clamps.running(), 0, 20, 10), told(arch)]
     App.closeDocument(document.Name)
-    wait(300)
-    answers["closed with its document"] = between_clamps.running() is None
+    answers["closed with its document"] = until(lambda: between_clamps.running() is None, 20)
 
 
 run(work)

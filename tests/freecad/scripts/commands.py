@@ -19,15 +19,20 @@ from inside import (
     QtWidgets,
     action_of,
     answers,
+    at_rest,
     choose,
     click,
     drag,
     fill,
+    fit,
+    live_at_rest,
+    looked,
     picture,
     run,
     scene,
     sketch,
     trigger,
+    until,
     wait,
     window,
 )
@@ -38,9 +43,9 @@ def open_panel(command):
 
     Panel.opened = None
     trigger(command)
-    wait(150)
-    assert Panel.opened is not None, f"{command} opened no panel"
-    assert Gui.Control.activeDialog(), f"{command} shows no dialog"
+    assert until(lambda: Panel.opened is not None, 20), f"{command} opened no panel"
+    assert until(Gui.Control.activeDialog, 20), f"{command} shows no dialog"
+    at_rest()
     return Panel.opened
 
 
@@ -62,7 +67,7 @@ def strip_command(document, drawn):
     fill(panel, MaxWidth=25.0)
     panel.form.EngravedText.setText("A1")
     panel.form.EngravedText.textEdited.emit("A1")
-    wait(400)
+    at_rest()
     answers["strip panel"] = panel.form.numbers.text()
     panel.accept()
     wait(100)
@@ -78,11 +83,11 @@ def strip_command(document, drawn):
     document.recompute()
     strip = document.getObject("Strip")
     Gui.ActiveDocument.setEdit(strip.Name)
-    wait(200)
+    until(Gui.Control.activeDialog, 20)
     from freecad.elastica_wb.panels.panel import Panel
 
     fill(Panel.opened, MaxWidth=40.0)
-    wait(400)
+    at_rest()
     assert strip.MaxWidth.Value == 40.0
     Panel.opened.reject()
     wait(100)
@@ -94,6 +99,7 @@ def check_command(drawn):
     choose(drawn)
     panel = open_panel("Elastica_Check")
     wait(200)
+    live_at_rest()
     answers["check"] = panel.form.message.text()
     from freecad.elastica_wb.live import session as live
 
@@ -120,7 +126,7 @@ def nearest_command(document, bad):
     panel = open_panel("Elastica_Nearest")
     wait(200)
     click(panel.form.findChild(QtWidgets.QPushButton, "draw_into"))
-    wait(200)
+    until(lambda: not Gui.Control.activeDialog())
     assert not Gui.Control.activeDialog()
     assert len(document.Objects) == count
     answers["replaced"] = (poles, check_equilibrium(sketch_curve(bad)).realizable)
@@ -131,7 +137,7 @@ def nearest_command(document, bad):
     choose(bad)
     panel = open_panel("Elastica_Nearest")
     panel.accept()
-    wait(200)
+    until(lambda: document.getObject("Nearest").State == ["Up-to-date"])
     found = document.getObject("Nearest")
     assert found.State == ["Up-to-date"], found.getStatusString()
     assert len(document.Objects) == count + 1
@@ -146,7 +152,7 @@ def nearest_command(document, bad):
     document.recompute()
     changed = found.Shape.Length
     document.undo()
-    wait(300)
+    until(lambda: abs(found.Shape.Length - length) < 1e-6)
     answers["nearest after undo"] = (length, changed, found.Shape.Length)
 
 
@@ -154,12 +160,10 @@ def bend_command(document, strip):
     choose(strip)
     panel = open_panel("Elastica_Bend")
     fill(panel, EndX=-15.0)
-    wait(500)
+    at_rest()
     answers["bend"] = panel.form.message.text()
     view = Gui.ActiveDocument.ActiveView
-    view.viewTop()
-    view.fitAll()
-    wait(300)
+    fit("Top")
     chosen = len(Gui.Selection.getSelection())
     places = drag(
         panel.rod.position[-1],
@@ -181,7 +185,7 @@ def bend_command(document, strip):
     fill(panel, StartY=0.0)
     fill(panel, EndX=-30.0)
     fill(panel, EndY=5.0)
-    wait(400)
+    at_rest()
     panel.play()
     panel.accept()
     wait(100)
@@ -203,17 +207,14 @@ def projective_command(document):
     wave = sketch(document, WAVE, name="Wave")
     wave.Placement = App.Placement(App.Vector(0, 0, 20), App.Rotation(App.Vector(1, 0, 0), 60))
     document.recompute()
-    view = Gui.ActiveDocument.ActiveView
     for obj in document.Objects:
         obj.Visibility = obj is wave
-    view.viewIsometric()
-    view.fitAll()
-    wait(300)
+    fit("Isometric")
     before = names(document)
     choose(wave)
     panel = open_panel("Elastica_Projective")
     fill(panel, x3=200.0)
-    wait(300)
+    at_rest()
     answers["typed handle"] = panel.form.message.text()
     panel.reject()
     assert not wave.Geometry[0].isRational(), "Cancel restores"
@@ -224,7 +225,7 @@ def projective_command(document):
     seen = drag(corner, 10, (-4, -3), "projective.png", lambda: panel.curve.length)
     answers["projective drag"] = (panel.drawn.length, seen)
     answers["projective verdict"] = panel.form.message.text()
-    wait(300)
+    at_rest()
     answers["projective strip"] = panel.form.message.text()
     pulled = panel.curve
     assert panel.accept()
@@ -265,7 +266,7 @@ def coupon_command(document):
     panel.form.readings.setText("100 = 13.5, 120 = 26")
     panel.form.readings.textEdited.emit("")
     panel.form.name.setText("my-card")
-    wait(400)
+    at_rest()
     answers["coupon"] = panel.form.message.text()
     panel.keep()
     panel.accept()
@@ -331,14 +332,13 @@ def section_command(document):
     choose(barrel)
     panel = open_panel("Elastica_Section")
     fill(panel, Family="about an axis")
-    wait(300)
+    at_rest()
     answers["about an axis"] = (panel.form.message.text(), panel.form.Sweep.isVisible())
     fill(panel, Family="parallel")
     fill(panel, Count=3)
-    wait(300)
+    at_rest()
     answers["curves shown"] = (panel.form.numbers.text(), len(panel.object.Shape.Edges))
-    Gui.ActiveDocument.ActiveView.viewIsometric()
-    Gui.ActiveDocument.ActiveView.fitAll()
+    fit("Isometric")
     picture("section-panel.png")
     panel.accept()
     wait(100)
@@ -354,8 +354,7 @@ def section_command(document):
         for o in document.Objects
         if o.Name.startswith("Strip") and o.Name != "Strip"
     ]
-    Gui.ActiveDocument.ActiveView.viewIsometric()
-    Gui.ActiveDocument.ActiveView.fitAll()
+    fit("Isometric")
     scene("sections.png")
     mesh_sections_command(document)
 
@@ -377,10 +376,10 @@ def mesh_sections_command(document):
     choose(ball, path)
     panel = open_panel("Elastica_Section")
     fill(panel, Closed="left and right")
-    wait(300)
+    at_rest()
     picture("mesh-section-panel.png")
     click(panel.form.findChild(QtWidgets.QPushButton, "section_sketches_of"))
-    wait(200)
+    until(lambda: not Gui.Control.activeDialog())
     answers["halves"] = len(names(document)) - len(before)
     document.undo()
     assert names(document) == before
@@ -390,7 +389,7 @@ def style_commands(document, strip):
     choose(strip)
     panel = open_panel("Elastica_Perforate")
     fill(panel, OuterWidth=28.0)
-    wait(600)
+    at_rest()
     assert strip.Style == "Perforated"
     answers["perforated"] = (strip.State, len(document.getObject("Flat").Shape.Faces))
     scene("perforated.png")
@@ -419,14 +418,20 @@ def long_work():
     document.recompute()
     volume = made.Shape.Volume
     made.Style, made.Columns, made.Rows = "Perforated", 4, 44
-    key = subprocess.Popen(["sh", "-c", "sleep 0.5; xdotool key Escape"])
-    seen = []
+    seen, pressed = [], []
+
+    def look():
+        seen.append(Gui.getMainWindow().statusBar().currentMessage())
+        if not pressed and "Escape" in seen[-1]:
+            pressed.append(subprocess.Popen(["xdotool", "key", "Escape"]))
+
     timer = QtCore.QTimer()
-    timer.timeout.connect(lambda: seen.append(Gui.getMainWindow().statusBar().currentMessage()))
-    timer.start(100)
+    timer.timeout.connect(look)
+    timer.start(20)
     document.recompute()
     timer.stop()
-    key.wait()
+    for key in pressed:
+        key.wait()
     answers["bar"] = sorted(set(filter(None, seen)))
     answers["cancelled"] = made.getStatusString()
     assert made.Shape.Volume == volume, "the last good shape is kept"
@@ -453,7 +458,7 @@ def model_commands():
     panel = open_panel("Elastica_Interlock")
     answers["joints"] = panel.form.numbers.text()
     fill(panel, Clearance=0.3)
-    wait(600)
+    at_rest()
     panel.accept()
     wait(100)
     model = document.getObject("Model")
@@ -473,7 +478,7 @@ def model_commands():
     scene("model.png")
     choose(model)
     trigger("Elastica_Nest")
-    wait(200)
+    until(lambda: document.getObject("Nest").State == ["Up-to-date"])
     answers["nest"] = (document.getObject("Nest").State, document.getObject("Nest").Sheets)
     view.fitAll()
     picture("model-window.png")
@@ -503,9 +508,7 @@ def work():
     document.UndoMode = 1
     drawn = sketch(document, ARCH)
     strip = strip_command(document, drawn)
-    view = Gui.ActiveDocument.ActiveView
-    view.viewIsometric()
-    view.fitAll()
+    fit("Isometric")
     picture("strip.png")
     check_command(drawn)
     bad = sketch(document, [(0, 0), (40, 60), (80, -55), (120, 10), (160, 30), (180, 0)], name="Bad")
@@ -524,7 +527,7 @@ def work():
     document.saveAs(str(OUT / "work.FCStd"))
     # nothing selected: the button is grey
     Gui.Selection.clearSelection()
-    wait(500)
+    looked()
     answers["usable with nothing"] = action_of("Elastica_Check").isEnabled()
     answers["wave"] = WAVE[0]
 

@@ -9,7 +9,20 @@ import time
 
 import FreeCAD as App
 import FreeCADGui as Gui
-from inside import WAVE, answers, mouse, on_screen, picture, run, scene, sketch, wait
+from inside import (
+    WAVE,
+    answers,
+    fit,
+    live_at_rest,
+    mouse,
+    on_screen,
+    picture,
+    run,
+    scene,
+    sketch,
+    until,
+    wait,
+)
 
 
 def work():
@@ -23,12 +36,10 @@ def work():
     feature = strip.create(document, drawn)
     document.recompute()
     Gui.ActiveDocument.setEdit(drawn.Name)
-    wait(400)
-    view = Gui.ActiveDocument.ActiveView
-    view.viewTop()
-    view.fitAll()
-    wait(600)
+    until(lambda: live.session() is not None)
+    fit("Top")
     session = live.session()
+    live_at_rest()
     answers["overlay at start"] = session.overlay.shown()
     answers["usable"] = session._dragged.usable
     answers["sentence"] = session.sentence
@@ -36,26 +47,11 @@ def work():
     frames, moves = len(session.times), session.moves
     ratio, pole = feature.Ratio, tuple(drawn.Geometry[0].getPole(3))
     x, y = on_screen(*pole[:2])
-    steps = []
+    mouse("mousemove", x - 2, y + 2, "sleep", 0.1, "mousemove", x, y, "sleep", 0.15, "mousedown", 1)
     for i in range(1, 16):
-        steps += ["mousemove", x + 2 * i, y - 4 * i, "sleep", 0.2]
-    mouse(
-        "mousemove",
-        x - 2,
-        y + 2,
-        "sleep",
-        0.1,
-        "mousemove",
-        x,
-        y,
-        "sleep",
-        0.15,
-        "mousedown",
-        1,
-        "sleep",
-        0.1,
-        *steps,
-    )
+        seen = len(session.times)
+        mouse("mousemove", x + 2 * i, y - 4 * i)
+        until(lambda seen=seen: len(session.times) > seen, 2)
     answers["updates while dragging"] = len(session.times) - frames
     answers["moves while dragging"] = session.moves - moves
     answers["times"] = session.times[frames:]
@@ -63,37 +59,36 @@ def work():
     answers["start pole"] = pole
     picture("dragging.png")
     mouse("mouseup", 1)
-    wait(300)
+    until(lambda: tuple(drawn.Geometry[0].getPole(3)) != pole and feature.Ratio != ratio, 20)
+    live_at_rest()
     answers["pole"] = tuple(drawn.Geometry[0].getPole(3))
     answers["state"] = feature.State
     answers["ratio"] = (ratio, feature.Ratio)
     answers["sentence after"] = session.sentence
     answers["overlay after"] = session.overlay.shown()
     scene("overlay.png")
+    dragged = feature.Ratio
     document.undo()
-    wait(300)
+    until(lambda: feature.Ratio == ratio, 20)
     answers["pole after undo"] = tuple(drawn.Geometry[0].getPole(3))
     answers["ratio after undo"] = feature.Ratio
     document.redo()
-    wait(300)
+    until(lambda: feature.Ratio == dragged, 20)
     answers["ratio after redo"] = feature.Ratio
     began = time.perf_counter()
     session.refresh()
     answers["refresh"] = time.perf_counter() - began
     Gui.ActiveDocument.resetEdit()
-    wait(200)
+    until(lambda: live.session() is None, 20)
     answers["closed"] = live.session() is None
     # a curve that cannot be bent: the nearest one is shown beside it
     bad = sketch(document, [(0, 0), (40, 60), (80, -60), (120, 25), (160, 30), (180, 0)], name="Bad")
     strip.create(document, bad)
     document.recompute()
     Gui.ActiveDocument.setEdit(bad.Name)
-    wait(400)
-    view.viewTop()
-    view.fitAll()
-    end = time.monotonic() + 30
-    while time.monotonic() < end and not live.session().overlay.shown()["nearest"]:
-        wait(100)
+    until(lambda: live.session() is not None)
+    fit("Top")
+    until(lambda: live.session().overlay.shown()["nearest"], 120)
     answers["overlay of a bad curve"] = live.session().overlay.shown()
     answers["sentence of a bad curve"] = live.session().sentence
     picture("bad.png")

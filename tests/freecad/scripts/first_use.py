@@ -11,21 +11,31 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from inside import (
     OUT,
+    Dialog,
+    QtCore,
     QtWidgets,
     answers,
+    at_rest,
     click,
     dialog_button,
+    fit,
     is_grey,
     keys,
+    live_at_rest,
+    looks_from,
     mouse,
     on_screen,
     panel,
     picture,
     press,
     run,
+    still,
     told,
     toolbar_button,
     trigger,
+    type_into,
+    until,
+    viewport,
     wait,
     window,
 )
@@ -33,34 +43,41 @@ from inside import (
 POLES = [(-170, -20), (-130, 60), (-50, 90), (30, 60), (70, -20)]  # 1.1 lays its panel over the right
 
 
+def ok_of(box):
+    """The OK of a dialog."""
+    buttons = (
+        one.button(QtWidgets.QDialogButtonBox.Ok) for one in box.findChildren(QtWidgets.QDialogButtonBox)
+    )
+    return next(button for button in buttons if button is not None)
+
+
+def draws():
+    """Has the sketcher a tool in its hand? It gives the mouse another cursor."""
+    kinds = {widget.cursor().shape() for widget in [viewport(), *viewport().findChildren(QtWidgets.QWidget)]}
+    return QtCore.Qt.BitmapCursor in kinds
+
+
+def splines(sketch):
+    return [one for one in sketch.Geometry if "BSpline" in one.TypeId]
+
+
 def new_sketch():
     """The button asks for a plane; OK takes XY."""
     answers["grey at first"] = [name for name in ("Elastica_Strip", "Elastica_Live") if is_grey(name)]
 
-    def accept(tries=60):
-        for box in QtWidgets.QApplication.topLevelWidgets():
-            if isinstance(box, QtWidgets.QDialog) and box.isVisible():
-                buttons = box.findChildren(QtWidgets.QDialogButtonBox)
-                for one in buttons:
-                    button = one.button(QtWidgets.QDialogButtonBox.Ok)
-                    if button is not None:
-                        click(button)
-                        return
-        if tries:
-            from inside import QtCore
+    def accept(box):
+        until(lambda: ok_of(box).isVisible(), 20)
+        still(lambda: ok_of(box).mapToGlobal(ok_of(box).rect().center()).toTuple())
+        click(ok_of(box))
 
-            QtCore.QTimer.singleShot(100, lambda: accept(tries - 1))
-
-    accept()
+    asked = Dialog(accept)
     press("Sketcher_NewSketch")
-    for _ in range(30):
-        if Gui.ActiveDocument.getInEdit() is not None:
+    for _ in range(60):
+        if until(lambda: Gui.ActiveDocument.getInEdit() is not None, 1):
             break
-        button = dialog_button("Ok")
-        if button is not None:
-            click(button)
-        wait(200)
-    wait(600)
+        if dialog_button("Ok") is not None and not asked.done:  # 1.1 asks in a panel
+            click(dialog_button("Ok"))
+    asked.stop()
     assert Gui.ActiveDocument.getInEdit() is not None, "no sketch is open"
 
 
@@ -74,15 +91,16 @@ def draw():
         trigger("Sketcher_CreateBSpline")  # a tool of FreeCAD's own that its toolbar hides
     else:
         click(button)
-    wait(400)
+    until(draws, 10)
     for place in POLES:
         x, y = on_screen(*place)
         mouse("mousemove", x - 4, y - 3, "sleep", 0.05, "mousemove", x, y, "sleep", 0.05, "click", 1)
     wait(200)
+    sketch = Gui.ActiveDocument.getInEdit().Object
     mouse("click", 3)
-    wait(400)
+    until(lambda: splines(sketch), 20)
     keys("Escape")
-    wait(400)
+    until(lambda: not draws(), 10)
 
 
 def work():
@@ -92,68 +110,63 @@ def work():
     document.UndoMode = 1
     Gui.activateWorkbench("ElasticaWorkbench")
     window()
-    view = Gui.ActiveDocument.ActiveView
-    view.viewTop()
+    Gui.ActiveDocument.ActiveView.viewTop()
+    still(looks_from)
     picture("1-empty.png")
     new_sketch()
-    view = Gui.ActiveDocument.ActiveView
-    view.setCameraType("Orthographic")
-    view.getCameraNode().height.setValue(400)
-    wait(300)
     from freecad.elastica_wb.live import session as live
 
+    until(lambda: live.session() is not None, 20)
+    fit(height=400)
     answers["session in the new sketch"] = live.session() is not None
     picture("2-sketch.png")
     draw()
     sketch = Gui.ActiveDocument.getInEdit().Object
     answers["drawn"] = [g.TypeId for g in sketch.Geometry][:2]
     answers["remembers"] = sketch.ElasticaLive
-    wait(300)
+    until(lambda: live.session().overlay.shown()["width"], 30)
+    live_at_rest()
     answers["overlay"] = live.session().overlay.shown()
     answers["verdict"] = live.session().card.answer.words
     picture("3-drawn.png")
-    spline = next(g for g in sketch.Geometry if "BSpline" in g.TypeId)
-    pole = tuple(spline.getPole(3))
+    pole = tuple(splines(sketch)[0].getPole(3))
     x, y = on_screen(*pole[:2])
     mouse("mousemove", x - 3, y + 3, "sleep", 0.1, "mousemove", x, y, "sleep", 0.1, "mousedown", 1)
     frames = len(live.session().times)
     for i in range(1, 13):
+        seen = len(live.session().times)
         mouse("mousemove", x + 2 * i, y - 4 * i)
+        until(lambda seen=seen: len(live.session().times) > seen, 2)
     answers["frames while dragging"] = len(live.session().times) - frames
     answers["ms"] = [round(1000 * t, 2) for t in live.session().times[frames:]]
     picture("4-dragging.png")
     mouse("mouseup", 1)
-    wait(300)
-    answers["pole moved"] = (
-        tuple(next(g for g in sketch.Geometry if "BSpline" in g.TypeId).getPole(3)) != pole
-    )
+    answers["pole moved"] = until(lambda: tuple(splines(sketch)[0].getPole(3)) != pole, 20)
     click(dialog_button("Close"))
-    wait(600)
+    until(lambda: Gui.ActiveDocument.getInEdit() is None and live.session() is None, 20)
+    until(lambda: Gui.activeWorkbench().name() == "ElasticaWorkbench", 20)
     answers["closed"] = [Gui.ActiveDocument.getInEdit() is None, live.session() is None]
     answers["back in"] = Gui.activeWorkbench().name()
     press("Elastica_Strip")
-    wait(900)
+    until(lambda: document.getObject("Strip") is not None)
     strip = document.getObject("Strip")
+    until(lambda: strip.Held and strip.Held in panel().form.footnote.text())
+    at_rest()
     answers["strip"] = [strip.State, strip.Verdict]
     answers["panel"] = panel().form.windowTitle()
     answers["held"] = [strip.Held, panel().form.numbers.text(), panel().form.footnote.text()]
-    view = Gui.ActiveDocument.ActiveView
-    view.viewIsometric()
-    view.fitAll()
-    wait(300)
+    fit("Isometric")
     picture("5-strip.png")
     click(dialog_button("Ok"))
-    wait(400)
+    until(lambda: not Gui.Control.activeDialog())
     press("Elastica_Export")
-    wait(400)
+    until(lambda: Gui.Control.activeDialog() and panel().form.folder.isVisible())
     picture("6-export.png")
     field = panel().form.folder
     (OUT / "files").mkdir()
-    click(field)
-    keys("ctrl+a")
-    mouse("type", "--delay", 10, str(OUT / "files"))
+    type_into(field, str(OUT / "files"))
     click(dialog_button("Ok"))
-    wait(1500)
+    until(told)
     answers["files"] = sorted(path.name for path in (OUT / "files").iterdir())
     answers["told"] = told()
     picture("7-exported.png")

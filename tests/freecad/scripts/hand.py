@@ -15,19 +15,26 @@ from inside import (
     QtCore,
     QtWidgets,
     answers,
+    at_rest,
     choose,
     click,
     click_view,
     dialog_button,
+    fit,
     keys,
+    live_at_rest,
+    looked,
+    looks_from,
     panel,
     picture,
     press,
     run,
     sketch,
+    still,
     told,
     tree_row,
     trigger,
+    until,
     wait,
     window,
 )
@@ -44,10 +51,24 @@ class Folders(QtCore.QObject):
         answers["folder opened"] = address.toLocalFile()
 
 
+def is_open():
+    """Is a panel of ours open, with buttons that can be clicked?"""
+    return Gui.Control.activeDialog() and panel().form is not None and panel().form.isVisible()
+
+
+def cancel():
+    """The open panel by its button, if there is one."""
+    if Gui.Control.activeDialog():
+        at_rest()
+        click(dialog_button("Cancel"))
+    until(lambda: not Gui.Control.activeDialog())
+
+
 def double_clicks():
     """A double click in the tree edits every feature."""
     document = App.openDocument(str(Path(__file__).parents[1] / "data" / "every-feature-0.1.FCStd"))
     wait(500)
+    until(lambda: Gui.ActiveDocument is not None and Gui.ActiveDocument.ActiveView is not None)
     from freecad.elastica_wb.features import curves
 
     strip = document.getObject("Strip")
@@ -62,11 +83,8 @@ def double_clicks():
             continue
         tree, item = tree_row(obj)
         click(tree.viewport(), times=2, at=tree.visualItemRect(item).center())
-        wait(300)
-        titles[kind] = panel().form.windowTitle() if Gui.Control.activeDialog() else ""
-        if Gui.Control.activeDialog():
-            click(dialog_button("Cancel"))
-        wait(150)
+        titles[kind] = panel().form.windowTitle() if until(is_open, 30) else ""
+        cancel()
     answers["edited"] = titles
     App.closeDocument(document.Name)
     wait(200)
@@ -76,9 +94,9 @@ def menu_of(open_it, wanted):
     """Open a context menu by the right button, choose a command of ours in it; what it offered."""
     seen = []
 
-    def look(tries=40):
+    def look(tries=300):
         menu = QtWidgets.QApplication.activePopupWidget()
-        if menu is None:
+        if menu is None or not menu.actions():
             if tries:
                 QtCore.QTimer.singleShot(100, lambda: look(tries - 1))
             return
@@ -93,7 +111,7 @@ def menu_of(open_it, wanted):
 
     QtCore.QTimer.singleShot(300, look)
     open_it()
-    wait(600)
+    until(lambda: seen and QtWidgets.QApplication.activePopupWidget() is None, 30)
     return seen
 
 
@@ -111,62 +129,59 @@ def context_menus(document, strip):
 
     for place in ("tree", "view"):
         choose(strip)
-        wait(200)
+        looked()
         Panel.opened = None
         answers[f"menu in the {place}"] = menu_of(partial(right_click, strip, place), "Elastica_Bend")
-        answers[f"panel from the {place}"] = panel().form.windowTitle() if panel() is not None else ""
-        if Gui.Control.activeDialog():
-            click(dialog_button("Cancel"))
-        wait(200)
+        answers[f"panel from the {place}"] = panel().form.windowTitle() if until(is_open, 30) else ""
+        cancel()
 
 
 def links(document, strip):
     """A link of a strip, then an array of it: they follow, and commands take them for their strip."""
     choose(strip)
     trigger("Std_LinkMake")
-    wait(300)
+    until(lambda: any(obj.TypeId == "App::Link" for obj in document.Objects))
     link = next(obj for obj in document.Objects if obj.TypeId == "App::Link")
     link.Placement.Base.z = 60
     document.recompute()
     choose(link)
     press("Elastica_Bend")
+    until(is_open)
     answers["bend of a link"] = panel().object.Name
-    click(dialog_button("Cancel"))
-    wait(200)
+    cancel()
     link.ElementCount = 3
     strip.MaxWidth = 20
     document.recompute()
     answers["array"] = [len(link.ElementList) or link.ElementCount, strip.State[-1]]
     choose(link)
     press("Elastica_Export")
+    until(is_open)
     answers["export of an array"] = panel().strips[0].Name
-    click(dialog_button("Cancel"))
-    wait(200)
+    cancel()
     document.removeObject(link.Name)
 
 
 def another_curve(document, strip):
     """The curve is picked anew: the button of the panel, then the other sketch in the view."""
     other = sketch(document, [(x, y + 150) for x, y in ARCH], name="Other")
-    view = Gui.ActiveDocument.ActiveView
-    view.viewTop()
-    view.fitAll()
-    wait(400)
+    fit("Top")
     first = strip.Curve[0]
     choose(strip)
     Gui.ActiveDocument.setEdit(strip.Name)
-    wait(300)
+    until(is_open)
+    still(looks_from)
     click(panel().form.pick)
-    wait(200)
+    until(panel().form.pick.isChecked)
     edge = other.Shape.Edges[0]
     click_view(edge.valueAt(sum(edge.ParameterRange) / 2))
-    wait(400)
+    until(lambda: strip.Curve[0] is other and not panel().form.pick.isChecked(), 20)
+    at_rest()
     answers["picked"] = [strip.Curve[0].Name, panel().form.source.text(), panel().form.pick.isChecked()]
     picture("picked.png")
     click(dialog_button("Ok"))
-    wait(200)
+    until(lambda: not Gui.Control.activeDialog())
     trigger("Std_Undo")
-    wait(300)
+    until(lambda: strip.Curve[0] is first, 20)
     answers["picked, undone"] = strip.Curve[0] is first
     document.removeObject("Other")
 
@@ -177,22 +192,21 @@ def use_nearest(document):
 
     bad = sketch(document, BAD, name="Bad")
     Gui.ActiveDocument.setEdit(bad.Name)
-    wait(500)
-    for _ in range(300):
-        if live.session() is not None and live.session().card.button.isVisible():
-            break
-        wait(100)
-    Gui.ActiveDocument.ActiveView.fitAll()
-    wait(300)
+    until(lambda: live.session() is not None and live.session().card.button.isVisible(), 120)
+    fit()
     answers["refused"] = live.session().card.answer.verdict.value
     picture("refused.png")
+    refused = bad.Geometry[0].NbPoles
     click(live.session().card.button)
-    wait(600)
+    until(lambda: bad.Geometry[0].NbPoles != refused, 20)
+    until(lambda: live.session().card.answer.verdict.value != "cannot", 20)
+    live_at_rest()
     answers["drawn"] = live.session().card.answer.verdict.value
     picture("nearest-drawn.png")
     poles = bad.Geometry[0].NbPoles
     trigger("Std_Undo")  # in the sketch: 1.x makes a step of its own when it is closed
-    wait(400)
+    until(lambda: bad.Geometry[0].NbPoles == refused, 20)
+    until(lambda: live.session().card.answer.verdict.value == "cannot", 20)
     answers["nearest, undone"] = [poles, bad.Geometry[0].NbPoles, live.session().card.answer.verdict.value]
     Gui.ActiveDocument.resetEdit()
     wait(200)
@@ -206,12 +220,16 @@ def export(strip):
     QtGui.QDesktopServices.setUrlHandler("file", folders, "shown")
     choose(strip)
     press("Elastica_Export")
+    until(is_open)
     panel().form.folder.setText(str(OUT / "files"))
+    telling._told.clear()
     click(dialog_button("Ok"))
-    wait(1500)
+    until(told)
     answers["told"] = told()
-    click(telling._told[0].findChild(QtWidgets.QPushButton, "openFolder"))
-    wait(300)
+    button = telling._told[0].findChild(QtWidgets.QPushButton, "openFolder")
+    still(lambda: (button.isVisible(), button.mapToGlobal(button.rect().center()).toTuple()))
+    click(button)
+    until(lambda: "folder opened" in answers, 20)
 
 
 def work():
@@ -225,9 +243,7 @@ def work():
     strip = make_strip(sketch(document, ARCH))
     window()
     Gui.activateWorkbench("ElasticaWorkbench")
-    Gui.ActiveDocument.ActiveView.viewIsometric()
-    Gui.ActiveDocument.ActiveView.fitAll()
-    wait(300)
+    fit("Isometric")
     context_menus(document, strip)
     links(document, strip)
     another_curve(document, strip)

@@ -10,7 +10,20 @@ import time
 import FreeCAD as App
 import FreeCADGui as Gui
 import Part
-from inside import ARCH, OUT, WAVE, QtCore, QtWidgets, answers, choose, run, sketch, trigger, wait
+from inside import (
+    ARCH,
+    OUT,
+    WAVE,
+    Dialog,
+    QtWidgets,
+    answers,
+    choose,
+    run,
+    sketch,
+    trigger,
+    until,
+    wait,
+)
 
 PANELS = {
     "Elastica_Strip": "sketch",
@@ -102,7 +115,7 @@ def opened(command, parts):
     choose(*parts[PANELS[command]])
     Panel.opened = None
     trigger(command)
-    wait(40)
+    until(lambda: Panel.opened is not None, 20)
     assert Panel.opened is not None, f"{command} opened no panel: {told()}"
     return Panel.opened
 
@@ -196,7 +209,7 @@ def nonsense(command):
     for choice in ([], [box], [link], [loose], things, things[4:5], things[5:6], [box, *things, link]):
         choose(*choice)
         Panel.opened = None
-        trigger(command)
+        trigger(command, usable=False)
         wait(20)
         if Panel.opened is not None and Gui.Control.activeDialog() and not Panel.opened.accept():
             Panel.opened.reject()
@@ -205,7 +218,7 @@ def nonsense(command):
     Gui.Selection.addSelection(box, "Face1")
     Gui.Selection.addSelection(box, "Vertex1")
     Panel.opened = None
-    trigger(command)
+    trigger(command, usable=False)
     wait(60)
     if Panel.opened is not None and Gui.Control.activeDialog():
         Panel.opened.reject()
@@ -215,12 +228,12 @@ def nonsense(command):
 def edits():
     """The sketch is deleted, undone, its document closed, while it is being edited."""
     from freecad.elastica_wb.live import session as live
+    from freecad.elastica_wb.live.verdict import Verdict
 
     parts = scene()
     document, (drawn,) = parts["document"], parts["sketch"]
     Gui.ActiveDocument.setEdit(drawn.Name)
-    wait(300)
-    assert live.session() is not None
+    assert until(lambda: live.session() is not None)
     for _ in range(4):
         document.undo()
         wait(80)
@@ -228,27 +241,26 @@ def edits():
         document.redo()
         wait(80)
     Gui.ActiveDocument.resetEdit()
-    wait(100)
-    assert live.session() is None
+    assert until(lambda: live.session() is None)
     Gui.ActiveDocument.setEdit(drawn.Name)
-    wait(200)
+    until(lambda: live.session() is not None)
     while drawn.Geometry:
         drawn.delGeometry(0)
         wait(60)
+    until(lambda: live.session().card.answer.verdict is Verdict.NOTHING, 20)
     answers["empty in edit"] = live.session().sentence
     drawn.addGeometry(Part.Circle(App.Vector(), App.Vector(0, 0, 1), 20), False)
-    wait(150)
+    until(lambda: live.session().card.answer.verdict is Verdict.BREAKS, 20)
     answers["circle in edit"] = live.session().card.heading.text()
     App.closeDocument(document.Name)
-    wait(200)
-    assert live.session() is None
+    assert until(lambda: live.session() is None)
     parts = scene()
     Gui.ActiveDocument.setEdit(parts["sketch"][0].Name)
-    wait(200)
+    until(lambda: live.session() is not None)
     Gui.ActiveDocument.resetEdit()
     parts["document"].removeObject(parts["sketch"][0].Name)
     parts["document"].recompute()
-    wait(100)
+    until(lambda: "missing" in parts["strip"][0].getStatusString(), 20)
     answers["sketch gone"] = parts["strip"][0].getStatusString()
     App.closeDocument(parts["document"].Name)
 
@@ -257,12 +269,15 @@ def second_view():
     """The view in which a panel shows its handles is closed, the document's other one stays."""
     parts = scene()
     for command in ("Elastica_Bend", "Elastica_Projective", "Elastica_Section", "Elastica_Check"):
+        area = Gui.getMainWindow().findChild(QtWidgets.QMdiArea)
+        windows = len(area.subWindowList())
         trigger("Std_ViewCreate")
+        until(lambda area=area, windows=windows: len(area.subWindowList()) > windows, 20)
         wait(200)
         panel = opened(command, parts)
-        area = Gui.getMainWindow().findChild(QtWidgets.QMdiArea)
         window = area.activeSubWindow() or area.currentSubWindow()
         window.close()
+        until(lambda area=area, windows=windows: len(area.subWindowList()) == windows, 20)
         wait(200)
         poke(panel)
         panel.reject()
@@ -276,14 +291,10 @@ def copies():
     document = parts["document"]
     choose(*parts["strips"])
 
-    def agree():
-        for box in QtWidgets.QApplication.topLevelWidgets():
-            if isinstance(box, QtWidgets.QDialog) and box.isVisible():
-                box.accept()
-
-    QtCore.QTimer.singleShot(500, agree)
+    asked = Dialog(lambda box: box.accept())  # whether what the strips hang on is copied with them
     trigger("Std_Copy")
     wait(600)
+    asked.stop()
     trigger("Std_Paste")
     wait(300)
     other = App.newDocument("Pasted")

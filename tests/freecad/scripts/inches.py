@@ -9,12 +9,14 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from inside import (
     ARCH,
-    QtCore,
+    Dialog,
     QtWidgets,
     answers,
+    at_rest,
     choose,
     click,
     dialog_button,
+    has_focus,
     keys,
     mouse,
     panel,
@@ -24,22 +26,31 @@ from inside import (
     scroll_to,
     sketch,
     type_into,
+    until,
     wait,
     window,
 )
 
 
 def preferences_page():
-    def look():
-        for box in QtWidgets.QApplication.topLevelWidgets():
-            if isinstance(box, QtWidgets.QDialog) and box.isVisible():
-                box.findChild(QtWidgets.QComboBox, "dxfVersion").setCurrentText("R2000")
-                box.findChild(QtWidgets.QDoubleSpinBox, "kerf").setValue(0.2)
-                picture("preferences.png")
-                box.accept()
+    def fill_in(box):
+        until(lambda: box.findChild(QtWidgets.QComboBox, "dxfVersion").isVisible(), 20)
+        box.findChild(QtWidgets.QComboBox, "dxfVersion").setCurrentText("R2000")
+        box.findChild(QtWidgets.QDoubleSpinBox, "kerf").setValue(0.2)
+        picture("preferences.png")
+        box.accept()
 
-    QtCore.QTimer.singleShot(1500, look)
+    asked = Dialog(fill_in)
     Gui.showPreferences("Elastica", 0)
+    asked.stop()
+
+
+def typed_into(box, words, changed):
+    """Type, then wait for what follows from it."""
+    scroll_to(box)
+    type_into(box, words)
+    until(changed, 20)
+    at_rest()
 
 
 def work():
@@ -57,60 +68,68 @@ def work():
     drawn = sketch(document, ARCH)
     choose(drawn)
     press("Elastica_Strip")
+    until(lambda: Gui.Control.activeDialog() and panel().form.MaxWidth.isVisible())
+    at_rest()
     box = panel().form.MaxWidth
     scroll_to(box)
     answers["shown"] = box.text()
     strip = document.getObject("Strip")
     typed = []
     for words in ("0.75 in", "2 cm", "1/2 in"):
-        scroll_to(box)
-        type_into(box, words)
-        wait(400)
+        before = strip.MaxWidth.Value
+        typed_into(box, words, lambda before=before: strip.MaxWidth.Value != before)
         typed.append(strip.MaxWidth.Value)
     answers["typed"] = typed
     thickness = panel().form.Thickness
     scroll_to(thickness)
     click(thickness)
+    until(lambda: has_focus(thickness), 10)
     keys("Tab")
+    until(lambda: not has_focus(thickness), 10)
     wait(300)
+    at_rest()
     answers["looked at"] = strip.Thickness.Value
     scroll_to(box)
     click(box)
+    until(lambda: has_focus(box), 10)
+    before = strip.MaxWidth.Value
     keys("Up")
-    wait(500)
+    until(lambda: strip.MaxWidth.Value > before, 20)
     answers["stepped"] = strip.MaxWidth.Value
     keys("Tab")
+    until(lambda: not has_focus(box), 10)
+    at_rest()
     answers["before the wheel"] = strip.MaxWidth.Value
     place = box.mapToGlobal(box.rect().center())
     mouse("mousemove", place.x(), place.y(), "click", "--repeat", 3, 4)
     wait(400)
+    at_rest()
     answers["wheel"] = strip.MaxWidth.Value
     answers["numbers"] = panel().form.numbers.text()
     strip.setExpression("MinWidth", None)
     strip.setExpression("MaxWidth", "1 in")
     document.recompute()
-    wait(300)
+    until(box.isReadOnly, 20)
     answers["expression"] = [strip.MaxWidth.Value, box.isReadOnly()]
     strip.setExpression("MaxWidth", None)
     strip.MaxWidth = 33.0
-    wait(300)
+    until(lambda: abs(panel().value("MaxWidth") - 33) < 0.2, 20)
     answers["elsewhere"] = panel().value("MaxWidth")
     picture("inches.png")
     click(dialog_button("Ok"))
-    wait(300)
+    until(lambda: not Gui.Control.activeDialog())
     choose(strip)
     press("Elastica_Export")
+    until(lambda: Gui.Control.activeDialog() and panel().form.version.isVisible())
+    at_rest()
     answers["cut list"] = panel().form.message.text()
     answers["kerf"] = panel().value("kerf")
     answers["version"] = panel().form.version.currentText()
     click(dialog_button("Cancel"))
-    wait(200)
+    until(lambda: not Gui.Control.activeDialog())
     Gui.ActiveDocument.setEdit(drawn.Name)
-    wait(600)
-    for _ in range(100):  # the verdict comes first, the strip's widths when they are found
-        if "wide" in live.session().sentence:
-            break
-        wait(100)
+    # the verdict comes first, the strip's widths when they are found
+    until(lambda: "wide" in live.session().sentence)
     answers["advice"] = live.session().sentence
     Gui.ActiveDocument.resetEdit()
     wait(100)

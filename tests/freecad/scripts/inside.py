@@ -4,7 +4,9 @@ import json
 import os
 import subprocess
 import sys
+import time
 import traceback
+from contextlib import suppress
 from pathlib import Path
 
 import FreeCAD as App
@@ -20,14 +22,51 @@ except ImportError:  # FreeCAD 0.20
 ARCH = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]
 WAVE = [(0, 0), (25, 55), (60, 45), (95, -50), (130, -40), (150, 0)]
 OUT = Path(os.environ["ELASTICA_TEST_OUT"])
+PACE = float(os.environ.get("ELASTICA_TEST_PACE", "1"))
+"""Waits are as many times as long: 0.1 is as on a slow machine, 4 as on a fast one; tests pass with both."""
+PATIENCE_S = 60.0
+"""For what must come: long enough for a machine that does ten other things."""
+LOOKS_MS = 150
+"""Interval of the timer by which FreeCAD's main window puts off its look at which commands can be used."""
+NOT_YET = (AttributeError, IndexError, RuntimeError, StopIteration)
+"""What looking for something that is not there yet raises."""
 answers = {}
 
 
 def wait(ms):
-    """Let the window live."""
+    """Let the window live; what is read afterwards must not hang on how long that was."""
+    _live(ms * PACE)
+
+
+def until(condition, seconds=PATIENCE_S):
+    """Let the window live until something is true; False where it never came, which the test then tells."""
+    end = time.monotonic() + seconds
+    while True:
+        with suppress(*NOT_YET):
+            if condition():
+                return True
+        if time.monotonic() > end:
+            return False
+        _live(20)
+
+
+def still(look, quiet=0.3, seconds=20.0):
+    """Let the window live until what `look` gives has been the same for a while."""
+    end = time.monotonic() + seconds
+    seen, since = look(), time.monotonic()
+    while time.monotonic() < min(end, since + quiet):
+        _live(30)
+        now = look()
+        if now != seen:
+            seen, since = now, time.monotonic()
+    return seen
+
+
+def _live(ms):
     loop = QtCore.QEventLoop()
-    QtCore.QTimer.singleShot(ms, loop.quit)
+    QtCore.QTimer.singleShot(round(ms), loop.quit)
     loop.exec_() if hasattr(loop, "exec_") else loop.exec()
+    QtWidgets.QApplication.processEvents()  # what came in while the last of it was done
 
 
 def sketch(document, points, degree=4, name="Sketch", poles=True):
@@ -47,7 +86,7 @@ def sketch(document, points, degree=4, name="Sketch", poles=True):
 def picture(name):
     """The whole screen as a file."""
     wait(300)
-    subprocess.run(["import", "-window", "root", str(OUT / name)], check=True, timeout=20)
+    subprocess.run(["import", "-window", "root", str(OUT / name)], check=True, timeout=120)
 
 
 def scene(name, size=(900, 620)):
@@ -60,6 +99,26 @@ def choose(*things):
     Gui.Selection.clearSelection()
     for thing in things:
         Gui.Selection.addSelection(thing)
+
+
+def looks_from():
+    """Camera and window of the 3D view: what places on the screen hang on."""
+    view = Gui.ActiveDocument.ActiveView
+    return view.getCamera(), view.getSize(), Gui.getMainWindow().geometry().getRect()
+
+
+def fit(direction="", height=0.0):
+    """Look at everything, or at so many mm of height, from a direction; FreeCAD 1.x takes its time to turn."""
+    view = Gui.ActiveDocument.ActiveView
+    if direction:
+        getattr(view, f"view{direction}")()
+        still(looks_from)
+    if height:
+        view.setCameraType("Orthographic")
+        view.getCameraNode().height.setValue(height)
+    else:
+        view.fitAll()
+    still(looks_from)
 
 
 def viewport():
@@ -86,8 +145,8 @@ def mouse(*words):
     """xdotool, while the window lives."""
     process = subprocess.Popen(["xdotool", *map(str, words)])
     while process.poll() is None:
-        wait(5)
-    wait(100)
+        _live(5)
+    _live(100)
 
 
 def click(widget, button=1, times=1, at=None):
@@ -111,7 +170,7 @@ def tree_row(obj):
             t.metaObject().className() == "Gui::TreeWidget" for t in dock.findChildren(QtWidgets.QTreeWidget)
         ):
             dock.show()
-            wait(100)
+            until(dock.isVisible, 5)
     for bar in main.findChildren(QtWidgets.QTabBar):
         for i in range(bar.count() if bar.isVisible() else 0):
             if bar.tabText(i) == "Model":
@@ -120,7 +179,7 @@ def tree_row(obj):
         tree.expandAll()
         for item in tree.findItems(obj.Label, QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive, 0):
             tree.scrollToItem(item)
-            wait(150)
+            still(lambda tree=tree, item=item: tree.visualItemRect(item).getRect(), 0.15)
             return tree, item
     raise AssertionError(f"{obj.Label} is in no tree")
 
@@ -133,10 +192,18 @@ def keys(*names):
 def type_into(widget, words):
     """Click into a field, replace what is there, leave it by Tab."""
     click(widget)
+    until(lambda: has_focus(widget), 10)
     keys("ctrl+a")
     mouse("type", "--delay", 15, words)
     keys("Tab")
+    until(lambda: not has_focus(widget), 10)
     wait(250)
+
+
+def has_focus(widget):
+    """Do the keys go to this widget?"""
+    focused = QtWidgets.QApplication.focusWidget()
+    return focused is not None and (focused is widget or widget.isAncestorOf(focused))
 
 
 def toolbar_button(command):
@@ -149,9 +216,16 @@ def toolbar_button(command):
     return None
 
 
+def looked():
+    """Let FreeCAD look at which commands can be used, where it put that off."""
+    timers = [one for one in Gui.getMainWindow().children() if isinstance(one, QtCore.QTimer)]
+    until(lambda: not any(one.isActive() for one in timers if one.interval() == LOOKS_MS))
+
+
 def is_grey(command):
-    """Can the command not be used now? FreeCAD looks several times a second."""
-    wait(400)
+    """Can the command not be used now?"""
+    until(lambda: toolbar_button(command) is not None, 20)
+    looked()
     button = toolbar_button(command)
     assert button is not None, f"no button for {command}"
     return not button.isEnabled()
@@ -159,6 +233,7 @@ def is_grey(command):
 
 def press(command):
     """The toolbar button of a command, by a real mouse."""
+    until(lambda: not is_grey(command), 20)
     assert not is_grey(command), f"{command} is grey"
     click(toolbar_button(command))
     wait(200)
@@ -169,17 +244,35 @@ def action_of(command):
     return Gui.Command.get(command).getAction()[0]
 
 
-def trigger(command, choice=True):
-    """A command by its QAction, as its button and its menu entry do; False where it is grey."""
-    Gui.updateCommands() if hasattr(Gui, "updateCommands") else wait(360)  # else FreeCAD looks by itself
+def trigger(command, *, usable=True):
+    """A command by its QAction, as its button and its menu entry do; nothing happens where it is grey."""
+    looked()
     action = action_of(command)
-    for _ in range(20):  # FreeCAD looks three times a second, and later under load
-        if action.isEnabled() or not choice:
-            break
-        wait(100)
+    if usable:
+        until(action.isEnabled, 20)
     if action.isEnabled():
         action.trigger()
-    return action.isEnabled() or choice
+    return action.isEnabled()
+
+
+class Dialog:
+    """Does something with the next dialog that stands before everything else, which holds up who opened it."""
+
+    def __init__(self, work):
+        self.work, self.done = work, False
+        self.timer = QtCore.QTimer()
+        self.timer.timeout.connect(self.look)
+        self.timer.start(100)
+
+    def look(self):
+        for box in QtWidgets.QApplication.topLevelWidgets():
+            if isinstance(box, QtWidgets.QDialog) and box.isModal() and box.isVisible() and not self.done:
+                self.done = True
+                self.stop()
+                self.work(box)
+
+    def stop(self):
+        self.timer.stop()
 
 
 def fill(panel, **values):
@@ -199,7 +292,7 @@ def scroll_to(widget):
     for area in Gui.getMainWindow().findChildren(QtWidgets.QScrollArea):
         if area.isAncestorOf(widget):
             area.ensureWidgetVisible(widget)
-    wait(150)
+    still(lambda: widget.mapToGlobal(widget.rect().topLeft()).toTuple(), 0.15)
 
 
 def dialog_button(kind="Ok"):
@@ -230,7 +323,29 @@ def window():
     main = Gui.getMainWindow()
     main.showMaximized()
     main.activateWindow()
-    wait(400)
+    until(lambda: main.isActiveWindow() and main.width() > 0.9 * main.screen().size().width(), 20)
+    still(lambda: main.geometry().getRect())
+
+
+def at_rest():
+    """Let the open panel do what it put off: numbers are told a moment after the last change."""
+    until(lambda: panel().form is None or not any(one.isActive() for one in timers_of(panel())))
+
+
+def timers_of(opened):
+    """The timers by which a panel puts something off."""
+    return [opened._timer, *([opened._refresh] if hasattr(opened, "_refresh") else [])]
+
+
+def live_at_rest():
+    """Let the overlay give its slower answers: widths, and where a curve is refused the nearest one."""
+    from freecad.elastica_wb.live import session as live
+
+    def rests():
+        one = live.session()
+        return one is None or not any(timer.isActive() for timer in (one._soon, one._rest, one._answer))
+
+    until(rests)
 
 
 def drag(start, steps, shift, name="", grab=lambda: None):

@@ -9,8 +9,10 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from inside import (
     ARCH,
+    Dialog,
     QtWidgets,
     answers,
+    at_rest,
     choose,
     click,
     dialog_button,
@@ -20,10 +22,9 @@ from inside import (
     sketch,
     trigger,
     type_into,
-    wait,
+    until,
     window,
 )
-from PySide import QtCore
 
 
 def work():
@@ -44,35 +45,39 @@ def work():
     document = App.newDocument("Sprache")
     choose(sketch(document, ARCH))
     trigger("Elastica_Strip")
-    wait(200)
+    until(lambda: Gui.Control.activeDialog() and Panel.opened.form.MaxWidth.isVisible())
+    at_rest()
     answers["panel"] = Panel.opened.form.windowTitle()
     strip, box = document.getObject("Strip"), Panel.opened.form.MaxWidth
     typed = []
-    wait(1000)
+    until(lambda: strip.Held)
     for text in ("25,5", "12,25 mm", "1,5 cm"):
+        before = strip.MaxWidth.Value
         scroll_to(box)
         type_into(box, text)
-        wait(500)
+        until(lambda before=before: strip.MaxWidth.Value != before, 20)
+        at_rest()
         typed.append([strip.MaxWidth.Value, box.text()])
     answers["typed"] = typed
-    wait(1000)
+    until(lambda: strip.Held and strip.Held in Panel.opened.form.footnote.text())
+    at_rest()
     answers["numbers"] = Panel.opened.form.numbers.text()
     answers["message"] = Panel.opened.form.message.text() + Panel.opened.form.footnote.text()
     picture("german.png")
     click(dialog_button("Ok"))
-    wait(300)
+    until(lambda: not Gui.Control.activeDialog())
     answers["kept"] = strip.MaxWidth.Value
 
-    def look():
-        for box in QtWidgets.QApplication.topLevelWidgets():
-            if isinstance(box, QtWidgets.QDialog) and box.isVisible():
-                field = box.findChild(QtWidgets.QLineEdit, "defaultSheet")
-                answers["preferences"] = field.text() if field else None
-                picture("preferences.png")
-                box.reject()
+    def read(box):
+        until(lambda: box.findChild(QtWidgets.QLineEdit, "defaultSheet").isVisible(), 20)
+        field = box.findChild(QtWidgets.QLineEdit, "defaultSheet")
+        answers["preferences"] = field.text() if field else None
+        picture("preferences.png")
+        box.reject()
 
-    QtCore.QTimer.singleShot(1500, look)
+    asked = Dialog(read)
     Gui.showPreferences("Elastica", 0)
+    asked.stop()
     answers["kerf"] = preferences.get("Kerf")
 
 

@@ -23,6 +23,7 @@ from inside import (
     sketch,
     told,
     toolbar_button,
+    until,
     wait,
     window,
 )
@@ -46,6 +47,7 @@ def put_away():
             button = dialog_button(kind)
             if button is not None:
                 click(button)
+                until(lambda: not Gui.Control.activeDialog(), 5)
                 break
     wait(100)
     if Gui.ActiveDocument is not None and Gui.ActiveDocument.getInEdit() is not None:
@@ -67,16 +69,19 @@ def press_all(state, prepare):
         Gui.activateWorkbench("ElasticaWorkbench")
         prepare(document)
         Gui.activateWorkbench("ElasticaWorkbench")
-        wait(150)
+        until(lambda name=name: toolbar_button(name) is not None, 20)
         if is_grey(name):
             grey.append(name)
         else:
             seen, before = len(report()), (len(document.Objects), live.session() is not None)
             click(toolbar_button(name))
-            wait(350)
             answers["pressed"] += 1
-            after = (len(document.Objects), live.session() is not None)
-            if not (Gui.Control.activeDialog() or told() or after != before):
+
+            def seen_of_it(document=document, before=before):
+                after = (len(document.Objects), live.session() is not None)
+                return Gui.Control.activeDialog() or told() or after != before
+
+            if not until(seen_of_it, 20):
                 answers["trouble"].append(f"{name} in {state}: nothing is seen")
             if "Traceback" in report()[seen:] or "Error:" in report()[seen:]:
                 answers["trouble"].append(f"{name} in {state}: {report()[seen:][-600:]}")
@@ -106,6 +111,7 @@ def an_open_sketch(document):
     drawn = sketch(document, ARCH)
     Gui.Selection.clearSelection()
     Gui.ActiveDocument.setEdit(drawn.Name)
+    until(lambda: Gui.ActiveDocument.getInEdit() is not None)
     wait(300)
 
 
@@ -154,7 +160,9 @@ def many_strips():
     began = time.perf_counter()
     document.undo()
     wait(1)
-    answers["undo of a box"] = [made[:], time.perf_counter() - began]
+    took = time.perf_counter() - began
+    until(lambda: made, 1)
+    answers["undo of a box"] = [made[:], took]
     document.openTransaction("Draw")
     curve = strips[3].Curve[0].Geometry[0]
     curve.setPole(3, App.Vector(70, 95, 0))
@@ -165,6 +173,7 @@ def many_strips():
     ratio = strips[3].Ratio
     made.clear()
     document.undo()
+    until(lambda: made and strips[3].Ratio != ratio, 20)
     wait(300)
     answers["undo of a curve"] = [sorted(set(made)), strips[3].Ratio != ratio]
     StripFeature.execute = usual
