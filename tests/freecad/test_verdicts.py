@@ -1,5 +1,7 @@
 """Three verdicts, DXF without ezdxf, caches that grow, strips that follow their body."""
 
+import re
+from dataclasses import replace
 from io import StringIO
 
 import ezdxf
@@ -11,13 +13,18 @@ from freecad.elastica_wb.features import strip
 from freecad.elastica_wb.live.curve_picture import curve_picture
 from freecad.elastica_wb.live.verdict import Verdict, refusal_answer, strip_answer
 from freecad.elastica_wb.solving.growing_cache import LEAST, growing_cache
-from freecad.elastica_wb.solving.strip_cache import solve_strip
+from freecad.elastica_wb.solving.strain_use import sharpest_bend
+from freecad.elastica_wb.solving.strip_cache import find_nearest_now, solve_strip
 
 from elastica_cad.errors import ElasticaError
 from elastica_cad.fabrication.strip_spec import StripSpec
+from elastica_cad.forming.limits import Limits
+from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.material.sheet import Sheet
 
 ARCH = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]
+SHOULDERS = [(0, 0), (10, 70), (70, 90), (130, 70), (140, 0)]
 BAD = [(0, 0), (40, 60), (80, -60), (120, 20), (160, 30), (180, 0)]
 
 
@@ -41,6 +48,43 @@ def test_strain_beyond_the_sheet_breaks_at_once():
     slow = strip_answer(solve_strip(spec))
     assert slow.verdict is Verdict.BREAKS
     assert float(slow.words.split(": ")[1].removesuffix(" %")) == pytest.approx(percent, abs=3)
+
+
+def at_its_limit(spec, share):
+    """The same request of a sheet that bears `share` of what the curve's sharpest place asks for."""
+    strained = solve_strip(spec)
+    sheet = replace(spec.material, max_strain=strained.max_strain * share, max_strain_range=None)
+    return replace(spec, sheet=sheet)
+
+
+@pytest.mark.parametrize(
+    ("share", "verdict"), [(1.0, Verdict.CAN), (1.01, Verdict.CAN), (0.999, Verdict.BREAKS)]
+)
+def test_no_green_above_a_hundred_percent(share, verdict):
+    """At the limit, a hundredth below, a thousandth above: over 100 % is told where it breaks, and only there."""
+    spec = at_its_limit(asked(ARCH), share)
+    quick, slow = curve_picture(spec.curve, spec).answer, strip_answer(solve_strip(spec))
+    assert [quick.verdict, slow.verdict] == [verdict, verdict]
+    told = f"{slow.words} {slow.sentence}" if verdict is Verdict.CAN else slow.words
+    (percent,) = (int(number) for number in re.findall(r"(\d+) %", told))
+    assert percent == {1.0: 100, 1.01: 99, 0.999: 101}[share]
+    assert (percent > 100) == (verdict is Verdict.BREAKS)
+    assert ("beyond" in slow.sentence) == (verdict is Verdict.BREAKS)
+
+
+@pytest.mark.parametrize(("points", "share"), [(ARCH, 0.97), (BAD, 0.8), (SHOULDERS, 0.97), (SHOULDERS, 0.6)])
+def test_the_nearest_curve_can_be_used(points, share):
+    """A rod at the limit of its sheet strays above it once drawn as a spline: what is offered does not."""
+    curve = PlaneCurve.spline(points)
+    sheet = Sheet.named("birch-plywood-0.8")
+    bears = share * sharpest_bend(curve, 0.0)[0] * sheet.thickness / 2
+    sheet = replace(sheet, max_strain=bears, max_strain_range=None)
+    near = find_nearest_now(RodSpec(curve, limits=Limits(ratio=10, sheet=sheet)))
+    assert near.met
+    again = StripSpec(near.curve, sheet, max_width=30.0)
+    assert curve_picture(near.curve, again).answer.verdict is Verdict.CAN
+    drawn = strip_answer(solve_strip(again))
+    assert drawn.verdict is Verdict.CAN, drawn.sentence
 
 
 def test_a_sketch_too_small_for_its_strip_is_told():
@@ -148,3 +192,4 @@ def test_strain_use_is_not_capped(document, drawn):
     document.recompute()
     assert feature.State == ["Up-to-date"], feature.getStatusString()
     assert feature.StrainUse > 100
+    assert feature.Verdict.startswith("A flat strip would break")

@@ -10,7 +10,7 @@ from elastica_cad.errors import InputError
 LIMIT_SLACK = 1e-9
 """Relative slack on limits that a design may touch."""
 
-STRAIN_SLACK = 2e-3
+STRAIN_SLACK = 1e-6
 """The same for strains: sheets tell two digits, and a curve at its limit strays by less once drawn as a spline."""
 
 

@@ -3055,6 +3055,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>A flat strip would break on this curve.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A flat strip takes this curve.</source>
         <translation type="unfinished"></translation>
     </message>

@@ -3067,6 +3067,10 @@
         <translation>Die Gerade durch die Wendepunkte %1</translation>
     </message>
     <message>
+        <source>A flat strip would break on this curve.</source>
+        <translation>Ein flacher Streifen würde an dieser Kurve brechen.</translation>
+    </message>
+    <message>
         <source>A flat strip takes this curve.</source>
         <translation>Ein flacher Streifen nimmt diese Kurve an.</translation>
     </message>

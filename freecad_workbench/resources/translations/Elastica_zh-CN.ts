@@ -3067,6 +3067,10 @@
         <translation>过其拐点的直线%1</translation>
     </message>
     <message>
+        <source>A flat strip would break on this curve.</source>
+        <translation>平条会在这条曲线上断裂。</translation>
+    </message>
+    <message>
         <source>A flat strip takes this curve.</source>
         <translation>平条带可以弯成这条曲线。</translation>
     </message>

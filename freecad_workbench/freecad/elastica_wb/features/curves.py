@@ -29,7 +29,7 @@ from freecad.elastica_wb.host.property_table import Property, put
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.shapes.part_shapes import spline_geometry
-from freecad.elastica_wb.solving.strip_cache import find_nearest
+from freecad.elastica_wb.solving.strip_cache import find_nearest_to_draw
 
 from elastica_cad.errors import InputError
 from elastica_cad.forming.nearest.nearest_record import NearestRod
@@ -52,7 +52,7 @@ class NearestFeature(Feature):
     def make(self, obj: Any) -> None:
         """Search it."""
         drawn = drawn_curve(obj.Curve, obj)
-        near = find_nearest(nearest_spec_of(obj, drawn))
+        near = find_nearest_to_draw(nearest_spec_of(obj, drawn))
         obj.Shape = spline_geometry(near.curve).toShape()
         obj.Placement = drawn.placement
         held = [
@@ -222,7 +222,7 @@ def section_sketches_of(obj: Any) -> None:
 
 
 def _near(obj: Any) -> NearestRod:
-    return find_nearest(nearest_spec_of(obj, drawn_curve(obj.Curve, obj)))
+    return find_nearest_to_draw(nearest_spec_of(obj, drawn_curve(obj.Curve, obj)))
 
 
 def _sections(obj: Any) -> tuple[list[tuple[Any, list[SectionCurve]]], list[str]]:

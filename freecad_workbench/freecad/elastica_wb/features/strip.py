@@ -18,6 +18,7 @@ from freecad.elastica_wb.host.refusal import FAILURES
 from freecad.elastica_wb.host.sheet_store import sheet_called
 from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.host.view_providers import dress
+from freecad.elastica_wb.solving.strain_use import is_beyond, strain_use, whole_percent
 from freecad.elastica_wb.solving.strip_cache import (
     bent_shape,
     find_nearest,
@@ -139,7 +140,9 @@ def _tell_results(obj: Any, strip: Strip, changed: float | None, smoothed: float
         )
         notes.append(f"it does not stay in this shape: the stability margin is {found.margin:.3g}{where}")
     taken = "A flat strip takes this curve."
-    if changed is not None:
+    if is_beyond(strain_use(strip)):
+        taken = "A flat strip would break on this curve."
+    elif changed is not None:
         taken = f"A flat strip takes a curve {changed:.3g} mm from this one."
     put(
         obj,
@@ -149,7 +152,7 @@ def _tell_results(obj: Any, strip: Strip, changed: float | None, smoothed: float
         Margin=0.0 if found is None else found.margin,
         ConjugatePoint=0.0 if found is None or found.conjugate_point is None else found.conjugate_point,
         LargestStrain=100 * strip.max_strain,
-        StrainUse=round(100 * strip.max_strain / strip.strain_limit),
+        StrainUse=whole_percent(strain_use(strip)),
         Deviation=(rod.moved if changed is None else changed) + smoothed,
         Length=rod.length,
         NarrowestWidth=strip.width.extremes[0],

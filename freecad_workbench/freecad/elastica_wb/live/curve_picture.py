@@ -93,7 +93,7 @@ def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None
         distances=texts,
         crossings=_at(curve, (*check.crossings, *check.touches)),
         realizable=realizable,
-        answer=quick_answer(samples, spec, check),
+        answer=quick_answer(curve, samples, spec, check),
     )
 
 

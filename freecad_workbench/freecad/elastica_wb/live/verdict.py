@@ -6,14 +6,14 @@
 from dataclasses import dataclass
 from enum import Enum
 
-import numpy as np
 from freecad.elastica_wb.host.resources import translate
+from freecad.elastica_wb.solving.strain_use import is_beyond, sharpest_bend, strain_use, whole_percent
 
 from elastica_cad.errors import ElasticaError
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.geometry.curves.curve_records import CurveSamples
-from elastica_cad.mechanics.loads.rest_curvature import nodal_curvature
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
 
 SLENDER = 2.0  # times its width a strip must be long before it bends as a rod does
@@ -37,11 +37,13 @@ class Answer:
     sentence: str
 
 
-def quick_answer(samples: CurveSamples, spec: StripSpec, check: EquilibriumCheck) -> Answer:
+def quick_answer(
+    curve: PlaneCurve, samples: CurveSamples, spec: StripSpec, check: EquilibriumCheck
+) -> Answer:
     """What can be said at once: balance, the skin's strain, whether the strip is one."""
     if not check.realizable:
         return Answer(Verdict.CANNOT, translate("Elastica", "cannot"), sentence_of(check))
-    spoiled = _too_wide(check.length, spec.max_width) or _too_sharp(samples, spec)
+    spoiled = _too_wide(check.length, spec.max_width) or _too_sharp(curve, samples, spec)
     return spoiled or Answer(Verdict.CAN, translate("Elastica", "can"), sentence_of(check))
 
 
@@ -50,9 +52,10 @@ def strip_answer(strip: Strip) -> Answer:
     spoiled = _too_wide(strip.rod.length, strip.width.extremes[1])
     if spoiled is not None:
         return spoiled
-    if _used(strip) > 1:
-        strained = [line for line in strip.warnings if line.startswith("strain")]
-        return Answer(Verdict.BREAKS, _breaks(_used(strip)), (strained or [sentence_of(strip)])[0])
+    used = strain_use(strip)
+    if is_beyond(used):
+        strained = next(line for line in strip.warnings if line.startswith("strain"))
+        return Answer(Verdict.BREAKS, _breaks(used), strained)
     return Answer(Verdict.CAN, translate("Elastica", "can"), sentence_of(strip))
 
 
@@ -69,7 +72,7 @@ def sentence_of(answer: EquilibriumCheck | Strip | ElasticaError) -> str:
         low, high = answer.width.extremes
         return (
             f"A flat strip takes this curve: {low:.3g} to {high:.3g} mm wide, stiffness ratio "
-            f"{answer.rod.ratio:.3g}, strain {100 * _used(answer):.0f} % of what the sheet bears."
+            f"{answer.rod.ratio:.3g}, strain {whole_percent(strain_use(answer))} % of what the sheet bears."
         )
     if isinstance(answer, NotRealizable):
         return answer.check.reasons[0]
@@ -88,24 +91,18 @@ def _too_wide(length: float, width: float | None) -> Answer | None:
     return Answer(Verdict.BREAKS, translate("Elastica", "too short for its width"), words)
 
 
-def _too_sharp(samples: CurveSamples, spec: StripSpec) -> Answer | None:
-    bend = np.abs(samples.curvature - nodal_curvature(spec.natural_curvature, samples.s))
-    sheet, sharpest = spec.material, int(np.argmax(bend))
-    used = float(bend[sharpest]) * sheet.thickness / 2 / sheet.max_strain
-    if used <= 1:
+def _too_sharp(curve: PlaneCurve, samples: CurveSamples, spec: StripSpec) -> Answer | None:
+    sheet = spec.material
+    bend, place = sharpest_bend(curve, spec.natural_curvature, samples)
+    used = bend * sheet.thickness / 2 / sheet.max_strain
+    if not is_beyond(used):
         return None
-    place = float(samples.s[sharpest])
     words = (
-        f"It would break at {place:.3g} mm: its radius there is {1 / bend[sharpest]:.3g} mm, the sheet bears "
-        f"{used / bend[sharpest]:.3g} mm; use a thinner sheet or a gentler curve."
+        f"It would break at {place:.3g} mm: its radius there is {1 / bend:.4g} mm, the sheet bears "
+        f"{used / bend:.4g} mm; use a thinner sheet or a gentler curve."
     )
     return Answer(Verdict.BREAKS, _breaks(used), words)
 
 
-def _used(strip: Strip) -> float:
-    """Share of the strain that the sheet bears."""
-    return float(strip.max_strain / strip.strain_limit)
-
-
 def _breaks(used: float) -> str:
-    return f"{translate('Elastica', 'would break')}: {100 * used:.0f} %"
+    return f"{translate('Elastica', 'would break')}: {whole_percent(used)} %"

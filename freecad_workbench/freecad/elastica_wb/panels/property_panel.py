@@ -159,7 +159,10 @@ class PropertyPanel(Panel):
         """A property was changed: by the property editor, an expression, undo, or the recompute."""
         if self.form is None or obj is not self.object:
             return
-        if name in self.fields and name not in self._touched and not self._writing:
+        if name in self.fields and not self._writing:
+            self._touched.pop(
+                name, None
+            )  # an expression moves its box too: what waits there is older than this
             self._refill(name)
         self._refresh.start()
 

@@ -10,12 +10,14 @@ import Part
 from freecad.elastica_wb.host.progress import in_background
 from freecad.elastica_wb.shapes.part_shapes import make_solid
 from freecad.elastica_wb.solving.growing_cache import growing_cache
+from freecad.elastica_wb.solving.strain_use import is_beyond, sharpest_bend
 
 from elastica_cad.errors import ElasticaError, MissingDependencyError, NotConvergedError
 from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord, FlatSolid
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
+from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.geometry.frame import Frame
@@ -24,6 +26,7 @@ from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
 
 MANY_HOLES = 100
+STRICTER, BEYOND = 4, 1.3  # times a search for a drawing is repeated; of what it was beyond its limit
 SEARCHING = "Searching the nearest curve"
 
 
@@ -44,14 +47,42 @@ def solve_strip(spec: StripSpec) -> Strip:
         ) from error
 
 
-def find_nearest_now(asked: RodSpec) -> NearestRod:
-    """As `find_nearest`, for threads of their own: no progress bar."""
-    return _found(asked)
-
-
 def find_nearest(asked: RodSpec) -> NearestRod:
     """The nearest rod to a curve that may change."""
     return in_background(SEARCHING, _found, asked)
+
+
+def find_nearest_to_draw(asked: RodSpec) -> NearestRod:
+    """The same, for its curve to be drawn: as a spline it keeps the limits too."""
+    return in_background(SEARCHING, find_nearest_now, asked)
+
+
+@growing_cache
+def find_nearest_now(asked: RodSpec) -> NearestRod:
+    """As `find_nearest_to_draw`, for threads of their own: no progress bar.
+
+    A spline strays from its rod by some thousandths of the curvature, so the rod keeps as much more away.
+    """
+    near, limits = _found(asked), asked.limits
+    most = None if limits is None else limits.largest_curvature
+    for _ in range(STRICTER):
+        if limits is None or most is None or near.found is None or not near.met:
+            break
+        over = sharpest_bend(near.curve, asked.natural_curvature)[0] / most
+        if not is_beyond(over):
+            break
+        limits = _stricter(limits, 1 + BEYOND * (over - 1))
+        near = _found(replace(asked, limits=limits))
+    return near
+
+
+def _stricter(limits: Limits, more: float) -> Limits:
+    """Limits that allow so many times less curvature."""
+    if limits.curvature is not None:
+        limits = replace(limits, curvature=limits.curvature / more)
+    if limits.sheet is not None:
+        limits = replace(limits, strain=(limits.strain or limits.sheet.max_strain) / more)
+    return limits
 
 
 def judged(rod: Rod) -> Stability | None:

@@ -10,7 +10,7 @@ from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.refusal import FAILURES, explained
 from freecad.elastica_wb.host.sheet_store import sheet_called
 from freecad.elastica_wb.live import session as live
-from freecad.elastica_wb.live.verdict import sentence_of
+from freecad.elastica_wb.live.verdict import Verdict, strip_answer
 from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.solving.strip_cache import solve_strip
 
@@ -40,7 +40,9 @@ class CheckPanel(Panel):
             sheet = sheet_called(preferences.default_sheet())
             try:
                 spec = StripSpec(curve, sheet, max_width=preferences.get("MaxWidth"))
-                words.append(sentence_of(solve_strip(spec)))
+                answer = strip_answer(solve_strip(spec))
+                # in balance it could be bent, but for what the sheet bears
+                words = [answer.sentence] if answer.verdict is Verdict.BREAKS else [*words, answer.sentence]
             except ElasticaError as error:
                 words.append(str(error))
         self.tell("\n\n".join(words))

@@ -11,7 +11,8 @@ from freecad.elastica_wb.curves.sketch_curves import curve_into, sketch_curve
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import sheet_called
-from freecad.elastica_wb.live.verdict import sentence_of
+from freecad.elastica_wb.live.curve_picture import TEETH
+from freecad.elastica_wb.live.verdict import quick_answer, sentence_of, strip_answer
 from freecad.elastica_wb.panels.panel import Panel, active_view
 from freecad.elastica_wb.panels.widgets.fields import set_value
 from freecad.elastica_wb.preview.preview_lines import Preview
@@ -71,10 +72,8 @@ class ProjectivePanel(Panel):
         """Take what was typed, pull the curve, and say what strip it makes."""
         self._typed()
         self.pull()
-        sheet = sheet_called(preferences.default_sheet())
         try:
-            spec = StripSpec(self.curve, sheet, max_width=preferences.get("MaxWidth"))
-            self.tell(f"{sentence_of(solve_strip(spec))}{self._warning()}")
+            self.tell(f"{strip_answer(solve_strip(self._spec())).sentence}{self._warning()}")
         except ElasticaError as error:
             self.tell(f"{sentence_of(error)}{self._warning()}")
 
@@ -85,7 +84,10 @@ class ProjectivePanel(Panel):
         pulled = self.drawn if same else self.drawn.transformed(four_point_map(self.corners, self.handles))
         self.curve = pulled
         self._draw()
-        self.tell(f"{sentence_of(check_equilibrium(self.curve))}{self._warning()}")
+        answer = quick_answer(
+            self.curve, self.curve.sample(TEETH), self._spec(), check_equilibrium(self.curve)
+        )
+        self.tell(f"{answer.sentence}{self._warning()}")
 
     def finished(self) -> None:
         """Write the curve into the sketch."""
@@ -100,6 +102,10 @@ class ProjectivePanel(Panel):
         if self.preview is not None:
             self.preview.remove()
             self.preview = None
+
+    def _spec(self) -> StripSpec:
+        sheet = sheet_called(preferences.default_sheet())
+        return StripSpec(self.curve, sheet, max_width=preferences.get("MaxWidth"))
 
     def _draw(self) -> None:
         if self.preview is not None:
