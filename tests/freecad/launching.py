@@ -50,15 +50,15 @@ def run_console(script: str, folder: Path, *, addon: bool = True, **variables: s
     return _run(
         [program("freecadcmd"), str(SCRIPTS / script)],
         folder,
-        120,
+        600,
         make_home(folder, addon=addon) | variables,
     )
 
 
 def run_window(
-    script: str, folder: Path, timeout: float = 240, language: str = "", theme: str = "", **variables: str
+    script: str, folder: Path, timeout: float = 1500, language: str = "", theme: str = "", **variables: str
 ) -> dict[str, Any]:
-    """Run a script in FreeCAD on a screen of its own; its answers."""
+    """Run a script in FreeCAD on a screen of its own; its answers. The limit is for what hangs."""
     config = folder / "user.cfg"
     # numbers as that language writes them, whatever the system's
     locale = '<FCInt Name="UseLocaleFormatting" Value="1"/>'

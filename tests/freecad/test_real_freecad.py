@@ -24,7 +24,7 @@ def test_freecadcmd(tmp_path):
     assert found["step"] == pytest.approx(found["shapes"], rel=1e-6)
     assert len(found["files"]) == 3
     first, *more = found["said"]
-    assert first == f"Elastica, Strip: {found['status']}"
+    assert re.fullmatch(rf".*console\.py\(\d+\) Elastica, Strip: {re.escape(found['status'])}", first)
     assert more in ([], [f"Strip: {found['status']}"]), "FreeCAD 1.x repeats the state in a line of its own"
     assert found["traceback"] == 0
     assert not found["limit"]
@@ -132,7 +132,7 @@ def test_every_command(tmp_path):
     assert seen[-1] > length
     # the wave is in balance, and too sharp for the sheet: no panel says that a strip takes it
     assert "beyond" in found["typed handle"]
-    assert found["projective verdict"].startswith("It would break")
+    assert re.search("would break|beyond", found["projective verdict"])
     assert "beyond" in found["projective strip"]
     rational, realizable, off, solved = found["projective"]
     assert rational
@@ -189,7 +189,7 @@ def test_in_inches(tmp_path):
 
 
 def test_a_hostile_user(tmp_path):
-    found = launching.run_window("hostile.py", tmp_path, timeout=600)
+    found = launching.run_window("hostile.py", tmp_path)
     assert found["trouble"] == []
     assert len(found["times"]) == 14 * 5 + 5
     assert "is empty" in found["empty in edit"]
@@ -239,7 +239,7 @@ def test_first_use_in_german_and_in_the_dark(tmp_path):
 
 
 def test_every_button_in_every_state(tmp_path):
-    found = launching.run_window("states.py", tmp_path, timeout=600)
+    found = launching.run_window("states.py", tmp_path)
     assert found["trouble"] == []
     assert found["pressed"] > 30
     grey = found["grey"]
@@ -251,11 +251,11 @@ def test_every_button_in_every_state(tmp_path):
     assert "Elastica_Export" not in grey["a_strip"]
     assert {"Elastica_Strip", "Elastica_Export"} <= set(grey["foreign"])
     assert found["undo of a box"][0] == [], "nothing that was not changed is made anew"
-    assert found["undo of a curve"][1]
+    assert found["undo of a curve"] == [["Strip003"], True]
 
 
 def test_what_a_hand_does(tmp_path):
-    found = launching.run_window("hand.py", tmp_path, timeout=400)
+    found = launching.run_window("hand.py", tmp_path)
     kinds = ["Strip", "Model", "Flat", "Fixtures", "BasePlate", "Nest", "Bent", "Nearest", "Section"]
     assert set(found["edited"]) == {f"{kind}Feature" for kind in kinds}
     assert all(found["edited"].values()), found["edited"]

@@ -146,13 +146,13 @@ def many_strips():
     box = document.addObject("Part::Box", "Box")
     document.recompute()
     made = []
-    usual = StripFeature.execute
+    usual = StripFeature.make
 
     def counted(self, obj):
         made.append(obj.Name)
         usual(self, obj)
 
-    StripFeature.execute = counted
+    StripFeature.make = counted
     document.openTransaction("Move")
     box.Placement.Base.x = 50
     document.commitTransaction()
@@ -176,7 +176,7 @@ def many_strips():
     until(lambda: made and strips[3].Ratio != ratio, 20)
     wait(300)
     answers["undo of a curve"] = [sorted(set(made)), strips[3].Ratio != ratio]
-    StripFeature.execute = usual
+    StripFeature.make = usual
     App.closeDocument(document.Name)
 
 

@@ -3,13 +3,13 @@
 
 """What the proxies of all features share: properties, sheets, curves that move with containers, refusals."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from typing import Any, ClassVar
 
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.property_table import Property, ensure, put
-from freecad.elastica_wb.host.refusal import FAILURES, explained, refused
+from freecad.elastica_wb.host.refusal import FAILURES, RefusalError, explained, raising, refused
 from freecad.elastica_wb.host.sheet_store import sheet_called, sheet_list
 from freecad.elastica_wb.host.view_providers import dress
 
@@ -60,14 +60,19 @@ class Feature:
                 if name == "Sheet" and "Thickness" in obj.PropertiesList:
                     put(obj, Thickness=sheet.thickness)
 
-    def execute(self, obj: Any) -> None:
-        """Make the shape, or fail with a sentence and keep the last good one."""
+    @property
+    def execute(self) -> Callable[[Any], None]:
+        """What FreeCAD calls in a recompute: it fails with a sentence and keeps the last good shape."""
+        return raising(self._made_or_refused)
+
+    def _made_or_refused(self, obj: Any) -> RefusalError | None:
         try:
             self.make(obj)
         except FAILURES as error:
             told = explained(error)
             self.failed(obj, told)
-            raise refused(obj, told) from None
+            return refused(obj, told)
+        return None
 
     def make(self, obj: Any) -> None:
         """Set the shape and the results."""

@@ -1,61 +1,79 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""How a feature fails: a state with a sentence, and in the report view that sentence instead of a traceback.
+"""How a feature fails: a state with a sentence, and in the report view that sentence in a line.
 
-FreeCAD turns every exception of `execute` into the feature's state and writes its traceback first. It asks for
-the text of the exception's class, then for that of the exception, then it prints the traceback, then it lets go
-of the exception: between the first and the last of these Python is told to print no tracebacks.
+FreeCAD makes every exception of `execute` the feature's state, and writes the text of its class and its own behind
+its traceback. A traceback is made of the Python functions that an exception leaves: one that is raised by compiled
+code, called by FreeCAD through compiled code alone, has none. So Python hands its refusal over as a value, and
+compiled code raises it: a generator at its end throws what it is given. FreeCAD then writes who asked for the
+recompute instead.
 """
 
-import sys
+from collections.abc import Callable
+from functools import partial, reduce
+from operator import or_
 from typing import Any
 
-import FreeCAD as App
 import Part
+from FreeCAD import Base
 from freecad.elastica_wb.host.user_units import worded
 
 from elastica_cad.errors import ElasticaError, InputError, MissingDependencyError
 
-FAILURES = (ElasticaError, ImportError, Part.OCCError, App.Base.FreeCADError)
+FAILURES = (ElasticaError, ImportError, Part.OCCError, Base.FreeCADError)
 """What `execute` answers in words; anything else is a mistake of ours and shows where it was made."""
-
-LIMIT = "tracebacklimit"
 
 
 class _Speaker(type):
     """The class of a class whose text is the name of what failed."""
 
     who = ""
-    limit: int | None = None
 
     def __str__(cls) -> str:
-        if not cls.who:
-            return super().__str__()
-        cls.limit = getattr(sys, LIMIT, None)
-        sys.tracebacklimit = 0
-        return f"Elastica, {cls.who}"
-
-    def over(cls) -> None:
-        """The exception is gone: tracebacks as before."""
-        if cls.limit is not None:
-            sys.tracebacklimit = cls.limit
-        elif getattr(sys, LIMIT, None) == 0:
-            del sys.tracebacklimit
-        cls.who, cls.limit = "", None
+        return f" Elastica, {cls.who}"  # behind the place of the recompute
 
 
 class RefusalError(ValueError, metaclass=_Speaker):
-    """Raised by `execute` only, and never kept: it lives as long as FreeCAD needs to report it."""
-
-    def __del__(self) -> None:
-        type(self).over()
+    """What `execute` raises when an object cannot be made."""
 
 
 def refused(obj: Any, error: ElasticaError) -> RefusalError:
-    """What `execute` raises when an object cannot be made."""
+    """The refusal of an object, to be raised by `raising`."""
     RefusalError.who = obj.Label
     return RefusalError(worded(str(error)))
+
+
+def raising(work: Callable[[Any], RefusalError | None]) -> Callable[[Any], None]:
+    """Work on an object that raises the refusal which `work` returns, without a Python function between."""
+    return partial(reduce, or_, (_Worker(work), _Thrower()))  # (obj | worker) | thrower
+
+
+class _Worker:
+    """`obj | worker` works on the object: a refusal, or `_Made`."""
+
+    def __init__(self, work: Callable[[Any], RefusalError | None]) -> None:
+        self._work = work
+
+    def __ror__(self, obj: Any) -> "RefusalError | _Made":
+        return self._work(obj) or _Made()
+
+
+class _Made:
+    """Nothing is thrown after it."""
+
+    def __or__(self, _thrower: object) -> None:
+        return None
+
+
+_ended: Any = (nothing for nothing in ())
+next(_ended, None)
+
+
+class _Thrower:
+    """`refusal | thrower` raises it."""
+
+    __ror__ = staticmethod(_ended.throw)
 
 
 def explained(error: Exception) -> ElasticaError:
