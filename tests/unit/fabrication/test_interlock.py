@@ -1,5 +1,6 @@
 """Slots of strips that cross: closed forms, patterns of crossings, sides, refusals."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -249,8 +250,12 @@ def test_a_strip_that_runs_into_another_lengthwise_is_refused():
     rod = optimal_rod(arch(40))
     strip = Strip(rod, CARD, max_width=20, label="A")
     wall = turned(np.pi / 2, at=(40, 0, 40), label="B")
-    with pytest.raises(InputError, match=r"A and B cross at .* ends before the crossing comes to its edge"):
+    with pytest.raises(
+        InputError, match=r"A and B cross at .* mm of A, but one of them ends before"
+    ) as refused:
         Model([Placed(strip, (0, 0, 0), (1, 0, 0), (0, 0, 1)), wall]).interlock()
+    place = float(re.search(r"at (\S+) mm", str(refused.value))[1])
+    assert rod.curve.at(place).position[0, 0] == pytest.approx(40.0, abs=0.5)
 
 
 def test_egg_crate_is_cut_the_same_way_throughout():

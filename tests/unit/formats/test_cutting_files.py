@@ -13,6 +13,7 @@ from elastica_cad.fabrication.drawings.drawing import (
     CUT_OUTER,
     ENGRAVE,
     MARK,
+    SHEET,
     Drawing,
     LayeredPath,
 )
@@ -101,6 +102,13 @@ def test_splines_keep_their_knots(tmp_path):
     curve = waved().segments[0].curve
     assert np.array(spline.knots) == pytest.approx(curve.knots, abs=1e-15)
     assert np.array(list(spline.control_points))[:, :2] == pytest.approx(curve.control_points, abs=1e-13)
+
+
+def test_only_the_border_of_a_sheet_is_seen_without_being_worked(tmp_path):
+    nested = Drawing("nest", (*drawing().strokes, LayeredPath(SHEET, Path.rectangle(200, 80))), ())
+    layers = ezdxf.readfile(write_drawing(nested, tmp_path / "nest.dxf")).layers
+    assert layers.get("SHEET").dxf.plot == 0
+    assert all(layers.get(name).dxf.plot == 1 for name in ("CUT_OUTER", "CUT_INNER", "MARK", "ENGRAVE"))
 
 
 def test_units_and_view(tmp_path):

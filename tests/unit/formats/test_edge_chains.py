@@ -30,6 +30,11 @@ def test_ring_is_one_chain_and_dust_is_dropped():
     assert join_runs([], 0.01) == []
 
 
+def test_lines_that_cross_in_their_middles_are_not_one_drawn_twice():
+    cross = [line((0, 0), (10, 10)), line((0, 10), (10, 0)), line((10, 10), (0, 0))]
+    assert len(join_runs(cross, 0.01)) == 2
+
+
 @pytest.mark.parametrize("tolerance", [0.0, -1.0, float("nan")])
 def test_tolerance_must_be_positive(tolerance):
     with pytest.raises(InputError, match="tolerance for joining"):

@@ -123,6 +123,9 @@ def test_shapes_and_lengths_with_units(svg):
     )
     assert circle.is_closed
     assert circle.length == pytest.approx(20 * np.pi * PX)
+    assert circle.at(0).position[0] == pytest.approx(PX * np.array([50, -40])), (
+        "SVG begins circles at three o'clock"
+    )
     assert np.abs(np.hypot(*((ellipse.sample(99).position / PX - (100, -40)) / (20, 10)).T) - 1).max() < 1e-9
     assert line.length == pytest.approx(5.0, rel=1e-12)
     assert line.is_straight
