@@ -282,9 +282,14 @@ def _option(name: str) -> str:
 
 
 def _within(refused: _Refused) -> Iterator[Words]:
-    """A number that is told instead of one that was typed: use 8 mm or more."""
+    """A number that is told instead of one that was typed: use 8 mm or more. What it quotes comes first."""
     told = re.findall(r"(?:use|give|make it|at most|at least|below) (\d[\d.]*\d|\d)", refused.said)
-    for number, option in product(told, refused.spoken_of):
+
+    def unquoted(option: click.Parameter) -> bool:
+        values = (refused.words[end - 1] for _, end in refused.typed(option))
+        return not any(re.search(rf"(?<![\d.]){re.escape(value)}(?![\d.])", refused.said) for value in values)
+
+    for number, option in product(told, sorted(refused.spoken_of, key=unquoted)):
         for start, end in refused.typed(option):
             if end == start + 2:
                 yield (*refused.words[: start + 1], number, *refused.words[end:])

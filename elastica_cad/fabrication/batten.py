@@ -113,13 +113,28 @@ class BattenSpec:
         thin = self.stock.largest * np.exp(-abs(taper))
         if thin < self.stock.least * (1 - 1e-9):
             most = float(np.log(self.stock.largest / self.stock.least)) * np.sign(taper)
-            within = camber_of(_pressed(self, most, chord, SEARCH_NODES))[1]
+            within = 100 * self._place_of(most, chord)
+            # rounded towards the middle, so that what is told can be made
+            nearest = (
+                f"at least {np.ceil(10 * within) / 10:.3g}"
+                if taper > 0
+                else f"at most {np.floor(10 * within) / 10:.3g}"
+            )
             raise InputError(
                 f"camber at {100 * self.place:.4g} % asks for {thin:.3g} mm at the thin end of stock of "
-                f"{self.stock.largest:g} mm, and {self.stock.least:g} mm must be left: with that it comes to "
-                f"{100 * within:.3g} %; move the camber, or allow less"
+                f"{self.stock.largest:g} mm, and {self.stock.least:g} mm must be left: move the camber to "
+                f"{nearest} % of the chord, or allow less"
             )
         return Batten(self, _straight_ends(_pressed(self, taper, chord, FINE_NODES).curve))
+
+    def _place_of(self, taper: float, chord: float) -> float:
+        """Where this taper brings a camber of that depth, which grows with the root of what the chord is short."""
+        for _ in range(MOST_STEPS):
+            depth, place = camber_of(_pressed(self, taper, chord, SEARCH_NODES))
+            if abs(depth - self.camber) < 10 * SETTLED:
+                break
+            chord = max(1 - (1 - chord) * (self.camber / depth) ** 2, 0.3)
+        return place
 
     def _taper(self) -> tuple[float, float]:
         """Logarithm of end over start size, and chord over length, by Newton's method on finite differences."""

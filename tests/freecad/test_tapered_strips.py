@@ -37,6 +37,16 @@ def test_a_law_that_no_strip_has_is_told(document, drawn):
     assert "diameter limits are 3 and 1 mm" in feature.getStatusString()
 
 
+def test_a_law_that_cannot_be_read_is_shown_how(document, drawn):
+    feature = strip.create(document, drawn(POINTS, 4))
+    feature.Sheet, feature.Law = "pom-1", "thickness"
+    document.recompute()
+    shown = feature.getStatusString().partition("such as ")[2]
+    feature.Law = shown.replace("[3, 8]", "[0.5, 3]")  # as thick as the curve can be
+    document.recompute()
+    assert feature.State == ["Up-to-date"], feature.getStatusString()
+
+
 def test_leaves_are_a_compound_of_bodies(document, drawn):
     leaf = 'kind = "leaves", leaves = 4, width = 12'
     feature = strip.create(document, drawn(POINTS, 4))

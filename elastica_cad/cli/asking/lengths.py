@@ -14,7 +14,7 @@ _NAMED = MILLIMETRES | {"inch": MILLIMETRES["in"], '"': MILLIMETRES["in"]}
 
 
 class Length(click.ParamType):  # type: ignore[type-arg]  # no generic class before click 8.2
-    """A length in mm: "38", "1.5in", "3.8cm"; without a unit it is of the command's `--units`.
+    """A length in mm: "38", "1.5in", "5/16in", "3.8cm"; without a unit it is of the command's `--units`.
 
     Parameters
     ----------
@@ -36,10 +36,10 @@ class Length(click.ParamType):  # type: ignore[type-arg]  # no generic class bef
         if value in self.words:
             return value
         plain = UNITS[(ctx.params.get("units") if ctx else None) or "mm"]
-        found = re.fullmatch(r"\s*([-+.\deE]+?)\s*([a-z]+|\")\s*", value)
+        found = re.fullmatch(r"\s*([-+.\deE/ ]+?)\s*([a-z]+|\")\s*", value)
         number, scale = (value, plain) if found is None else (found[1], _NAMED.get(found[2], 0.0))
         try:
-            length = scale * float(number)
+            length = scale * _number(number)
         except ValueError:
             scale = 0.0
         if not scale:
@@ -52,6 +52,12 @@ class Length(click.ParamType):  # type: ignore[type-arg]  # no generic class bef
         if self.positive and not length > 0:
             self.fail(f"{value} is no length above 0", param, ctx)
         return length
+
+
+def _number(text: str) -> float:
+    """Of digits, or of a fraction as on a folding rule: "5/16", "1 3/8", "1-3/8"."""
+    parts = re.fullmatch(r"\s*(?:(\d+)[ -])?(\d+)/([1-9]\d*)\s*", text)
+    return float(text) if parts is None else int(parts[1] or 0) + int(parts[2]) / int(parts[3])
 
 
 LENGTH = Length()

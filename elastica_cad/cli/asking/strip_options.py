@@ -25,6 +25,7 @@ from elastica_cad.fabrication.strip.styles import Plain, Style
 from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.formats.design_files.strip_records import (
+    LAW_LINE,
     parse_line,
     read_keep_out,
     read_law,
@@ -224,7 +225,9 @@ def spec_from_options(curve: PlaneCurve, name: str, chosen: Mapping[str, Any]) -
             creep=chosen["creep"],
             anyway=chosen["anyway"],
             frame=_frame(chosen),
-            law=None if line is None else parse_line(line, "--law", partial(read_law, sheet=sheet)),
+            law=None
+            if line is None
+            else parse_line(line, "--law", partial(read_law, sheet=sheet), example=LAW_LINE),
         )
     except InputError as problem:
         raise InputError(f"{problem}{_options_named(str(problem))}") from problem

@@ -7,7 +7,7 @@ import click
 
 from elastica_cad.cli.asking.asked_curves import asked_curves
 from elastica_cad.cli.asking.options import join_options
-from elastica_cad.formats.design_files.strip_records import parse_line, read_rest_curvature
+from elastica_cad.formats.design_files.strip_records import BLANK_LINE, parse_line, read_rest_curvature
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature, RestCurvature
 
 END_NAMES = ["clamped", "pinned", "slide-x", "slide-y", "guided", "free"]
@@ -27,7 +27,7 @@ class _Blank(click.ParamType):  # type: ignore[type-arg]  # no generic class bef
         except ValueError:
             pass
         if "=" in value:
-            return parse_line(value, "--natural-curvature", read_rest_curvature)
+            return parse_line(value, "--natural-curvature", read_rest_curvature, example=BLANK_LINE)
         if not Path(value).is_file():
             self.fail(
                 f"{value!r} is no number and no file: give 1/mm, 'stations = [0, 300], curvatures = [0, 0.01]', or "

@@ -25,8 +25,20 @@ from elastica_cad.mechanics.material.tapered_sections import LeavesLaw, RoundLaw
 T = TypeVar("T")
 
 
-def parse_line(line: str, where: str, reader: Callable[[Table], T]) -> T:
+LAW_LINE = 'kind = "thickness", limits = [3, 8], width = 20'
+BLANK_LINE = "stations = [0, 300], curvatures = [0, 0.01]"
+"""What a refused line is told to look like."""
+
+
+def parse_line(
+    line: str, where: str, reader: Callable[[Table], T], *, example: str = "at = 40, side = 'lower'"
+) -> T:
     """What one line tells, written as the inside of a table of a design file: `at = 40, width = 1.2`.
+
+    Parameters
+    ----------
+    example : str
+        What a line that cannot be read is told to look like.
 
     Raises
     ------
@@ -43,7 +55,7 @@ def parse_line(line: str, where: str, reader: Callable[[Table], T]) -> T:
         data = tomllib.loads(f"line = {inside}" if inside.startswith("{") else f"line = {{{inside}}}")
     except tomllib.TOMLDecodeError as error:
         raise InputError(
-            f"{where}: {line!r} cannot be read: write keys and values, such as at = 40, side = 'lower'"
+            f"{where}: {line!r} cannot be read: write keys and values, such as {example}"
         ) from error
     table = Table(data["line"], where, {})
     with table.naming():

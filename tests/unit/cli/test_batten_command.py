@@ -2,6 +2,7 @@
 
 import csv
 import json
+import re
 
 import numpy as np
 import pytest
@@ -193,12 +194,38 @@ def test_leaves_instead_of_a_plane(tmp_path, check_drawing_file):
     assert bodies == 2 * len(lengths)  # flat and bent
 
 
+@pytest.mark.parametrize(("place", "towards"), [(25, "at least"), (80, "at most")])
+def test_the_place_that_is_told_instead_can_be_made(place, towards, tmp_path):
+    asked = ("--sheet", "pom-1", "--length", 2400, "--camber", 10, "--stock", 25, 8, "-o", tmp_path)
+    refused = run(*asked, "--at", place)
+    assert refused.exit_code == 2
+    told = re.search(rf"move the camber to {towards} (\d\d\.\d) %", refused.output)[1]
+    assert re.search(
+        rf"This works: .* --at {told}`, which gives: .* at {float(told):.2f} % of", refused.output
+    )
+    made = run(*asked, "--at", told)
+    assert made.exit_code == 0, made.output
+    assert f"camber 10.00 % at {float(told):.2f} % of the chord" in made.output
+
+
+def test_stock_as_it_is_sold_in_inches(tmp_path):
+    told = run(*ASKED, "--stock", "1in", "5/16in", "-o", tmp_path)
+    assert told.exit_code == 0, told.output
+    *_, thick = csv.DictReader((tmp_path / "batten.csv").read_text().splitlines())
+    assert float(thick["thickness_inch"]) == pytest.approx(0.3125, rel=1e-4)
+
+
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
         (("--stock", 25, 8, "--rod", 6), "--stock WIDTH THICKNESS for a strip, or --rod"),
         ((), "say what the batten is made of"),
         (("--stock", 25, 8, "--least", 6), r"asks for 3.3\d mm at the thin end"),
+        (
+            ("--stock", 25, 8, "--least", 6, "--at", 30),
+            r"move the camber to at least \d\d\.\d % of the chord",
+        ),
+        (("--stock", 25, 8, "--least", 6, "--at", 70), r"move the camber to at most \d\d\.\d % of the chord"),
         (("--stock", 25, 8, "--bore", 0.5), "--bore is of a tube"),
         (("--stock", 25, 8, "--every", 0.1), "--every is 0.1 mm"),
         (("--stock", 25, 8, "--name", "a/b"), "leave out /"),
@@ -208,8 +235,6 @@ def test_leaves_instead_of_a_plane(tmp_path, check_drawing_file):
     ],
 )
 def test_a_slip_is_one_sentence(arguments, said, tmp_path):
-    import re
-
     told = run(*ASKED, *arguments, "-o", tmp_path)
     assert told.exit_code == 2
     assert re.search(said, told.output), told.output

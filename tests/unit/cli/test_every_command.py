@@ -98,7 +98,16 @@ def test_a_width_meant_in_mm_is_told_where_lengths_are_inches(folder):
 
 
 @pytest.mark.parametrize(
-    "words", [("--max-width", "1.5in"), ("--max-width", '1.5"'), ("--units", "inch", "--max-width", "1.5")]
+    "words",
+    [
+        ("--max-width", "1.5in"),
+        ("--max-width", '1.5"'),
+        ("--max-width", "3/2in"),
+        ("--max-width", "1 1/2in"),
+        ("--max-width", "1-1/2in"),
+        ("--units", "inch", "--max-width", "1.5"),
+        ("--units", "inch", "--max-width", "1 1/2"),
+    ],
 )
 def test_lengths_may_be_inches(folder, words):
     said = typed("strip", "bow.txt", *SHEET, *words, "-o", "out", "--json", cwd=folder).stdout

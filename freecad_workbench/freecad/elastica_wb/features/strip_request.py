@@ -20,6 +20,8 @@ from elastica_cad.fabrication.strip.styles import PLAIN, Style
 from elastica_cad.fabrication.strip.tabs import Hole, Tab
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.formats.design_files.strip_records import (
+    BLANK_LINE,
+    LAW_LINE,
     parse_line,
     parse_lines,
     read_keep_out,
@@ -54,7 +56,9 @@ def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
     _refuse_slips(obj, drawn)
     sheet, nearest = _sheet(obj), obj.Follow == "Nearest"
     width = obj.MaxWidth.Value if obj.Style == "Plain" else obj.MaterialWidth.Value
-    law = parse_line(obj.Law, "Law", partial(read_law, sheet=sheet)) if obj.Law.strip() else None
+    law = None
+    if obj.Law.strip():
+        law = parse_line(obj.Law, "Law", partial(read_law, sheet=sheet), example=LAW_LINE)
     return StripSpec(
         drawn.curve,
         sheet,
@@ -153,7 +157,7 @@ def _gravity(obj: Any, drawn: DrawnCurve) -> AskedGravity:
 
 def _natural_curvature(obj: Any) -> NaturalCurvature:
     if obj.Blank.strip():
-        return parse_line(obj.Blank, "Blank", read_rest_curvature)
+        return parse_line(obj.Blank, "Blank", read_rest_curvature, example=BLANK_LINE)
     curvature: float = obj.NaturalCurvature
     return curvature
 
