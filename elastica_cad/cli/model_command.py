@@ -10,6 +10,7 @@ from elastica_cad.cli.asking.options import holding_option, output_options
 from elastica_cad.cli.running.voice import answer, say, say_step, voice, warn
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
 from elastica_cad.fabrication.sheets.cut_list import cut_list
+from elastica_cad.fabrication.sheets.equal_strips import count_shapes
 from elastica_cad.files import read_curves, read_surface
 from elastica_cad.formats.design_files.design_file import read_design
 from elastica_cad.geometry.paths.point_distance import largest_deviation
@@ -83,7 +84,7 @@ def _tell(kit: Kit, output: Path, *, step: bool, pictures: bool) -> None:
     answer(kit_report(kit) | {"folder": output})
     voice().files += [str(output / name) for name in kit.files]
     listed = cut_list(kit.pieces)
-    strips = f"{len(kit.model.placed)} strips ({len(kit.model.parts)} different)"
+    strips = f"{len(kit.model.placed)} strips ({count_shapes(kit.model.parts)} different)"
     pieces = f"{listed.count} pieces of {listed.shapes} {'shape' if listed.shapes == 1 else 'shapes'}"
     say(f"{kit.model.name}: {strips}, {len(kit.model.joints)} joints; {pieces}, "
                f"{listed.cut_length / 1000:.1f} m of cuts, {listed.mass:.0f} g")  # fmt: skip

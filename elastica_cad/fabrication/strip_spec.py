@@ -139,9 +139,7 @@ class StripSpec(EqualByValue):
 
     def __post_init__(self) -> None:
         require_curve(self.curve)
-        given = Sheet.named(self.sheet) if isinstance(self.sheet, str) else self.sheet
-        if not isinstance(given, Sheet):
-            raise InputError(f"a Sheet or the name of one is needed, not {type(given).__name__}")
+        given = Sheet.of(self.sheet)
         if not (self.frame is None or isinstance(self.frame, Frame)):
             raise InputError(f"frame is {self.frame!r}: give a Frame, the plane of the curve, or None")
         for name in ("max_width", "min_width"):

@@ -13,6 +13,7 @@ from elastica_cad.fabrication.drawings.bridges import HoldingTabs
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.sheets.cut_list import cut_list
+from elastica_cad.fabrication.sheets.equal_strips import count_shapes
 from elastica_cad.fabrication.sheets.nesting import NestedSheet
 from elastica_cad.fabrication.sheets.pieces import file_word
 from elastica_cad.files import save
@@ -160,7 +161,7 @@ def save_model(
     spec = KitSpec(Nesting(sheet_size, margin), Cutting(kerf=kerf, holding=holding), shop=shop, anyway=anyway)
     kit = kit_of(model, spec, effects=True)
     write_kit(kit, folder, step=step, pictures=pictures, parts=parts, force=force, done=done)
-    count, unlike, sheets = len(model.placed), len(model.parts), len(kit.nests)
+    count, unlike, sheets = len(model.placed), count_shapes(model.parts), len(kit.nests)
     summary = (
         f"{model.name}: {count} {'strip' if count == 1 else 'strips'} ({unlike} different) "
         f"on {sheets} {'sheet' if sheets == 1 else 'sheets'}"
@@ -216,7 +217,8 @@ def _start_page(kit: Kit) -> str:
     """What was made, in sentences, with links."""
     listed, count = cut_list(kit.pieces), len(kit.model.placed)
     lines = [
-        f"{count} {'strip' if count == 1 else 'strips'}, {len(kit.model.parts)} different; {listed.count} pieces, "
+        f"{count} {'strip' if count == 1 else 'strips'}, {count_shapes(kit.model.parts)} different; "
+        f"{listed.count} pieces, "
         f"{listed.cut_length / 1000:.1f} m of cuts, {listed.mass:.0f} g.",
         *(
             f"{nest.name}: {len(nest.pieces)} pieces take {100 * nest.share:.0f} % of a sheet of "
@@ -290,7 +292,7 @@ def _draw_model(kit: Kit, path: Path) -> None:
     from elastica_cad.plot.canvas import save_figure
     from elastica_cad.plot.model_pictures import model
 
-    save_figure(model(kit.model), path)
+    save_figure(model(kit.model, holders=kit.holders), path)
 
 
 def _nest_picture(nest: NestedSheet) -> Writer:

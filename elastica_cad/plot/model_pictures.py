@@ -9,13 +9,16 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
+from elastica_cad.fabrication.holders.base_plate import BasePlate
 from elastica_cad.fabrication.holders.ring_plate import Ring
+from elastica_cad.fabrication.model.assembly import Holder
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.sheets.equal_strips import EqualStrips
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Figure, new_figure
+from elastica_cad.plot.holder_pictures import holder_patches, level_plates
 from elastica_cad.plot.slabs import trapezoids
 from elastica_cad.plot.strip_pictures import Axes, paint_flat
 
@@ -28,6 +31,12 @@ RIM_SHARE, MODEL_RIM_SHARE = 0.035, 0.0015
 ON_PLANE_MM = 1e-6
 """What is nearer to a plane lies on it: rounding."""
 
+HOLDER_PATCH_SHARE = 0.02
+"""Of the model's extent: patches of what holds it, small enough to be sorted by their depth."""
+
+OUTLINE_MM = 0.1
+"""How closely polygons follow outlines that strips stand in."""
+
 NAME_SHARE = 0.045
 """Of the longest flat part: room for its name."""
 
@@ -35,18 +44,29 @@ LIGHT = np.array([0.35, -0.45, 0.82])
 """Towards the light: from above, the left and the front."""
 
 
-def model(model: Model, *, elevation: float = 25.0, azimuth: float = -60.0, flat: int = 0) -> Figure:
+def model(
+    model: Model,
+    *,
+    holders: Sequence[Holder] = (),
+    elevation: float = 25.0,
+    azimuth: float = -60.0,
+    flat: int = 0,
+) -> Figure:
     """The bent strips of a model in the colours of their sheets, seen from two angles in degrees.
 
-    Tabs, slots and holes are drawn; of a laminate its base. So many different parts are shown as they are cut,
-    in one scale of their own, below: the first, the last, and others between them.
+    Tabs, slots and holes are drawn; of a laminate its base. What holds the strips, besides the model's own plates,
+    is drawn with its slots filled. So many different parts are shown as they are cut, in one scale of their own,
+    below: the first, the last, and others between them.
     """
-    faces = [frame for ring in model.plates for frame in _faces(ring)]
+    held_by = (*model.plates, *holders)
+    plates = level_plates(held_by)
+    faces = [frame for plate in plates for frame in _faces(plate)]
     bent = np.concatenate([one.frame.point(one.strip.rod.position) for one in model.placed])
     rim = MODEL_RIM_SHARE * float(np.ptp(bent, axis=0).max())
     strips = [rule_strip(placed, faces, rim) for placed in model.placed]
-    strips = [_outside(one, model.plates) for one in strips]
-    drawn = [*strips, *map(_ring, model.plates)]
+    strips = [_outside(one, plates) for one in strips]
+    size = HOLDER_PATCH_SHARE * float(np.ptp(bent, axis=0).max())
+    drawn = [*strips, *((part, _lit(part) * color) for part, color in holder_patches(held_by, size))]
     patches, colors = (np.concatenate(part) for part in zip(*drawn, strict=True))
     count = f"{len(model.placed)} strips" if len(model.placed) > 1 else "1 strip"
     title = f"{fill(model.name, 90)}\n{count}"
@@ -210,9 +230,9 @@ def rule_strip(
     return np.concatenate(bands), np.concatenate([0.45 * lit, lit, 0.45 * lit])
 
 
-def _faces(ring: Ring) -> tuple[Frame, Frame]:
-    """The planes of both faces of a ring."""
-    return ring.frame, ring.frame.shifted(z=-ring.sheet.thickness)
+def _faces(plate: BasePlate | Ring) -> tuple[Frame, Frame]:
+    """The planes of both faces of a plate."""
+    return plate.frame, plate.frame.shifted(z=-plate.sheet.thickness)
 
 
 def _height(points: FloatArray, face: Frame) -> FloatArray:
@@ -232,31 +252,22 @@ def _crossings(placed: Placed, faces: Sequence[Frame], ends: tuple[float, float]
     return np.concatenate([np.empty(0), *found])
 
 
-def _outside(drawn: tuple[FloatArray, FloatArray], rings: Sequence[Ring]) -> tuple[FloatArray, FloatArray]:
-    """Patches of a strip without those that lie within a ring, in its slots."""
+def _outside(
+    drawn: tuple[FloatArray, FloatArray], plates: Sequence[BasePlate | Ring]
+) -> tuple[FloatArray, FloatArray]:
+    """Patches of a strip without those that lie within a plate, in its slots."""
+    from matplotlib.path import Path as Polygon
+
     patches, colors = drawn
-    for ring in rings:
-        place = ring.frame.local(patches.mean(axis=1))
-        away, (inner, outer) = np.hypot(place[:, 0], place[:, 1]), ring.radii
-        deep = (place[:, 2] < 0) & (place[:, 2] > -ring.sheet.thickness)
-        seen = ~(deep & (away > inner) & (away < outer))
-        patches, colors = patches[seen], colors[seen]
+    for plate in plates:
+        place = plate.frame.local(patches.mean(axis=1))
+        inside = (place[:, 2] < 0) & (place[:, 2] > -plate.sheet.thickness)
+        outline = Polygon(plate.solid.outline.points(OUTLINE_MM))
+        inside[inside] = outline.contains_points(place[inside][:, :2])
+        if isinstance(plate, Ring):
+            inside &= np.hypot(place[:, 0], place[:, 1]) > plate.radii[0]
+        patches, colors = patches[~inside], colors[~inside]
     return patches, colors
-
-
-def _ring(ring: Ring) -> tuple[FloatArray, FloatArray]:
-    """A ring without its slots: patches (n, 4, 3) of faces and rims, and colours (n, 3)."""
-    turn = np.linspace(0.0, 2 * np.pi, 241)
-    around = np.column_stack([np.cos(turn), np.sin(turn)])
-    under, radii = -ring.sheet.thickness, np.linspace(*ring.radii, 17)
-    corners = [*((radius, 0.0) for radius in radii[::-1]), *((radius, under) for radius in radii)]
-    corners.append(corners[0])
-    lines = [
-        ring.frame.point(np.column_stack([radius * around, np.full(turn.size, z)])) for radius, z in corners
-    ]
-    bands = [np.stack([a[:-1], a[1:], b[1:], b[:-1]], axis=1) for a, b in pairwise(lines)]
-    patches = np.concatenate(bands)
-    return patches, _lit(patches) * np.array(sheet_color(ring.sheet))
 
 
 def _bent(rod: Rod, x: FloatArray) -> FloatArray:

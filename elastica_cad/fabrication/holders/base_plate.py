@@ -159,7 +159,7 @@ class BasePlate:
 
 def base_plate(
     placed: Sequence[Placed],
-    sheet: Sheet,
+    sheet: Sheet | str,
     *,
     frame: Frame | None = None,
     play: float = 0.5,
@@ -181,7 +181,7 @@ def base_plate(
     Parameters
     ----------
     placed : sequence of Placed
-    sheet : Sheet
+    sheet : Sheet or its name
         Of the plate.
     frame : Frame, optional
         The plate's upper face, z up; the plane z = 0 unless given.
@@ -209,6 +209,7 @@ def base_plate(
         No tab goes through the plate, one lies too flat, two slots meet, slots far wider than their tabs, bridges
         too thin to cut; the parts are named.
     """
+    sheet = Sheet.of(sheet)
     ground = frame or Frame()
     for value, what in (
         (play, "play"),

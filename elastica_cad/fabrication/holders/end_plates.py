@@ -29,7 +29,7 @@ LEVEL_GAIN_MM = 0.5
 
 def end_plates(
     placed: Sequence[Placed],
-    sheet: Sheet,
+    sheet: Sheet | str,
     *,
     ends: Sequence[End] = ENDS,
     together: bool = False,
@@ -47,7 +47,7 @@ def end_plates(
     Parameters
     ----------
     placed : sequence of Placed
-    sheet : Sheet
+    sheet : Sheet or its name
         Of the plates.
     ends : sequence of "start" and "end"
     together : bool
@@ -85,6 +85,7 @@ def end_plates(
     >>> [(plate.name, plate.opening is not None) for plate in end_plates(lamp, Sheet.named("mdf-3"))]
     [('ring-start', True), ('ring-end', True)]
     """
+    sheet = Sheet.of(sheet)
     groups = [tuple(ends)] if together or len(ends) == 1 else [(end,) for end in ends]
     names = [name] if len(groups) == 1 else [f"{name}-{end}" for (end,) in groups]
     sizes: dict[str, Any] = {"border": border, "play": play, "clearance": clearance, "shape": shape}
@@ -115,7 +116,7 @@ def _pair_plate(
 
 
 def facing_plates(
-    placed: Sequence[Placed], sheet: Sheet, *, name: str = "ring", **options: Any
+    placed: Sequence[Placed], sheet: Sheet | str, *, name: str = "ring", **options: Any
 ) -> tuple[BasePlate, ...]:
     """Two plates: one for all tabs that go out one way, one for those that go out the other, the lower first.
 
@@ -124,6 +125,7 @@ def facing_plates(
     InputError
         As `end_plates`.
     """
+    sheet = Sheet.of(sheet)
     tabs = place_tabs(placed)
     outs = np.array([tab.frame.x_axis for tab in tabs])
     _, _, axes = np.linalg.svd(outs)

@@ -34,7 +34,12 @@ Plate = TypeVar("Plate", BasePlate, Ring)
 
 
 def plate_pair(
-    placed: Sequence[Placed], sheet: Sheet, *, gap: float = GAP_MM, frame: Frame | None = None, **options: Any
+    placed: Sequence[Placed],
+    sheet: Sheet | str,
+    *,
+    gap: float = GAP_MM,
+    frame: Frame | None = None,
+    **options: Any,
 ) -> tuple[BasePlate, BasePlate]:
     """Two plates, one below the other, whose slots hold inclined tabs at their angle.
 
@@ -45,7 +50,7 @@ def plate_pair(
     Parameters
     ----------
     placed : sequence of Placed
-    sheet : Sheet
+    sheet : Sheet or its name
         Of both plates.
     gap : float
         Between the plates, mm.
@@ -64,6 +69,7 @@ def plate_pair(
     InputError
         A tab too short for the lower plate, with the length it needs; and as `base_plate`.
     """
+    sheet = Sheet.of(sheet)
     require_gap(gap)
     upper = base_plate(placed, sheet, frame=frame, **options)
 

@@ -151,7 +151,7 @@ def slot_reach(radius: float, angle: float, thickness: float, tab: float) -> flo
 
 def ring_plate(
     tabs: Sequence[PlacedTab],
-    sheet: Sheet,
+    sheet: Sheet | str,
     *,
     middle: float = np.inf,
     border: float = BORDER_MM,
@@ -170,7 +170,7 @@ def ring_plate(
     ----------
     tabs : sequence of PlacedTab
         Of the same end of every strip.
-    sheet : Sheet
+    sheet : Sheet or its name
         Of the ring.
     middle : float
         Height of the model's middle, mm: where tabs lie on the ring it keeps to their other side.
@@ -192,6 +192,7 @@ def ring_plate(
         Tabs that have no length, lie over each other, or meet the plane at angles between; slots that meet or are
         far wider than their tabs, bridges too thin to cut.
     """
+    sheet = Sheet.of(sheet)
     for value, what in ((border, "border"), (play, "play"), (clearance, "clearance")):
         if not (np.isfinite(value) and value >= 0):
             raise InputError(f"{name}: {what} is {value}: it must be 0 mm or more")
@@ -228,7 +229,7 @@ def ring_plate(
 
 def ring_around(
     slots: Sequence[TabSlot],
-    sheet: Sheet,
+    sheet: Sheet | str,
     frame: Frame,
     *,
     border: float = BORDER_MM,
@@ -237,6 +238,7 @@ def ring_around(
     anyway: bool = False,
 ) -> Ring:
     """The ring about the axis of its frame that has these slots; see `ring_plate`."""
+    sheet = Sheet.of(sheet)
     radii = _radii([slot.corners for slot in slots], border)
     return Ring(sheet, frame, radii, tuple(slots), name=name).checked(shop, anyway=anyway)
 

@@ -124,7 +124,7 @@ class SlottedFrame:
 
 def slotted_frame(
     placed: Sequence[Placed],
-    sheet: Sheet,
+    sheet: Sheet | str,
     *,
     ribs: int = 3,
     depth: float = 20.0,
@@ -142,7 +142,7 @@ def slotted_frame(
     ----------
     placed : sequence of Placed
         Every strip with a tab at both ends; the tabs of each end lie near a line or a plane.
-    sheet : Sheet
+    sheet : Sheet or its name
         Of the rails and ribs.
     ribs : int
         How many, 2 or more; fewer are made where there is no room between tabs.
@@ -180,6 +180,7 @@ def slotted_frame(
     >>> [piece.name for piece in frame.pieces]
     ['rail-start', 'rail-end', 'rib-1', 'rib-2', 'rib-3']
     """
+    sheet = Sheet.of(sheet)
     sizes = {"depth": depth, "tongue": tongue, "play": play, "clearance": clearance, "border": border}
     for name, value in sizes.items():
         least = 0.0 if name in ("play", "clearance", "border") else 1.0

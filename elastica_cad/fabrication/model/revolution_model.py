@@ -135,8 +135,8 @@ def revolve(
         raise InputError(
             f"strips={strips}: a surface of revolution is tiled by 3 strips or more, {MOST_STRIPS} at most"
         )
-    sheet = Sheet.named(sheet) if isinstance(sheet, str) else sheet
-    rings = Sheet.named(rings) if isinstance(rings, str) else rings
+    sheet = Sheet.of(sheet)
+    rings = None if rings is None else Sheet.of(rings)
     asked = _Asked(strips, sheet, ends, rings, gap, shop, anyway)
     try:
         placed, plates, told = asked.made(meridian)

@@ -35,13 +35,15 @@ class Stand:
     sentence: str
 
 
-def stand(placed: Sequence[Placed], sheet: Sheet, *, shop: Shop | None = None, anyway: bool = False) -> Stand:
+def stand(
+    placed: Sequence[Placed], sheet: Sheet | str, *, shop: Shop | None = None, anyway: bool = False
+) -> Stand:
     """One plate for all tabs, or two that the strips hold apart, or a frame, or a block for every end.
 
     Parameters
     ----------
     placed : sequence of Placed
-    sheet : Sheet
+    sheet : Sheet or its name
         Of plates; blocks are printed.
     shop : Shop, optional
         What the workshop can make; plates that it cannot are passed by.
@@ -62,6 +64,7 @@ def stand(placed: Sequence[Placed], sheet: Sheet, *, shop: Shop | None = None, a
     >>> print(stand(arches, Sheet.named("mdf-3")).sentence)
     stands on one plate
     """
+    sheet = Sheet.of(sheet)
     gate: dict[str, Any] = {"shop": shop, "anyway": anyway}
     ways: tuple[tuple[str, Callable[[], tuple[BasePlate | Rib, ...]]], ...] = (
         ("stands on one plate", partial(end_plates, placed, sheet, together=True, name="base", **gate)),

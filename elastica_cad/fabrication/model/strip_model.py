@@ -122,11 +122,11 @@ class Model:
         """Printed blocks that hold both ends of every strip; sizes are those of `EndFixture`."""
         return end_fixtures(self.placed, floor=floor, **sizes)
 
-    def base_plate(self, sheet: Sheet, **options: Any) -> BasePlate:
+    def base_plate(self, sheet: Sheet | str, **options: Any) -> BasePlate:
         """One slotted plate for all tabs that stand on it; options: see `fabrication.base_plate`."""
         return base_plate(self.placed, sheet, **options)
 
-    def slotted_frame(self, sheet: Sheet, **options: Any) -> SlottedFrame:
+    def slotted_frame(self, sheet: Sheet | str, **options: Any) -> SlottedFrame:
         """Rails for the tabs of both ends, joined by ribs; options: see `fabrication.slotted_frame`."""
         return slotted_frame(self.placed, sheet, **options)
 

@@ -80,6 +80,16 @@ def group_equal_strips(placed: Sequence[Placed]) -> tuple[EqualStrips, ...]:
     return tuple(EqualStrips(strip, names[members[0]], tuple(members)) for _, strip, members in found)
 
 
+def count_shapes(parts: Sequence[EqualStrips]) -> int:
+    """How many shapes are cut for these parts, whatever is engraved on them."""
+    found: list[FlatShape] = []
+    for part in parts:
+        shape = FlatShape(part.strip.layers)
+        if not any(shape.equals(other) for other in found):
+            found.append(shape)
+    return len(found)
+
+
 def _same_marks(a: Strip, b: Strip) -> bool:
     """Is the same engraved on both?"""
     mates = [sorted(slot.mate for slot in strip.slots) for strip in (a, b)]

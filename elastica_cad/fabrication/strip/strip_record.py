@@ -122,6 +122,7 @@ class Strip:
     correction: Profile | None = None
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "sheet", Sheet.of(self.sheet))
         for name in ("max_width", "min_width"):
             value = getattr(self, name)
             if value is not None and not (np.isfinite(value) and value > 0):

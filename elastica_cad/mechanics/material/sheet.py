@@ -154,6 +154,29 @@ class Sheet:
         object.__setattr__(self, f"{field_name}_range", (low, high))
 
     @classmethod
+    def of(cls, given: "Sheet | str") -> "Sheet":
+        """The sheet given, or the one of that name (see `named`).
+
+        Raises
+        ------
+        InputError
+            What is neither.
+
+        Examples
+        --------
+        >>> Sheet.of("mdf-3").thickness
+        3.0
+        """
+        if isinstance(given, str):
+            return cls.named(given)
+        if not isinstance(given, Sheet):
+            raise InputError(
+                f"a Sheet or the name of one is needed, such as 'birch-plywood-0.8', not {type(given).__name__}: "
+                "`sheet_names()` lists them"
+            )
+        return given
+
+    @classmethod
     def named(cls, name: str, *, folder: Path | None = None) -> "Sheet":
         """The sheet called `name`, built in or in the user's library, or the one in a file of sheets.
 

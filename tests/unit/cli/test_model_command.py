@@ -56,7 +56,7 @@ def test_a_model_becomes_one_folder(design, tmp_path):
     out = tmp_path / "out"
     result = run("model", design, "-o", out)
     assert result.exit_code == 0, result.output
-    assert "kit: 2 strips (2 different), 0 joints; 3 pieces" in result.output
+    assert "kit: 2 strips (1 different), 0 joints; 3 pieces of 2 shapes" in result.output
     names = {path.relative_to(out).as_posix() for path in out.rglob("*") if path.is_file()}
     assert {
         "index.html",

@@ -6,10 +6,12 @@ import pytest
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.sheets.equal_strips import count_shapes
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import Hole, Tab
+from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
@@ -47,6 +49,14 @@ def test_equal_strips_are_cut_once():
         1,
         1,
     ]
+
+
+def test_shapes_are_counted_whatever_is_engraved():
+    placed = [Placed(strip(label=name)) for name in "ABC"]
+    placed += [Placed(mirror_image(label="D")), Placed(strip(max_width=19, label="E"))]
+    parts = Model(placed).parts
+    assert len(parts) == 5
+    assert count_shapes(parts) == 2
 
 
 def test_slots_of_a_part_turned_about():
@@ -132,3 +142,17 @@ def test_bad_models():
         model.rotated(0)
     with pytest.raises(InputError, match="1 time or more"):
         model.repeated(0, (1, 0, 0))
+
+
+def test_plates_take_the_name_of_a_sheet():
+    """As strips do; what is no sheet is refused in a sentence."""
+    arch = make_strip(PlaneCurve.arc((0, 0), 60, 3.1, 0.04), "birch-plywood-0.8", max_width=20)
+    model = Model([Placed(arch, (0, y, 0), (1, 0, 0), (0, 0, 1)) for y in (0, 40)])
+    assert model.base_plate("mdf-3").sheet == Sheet.named("mdf-3")
+    assert Strip(arch.rod, "birch-plywood-0.8", max_width=20).sheet == arch.sheet
+    with pytest.raises(
+        InputError, match=r"a Sheet or the name of one is needed, .*, not float: `sheet_names"
+    ):
+        model.base_plate(3.0)
+    with pytest.raises(InputError, match="did you mean mdf-3"):
+        model.slotted_frame("mdf3")
