@@ -160,8 +160,8 @@ def _tell_compensation(kit: StripKit) -> None:
 def _tell(kit: StripKit, written: Iterable[Path]) -> None:
     """What was made, in a few lines."""
     made, near, verdict = kit.strip, kit.near, kit.stability
-    rod, (low, high) = made.rod, made.width.extremes
-    say(f"{made.label or 'strip'}: {rod.length:.2f} mm long, {low:.2f} to {high:.2f} mm wide, "
+    rod = made.rod
+    say(f"{made.label or 'strip'}: {rod.length:.2f} mm long, {made.breadth()}, "
                f"stiffness ratio {rod.ratio:.4g}, {made.mass:.3g} g")  # fmt: skip
     say(f"largest strain {100 * made.max_strain:.2f} % at {made.max_strain_at:.1f} mm "
                f"({made.sheet.name} bears {100 * made.sheet.max_strain:.2f} %)")  # fmt: skip

@@ -11,6 +11,7 @@ from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Figure, new_figure
 
@@ -78,7 +79,8 @@ def strip_sheet(strip: Strip, *, wish: PlaneCurve | None = None) -> Figure:
     figure = new_figure(tall + flat + 3.3)
     axes = figure.subplots(3, 1, height_ratios=[tall, 2.2, flat])
     sheet = strip.sheet
-    facts = f"{sheet.name}, {sheet.thickness:g} mm thick, {strip.mass:.3g} g"
+    size = strip.breadth() if strip.tapered else f"{sheet.thickness:g} mm thick"
+    facts = f"{sheet.name}, {size}, {strip.mass:.3g} g"
     strain = f"largest strain {100 * strip.max_strain:.2f} %, {100 * strip.strain_limit:.2f} % allowed"
     figure.suptitle(f"{fill(strip.label or 'Strip', 90)}\n{facts}; {strain}", fontsize=11, color=INK)
     _draw_curve(axes[0], strip.rod, wish)
@@ -156,10 +158,11 @@ def _draw_flat(axes: Axes, strip: Strip) -> None:
               [bottom, top, np.nan, bottom, top], color=FAINT, linewidth=0.8, linestyle=":")  # fmt: skip
     above, below = top + 1.6 * unit, bottom - 1.2 * unit
     _dimension(axes, (left, above), (right, above), f"{length:.2f} mm in all, {strip.rod.length:.2f} mm free")
-    for x in _width_stations(strip):
+    called, size = next(iter(strip.tapered.items()), ("width", strip.width))
+    for x in _stations_of(size):
         w = float(strip.width(x))
         axes.plot([x, x], [-w / 2, w / 2], color=LINE, linewidth=0.9)
-        axes.text(x, below, f"{w:.2f}", ha="center", va="top", fontsize=9, color=LINE)
+        axes.text(x, below, f"{float(size(x)):.2f}", ha="center", va="top", fontsize=9, color=LINE)
     axes.set_xlim(left - 0.04 * length, right + 0.04 * length)
     axes.set_ylim(bottom - 5.0 * unit, top + 5.2 * unit)
     axes.set_aspect("equal")
@@ -167,10 +170,8 @@ def _draw_flat(axes: Axes, strip: Strip) -> None:
     axes.set_yticks([])
     for side in axes.spines.values():
         side.set_visible(False)
-    low, high = strip.width.extremes
-    axes.set_title(
-        f"Flat: {low:.2f} to {high:.2f} mm wide, widths in mm below", fontsize=10, loc="left", color=INK
-    )
+    called = "widths" if called == "width" else called
+    axes.set_title(f"Flat: {strip.breadth()}, {called} in mm below", fontsize=10, loc="left", color=INK)
 
 
 def paint_flat(axes: Axes, strip: Strip, shift: tuple[float, float] = (0.0, 0.0)) -> None:
@@ -201,11 +202,11 @@ def _dimension(axes: Axes, start: tuple[float, float], end: tuple[float, float],
     axes.annotate(text, middle, fontsize=9, color=INK, **above)
 
 
-def _width_stations(strip: Strip) -> list[float]:
+def _stations_of(size: Profile) -> list[float]:
     """Widest and narrowest place, the ends, then the quarters, as far as their labels keep apart."""
-    length = strip.rod.length
+    length = size.length
     s = np.linspace(0.0, length, 801)
-    w = strip.width(s)
+    w = size(s)
     wanted = [s[int(np.argmax(w))], s[int(np.argmin(w))], 0.0, length, length / 2, length / 4, 3 * length / 4]
     kept: list[float] = []
     for x in map(float, wanted):

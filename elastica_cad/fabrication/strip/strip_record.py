@@ -139,9 +139,8 @@ class Strip:
         _ = self.layout
 
     def __repr__(self) -> str:
-        low, high = self.width.extremes
         called = f" {self.label!r}" if self.label else ""
-        size = f"{self.rod.length:.4g} mm long, {low:.3g} to {high:.3g} mm wide"
+        size = f"{self.rod.length:.4g} mm long, {self.breadth('.3g')}"
         return f"<Strip{called} of {self.sheet.name}, {size}, strain {self.max_strain:.2%}>"
 
     def _repr_svg_(self) -> str:
@@ -161,6 +160,26 @@ class Strip:
         section, size = self.layout.section, self.layout.size
         more = {} if section is None or size is None else {f"{section.quantity}_mm": size(self.rod.s)}
         return columns | {"width_mm": self.width(self.rod.s)} | more | {"strain": worst.strain}
+
+    @property
+    def tapered(self) -> dict[str, Profile]:
+        """What carries the stiffness instead of the width, mm along the free part: "thickness" or "diameter"."""
+        section, size = self.layout.section, self.layout.size
+        if section is None or size is None or section.quantity not in ("thickness", "diameter"):
+            return {}  # leaves are counted
+        return {section.quantity: size}
+
+    def breadth(self, digits: str = ".2f") -> str:
+        """How wide it is, in words, and as thick as it tapers: "20.00 to 20.00 mm wide, 2.00 to 3.00 mm thick"."""
+
+        def told(size: Profile) -> str:
+            low, high = size.extremes
+            return f"{low:{digits}} to {high:{digits}} mm"
+
+        wide, tapered = f"{told(self.width)} wide", self.tapered
+        if "diameter" in tapered:
+            return f"{told(tapered['diameter'])} in diameter"
+        return f"{wide}, {told(tapered['thickness'])} thick" if "thickness" in tapered else wide
 
     @cached_property
     def layout(self) -> Layout:

@@ -94,6 +94,7 @@ def report_strip(
             "width": round_numbers(strip.width(s)),
             "material": round_numbers(strip.layout.material(s)),
             "backing": None if backing is None else round_numbers(backing.width(s)),
+            **{name: round_numbers(size(s)) for name, size in strip.tapered.items()},
         },
         "width": {"least": round_numbers(low), "largest": round_numbers(high)},
         "sheet": {

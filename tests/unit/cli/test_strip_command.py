@@ -273,3 +273,41 @@ def test_a_strip_that_strays_is_told_what_compensates(tmp_path):
     made_up = elastica(*asked, "--compensate", "-o", tmp_path / "made up").stdout
     assert float(re.search(r"as made and held the strip strays ([\d.]+) mm", made_up)[1]) == left
     assert "makes up for that" not in made_up
+
+
+@pytest.mark.parametrize(
+    ("law", "quantity", "words"),
+    [
+        (
+            'kind = "thickness", width = 20',
+            "thickness",
+            r"20\.00 to 20\.00 mm wide, 2\.\d\d to 3\.00 mm thick",
+        ),
+        ('kind = "rod"', "diameter", r"2\.\d\d to 3\.00 mm in diameter"),
+    ],
+)
+def test_what_tapers_is_told_in_words_numbers_and_picture(law, quantity, words, tmp_path):
+    pytest.importorskip("matplotlib")
+    from elastica_cad.plot.strip_pictures import strip_sheet
+
+    points = [(0, 0), (60, 150), (140, 200), (260, 150), (300, 0)]
+    curve = ec.PlaneCurve.spline(points, degree=4)
+    path = tmp_path / "arch.json"
+    path.write_text(curves_json([curve]))
+    law = f"{law}, limits = [1, 3]"
+    done = elastica("strip", path, "--sheet", "pom-1", "--law", law, "-o", tmp_path / "out")
+    assert done.returncode == 0, done.stderr
+    assert re.search(words, done.stdout), done.stdout
+    sizes = json.loads((tmp_path / "out/arch.json").read_text())["stations"][quantity]
+    assert max(sizes) == pytest.approx(3.0, rel=1e-4)
+    assert min(sizes) < 2.99
+
+    pom = ec.Sheet.named("pom-1")
+    of = (
+        ec.mechanics.ThicknessLaw(pom, 1, 3, width=20)
+        if quantity == "thickness"
+        else ec.mechanics.RoundLaw(pom, 1, 3)
+    )
+    picture = strip_sheet(ec.make_strip(curve, pom, law=of))
+    assert "3.00" in [text.get_text() for text in picture.axes[2].texts]
+    assert re.search(words, picture.get_suptitle())
