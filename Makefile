@@ -58,7 +58,7 @@ test-programs: $(VENV)/test-installed
 	tests/programs/setup.sh
 	$(BIN)/python -m pytest tests/programs
 
-benchmark: $(VENV)/test-installed
+benchmark: $(VENV)/benchmark-installed
 	$(BIN)/python -m pytest tests/benchmarks --benchmark-enable --benchmark-only -o addopts="-q --import-mode=importlib"
 
 # Strips bent by finite elements, then what three kernels do to the bodies of thirty curves in five styles: hours;
@@ -100,6 +100,9 @@ $(VENV)/docs-installed: $(VENV)/created pyproject.toml
 $(VENV)/test-installed: $(VENV)/created pyproject.toml
 	$(call install,$(VENV),--editable ".[plot$(COMMA)dev]" "build123d==0.12.0" "cadquery==2.8.0")
 	@touch $(VENV)/demo-installed
+
+$(VENV)/benchmark-installed: $(VENV)/test-installed
+	$(call install,$(VENV),--editable ".[benchmark]")
 
 ALONE := $(PYTHON) -m venv
 .venv-core/installed: $(VENV)/created
