@@ -162,7 +162,7 @@ def _tell(kit: StripKit, written: Iterable[Path]) -> None:
     made, near, verdict = kit.strip, kit.near, kit.stability
     rod = made.rod
     say(f"{made.label or 'strip'}: {rod.length:.2f} mm long, {made.breadth()}, "
-               f"stiffness ratio {rod.ratio:.4g}, {made.mass:.3g} g")  # fmt: skip
+               f"stiffness ratio {rod.ratio:.4g}, {made.mass_told}")  # fmt: skip
     say(f"largest strain {100 * made.max_strain:.2f} % at {made.max_strain_at:.1f} mm "
                f"({made.sheet.name} bears {100 * made.sheet.max_strain:.2f} %)")  # fmt: skip
     if near is not None:

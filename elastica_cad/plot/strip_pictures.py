@@ -80,7 +80,7 @@ def strip_sheet(strip: Strip, *, wish: PlaneCurve | None = None) -> Figure:
     axes = figure.subplots(3, 1, height_ratios=[tall, 2.2, flat])
     sheet = strip.sheet
     size = strip.breadth() if strip.tapered else f"{sheet.thickness:g} mm thick"
-    facts = f"{sheet.name}, {size}, {strip.mass:.3g} g"
+    facts = f"{sheet.name}, {size}, {strip.mass_told}"
     strain = f"largest strain {100 * strip.max_strain:.2f} %, {100 * strip.strain_limit:.2f} % allowed"
     figure.suptitle(f"{fill(strip.label or 'Strip', 90)}\n{facts}; {strain}", fontsize=11, color=INK)
     _draw_curve(axes[0], strip.rod, wish)

@@ -49,6 +49,9 @@ WIDTHS_MM = (8.0, 120.0)
 LAP_THICKNESSES = 20
 """Of the plates that join a strip of pieces: glue holds as well as the sheet from a dozen on."""
 
+USUAL_WIDTH_SHARE = 0.1
+"""Of a curve's length: a strip for it where a width was asked for that makes a plate."""
+
 NEAR_SHARE = 0.01
 """Of the length: a strip that comes so near looks as drawn."""
 
@@ -248,6 +251,9 @@ def _ways(spec: StripSpec) -> Iterator[tuple[tuple[str, ...], dict[str, Any]]]:
     if spec.natural_curvature or spec.loads or spec.samples is not None:
         return  # such strips follow their curve exactly
     limits, keep = spec.limits or Limits(), spec.keep or Keep()
+    if spec.max_width is not None and spec.max_width > spec.curve.length:
+        narrower = float(f"{USUAL_WIDTH_SHARE * spec.curve.length:.2g}")
+        yield ("--max-width", f"{narrower:g}"), {"max_width": narrower}
     flat = spec.curve.length + sum(tab.length for tab in spec.ends)
     sheets = [spec.material, *([spec.style.backing] if isinstance(spec.style, Laminated) else [])]
     too_long = flat > min(spec.shop.stock_for(sheet)[0] for sheet in sheets)

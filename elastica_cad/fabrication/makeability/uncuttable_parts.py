@@ -210,8 +210,9 @@ def _too_large(name: str, length: float, width: float, sheet: Sheet, shop: Shop)
     stock = shop.stock_for(sheet)
     if long > stock[0] or short > stock[1]:
         sides = " x ".join(f"{side:.4g}" for side in stock)
-        yield Fault(
-            name,
-            f"{long:.4g} x {short:.4g} mm is larger than the stock of {sides} mm in {sheet.name}",
-            "name a larger stock, join a strip of pieces by plates (lap), or scale the curve",
-        )
+        what = f"{long:.4g} x {short:.4g} mm is larger than the stock of {sides} mm in {sheet.name}"
+        if width > length or (width > stock[1] and length <= stock[0]):
+            yield Fault(name, what, "give a smaller max_width, or name a larger stock")
+        else:
+            cure = "name a larger stock, join a strip of pieces by plates (lap), or scale the curve"
+            yield Fault(name, what, cure)

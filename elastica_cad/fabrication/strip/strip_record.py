@@ -49,6 +49,9 @@ LINEAR_CREEP_SHARE = 0.5
 UNEVEN_JOINT_MM = 0.05
 """Difference between the widths of a closed strip's ends that is told: finer than it is cut."""
 
+AT_LIMIT = 1e-4
+"""Share by which a strip may be bent beyond a published radius: a search for the nearest one ends on it."""
+
 CURVATURE_STATIONS = 2001
 """At which strain is looked for, spread over the curve's smooth panels."""
 
@@ -213,6 +216,11 @@ class Strip:
         return self.layers[0].outline
 
     @property
+    def mass_told(self) -> str:
+        """Its mass as people say it: grams, from a thousand of them on kilograms."""
+        return f"{self.mass:.3g} g" if self.mass < 1000 else f"{self.mass / 1000:.3g} kg"
+
+    @property
     def holes(self) -> tuple[Path, ...]:
         """Closed inner loops."""
         return self.layers[0].holes
@@ -327,7 +335,7 @@ class Strip:
         tightest = int(np.argmax(bend))
         for one, layer in zip(self.layers, self.strains, strict=False):
             least = one.sheet.published_radius
-            if least is not None and not layer.exceeded and bend[tightest] * least > 1 + 1e-9:
+            if least is not None and not layer.exceeded and bend[tightest] * least > 1 + AT_LIMIT:
                 found.append(
                     f"it bends to a radius of {1 / bend[tightest]:.1f} mm at {s[tightest]:.1f} mm, but plywood of "
                     f"{one.sheet.thickness:g} mm bends to {least:.1f} mm at least {one.sheet.grain} the face grain "

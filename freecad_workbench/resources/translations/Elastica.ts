@@ -3147,6 +3147,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>give a smaller max_width, or name a larger stock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>name a larger stock, join a strip of pieces by plates (lap), or scale the curve</source>
         <translation type="unfinished"></translation>
     </message>

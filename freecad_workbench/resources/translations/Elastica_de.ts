@@ -3159,6 +3159,10 @@
         <translation>er biegt sich bei %2 mm auf einen Radius von %1 mm, Sperrholz von %3 mm aber nur bis %4 mm, %5 zur Faser der Deckschicht (%6); dünneres Material oder eine sanftere Kurve nehmen</translation>
     </message>
     <message>
+        <source>give a smaller max_width, or name a larger stock</source>
+        <translation>kleinere größte Breite (max_width) angeben oder größeres Rohmaterial nennen</translation>
+    </message>
+    <message>
         <source>name a larger stock, join a strip of pieces by plates (lap), or scale the curve</source>
         <translation>größeres Rohmaterial nennen, einen Streifen aus Stücken mit Laschen verbinden oder die Kurve verkleinern</translation>
     </message>

@@ -3159,6 +3159,10 @@
         <translation>它在 %2 mm 处弯曲半径为 %1 mm，但 %3 mm 胶合板%5面层纹理最小只能弯到 %4 mm（%6）；使用更薄的板材或更平缓的曲线</translation>
     </message>
     <message>
+        <source>give a smaller max_width, or name a larger stock</source>
+        <translation>给出更小的最大宽度（max_width），或使用更大的板料</translation>
+    </message>
+    <message>
         <source>name a larger stock, join a strip of pieces by plates (lap), or scale the curve</source>
         <translation>使用更大的板料，用搭板把条带分段连接，或缩小曲线</translation>
     </message>

@@ -30,6 +30,7 @@ def test_a_spring_and_its_force_travel_curve(tmp_path):
         assert energy[k] - energy[k - 1] == pytest.approx((force[k] + force[k - 1]), rel=1e-3)
     assert f"travel 10 mm: end pushed by ({float(rows[-1]['end_force_x_N']):.4g}, 0) N" in made.stdout
     assert "safety" in made.stdout
+    assert {row["end_y_mm"] for row in rows} == {row["end_force_y_N"] for row in rows} == {"0"}, "no dust"
     assert (tmp_path / "out" / "straight-travel.png").stat().st_size > 10_000
 
 

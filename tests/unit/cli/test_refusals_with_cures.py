@@ -319,3 +319,19 @@ def test_an_absurd_width_is_told_at_once(width, told, desk):
     refused = typed(asked, desk)
     assert refused.returncode == 2
     assert told in refused.stderr
+
+
+def test_a_strip_wider_than_the_stock_is_told_a_smaller_width(tmp_path):
+    write_curves([ec.PlaneCurve.spline(CURVES["tall"], degree=4)], tmp_path / "tall.dxf")
+    refused = typed(
+        ["strip", "tall.dxf", "--sheet", "birch-plywood-0.8", "--max-width", "4000", "-o", "out"], tmp_path
+    )
+    assert refused.returncode == 2
+    assert (
+        "larger than the stock of 3050 x 1525 mm in birch-plywood-0.8; give a smaller max_width"
+        in refused.stderr
+    )
+    (command,) = re.findall(r"This works: `.*? -m elastica_cad ([^`]*)`", refused.stderr)
+    assert "--nearest" not in command
+    made = typed(shlex.split(command), tmp_path)
+    assert made.returncode == 0, made.stderr

@@ -14,6 +14,7 @@ from elastica_cad.fabrication.strip.tabs import Hole, Tab
 from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
 pytestmark = pytest.mark.core
@@ -156,3 +157,19 @@ def test_plates_take_the_name_of_a_sheet():
         model.base_plate(3.0)
     with pytest.raises(InputError, match="did you mean mdf-3"):
         model.slotted_frame("mdf3")
+
+
+def test_a_mass_is_told_as_people_say_it():
+    assert strip().mass_told == f"{strip().mass:.3g} g"
+    heavy = Strip(Rod.straight(2500), Sheet.named("birch-plywood-6"), max_width=150, label="B")
+    assert heavy.mass > 1000
+    assert heavy.mass_told == f"{heavy.mass / 1000:.3g} kg"
+
+
+def test_the_least_published_radius_itself_is_no_fault():
+    """A search for the nearest strip ends on it, to rounding."""
+    sheet = Sheet.named("birch-plywood-4")
+    for radius, told in ((sheet.published_radius * (1 - 2e-5), False), (0.99 * sheet.published_radius, True)):
+        bent = Strip(optimal_rod(PlaneCurve.arc((0, 0), radius, 1.0, 2.0)), sheet, max_width=30)
+        found = [text for text in bent.warnings if "FAA" in text or "bears" in text]
+        assert bool(found) == told
