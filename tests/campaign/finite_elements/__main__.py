@@ -11,7 +11,7 @@ from pathlib import Path
 from tests.campaign.finite_elements.cases import CASES
 from tests.campaign.finite_elements.closed_forms import known_answers
 from tests.campaign.finite_elements.sideways import swings
-from tests.campaign.finite_elements.strips_in_pockets import strips_in_pockets, strips_posed
+from tests.campaign.finite_elements.strips_in_pockets import strips_in_pockets, strips_of_the_pavilion
 from tests.campaign.finite_elements.table import keep, measured
 from tests.campaign.finite_elements.tapered import tapered_strips
 
@@ -48,7 +48,7 @@ def main() -> None:
         for swung in swings(folder):
             told("sideways", swung)
     if wanted("pockets"):
-        for held in (*strips_in_pockets(folder), *strips_posed(folder)):
+        for held in (*strips_in_pockets(folder), *strips_of_the_pavilion(folder)):
             told("pockets", held)
     if wanted("tapered"):
         for bent in tapered_strips(folder):

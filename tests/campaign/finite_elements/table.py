@@ -41,7 +41,7 @@ as their side view is high. The tabs are held in the drawn pose; asked are 1e-03
 
 POCKETS = """Rigid walls 0.15 mm off either face of the tabs, 10 mm deep, without friction; weight included. A tab
 touches where the free part ends and at its bottom, on the faces where the walls push. "Told" is what `Strip.held`
-says. Strips of the Pavilion (card, with slots) are led to the pose of the tabs that it finds."""
+says. Strips of the Pavilion are of card, with their slots and weight; six minutes and more of processor each."""
 
 
 @dataclass(frozen=True)
