@@ -35,10 +35,10 @@ def sharpest_bend(
 ) -> tuple[float, float]:
     """The most that a strip is bent by along a curve, 1/mm, and where, mm: by steps, then finer between two."""
     samples = curve.sample(STEPS) if samples is None else samples
-    s, bend = samples.s, np.abs(samples.curvature - nodal_curvature(rest, samples.s))
-    most = int(np.argmax(bend))
-    between = np.linspace(s[max(most - 1, 0)], s[min(most + 1, s.size - 1)], FINER)
-    fine = np.append(between, s[-1])  # a blank bent beforehand is as long as its curve
-    finer = np.abs(curve.at(fine).curvature - nodal_curvature(rest, fine))
-    best = int(np.argmax(finer))
-    return float(finer[best]), float(fine[best])
+    s, t = samples.s, samples.t
+    most = int(np.argmax(np.abs(samples.curvature - nodal_curvature(rest, s))))
+    fine = np.linspace(t[max(most - 1, 0)], t[min(most + 1, t.size - 1)], FINER)
+    places = np.append(np.interp(fine, t, s), s[-1])  # a blank bent beforehand is as long as its curve
+    bend = np.abs(curve.curvature_at(np.append(fine, t[-1])) - nodal_curvature(rest, places))
+    best = int(np.argmax(bend))
+    return float(bend[best]), float(places[best])
