@@ -32,10 +32,12 @@ class HeldShapes:
 
         if not self._waiting:
             return
-        if QtWidgets.QApplication.mouseButtons():  # something is dragged
+        first, obj = next(iter(self._waiting.items()))
+        # something is dragged, or the document is not done: its progress bar lets timers run
+        if QtWidgets.QApplication.mouseButtons() or (lives(obj) and obj.Document.Recomputing):
             self._timer.start(PAUSE_MS)
             return
-        obj = self._waiting.pop(next(iter(self._waiting)))
-        if lives(obj) and not obj.Document.Recomputing:
+        del self._waiting[first]
+        if lives(obj):
             tell_held(obj)
         self._timer.start(0)
