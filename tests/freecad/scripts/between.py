@@ -14,12 +14,14 @@ from inside import (
     click,
     fit,
     live_at_rest,
+    looks_from,
     mouse,
     on_screen,
     picture,
     press,
     run,
     sketch,
+    still,
     toolbar_button,
     trigger,
     type_into,
@@ -62,6 +64,7 @@ def opened():
 
 def pull(tool, handle, dx, dy):
     """A handle, left of where 1.1 lays its panel: does the curve follow the mouse, does the sketch wait?"""
+    still(looks_from)
     x, y = on_screen(*tool.preview.handles.places[handle])
     solved = []
     usual = tool._solve

@@ -13,7 +13,6 @@ from inside import (
     WAVE,
     answers,
     fit,
-    live_at_rest,
     mouse,
     on_screen,
     picture,
@@ -39,7 +38,7 @@ def work():
     until(lambda: live.session() is not None)
     fit("Top")
     session = live.session()
-    live_at_rest()
+    until(lambda: session.overlay.shown()["width"])
     answers["overlay at start"] = session.overlay.shown()
     answers["usable"] = session._dragged.usable
     answers["sentence"] = session.sentence
@@ -60,7 +59,7 @@ def work():
     picture("dragging.png")
     mouse("mouseup", 1)
     until(lambda: tuple(drawn.Geometry[0].getPole(3)) != pole and feature.Ratio != ratio, 20)
-    live_at_rest()
+    until(lambda: session.overlay.shown()["width"])
     answers["pole"] = tuple(drawn.Geometry[0].getPole(3))
     answers["state"] = feature.State
     answers["ratio"] = (ratio, feature.Ratio)

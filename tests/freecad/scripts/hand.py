@@ -53,7 +53,12 @@ class Folders(QtCore.QObject):
 
 def is_open():
     """Is a panel of ours open, with buttons that can be clicked?"""
-    return Gui.Control.activeDialog() and panel().form is not None and panel().form.isVisible()
+    return (
+        panel() is not None
+        and Gui.Control.activeDialog()
+        and panel().form is not None
+        and panel().form.isVisible()
+    )
 
 
 def cancel():
@@ -81,9 +86,12 @@ def double_clicks():
         kind = type(getattr(obj, "Proxy", None)).__name__
         if kind in titles or not kind.endswith("Feature"):
             continue
-        tree, item = tree_row(obj)
-        click(tree.viewport(), times=2, at=tree.visualItemRect(item).center())
-        titles[kind] = panel().form.windowTitle() if until(is_open, 30) else ""
+        for _ in range(3):  # a tree that is still being filled takes the first click for a selection
+            tree, item = tree_row(obj)
+            click(tree.viewport(), times=2, at=tree.visualItemRect(item).center())
+            if until(is_open, 20):
+                break
+        titles[kind] = panel().form.windowTitle() if is_open() else ""
         cancel()
     answers["edited"] = titles
     App.closeDocument(document.Name)

@@ -158,6 +158,7 @@ def click(widget, button=1, times=1, at=None):
 
 def click_view(place, button=1):
     """A real mouse clicks on a point in space."""
+    still(looks_from)  # a panel that opens makes the view narrower
     x, y = on_screen(*place)
     mouse("mousemove", x - 2, y - 1, "sleep", 0.2, "mousemove", x, y, "sleep", 0.2, "click", button)
 
@@ -350,6 +351,7 @@ def live_at_rest():
 
 def drag(start, steps, shift, name="", grab=lambda: None):
     """A real mouse takes what is at a point in space and moves it by `steps` times `shift` pixels."""
+    still(looks_from)  # a panel that opens makes the view narrower
     x, y = on_screen(*start)
     mouse("mousemove", x - 3, y + 3, "sleep", 0.1, "mousemove", x, y, "sleep", 0.1, "mousedown", 1)
     seen = []

@@ -26,7 +26,8 @@ from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
 
 MANY_HOLES = 100
-STRICTER, BEYOND = 4, 1.3  # times a search for a drawing is repeated; of what it was beyond its limit
+HEADROOM = 1.003  # times less curvature than its limit allows has a rod whose curve is to be drawn
+STRICTER, BEYOND = 4, 1.3  # times that search is repeated at most; of what its curve was beyond the limit
 SEARCHING = "Searching the nearest curve"
 
 
@@ -61,19 +62,22 @@ def find_nearest_to_draw(asked: RodSpec) -> NearestRod:
 def find_nearest_now(asked: RodSpec) -> NearestRod:
     """As `find_nearest_to_draw`, for threads of their own: no progress bar.
 
-    A spline strays from its rod by some thousandths of the curvature, so the rod keeps as much more away.
+    A spline strays from its rod by some thousandths of the curvature, so the rod keeps as much away from its limit.
     """
-    near, limits = _found(asked), asked.limits
+    limits = asked.limits
     most = None if limits is None else limits.largest_curvature
+    if limits is None or most is None:
+        return _found(asked)
+    share = HEADROOM
     for _ in range(STRICTER):
-        if limits is None or most is None or near.found is None or not near.met:
+        near = _found(replace(asked, limits=_stricter(limits, share)))
+        if near.found is None or not near.met:
             break
-        over = sharpest_bend(near.curve, asked.natural_curvature)[0] / most
-        if not is_beyond(over):
-            break
-        limits = _stricter(limits, 1 + BEYOND * (over - 1))
-        near = _found(replace(asked, limits=limits))
-    return near
+        used = sharpest_bend(near.curve, asked.natural_curvature)[0] / most
+        if not is_beyond(used):
+            return near
+        share *= 1 + BEYOND * (used - 1)
+    return _found(asked)
 
 
 def _stricter(limits: Limits, more: float) -> Limits:
