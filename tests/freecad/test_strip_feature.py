@@ -258,3 +258,22 @@ def test_how_far_it_strays_as_made_and_held(document, sketch):
     assert [feature.Held, feature.HeldDeviation.Value] == ["", 0]
     strip.tell_held(feature)
     assert feature.Held != before
+
+
+@pytest.mark.parametrize(
+    ("found", "says"),
+    [(InputError("its tabs do not reach"), "its tabs do not reach"), (None, "no shape near")],
+)
+def test_why_it_is_held_in_no_shape(document, sketch, monkeypatch, found, says):
+    """What failed is told: the panel does not wait for ever."""
+
+    def held(_strip):
+        if found is not None:
+            raise found
+
+    feature = strip.create(document, sketch)
+    document.recompute()
+    monkeypatch.setattr(strip, "held_shape", held)
+    strip.tell_held(feature)
+    assert says in feature.Held
+    assert feature.HeldDeviation.Value == 0

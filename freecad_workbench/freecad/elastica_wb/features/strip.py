@@ -4,7 +4,6 @@
 """The parametric strip: follows a sketch, stands on its curve, says in its properties what it found."""
 
 from collections.abc import Iterable
-from contextlib import suppress
 from typing import Any, ClassVar
 
 import FreeCAD as App
@@ -101,10 +100,12 @@ def tell_held(obj: Any) -> None:
     """Write how far a strip strays as made and held; it takes as long as the rest of it, so no recompute waits."""
     if obj.Held or not obj.MadeFrom or "Invalid" in obj.State:
         return
-    with suppress(ElasticaError):
+    try:
         held = held_shape(strip_of(obj))
         said = "it takes no shape near its design: hold it nearer to its curve" if held is None else str(held)
-        put(obj, HeldDeviation=0.0 if held is None else held.deviation, Held=worded(said))
+    except ElasticaError as error:
+        held, said = None, str(error)
+    put(obj, HeldDeviation=0.0 if held is None else held.deviation, Held=worded(said))
 
 
 def is_stale(obj: Any, changed: set[str]) -> bool:

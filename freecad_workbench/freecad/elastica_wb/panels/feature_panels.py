@@ -33,9 +33,16 @@ def _strip_numbers(obj: Any) -> Told:
         (translate("Elastica", "Stiffness ratio"), f"{obj.Ratio:.3g}"),
         (translate("Elastica", "Largest strain"), f"{obj.LargestStrain:.2f} % ({obj.StrainUse} %)"),
         (translate("Elastica", "Stability margin"), f"{obj.Margin:.3g}"),
-        (translate("Elastica", "Held deviation"), f"{obj.HeldDeviation.Value:.2g} mm" if obj.Held else "..."),
+        (translate("Elastica", "Held deviation"), _held_deviation(obj)),
         (translate("Elastica", "Mass"), f"{obj.Mass:.3g} g"),
     )
+
+
+def _held_deviation(obj: Any) -> str:
+    """How far it strays; not yet known, or none where it takes no shape and the footnote says why."""
+    if not obj.Held:
+        return "..."
+    return f"{obj.HeldDeviation.Value:.2g} mm" if obj.HeldDeviation.Value else "-"
 
 
 def _is_plain(obj: Any) -> bool:
