@@ -1,6 +1,7 @@
 """What is asked of one strip, in one record; and the strip that is made of it."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, cast
@@ -35,6 +36,12 @@ from elastica_cad.mechanics.material.tapered_sections import WidthLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.studies.creep import require_creep
 from elastica_cad.mechanics.theorem1.closed_curves import begin_at, flattest_place
+from elastica_cad.mechanics.theorem1.verdict import NotRealizable
+
+NEAREST_CALL = (
+    "limits=ec.Limits() asks for the nearest curve that a strip can take, which strip.rod.curve then is."
+)
+"""What a program that asked for a strip can do."""
 
 SAME_LENGTH = 1e-9
 """Relative difference below which two gravity lengths are of the same sheet: they were computed alike."""
@@ -382,7 +389,25 @@ def make_strip(curve: PlaneCurve, sheet: Sheet | str, **fields: Any) -> Strip:
     >>> round(make_strip(arch, "birch-plywood-0.8", max_width=30).width.extremes[1], 6)
     30.0
     """
-    return StripSpec(curve, sheet, **fields).make()
+    spec = StripSpec(curve, sheet, **fields)
+    with told_in_python(spec):
+        return spec.make()
+
+
+@contextmanager
+def told_in_python(spec: StripSpec) -> Iterator[None]:
+    """A refusal of the curve ends with the argument that lets it change, where a program asked for the strip.
+
+    It is a note below the message, not tried: a search may take longer than a program has for a curve that it
+    only asks about.
+    """
+    try:
+        yield
+    except (NotRealizable, InputError) as problem:
+        refused = isinstance(problem, NotRealizable) or spec.curve.has_corners
+        if refused and not spec.may_change:
+            problem.add_note(NEAREST_CALL)
+        raise
 
 
 def _masses(loads: object) -> tuple[PointMass, ...]:

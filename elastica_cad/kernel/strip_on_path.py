@@ -207,7 +207,7 @@ def make_strip_on(
         Edges that are no smooth, plane curve, or lie in another plane; options that are not known, or that
         come too late for a strip that is made; and as `StripSpec.make`.
     """
-    from elastica_cad.fabrication.strip_spec import StripSpec
+    from elastica_cad.fabrication.strip_spec import StripSpec, told_in_python
 
     asked = {name: value for name, value in asked.items() if value is not None}
     _refuse_unknown(asked)
@@ -234,7 +234,9 @@ def make_strip_on(
     else:
         drawn_on = None if workplane is None else _frame_of(workplane).axes.T
         curve, frame = plane_curve(path, frame, turned=drawn_on)
-    strip, deviation = _made(StripSpec(curve, sheet, frame, **asked))
+    spec = StripSpec(curve, sheet, frame, **asked)
+    with told_in_python(spec):
+        strip, deviation = _made(spec)
     for layer in strip.strains:
         if layer.exceeded:
             text = next(text for text in strip.warnings if text.startswith("strain"))

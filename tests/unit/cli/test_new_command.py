@@ -61,3 +61,14 @@ def test_the_kit_of_sections_stands(tmp_path):
     assert len(report["held"]) == 8
     assert all(part["ratio"] < 1.5 for part in report["parts"])  # nor do widths follow the facets of the mesh
     assert re.search(r"strays 0\.0\d+ mm from its design", made.stdout)
+
+
+def test_the_pavilion_stands_as_drawn(tmp_path):
+    """Wide tabs between two plates and widths made up for: no strip strays by a thousandth of its length."""
+    assert typed("new", "pavilion", cwd=tmp_path).returncode == 0
+    made = typed("model", "pavilion.toml", "-o", "kit", "--no-step", "--no-pictures", "-v", cwd=tmp_path)
+    assert made.returncode == 0, made.stderr
+    share = re.search(r"strays [0-9.]+ mm from its design, ([0-9.]+) % of its length", made.stdout)
+    assert float(share[1]) < 0.1
+    joints = re.search(r"(\d+) joints", made.stdout)
+    assert int(joints[1]) >= 8

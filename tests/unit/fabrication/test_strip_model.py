@@ -12,10 +12,12 @@ from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import Hole, Tab
 from elastica_cad.fabrication.strip_spec import make_strip
+from elastica_cad.forming.limits import Limits
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 
 pytestmark = pytest.mark.core
 
@@ -173,3 +175,15 @@ def test_the_least_published_radius_itself_is_no_fault():
         bent = Strip(optimal_rod(PlaneCurve.arc((0, 0), radius, 1.0, 2.0)), sheet, max_width=30)
         found = [text for text in bent.warnings if "FAA" in text or "bears" in text]
         assert bool(found) == told
+
+
+def test_a_refusal_in_python_ends_with_the_argument_that_works():
+    wave = PlaneCurve.spline([(0, 0), (20, 50), (50, -40), (80, 55), (110, -30), (140, 0)], degree=4)
+    with pytest.raises(NotRealizable) as refused:
+        make_strip(wave, "birch-plywood-0.8", max_width=12)
+    (note,) = refused.value.__notes__
+    assert note.startswith("limits=ec.Limits() asks for the nearest curve")
+    assert make_strip(wave, "birch-plywood-0.8", max_width=12, limits=Limits()).rod.ratio > 1
+    with pytest.raises(InputError, match="positive") as other:
+        make_strip(PlaneCurve.line((0, 0), (100, 0)), "birch-plywood-0.8", max_width=-12)
+    assert not getattr(other.value, "__notes__", [])
