@@ -22,6 +22,7 @@ from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.forming.leaf_ends import leaf_bends
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.geometry.pen_curves.provenance import Provenance
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
 from elastica_cad.mechanics.material.plywood_radii import PLYWOOD_SOURCE
@@ -29,6 +30,7 @@ from elastica_cad.mechanics.material.section_limits import LayerStrain
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.sheet_keys import printable
 from elastica_cad.mechanics.material.tapered_sections import LaidLeaves, RoundLaw
+from elastica_cad.mechanics.rod.csv_text import csv_text
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.sideways import (
     SidewaysStability,
@@ -164,6 +166,10 @@ class Strip:
         more = {} if section is None or size is None else {f"{section.quantity}_mm": size(self.rod.s)}
         return columns | {"width_mm": self.width(self.rod.s)} | more | {"strain": worst.strain}
 
+    def csv(self) -> str:
+        """The table as comma-separated text with a header."""
+        return csv_text(self.table())
+
     @property
     def tapered(self) -> dict[str, Profile]:
         """What carries the stiffness instead of the width, mm along the free part: "thickness" or "diameter"."""
@@ -216,6 +222,11 @@ class Strip:
         return self.layers[0].outline
 
     @property
+    def _begins_at(self) -> str:
+        """Its start as the program shows it in which the curve was drawn."""
+        return (self.rod.curve.provenance or Provenance()).shown(self.rod.position[0])
+
+    @property
     def mass_told(self) -> str:
         """Its mass as people say it: grams, from a thousand of them on kilograms."""
         return f"{self.mass:.3g} g" if self.mass < 1000 else f"{self.mass / 1000:.3g} kg"
@@ -245,7 +256,7 @@ class Strip:
         """How a closed strip is joined, and what the joint carries; empty for an open one."""
         if not self.is_closed:
             return ""
-        (x, y), held = self.rod.position[0], self.reactions()
+        held = self.reactions()
         lap, (_, wide) = self.ends[1].length, self.end_widths
         how = (
             f"glue its tab of {lap:.3g} mm, bent as drawn, behind its start"
@@ -253,7 +264,7 @@ class Strip:
             else "join its ends butt to butt"
         )
         return (
-            f"closed: {how} at ({x:.4g}, {y:.4g}), where it is {wide:.3g} mm wide; the joint "
+            f"closed: {how} at {self._begins_at}, where it is {wide:.3g} mm wide; the joint "
             f"carries {abs(held.end_moment):.3g} N mm and {np.hypot(*held.end_force):.2g} N"
         )
 

@@ -9,11 +9,9 @@ import numpy as np
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.mechanics.bending.bend_forward import bend_path
+from elastica_cad.mechanics.rod.csv_text import csv_text
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
-
-DUST_SHARE = 1e-12
-"""Of the largest value of the same unit: what rounding leaves of 0."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,24 +88,7 @@ class Travel:
 
     def csv(self) -> str:
         """The table as comma-separated text with a header."""
-        columns = _without_dust(self.table())
-        rows = [",".join(columns)]
-        rows += [",".join(f"{value:.9g}" for value in row) for row in zip(*columns.values(), strict=True)]
-        return "\n".join(rows) + "\n"
-
-
-def _without_dust(table: Mapping[str, FloatArray | BoolArray]) -> dict[str, FloatArray]:
-    """The columns with 0 in place of what rounding left, beside the largest value of the same unit."""
-    columns = {name: np.asarray(column, dtype=float) for name, column in table.items()}
-    largest: dict[str, float] = {}
-    for name, column in columns.items():
-        unit = name.rsplit("_", 1)[-1]
-        finite = np.abs(column[np.isfinite(column)])
-        largest[unit] = max(largest.get(unit, 0.0), float(finite.max(initial=0.0)))
-    return {
-        name: np.where(np.abs(column) <= DUST_SHARE * largest[name.rsplit("_", 1)[-1]], 0.0, column)
-        for name, column in columns.items()
-    }
+        return csv_text(self.table())
 
 
 def bend_strip(

@@ -18,6 +18,7 @@ from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
+from elastica_cad.mechanics.rod.csv_text import csv_text
 from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod, edge_forces
 from elastica_cad.mechanics.rod.node_counts import DEFAULT_SAMPLES
 from elastica_cad.mechanics.rod.rest_shape import has_even_edges, integrate_edges
@@ -219,6 +220,10 @@ class Rod:
             "curvature_1_per_mm": self.curvature, "stiffness": self.stiffness, "moment_1_per_mm": self.moment,
             "force_x_1_per_mm2": self.force[:, 0], "force_y_1_per_mm2": self.force[:, 1],
         }  # fmt: skip
+
+    def csv(self) -> str:
+        """The table as comma-separated text with a header."""
+        return csv_text(self.table())
 
     @property
     def ratio(self) -> float:

@@ -42,12 +42,12 @@ def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
         )
     low, high = curve.domain
     t = float(curve.parameter(np.array(s)))
-    curve = _closed_exactly(curve)
+    drawn, curve = curve.provenance, _closed_exactly(curve)
     # a span of rounding size would have no curvature to speak of
     knot = float(curve.knots[np.argmin(np.abs(curve.knots - t))])
     t = knot if abs(knot - t) <= ALIKE * (high - low) else t
     if t <= low or t >= high:
-        return curve
+        return curve.drawn_as(drawn)
     first, second = trim_curve(curve, t, high), trim_curve(curve, low, t)
     p = curve.degree
     knots = np.concatenate([first.knots[:-1], second.knots[p + 1 :] + (high - low)])
@@ -57,7 +57,7 @@ def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
         # the weights of one part may be scaled as a whole: those of the second go on where the first's end
         onward = second.weights * (first.weights[-1] / second.weights[0])
         weights = np.concatenate([first.weights, onward[1:]])
-    return PlaneCurve.of_sound(knots, points, p, weights).drawn_as(curve.provenance)
+    return PlaneCurve.of_sound(knots, points, p, weights).drawn_as(drawn)
 
 
 def _closed_exactly(curve: PlaneCurve) -> PlaneCurve:

@@ -1935,7 +1935,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>closed: %1 at (%2, %3), where it is %4 mm wide; the joint carries %5 N mm and %6 N</source>
+        <source>closed: %1 at %2, where it is %3 mm wide; the joint carries %4 N mm and %5 N</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3144,6 +3144,14 @@
     </message>
     <message>
         <source>it bends to a radius of %1 mm at %2 mm, but plywood of %3 mm bends to %4 mm at least %5 the face grain (%6); use a thinner sheet or a gentler curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 to %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm long, %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -1947,8 +1947,8 @@
         <translation>seine Enden stumpf verbinden</translation>
     </message>
     <message>
-        <source>closed: %1 at (%2, %3), where it is %4 mm wide; the joint carries %5 N mm and %6 N</source>
-        <translation>geschlossen: %1 bei (%2, %3), wo er %4 mm breit ist; die Verbindung trägt %5 N mm und %6 N</translation>
+        <source>closed: %1 at %2, where it is %3 mm wide; the joint carries %4 N mm and %5 N</source>
+        <translation>geschlossen: %1 bei %2, wo er %3 mm breit ist; die Verbindung trägt %4 N mm und %5 N</translation>
     </message>
     <message>
         <source>joint is %1: give a place along the curve, 0 to %2 mm, or none</source>
@@ -3157,6 +3157,14 @@
     <message>
         <source>it bends to a radius of %1 mm at %2 mm, but plywood of %3 mm bends to %4 mm at least %5 the face grain (%6); use a thinner sheet or a gentler curve</source>
         <translation>er biegt sich bei %2 mm auf einen Radius von %1 mm, Sperrholz von %3 mm aber nur bis %4 mm, %5 zur Faser der Deckschicht (%6); dünneres Material oder eine sanftere Kurve nehmen</translation>
+    </message>
+    <message>
+        <source>%1 to %2 mm</source>
+        <translation>%1 bis %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm long, %2</source>
+        <translation>%1 mm lang, %2</translation>
     </message>
     <message>
         <source>give a smaller max_width, or name a larger stock</source>

@@ -1947,8 +1947,8 @@
         <translation>将两端对接</translation>
     </message>
     <message>
-        <source>closed: %1 at (%2, %3), where it is %4 mm wide; the joint carries %5 N mm and %6 N</source>
-        <translation>闭合：在 (%2, %3) 处%1，该处宽 %4 mm；接合处承受 %5 N mm 和 %6 N</translation>
+        <source>closed: %1 at %2, where it is %3 mm wide; the joint carries %4 N mm and %5 N</source>
+        <translation>闭合：在 %2 处%1，该处宽 %3 mm；接合处承受 %4 N mm 和 %5 N</translation>
     </message>
     <message>
         <source>joint is %1: give a place along the curve, 0 to %2 mm, or none</source>
@@ -3157,6 +3157,14 @@
     <message>
         <source>it bends to a radius of %1 mm at %2 mm, but plywood of %3 mm bends to %4 mm at least %5 the face grain (%6); use a thinner sheet or a gentler curve</source>
         <translation>它在 %2 mm 处弯曲半径为 %1 mm，但 %3 mm 胶合板%5面层纹理最小只能弯到 %4 mm（%6）；使用更薄的板材或更平缓的曲线</translation>
+    </message>
+    <message>
+        <source>%1 to %2 mm</source>
+        <translation>%1 至 %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm long, %2</source>
+        <translation>长 %1 mm，%2</translation>
     </message>
     <message>
         <source>give a smaller max_width, or name a larger stock</source>

@@ -15,6 +15,7 @@ from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.fabrication.strip_spec import StripSpec, make_strip
 from elastica_cad.formats.reports.strip_report import report_strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.pen_curves.provenance import Provenance
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -227,3 +228,13 @@ def test_the_rod_of_a_closed_curve_closes():
     rod = optimal_rod(CIRCLE)
     assert rod.ratio == pytest.approx(1.0, abs=1e-9)
     assert rod.moment[0] == pytest.approx(rod.moment[-1])
+
+
+def test_the_joint_is_told_where_the_drawing_program_shows_it():
+    """An SVG's y runs down: 150 below the top there is -150 here."""
+    drawn = UPRIGHT.drawn_as(Provenance(place=np.diag([1.0, -1.0, 1.0])))
+    told, plain = (make_strip(one, PLY, max_width=20) for one in (drawn, UPRIGHT))
+    x, y = plain.rod.position[0]
+    assert f"at {Provenance().shown((x, y))}, where" in plain.joint
+    assert abs(y) > 1
+    assert f"at {Provenance().shown((x, -y))}, where" in told.joint

@@ -15,6 +15,7 @@ from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.forming.limits import Limits
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.rod.csv_text import csv_text
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
@@ -187,3 +188,15 @@ def test_a_refusal_in_python_ends_with_the_argument_that_works():
     with pytest.raises(InputError, match="positive") as other:
         make_strip(PlaneCurve.line((0, 0), (100, 0)), "birch-plywood-0.8", max_width=-12)
     assert not getattr(other.value, "__notes__", [])
+
+
+def test_tables_are_written_as_text():
+    """Every column comes back; what rounding left of 0 is 0."""
+    arch = strip()
+    for record in (arch, arch.rod):
+        head, *rows = record.csv().splitlines()
+        assert head.split(",") == list(record.table())
+        read = np.array([[float(cell) for cell in row.split(",")] for row in rows])
+        wanted = np.column_stack(list(record.table().values()))
+        assert np.abs(read - wanted).max() <= 1e-8 * np.abs(wanted).max()
+    assert csv_text({"x_mm": [0.0, 3.0], "y_mm": [1e-16, np.inf]}) == "x_mm,y_mm\n0,0\n3,inf\n"
