@@ -38,7 +38,7 @@ def edit(drawn):
     wait(400)
     if toolbar_button("Elastica_Between") is None:
         Gui.activateWorkbench("ElasticaWorkbench")
-    until(lambda: toolbar_button("Elastica_Between") is not None, 20)
+    until(lambda: toolbar_button("Elastica_Between") is not None)
     fit("Top", height=300)
 
 
@@ -57,7 +57,7 @@ def opened():
     from freecad.elastica_wb.panels.curves import between_clamps
 
     press("Elastica_Between")
-    until(lambda: between_clamps.running() is not None, 20)
+    until(lambda: between_clamps.running() is not None)
     wait(300)
     return between_clamps.running()
 
@@ -78,7 +78,7 @@ def pull(tool, handle, dx, dy):
     held = told(tool.sketch) == before
     picture(f"pulled-{handle}.png")
     mouse("mouseup", 1)
-    until(lambda: told(tool.sketch) != before, 20)
+    until(lambda: told(tool.sketch) != before)
     wait(300)
     tool._solve = usual
     return [len(solved) >= 5, held]
@@ -108,33 +108,33 @@ def work():
     answers["tangent pulled"] = [*pull(tool, 2, 40, 60), told(drawn), spline_of(drawn).NbPoles]
     before = tool.card.words.text()
     click(tool.card.side)
-    until(lambda: tool.card.words.text() != before, 20)
+    until(lambda: tool.card.words.text() != before)
     wait(300)
     answers["other side"] = [before, tool.card.words.text(), told(drawn)]
     type_into(tool.card.length, "320 mm")
-    until(lambda: abs(told(drawn)[1] - 320) < 0.1, 20)
+    until(lambda: abs(told(drawn)[1] - 320) < 0.1)
     answers["longer"] = told(drawn)
     type_into(tool.card.length, "20 mm")
-    until(lambda: "make it longer" in tool.card.words.text(), 20)
+    until(lambda: "make it longer" in tool.card.words.text())
     answers["too short"] = [tool.card.words.text(), told(drawn)]
     picture("short.png")
     type_into(tool.card.length, "300 mm")
-    until(lambda: abs(told(drawn)[1] - 300) < 0.1, 20)
+    until(lambda: abs(told(drawn)[1] - 300) < 0.1)
     live_at_rest()
     from freecad.elastica_wb.live import session as live
 
     answers["verdict"] = live.session().card.answer.verdict.value
     click(tool.card.done)
-    answers["done"] = until(lambda: between_clamps.running() is None, 20)
+    answers["done"] = until(lambda: between_clamps.running() is None)
     tool = opened()
     answers["taken again"] = [tool.number is not None, round(tool.length, 2), tool.side, told(drawn)]
     picture("again.png")
     trigger("Std_Undo")
-    until(lambda: between_clamps.running() is None and abs(spline_of(drawn).length() - 320) < 0.1, 20)
+    until(lambda: between_clamps.running() is None and abs(spline_of(drawn).length() - 320) < 0.1)
     answers["undone"] = [between_clamps.running() is None, round(spline_of(drawn).length(), 1)]
     opened()
     Gui.ActiveDocument.resetEdit()
-    answers["closed with its sketch"] = until(lambda: between_clamps.running() is None, 20)
+    answers["closed with its sketch"] = until(lambda: between_clamps.running() is None)
     press("Elastica_Strip")
     until(lambda: Gui.Control.activeDialog() and document.getObject("Strip").State == ["Up-to-date"])
     at_rest()
@@ -159,7 +159,7 @@ def work():
     answers["with poles"] = told(arch)
     answers["poles go"] = [*pull(between_clamps.running(), 0, 20, 10), told(arch)]
     App.closeDocument(document.Name)
-    answers["closed with its document"] = until(lambda: between_clamps.running() is None, 20)
+    answers["closed with its document"] = until(lambda: between_clamps.running() is None)
 
 
 run(work)

@@ -43,8 +43,8 @@ def open_panel(command):
 
     Panel.opened = None
     trigger(command)
-    assert until(lambda: Panel.opened is not None, 20), f"{command} opened no panel"
-    assert until(Gui.Control.activeDialog, 20), f"{command} shows no dialog"
+    assert until(lambda: Panel.opened is not None), f"{command} opened no panel"
+    assert until(Gui.Control.activeDialog), f"{command} shows no dialog"
     at_rest()
     return Panel.opened
 
@@ -83,7 +83,7 @@ def strip_command(document, drawn):
     document.recompute()
     strip = document.getObject("Strip")
     Gui.ActiveDocument.setEdit(strip.Name)
-    until(Gui.Control.activeDialog, 20)
+    until(Gui.Control.activeDialog)
     from freecad.elastica_wb.panels.panel import Panel
 
     fill(Panel.opened, MaxWidth=40.0)

@@ -58,7 +58,7 @@ def work():
     answers["start pole"] = pole
     picture("dragging.png")
     mouse("mouseup", 1)
-    until(lambda: tuple(drawn.Geometry[0].getPole(3)) != pole and feature.Ratio != ratio, 20)
+    until(lambda: tuple(drawn.Geometry[0].getPole(3)) != pole and feature.Ratio != ratio)
     until(lambda: session.overlay.shown()["width"])
     answers["pole"] = tuple(drawn.Geometry[0].getPole(3))
     answers["state"] = feature.State
@@ -68,17 +68,17 @@ def work():
     scene("overlay.png")
     dragged = feature.Ratio
     document.undo()
-    until(lambda: feature.Ratio == ratio, 20)
+    until(lambda: feature.Ratio == ratio)
     answers["pole after undo"] = tuple(drawn.Geometry[0].getPole(3))
     answers["ratio after undo"] = feature.Ratio
     document.redo()
-    until(lambda: feature.Ratio == dragged, 20)
+    until(lambda: feature.Ratio == dragged)
     answers["ratio after redo"] = feature.Ratio
     began = time.perf_counter()
     session.refresh()
     answers["refresh"] = time.perf_counter() - began
     Gui.ActiveDocument.resetEdit()
-    until(lambda: live.session() is None, 20)
+    until(lambda: live.session() is None)
     answers["closed"] = live.session() is None
     # a curve that cannot be bent: the nearest one is shown beside it
     bad = sketch(document, [(0, 0), (40, 60), (80, -60), (120, 25), (160, 30), (180, 0)], name="Bad")

@@ -66,7 +66,7 @@ def new_sketch():
     answers["grey at first"] = [name for name in ("Elastica_Strip", "Elastica_Live") if is_grey(name)]
 
     def accept(box):
-        until(lambda: ok_of(box).isVisible(), 20)
+        until(lambda: ok_of(box).isVisible())
         still(lambda: ok_of(box).mapToGlobal(ok_of(box).rect().center()).toTuple())
         click(ok_of(box))
 
@@ -98,7 +98,7 @@ def draw():
     wait(200)
     sketch = Gui.ActiveDocument.getInEdit().Object
     mouse("click", 3)
-    until(lambda: splines(sketch), 20)
+    until(lambda: splines(sketch))
     keys("Escape")
     until(lambda: not draws(), 10)
 
@@ -116,7 +116,7 @@ def work():
     new_sketch()
     from freecad.elastica_wb.live import session as live
 
-    until(lambda: live.session() is not None, 20)
+    until(lambda: live.session() is not None)
     fit(height=400)
     answers["session in the new sketch"] = live.session() is not None
     picture("2-sketch.png")
@@ -124,7 +124,7 @@ def work():
     sketch = Gui.ActiveDocument.getInEdit().Object
     answers["drawn"] = [g.TypeId for g in sketch.Geometry][:2]
     answers["remembers"] = sketch.ElasticaLive
-    until(lambda: live.session().overlay.shown()["width"], 30)
+    until(lambda: live.session().overlay.shown()["width"])
     live_at_rest()
     answers["overlay"] = live.session().overlay.shown()
     answers["verdict"] = live.session().card.answer.words
@@ -141,10 +141,10 @@ def work():
     answers["ms"] = [round(1000 * t, 2) for t in live.session().times[frames:]]
     picture("4-dragging.png")
     mouse("mouseup", 1)
-    answers["pole moved"] = until(lambda: tuple(splines(sketch)[0].getPole(3)) != pole, 20)
+    answers["pole moved"] = until(lambda: tuple(splines(sketch)[0].getPole(3)) != pole)
     click(dialog_button("Close"))
-    until(lambda: Gui.ActiveDocument.getInEdit() is None and live.session() is None, 20)
-    until(lambda: Gui.activeWorkbench().name() == "ElasticaWorkbench", 20)
+    until(lambda: Gui.ActiveDocument.getInEdit() is None and live.session() is None)
+    until(lambda: Gui.activeWorkbench().name() == "ElasticaWorkbench")
     answers["closed"] = [Gui.ActiveDocument.getInEdit() is None, live.session() is None]
     answers["back in"] = Gui.activeWorkbench().name()
     press("Elastica_Strip")

@@ -89,7 +89,7 @@ def double_clicks():
         for _ in range(3):  # a tree that is still being filled takes the first click for a selection
             tree, item = tree_row(obj)
             click(tree.viewport(), times=2, at=tree.visualItemRect(item).center())
-            if until(is_open, 20):
+            if until(is_open):
                 break
         titles[kind] = panel().form.windowTitle() if is_open() else ""
         cancel()
@@ -119,7 +119,7 @@ def menu_of(open_it, wanted):
 
     QtCore.QTimer.singleShot(300, look)
     open_it()
-    until(lambda: seen and QtWidgets.QApplication.activePopupWidget() is None, 30)
+    until(lambda: seen and QtWidgets.QApplication.activePopupWidget() is None)
     return seen
 
 
@@ -140,7 +140,7 @@ def context_menus(document, strip):
         looked()
         Panel.opened = None
         answers[f"menu in the {place}"] = menu_of(partial(right_click, strip, place), "Elastica_Bend")
-        answers[f"panel from the {place}"] = panel().form.windowTitle() if until(is_open, 30) else ""
+        answers[f"panel from the {place}"] = panel().form.windowTitle() if until(is_open) else ""
         cancel()
 
 
@@ -182,14 +182,14 @@ def another_curve(document, strip):
     until(panel().form.pick.isChecked)
     edge = other.Shape.Edges[0]
     click_view(edge.valueAt(sum(edge.ParameterRange) / 2))
-    until(lambda: strip.Curve[0] is other and not panel().form.pick.isChecked(), 20)
+    until(lambda: strip.Curve[0] is other and not panel().form.pick.isChecked())
     at_rest()
     answers["picked"] = [strip.Curve[0].Name, panel().form.source.text(), panel().form.pick.isChecked()]
     picture("picked.png")
     click(dialog_button("Ok"))
     until(lambda: not Gui.Control.activeDialog())
     trigger("Std_Undo")
-    until(lambda: strip.Curve[0] is first, 20)
+    until(lambda: strip.Curve[0] is first)
     answers["picked, undone"] = strip.Curve[0] is first
     document.removeObject("Other")
 
@@ -206,15 +206,15 @@ def use_nearest(document):
     picture("refused.png")
     refused = bad.Geometry[0].NbPoles
     click(live.session().card.button)
-    until(lambda: bad.Geometry[0].NbPoles != refused, 20)
-    until(lambda: live.session().card.answer.verdict.value != "cannot", 20)
+    until(lambda: bad.Geometry[0].NbPoles != refused)
+    until(lambda: live.session().card.answer.verdict.value != "cannot")
     live_at_rest()
     answers["drawn"] = live.session().card.answer.verdict.value
     picture("nearest-drawn.png")
     poles = bad.Geometry[0].NbPoles
     trigger("Std_Undo")  # in the sketch: 1.x makes a step of its own when it is closed
-    until(lambda: bad.Geometry[0].NbPoles == refused, 20)
-    until(lambda: live.session().card.answer.verdict.value == "cannot", 20)
+    until(lambda: bad.Geometry[0].NbPoles == refused)
+    until(lambda: live.session().card.answer.verdict.value == "cannot")
     answers["nearest, undone"] = [poles, bad.Geometry[0].NbPoles, live.session().card.answer.verdict.value]
     Gui.ActiveDocument.resetEdit()
     wait(200)
@@ -237,7 +237,7 @@ def export(strip):
     button = telling._told[0].findChild(QtWidgets.QPushButton, "openFolder")
     still(lambda: (button.isVisible(), button.mapToGlobal(button.rect().center()).toTuple()))
     click(button)
-    until(lambda: "folder opened" in answers, 20)
+    until(lambda: "folder opened" in answers)
 
 
 def work():

@@ -115,7 +115,7 @@ def opened(command, parts):
     choose(*parts[PANELS[command]])
     Panel.opened = None
     trigger(command)
-    until(lambda: Panel.opened is not None, 20)
+    until(lambda: Panel.opened is not None)
     assert Panel.opened is not None, f"{command} opened no panel: {told()}"
     return Panel.opened
 
@@ -247,10 +247,10 @@ def edits():
     while drawn.Geometry:
         drawn.delGeometry(0)
         wait(60)
-    until(lambda: live.session().card.answer.verdict is Verdict.NOTHING, 20)
+    until(lambda: live.session().card.answer.verdict is Verdict.NOTHING)
     answers["empty in edit"] = live.session().sentence
     drawn.addGeometry(Part.Circle(App.Vector(), App.Vector(0, 0, 1), 20), False)
-    until(lambda: live.session().card.answer.verdict is Verdict.BREAKS, 20)
+    until(lambda: live.session().card.answer.verdict is Verdict.BREAKS)
     answers["circle in edit"] = live.session().card.heading.text()
     App.closeDocument(document.Name)
     assert until(lambda: live.session() is None)
@@ -260,7 +260,7 @@ def edits():
     Gui.ActiveDocument.resetEdit()
     parts["document"].removeObject(parts["sketch"][0].Name)
     parts["document"].recompute()
-    until(lambda: "missing" in parts["strip"][0].getStatusString(), 20)
+    until(lambda: "missing" in parts["strip"][0].getStatusString())
     answers["sketch gone"] = parts["strip"][0].getStatusString()
     App.closeDocument(parts["document"].Name)
 
@@ -272,12 +272,12 @@ def second_view():
         area = Gui.getMainWindow().findChild(QtWidgets.QMdiArea)
         windows = len(area.subWindowList())
         trigger("Std_ViewCreate")
-        until(lambda area=area, windows=windows: len(area.subWindowList()) > windows, 20)
+        until(lambda area=area, windows=windows: len(area.subWindowList()) > windows)
         wait(200)
         panel = opened(command, parts)
         window = area.activeSubWindow() or area.currentSubWindow()
         window.close()
-        until(lambda area=area, windows=windows: len(area.subWindowList()) == windows, 20)
+        until(lambda area=area, windows=windows: len(area.subWindowList()) == windows)
         wait(200)
         poke(panel)
         panel.reject()

@@ -34,7 +34,7 @@ from inside import (
 
 def preferences_page():
     def fill_in(box):
-        until(lambda: box.findChild(QtWidgets.QComboBox, "dxfVersion").isVisible(), 20)
+        until(lambda: box.findChild(QtWidgets.QComboBox, "dxfVersion").isVisible())
         box.findChild(QtWidgets.QComboBox, "dxfVersion").setCurrentText("R2000")
         box.findChild(QtWidgets.QDoubleSpinBox, "kerf").setValue(0.2)
         picture("preferences.png")
@@ -49,7 +49,7 @@ def typed_into(box, words, changed):
     """Type, then wait for what follows from it."""
     scroll_to(box)
     type_into(box, words)
-    until(changed, 20)
+    until(changed)
     at_rest()
 
 
@@ -94,7 +94,7 @@ def work():
     until(lambda: has_focus(box), 10)
     before = strip.MaxWidth.Value
     keys("Up")
-    until(lambda: strip.MaxWidth.Value > before, 20)
+    until(lambda: strip.MaxWidth.Value > before)
     answers["stepped"] = strip.MaxWidth.Value
     keys("Tab")
     until(lambda: not has_focus(box), 10)
@@ -109,11 +109,11 @@ def work():
     strip.setExpression("MinWidth", None)
     strip.setExpression("MaxWidth", "1 in")
     document.recompute()
-    until(box.isReadOnly, 20)
+    until(box.isReadOnly)
     answers["expression"] = [strip.MaxWidth.Value, box.isReadOnly()]
     strip.setExpression("MaxWidth", None)
     strip.MaxWidth = 33.0
-    until(lambda: abs(panel().value("MaxWidth") - 33) < 0.2, 20)
+    until(lambda: abs(panel().value("MaxWidth") - 33) < 0.2)
     answers["elsewhere"] = panel().value("MaxWidth")
     picture("inches.png")
     click(dialog_button("Ok"))

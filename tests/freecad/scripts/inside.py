@@ -225,7 +225,7 @@ def looked():
 
 def is_grey(command):
     """Can the command not be used now?"""
-    until(lambda: toolbar_button(command) is not None, 20)
+    until(lambda: toolbar_button(command) is not None)
     looked()
     button = toolbar_button(command)
     assert button is not None, f"no button for {command}"
@@ -234,7 +234,7 @@ def is_grey(command):
 
 def press(command):
     """The toolbar button of a command, by a real mouse."""
-    until(lambda: not is_grey(command), 20)
+    until(lambda: not is_grey(command))
     assert not is_grey(command), f"{command} is grey"
     click(toolbar_button(command))
     wait(200)
@@ -250,10 +250,11 @@ def trigger(command, *, usable=True):
     looked()
     action = action_of(command)
     if usable:
-        until(action.isEnabled, 20)
-    if action.isEnabled():
+        until(action.isEnabled)
+    enabled = action.isEnabled()
+    if enabled:
         action.trigger()
-    return action.isEnabled()
+    return enabled
 
 
 class Dialog:
@@ -324,7 +325,7 @@ def window():
     main = Gui.getMainWindow()
     main.showMaximized()
     main.activateWindow()
-    until(lambda: main.isActiveWindow() and main.width() > 0.9 * main.screen().size().width(), 20)
+    until(lambda: main.isActiveWindow() and main.width() > 0.9 * main.screen().size().width())
     still(lambda: main.geometry().getRect())
 
 

@@ -55,7 +55,7 @@ def work():
         before = strip.MaxWidth.Value
         scroll_to(box)
         type_into(box, text)
-        until(lambda before=before: strip.MaxWidth.Value != before, 20)
+        until(lambda before=before: strip.MaxWidth.Value != before)
         at_rest()
         typed.append([strip.MaxWidth.Value, box.text()])
     answers["typed"] = typed
@@ -69,7 +69,7 @@ def work():
     answers["kept"] = strip.MaxWidth.Value
 
     def read(box):
-        until(lambda: box.findChild(QtWidgets.QLineEdit, "defaultSheet").isVisible(), 20)
+        until(lambda: box.findChild(QtWidgets.QLineEdit, "defaultSheet").isVisible())
         field = box.findChild(QtWidgets.QLineEdit, "defaultSheet")
         answers["preferences"] = field.text() if field else None
         picture("preferences.png")

@@ -14,8 +14,11 @@ from inside import (
     QtCore,
     QtWidgets,
     answers,
+    at_rest,
     choose,
     fill,
+    fit,
+    live_at_rest,
     panel,
     picture,
     run,
@@ -67,9 +70,7 @@ def look(name, top=False):
     """The window as it is, from the top or from a corner."""
     tidy()
     Gui.Selection.clearSelection()
-    view = Gui.ActiveDocument.ActiveView
-    view.viewTop() if top else view.viewIsometric()
-    view.fitAll()
+    fit("Top" if top else "Isometric")
     wait(700)
     picture(f"{name}.png")
 
@@ -91,7 +92,9 @@ def by_panel(command, *chosen, top=False, **values):
     choose(*chosen)
     assert trigger(command), command
     wait(500)
+    at_rest()
     fill(panel(), **values)
+    at_rest()
     wait(900)
     look(command.removeprefix("Elastica_").lower(), top=top)
     close()
@@ -109,6 +112,7 @@ def in_sketch(command, points, name):
         observers.switch(made, on=True)
     else:
         assert trigger(command), command
+    live_at_rest()
     wait(900)
     look(name, top=True)
     close()

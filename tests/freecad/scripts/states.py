@@ -69,7 +69,7 @@ def press_all(state, prepare):
         Gui.activateWorkbench("ElasticaWorkbench")
         prepare(document)
         Gui.activateWorkbench("ElasticaWorkbench")
-        until(lambda name=name: toolbar_button(name) is not None, 20)
+        until(lambda name=name: toolbar_button(name) is not None)
         if is_grey(name):
             grey.append(name)
         else:
@@ -81,7 +81,7 @@ def press_all(state, prepare):
                 after = (len(document.Objects), live.session() is not None)
                 return Gui.Control.activeDialog() or told() or after != before
 
-            if not until(seen_of_it, 20):
+            if not until(seen_of_it):
                 answers["trouble"].append(f"{name} in {state}: nothing is seen")
             if "Traceback" in report()[seen:] or "Error:" in report()[seen:]:
                 answers["trouble"].append(f"{name} in {state}: {report()[seen:][-600:]}")
@@ -173,7 +173,7 @@ def many_strips():
     ratio = strips[3].Ratio
     made.clear()
     document.undo()
-    until(lambda: made and strips[3].Ratio != ratio, 20)
+    until(lambda: made and strips[3].Ratio != ratio)
     wait(300)
     answers["undo of a curve"] = [sorted(set(made)), strips[3].Ratio != ratio]
     StripFeature.make = usual
