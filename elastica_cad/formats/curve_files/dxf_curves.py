@@ -1,5 +1,6 @@
 """Curves drawn in a DXF file, exact where the file is exact."""
 
+import re
 import struct
 from collections import Counter
 from collections.abc import Iterable, Iterator
@@ -9,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
+from elastica_cad.errors import InputError, MissingDependencyError, how_to_install, quoted
 from elastica_cad.formats.curve_files.drawn_file import DrawnFile, collect_curves
 from elastica_cad.formats.curve_files.dxf_text import (
     DEEPEST_BLOCK,
@@ -133,7 +134,10 @@ def _opened(path: Path) -> "Drawing":
             ) from error
     guessed = [entry for entry in audit.errors if entry.code == AuditError.INVALID_FLOATING_POINT_VALUE]
     if guessed:
-        raise InputError(f"is damaged ({guessed[0].message}): export it anew")
+        said = re.sub(
+            '"(.*)"(?= near line)', lambda found: quoted(found[1]), guessed[0].message, flags=re.DOTALL
+        )
+        raise InputError(f"is damaged ({said}): export it anew")
     return document
 
 

@@ -101,8 +101,9 @@ def _refuse_bombs(tree: SvgTree) -> None:
         if depth > _DEEPEST:
             raise InputError(f"nests groups more than {_DEEPEST} deep: ungroup them before export")
         order += [(child, depth + 1) for child in element]
-    named = {str(e.get("id")): e for e, _ in reversed(order) if e.get("id") is not None}
-    links = {e: _target(e, named) for e, _ in order if _tag(e) == "use"}
+    clones = [e for e, _ in order if _tag(e) == "use"]
+    named = _cloned(tree.root, {_link(e)[1:] for e in clones})
+    links = {e: _target(e, named) for e in clones}
     state: dict[ElementTree.Element, tuple[int, int, int]] = {}
     open_now: set[ElementTree.Element] = set()
     stack: list[tuple[ElementTree.Element, bool]] = [(tree.root, False)]
@@ -138,10 +139,24 @@ def _refuse_bombs(tree: SvgTree) -> None:
                     stack.append((one, False))
 
 
+def _cloned(root: ElementTree.Element, wanted: set[str]) -> dict[str, ElementTree.Element]:
+    """What clones stand for: the first of each name, as browsers have it; later ones lose a name that is taken."""
+    named: dict[str, ElementTree.Element] = {}
+    for element in root.iter():
+        name = element.get("id")
+        if name in wanted and named.setdefault(str(name), element) is not element:
+            del element.attrib["id"]
+    return named
+
+
+def _link(element: ElementTree.Element) -> str:
+    return element.get("href") or element.get("{http://www.w3.org/1999/xlink}href") or ""
+
+
 def _target(
     element: ElementTree.Element, named: dict[str, ElementTree.Element]
 ) -> ElementTree.Element | None:
-    link = element.get("href") or element.get("{http://www.w3.org/1999/xlink}href") or ""
+    link = _link(element)
     return named.get(link[1:]) if link.startswith("#") else None
 
 

@@ -53,6 +53,16 @@ def test_clones_of_nothing_are_not_put_in_place(tmp_path, body):
     assert len(read_drawing(svg(tmp_path, f"<defs>{''.join(levels)}</defs>{arch}<use href='#g29'/>"))) == 1
 
 
+def test_of_two_groups_of_one_name_clones_show_the_first_and_count_it(tmp_path):
+    """Another reader of the same file may take the last: then what was counted is not what is put in place."""
+    bomb = '<g id="g0"><path d="M0 0C1 2 3 2 4 0"/></g>'
+    bomb += "".join(f'<g id="g{k}">' + f'<use href="#g{k - 1}"/>' * 10 + "</g>" for k in range(1, 7))
+    plain = "".join(f'<g id="g{k}"><path d="M0 0C10 20 30 20 40 {k}"/></g>' for k in range(7))
+    file = read_drawing(svg(tmp_path, f"<defs>{plain}</defs><defs>{bomb}</defs><use href='#g6'/>"))
+    assert [one.curve.at(one.curve.length).position[0, 0] for one in file] == pytest.approx([40 * 25.4 / 96])
+    refused(svg(tmp_path, f"<defs>{bomb}</defs><defs>{plain}</defs><use href='#g6'/>"), "its clones counted")
+
+
 def test_what_stands_beside_a_shape_in_clones_is_counted_too(tmp_path):
     group = '<g id="a"><path d="M0 0C1 2 3 2 4 0"/>' + "<g/>" * 200 + "</g>"
     refused(svg(tmp_path, group + "<use href='#a'/>" * 1000), "elements, its clones counted")
@@ -295,3 +305,10 @@ def test_knots_nearer_than_the_smallest_number_are_refused_without_a_warning(tmp
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert "no tangent" in problem_of(path)
+
+
+def test_a_number_that_holds_half_the_file_is_told_in_part(tmp_path):
+    path = tmp_path / "torn.dxf"
+    rows = ("0", "SECTION", "2", "ENTITIES", "0", "LINE", "8", "0", "10", "1.5" + "\0uous" * 400, "20", "0.0")
+    path.write_text("\n".join((*rows, "11", "9.0", "21", "4.0", "0", "ENDSEC", "0", "EOF", "")))
+    refused(path, r"is damaged \(.*'1\.5.*\.\.\.")
