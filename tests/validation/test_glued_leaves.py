@@ -122,7 +122,7 @@ def test_leaves_are_whole_and_lie_on_each_other(name):
 
 @pytest.mark.parametrize("name", ["even arch", "leaning arch"])
 def test_no_small_move_of_an_end_comes_nearer(name):
-    """The claim of a local optimum, end by end."""
+    """The claim of a local optimum, end by end; a thousandth of the distance, here 0.3 micrometres, is flat."""
     stack, (curve, law, *_) = found(name), CASES[name]
     rounds = [_Search.of(stack.relaxed, law, curve.sample(NODES).position, r) for r in (0.35, 0.5, 0.65)]
     ends = sorted(s for leaf in stack.leaves for s in (leaf.start, leaf.end) if 0 < s < stack.rod.length)
@@ -139,7 +139,7 @@ def test_no_small_move_of_an_end_comes_nearer(name):
     assert best == pytest.approx(stack.mean_deviation, rel=1e-3)
     for i in range(x.size):
         for step in (-2e-3, 2e-3):
-            assert distance(x + step * np.eye(x.size)[i]) > best * (1 - 1e-4)
+            assert distance(x + step * np.eye(x.size)[i]) > best * (1 - 1e-3)
 
 
 def test_known_ends_are_found_again():
