@@ -252,7 +252,11 @@ def test_nearest_follows_when_asked(document, drawn):
     assert 0 < feature.Deviation.Value < 20
     assert feature.Ratio <= 3.5 * (1 + 1e-6)
     assert feature.Shape.isValid()
+    assert "would break on this curve" in feature.Verdict, "more strain was allowed than the sheet bears"
+    feature.Sheet, feature.StrainLimit = "card-200gsm", 0
+    document.recompute()
     assert "from this one" in feature.Verdict
+    assert feature.StrainUse <= 100
 
 
 def test_replacing_the_spline_of_a_sketch(document, drawn):
