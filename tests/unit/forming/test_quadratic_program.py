@@ -106,3 +106,22 @@ def test_no_rows_at_all():
         none > 0,
     )
     np.testing.assert_allclose(solve_quadratic(q).x, [1.0, -0.5], atol=1e-8)
+
+
+@pytest.mark.parametrize("size", [1e-70, 1e-140, 1e-200])
+@pytest.mark.parametrize("seed", range(4))
+def test_rows_that_vanish_or_repeat_leave_the_minimum_and_no_warning(seed, size):
+    """Their system is singular; LAPACK may divide by what is left of a pivot."""
+    q = program(seed)
+    one_sided = np.concatenate([q.one_sided, [False, False, False]])
+    rows = np.vstack([q.rows, size * q.rows[:1], size * q.rows[:1], q.rows[:1]])
+    right = np.concatenate([q.right, [0.0, 0.0], q.right[:1]])
+    price = np.concatenate([q.price, [50.0] * 3])
+    again = QuadraticProgram(q.hessian, q.gradient, q.lower, q.upper, rows, right, price, one_sided)
+    alone = QuadraticProgram(
+        q.hessian, q.gradient, q.lower, q.upper, np.vstack([q.rows, q.rows[:1]]), np.append(q.right, q.right[:1]),
+        np.append(q.price, 50.0), np.append(q.one_sided, False),
+    )  # fmt: skip
+    assert cost(alone, solve_quadratic(again).x) == pytest.approx(
+        cost(alone, solve_quadratic(alone).x), abs=1e-6
+    )
