@@ -25,10 +25,7 @@ meshed by gmsh and bent by CalculiX in space: bricks of twenty nodes (C3D20R), o
 sheet, large displacements. The tabs are held in the drawn pose; all else is free. Numbers are the largest distance
 of the middle line (the mean over the section) from the drawn curve, as a share of the length.
 
-The last run was of a part: tapered strips and rods; before them laminated, slotted and narrow-tabbed strips,
-perforated ones of nu 0.3 and two heavy ones, made up for. All other rows are of the run before, whose widths
-were fitted a little otherwise: `make campaign` asks all again. The S with two slots was
-asked once more, alone, since a correction may be sharper where smooth ones leave too much (1.6e-03 before).
+All rows are of 21 November 2026, but for the strips in pockets that are not of the Pavilion: those are older.
 """
 
 SIDEWAYS = """The lowest eigenvalues (`*FREQUENCY, PERTURBATION` after the nonlinear step) of uniform strips 300 mm
