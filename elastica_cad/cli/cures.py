@@ -67,7 +67,9 @@ class _Refused:
         for i, word in enumerate(self.words):
             if word in option.opts:
                 flag = isinstance(option, click.Option) and option.is_flag
-                yield i, i + 1 + (0 if flag else option.nargs)
+                end = i + 1 + (0 if flag else option.nargs)
+                if end <= len(self.words):  # an option whose value is missing has none to change
+                    yield i, end
             elif any(word.startswith(f"{name}=") for name in option.opts if name.startswith("--")):
                 yield i, i + 1
 

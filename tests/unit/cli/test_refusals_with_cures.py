@@ -335,3 +335,11 @@ def test_a_strip_wider_than_the_stock_is_told_a_smaller_width(tmp_path):
     assert "--nearest" not in command
     made = typed(shlex.split(command), tmp_path)
     assert made.returncode == 0, made.stderr
+
+
+@pytest.mark.parametrize("words", ["sheets --units", "strip arch.csv --max-width", "batten --stock 20"])
+def test_an_option_without_its_value_is_one_sentence(words, tmp_path):
+    refused = typed(words.split(), tmp_path)
+    assert refused.returncode == 2
+    assert "Traceback" not in refused.stderr
+    assert words.split()[-1 if "20" not in words else 1] in refused.stderr
