@@ -6,15 +6,9 @@ Control points, limits, weight, what is kept are drawn at random; every rod that
 elements and sums over nodes, which share nothing with the solver but the record of the rod.
 """
 
-import argparse
-import json
 import random
-import sys
-import time
 import traceback
 import warnings
-from collections import Counter
-from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -22,6 +16,7 @@ from scipy.interpolate import CubicSpline, PchipInterpolator
 from scipy.linalg import eigh, null_space
 
 import elastica_cad as ec
+from tests.campaign.trust.numbered_cases import arguments, run_cases
 
 WILD = 0.04
 """Share of requests with far points, hard limits and free ends, which take a second or more each."""
@@ -175,31 +170,8 @@ def solved(seed, number):
 
 
 def main():
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
-    parser.add_argument("--solves", type=int, default=10_000)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--minutes", type=float, default=120.0)
-    parser.add_argument("--out", type=Path, default=Path("out/campaign"))
-    asked = parser.parse_args()
-    ends, wrong, since = Counter(), [], time.monotonic()
-    for number in range(asked.solves):
-        ended, found = solved(asked.seed, number)
-        ends[ended] += 1
-        if found:
-            wrong.append({"n": number, "ended": ended, "wrong": found})
-            print(json.dumps(wrong[-1]), flush=True)
-        if time.monotonic() - since > 60 * asked.minutes:
-            break
-    sums = {"solves": sum(ends.values()), "seed": asked.seed, "ends": dict(ends), "wrong": len(wrong),
-            "minutes": round((time.monotonic() - since) / 60, 1)}  # fmt: skip
-    asked.out.mkdir(parents=True, exist_ok=True)
-    (asked.out / f"mets-{asked.seed}.json").write_text(
-        json.dumps({"sums": sums, "wrong": wrong}, indent=1) + "\n"
-    )
-    print(json.dumps(sums))
-    sys.exit(bool(wrong))
+    asked = arguments(__doc__, "solves", 10_000, minutes=120.0)
+    run_cases(asked, "mets", "solves", solved)
 
 
 if __name__ == "__main__":

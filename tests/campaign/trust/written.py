@@ -5,14 +5,9 @@ python -m tests.campaign.trust.written --strips 3000 --seed 1 --minutes 30
 ezdxf reads what was written, shapely judges it; neither shares code with what drew it. Refusals are counted.
 """
 
-import argparse
-import json
 import random
-import sys
-import time
 import traceback
 import warnings
-from collections import Counter
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -24,6 +19,7 @@ import shapely
 import elastica_cad as ec
 from elastica_cad.fabrication.sheets.nesting import nest_pieces
 from elastica_cad.fabrication.sheets.pieces import strip_pieces
+from tests.campaign.trust.numbered_cases import arguments, run_cases
 
 SHEETS = ("birch-plywood-0.8", "card-200gsm", "birch-plywood-4", "pom-0.5")
 FLAT_MM = 0.002
@@ -155,32 +151,9 @@ def drawn(seed, number, folder):
 
 
 def main():
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
-    parser.add_argument("--strips", type=int, default=3000)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--minutes", type=float, default=60.0)
-    parser.add_argument("--out", type=Path, default=Path("out/campaign"))
-    asked = parser.parse_args()
-    ends, wrong, since = Counter(), [], time.monotonic()
+    asked = arguments(__doc__, "strips", 3000, minutes=60.0)
     with TemporaryDirectory() as folder:
-        for number in range(asked.strips):
-            ended, found = drawn(asked.seed, number, Path(folder))
-            ends[ended] += 1
-            if found:
-                wrong.append({"n": number, "ended": ended, "wrong": found})
-                print(json.dumps(wrong[-1])[:1500], flush=True)
-            if time.monotonic() - since > 60 * asked.minutes:
-                break
-    sums = {"strips": sum(ends.values()), "seed": asked.seed, "ends": dict(ends), "wrong": len(wrong),
-            "minutes": round((time.monotonic() - since) / 60, 1)}  # fmt: skip
-    asked.out.mkdir(parents=True, exist_ok=True)
-    (asked.out / f"written-{asked.seed}.json").write_text(
-        json.dumps({"sums": sums, "wrong": wrong}, indent=1) + "\n"
-    )
-    print(json.dumps(sums))
-    sys.exit(bool(wrong))
+        run_cases(asked, "written", "strips", lambda seed, number: drawn(seed, number, Path(folder)))
 
 
 if __name__ == "__main__":
