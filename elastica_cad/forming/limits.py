@@ -1,7 +1,7 @@
 """What a strip may be (limits, all hard) and what of the drawn curve must stay (keep)."""
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from numbers import Real
 from typing import Literal, TypeAlias
 
@@ -192,6 +192,21 @@ class Limits:
             strain = self.sheet.max_strain if self.strain is None else self.strain
             found.append(2 * strain / self.sheet.thickness)
         return min(found) if found else None
+
+    def tightened(self, *, curvature: float = 1.0, strain: float = 1.0) -> "Limits":
+        """Limits that allow so many times less curvature and strain of the sheet, where they limit these.
+
+        Examples
+        --------
+        >>> Limits(curvature=0.02).tightened(curvature=2).curvature
+        0.01
+        """
+        tight = self
+        if tight.curvature is not None:
+            tight = replace(tight, curvature=tight.curvature / curvature)
+        if tight.sheet is not None and strain != 1:
+            tight = replace(tight, strain=(tight.strain or tight.sheet.max_strain) / strain)
+        return tight
 
 
 BOTH_ENDS: dict[str, bool | tuple[bool, bool]] = {

@@ -227,7 +227,7 @@ def _stricter(limits: Limits, broken: tuple[Binding, ...]) -> Limits:
             scale = max(10.0, abs(one.limit or 0.0))
             limits = replace(limits, margin=(limits.margin or 0.0) + _BEYOND * one.broken * scale)
         elif one.name == "curvature":
-            limits = replace(limits, curvature=(limits.curvature or 0.0) / more)
-        elif one.name == "strain" and limits.sheet is not None:
-            limits = replace(limits, strain=(limits.strain or limits.sheet.max_strain) / more)
+            limits = limits.tightened(curvature=more)
+        elif one.name == "strain":
+            limits = limits.tightened(strain=more)
     return limits

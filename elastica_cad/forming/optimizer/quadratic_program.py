@@ -211,9 +211,8 @@ def _by_active_sets(program: QuadraticProgram, start: _Binding | None) -> Quadra
         if not right.size:
             return None
         *_, solution, info = dsysv(system, right, lower=1)
-        if info != 0 or not np.all(
-            np.isfinite(solution)
-        ):  # some builds of LAPACK divide by a pivot of 1e-140
+        # some builds of LAPACK divide by a pivot of 1e-140 without a word
+        if info != 0 or not np.all(np.isfinite(solution)):
             return None
         x[free], y[bound.met] = solution[:count], -solution[count:]
         pull, gap = H @ x + g - y @ A, A @ x - r

@@ -160,9 +160,8 @@ class PropertyPanel(Panel):
         if self.form is None or obj is not self.object:
             return
         if name in self.fields and not self._writing:
-            self._touched.pop(
-                name, None
-            )  # an expression moves its box too: what waits there is older than this
+            # an expression moves its box too: what waits there is older than this
+            self._touched.pop(name, None)
             self._refill(name)
         self._refresh.start()
 

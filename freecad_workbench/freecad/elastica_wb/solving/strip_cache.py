@@ -17,7 +17,6 @@ from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord, FlatSolid
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
-from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.geometry.frame import Frame
@@ -70,7 +69,7 @@ def find_nearest_now(asked: RodSpec) -> NearestRod:
         return _found(asked)
     share = HEADROOM
     for _ in range(STRICTER):
-        near = _found(replace(asked, limits=_stricter(limits, share)))
+        near = _found(replace(asked, limits=limits.tightened(curvature=share, strain=share)))
         if near.found is None or not near.met:
             break
         used = sharpest_bend(near.curve, asked.natural_curvature)[0] / most
@@ -78,15 +77,6 @@ def find_nearest_now(asked: RodSpec) -> NearestRod:
             return near
         share *= 1 + BEYOND * (used - 1)
     return _found(asked)
-
-
-def _stricter(limits: Limits, more: float) -> Limits:
-    """Limits that allow so many times less curvature."""
-    if limits.curvature is not None:
-        limits = replace(limits, curvature=limits.curvature / more)
-    if limits.sheet is not None:
-        limits = replace(limits, strain=(limits.strain or limits.sheet.max_strain) / more)
-    return limits
 
 
 def judged(rod: Rod) -> Stability | None:
