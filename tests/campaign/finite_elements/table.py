@@ -25,7 +25,7 @@ meshed by gmsh and bent by CalculiX in space: bricks of twenty nodes (C3D20R), o
 sheet, large displacements. The tabs are held in the drawn pose; all else is free. Numbers are the largest distance
 of the middle line (the mean over the section) from the drawn curve, as a share of the length.
 
-All rows are of 21 November 2026, but for the strips in pockets that are not of the Pavilion: those are older.
+All rows are of 21 November 2026.
 """
 
 SIDEWAYS = """The lowest eigenvalues (`*FREQUENCY, PERTURBATION` after the nonlinear step) of uniform strips 300 mm
