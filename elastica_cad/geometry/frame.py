@@ -53,6 +53,13 @@ class Frame:
             raise InputError("frame x_axis and y_axis must be two directions at right angles to each other")
         self._hold(rows[0], rows[1] / sizes[0], rows[2] / sizes[1])
 
+    @classmethod
+    def of_sound(cls, origin: FloatArray, x_axis: FloatArray, y_axis: FloatArray) -> "Frame":
+        """The frame of numbers that need no check: unit axes at right angles, which a frame gave."""
+        made = object.__new__(cls)
+        made._hold(origin, x_axis, y_axis)
+        return made
+
     def _hold(self, *rows: FloatArray) -> None:
         """Take checked rows: origin and unit axes."""
         for name, row in zip(_PARTS, rows, strict=True):
@@ -99,9 +106,7 @@ class Frame:
         """The frame with its origin moved along its own axes, mm."""
         origin = self.point((x, y, z))
         _require_finite("origin", origin)
-        moved = object.__new__(Frame)  # its axes are known to be good
-        moved._hold(origin, self.x_axis, self.y_axis)
-        return moved
+        return Frame.of_sound(origin, self.x_axis, self.y_axis)
 
 
 def _require_finite(name: str, row: FloatArray) -> None:

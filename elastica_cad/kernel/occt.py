@@ -30,6 +30,7 @@ from elastica_cad.fabrication.solids.strip_solids import BodyRecord, FlatSolid
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
+from elastica_cad.geometry.polynomials.knot_runs import knot_runs
 
 Shape: TypeAlias = Any
 """A TopoDS_Shape, or an object of build123d or CadQuery that wraps one."""
@@ -307,7 +308,7 @@ def _array(kind: Any, values: Iterable[Any]) -> Any:
 def _knots(knots: FloatArray) -> tuple[Any, Any]:
     """Distinct knots and their multiplicities."""
     k = kernel()
-    values, counts = np.unique(knots, return_counts=True)
+    values, counts = knot_runs(knots)
     return _array(k.Reals, values.tolist()), _array(k.Integers, counts.tolist())
 
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from math import hypot
 from typing import TypeAlias
 
 import numpy as np
@@ -26,6 +27,7 @@ from elastica_cad.fabrication.solids.pattern_strips import Piece, Region
 from elastica_cad.fabrication.strip.flat_outline import graph
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
+from elastica_cad.geometry.polynomials.knot_runs import knot_runs
 
 Map: TypeAlias = Frame | BentMap  # a tab lies in its tangent plane, the free part is bent
 
@@ -155,9 +157,10 @@ class BoundaryMaker:
         if corner not in self.posts:
             low = self.at_corner[corner]
             rise = self.vertices[low + 1] - self.vertices[low]
-            height = float(np.linalg.norm(rise))
+            height = hypot(*rise.tolist())
             across = shape.frame.z_axis if isinstance(shape, BentMap) else shape.y_axis
-            line = PlacedSegment(Line((0.0, 0.0), (height, 0.0)), Frame(self.vertices[low], rise, across))
+            upright = Frame.of_sound(self.vertices[low], rise / height, across)
+            line = PlacedSegment(Line((0.0, 0.0), (height, 0.0)), upright)
             self.posts[corner] = len(self.edges)
             self.edges.append(Edge(line, 0.0, height, low, low + 1))
         return self.posts[corner]
@@ -171,7 +174,7 @@ def _along(wall: Surface, height: float) -> StraightTrace | Segment:
     """
     if not isinstance(wall, SpaceSurface):
         return StraightTrace((0.0, height), (1.0, 0.0))
-    edges = np.unique(wall.knots[0])
+    edges, _ = knot_runs(wall.knots[0])
     knots = np.concatenate([edges[:1], edges[:1], edges, edges[-1:], edges[-1:]])
     return graph(knots, np.full(edges.size + 1, height), degree=2)
 

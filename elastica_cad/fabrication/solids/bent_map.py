@@ -16,6 +16,7 @@ from elastica_cad.fabrication.strip.flat_outline import greville, pace
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.segments import Segment, Spline
+from elastica_cad.geometry.polynomials.knot_runs import knot_runs
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 DEGREE = 5  # of the bent faces
@@ -108,7 +109,7 @@ class BentMap:
     @cached_property
     def _smoothness(self) -> tuple[FloatArray, IntArray]:
         """Interior knots with the continuity there."""
-        knots, counts = np.unique(self.knots, return_counts=True)
+        knots, counts = knot_runs(self.knots)
         return knots[1:-1], DEGREE - counts[1:-1]
 
     @cached_property
@@ -130,7 +131,7 @@ class BentMap:
         if isinstance(segment, Spline):
             own = segment.curve
             degree = max(degree, own.degree)
-            knots, counts = np.unique(own.knots, return_counts=True)
+            knots, counts = knot_runs(own.knots)
             t = np.concatenate([t, knots])
             continuity = np.concatenate([continuity, own.degree - counts])
         near = 1e-9 * (last - first)

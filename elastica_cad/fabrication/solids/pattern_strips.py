@@ -66,7 +66,15 @@ class CutPattern:
 def on_segment(segment: Segment, t: FloatArray) -> FloatArray:
     """Points (..., 2) of a segment at its parameters `t` (see `Piece`)."""
     if isinstance(segment, Spline):
-        return np.asarray(segment.curve.evaluate(t), dtype=float)
+        curve = segment.curve
+        if curve.is_rational:
+            return np.asarray(curve.evaluate(t), dtype=float)
+        from scipy.interpolate import BSpline
+
+        # asked for few places of many splines: Bezier pieces of each would cost more than they save
+        return np.asarray(
+            BSpline(np.array(curve.knots), np.array(curve.control_points), curve.degree)(t), dtype=float
+        )
     if isinstance(segment, Arc):
         return segment.at((t - segment.start_angle) / segment.sweep)
     return segment.at(t / segment.length)

@@ -1,6 +1,7 @@
 """Loops of a flat pattern with an edge of its own for every smooth piece, as the tools of CAD kernels need them."""
 
 from itertools import pairwise
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -9,7 +10,8 @@ from elastica_cad.fabrication.strip.flat_outline import greville, pace
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Line, Segment, Spline
-from elastica_cad.geometry.paths.trim import clamp_ends, trim_curve
+from elastica_cad.geometry.paths.trim import clamp_ends, trim_curves
+from elastica_cad.geometry.polynomials.knot_runs import knot_runs
 
 SMOOTH = 2
 """Continuous derivatives inside an edge: kernels offset faces, which takes one of them away."""
@@ -22,6 +24,10 @@ NO_JUMP = 1e-4
 
 NO_STEP = 1e-5
 """mm: sides that end nearer than this to each other are made to meet."""
+
+
+_smooth: WeakKeyDictionary[Path, Path] = WeakKeyDictionary()
+"""Loops in smooth pieces by the drawn ones: the flat and the bent body of a strip share them."""
 
 
 def in_smooth_pieces(path: Path) -> Path:
@@ -39,11 +45,22 @@ def in_smooth_pieces(path: Path) -> Path:
     >>> len(in_smooth_pieces(loop).segments)
     4
     """
-    if not any(_kinks(segment).size for segment in path.segments):
-        return path
-    ramp = RAMP * float(np.ptp(path.bounds[:, 0]))
-    pieces = [piece for segment in path.segments for piece in _pieces(_smoothed(segment), ramp)]
-    return Path(pieces, path.closed)
+    if path not in _smooth:
+        if not any(_kinks(segment).size for segment in path.segments):
+            return path
+        ramp = RAMP * _reach(path)
+        pieces = [piece for segment in path.segments for piece in _pieces(_smoothed(segment), ramp)]
+        _smooth[path] = Path(pieces, path.closed)
+    return _smooth[path]
+
+
+def _reach(path: Path) -> float:
+    """How far the loop extends along the strip, mm; of splines their control points, which is as good here."""
+    rows = [
+        segment.curve.control_points if isinstance(segment, Spline) else segment.bounds
+        for segment in path.segments
+    ]
+    return float(np.ptp(np.concatenate(rows)[:, 0]))
 
 
 def _kinks(segment: Segment) -> FloatArray:
@@ -51,7 +68,7 @@ def _kinks(segment: Segment) -> FloatArray:
     if not isinstance(segment, Spline):
         return np.empty(0)
     curve = segment.curve
-    knots, counts = np.unique(curve.knots, return_counts=True)
+    knots, counts = knot_runs(curve.knots)
     first, last = curve.domain
     return np.asarray(knots[(counts > curve.degree - SMOOTH) & (knots > first) & (knots < last)], dtype=float)
 
@@ -64,7 +81,7 @@ def _smoothed(segment: Segment) -> Segment:
 
     curve = clamp_ends(segment.curve)
     degree, first, last = curve.degree, *curve.domain
-    knots, counts = np.unique(curve.knots, return_counts=True)
+    knots, counts = knot_runs(curve.knots)
     double = (counts == degree + 1 - SMOOTH) & (knots > first) & (knots < last)
     if not double.any():
         return segment
@@ -102,9 +119,11 @@ def _pieces(segment: Segment, ramp: float) -> list[Segment]:
     curve = clamp_ends(segment.curve)
     first, last = curve.domain
     if pace(segment) is None:
-        return [Spline(trim_curve(curve, a, b)) for a, b in pairwise([first, *kinks.tolist(), last])]
+        return [Spline(part) for part in trim_curves(curve, pairwise([first, *kinks.tolist(), last]))]
     joints = [(first, first, first), *_joints(curve, ramp), (last, last, last)]
-    parts = [_extended(trim_curve(curve, low, high), a, b) for (a, _, low), (b, high, _) in pairwise(joints)]
+    ends = [((a, b), (low, high)) for (a, _, low), (b, high, _) in pairwise(joints)]
+    cut = trim_curves(curve, [smooth for _, smooth in ends])
+    parts = [_extended(part, a, b) for part, ((a, b), _) in zip(cut, ends, strict=True)]
     pieces: list[Segment] = [Spline(parts[0])]
     for part in parts[1:]:
         meeting = pieces[-1].end
@@ -112,7 +131,8 @@ def _pieces(segment: Segment, ramp: float) -> list[Segment]:
         if step > NO_STEP:
             pieces += [Line(meeting, part.control_points[0]), Spline(part)]
         else:
-            pieces.append(Spline(part.with_control_points(np.vstack([meeting, part.control_points[1:]]))))
+            met = np.vstack([meeting, part.control_points[1:]])
+            pieces.append(Spline(PlaneCurve.of_sound(part.knots, met, part.degree, part.weights)))
     return pieces
 
 

@@ -12,6 +12,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Line, Segment, Spline
+from elastica_cad.geometry.polynomials.knot_runs import knot_runs
 
 Ends = tuple[Tab, Tab]
 
@@ -125,7 +126,7 @@ def _meet(before: Segment, after: Segment) -> bool:
 def _pieces(width: Profile) -> list[Profile]:
     """The profile cut at its jumps (interior knots of multiplicity degree + 1)."""
     k = width.degree
-    knots, counts = np.unique(width.knots, return_counts=True)
+    knots, counts = knot_runs(width.knots)
     cuts = knots[(counts > k) & (knots > knots[0]) & (knots < knots[-1])]
     if not cuts.size:
         return [width]

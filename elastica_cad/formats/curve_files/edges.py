@@ -10,6 +10,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.polynomials.bezier_pieces import Spans, bezier_spans
 from elastica_cad.geometry.polynomials.conics import unit_circle_arc
+from elastica_cad.geometry.polynomials.knot_runs import knot_runs
 
 
 @dataclass(frozen=True)
@@ -173,7 +174,7 @@ class Edge:
         if self.weights is not None or self.degree not in (2, 3):
             return False
         first, last = self.knots[self.degree], self.knots[-self.degree - 1]
-        _, counts = np.unique(self.knots[(self.knots > first) & (self.knots < last)], return_counts=True)
+        _, counts = knot_runs(self.knots[(self.knots > first) & (self.knots < last)])
         return bool(np.all(counts >= self.degree - 1))
 
     def mapped(self, matrix: ArrayLike, offset: ArrayLike, source: Source | None = None) -> "Edge":

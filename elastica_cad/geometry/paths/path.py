@@ -9,6 +9,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.chords import chord_points
 from elastica_cad.geometry.paths.segments import (
     Arc,
@@ -19,6 +20,7 @@ from elastica_cad.geometry.paths.segments import (
     place,
     segment_from_bulge,
 )
+from elastica_cad.geometry.paths.spline_table import SplineTable
 
 JOIN = 1e-6
 """Largest gap between the ends of neighbouring segments, mm."""
@@ -127,7 +129,15 @@ class Path:
         """
         if not self.closed:
             raise InputError("an open path has no area: close it first")
-        return float(sum(segment.swept_area(self.start) for segment in self.segments))
+        total, alike = 0.0, dict[int, list[PlaneCurve]]()
+        for segment in self.segments:
+            if isinstance(segment, Spline) and not segment.curve.is_rational:
+                alike.setdefault(segment.curve.degree, []).append(segment.curve)
+            else:
+                total += segment.swept_area(self.start)
+        return total + sum(
+            float(SplineTable.of(curves).swept_areas(self.start).sum()) for curves in alike.values()
+        )
 
     @cached_property
     def bounds(self) -> FloatArray:

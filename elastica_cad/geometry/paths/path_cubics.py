@@ -12,6 +12,7 @@ from elastica_cad.geometry.paths.chords import require_tolerance_mm
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Segment, Spline, place
 from elastica_cad.geometry.paths.trim import clamp_ends
+from elastica_cad.geometry.polynomials.knot_runs import knot_runs
 
 Motion = Callable[[FloatArray, int, bool], FloatArray]
 
@@ -61,7 +62,7 @@ def _as_cubic(segment: Segment, tolerance: float, rational: bool) -> Segment:
 def smooth_stretches(curve: PlaneCurve, continuity: int) -> tuple[FloatArray, ...]:
     """The distinct knots of the curve, cut where it is less than C^`continuity`; neighbours share the cut."""
     t0, t1 = curve.domain
-    knots, counts = np.unique(curve.knots, return_counts=True)
+    knots, counts = knot_runs(curve.knots)
     inside = (knots > t0) & (knots < t1)
     cuts = knots[inside & (curve.degree - counts < continuity)]
     sites = np.concatenate([[t0], knots[inside], [t1]])

@@ -12,6 +12,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.polynomials.bernstein import interior_roots, raise_degree, value_and_slope
 from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
 from elastica_cad.geometry.polynomials.fit_function import adaptive_spline
+from elastica_cad.geometry.polynomials.knot_runs import knot_runs
 from elastica_cad.geometry.polynomials.spline_checks import finite
 
 
@@ -157,7 +158,7 @@ class Profile:
     @property
     def breaks(self) -> tuple[tuple[float, int], ...]:
         """Interior knots (s, continuity): how often the value can be differentiated there, -1 at a jump."""
-        knots, counts = np.unique(self.knots[self.degree + 1 : -self.degree - 1], return_counts=True)
+        knots, counts = knot_runs(self.knots[self.degree + 1 : -self.degree - 1])
         return tuple((float(s), self.degree - int(n)) for s, n in zip(knots, counts, strict=True))
 
     @property

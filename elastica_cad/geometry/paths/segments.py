@@ -10,6 +10,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.spline_table import SplineTable, swept
 from elastica_cad.geometry.polynomials.gauss_rule import gauss_rule
 
 _FLATTEST_MM = 1e-7
@@ -287,11 +288,11 @@ class Spline:
     def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
         """Signed area swept by the ray from `origin`, mm2, to rounding error (Gauss on each Bezier piece)."""
         origin = np.asarray(origin, dtype=float)
+        if not self.curve.is_rational:
+            return float(SplineTable.of([self.curve]).swept_areas(origin)[0])
         t0, t1 = self.curve.domain
         knots = np.unique(self.curve.knots)
         knots = knots[(knots >= t0) & (knots <= t1)]
-        if not self.curve.is_rational:  # x y' - y x' is of degree 2 d - 1 at most: d nodes are exact
-            return self._gauss_area(origin, knots, self.curve.degree)
         previous = np.inf
         for nodes in (8, 16, 32, 64):
             area = self._gauss_area(origin, knots, nodes)
@@ -305,8 +306,7 @@ class Spline:
         half = np.diff(knots)[:, None] / 2
         t = (knots[:-1, None] + half * (1 + x)).ravel()
         p, d = self.curve.position_and_velocity(t)
-        p = p - origin
-        return float(0.5 * np.sum((half * w).ravel() * (p[:, 0] * d[:, 1] - p[:, 1] * d[:, 0])))
+        return float(0.5 * np.sum((half * w).ravel() * swept(p - origin, d)))
 
     def reversed(self) -> "Spline":
         """The spline run the other way."""

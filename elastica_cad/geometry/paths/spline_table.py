@@ -8,6 +8,7 @@ import numpy as np
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.geometry.curves.curve_derivatives import quotient
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.polynomials.gauss_rule import gauss_rule
 
 SAME_KNOT = 1e-12
 """Share of the domain within which a place is a knot: spans of rounding size are never made."""
@@ -69,6 +70,23 @@ class SplineTable:
         position, velocity = quotient([point[:, :2].T, slope[:, :2].T], [point[:, 2], slope[:, 2]])
         return position.T, velocity.T * (last - first)[:, None]
 
+    def swept_areas(self, origin: FloatArray) -> FloatArray:
+        """Signed areas (n,) swept by the rays from `origin` to curves without weights, mm2, to rounding error.
+
+        x y' - y x' is of degree 2 p - 1 at most, so p nodes of Gauss a span are exact.
+        """
+        x, weight = gauss_rule(self.degree)
+        low, high = self.knots[:, :-1], self.knots[:, 1:]
+        inside = (low < high) & (low >= self.domain[:, :1]) & (high <= self.domain[:, 1:])
+        row, column = np.nonzero(inside)
+        start, half = low[row, column], (high[row, column] - low[row, column]) / 2
+        first, size = self.domain[row, 0], np.ptp(self.domain[row], axis=1)
+        u = (start[:, None] - first[:, None] + half[:, None] * (1 + x)) / size[:, None]
+        which = np.repeat(row, x.size)
+        point, velocity = self.motion(which, u.ravel())
+        shares = ((half / size)[:, None] * weight).ravel() * swept(point - origin, velocity)
+        return np.asarray(0.5 * np.bincount(which, shares, minlength=len(self.curves)), dtype=float)
+
     def trimmed(self, start: FloatArray, end: FloatArray) -> list[PlaneCurve]:
         """The parts between parameters start < end (n,) as clamped curves (Boehm's knot insertion)."""
         p, each = self.degree, np.arange(len(self.curves))
@@ -91,6 +109,11 @@ class SplineTable:
         nearest = gap.argmin(axis=1)[:, None]
         near = np.take_along_axis(gap, nearest, axis=1)[:, 0] <= SAME_KNOT * np.ptp(self.domain, axis=1)
         return np.where(near, np.take_along_axis(self.knots, nearest, axis=1)[:, 0], t)
+
+
+def swept(arm: FloatArray, velocity: FloatArray) -> FloatArray:
+    """Twice the area (n,) that arms (n, 2) sweep per unit of the parameter."""
+    return np.asarray(arm[:, 0] * velocity[:, 1] - arm[:, 1] * velocity[:, 0])
 
 
 def _de_boor(

@@ -1,5 +1,6 @@
 """Pieces of segments, cut exactly."""
 
+from collections.abc import Iterable
 from itertools import pairwise
 
 import numpy as np
@@ -34,7 +35,13 @@ def clamp_ends(curve: PlaneCurve) -> PlaneCurve:
 
 def trim_curve(curve: PlaneCurve, t0: float, t1: float) -> PlaneCurve:
     """The part of a curve between two parameters as a clamped curve of its own."""
-    return SplineTable.of([curve]).trimmed(np.array([t0]), np.array([t1]))[0]
+    return trim_curves(curve, [(t0, t1)])[0]
+
+
+def trim_curves(curve: PlaneCurve, ends: Iterable[tuple[float, float]]) -> list[PlaneCurve]:
+    """The parts of a curve between pairs of parameters as clamped curves of their own, cut at one go."""
+    start, end = np.array(list(ends)).T
+    return SplineTable.of([curve] * start.size).trimmed(start, end)
 
 
 def split_at_corners(curve: PlaneCurve) -> tuple[PlaneCurve, ...]:
@@ -50,4 +57,4 @@ def split_at_corners(curve: PlaneCurve) -> tuple[PlaneCurve, ...]:
     places = [low, *(corner.t for corner in curve.tangent_breaks), high]
     if len(places) == 2:
         return (curve,)
-    return tuple(trim_curve(curve, *ends).drawn_as(curve.provenance) for ends in pairwise(places))
+    return tuple(part.drawn_as(curve.provenance) for part in trim_curves(curve, pairwise(places)))

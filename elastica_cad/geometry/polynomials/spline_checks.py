@@ -6,6 +6,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
+from elastica_cad.geometry.polynomials.knot_runs import knot_runs
 
 
 def finite(name: str, values: ArrayLike | Sequence[float] | float) -> FloatArray:
@@ -54,7 +55,7 @@ def check_knots(knots: FloatArray, count: int, degree: int) -> None:
             f"the knots run from {start:.3g} to {end:.3g}, where cubes of differences overflow or vanish: scale "
             "them to 0..1"
         )
-    values, counts = np.unique(knots, return_counts=True)
+    values, counts = knot_runs(knots)
     inside = (values > start) & (values < end)
     if inside.any() and counts[inside].max() > degree:
         where = values[inside][counts[inside].argmax()]

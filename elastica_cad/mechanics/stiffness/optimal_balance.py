@@ -8,6 +8,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.geometry.polynomials.knot_runs import knot_runs
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature, NaturalCurvature
 from elastica_cad.mechanics.loads.supports import Supports
@@ -245,7 +246,7 @@ def load_places(
             if not np.isclose(part.length, length, rtol=1e-6):
                 raise InputError(f"a weight profile is {part.length:.6g} mm long, the curve {length:.6g} mm")
             # the moment is twice an integral of the load
-            knots, times = np.unique(part.knots, return_counts=True)
+            knots, times = knot_runs(part.knots)
             smooth = part.degree - times + 2
             kinks += [(float(s), int(c)) for s, c in zip(knots, smooth, strict=True) if c < SMOOTH]
     kinks = [(s, c) for s, c in kinks if 0 < s < length]

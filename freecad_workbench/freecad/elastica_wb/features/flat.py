@@ -9,7 +9,7 @@ from typing import Any
 import FreeCAD as App
 from freecad.elastica_wb.features.model import is_model, model_of
 from freecad.elastica_wb.features.proxy import Feature
-from freecad.elastica_wb.features.strip import is_strip, strip_of
+from freecad.elastica_wb.features.strip import is_strip, shown_strip
 from freecad.elastica_wb.host.property_table import Property
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.view_providers import dress
@@ -64,7 +64,7 @@ def create(document: Any, strip: Any, layer: str = "Base") -> Any:
 def _slotted(obj: Any) -> Strip:
     """The strip, with its slots where it belongs to a model."""
     if obj.Model is None:
-        return strip_of(obj.Strip)
+        return shown_strip(obj.Strip)
     if not is_model(obj.Model) or obj.Strip not in obj.Model.Strips:
         raise InputError(f"{obj.Strip.Label} does not belong to {obj.Model.Label}: choose its model, or none")
     return model_of(obj.Model).strips[obj.Model.Strips.index(obj.Strip)]

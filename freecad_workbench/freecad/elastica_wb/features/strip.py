@@ -5,6 +5,7 @@
 
 from collections.abc import Iterable
 from typing import Any, ClassVar
+from weakref import WeakValueDictionary
 
 import FreeCAD as App
 from freecad.elastica_wb.curves.sketch_curves import drawn_curve, is_sketch
@@ -35,6 +36,10 @@ from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 BODY = "PartDesign::Body"
 
 
+_shown: WeakValueDictionary[str, Strip] = WeakValueDictionary()
+"""Strips by what they were made from; the caches of solved strips keep them."""
+
+
 class StripFeature(Feature):
     """Proxy of a strip."""
 
@@ -51,6 +56,7 @@ class StripFeature(Feature):
         if "AddSubShape" in obj.PropertiesList:  # what PartDesign's patterns repeat
             obj.AddSubShape = shape
         obj.Shape = shape
+        _shown[made_from] = strip
         if obj.Form == "Bent":
             obj.Placement = drawn.placement
         if obj.MadeFrom != made_from:
@@ -94,6 +100,17 @@ def strip_of(obj: Any) -> Strip:
         The curve cannot be bent as asked.
     """
     return solve_strip(spec_of(obj, drawn_curve(obj.Curve, obj)))
+
+
+def shown_strip(obj: Any) -> Strip:
+    """The strip that its shape shows, for features that are recomputed after it.
+
+    Raises
+    ------
+    ElasticaError
+        As `strip_of`, which is asked where no strip is kept.
+    """
+    return _shown.get(obj.MadeFrom) or strip_of(obj)
 
 
 def tell_held(obj: Any) -> None:

@@ -28,6 +28,7 @@ from elastica_cad.fabrication.solids.pattern_strips import on_segment
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
+from elastica_cad.geometry.polynomials.knot_runs import knot_runs
 
 EDGE_TOLERANCE_MM = 1e-7  # mm: OpenCASCADE's own tolerance of edges and faces
 VERTEX_TOLERANCE_MM = 1e-6  # mm: gap that records may have between edges
@@ -137,9 +138,9 @@ def _reals(*groups: Iterable[float]) -> bytes:
 
 def _knots(knots: FloatArray) -> tuple[int, bytes]:
     """Number of distinct knots, and each with its multiplicity."""
-    runs = np.concatenate([[0], np.flatnonzero(knots[1:] != knots[:-1]) + 1, [knots.size]])
-    rows = np.empty(runs.size - 1, dtype=_KNOT)
-    rows["place"], rows["count"] = knots[runs[:-1]], runs[1:] - runs[:-1]
+    places, counts = knot_runs(knots)
+    rows = np.empty(places.size, dtype=_KNOT)
+    rows["place"], rows["count"] = places, counts
     return rows.size, rows.tobytes()
 
 
