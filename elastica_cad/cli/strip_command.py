@@ -175,9 +175,9 @@ def _tell(kit: StripKit, written: Iterable[Path]) -> None:
     else:
         warn(f"Warning: {said}. --stable finds the nearest that stays.")
     sideways = made.sideways
-    if sideways is not None and sideways.word in ("unstable", "low"):
+    if sideways.word in ("unstable", "low"):
         warn(f"Warning: sideways margin {sideways.margin:.3g} ({sideways.word}): {sideways.meaning}.")
-    elif sideways is not None:
+    else:
         say(f"sideways {sideways.word}: {sideways.meaning}")
     with suppress(NotConvergedError):
         if made.crept is not None:

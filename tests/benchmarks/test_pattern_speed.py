@@ -5,7 +5,7 @@ import time
 import numpy as np
 import pytest
 
-from elastica_cad.fabrication.strip.corner_rounding import round_all_corners, round_corners
+from elastica_cad.fabrication.drawings.corner_rounding import round_all_corners, round_corners
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve

@@ -1,4 +1,4 @@
-"""Leaving the plane: lateral buckling in closed form, shooting in space, finite elements of sixteen strips."""
+"""Leaving the plane: lateral buckling in closed form, shooting in space, finite elements of three styles."""
 
 import json
 from dataclasses import replace
@@ -8,12 +8,21 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
+from scipy.sparse import lil_matrix
+from scipy.sparse.linalg import spsolve
 from scipy.special import ellipeinc, ellipj, ellipk
 
+from elastica_cad.fabrication.strip.lamination import Laminated
+from elastica_cad.fabrication.strip.perforation import Perforated
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip.strip_sideways import strip_sideways
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.supports import End, Supports
+from elastica_cad.mechanics.material.laminated_section import LaminatedSection
+from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.sideways import sideways_margin, sideways_stability
+from elastica_cad.mechanics.stability.sideways_sections import SidewaysSection
 
 pytestmark = pytest.mark.core
 
@@ -127,10 +136,12 @@ def arc(degrees):
 
 
 def test_the_sign_is_that_of_finite_elements():
-    """Of sixteen strips in CalculiX: where the rod decides, the lowest eigenvalue out of the plane has its sign."""
+    """Of sixteen plain strips: where the rod decides, the lowest eigenvalue out of the plane has its sign."""
     decided = 0
     for case in MEASURED["sideways"]:
         name, width = case["name"], case["width"]
+        if not name.startswith(("arc", "ends")):
+            continue
         rod = (
             arc(float(name.split()[2]))
             if name.startswith("arc")
@@ -141,6 +152,106 @@ def test_the_sign_is_that_of_finite_elements():
             decided += 1
             assert (found.margin > 0) == (case["sideways"] > 0), name
     assert decided >= 13
+
+
+def even_strip(thickness, style, width):
+    """A straight strip of a style, as uniform as it can be."""
+    sheet = Sheet("known", thickness, 9000.0, 700.0, max_strain=0.02, poisson_ratio=0.3)
+    return Strip(Rod.straight(LENGTH), sheet, max_width=width, style=style)
+
+
+def holes(width, rows):
+    return Perforated(width=width, columns=1, rows=rows, least_ligament=0.2, least_hole=0.2)
+
+
+def backed(width):
+    return Laminated(
+        width=width, backing=Sheet("known", 0.5, 9000.0, 700.0, 0.02, poisson_ratio=0.3), dots=0.0
+    )
+
+
+STYLED = {
+    "perforated, 12 rows": (0.8, holes(12.0, 12), 5.0),
+    "perforated, 10 rows": (0.8, holes(20.0, 10), 8.0),
+    "laminated, backing 5 mm": (0.5, backed(8.0), 5.0),
+    "laminated, backing 12 mm": (0.5, backed(20.0), 12.0),
+}
+"""Thickness, style, material or backing, mm."""
+
+
+def test_of_strips_with_holes_and_of_laminates_too():
+    cases = [case for case in MEASURED["sideways"] if case["name"].split(", ends")[0] in STYLED]
+    for case in cases:
+        strip = even_strip(*STYLED[case["name"].split(", ends")[0]])
+        found = strip_sideways(pushed_together(float(case["name"].split("=")[1])), strip.layout)
+        assert found.decided, case["name"]
+        assert (found.margin > 0) == (case["sideways"] > 0), case["name"]
+        assert found.word == case["told"]
+    assert sum(case["sideways"] < 0 for case in cases) == 2
+    assert len(cases) == 6
+
+
+def test_bounds_leave_some_strips_with_holes_undecided_and_say_why():
+    layout = even_strip(*STYLED["perforated, 12 rows"]).layout
+    found = strip_sideways(pushed_together(0.85), layout)
+    assert found.margin < 0 < found.most
+    assert (found.decided, found.word) == (False, "undecided")
+    assert "its holes leave open" in found.meaning
+    wide = strip_sideways(pushed_together(0.85), even_strip(0.8, holes(60.0, 6), 20.0).layout)
+    assert "too wide for its length and bend" in wide.meaning
+
+
+def test_both_bounds_of_a_strip_without_holes_are_that_of_a_solid_one():
+    one, width = np.ones(3), np.array([20.0, 30.0, 40.0])
+    least, most = SidewaysSection.perforated(
+        one, width, width, 0 * one, ligaments=1, thickness=0.8, poisson_ratio=0.3
+    )
+    solid = SidewaysSection.rectangle(one, width, 0.8 * one, 0.3)
+    assert least.torsion == pytest.approx(solid.torsion)
+    assert least.edgewise == pytest.approx(solid.edgewise)
+    assert most.edgewise == pytest.approx(solid.edgewise)
+    assert most.torsion == pytest.approx(solid.torsion, rel=0.03)
+    assert np.all(most.torsion > solid.torsion)
+
+
+def torsion_by_differences(section, base_width, backing_width, cell=0.05):
+    """G J, N mm2, of two glued rectangles: Prandtl's stress function on a grid, div(grad phi / G) = -2."""
+    sheets = section.base, section.backing
+    rows = [round(sheet.thickness / cell) for sheet in sheets]
+    across = round(base_width / cell)
+    margin = round((base_width - backing_width) / 2 / cell)
+    softness = np.zeros((sum(rows), across))  # of cells, 1/G; 0 outside
+    for k, (sheet, first) in enumerate(zip(sheets, (0, rows[0]), strict=True)):
+        side = slice(margin, across - margin) if k else slice(None)
+        softness[first : first + rows[k], side] = 2 * (1 + sheet.poisson_ratio) / sheet.youngs_modulus
+    around = np.pad(softness, 1)
+    cells = [around[1:, 1:], around[1:, :-1], around[:-1, 1:], around[:-1, :-1]]
+    inside = np.all([c > 0 for c in cells], axis=0)  # nodes with material all round
+    number = np.full(inside.shape, -1)
+    number[inside] = np.arange(inside.sum())
+    matrix = lil_matrix((inside.sum(),) * 2)
+    for i, j in np.argwhere(inside):
+        upper, left = around[i, j : j + 2], around[i : i + 2, j]
+        lower, right = around[i + 1, j : j + 2], around[i : i + 2, j + 1]
+        links = ((i - 1, j, upper), (i + 1, j, lower), (i, j - 1, left), (i, j + 1, right))
+        me = number[i, j]
+        for k, m, between in links:
+            matrix[me, me] += between.mean()
+            if number[k, m] >= 0:
+                matrix[me, number[k, m]] -= between.mean()
+    phi = spsolve(matrix.tocsr(), np.full(inside.sum(), 2 * cell**2))
+    return 2 * phi.sum() * cell**2
+
+
+@pytest.mark.parametrize(
+    ("backing", "widths"), [(9000.0, (8.0, 5.0)), (3000.0, (8.0, 5.0)), (9000.0, (10.0, 10.0))]
+)
+def test_torsion_of_laminates_by_prandtls_stress_function(backing, widths):
+    sheets = [Sheet("known", 0.5, E, 700.0, max_strain=0.02, poisson_ratio=0.3) for E in (9000.0, backing)]
+    section, (base, glued) = LaminatedSection(*sheets), widths
+    B = float(section.bending_stiffness(base, glued))
+    found = SidewaysSection.laminated(np.ones(1), B, np.full(1, base), np.full(1, glued), section)
+    assert found.torsion[0] * B == pytest.approx(torsion_by_differences(section, base, glued), rel=0.04)
 
 
 def test_the_word_follows_the_margin_and_wide_strips_are_left_undecided():

@@ -9,8 +9,8 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.corner_rounding import round_all_corners
 from elastica_cad.fabrication.slots.slot import Slot, slot_cut
-from elastica_cad.fabrication.strip.corner_rounding import round_all_corners
 from elastica_cad.fabrication.strip.flat_outline import Ends, close_chain, graph, greville
 from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.geometry.paths.biarcs import as_arcs

@@ -17,6 +17,7 @@ from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.as_built import rod_as_built
 from elastica_cad.fabrication.strip.strip_as_made import StripAsMade
 from elastica_cad.fabrication.strip.strip_layers import Layer, cut_layers, draw_layers
+from elastica_cad.fabrication.strip.strip_sideways import strip_sideways
 from elastica_cad.fabrication.strip.styles import PLAIN, Layout, Style, stations_of
 from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.forming.leaf_ends import leaf_bends
@@ -29,14 +30,10 @@ from elastica_cad.mechanics.material.plywood_radii import PLYWOOD_SOURCE
 from elastica_cad.mechanics.material.section_limits import LayerStrain
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.sheet_keys import printable
-from elastica_cad.mechanics.material.tapered_sections import LaidLeaves, RoundLaw
+from elastica_cad.mechanics.material.tapered_sections import LaidLeaves
 from elastica_cad.mechanics.rod.csv_text import csv_text
 from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stability.sideways import (
-    SidewaysStability,
-    round_sideways_stability,
-    sideways_stability,
-)
+from elastica_cad.mechanics.stability.sideways import SidewaysStability
 from elastica_cad.mechanics.studies.creep import Creep, creep, require_creep
 
 FINE_EDGES = 1600
@@ -459,15 +456,9 @@ class Strip:
         return self.held().deviation
 
     @cached_property
-    def sideways(self) -> SidewaysStability | None:
-        """Whether it stays in the plane of its curve; None with a pattern of holes or a second layer."""
-        layout, nu = self.layout, self.sheet.poisson_ratio
-        if layout.pattern is not None or layout.backing is not None:
-            return None
-        if isinstance(layout.section, RoundLaw):
-            return round_sideways_stability(self.rod, float(self.width.extremes[1]), poisson_ratio=nu)
-        thickness = self.sheet.thickness if layout.size is None else layout.size
-        return sideways_stability(self.rod, self.width, thickness, poisson_ratio=nu)
+    def sideways(self) -> SidewaysStability:
+        """Whether it stays in the plane of its curve."""
+        return strip_sideways(self.rod, self.layout)
 
     def reactions(self) -> Reactions:
         """Forces (N) and moments (N mm) that the supports exert on the strip.

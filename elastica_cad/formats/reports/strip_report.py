@@ -148,10 +148,8 @@ def _creep(strip: Strip) -> dict[str, Any] | None:
     }
 
 
-def _sideways(found: SidewaysStability | None) -> dict[str, Any]:
-    """Does the strip stay in the plane of its curve? Undecided without margin where no rod says so."""
-    if found is None:
-        return {"word": "undecided", "margin": None, "meaning": "holes or a second layer: not examined"}
+def _sideways(found: SidewaysStability) -> dict[str, Any]:
+    """Does the strip stay in the plane of its curve? The margin is the least where bounds are known only."""
     return {"word": found.word, "margin": round_numbers(found.margin), "meaning": found.meaning}
 
 

@@ -10,6 +10,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.rod.discrete_rod import node_weights, tangents
 from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stability.sideways_sections import SidewaysSection, checked_ratio
 from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN
 
 EDGES = 200
@@ -41,18 +42,30 @@ class SidewaysStability:
         Largest w^2 kappa / h along the strip: see `RIBBON_NUMBER`.
     slenderness : float
         Length over the largest width.
+    most : float or None
+        The largest that the margin may be, where stiffnesses are known between bounds; `margin` is then the least.
     """
 
     margin: float
     ribbon_number: float
     slenderness: float
+    most: float | None = None
 
     @property
     def decided(self) -> bool:
-        """Is the strip a rod, so that the margin means something?"""
+        """Does the margin mean something: is the strip a rod, and its margin known well enough?"""
+        return self._is_rod and not self._between
+
+    @property
+    def _is_rod(self) -> bool:
         if self.slenderness < RIBBON_SLENDERNESS or self.ribbon_number > MOST_RIBBON_NUMBER:
             return False
         return self.ribbon_number <= RIBBON_NUMBER or self.margin >= SAFE_MARGIN
+
+    @property
+    def _between(self) -> bool:
+        """Do bounds on its stiffness leave the sign open?"""
+        return self.most is not None and self.margin <= 0 < self.most
 
     @property
     def word(self) -> Literal["unstable", "low", "ample", "undecided"]:
@@ -66,6 +79,8 @@ class SidewaysStability:
     @property
     def meaning(self) -> str:
         """What the margin means for the one who builds it."""
+        if self._is_rod and self._between:
+            return "its holes leave open whether it tips over sideways: guide it at the sides, or try it out"
         return {
             "unstable": "it tips over sideways or twists out of its plane: guide it at the sides, or make it wider",
             "low": "it stays in its plane, but a push from the side may tip it: guide it at the sides",
@@ -108,8 +123,7 @@ def sideways_stability(
 
     under int phi_N = 0 where both ends are held. Prandtl's lateral buckling (M = 2 pi sqrt(EI2 GJ) / L between
     clamps), Michell's of a cantilever and Euler's are contained. What the model leaves out: sections that curl or
-    flatten, warping held by the clamps (wide, strongly bent strips: "undecided"), slots and holes, gravity across
-    the plane.
+    flatten, warping held by the clamps (wide, strongly bent strips: "undecided"), slots, gravity across the plane.
 
     Examples
     --------
@@ -120,43 +134,45 @@ def sideways_stability(
     """
     if not isinstance(rod, Rod):
         raise InputError(f"sideways stability needs a Rod, not {type(rod).__name__}: bend one first")
-    nu = _checked_ratio(poisson_ratio)
-    s = np.linspace(0.0, rod.length, EDGES + 1)
-    w, h = _sizes(width, s, "strip width"), _sizes(thickness, s, "thickness")
-    K = np.interp(s, rod.s, rod.stiffness)
-    edgewise = K * (w / h) ** 2
-    torsion = 2 * K / (1 + nu) * np.maximum(1 - 0.63 * h / w, 0.25)
-    bend = np.abs(np.interp(s, rod.s, rod.curvature - rod.natural_curvature))
-    return SidewaysStability(
-        margin=sideways_margin(rod, edgewise, torsion),
-        ribbon_number=float((w**2 * bend / h).max()),
-        slenderness=float(rod.length / w.max()),
+    s = stations_of_sideways(rod)
+    section = SidewaysSection.rectangle(
+        np.interp(s, rod.s, rod.stiffness),
+        _sizes(width, s, "strip width"),
+        _sizes(thickness, s, "thickness"),
+        checked_ratio(poisson_ratio),
     )
+    return sideways_stability_of(rod, section)
 
 
-def round_sideways_stability(rod: Rod, diameter: float, *, poisson_ratio: float = 0.3) -> SidewaysStability:
-    """The same of a round rod or tube, at most `diameter` mm thick: E I all round, and G J = E I / (1 + nu).
+def sideways_stability_of(
+    rod: Rod, section: SidewaysSection, most: SidewaysSection | None = None
+) -> SidewaysStability:
+    """The same for any section, given at `stations_of_sideways`; `most`: where it is only known to lie between two.
 
     Examples
     --------
+    A round rod 4 mm thick.
+
     >>> from elastica_cad.mechanics.bending.bend_forward import bend
     >>> arch = bend(Rod.straight(300.0), end=(280.0, 0.0))
-    >>> round_sideways_stability(arch, 4.0).decided
+    >>> section = SidewaysSection.round(np.ones(EDGES + 1), 4.0, 0.3)
+    >>> sideways_stability_of(arch, section).decided
     True
     """
-    K = np.interp(np.linspace(0.0, rod.length, EDGES + 1), rod.s, rod.stiffness)
+    s, w = stations_of_sideways(rod), section.width
+    bend = np.abs(np.interp(s, rod.s, rod.curvature - rod.natural_curvature))
     return SidewaysStability(
-        margin=sideways_margin(rod, K, K / (1 + _checked_ratio(poisson_ratio))),
-        ribbon_number=0.0,
-        slenderness=rod.length / diameter,
+        margin=sideways_margin(rod, section.edgewise, section.torsion),
+        # a section as thick as wide keeps its shape
+        ribbon_number=float(np.where(w > section.thickness, w**2 * bend / section.thickness, 0.0).max()),
+        slenderness=float(rod.length / w.max()),
+        most=None if most is None else sideways_margin(rod, most.edgewise, most.torsion),
     )
 
 
-def _checked_ratio(poisson_ratio: float) -> float:
-    nu = float(poisson_ratio)
-    if not -1 < nu < 1:
-        raise InputError(f"poisson_ratio is {poisson_ratio}: it must lie between -1 and 1")
-    return nu
+def stations_of_sideways(rod: Rod) -> FloatArray:
+    """Arc lengths (n,), mm, at which sections are asked for."""
+    return np.linspace(0.0, rod.length, EDGES + 1)
 
 
 def sideways_margin(rod: Rod, edgewise: FloatArray, torsion: FloatArray) -> float:

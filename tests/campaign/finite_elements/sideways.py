@@ -1,21 +1,25 @@
-"""Does a bent strip leave the plane of its curve? Sixteen strips from clearly stable to clearly not.
+"""Does a bent strip leave the plane of its curve? Strips from clearly stable to clearly not, of three styles.
 
 The shapes are known in closed form: arcs, and the clamped strip whose ends are pushed together, up to loops.
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 from scipy.special import ellipk
 
+from elastica_cad.fabrication.strip.lamination import Laminated
+from elastica_cad.fabrication.strip.perforation import Perforated
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip.strip_sideways import strip_sideways
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.material.plain_section import areal_weight
 from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stability.sideways import sideways_stability
 from tests.campaign.finite_elements.bent_strip import BentStrip, bend_cut_strip
-from tests.campaign.finite_elements.closed_forms import LENGTH, THICKNESS, arc, elastica, uniform_strip
+from tests.campaign.finite_elements.closed_forms import GRAVITY_MM_S2, LENGTH, arc, elastica, uniform_strip
 
 __all__ = ["STRIPS", "Swung", "pushed_together", "swings"]
 
@@ -59,28 +63,62 @@ STRIPS: tuple[tuple[str, PlaneCurve, float], ...] = (
 """Name, curve and width, mm."""
 
 
+def perforated(width: float, material: float, rows: int) -> Strip:
+    """Even holes, one column of them and halves at the edges."""
+    style = Perforated(width=width, columns=1, rows=rows, least_ligament=0.2, least_hole=0.2)
+    return replace(uniform_strip(width=material, poisson_ratio=POISSON_RATIO), style=style)
+
+
+def laminated(width: float, backing: float) -> Strip:
+    """An even backing on a base, both 0.5 mm thick."""
+    strip = uniform_strip(width=backing, poisson_ratio=POISSON_RATIO)
+    half = replace(strip.sheet, thickness=0.5)
+    return replace(strip, sheet=half, style=Laminated(width=width, backing=half, dots=0.0))
+
+
+STYLED: tuple[tuple[str, Strip, float, float], ...] = (
+    *(("perforated, 12 rows", perforated(12.0, 5.0, 12), k, 1.25) for k in (0.7, 0.9)),
+    ("perforated, 10 rows", perforated(20.0, 8.0, 10), 0.7, 1.6),
+    *(("laminated, backing 5 mm", laminated(8.0, 5.0), k, 2.5) for k in (0.8, 0.9)),
+    ("laminated, backing 12 mm", laminated(20.0, 12.0), 0.7, 4.0),
+)
+"""Name, strip, modulus of the elastica, size of the elements, mm."""
+
+
 def swings(folder: Path) -> Iterator[Swung]:
     """All of them, by finite elements."""
     for name, curve, width in STRIPS:
         strip = uniform_strip(width=width, poisson_ratio=POISSON_RATIO)
-        bent: BentStrip = bend_cut_strip(strip, folder, size=min(width / 2, 7.0), curve=curve, modes=MODES)
-        h, rho = strip.sheet.thickness, 1e-12 * strip.sheet.density
-        found = bent.eigenvalues * 12 * rho * LENGTH**4 / (strip.sheet.youngs_modulus * h**2)
-        yield Swung(
-            name,
-            width,
-            *(_lowest(found[which]) for which in (bent.sideways, ~bent.sideways)),
-            told(curve, width),
-        )
+        yield _swung(name, strip, curve, folder, size=min(width / 2, 7.0))
+    for style, strip, k, size in STYLED:
+        name = f"{style}, ends pushed together, k = {k:g}"
+        yield _swung(name, strip, pushed_together(k), folder, size=size)
 
 
-def told(curve: PlaneCurve, width: float) -> str:
+def _swung(name: str, strip: Strip, curve: PlaneCurve, folder: Path, *, size: float) -> Swung:
+    """One strip; eigenvalues over its own bending stiffness and mass per length."""
+    bent: BentStrip = bend_cut_strip(strip, folder, size=size, curve=curve, modes=MODES)
+    layout, at = strip.layout, LENGTH / 2
+    newtons = areal_weight(strip.sheet) * layout.material(at)
+    if layout.backing is not None:
+        newtons += areal_weight(layout.backing.sheet) * layout.backing.width(at)
+    tonnes = float(newtons) / GRAVITY_MM_S2
+    found = bent.eigenvalues * tonnes * LENGTH**4 / strip.bending_stiffness
+    return Swung(
+        name,
+        round(float(strip.width(at)), 6),
+        *(_lowest(found[which]) for which in (bent.sideways, ~bent.sideways)),
+        told(curve, strip),
+    )
+
+
+def told(curve: PlaneCurve, strip: Strip) -> str:
     """What our own rod says of a uniform strip bent into a curve that is its rest shape."""
     nodes = curve.sample(NODES)
     ends, angles = nodes.position[[0, -1]], nodes.angle[[0, -1]]
     straight = Rod.straight(LENGTH, samples=NODES)
     rod = bend(straight, start=ends[0], end=ends[1], angles=(angles[0], angles[1]), guess=nodes.angle)
-    return sideways_stability(rod, width, THICKNESS, poisson_ratio=POISSON_RATIO).word
+    return strip_sideways(rod, strip.layout).word
 
 
 def _lowest(values: np.ndarray) -> float:

@@ -29,8 +29,8 @@ All rows are of 21 November 2026.
 """
 
 SIDEWAYS = """The lowest eigenvalues (`*FREQUENCY, PERTURBATION` after the nonlinear step) of uniform strips 300 mm
-long and 0.8 mm thick, nu = 0.3, in units of E I over mass per length and L^4. Negative: the strip leaves that
-shape. "Told" is the word of `sideways_stability` on the rod."""
+long, nu = 0.3, in units of E I over mass per length and L^4: 0.8 mm thick, laminated of two sheets of 0.5 mm.
+Negative: the strip leaves that shape. "Told" is the word of `Strip.sideways`, said of the same rod."""
 
 TAPERED = """Strips 8 mm wide whose thickness carries the stiffness. The side view (DXF) is meshed and made
 wide: two bricks across the width, elements of 8 mm along. Rods are round, twelve bricks to a section, as thick

@@ -6,9 +6,9 @@ import shapely
 
 import elastica_cad as ec
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.corner_rounding import round_corners
 from elastica_cad.fabrication.drawings.kerf import compensate_kerf
 from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip.corner_rounding import round_corners
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.tabs import Hole
 from elastica_cad.mechanics.material.plain_section import PerforatedSection
