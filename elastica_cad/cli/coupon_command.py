@@ -86,7 +86,15 @@ def coupon(
         }
         folder = _kept() if keep else output
         _calibrate(
-            known, measured, reading_error, least_radius, name or f"my-{known.name}", own, folder, force
+            known,
+            measured,
+            reading_error,
+            least_radius,
+            name or f"my-{known.name}",
+            own,
+            folder,
+            force,
+            listed=sheet is not None,
         )
         return
     for value, option in ((least_radius, "--least-radius"), (kerf, "--kerf"), (keep or None, "--keep")):
@@ -148,8 +156,10 @@ def _calibrate(
     own: dict[str, Any],
     output: Path,
     force: bool,
+    *,
+    listed: bool,
 ) -> None:
-    """Print what the readings say and write the sheet."""
+    """Print what the readings say, beside the list where the sheet is in it, and write the sheet."""
     result = calibrate_cantilever(
         [reading[0] for reading in measured],
         [reading[1] for reading in measured],
@@ -166,7 +176,14 @@ def _calibrate(
         (workshop / file).write_text(found.toml(), encoding="utf-8")
     answer({"sheet": found, "measured": result})
     say(str(result))
-    say(f"(in the list: {sheet.elasto_gravity_length:.2f} mm, E {sheet.youngs_modulus:.0f} MPa)\n")
+    if listed:
+        say(f"(in the list: {sheet.elasto_gravity_length:.2f} mm, E {sheet.youngs_modulus:.0f} MPa)")
+    elif least_radius is None:
+        say(
+            f"largest strain {100 * sheet.max_strain:.2g} %: a guess; measure how tightly it bends, then "
+            "--least-radius MM"
+        )
+    say("")
     say(found.toml())
     wrote([output / file])
     say(f"every command takes it: --sheet {name if output in library_folders() else output / file}")

@@ -20,7 +20,7 @@ from elastica_cad.formats.design_files.write_sections_design import compose_sect
 from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.formats.file_access.source_file import require_file
 from elastica_cad.formats.surface_files.file_surface import read_sized_surface
-from elastica_cad.forming.plane_sections.section_curves import AT_CORNERS, SectionCurve
+from elastica_cad.forming.plane_sections.section_curves import AT_CORNERS, AT_TWO_PLACES, SectionCurve
 from elastica_cad.forming.plane_sections.section_spec import (
     AlongPath,
     CornerSplit,
@@ -140,8 +140,11 @@ def sections(mesh: Path, output: Path, force: bool, sheet: str | None, **chosen:
 
 
 def _option_for(text: str, chosen: dict[str, Any]) -> str:
-    """The option that splits at corners, where a sentence asks for that."""
-    return " (--split-corners 20)" if AT_CORNERS in text and chosen["split_corners"] is None else ""
+    """The option that splits at corners, or closed lines in halves, where a sentence asks for that."""
+    if AT_CORNERS in text and chosen["split_corners"] is None:
+        return " (--split-corners 20)"
+    unsplit = not (chosen["splits"] or chosen["split_at"] or chosen["split_corners"])
+    return " (--split X Y Z NX NY NZ, a point and a normal)" if AT_TWO_PLACES in text and unsplit else ""
 
 
 def _family_named(chosen: dict[str, Any]) -> str:

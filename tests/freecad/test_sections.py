@@ -14,7 +14,7 @@ from freecad.elastica_wb.curves.plane_sections import (
     path_points,
     section_sketches,
 )
-from freecad.elastica_wb.features import strip
+from freecad.elastica_wb.features import curves, strip
 
 from elastica_cad.errors import InputError, NotConvergedError
 
@@ -130,6 +130,19 @@ def test_closed_sections_are_split_or_named(document, ball):
             side = CLOSED.index(closed) - 1
             assert abs(middle[1 - side]) < 0.3
             assert abs(middle[side]) == pytest.approx(found.curve.length / np.pi, rel=1e-2)
+
+
+def test_closed_sections_alone_are_told_once(document, ball):
+    ball.Placement.Base = App.Vector(0.004, 7.3, 0)
+    made = curves.section(document, [ball])
+    document.recompute()
+    assert made.getStatusString() == (
+        "every section is a closed line, and a strip has two ends: choose under Closed lines how they are divided"
+    )
+    assert [made.ThroughX.Value, made.ThroughY.Value] == [0, 7.3]
+    made.Closed = CLOSED[1]
+    document.recompute()
+    assert made.Curves == 10
 
 
 def test_a_linked_mesh_in_a_moved_part(document, ball):

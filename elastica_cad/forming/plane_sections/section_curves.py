@@ -33,6 +33,9 @@ SHARP_TURN_RAD = np.radians(20.0)
 AT_CORNERS = "split it at its corners"
 """How messages call the way out; callers can name the option that does it."""
 
+AT_TWO_PLACES = "split it at a spine or at two points"
+"""The same of a closed line."""
+
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(8)
 
 
@@ -136,8 +139,8 @@ def _curve(
     if line.is_closed or np.linalg.norm(line.points[-1] - line.points[0]) <= small:
         x, y, z = line.places[0]
         raise InputError(
-            f"the section is closed (it passes ({x:.4g}, {y:.4g}, {z:.4g}) mm): a strip has two ends, so split it "
-            "at a spine or at two points"
+            f"the section is closed (it passes ({x:.4g}, {y:.4g}, {z:.4g}) mm): a strip has two ends, so "
+            f"{AT_TWO_PLACES}"
         )
     points = smooth_polyline(line.points, wavelength) if wavelength > 0 else line.points
     try:

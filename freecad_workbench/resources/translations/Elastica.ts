@@ -2635,7 +2635,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the section is closed (it passes (%1, %2, %3) mm): a strip has two ends, so split it at a spine or at two points</source>
+        <source>every section is a closed line, and a strip has two ends: choose under Closed lines how they are divided</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the section is closed (it passes (%1, %2, %3) mm): a strip has two ends, so %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>split it at a spine or at two points</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -2647,8 +2647,16 @@
         <translation>%1 mm entlang der Kurve%2 dreht sie zwischen Wendepunkten um weniger als %3 Grad; keine Glättung, die sie um weniger als %4 mm bewegt, nimmt das weg</translation>
     </message>
     <message>
-        <source>the section is closed (it passes (%1, %2, %3) mm): a strip has two ends, so split it at a spine or at two points</source>
-        <translation>der Schnitt ist geschlossen (er geht durch (%1, %2, %3) mm): ein Streifen hat zwei Enden; ihn halbieren (Geschlossene Linien)</translation>
+        <source>every section is a closed line, and a strip has two ends: choose under Closed lines how they are divided</source>
+        <translation>jeder Schnitt ist eine geschlossene Linie, und ein Streifen hat zwei Enden: unter Geschlossene Linien wählen, wie sie geteilt werden</translation>
+    </message>
+    <message>
+        <source>the section is closed (it passes (%1, %2, %3) mm): a strip has two ends, so %4</source>
+        <translation>der Schnitt ist geschlossen (er geht durch (%1, %2, %3) mm): ein Streifen hat zwei Enden; %4</translation>
+    </message>
+    <message>
+        <source>split it at a spine or at two points</source>
+        <translation>ihn halbieren (Geschlossene Linien)</translation>
     </message>
     <message>
         <source>the points to smooth are all the same</source>

@@ -2647,8 +2647,16 @@
         <translation>沿曲线 %1 mm%2，拐点之间的转角小于 %3 度；移动小于 %4 mm 的光顺无法消除</translation>
     </message>
     <message>
-        <source>the section is closed (it passes (%1, %2, %3) mm): a strip has two ends, so split it at a spine or at two points</source>
-        <translation>截面是闭合的（经过 (%1, %2, %3) mm）：条带有两端；请把它分成两半（“闭合线”）</translation>
+        <source>every section is a closed line, and a strip has two ends: choose under Closed lines how they are divided</source>
+        <translation>每个截面都是闭合线，而条带有两个端点：请在“闭合线”下选择如何分割</translation>
+    </message>
+    <message>
+        <source>the section is closed (it passes (%1, %2, %3) mm): a strip has two ends, so %4</source>
+        <translation>截面是闭合的（经过 (%1, %2, %3) mm）：条带有两端；%4</translation>
+    </message>
+    <message>
+        <source>split it at a spine or at two points</source>
+        <translation>请把它分成两半（“闭合线”）</translation>
     </message>
     <message>
         <source>the points to smooth are all the same</source>

@@ -31,6 +31,18 @@ def test_a_measured_coupon_becomes_a_sheet(tmp_path):
     assert sheet.least_radius == pytest.approx(22)
     assert (sheet.thickness, sheet.density, sheet.grain) == (0.22, 900, "along")
     assert "elasto-gravity length 96.05 +-" in result.output
+    assert "(in the list: " in result.output
+    assert "a guess" not in result.output
+
+
+def test_what_nobody_measured_is_told(tmp_path):
+    words = ("coupon", "--thickness", 1.1, "--density", 720, "--name", "felt", "--measured", 150, 41)
+    guessed = run(*words, "-o", tmp_path / "guessed").output
+    assert "largest strain 0.4 %: a guess" in guessed
+    assert "in the list" not in guessed
+    assert "a guess" not in run(*words, "--least-radius", 60, "-o", tmp_path / "bent").output
+    (written,) = ec.load_sheets(tmp_path / "guessed" / "felt.toml").values()
+    assert len(f"{written.youngs_modulus!r}") <= 7  # as many digits as readings can tell
 
 
 @pytest.mark.parametrize(

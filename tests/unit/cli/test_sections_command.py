@@ -271,6 +271,7 @@ def test_every_section_without_a_strip_is_named(tmp_path):
     assert "section 1: the section is closed" in told.stderr
     assert "; section 2 at (0, 0, 150) mm: the plane misses the mesh by 50 mm" in told.stderr
     assert "; section 3: the section is closed" in told.stderr
+    assert "(--split X Y Z NX NY NZ, a point and a normal)" in told.stderr
     many = [word for z in range(-90, 90, 9) for word in ("--offset", z)]
     assert "; and 14 more like these" in run("sections", mesh, *many, "--axis", 0, 0, 1).stderr
 

@@ -33,7 +33,7 @@ from freecad.elastica_wb.solving.strip_cache import find_nearest_to_draw
 
 from elastica_cad.errors import InputError
 from elastica_cad.forming.nearest.nearest_record import NearestRod
-from elastica_cad.forming.plane_sections.section_curves import SectionCurve
+from elastica_cad.forming.plane_sections.section_curves import AT_TWO_PLACES, SectionCurve
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import stability
@@ -128,6 +128,11 @@ class SectionFeature(Feature):
         """Cut, and smooth what is cut."""
         made, remarks = _sections(obj)
         curves = [curve for _, found in made for curve in found]
+        if not curves and remarks and all(AT_TWO_PLACES in remark for remark in remarks):
+            raise InputError(
+                "every section is a closed line, and a strip has two ends: choose under Closed lines how they are "
+                "divided"
+            )
         if not curves:
             raise InputError("; ".join(remarks) or "the planes miss the object: move them, or take more")
         shapes = [spline_geometry(found.curve, found.frame).toShape() for found in curves]
@@ -169,7 +174,8 @@ def section(document: Any, sources: list[Any], path: tuple[Any, tuple[str, ...]]
     obj.Label = f"{sources[0].Label} {translate('Elastica', 'curves')}"
     obj.Sources = sources
     for axis, value in zip(AXES, box_of(sources[0]).Center, strict=True):
-        setattr(obj, f"Through{axis}", value)
+        # boxes of curved bodies are some hundredths too large
+        setattr(obj, f"Through{axis}", round(value, 1))
     if path is not None:
         obj.Path, obj.Family = (path[0], list(path[1])), FAMILIES[2]
     return obj
