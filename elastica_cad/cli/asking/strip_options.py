@@ -24,16 +24,9 @@ from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.styles import Plain, Style
 from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.fabrication.strip_spec import StripSpec
-from elastica_cad.formats.design_files.strip_records import (
-    LAW_LINE,
-    parse_line,
-    read_keep_out,
-    read_law,
-    read_loads,
-    read_slot,
-    read_stiffness_bounds,
-    read_tab,
-)
+from elastica_cad.formats.design_files.one_line import parse_line
+from elastica_cad.formats.design_files.rod_records import read_keep_out, read_loads, read_stiffness_bounds
+from elastica_cad.formats.design_files.strip_records import LAW_LINE, read_law, read_slot, read_tab
 from elastica_cad.formats.design_files.tables import Table
 from elastica_cad.forming.limits import BOTH_ENDS, Keep, Limits
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve

@@ -7,7 +7,8 @@ import click
 
 from elastica_cad.cli.asking.asked_curves import asked_curves
 from elastica_cad.cli.asking.options import join_options
-from elastica_cad.formats.design_files.strip_records import BLANK_LINE, parse_line, read_rest_curvature
+from elastica_cad.formats.design_files.one_line import parse_line
+from elastica_cad.formats.design_files.rod_records import BLANK_LINE, read_rest_curvature
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature, RestCurvature
 
 END_NAMES = ["clamped", "pinned", "slide-x", "slide-y", "guided", "free"]

@@ -14,17 +14,19 @@ from elastica_cad.formats.curve_files.drawn_file import CurveList
 from elastica_cad.formats.design_files.formulae import Formula
 from elastica_cad.formats.design_files.keys.strip_keys import STRIP_TABLES
 from elastica_cad.formats.design_files.reshaping import reshape_curve
-from elastica_cad.formats.design_files.strip_records import (
-    find_sheet,
+from elastica_cad.formats.design_files.rod_records import (
     read_keep,
-    read_law,
     read_limits,
     read_loads,
     read_rest_curvature,
+    read_supports,
+)
+from elastica_cad.formats.design_files.strip_records import (
+    find_sheet,
+    read_law,
     read_shop,
     read_slot,
     read_style,
-    read_supports,
     read_tabs,
 )
 from elastica_cad.formats.design_files.tables import Table

@@ -177,6 +177,11 @@ class Table:
             for i, one in enumerate(value, start=1)
         )
 
+    def pair(self, key: str, default: Sequence[float] | None = None) -> tuple[float, float]:
+        """Two numbers or formulae."""
+        x, y = self.vector(key, 2, default)
+        return x, y
+
     def points(self, key: str, size: int, count: int | None = None) -> list[tuple[float, ...]]:
         """Places of `size` numbers each: `count` of them, or however many."""
         rows = self.raw(key)

@@ -1,7 +1,7 @@
 """Drawings as SVG files in mm."""
 
 from collections.abc import Mapping
-from xml.sax.saxutils import escape, quoteattr
+from html import escape  # xml.sax.saxutils would load the network first
 
 import numpy as np
 
@@ -64,16 +64,16 @@ def encode_svg(
         '<svg xmlns="http://www.w3.org/2000/svg" version="1.1" '
         'xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" '
         f'width="{width}mm" height="{height}mm" viewBox="0 0 {width} {height}">',
-        f"<title>{escape(drawing.name)}</title>",
+        f"<title>{escape(drawing.name, quote=False)}</title>",
     ]
     for layer in LAYERS:
         paths = [item.path for item in drawing.strokes if item.layer == layer]
         if not paths:
             continue
         style = styles[layer]
-        key, label = quoteattr(style.name.replace(" ", "_")), quoteattr(style.name)
+        key, label = escape(style.name.replace(" ", "_")), escape(style.name)
         rows.append(
-            f'<g id={key} inkscape:groupmode="layer" inkscape:label={label} '
+            f'<g id="{key}" inkscape:groupmode="layer" inkscape:label="{label}" '
             f'fill="none" stroke="{style.color}" stroke-width="{_STROKE_MM:g}">'
         )
         rows.extend(

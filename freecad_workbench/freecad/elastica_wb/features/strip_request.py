@@ -19,20 +19,16 @@ from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.styles import PLAIN, Style
 from elastica_cad.fabrication.strip.tabs import Hole, Tab
 from elastica_cad.fabrication.strip_spec import StripSpec
-from elastica_cad.formats.design_files.strip_records import (
+from elastica_cad.formats.design_files.one_line import parse_line, parse_lines
+from elastica_cad.formats.design_files.rod_records import (
     BLANK_LINE,
-    LAW_LINE,
-    parse_line,
-    parse_lines,
     read_keep_out,
-    read_law,
     read_loads,
     read_mass,
     read_rest_curvature,
-    read_slot,
     read_stiffness_bounds,
-    read_tab,
 )
+from elastica_cad.formats.design_files.strip_records import LAW_LINE, read_law, read_slot, read_tab
 from elastica_cad.forming.limits import BOTH_ENDS, Keep, Limits
 from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.mechanics.loads.gravity import Gravity
