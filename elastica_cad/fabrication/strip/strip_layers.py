@@ -148,7 +148,7 @@ def draw_layers(
             *(LayeredPath(CUT_INNER, hole) for hole in layer.holes),
             LayeredPath(CUT_OUTER, layer.outline),
         )
-        texts: tuple[Text, ...] = (_label_text(label, layout, width, ends[0].length),) if label else ()
+        texts = _label_texts(label, layout, width, ends) if label else ()
         if isinstance(layout.section, LaidLeaves):
             texts = (_leaf_text(name, layer),)
         elif i == 0:
@@ -194,10 +194,15 @@ def _ticks(layout: Layout, width: Profile, lap: float) -> tuple[Path, ...]:
     return tuple(Path((Line((x, -y), (x, y)),), closed=False) for x, y in heights)
 
 
-def _label_text(label: str, layout: Layout, width: Profile, tab_length: float) -> Text:
-    """The label: along the middle, or across the first tab where there are holes."""
-    if layout.pattern is not None:
-        room = float(layout.width(0.0))
-        return fit_label(label, (-tab_length / 2, 0.0), angle=np.pi / 2, room=room, across=tab_length)
-    middle = width.length / 2
-    return fit_label(label, (middle, 0.0), angle=0.0, room=width.length, across=float(width(middle)))
+def _label_texts(label: str, layout: Layout, width: Profile, ends: Ends) -> tuple[Text, ...]:
+    """The label: along the middle; where there are holes across the first tab, else the last, if there is any."""
+    if layout.pattern is None:
+        middle = width.length / 2
+        across = float(width(middle))
+        return (fit_label(label, (middle, 0.0), angle=0.0, room=width.length, across=across),)
+    first, last = (tab.length for tab in ends)
+    if not first and not last:
+        return ()
+    x, end = (-first / 2, 0.0) if first else (width.length + last / 2, width.length)
+    room = float(layout.width(end))
+    return (fit_label(label, (x, 0.0), angle=np.pi / 2, room=room, across=first or last),)

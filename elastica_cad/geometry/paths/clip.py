@@ -56,7 +56,7 @@ def _runs_between(path: Path, low: float, high: float) -> list[list[Segment]]:
     walls = [Line((x, bottom - 1), (x, top + 1)) for x in (low, high) if left + JOIN < x < right - JOIN]
     for segment in path.segments:
         cuts = {u for wall in walls for u, _ in segment_crossings(segment, wall)}
-        edges = np.unique([0.0, *(u for u in cuts if 0 < u < 1), 1.0])
+        edges = np.unique([0.0, *(u for u in cuts if _is_within(segment, u)), 1.0])
         for u0, u1 in pairwise(edges.tolist()):
             x = float(segment.at((u0 + u1) / 2)[0])
             if low <= x <= high:
@@ -64,6 +64,12 @@ def _runs_between(path: Path, low: float, high: float) -> list[list[Segment]]:
             elif runs[-1]:
                 runs.append([])
     return runs if runs[-1] else runs[:-1]
+
+
+def _is_within(segment: Segment, u: float) -> bool:
+    """Whether a place of a segment is none of its ends, which a line across may meet but for rounding."""
+    gaps = np.array([segment.start, segment.end]) - segment.at(u)
+    return 0 < u < 1 and bool(np.hypot(*gaps.T).min() > JOIN)
 
 
 def _meets(before: Segment, after: Segment) -> bool:

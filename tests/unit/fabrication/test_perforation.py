@@ -8,6 +8,7 @@ import elastica_cad as ec
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.corner_rounding import round_corners
 from elastica_cad.fabrication.drawings.kerf import compensate_kerf
+from elastica_cad.fabrication.drawings.lettering import text_strokes
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.tabs import Hole
@@ -239,3 +240,19 @@ def test_rounded_corners_of_a_rectangle():
     assert loop.length == pytest.approx(32 - 12 + 3 * np.pi)
     with pytest.raises(InputError, match="corner radius"):
         round_corners(ec.Path.rectangle(10.0, 6.0), 4.0)
+
+
+@pytest.mark.parametrize(("lengths", "where"), [((12, 9), -6), ((0, 9), 4.5), ((0, 0), None)])
+def test_a_label_stands_on_a_tab_that_is_there(rod, lengths, where):
+    ends = tuple(ec.Tab(length) for length in lengths)
+    (drawing,) = ec.Strip(rod, CARD, style=Perforated(width=30.0), ends=ends, label="P1").drawings()
+    if where is None:
+        assert not drawing.texts
+        return
+    (text,) = drawing.texts
+    strokes = np.concatenate([stroke.points(0.1) for stroke in text_strokes(text)])
+    low, high = strokes.min(axis=0), strokes.max(axis=0)
+    start = 0 if where < 0 else rod.length
+    assert (low[0] + high[0]) / 2 == pytest.approx(start + where, abs=0.3)
+    assert low[0] > start - lengths[0] and high[0] < rod.length + lengths[1]
+    assert np.abs((low + high)[1]) < 0.3

@@ -3,6 +3,7 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.clip import trim_across
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Line, Spline
 from elastica_cad.geometry.paths.trim import clamp_ends, trim_segment
@@ -147,6 +148,17 @@ def test_trimming_next_to_a_knot_makes_no_rounding_span():
     knot = curve.knots[4]
     part = trim_segment(Spline(curve), 0.0, knot * (1 + 1e-15))
     assert np.diff(np.unique(part.curve.knots)).min() > 1e-3
+
+
+def test_a_path_is_cut_where_two_of_its_curves_meet():
+    for k in range(1, 30):  # of these every fourth ends a rounding off the line
+        x, y = 10 + 0.1 * k, k / 7
+        first = PlaneCurve.spline([(0, 0), (x / 3, 5), (2 * x / 3, 3), (x, y)], degree=3)
+        second = PlaneCurve.spline([(x, y), (x + 9, 5), (x + 15, 3), (x + 30, 1)], degree=3)
+        path = Path([Spline(first), Spline(second)])
+        (left,), (right,) = trim_across(path, -1, x), trim_across(path, x, x + 50)
+        assert left.length == pytest.approx(first.length, abs=1e-6)
+        assert right.length == pytest.approx(second.length, abs=1e-6)
 
 
 @pytest.mark.parametrize(
