@@ -1,10 +1,20 @@
 """A minute of the campaign of broken files: mutated files of every format, and a few hostile commands."""
 
+import ast
 from pathlib import Path
 
 import pytest
 
-from tests.campaign.trust import commands, files, ledger, met_checks, written
+from tests.campaign.trust import (
+    changed_lines,
+    commands,
+    equivalent,
+    files,
+    ledger,
+    met_checks,
+    request_bank,
+    written,
+)
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -73,6 +83,54 @@ def test_a_drawing_that_cannot_be_cut_would_be_noticed(tmp_path):
     bow = ec.Path.polyline([(0, 0), (40, 30), (40, 0), (0, 30)], closed=True)
     assert "through itself" in told(LayeredPath("CUT_OUTER", bow))
     assert "stay open" in told(plate, LayeredPath("CUT_OUTER", ec.Path.polyline([(0, 60), (40, 60)])))
+
+
+def test_an_answer_that_changed_would_be_noticed():
+    """The bank of requests can tell: another place, word or count, and no figure behind the sixth."""
+    strip = {"files": {"a.dxf": "SPLINE\n10\n12.5000001\n"}, "given": ["met", 3.0, [1.0, float("nan")]]}
+    same = {"files": {"a.dxf": "SPLINE\n10\n12.5\n"}, "given": ["met", 3.0000001, [1.0, float("nan")]]}
+    assert equivalent.difference(strip, same) == ""
+    for place, other in (("/given/0", ["far", 3.0, [1.0]]), ("/given/1", ["met", 3.0001, [1.0]])):
+        assert equivalent.difference(strip, {**strip, "given": other}).startswith(place)
+    assert "a.dxf: 12.5000001 and 12.51" in equivalent.difference(
+        strip, {**strip, "files": {"a.dxf": "SPLINE\n10\n12.51\n"}}
+    )
+    assert "b.dxf" in equivalent.difference(strip, {**strip, "files": {**strip["files"], "b.dxf": ""}})
+
+
+def test_a_changed_place_runs_where_its_statement_or_its_constant_does():
+    text = "STEP_MM = 2.0\n\n\ndef f(x):\n    if x > 1:\n        return (x\n            + STEP_MM)\n    return 0\n"
+    tree, file = ast.parse(text), Path("elastica_cad/f.py")
+    found = [
+        changed_lines.lines_of(Path("nowhere"), file, tree, node)
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Compare | ast.BinOp)
+    ]
+    assert found == [[(str(file), 5, 5)], [(str(file), 6, 7)]]
+
+
+def test_requests_of_the_bank_give_the_same_again(tmp_path):
+    requests = request_bank.bank()
+    for name in (
+        "command 0",
+        "command 49",
+        "page curves",
+        "rod 2",
+        "strip 11",
+        "file dxf 0",
+        "keys 7",
+        "design arch",
+    ):
+        answers = []
+        for turn in ("first", "second"):
+            folder = tmp_path / name / turn
+            folder.mkdir(parents=True)
+            with pytest.MonkeyPatch.context() as patch:
+                patch.chdir(folder)
+                patch.setenv("SOURCE_DATE_EPOCH", equivalent.EPOCH)
+                answers.append(request_bank.answer(requests[name], folder))
+        assert equivalent.difference(*answers) == "", name
+        assert "Traceback" not in str(answers)
 
 
 def test_the_ledger_names_what_pages_say():

@@ -16,6 +16,8 @@ from typing import Any
 import coverage
 import pytest
 
+from tests.campaign.trust.changed_lines import Lines
+
 ROOMS = ("tests/unit", "tests/properties", "tests/validation", "--ignore=tests/unit/cli")
 """Where to look; tests of commands are left out, as what they start is a process of its own."""
 
@@ -66,15 +68,21 @@ class Covering:
         self.seconds: dict[str, float] = json.loads((folder / "seconds.json").read_text())
         self.lines = coverage.CoverageData(str(folder / "lines"))
         self.lines.read()
+        self.contexts: dict[str, dict[int, list[str]]] = {}
         self.names = {name[name.rindex("elastica_cad/") :]: name for name in self.lines.measured_files()}
 
-    def of(self, file: Path, first: int, last: int) -> list[str]:
-        """Tests of lines first to last; where these run at import only, tests of anything in the file."""
-        found: dict[int, list[str]] = self.lines.contexts_by_lineno(self.names.get(str(file), ""))
-        tests = {test for line in range(first, last + 1) for test in found.get(line, ()) if test}
-        if not tests:
-            tests = {test for names in found.values() for test in names if test}
+    def of(self, file: Path, lines: Lines) -> list[str]:
+        """Tests that run any of the lines; where none does, tests of anything in the file."""
+        tests = {test for name, *some in lines for test in self._running(name, range(some[0], some[1] + 1))}
+        tests = tests or self._running(str(file), None)
         return sorted((test for test in tests if test in self.seconds), key=self.seconds.__getitem__)
+
+    def _running(self, file: str, some: range | None) -> set[str]:
+        """Tests that run some lines of a file, or any."""
+        if file not in self.contexts:
+            self.contexts[file] = self.lines.contexts_by_lineno(self.names.get(file, ""))
+        found = self.contexts[file]
+        return {test for line in (found if some is None else some) for test in found.get(line, ()) if test}
 
     def within(self, tests: list[str], seconds: float) -> list[str]:
         """The quickest of them that take so long together; of each file one before the second of any."""

@@ -12,6 +12,9 @@ import subprocess
 import sys
 from datetime import UTC, datetime
 from pathlib import Path
+from typing import Any
+
+from tests.campaign.trust.verdicts import summary, survivors
 
 ROOT = Path(__file__).resolve().parents[3]
 KEPT = Path(__file__).with_name("measured.json")
@@ -76,14 +79,16 @@ def asked(tests: str) -> dict[str, str]:
     return {"date": today(), "figure": figure if done.returncode == 0 else f"FAILED: {figure}"}
 
 
-def gathered(folder: Path) -> dict[str, dict[str, str]]:
-    """What campaigns left in their folder, in words, by their commands."""
-    found: dict[str, dict[str, str]] = {}
+def gathered(folder: Path) -> dict[str, dict[str, Any]]:
+    """What campaigns left in their folder, in words, by their commands, and mutants that no test notices."""
+    found: dict[str, dict[str, Any]] = {}
     for file in sorted(folder.glob("*.json")):
         kind, record = file.stem.partition("-")[0], json.loads(file.read_text())
         date = datetime.fromtimestamp(file.stat().st_mtime, UTC).date().isoformat()
         for command, figure in _told(kind, record, file.stem.rpartition("-")[2]):
             found[command] = {"date": date, "figure": figure}
+            if kind == "mutants":
+                found[command]["survivors"] = survivors(record)
     return found
 
 
@@ -126,8 +131,7 @@ def _told(kind, record, seed):
         grown = ", ".join(f"{value} {key}" for key, value in record["grown"].items())
         yield module, f"{record['solves']} solves in one process; grown by {grown}"
     elif kind == "mutants":
-        noticed = sum(one["verdict"] != "survived" for one in record)
-        yield f"{module} --seed {seed}", f"{noticed} of {len(record)} mutants noticed"
+        yield f"{module} --seed {seed}", summary(record)
 
 
 def page(kept) -> str:
@@ -148,7 +152,21 @@ def page(kept) -> str:
     ]  # fmt: skip
     ran = kept["campaigns"].items()
     lines += [f"| `{command}` | {last['date']} | {last['figure']} |" for command, last in ran]
+    lines += [
+        "", "## Mutants that no test notices", "",
+        "Of the mutants above these change an answer, or run where the bank of requests does not go. A mutant that",
+        "gives every answer of the bank as before, to 1e-6, is equivalent and not listed",
+        "(`tests/campaign/trust/equivalent.py`).",
+        "", "| file | change | why it is left |", "| --- | --- | --- |",
+    ]  # fmt: skip
+    for one in kept["campaigns"].values():
+        lines += [f"| {' | '.join(_in_table(text) for text in row)} |" for row in one.get("survivors", ())]
     return "\n".join([*lines, ""])
+
+
+def _in_table(text: str) -> str:
+    """A text in one cell of a table, as it is."""
+    return text.replace("|", "\\|").replace("<", "&lt;").replace("*", "\\*").replace("_", "\\_")
 
 
 def main() -> None:

@@ -3,44 +3,48 @@
 python -m tests.campaign.trust.mutants --count 400 --seed 1 --minutes 120
 
 A comparison turned, an operator swapped, a number moved, a condition negated, a constant a hundred times as large.
-For each mutant the tests that run its lines are asked, the quickest first, until one fails; survivors are listed.
-A run goes on where the record of its seed ends.
+For each mutant the tests that run its lines are asked, the quickest first, until one fails. What no quick test
+notices is asked the bank of requests (`equivalent.py`): where all answers stay as they were, the mutant is
+equivalent; else it meets more tests, and what these miss is a survivor, a hole in the tests. A run goes on where
+the record of its seed ends. With --again the survivors of the record are asked anew, the tests of --tests first.
 """
 
 import argparse
 import ast
 import json
-import os
 import random
-import resource
 import shutil
 import signal
 import sys
 import time
+from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import pytest
 
-from tests.campaign.trust.covering_tests import Covering, gather
+from tests.campaign.trust.changed_copy import in_copy
+from tests.campaign.trust.changed_lines import lines_of
+from tests.campaign.trust.covering_tests import ROOMS, Covering, gather
+from tests.campaign.trust.equivalent import Bank, asked_bank, gather_bank
+from tests.campaign.trust.verdicts import summary
 
 ROOT = Path(__file__).resolve().parents[3]
 FLOORS = ("geometry", "mechanics", "forming", "fabrication", "formats")
-FIRST_S, LONG_S = 6.0, 60.0
-"""Processor seconds of the tests of a mutant as they take without a change: a quick look, then a long one."""
+FIRST_S, LONG_S = 5.0, 24.0
+"""Processor seconds of the tests of a mutant as they take without a change: a quick look, then a long one, for
+mutants that change an answer of the bank."""
 
-PATIENCE_S = 200
-"""Processor seconds at which a loop that a change made endless ends."""
+NAMED_S = 120.0
+"""What tests that are named may take; more of it is for loops that a change made endless."""
 
 LIBRARIES = (
     "numpy", "scipy.integrate", "scipy.interpolate", "scipy.linalg", "scipy.optimize", "scipy.sparse.linalg",
-    "scipy.spatial", "highspy", "ezdxf", "shapely", "svgelements", "click",
+    "scipy.spatial", "scipy.sparse", "highspy", "ezdxf", "ezdxf.path", "shapely", "svgelements", "click",
+    "trimesh", "coverage", "click.testing",
 )  # fmt: skip
 """What tests load before they begin, loaded once for all mutants."""
-
-FAILED = 99
-"""Exit code of a process that ended otherwise than by pytest's own."""
 
 UNITS = 100
 """A constant of a module is moved by so much, as a number in wrong units is: its half again is often as good."""
@@ -106,62 +110,81 @@ def mutants(count, seed):
     return found
 
 
-def tried(copy, file, number, covering):
-    """What was changed, and the verdict: killed, survived, too long, or run by no test."""
+def tried(copy, file, number, known, named=()):
+    """What was changed, and the verdict: killed, too long, equivalent, or survived, and what the bank said."""
     path, text = copy / file.relative_to(ROOT), file.read_text()
     tree = ast.parse(text)
     node, field = list(places(tree))[number]
-    last = node.end_lineno if field != "test" else node.test.end_lineno
-    tests = covering.of(file.relative_to(ROOT), node.lineno, last)
+    lines = lines_of(ROOT, file.relative_to(ROOT), tree, node)
+    tests = known.covering.of(file.relative_to(ROOT), lines)
     told = changed(node, field, at_top=any(node in ast.walk(one) for one in tree.body if _is_constant(one)))
-    verdict = "survived"
     path.write_text(ast.unparse(tree))
-    for seconds in (FIRST_S, LONG_S) if tests else ():
-        verdict = asked_tests(copy, covering.within(tests, seconds))
-        if verdict != "survived":
-            break
-    path.write_text(text)
-    return {"file": str(file.relative_to(ROOT)), "change": told, "tests": len(tests), "verdict": verdict}
+    try:
+        verdict, said = _judged(copy, tests, named, known, lines)
+    finally:
+        path.write_text(text)
+    place = {"file": str(file.relative_to(ROOT)), "number": number, "change": told}
+    return {**place, "tests": len(tests), "verdict": verdict, **({"bank": said} if said else {})}
 
 
-def asked_tests(copy, tests):
-    """How the tests end in the changed copy, in a process that has the libraries loaded but nothing of ours."""
-    child = os.fork()
-    if not child:
-        code = FAILED
-        try:
-            code = _run(copy, tests)
-        finally:
-            os._exit(code)
-    end = time.monotonic() + 10 * PATIENCE_S
-    while not (done := os.waitpid(child, os.WNOHANG))[0]:
-        if time.monotonic() > end:
-            os.kill(child, signal.SIGKILL)
-            done = os.waitpid(child, 0)
-            break
-        time.sleep(0.02)
-    code = os.waitstatus_to_exitcode(done[1])
-    return {0: "survived", -signal.SIGKILL: "too long"}.get(code, "killed")
+def _judged(copy, tests, named, known, lines):
+    """The verdict, and what the bank said where it was asked."""
+    quick = [*named, *known.covering.within(tests, FIRST_S)]
+    if quick and (verdict := asked_tests(copy, quick, NAMED_S if named else FIRST_S)) != "survived":
+        return verdict, ""
+    equal, said = asked_bank(copy, known.bank, lines)
+    if equal:
+        return "equivalent", said
+    more = known.covering.within(tests, LONG_S)
+    if tests and (verdict := asked_tests(copy, more, LONG_S)) != "survived":
+        return verdict, said
+    return "survived", said
 
 
-def _run(copy, tests):
-    """The code with which pytest ends the tests, in this process."""
-    resource.setrlimit(resource.RLIMIT_CPU, (PATIENCE_S, PATIENCE_S))
-    os.chdir(copy)
-    os.environ["PYTHONPATH"] = sys.path[0] = str(copy)
-    for name in [name for name in sys.modules if name.partition(".")[0] in ("tests", "elastica_cad")]:
-        del sys.modules[name]
-    sys.dont_write_bytecode = True
-    nowhere = os.open(os.devnull, os.O_RDWR)
-    for stream in (0, 1, 2):
-        os.dup2(nowhere, stream)
+def asked_tests(copy, tests, seconds):
+    """How the tests end in the changed copy."""
     words = ["-q", "-x", "-n", "0", "-p", "no:cacheprovider", "--rootdir", str(copy), *tests]
-    return int(pytest.main(words))
+    code = in_copy(copy, lambda: int(pytest.main(words)), seconds)
+    return {0: "survived", -signal.SIGKILL: "too long"}.get(code, "killed")
 
 
 def _is_constant(node):
     """A number of the module that has a name of its own."""
     return isinstance(node, ast.Assign | ast.AnnAssign)
+
+
+@dataclass(frozen=True)
+class Known:
+    """What is known of the program without a change."""
+
+    covering: Covering
+    bank: Bank
+
+
+def known_of(copy, folder):
+    """Gathered into the folder, or found there from an earlier run of the same program."""
+    covering, bank = folder / "covering", folder / "bank"
+    if not (covering / "seconds.json").exists():
+        gather(copy, covering, FLOORS)
+    gather_bank(copy, Bank(bank))
+    return Known(Covering(covering), Bank(bank))
+
+
+def asked_again(copy, found, known, named):
+    """The record with its survivors tried anew, each as it is tried."""
+    for place, one in enumerate(found):
+        if one["verdict"] == "survived":
+            found[place] = tried(copy, ROOT / one["file"], one["number"], known, named)
+            if found[place]["change"] != one["change"]:
+                sys.exit(f"{one['file']} is no longer as it was: {one['change']}")
+            yield found[place]
+
+
+def asked_first(copy, found, known, count, seed):
+    """The record, which grows by the mutants that it lacks, each as it is tried."""
+    for file, number in mutants(count, seed)[len(found) :]:
+        found.append(tried(copy, file, number, known))
+        yield found[-1]
 
 
 def main():
@@ -172,7 +195,11 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--minutes", type=float, default=600.0)
     parser.add_argument("--out", type=Path, default=Path("out/campaign"))
-    parser.add_argument("--covering", type=Path, help="what an earlier run found out about tests and lines")
+    parser.add_argument(
+        "--known", type=Path, help="where what is known without a change is kept for other runs"
+    )
+    parser.add_argument("--again", action="store_true", help="ask the survivors of the record anew")
+    parser.add_argument("--tests", nargs="*", default=(), help="with --again: tests that are asked first")
     asked = parser.parse_args()
     asked.out.mkdir(parents=True, exist_ok=True)
     log, since = asked.out / f"mutants-{asked.seed}.json", time.monotonic()
@@ -182,21 +209,25 @@ def main():
     with TemporaryDirectory() as folder:
         copy = Path(folder, "copy")
         shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(".git", ".venv*", "out", "__pycache__"))
-        if asked.covering is None:
-            asked.covering = Path(folder, "covering")
-            gather(copy, asked.covering, FLOORS)
-        covering = Covering(asked.covering)
+        known = known_of(copy, (asked.known or Path(folder)).resolve())
+        covering = known.covering
         sound = covering.within(sorted(covering.seconds, key=covering.seconds.__getitem__), LONG_S)
-        if asked_tests(copy, sound) != "survived":
+        rooms = [*ROOMS, *(f"elastica_cad/{floor}" for floor in FLOORS)]
+        in_copy(
+            copy, lambda: int(pytest.main(["-q", "-n", "0", "--collect-only", *rooms])), 60.0, compiled=True
+        )
+        if asked_tests(copy, [*asked.tests, *sound], NAMED_S) != "survived":
             sys.exit("tests fail without any change: mend them first")
-        for file, number in mutants(asked.count, asked.seed)[len(found) :]:
-            found.append(tried(copy, file, number, covering))
-            print(json.dumps(found[-1]), flush=True)
+        if asked.again:
+            turns = asked_again(copy, found, known, asked.tests)
+        else:
+            turns = asked_first(copy, found, known, asked.count, asked.seed)
+        for one in turns:
+            print(json.dumps(one), flush=True)
             log.write_text(json.dumps(found, indent=1) + "\n")
             if time.monotonic() - since > 60 * asked.minutes:
                 break
-    killed = sum(one["verdict"] != "survived" for one in found)
-    print(f"{killed} of {len(found)} mutants are noticed")
+    print(summary(found))
 
 
 if __name__ == "__main__":

@@ -254,5 +254,6 @@ def test_a_label_stands_on_a_tab_that_is_there(rod, lengths, where):
     low, high = strokes.min(axis=0), strokes.max(axis=0)
     start = 0 if where < 0 else rod.length
     assert (low[0] + high[0]) / 2 == pytest.approx(start + where, abs=0.3)
-    assert low[0] > start - lengths[0] and high[0] < rod.length + lengths[1]
+    assert low[0] > start - lengths[0]
+    assert high[0] < rod.length + lengths[1]
     assert np.abs((low + high)[1]) < 0.3

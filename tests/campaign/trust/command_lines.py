@@ -1,0 +1,83 @@
+"""Commands as somebody types them who tries every option once, and the files that they name."""
+
+DRAWN = {
+    "arch.txt": "3 6\n0 0\n20 40\n70 70\n130 70\n180 40\n200 0\n",
+    "wave.txt": "3 7\n0 0\n30 30\n70 40\n110 0\n150 -40\n190 -30\n220 0\n",
+    "points.csv": "x,y\n" + "".join(f"{x},{0.004 * x * (200 - x):.3f}\n" for x in range(0, 201, 10)),
+    "corners.svg": '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 300 200" width="300mm" height="200mm">'
+    '<path id="a" d="M 10 90 C 40 30 90 30 120 90 C 150 40 190 40 230 95"/>'
+    '<path id="b" d="M 20 180 C 60 110 140 110 200 180"/></svg>',
+    "ring.svg": '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 300 200" width="300mm" height="200mm">'
+    '<ellipse cx="120" cy="80" rx="100" ry="60"/></svg>',
+    "long.txt": "3 4\n0 0\n3000 1500\n6000 1500\n9000 0\n",
+    "felt.toml": "[sheets.felt]\nthickness_mm = 1\nyoungs_modulus_MPa = 20\ndensity_kg_m3 = 200\n"
+    'max_strain = 0.05\nsource = "measured"\n',
+}  # fmt: skip
+
+ARCH = "strip arch.txt --sheet birch-plywood-0.8 --max-width 30 -o out "
+WAVE = "strip wave.txt --sheet pom-0.5 --max-width 24 -o out "
+CARD = "strip arch.txt --sheet card-200gsm -o out "
+
+LINES = (
+    ARCH + "--kerf 0.15 --curves arc --holding 0.4",
+    ARCH + "--kerf sheet --curves polyline --tolerance 0.1 --dxf-version R12",
+    ARCH + "--glb",
+    ARCH + "--gravity --hang 60 5 --creep 0.8 --json",
+    ARCH + "--gravity --gravity-length 150 --down 0.6 -0.8",
+    ARCH + "--gravity --down-in-space 0 -1 -1 --x-axis 1 0 0 --y-axis 0 1 0 --origin 5 6 7",
+    ARCH + "--loads 'alpha = 0.0001, masses = [{at = 40, mass = 0.001}]'",
+    ARCH + "--compensate --slot 'at = 60, width = 1, depth = 6' --slot 'at = 90, width = 1, side = \"lower\"'",
+    ARCH + "--slot 'at = 60, width = 1, depth = 6, lean = 0.3, relief = \"round\"' --tab 18 --tab-radius 2",
+    ARCH + "--slot 'at = 4, width = 9, depth = 40'",
+    ARCH + "--start-tab 'length = 18, width = 12, holes = [{at = 9, diameter = 3.2}]' --end-tab 'length = 0'",
+    ARCH + "--end-tab 'length = 22, t_slot = {depth = 14}' --start-tab 'length = 12, chamfer = 2, taper = 4'",
+    ARCH + "--start pinned --end slide-x --nearest --stable",
+    ARCH + "--natural-curvature 0.002",
+    ARCH + "--natural-curvature 'stations = [0, 80, 165.991], curvatures = [0, -0.004, 0]'",
+    ARCH + "--min-width 8 --nearest",
+    ARCH + "--ratio 1.2 --keep-tangents --keep-length",
+    ARCH + "--ratio 1.3 --keep-tangent start --keep-ends start",
+    ARCH + "--max-strain 0.003 --keep-symmetry mirror",
+    ARCH + "--keep-strain --keep-point 80 -v",
+    ARCH + "--max-curvature 0.01 --length-range 200 320",
+    ARCH + "--width-range 12 30 --keep-out 'point = [0, 60], normal = [0, -1]'",
+    ARCH + "--nearest --keep-out 'lower = [90, 50], upper = [110, 70]'",
+    ARCH + "--nearest --stiffness-bounds 'lower = 1, upper = [2, 3, 2]'",
+    ARCH + "--stock 200 100 --lap 40",
+    ARCH + "--units inch --tab 0.5in",
+    ARCH + "--least-width 60",
+    ARCH + "--strict --thickness 2.5",
+    WAVE + "--nearest --ratio 3 --keep-line",
+    WAVE + "--nearest --ratio 4 --inflection-line 0 0 220 0",
+    WAVE + "--ratio 3 --keep-symmetry turn --margin 2",
+    WAVE + "--ratio 3 --gravity --keep-ends none",
+    WAVE,
+    CARD + "--style perforated --outer-width 40 --columns 2 --rows 12 --sides arc --corner-radius 0.3",
+    CARD + "--style perforated --outer-width 40 --hole-ratio 0.7 --least-ligament 1 --least-hole 1.5",
+    CARD + "--style laminated --outer-width 30 --backing card-200gsm --least-backing 2 --dots 2",
+    CARD + "--style laminated --outer-width 30 --backing card-200gsm --ratio 4",
+    "strip arch.txt --sheet pom-1 -o out --law 'kind = \"thickness\", limits = [1, 4], width = 20'",
+    "strip arch.txt --sheet pom-1 -o out --law 'kind = \"rod\", limits = [2, 5]'",
+    "strip arch.txt --sheet pom-1 -o out --law 'kind = \"tube\", limits = [2, 6], bore = 0.7'",
+    "strip arch.txt --sheet pom-1 -o out --nearest --law 'kind = \"leaves\", leaves = 4, width = 20'",
+    "strip long.txt --sheet birch-plywood-4 --max-width 90 -o out --lap 80 --stock 1525 800 --anyway",
+    "strip corners.svg --split-corners --sheet card-200gsm --max-width 15 -o out --all --force",
+    "strip corners.svg --curve b --sheet card-200gsm --max-width 15 -o out --smooth 0.5",
+    "strip ring.svg --sheet card-200gsm --max-width 15 -o out --joint 40",
+    "strip points.csv --sheet felt.toml:felt --max-width 15 -o out --samples 101",
+    "strip points.csv --sheet felt.toml:wool --max-width 15 -o out",
+    "strip nothing.txt --sheet card-200gsm --max-width 15 -o out",
+    "strip arch.txt --sheet card-200 --max-width 15 -o out",
+    "check wave.txt", "check arch.txt --json", "check corners.svg", "check ring.svg", "check long.txt -v",
+    "bend arch.txt --to 180 0 --steps 6 --sheet birch-plywood-0.8 --max-width 30 -o out",
+    "bend arch.txt --to 190 20 --end-angle -90 --gravity --sheet pom-0.5 --max-width 20 -o out",
+    "bend wave.txt --nearest --to 200 10 --hold-end pinned --sheet pom-0.5 --max-width 20 -o out",
+    "bend --straight 150 --to 90 0 --side right --steps 8 --sheet pom-0.5 --max-width 10 -o out",
+    "bend --straight 150 --to 170 0 --sheet pom-0.5 --max-width 10 -o out",
+    "reshape arch.txt --top-right 240 110 -o out", "reshape wave.txt --top-left -20 60 -o out",
+    "coupon --sheet birch-plywood-0.8 -o out",
+    "coupon --sheet birch-plywood-0.8 --measured 300 38 --measured 300 41 --measured 200 9 --name mine -o out",
+    "sheets", "sheets felt.toml", "sheets pom-0.5",
+    "batten --sheet pom-1 --length 900 --camber 10 --at 40 --stock 25 8 --least 3 -o out",
+    "batten --sheet pom-1 --length 900 --camber 12 --at 45 --rod 12 --lying up -o out",
+)  # fmt: skip
