@@ -36,7 +36,7 @@ CLAIMS = {
     ("docs/explanation/left_out.md", "between clamps creep takes force and leaves the shape",
      "the shape of a strip between clamps stays, its force falls"): "tests/validation/test_creep.py",
     ("docs/explanation/left_out.md", "a strip stays in its plane where it is said to",
-     "the strip stays in its plane, or not, or undecided for wide ones"): "tests/validation/test_sideways.py",
+     "the strip stays in its plane, or not, or undecided: wide ones"): "tests/validation/test_sideways.py",
     ("docs/how_to/batten.md", "tapers are those of closed forms", "Planed thinner towards one end"):
         "tests/validation/test_tapered_tables.py",
     ("docs/explanation/which_curves.md", "a strip bends exactly when one line meets its inflections",
