@@ -309,6 +309,14 @@ def test_a_strongly_bent_meridian_gets_nodes_enough():
     ("call", "words"),
     [
         (lambda: meridian(1, (0, 0), (0, 0), 1, 10), "beside its axis"),
+        (
+            lambda: meridian_through([(60, 0), (80, 40), (-5, 70), (50, 90)]),
+            r"point 3 at \[-5.0, 70.0\] lies on",
+        ),
+        (
+            lambda: meridian_through([(60, 0), (80, 40), (50, 70), (-9, 90)]),
+            r"point 4 at \[-9.0, 90.0\] lies on",
+        ),
         (lambda: meridian(1, (0, 0), (5, 0), 1, -10), "has a length"),
         (lambda: meridian(1, (0, np.nan), (5, 0), 1, 10), "finite"),
         (lambda: meridian(1, (0, 0, 0), (5, 0), 1, 10), "two numbers each"),

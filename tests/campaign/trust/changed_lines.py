@@ -21,7 +21,7 @@ def lines_of(root: Path, file: Path, tree: ast.Module, node: ast.AST) -> Lines:
         (str(path.relative_to(root)), one.lineno, one.end_lineno or one.lineno)
         for path in sorted((root / "elastica_cad").rglob("*.py"))
         if names and any(name in (text := path.read_text()) for name in names)
-        for one in _users(ast.parse(text), names)
+        for one in _users(ast.parse(text), names, None if path == root / file else file.stem)
     ]
     return found or [(str(file), one.lineno, one.end_lineno or one.lineno) for one in _bodies(tree)]
 
@@ -34,8 +34,15 @@ def _bodies(tree: ast.Module) -> Iterator[ast.stmt]:
             yield from (one for one in ast.walk(part) if isinstance(one, ast.stmt))
 
 
-def _users(tree: ast.Module, names: set[str]) -> Iterator[ast.stmt]:
-    """Simple statements inside of functions that read one of the names."""
+def _users(tree: ast.Module, names: set[str], home: str | None) -> Iterator[ast.stmt]:
+    """Simple statements inside of functions that read one of the names, which come from the module home if any."""
+    if home is not None:
+        names = names & {
+            one.name
+            for part in ast.walk(tree)
+            if isinstance(part, ast.ImportFrom) and (part.module or "").endswith(home)
+            for one in part.names
+        }
     for statement in _bodies(tree):
         if not hasattr(statement, "body") and any(
             isinstance(one, ast.Name) and one.id in names for one in ast.walk(statement)

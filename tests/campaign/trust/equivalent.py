@@ -27,6 +27,9 @@ SAME = 1e-6
 BANK_S = 6.0
 """Processor seconds, without the change, of the requests that one mutant is asked."""
 
+VARYING = re.compile(r"[\w/]*/tmp\w{8}\b|\d{4}-\d\d-\d\dT[\d:]+")
+"""What differs between two runs of the same program: the folder, and the date in files of kernels."""
+
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 EPOCH = "1700000000"
 """Files carry this date, and so are the same in every run."""
@@ -56,7 +59,10 @@ def difference(one: object, other: object, place: str = "") -> str:
         pairs = enumerate(zip(one, other, strict=True))
         return next((told for n, pair in pairs if (told := difference(*pair, f"{place}/{n}"))), "")
     if isinstance(one, str) and isinstance(other, str):
-        return "" if one == other or _same_text(one, other) else f"{place}: {_first(one, other)}"
+        if one == other:
+            return ""
+        one, other = VARYING.sub("", one), VARYING.sub("", other)
+        return "" if _same_text(one, other) else f"{place}: {_first(one, other)}"
     if isinstance(one, int | float) and isinstance(other, int | float):
         return "" if _same_number(one, other) else f"{place}: {one} and {other}"
     return "" if one == other else f"{place}: {one!r:.80} and {other!r:.80}"

@@ -135,8 +135,8 @@ def _judged(copy, tests, named, known, lines):
     equal, said = asked_bank(copy, known.bank, lines)
     if equal:
         return "equivalent", said
-    more = known.covering.within(tests, LONG_S)
-    if tests and (verdict := asked_tests(copy, more, LONG_S)) != "survived":
+    more = [test for test in known.covering.within(tests, LONG_S) if test not in quick]
+    if more and (verdict := asked_tests(copy, more, LONG_S)) != "survived":
         return verdict, said
     return "survived", said
 

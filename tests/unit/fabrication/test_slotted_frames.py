@@ -5,6 +5,7 @@ import pytest
 import shapely
 
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.lettering import text_strokes
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab
 from elastica_cad.fabrication.holders.slotted_frame import slotted_frame
 from elastica_cad.fabrication.model.strip_model import Model
@@ -131,3 +132,11 @@ def test_frames_turn_with_the_model(model, frame):
 def test_frames_refuse_in_words(model, options, message):
     with pytest.raises(InputError, match=message):
         model.slotted_frame(MDF, **options)
+
+
+@pytest.mark.parametrize("tongue", [4.0, 12.0])
+def test_names_of_ribs_stay_on_their_ribs(model, tongue):
+    frame = slotted_frame(model.placed, MDF, tongue=tongue, border=7)
+    for rib in frame.ribs:
+        strokes = shapely.MultiLineString([stroke.points(0.05) for stroke in text_strokes(rib.label)])
+        assert shapely.Polygon(rib.outline.points(0.05)).covers(strokes), rib.name

@@ -79,3 +79,12 @@ def test_the_screw_goes_through_the_wall_of_the_block():
     assert drill.frame.origin == pytest.approx(fixture.tab.tip)
     assert drill.frame.z_axis == pytest.approx(fixture.tab.frame.x_axis)
     assert drill.thickness > fixture.clearance + fixture.wall
+
+
+@pytest.mark.parametrize(("wide", "drawn"), [(8.0, 8.0), (40.0, 40.0), (30.000004, 30.0), (None, 30.0)])
+def test_a_tab_is_as_wide_as_asked_but_for_shoulders_that_nobody_can_cut(wide, drawn):
+    made = strip(Tab(20, width=wide))
+    assert made.area == pytest.approx(30 * 100 + 2 * 20 * drawn)
+    points = made.outline.points(0.1)
+    for beyond in (points[:, 0] < -1, points[:, 0] > 101):
+        assert np.ptp(points[beyond, 1]) == pytest.approx(drawn)

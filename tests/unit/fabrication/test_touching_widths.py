@@ -95,3 +95,13 @@ def test_flower_pot(reference_data):
     for (curve, _), width, half in zip(strips, widths, published, strict=True):
         s = curve.arc_length(np.linspace(0, 6, 500))
         np.testing.assert_allclose(width(s) / 2, half, atol=7e-5)
+
+
+@pytest.mark.parametrize(("labels", "told"), [(("L1", "L2"), "L1 and L2"), (("", ""), "strip 1 and strip 2")])
+def test_strips_in_one_plane_are_named(labels, told):
+    strips = [
+        Placed(Strip(Rod.straight(50.0), Sheet.named("card-200gsm"), max_width=9.0, label=label), (0, 0, 0))
+        for label in labels
+    ]
+    with pytest.raises(InputError, match=f"{told} lie in the same plane"):
+        touching_widths(strips)

@@ -447,3 +447,11 @@ def test_slips_that_hold_several_are_told_up_to_a_length():
         slips.add(f"strip {number}: " + "an unknown key of the curve; " * 12 + "leave it out")
     assert len(slips.text) < 1000
     assert slips.text.endswith("2 more; mend these first")
+
+
+@pytest.mark.parametrize(("count", "told"), [(5, "strip 4 has no width"), (6, "1 more; mend these first")])
+def test_the_last_slip_that_is_not_told_is_counted_too(count, told):
+    slips = Slips()
+    for number in range(count):
+        slips.add(f"strip {number} has no width")
+    assert slips.text.endswith(f" Also: {told}")

@@ -5,6 +5,8 @@ from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.chains import curve_from_points, curve_from_run, join_runs
 from elastica_cad.formats.curve_files.edge_plane import flatten_run
 from elastica_cad.formats.curve_files.edges import Edge
+from elastica_cad.formats.curve_files.placed_curve import placed_curve
+from elastica_cad.geometry.frame import Frame
 
 pytestmark = pytest.mark.core
 
@@ -114,3 +116,62 @@ def test_line_in_space_is_seen_in_its_upright_plane():
     assert edge.end == pytest.approx((5, 12))
     (edge,) = flatten_run(line((3, 0, 0), (3, 0, 12)), 0.01)
     assert edge.end == pytest.approx((3, 12))
+
+
+TILTED = np.array([(0.0, 1.0, 0.0), (0.6, 0.0, 0.8)])
+"""Axes of a plane that leans: what is drawn to the right runs along y, what is drawn up leans over x."""
+
+
+def drawn(points, axes=TILTED, way=1):
+    """One edge of degree 3 through the plane of two axes, by its control points."""
+    space = np.array(points, dtype=float)[::way] @ axes
+    return Edge([0] * 4 + [1] * 4, space, 3)
+
+
+@pytest.mark.parametrize("way", [1, -1])
+@pytest.mark.parametrize("high", [30, -30])
+def test_an_arch_is_seen_from_where_it_turns_anticlockwise(way, high):
+    curve, frame = placed_curve([drawn([(0, 0), (10, high), (50, high), (60, 0)], way=way)])
+    assert curve.sample(101).angle[-1] > curve.sample(101).angle[0]
+    assert frame.y_axis == pytest.approx(TILTED[1])  # up, as far as it can
+    assert abs(frame.x_axis @ TILTED[0]) == pytest.approx(1.0)
+    ends = [frame.point(p) for p in curve.sample(2).position]
+    assert np.array(ends)[::way] == pytest.approx(np.array([(0, 0), (60, 0)]) @ TILTED, abs=1e-9)
+
+
+@pytest.mark.parametrize("first", [1, -1])
+def test_a_wave_is_seen_from_where_its_first_bend_turns_anticlockwise(first):
+    points = [(0, 0), (20, 30 * first), (40, -30 * first), (60, 0)]
+    curve, _ = placed_curve([drawn(points)])
+    bends = curve.sample(101).curvature
+    assert bends[0] > 0 > bends[-1]
+
+
+def test_a_straight_edge_has_an_upright_plane():
+    for end in ((60, 0, 0), (0, 0, 60), (30, 30, 30)):
+        curve, frame = placed_curve([Edge.polyline([(0, 0, 0), end])])
+        assert frame.point(curve.sample(2).position[-1]) == pytest.approx(end)
+        assert np.linalg.norm(frame.axes, axis=1) == pytest.approx([1, 1, 1])
+
+
+def test_a_plane_that_is_given_is_kept_or_refused():
+    arch = drawn([(0, 0), (10, 30), (50, 30), (60, 0)], axes=np.eye(2, 3))
+    plane = Frame((5, 6, 0), (0, 1, 0), (-1, 0, 0))
+    curve, frame = placed_curve([arch], plane=plane)
+    assert frame is plane
+    assert curve.sample(2).position == pytest.approx(np.array([(-6, 5), (-6, -55)]))
+    with pytest.raises(InputError, match="up to 2 mm off the plane that is given"):
+        placed_curve([arch], plane=Frame((0, 0, 2), (1, 0, 0), (0, 1, 0)))
+
+
+def test_edges_that_do_not_make_one_smooth_chain_are_refused():
+    side, up = Edge.polyline([(0, 0, 0), (40, 0, 0)]), Edge.polyline([(40, 0, 0), (40, 30, 0)])
+    with pytest.raises(InputError, match=r"a corner of 90 degrees at \(40, 0, 0\) mm"):
+        placed_curve([side, up])
+    with pytest.raises(InputError, match="make 2 separate chains"):
+        placed_curve([side, Edge.polyline([(0, 9, 0), (40, 9, 0)])])
+    with pytest.raises(InputError, match="the edge has no length"):
+        placed_curve([])
+    drop = Edge([0] * 4 + [1] * 4, np.array([(0, 0, 0), (60, 40, 0), (60, -40, 0), (0, 0, 0)]), 3)
+    with pytest.raises(InputError, match=r"a corner of 113 degrees at \(0, 0, 0\) mm"):
+        placed_curve([drop])

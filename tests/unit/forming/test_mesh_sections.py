@@ -11,7 +11,7 @@ from elastica_cad.forming.plane_sections.section_curves import (
     section_curves,
     smooth_polyline,
 )
-from elastica_cad.forming.plane_sections.section_lines import SectionLine
+from elastica_cad.forming.plane_sections.section_lines import SectionLine, tidy_points
 from elastica_cad.forming.plane_sections.triangle_mesh import Mesh
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
@@ -348,3 +348,26 @@ def test_bad_wishes(wishes, words):
 def test_bad_planes(call, words):
     with pytest.raises(InputError, match=words):
         call()
+
+
+def test_the_sharpest_corner_of_a_section_is_told_with_its_place():
+    rng = np.random.default_rng(3)
+    x = np.arange(400) / 10
+    rough = np.column_stack([x, 0.02 * rng.random(400)])
+    rough[200:, 1] += 3 * (x[200:] - 20)
+    curves, (told,) = section_curves([SectionLine(rough, UPRIGHT, "roof")], tolerance=1e-3)
+    assert curves == ()
+    step = np.diff(rough, axis=0)
+    turns = np.abs(np.diff(np.arctan2(step[:, 1], step[:, 0])))
+    x, y, z = UPRIGHT.point(rough[1 + turns.argmax()])
+    assert f"turns by {np.degrees(turns.max()):.3g} degrees at ({x:.4g}, {y:.4g}, {z:.4g}) mm" in told
+
+
+@pytest.mark.parametrize("end", [(-60.0, 5.0), (60.0, 5.0), (20.0, 40.0), (-20.0, 40.0)])
+@pytest.mark.parametrize("start", [(-30.0, 5.0), (30.0, 5.0)])
+@pytest.mark.parametrize("way", [1, -1])
+def test_a_section_runs_up_and_a_level_one_to_the_right(start, end, way):
+    drawn = np.linspace(start, end, 9)[::way]
+    run = tidy_points(drawn, 1e-6)
+    assert (run[-1, 1], run[-1, 0]) > (run[0, 1], run[0, 0])
+    assert sorted(map(tuple, run)) == sorted(map(tuple, drawn))

@@ -194,3 +194,30 @@ def test_every_tolerance_is_reached_beside_kinks(tolerance):
     profile = Profile.fit(peak, 184.0, breaks=[(90.0, 0), (92.18, 1)], tolerance=tolerance)
     s = np.linspace(0.0, 184.0, 4001)
     assert np.abs(profile(s) - peak(s)).max() < 1.5 * tolerance
+
+
+@pytest.mark.parametrize(
+    ("coefficients", "degree", "lowest", "highest"),
+    [
+        ([0.0, 4.0], 1, (0.0, 0.0), (30.0, 4.0)),
+        ([0.0, 4.0, 0.0], 2, (0.0, 0.0), (15.0, 2.0)),
+        ([1.0, -1.0, -1.0, 3.0, 1.0], 4, None, None),
+    ],
+)
+def test_extremes_lie_at_ends_and_between_in_every_degree(coefficients, degree, lowest, highest):
+    profile = Profile(np.repeat([0.0, 30.0], degree + 1), np.array(coefficients), degree)
+    s = np.linspace(0, 30, 30001)
+    values = profile(s)
+    assert profile.extremes == pytest.approx((values.min(), values.max()), abs=1e-7)
+    assert profile.extreme_places == pytest.approx((s[values.argmin()], s[values.argmax()]), abs=1e-2)
+    if lowest is not None:
+        assert list(zip(profile.extreme_places, profile.extremes, strict=True)) == [lowest, highest]
+
+
+def test_where_a_function_is_not_finite_is_told():
+    with np.errstate(divide="ignore"), pytest.raises(InputError, match="not finite at") as told:
+        Profile.fit(lambda s: 1 / np.maximum(s - 150.0, 0.0), 300.0)
+    assert 0 <= float(str(told.value).split()[-1]) <= 150
+    with np.errstate(invalid="ignore"), pytest.raises(InputError, match="not finite at") as told:
+        Profile.fit(lambda s: np.sqrt(299.9 - s), 300.0)
+    assert float(str(told.value).split()[-1]) > 299.9

@@ -323,3 +323,9 @@ class TestBadInput:
         with pytest.raises(NotRealizable) as caught:
             optimal_rod(ELLIPSE, supports=supports)
         assert caught.value.check.reasons == check_equilibrium(ELLIPSE, supports).reasons
+
+
+def test_a_rod_says_whether_it_carries_its_weight():
+    light, heavy = optimal_rod(ARCH), optimal_rod(ARCH, gravity=LEANING)
+    assert repr(light) == f"<Rod of {light.length:.4g} mm, ratio {light.ratio:.4g}, {light.s.size} nodes>"
+    assert repr(heavy).endswith(" nodes, with weight>")
