@@ -174,11 +174,10 @@ def _tell(kit: StripKit, written: Iterable[Path]) -> None:
         say(f"stable, {said}")
     else:
         warn(f"Warning: {said}. --stable finds the nearest that stays.")
-    sideways = made.sideways
-    if sideways.word in ("unstable", "low"):
-        warn(f"Warning: sideways margin {sideways.margin:.3g} ({sideways.word}): {sideways.meaning}.")
+    if made.sideways.word in ("unstable", "low"):
+        warn(f"Warning: {made.sideways}.")
     else:
-        say(f"sideways {sideways.word}: {sideways.meaning}")
+        say(str(made.sideways))
     with suppress(NotConvergedError):
         if made.crept is not None:
             say(str(made.crept))

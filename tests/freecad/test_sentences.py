@@ -17,6 +17,7 @@ SPOKEN = [
     "mechanics/stiffness/optimal_rod.py",
     "mechanics/stiffness/optimal_balance.py",
     "mechanics/stability/stability_verdict.py",
+    "mechanics/stability/sideways.py",
     "mechanics/bending/bend_forward.py",
     "mechanics/bending/between_clamps.py",
     "mechanics/material/section_limits.py",
@@ -170,3 +171,14 @@ def test_a_strip_that_breaks_says_so_in_german(document, sketch):
     said = " ".join([made.Verdict, *made.Reasons])
     assert "Streifen" in said
     assert not re.search(r"\b(the|strain|curve)\b", said), said
+
+
+@pytest.mark.usefixtures("german")
+def test_leaving_the_plane_is_told_in_german(monkeypatch):
+    monkeypatch.setattr(user_units, "decimal_point", lambda: ",")
+    tips = "it tips over sideways or twists out of its plane: guide it at the sides, or make it wider"
+    said = user_units.worded(f"sideways margin -24.1 (unstable): {tips}")
+    assert said.startswith("seitliche Reserve -24,1 (instabil): er kippt zur Seite oder dreht sich")
+    assert user_units.worded("sideways ample: it stays in its plane") == (
+        "seitlich reichlich: er bleibt in seiner Ebene"
+    )

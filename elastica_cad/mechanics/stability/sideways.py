@@ -76,6 +76,12 @@ class SidewaysStability:
             return "unstable"
         return "low" if self.margin < SAFE_MARGIN else "ample"
 
+    def __str__(self) -> str:
+        """One sentence; the margin where it warns."""
+        if self.word in ("unstable", "low"):
+            return f"sideways margin {self.margin:.3g} ({self.word}): {self.meaning}"
+        return f"sideways {self.word}: {self.meaning}"
+
     @property
     def meaning(self) -> str:
         """What the margin means for the one who builds it."""

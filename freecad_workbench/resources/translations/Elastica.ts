@@ -535,6 +535,14 @@
         <source>What planes stand across, or half planes about</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Margin against tipping over sideways, positive where it stays in its plane; 0 where undecided</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Does it stay in the plane of its curve?</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Elastica</name>
@@ -1288,6 +1296,10 @@
     </message>
     <message>
         <source>backing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sideways margin</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3172,6 +3184,50 @@
     </message>
     <message>
         <source>the grain runs along x, the side of %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sideways margin %1 (%2): %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sideways %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unstable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ample</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>undecided</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it tips over sideways or twists out of its plane: guide it at the sides, or make it wider</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it stays in its plane, but a push from the side may tip it: guide it at the sides</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it stays in its plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too wide for its length and bend to be judged as a rod: try it out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its holes leave open whether it tips over sideways: guide it at the sides, or try it out</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

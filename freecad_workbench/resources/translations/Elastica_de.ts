@@ -539,6 +539,14 @@
         <source>What planes stand across, or half planes about</source>
         <translation>Wozu die Ebenen quer stehen, oder worum Halbebenen</translation>
     </message>
+    <message>
+        <source>Margin against tipping over sideways, positive where it stays in its plane; 0 where undecided</source>
+        <translation>Reserve gegen seitliches Kippen, positiv, wo er in seiner Ebene bleibt; 0, wo es offen ist</translation>
+    </message>
+    <message>
+        <source>Does it stay in the plane of its curve?</source>
+        <translation>Bleibt er in der Ebene seiner Kurve?</translation>
+    </message>
 </context>
 <context>
     <name>Elastica</name>
@@ -1293,6 +1301,10 @@
     <message>
         <source>backing</source>
         <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>Sideways margin</source>
+        <translation>Reserve seitlich</translation>
     </message>
 </context>
 <context>
@@ -3185,6 +3197,50 @@
     <message>
         <source>the grain runs along x, the side of %1 mm</source>
         <translation>die Faser läuft entlang x, der Seite von %1 mm</translation>
+    </message>
+    <message>
+        <source>sideways margin %1 (%2): %3</source>
+        <translation>seitliche Reserve %1 (%2): %3</translation>
+    </message>
+    <message>
+        <source>sideways %1: %2</source>
+        <translation>seitlich %1: %2</translation>
+    </message>
+    <message>
+        <source>unstable</source>
+        <translation>instabil</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>gering</translation>
+    </message>
+    <message>
+        <source>ample</source>
+        <translation>reichlich</translation>
+    </message>
+    <message>
+        <source>undecided</source>
+        <translation>offen</translation>
+    </message>
+    <message>
+        <source>it tips over sideways or twists out of its plane: guide it at the sides, or make it wider</source>
+        <translation>er kippt zur Seite oder dreht sich aus seiner Ebene: führen Sie ihn seitlich, oder machen Sie ihn breiter</translation>
+    </message>
+    <message>
+        <source>it stays in its plane, but a push from the side may tip it: guide it at the sides</source>
+        <translation>er bleibt in seiner Ebene, aber ein Stoß von der Seite kann ihn kippen: führen Sie ihn seitlich</translation>
+    </message>
+    <message>
+        <source>it stays in its plane</source>
+        <translation>er bleibt in seiner Ebene</translation>
+    </message>
+    <message>
+        <source>too wide for its length and bend to be judged as a rod: try it out</source>
+        <translation>zu breit für seine Länge und Biegung, um als Stab beurteilt zu werden: probieren Sie es aus</translation>
+    </message>
+    <message>
+        <source>its holes leave open whether it tips over sideways: guide it at the sides, or try it out</source>
+        <translation>seine Löcher lassen offen, ob er zur Seite kippt: führen Sie ihn seitlich, oder probieren Sie es aus</translation>
     </message>
 </context>
 <context>

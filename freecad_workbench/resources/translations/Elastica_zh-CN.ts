@@ -539,6 +539,14 @@
         <source>What planes stand across, or half planes about</source>
         <translation>平面所垂直的轴，或半平面所围绕的轴</translation>
     </message>
+    <message>
+        <source>Margin against tipping over sideways, positive where it stays in its plane; 0 where undecided</source>
+        <translation>抗侧倾的裕度，为正时条带留在其平面内；未定时为 0</translation>
+    </message>
+    <message>
+        <source>Does it stay in the plane of its curve?</source>
+        <translation>条带是否留在其曲线所在的平面内？</translation>
+    </message>
 </context>
 <context>
     <name>Elastica</name>
@@ -1293,6 +1301,10 @@
     <message>
         <source>backing</source>
         <translation>背层</translation>
+    </message>
+    <message>
+        <source>Sideways margin</source>
+        <translation>侧向裕度</translation>
     </message>
 </context>
 <context>
@@ -3185,6 +3197,50 @@
     <message>
         <source>the grain runs along x, the side of %1 mm</source>
         <translation>纹理沿 x 方向，即 %1 mm 的一边</translation>
+    </message>
+    <message>
+        <source>sideways margin %1 (%2): %3</source>
+        <translation>侧向裕度 %1（%2）：%3</translation>
+    </message>
+    <message>
+        <source>sideways %1: %2</source>
+        <translation>侧向%1：%2</translation>
+    </message>
+    <message>
+        <source>unstable</source>
+        <translation>不稳定</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>偏低</translation>
+    </message>
+    <message>
+        <source>ample</source>
+        <translation>充足</translation>
+    </message>
+    <message>
+        <source>undecided</source>
+        <translation>未定</translation>
+    </message>
+    <message>
+        <source>it tips over sideways or twists out of its plane: guide it at the sides, or make it wider</source>
+        <translation>条带会侧倾或扭出其平面：请从两侧加以引导，或加宽条带</translation>
+    </message>
+    <message>
+        <source>it stays in its plane, but a push from the side may tip it: guide it at the sides</source>
+        <translation>条带留在其平面内，但侧面一推就可能使其倾倒：请从两侧加以引导</translation>
+    </message>
+    <message>
+        <source>it stays in its plane</source>
+        <translation>条带留在其平面内</translation>
+    </message>
+    <message>
+        <source>too wide for its length and bend to be judged as a rod: try it out</source>
+        <translation>相对其长度和弯曲程度过宽，不能按杆件判断：请实际试验</translation>
+    </message>
+    <message>
+        <source>its holes leave open whether it tips over sideways: guide it at the sides, or try it out</source>
+        <translation>因其孔洞，是否侧倾尚不能确定：请从两侧加以引导，或实际试验</translation>
     </message>
 </context>
 <context>

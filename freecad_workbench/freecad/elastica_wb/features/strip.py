@@ -60,7 +60,7 @@ class StripFeature(Feature):
         if obj.Form == "Bent":
             obj.Placement = drawn.placement
         if obj.MadeFrom != made_from:
-            put(obj, MadeFrom=made_from, HeldDeviation=0.0, Held="")
+            put(obj, MadeFrom=made_from, HeldDeviation=0.0, Held="", SidewaysMargin=0.0, Sideways="")
         changed = find_nearest(spec.rod_spec).deviation if spec.may_change else None
         _tell_results(obj, strip, changed, spec.rod_spec.smoothing.moved)
 
@@ -114,11 +114,17 @@ def shown_strip(obj: Any) -> Strip:
 
 
 def tell_held(obj: Any) -> None:
-    """Write how far a strip strays as made and held; it takes as long as the rest of it, so no recompute waits."""
+    """Write how far a strip strays as made and held, and whether it stays in its plane.
+
+    It takes as long as the rest of it, so no recompute waits.
+    """
     if obj.Held or not obj.MadeFrom or "Invalid" in obj.State:
         return
     try:
-        held = held_shape(strip_of(obj))
+        strip = strip_of(obj)
+        found = strip.sideways
+        put(obj, SidewaysMargin=found.margin if found.decided else 0.0, Sideways=worded(str(found)))
+        held = held_shape(strip)
         said = "it takes no shape near its design: hold it nearer to its curve" if held is None else str(held)
     except ElasticaError as error:
         held, said = None, str(error)
@@ -186,7 +192,14 @@ def _tell_error(obj: Any, error: ElasticaError) -> None:
     verdict = (
         "A flat strip cannot take this curve." if isinstance(error, NotRealizable) else "There is no strip."
     )
-    put(obj, Verdict=verdict, Reasons=[worded(reason) for reason in reasons], MadeFrom="", Held="")
+    put(
+        obj,
+        Verdict=verdict,
+        Reasons=[worded(reason) for reason in reasons],
+        MadeFrom="",
+        Held="",
+        Sideways="",
+    )
     if obj.Visibility and not is_edited(obj):
         obj.HiddenByError = True
         obj.Visibility = False

@@ -25,6 +25,8 @@ from freecad.elastica_wb.panels.bend import BendPanel
 from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.property_panel import Layout, PropertyPanel, Told
 
+from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN
+
 
 def _strip_numbers(obj: Any) -> Told:
     return (
@@ -33,6 +35,7 @@ def _strip_numbers(obj: Any) -> Told:
         (translate("Elastica", "Stiffness ratio"), f"{obj.Ratio:.3g}"),
         (translate("Elastica", "Largest strain"), f"{obj.LargestStrain:.2f} % ({obj.StrainUse} %)"),
         (translate("Elastica", "Stability margin"), f"{obj.Margin:.3g}"),
+        (translate("Elastica", "Sideways margin"), _sideways_margin(obj)),
         (translate("Elastica", "Held deviation"), _held_deviation(obj)),
         (translate("Elastica", "Mass"), f"{obj.Mass:.3g} g"),
     )
@@ -43,6 +46,19 @@ def _held_deviation(obj: Any) -> str:
     if not obj.Held:
         return "..."
     return f"{obj.HeldDeviation.Value:.2g} mm" if obj.HeldDeviation.Value else "-"
+
+
+def _sideways_margin(obj: Any) -> str:
+    """Its margin out of the plane; not yet known, or none where it is undecided and the footnote says why."""
+    if not obj.Sideways:
+        return "..."
+    return f"{obj.SidewaysMargin:.3g}" if obj.SidewaysMargin else "-"
+
+
+def _strip_footnote(obj: Any) -> str:
+    """How it strays as made and held, and a warning where it may leave its plane."""
+    stays = obj.SidewaysMargin >= SAFE_MARGIN
+    return "\n".join(words for words in (obj.Held, "" if stays else obj.Sideways) if words)
 
 
 def _is_plain(obj: Any) -> bool:
@@ -148,6 +164,7 @@ STRIP = Layout(
     },
     "Curve",
     _strip_numbers,
+    footnote=_strip_footnote,
 )
 
 MODEL = Layout(

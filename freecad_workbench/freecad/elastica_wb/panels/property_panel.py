@@ -40,6 +40,8 @@ class Layout:
         Numbers below the message: label and value.
     actions : tuple of (label, callable)
         Buttons that put something else in the feature's place, and end the panel.
+    footnote : callable
+        What is known only after the rest, below all boxes.
     """
 
     title: str
@@ -51,6 +53,7 @@ class Layout:
     source: str = ""
     told: Callable[[Any], Told] = lambda _: ()
     actions: tuple[tuple[str, Callable[[Any], None]], ...] = ()
+    footnote: Callable[[Any], str] = lambda _: ""
 
 
 class PropertyPanel(Panel):
@@ -200,7 +203,7 @@ class PropertyPanel(Panel):
         self.form.numbers.setText(worded(f"<table>{rows}</table>") if rows else "")
         self.form.numbers.setVisible(bool(rows))
         self.form.useNearest.setVisible(failed and getattr(obj, "Follow", "") == "Exactly")
-        self.form.footnote.setText("" if failed else getattr(obj, "Held", ""))
+        self.form.footnote.setText("" if failed else layout.footnote(obj))
         self.tell(self._words())
         if layout.source:
             source, edges = getattr(obj, layout.source) or (None, ())
