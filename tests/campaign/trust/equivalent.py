@@ -27,7 +27,7 @@ SAME = 1e-6
 BANK_S = 6.0
 """Processor seconds, without the change, of the requests that one mutant is asked."""
 
-VARYING = re.compile(r"[\w/]*/tmp\w{8}\b|\d{4}-\d\d-\d\dT[\d:]+")
+VARYING = re.compile(r"[\w/]*/tmp\w{8}\b|\d{4}-\d\d-\d\dT[\d:]+|\d+\.\d+[.\d]* @ [\d-]*T?[\d:.+]+")
 """What differs between two runs of the same program: the folder, and the date in files of kernels."""
 
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")

@@ -6,7 +6,8 @@ A comparison turned, an operator swapped, a number moved, a condition negated, a
 For each mutant the tests that run its lines are asked, the quickest first, until one fails. What no quick test
 notices is asked the bank of requests (`equivalent.py`): where all answers stay as they were, the mutant is
 equivalent; else it meets more tests, and what these miss is a survivor, a hole in the tests. A run goes on where
-the record of its seed ends. With --again the survivors of the record are asked anew, the tests of --tests first.
+the record of its seed ends. With --again survived those of the record are asked anew, the tests of --tests and the
+long look first.
 """
 
 import argparse
@@ -128,8 +129,8 @@ def tried(copy, file, number, known, named=()):
 
 
 def _judged(copy, tests, named, known, lines):
-    """The verdict, and what the bank said where it was asked."""
-    quick = [*named, *known.covering.within(tests, FIRST_S)]
+    """The verdict, and what the bank said where it was asked; with tests that are named the long look is first."""
+    quick = [*named, *known.covering.within(tests, LONG_S if named else FIRST_S)]
     if quick and (verdict := asked_tests(copy, quick, NAMED_S if named else FIRST_S)) != "survived":
         return verdict, ""
     equal, said = asked_bank(copy, known.bank, lines)
@@ -170,10 +171,10 @@ def known_of(copy, folder):
     return Known(Covering(covering), Bank(bank))
 
 
-def asked_again(copy, found, known, named):
-    """The record with its survivors tried anew, each as it is tried."""
+def asked_again(copy, found, known, named, verdicts):
+    """The record with those of some verdicts tried anew, each as it is tried."""
     for place, one in enumerate(found):
-        if one["verdict"] == "survived":
+        if one["verdict"] in verdicts:
             found[place] = tried(copy, ROOT / one["file"], one["number"], known, named)
             if found[place]["change"] != one["change"]:
                 sys.exit(f"{one['file']} is no longer as it was: {one['change']}")
@@ -198,7 +199,9 @@ def main():
     parser.add_argument(
         "--known", type=Path, help="where what is known without a change is kept for other runs"
     )
-    parser.add_argument("--again", action="store_true", help="ask the survivors of the record anew")
+    parser.add_argument(
+        "--again", nargs="+", metavar="VERDICT", help="ask those of the record anew: survived ..."
+    )
     parser.add_argument("--tests", nargs="*", default=(), help="with --again: tests that are asked first")
     asked = parser.parse_args()
     asked.out.mkdir(parents=True, exist_ok=True)
@@ -219,7 +222,7 @@ def main():
         if asked_tests(copy, [*asked.tests, *sound], NAMED_S) != "survived":
             sys.exit("tests fail without any change: mend them first")
         if asked.again:
-            turns = asked_again(copy, found, known, asked.tests)
+            turns = asked_again(copy, found, known, asked.tests, asked.again)
         else:
             turns = asked_first(copy, found, known, asked.count, asked.seed)
         for one in turns:

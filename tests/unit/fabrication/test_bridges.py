@@ -69,3 +69,15 @@ def test_refusals():
     for options in ({"width": 0.0}, {"spacing": np.inf}, {"least": 0}):
         with pytest.raises(InputError):
             HoldingTabs(**options)
+
+
+def test_a_bridge_that_would_fall_on_a_corner_moves_off_it():
+    corners = np.array(
+        [(0, 0), (60, 0), (60, 20), (0, 20)]
+    )  # every second bridge would have its middle on one
+    pieces = held(ec.Path.rectangle(60.0, 20.0), width=1.0, least=4, spacing=500.0)
+    assert len(pieces) == 4
+    for before, after in zip(pieces, (*pieces[1:], pieces[0]), strict=True):
+        bridge = np.array([before.path.end, after.path.start])
+        assert np.hypot(*np.diff(bridge, axis=0)[0]) == pytest.approx(1.0)
+        assert np.hypot(*(corners - bridge.mean(axis=0)).T).min() >= 1.0 - 1e-9

@@ -1,5 +1,7 @@
 """Perforated strips: ligaments that sum up to the stiffness, holes that can be cut, refusals that say where."""
 
+import re
+
 import numpy as np
 import pytest
 import shapely
@@ -257,3 +259,14 @@ def test_a_label_stands_on_a_tab_that_is_there(rod, lengths, where):
     assert low[0] > start - lengths[0]
     assert high[0] < rod.length + lengths[1]
     assert np.abs((low + high)[1]) < 0.3
+
+
+def test_a_radius_that_leaves_too_much_at_the_tips_is_told_with_the_share_that_is_there(rod):
+    style = Perforated(width=30.0, columns=1, rows=6, corner_radius=0.6)
+    strip = ec.Strip(rod, CARD, max_width=14.0, style=style, ends=(ec.Tab(12.0),) * 2)
+    (told,) = [text for text in strip.warnings if "too much material" in text]
+    share = float(re.search(r"leaves ([\d.]+) %", told)[1]) / 100
+    place = float(re.search(r"tips at ([\d.]+) mm", told)[1])
+    s = np.linspace(place - 6, place + 6, 2401)
+    there = ligament_sum(strip, s) / strip.layout.material(s) - 1
+    assert there.max() == pytest.approx(share, rel=0.15)

@@ -175,3 +175,20 @@ def test_edges_that_do_not_make_one_smooth_chain_are_refused():
     drop = Edge([0] * 4 + [1] * 4, np.array([(0, 0, 0), (60, 40, 0), (60, -40, 0), (0, 0, 0)]), 3)
     with pytest.raises(InputError, match=r"a corner of 113 degrees at \(0, 0, 0\) mm"):
         placed_curve([drop])
+
+
+@pytest.mark.parametrize(
+    "knots",
+    [
+        np.arange(9.0),
+        [0, 0, 0, 0, 1, 2, 2, 2, 2],
+        [0, 1, 1, 2, 3, 4, 5, 5, 6],
+        [0, 0, 1, 2, 3, 4, 5, 6, 6],
+        [0, 0, 0, 2, 3, 4, 6, 6, 6],
+    ],
+)
+def test_an_edge_ends_where_its_curve_does(knots):
+    edge = Edge(np.array(knots, dtype=float), np.array([(0, 0), (10, 20), (30, 25), (40, 10), (60, 0)]), 3)
+    first, last = edge.at(np.array([knots[3], knots[5]]))
+    assert edge.start == pytest.approx(first)
+    assert edge.end == pytest.approx(last)

@@ -197,3 +197,21 @@ def test_missing_library_is_said_in_one_sentence(svg, tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "svgelements", None)
     with pytest.raises(MissingDependencyError, match=r"reading drawn\.svg needs svgelements"):
         read_curves(tmp_path / "drawn.svg")
+
+
+def test_a_drawing_in_metres_is_as_large_as_it_says(svg):
+    (curve,) = svg(
+        path("M 0.01 0.02 C 0.03 0.08 0.06 0.01 0.09 0.04"),
+        'width="200mm" height="100mm" viewBox="0 0 0.2 0.1"',
+    )
+    wanted = np.array([(10, -20), (30, -80), (60, -10), (90, -40)])
+    assert curve.control_points == pytest.approx(wanted)
+
+
+def test_a_shallow_curve_is_no_straight_line(svg):
+    """300 mm with a rise of 0.15 mm is a curve that somebody drew."""
+    (curve,) = svg(
+        path("M 0 50 C 100 50.2 200 50.2 300 50"), 'width="300mm" height="100mm" viewBox="0 0 300 100"'
+    )
+    assert not curve.is_straight
+    assert np.ptp(curve.sample(101).position[:, 1]) == pytest.approx(0.15, abs=1e-6)
