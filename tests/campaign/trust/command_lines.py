@@ -9,6 +9,10 @@ DRAWN = {
     '<path id="b" d="M 20 180 C 60 110 140 110 200 180"/></svg>',
     "ring.svg": '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 300 200" width="300mm" height="200mm">'
     '<ellipse cx="120" cy="80" rx="100" ry="60"/></svg>',
+    "shallow.svg": '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 300 200" width="300mm" height="200mm">'
+    '<path d="M 0 50 C 100 50.2 200 50.2 300 50"/></svg>',
+    "metres.svg": '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 0.2 0.1" width="200mm" height="100mm">'
+    '<path d="M 0.01 0.02 C 0.03 0.06 0.06 0.06 0.09 0.03"/></svg>',
     "long.txt": "3 4\n0 0\n3000 1500\n6000 1500\n9000 0\n",
     "felt.toml": "[sheets.felt]\nthickness_mm = 1\nyoungs_modulus_MPa = 20\ndensity_kg_m3 = 200\n"
     'max_strain = 0.05\nsource = "measured"\n',
@@ -80,4 +84,11 @@ LINES = (
     "sheets", "sheets felt.toml", "sheets pom-0.5",
     "batten --sheet pom-1 --length 900 --camber 10 --at 40 --stock 25 8 --least 3 -o out",
     "batten --sheet pom-1 --length 900 --camber 12 --at 45 --rod 12 --lying up -o out",
+    "batten --sheet pom-1 --length 900 --camber 10 --at 40 --stock 25 8 --least 3 --weight -o out",
+    "batten --sheet pom-1 --length 900 --camber 10 --at 40 --stock 25 8 --least 3 --leaves 4 -o out",
+    "batten --sheet pom-1 --length 900 --camber 10 --at 40 --stock 25 8 --least 3 --full 30 -o out",
+    "strip shallow.svg --sheet pom-1 --max-width 20 -o out --end pinned",
+    "strip metres.svg --sheet pom-1 --max-width 20 -o out",
+    "strip wave.txt --sheet birch-plywood-0.8 --max-width 60 -o out --gravity --nearest",
+    CARD + "--style perforated --outer-width 40 --corner-radius 0.6 --rows 5 --columns 1 --max-width 14",
 )  # fmt: skip

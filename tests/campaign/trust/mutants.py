@@ -111,8 +111,11 @@ def mutants(count, seed):
     return found
 
 
-def tried(copy, file, number, known, named=()):
-    """What was changed, and the verdict: killed, too long, equivalent, or survived, and what the bank said."""
+def tried(copy, file, number, known, look=FIRST_S, named=()):
+    """What was changed, and the verdict: killed, too long, equivalent, or survived, and what the bank said.
+
+    The tests of a first look of so many seconds are asked before the bank, and before them those that are named.
+    """
     path, text = copy / file.relative_to(ROOT), file.read_text()
     tree = ast.parse(text)
     node, field = list(places(tree))[number]
@@ -121,22 +124,22 @@ def tried(copy, file, number, known, named=()):
     told = changed(node, field, at_top=any(node in ast.walk(one) for one in tree.body if _is_constant(one)))
     path.write_text(ast.unparse(tree))
     try:
-        verdict, said = _judged(copy, tests, named, known, lines)
+        first = [*named, *known.covering.within(tests, look)]
+        verdict, said = _judged(copy, first, look + NAMED_S * bool(named), tests, known, lines)
     finally:
         path.write_text(text)
     place = {"file": str(file.relative_to(ROOT)), "number": number, "change": told}
     return {**place, "tests": len(tests), "verdict": verdict, **({"bank": said} if said else {})}
 
 
-def _judged(copy, tests, named, known, lines):
-    """The verdict, and what the bank said where it was asked; with tests that are named the long look is first."""
-    quick = [*named, *known.covering.within(tests, LONG_S if named else FIRST_S)]
-    if quick and (verdict := asked_tests(copy, quick, NAMED_S if named else FIRST_S)) != "survived":
+def _judged(copy, first, seconds, tests, known, lines):
+    """The verdict, and what the bank said where it was asked."""
+    if first and (verdict := asked_tests(copy, first, seconds)) != "survived":
         return verdict, ""
     equal, said = asked_bank(copy, known.bank, lines)
     if equal:
         return "equivalent", said
-    more = [test for test in known.covering.within(tests, LONG_S) if test not in quick]
+    more = [test for test in known.covering.within(tests, LONG_S) if test not in first]
     if more and (verdict := asked_tests(copy, more, LONG_S)) != "survived":
         return verdict, said
     return "survived", said
@@ -175,7 +178,7 @@ def asked_again(copy, found, known, named, verdicts):
     """The record with those of some verdicts tried anew, each as it is tried."""
     for place, one in enumerate(found):
         if one["verdict"] in verdicts:
-            found[place] = tried(copy, ROOT / one["file"], one["number"], known, named)
+            found[place] = tried(copy, ROOT / one["file"], one["number"], known, LONG_S, named)
             if found[place]["change"] != one["change"]:
                 sys.exit(f"{one['file']} is no longer as it was: {one['change']}")
             yield found[place]

@@ -127,8 +127,8 @@ def typed(words: list[str]) -> object:
 
 def typed_line(line: str) -> object:
     """A command where the drawings are that it names."""
-    for name, text in DRAWN.items():
-        Path(name).write_text(text)
+    for name in (name for name in DRAWN if name in line):
+        Path(name).write_text(DRAWN[name])
     return typed(shlex.split(line))
 
 

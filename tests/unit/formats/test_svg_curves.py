@@ -1,10 +1,11 @@
 import sys
+from itertools import pairwise
 
 import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError, MissingDependencyError
-from elastica_cad.files import read_curves
+from elastica_cad.files import read_curves, read_drawing
 
 PX = 25.4 / 96
 
@@ -215,3 +216,21 @@ def test_a_shallow_curve_is_no_straight_line(svg):
     )
     assert not curve.is_straight
     assert np.ptp(curve.sample(101).position[:, 1]) == pytest.approx(0.15, abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("d", "joints"),
+    [
+        ("M 0 0 L 40 0 L 40 30 L 90 60", [("", "J1"), ("J1", "J2"), ("J2", "")]),
+        ("M 0 0 L 40 0 L 40 30 Z", [("J3", "J1"), ("J1", "J2"), ("J2", "J3")]),
+    ],
+)
+def test_pieces_between_corners_are_counted_and_say_where_they_meet(svg, tmp_path, d, joints):
+    svg(path(d))
+    (whole,) = read_drawing(tmp_path / "drawn.svg").curves
+    pieces = whole.split_at_corners()
+    assert [(one.piece, one.pieces) for one in pieces] == [(1, 3), (2, 3), (3, 3)]
+    assert [one.joints for one in pieces] == joints
+    assert sum(one.curve.length for one in pieces) == pytest.approx(whole.curve.length)
+    for before, after in pairwise(pieces):
+        assert before.curve.sample(2).position[-1] == pytest.approx(after.curve.sample(2).position[0])
