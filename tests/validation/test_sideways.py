@@ -17,6 +17,7 @@ from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.strip_sideways import strip_sideways
 from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import End, Supports
 from elastica_cad.mechanics.material.laminated_section import LaminatedSection
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -259,3 +260,14 @@ def test_the_word_follows_the_margin_and_wide_strips_are_left_undecided():
     assert sideways_stability(rod, 5.0, 0.8).word == "unstable"
     assert sideways_stability(rod, 80.0, 0.8).word == "undecided"
     assert sideways_stability(pushed_together(0.4), 5.0, 0.8).word == "ample"
+
+
+def test_a_strip_is_as_safe_drawn_from_either_end():
+    """A cantilever under its weight, wider at its clamp: free at its last end, or at its first."""
+    free, wide = End(x=False, y=False, angle=False), np.linspace(8.0, 4.0, 101)
+    margins = []
+    for ends, stiffness in ((Supports(end=free), wide), (Supports(start=free), wide[::-1])):
+        rod = bend(Rod.straight(200.0, stiffness, gravity=Gravity(150.0, (0, -1)), supports=ends))
+        margins.append(sideways_stability(rod, stiffness, 0.8).margin)
+    assert margins[1] == pytest.approx(margins[0], rel=1e-6)
+    assert margins[0] > 0

@@ -270,3 +270,18 @@ def test_a_radius_that_leaves_too_much_at_the_tips_is_told_with_the_share_that_i
     s = np.linspace(place - 6, place + 6, 2401)
     there = ligament_sum(strip, s) / strip.layout.material(s) - 1
     assert there.max() == pytest.approx(share, rel=0.15)
+
+
+@pytest.mark.parametrize("rows", [4, 8, 16, 24])
+def test_ligaments_that_lean_too_far_are_told_with_their_angle(rod, rows):
+    """The angle is that between a hole's sides and the strip, where it is steepest."""
+    strip = ec.Strip(rod, CARD, max_width=12.0, style=Perforated(width=30.0, columns=2, rows=rows))
+    leans = []
+    for hole in strip.holes:
+        steps = np.abs(np.diff(hole.points(1e-3), axis=0))
+        lean = np.degrees(np.arctan2(steps[:, 1], steps[:, 0]))
+        leans.append(lean[lean < 80].max())  # without the ends of a hole, which run across
+    told = [text for text in strip.warnings if "ligaments lean" in text]
+    assert bool(told) == (max(leans) > 30)
+    if told:
+        assert float(re.search(r"lean (\d+) degrees", told[0])[1]) == pytest.approx(max(leans), abs=2)
