@@ -19,7 +19,7 @@ DAMPED = 5.0  # times as much after a correction that did not help
 LEAST_GAIN = 0.9  # of what is left in one round: a round that leaves more is the last
 LARGEST_GUESS = 0.5  # of the logarithm of a width's change
 SMOOTHINGS = (2e-2, 1e-2, 5e-3, 2e-3)  # of corrections: the next where the smoother one leaves too much
-LEFT_SHARE = 4e-4  # of the length: what a correction may leave
+LEFT_SHARE = 2.8e-4  # of the length: what a correction may leave
 ENOUGH_SHARE = 1e-5  # of the length: a deviation that needs no correction
 
 

@@ -1,11 +1,15 @@
 """The paper's Pavilion: its slots against the published coded version, and how they act."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
+from elastica_cad.fabrication.holders.plate_pair import plate_pair
+from elastica_cad.fabrication.holders.tab_seats import held_shapes
 from elastica_cad.fabrication.model.compensated_model import interlock_compensated
+from elastica_cad.fabrication.strip.tabs import Tab
 
 
 @pytest.fixture(scope="module")
@@ -101,3 +105,15 @@ def test_widths_that_make_up_for_slots_keep_every_joint(pavilion):
         assert wider == any(
             f"{strip.label} is " in text and "still locks" in text for text in made_up.reports
         )
+
+
+def test_two_plates_hold_what_compensation_leaves(pavilion):
+    """In slots moved against the load of the strip as it is made, tabs lie as designed: nothing is added."""
+    model = pavilion(3)
+    feet = model.with_strips([replace(one, ends=(Tab(16, width=18),) * 2) for one in model.strips])
+    made_up = interlock_compensated(feet, {strip.label for strip in feet.strips}, clearance=0.1)
+    for locked, most in ((feet.interlock(clearance=0.1), 1.0), (made_up, 0.1)):
+        plates = plate_pair(locked.placed, "hdf-1.5", gap=10, slot_width=0.7, play=0.5)
+        held = [shape.deviation for shape in held_shapes(locked.placed, plates)]
+        assert held == pytest.approx([strip.held_deviation for strip in locked.strips], abs=0.01)
+        assert max(held) < most

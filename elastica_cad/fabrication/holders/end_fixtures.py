@@ -158,7 +158,7 @@ class EndFixture:
         bends is told by `Strip.held`.
         """
         straight = replace(self, lean=(0.0, 0.0)).seat
-        return replace(self, lean=lean_against(strip.rod, ENDS.index(end), straight))
+        return replace(self, lean=lean_against(strip.as_made.loaded, ENDS.index(end), straight))
 
     @property
     def label(self) -> str:

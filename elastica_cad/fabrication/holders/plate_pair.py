@@ -182,7 +182,10 @@ def needed_length(tab: PlacedTab, first: BasePlate | Ring, gap: float) -> float:
 
 
 def lean_pair(placed: Sequence[Placed], plates: tuple[Plate, Plate]) -> tuple[Plate, Plate]:
-    """The plates with their slots moved so that every loaded tab, play taken up and bent, lies as designed."""
+    """The plates with their slots moved so that every loaded tab, play taken up and bent, lies as designed.
+
+    The load is that of the strip as it is made: slots and widths that make up for them change it.
+    """
     first, second = plates
     for _ in range(LEAN_ROUNDS):
         seats, moves = tab_seats((first, second)), dict[tuple[float, ...], tuple[float, float]]()
@@ -193,8 +196,9 @@ def lean_pair(placed: Sequence[Placed], plates: tuple[Plate, Plate]) -> tuple[Pl
                 if key in seats:
                     alike = (id(one.strip), index, seats[key].places)
                     if alike not in known:
-                        ratio = one.strip.as_made.tab_ratios()[index]
-                        known[alike] = lean_against(one.strip.rod, index, seats[key], ratio)
+                        loaded = one.strip.as_made.loaded
+                        ratio = one.strip.as_made.tab_ratios(loaded)[index]
+                        known[alike] = lean_against(loaded, index, seats[key], ratio)
                     moves[key] = known[alike]
         first, second = (
             replace(plate, slots=tuple(_moved(slot, plate, moves) for slot in plate.slots))

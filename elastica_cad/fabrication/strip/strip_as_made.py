@@ -7,6 +7,7 @@ from functools import cached_property
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad.errors import NotConvergedError
 from elastica_cad.fabrication.holding.held_shape import HeldShape, Seats, strayed
 from elastica_cad.fabrication.holding.lap_joint import LapJoint, closes
 from elastica_cad.fabrication.holding.rest_in_seats import rest_in_seats
@@ -94,6 +95,14 @@ class StripAsMade:
             No rest shape was found.
         """
         return rest_in_seats(self.rod, self.design, seats, self.tab_ratios(self.rod))[0]
+
+    @cached_property
+    def loaded(self) -> Rod:
+        """Its shape with both ends held as designed, with what it does to its holders; the design where none."""
+        try:
+            return self.rest()
+        except NotConvergedError:
+            return self.design
 
     def held(self, seats: Seats, asked: "StripAsMade") -> HeldShape:
         """The same with what each cause does alone to the strip as it was asked for, before any correction."""
