@@ -123,6 +123,16 @@ class TestLimits:
         assert limit.before.position[-1] == pytest.approx([0.3, 0.1])
         assert set(np.round(limit.parameters, 9)) >= {0.0, 1.0, 2.0, 3.0}
 
+    def test_a_moment_on_the_free_end_bends_a_cantilever_to_an_arc(self):
+        """A single number is the moment on the last end: over a stiffness of 1 that is its curvature."""
+        held = Rod.straight(100.0, supports=Supports("clamped", "free"))
+        limit = stability_limit(held, [{"moment": 0.05}])
+        assert limit.kind is None
+        assert limit.at["moment"] == pytest.approx((0.0, 0.05))
+        assert limit.before.curvature == pytest.approx(np.full(held.s.size, 0.05), abs=1e-9)
+        twice = stability_limit(limit.before, [2.0])
+        assert twice.before.curvature == pytest.approx(np.full(held.s.size, 0.1), abs=1e-9)
+
     def test_unstable_from_the_start(self):
         rod = bend(Rod.straight(1.0, samples=101), end=(0.9, 0.0), mode=2)
         with pytest.raises(InputError, match="unstable from the start"):
