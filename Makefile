@@ -58,8 +58,12 @@ test-programs: $(VENV)/test-installed
 	tests/programs/setup.sh
 	$(BIN)/python -m pytest tests/programs
 
+# Ratios of times in one run, on a machine that does nothing else; docs/explanation/speed.md is written anew.
 benchmark: $(VENV)/benchmark-installed
-	$(BIN)/python -m pytest tests/benchmarks --benchmark-enable --benchmark-only -o addopts="-q --import-mode=importlib"
+	@mkdir -p $(OUT)
+	$(BIN)/python -m pytest tests/benchmarks --benchmark-enable --benchmark-only -o addopts="-q --import-mode=importlib" \
+		--benchmark-json=$(OUT)/benchmark.json
+	$(BIN)/python docs/speed_tables.py $(OUT)/benchmark.json
 
 # Strips bent by finite elements, then what three kernels do to the bodies of thirty curves in five styles: hours;
 # CAMPAIGN="--styles plain" asks less of the kernels. Then files and commands that are broken on purpose, verdicts checked

@@ -24,6 +24,7 @@ MADE = {
     "design_files": "lamp-kit/sheets/*.dxf",
     "forces": "spring/straight-travel.png",
     "holding": "kit/parts/*base*.dxf",
+    "install": "out/arch.png",
     "meshes": "kit/sheets/*.dxf",
     "messages": "out/arch.png",
     "models": "kit/sheets/*.dxf",

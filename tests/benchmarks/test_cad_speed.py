@@ -58,7 +58,7 @@ def test_one_strip(benchmark, kind, limit):
 def test_assembly_of_31_slotted_strips(benchmark):
     """31 different strips with six slots each, as bodies in their places; the STEP file is told apart."""
     slots = tuple(Slot(at=25.0 + 25 * k, width=1, side="upper" if k % 2 else "lower") for k in range(6))
-    model = Model(tuple(Placed(arch(float(k), slots), (0, 0, 40 * k)) for k in range(31)), name="many")
+    model = Model(tuple(Placed(arch(0.5 * k, slots), (0, 0, 40 * k)) for k in range(31)), name="many")
     parts = benchmark.pedantic(lambda: step.model_shapes(model), rounds=2)
     assert len({id(part.shape) for part in parts}) == 31
     whole = seconds(lambda: step.model_shapes(model), 3)

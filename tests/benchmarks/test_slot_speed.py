@@ -14,7 +14,7 @@ def seconds(function, repeats=3):
     return min(found)
 
 
-def test_slots_cost_a_few_times_the_strips(pavilion):
+def test_slots_cost_a_few_times_the_strips(benchmark, pavilion):
     """All pairs of 31 strips searched, 102 slots found, cut, and refused where they meet (paper: 3.93 s)."""
     model = pavilion()
     assert all(strip.outline.closed for strip in model.strips)
@@ -23,6 +23,8 @@ def test_slots_cost_a_few_times_the_strips(pavilion):
     def rods():
         return [optimal_rod(strip.rod.curve, gravity=gravity) for strip in model.strips]
 
+    benchmark.pedantic(model.interlock, rounds=3)
     slots = seconds(model.interlock)
+    benchmark.extra_info["ratio"] = slots / seconds(rods)
     assert slots < 3.9 / 2
-    assert slots < 6 * seconds(rods)
+    assert benchmark.extra_info["ratio"] < 6

@@ -120,11 +120,22 @@ def test_no_sentence_lacks_a_translation(language):
 
 
 @pytest.fixture
+def chinese(monkeypatch):
+    """The Chinese words."""
+    yield from spoken_in("zh-CN", monkeypatch)
+
+
+@pytest.fixture
 def german(monkeypatch):
-    """The German words, without a window that would load them."""
-    words = known("de")
+    """The German words."""
+    yield from spoken_in("de", monkeypatch)
+
+
+def spoken_in(language, monkeypatch):
+    """The words of a language, without a window that would load them."""
+    words = known(language)
     monkeypatch.setattr(sentences, "translate", lambda _context, text: words.get(text, text))
-    monkeypatch.setattr(sentences, "_language", lambda: "German")
+    monkeypatch.setattr(sentences, "_language", lambda: language)
     sentences._keys.cache_clear()
     sentences._translated.cache_clear()
     yield
@@ -158,7 +169,34 @@ def test_a_sentence_is_known_by_its_key(monkeypatch):
         "so wie er gemacht und gehalten ist, weicht der Streifen 1,2 mm von seinem Entwurf ab, "
         "0,59 % seiner Länge; jede Ursache für sich: 1,1 mm durch Schlitze; 0,15 mm durch schmale Laschen"
     )
+    thin = (
+        "A1: only 2.53 mm wide at 9.88 mm along it, 3 mm are needed in birch-plywood-0.8; only 2.54 mm wide "
+        "at 158 mm along it, 3 mm are needed in birch-plywood-0.8; make it wider (max_width), or ask for the "
+        "nearest curve with a smaller ratio. To make it all the same, set anyway (--anyway)."
+    )
+    assert not re.search(r"\b(only|are|needed|make|along)\b", user_units.worded(thin)), user_units.worded(
+        thin
+    )
+    assert user_units.worded("margin 96.5.") == "margin 96,5."
+    assert user_units.worded(
+        "elasto-gravity length 98.16 +- 0.75 mm\nreadings 96.99, 98.62 mm\nE 2782 +- 63 MPa"
+    ) == ("elasto-gravitative Länge 98,16 +- 0,75 mm\nMesswerte 96,99; 98,62 mm\nE 2782 +- 63 MPa")
     assert user_units.worded("what nobody knows") == "what nobody knows"
+
+
+@pytest.mark.usefixtures("chinese")
+def test_lines_of_a_card_are_told_each_for_itself():
+    crossed = (
+        "The line through its inflections crosses the curve at 45.68 and 497.4 mm, where the moment would vanish "
+        "or change sign and the curvature does not: move the curve off the line there, or support the strip "
+        "between there and the inflections beside it."
+    )
+    alone = user_units.worded(crossed)
+    assert "at " not in alone
+    assert (
+        user_units.worded(f"{crossed}\nThe nearest curve is 13.4 mm away.")
+        == f"{alone}\n最近曲线距此 13.4 mm。"
+    )
 
 
 @pytest.mark.usefixtures("german")

@@ -59,7 +59,7 @@ def _tell_faults(faults: Iterable[Fault]) -> str:
     found: dict[tuple[str, str], list[str]] = {}
     for fault in faults:
         found.setdefault((fault.part, fault.cure), []).append(fault.what)
-    return " ".join(f"{part}: {', and '.join(whats)}; {cure}." for (part, cure), whats in found.items())
+    return " ".join(f"{part}: {'; '.join(whats)}; {cure}." for (part, cure), whats in found.items())
 
 
 def accept_faults(faults: Sequence[Fault], anyway: bool) -> tuple[str, ...]:

@@ -2651,6 +2651,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>readings %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>elasto-gravity length %1 +- %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the section is closed (it passes (%1, %2, %3) mm): a strip has two ends, so %4</source>
         <translation type="unfinished"></translation>
     </message>

@@ -2663,6 +2663,14 @@
         <translation>jeder Schnitt ist eine geschlossene Linie, und ein Streifen hat zwei Enden: unter Geschlossene Linien wählen, wie sie geteilt werden</translation>
     </message>
     <message>
+        <source>readings %1 mm</source>
+        <translation>Messwerte %1 mm</translation>
+    </message>
+    <message>
+        <source>elasto-gravity length %1 +- %2 mm</source>
+        <translation>elasto-gravitative Länge %1 +- %2 mm</translation>
+    </message>
+    <message>
         <source>the section is closed (it passes (%1, %2, %3) mm): a strip has two ends, so %4</source>
         <translation>der Schnitt ist geschlossen (er geht durch (%1, %2, %3) mm): ein Streifen hat zwei Enden; %4</translation>
     </message>

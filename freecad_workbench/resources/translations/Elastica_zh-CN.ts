@@ -2663,6 +2663,14 @@
         <translation>每个截面都是闭合线，而条带有两个端点：请在“闭合线”下选择如何分割</translation>
     </message>
     <message>
+        <source>readings %1 mm</source>
+        <translation>读数 %1 mm</translation>
+    </message>
+    <message>
+        <source>elasto-gravity length %1 +- %2 mm</source>
+        <translation>弹性重力长度 %1 +- %2 mm</translation>
+    </message>
+    <message>
         <source>the section is closed (it passes (%1, %2, %3) mm): a strip has two ends, so %4</source>
         <translation>截面是闭合的（经过 (%1, %2, %3) mm）：条带有两端；%4</translation>
     </message>

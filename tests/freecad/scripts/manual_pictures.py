@@ -19,12 +19,14 @@ from inside import (
     fill,
     fit,
     live_at_rest,
+    looks_from,
     panel,
     picture,
     run,
     sketch,
+    still,
     trigger,
-    wait,
+    until,
     window,
 )
 
@@ -67,12 +69,40 @@ def strip_of(points=ARCH, label="A1", width=40, name="Sketch", upright=True):
 
 
 def look(name, top=False):
-    """The window as it is, from the top or from a corner."""
+    """The window when nothing in it moves any more, from the top or from a corner."""
     tidy()
     Gui.Selection.clearSelection()
     fit("Top" if top else "Isometric")
-    wait(700)
+    still(shown, quiet=0.6)
     picture(f"{name}.png")
+
+
+def shown():
+    """What a person reads in the window: its texts, what stands in its fields, what is drawn."""
+    main = Gui.getMainWindow()
+    fields = [
+        (field.objectName(), field.text(), field.geometry().getRect())
+        for kind in (QtWidgets.QLabel, QtWidgets.QLineEdit, QtWidgets.QPushButton)
+        for field in main.findChildren(kind)
+        if field.isVisible()
+    ]
+    objects = App.ActiveDocument.Objects if App.ActiveDocument is not None else ()
+    return fields, [(one.Name, one.State) for one in objects], looks_from()
+
+
+def is_open():
+    """Is a panel of ours open, with all that it tells?"""
+    opened = panel()
+    return opened is not None and Gui.Control.activeDialog() and opened.form.isVisible()
+
+
+def opened(command, *chosen):
+    """The panel of a command, when it has told what it tells at first."""
+    choose(*chosen)
+    assert trigger(command), command
+    assert until(is_open), command
+    at_rest()
+    return panel()
 
 
 def close():
@@ -81,21 +111,17 @@ def close():
         panel().reject()
     if Gui.ActiveDocument is not None and Gui.ActiveDocument.getInEdit() is not None:
         Gui.ActiveDocument.resetEdit()
-    wait(200)
+        assert until(lambda: Gui.ActiveDocument.getInEdit() is None)
+    assert until(lambda: not Gui.Control.activeDialog())
     for name in list(App.listDocuments()):
         App.closeDocument(name)
-    wait(200)
+    assert until(lambda: not App.listDocuments())
 
 
 def by_panel(command, *chosen, top=False, **values):
     """Choose, press, fill in, look."""
-    choose(*chosen)
-    assert trigger(command), command
-    wait(500)
+    fill(opened(command, *chosen), **values)
     at_rest()
-    fill(panel(), **values)
-    at_rest()
-    wait(900)
     look(command.removeprefix("Elastica_").lower(), top=top)
     close()
 
@@ -107,13 +133,12 @@ def in_sketch(command, points, name):
     made = drawn(points, upright=False, poles=True)
     Gui.ActiveDocument.setEdit(made.Name)
     Gui.activateWorkbench("ElasticaWorkbench")
-    wait(300)
+    assert until(lambda: Gui.ActiveDocument.getInEdit() is not None)
     if command == "Elastica_Live":
         observers.switch(made, on=True)
     else:
         assert trigger(command), command
     live_at_rest()
-    wait(900)
     look(name, top=True)
     close()
 
@@ -125,17 +150,22 @@ def crossing():
 
 def standing():
     """Two strips that are slotted into each other, in printed blocks."""
-    choose(*crossing())
-    assert trigger("Elastica_Interlock")
-    wait(500)
-    panel().accept()
-    wait(500)
-    choose(next(one for one in App.ActiveDocument.Objects if hasattr(one, "Strips")))
-    assert trigger("Elastica_Fixtures")
-    wait(900)
-    panel().accept()
-    wait(500)
+    opened("Elastica_Interlock", *crossing()).accept()
+    assert until(lambda: not Gui.Control.activeDialog())
+    model = next(one for one in App.ActiveDocument.Objects if hasattr(one, "Strips"))
+    opened("Elastica_Fixtures", model).accept()
+    assert until(lambda: not Gui.Control.activeDialog())
     look("model")
+    close()
+
+
+def nested():
+    """What two strips are cut from; this tool has no panel."""
+    choose(*crossing())
+    before = len(App.ActiveDocument.Objects)
+    assert trigger("Elastica_Nest")
+    assert until(lambda: len(App.ActiveDocument.Objects) > before)
+    look("nest")
     close()
 
 
@@ -168,37 +198,29 @@ def work():
     in_sketch("Elastica_Between", ARCH, "between")
     by_panel("Elastica_Check", drawn(BAD, upright=False), top=True)
     by_panel("Elastica_Nearest", drawn(BAD, upright=False), top=True)
-    by_panel("Elastica_Projective", drawn(WAVE, upright=False), top=True)
+    by_panel("Elastica_Projective", drawn(HILL, upright=False), top=True, x3=250.0, y3=230.0)
     by_panel("Elastica_Strip", drawn(), MaxWidth=40.0)
     by_panel("Elastica_Perforate", strip_of(), OuterWidth=40.0)
     by_panel("Elastica_Laminate", strip_of(), OuterWidth=40.0)
     by_panel("Elastica_Bend", strip_of(upright=False), top=True, EndX=-40.0)
-    choose(strip_of())
-    assert trigger("Elastica_Tolerance")
-    wait(500)
-    fill(panel(), samples=12)
+    fill(opened("Elastica_Tolerance", strip_of()), samples=12)
     panel().run()
     look("tolerance")
     close()
     by_panel("Elastica_Interlock", *crossing())
     by_panel("Elastica_Fixtures", strip_of())
     standing()
-    by_panel("Elastica_Nest", *crossing())
-    choose(strip_of())
-    assert trigger("Elastica_Export")
-    wait(500)
-    panel().form.folder.setText("/home/me/arch")
+    nested()
+    opened("Elastica_Export", strip_of()).form.folder.setText("/home/me/arch")
     look("export")
     close()
     App.newDocument("Manual")
-    choose()
-    assert trigger("Elastica_Coupon")
-    wait(500)
-    panel().form.sheet.setCurrentText("card-200gsm")
+    opened("Elastica_Coupon").form.sheet.setCurrentText("card-200gsm")
     panel().make()
     point = QtCore.QLocale().decimalPoint()
     panel().form.readings.setText(f"100 = 13{point}5; 120 = 26")
     panel().form.readings.textEdited.emit("")
+    at_rest()
     look("coupon", top=True)
     close()
     App.newDocument("Manual")

@@ -19,7 +19,7 @@ __all__ = ["CONTEXT", "decimal_point", "translated"]
 
 CONTEXT = "ElasticaSentences"
 GAP = re.compile(r"%(\d)")
-BREAKS = ("\n", r"(?<=\.) (?=[A-Z])", "(?<=;) ")  # between sentences that were put together
+BREAKS = (r"(?<=\.) (?=[A-Z])", "(?<=;) ", "(?<=:) ")  # between sentences that were put together
 ONE = r"((?:(?!\. [A-Z]).)*?)"  # what fills a gap: no second sentence
 TELLING = 12  # letters of a key that stands for a whole text; shorter ones are for parts of one
 
@@ -90,6 +90,10 @@ def _translated(sentence: str, language: str) -> str:
     keys = _keys(language)
     if not keys or not re.search("[a-z]", sentence):
         return sentence
+    if "\n" in sentence:  # no key spans lines
+        return "\n".join(_translated(line, language) for line in sentence.split("\n"))
+    if sentence.endswith(";"):  # one of a list
+        return _translated(sentence[:-1], language) + ";"
     for whole in (True, False):
         for key in keys:
             found = key.filled(sentence) if key.letters >= TELLING or not whole else None
@@ -99,10 +103,10 @@ def _translated(sentence: str, language: str) -> str:
         for between in BREAKS:
             parts = re.split(between, sentence)
             if len(parts) > 1:
-                return ("\n" if between == "\n" else " ").join(_translated(part, language) for part in parts)
+                return " ".join(_translated(part, language) for part in parts)
     blank = sentence.strip()
     if blank != sentence:
         return sentence.replace(blank, _translated(blank, language))
-    if sentence.endswith(";"):  # one of a list
-        return _translated(sentence[:-1], language) + ";"
+    if sentence.endswith("."):  # a key that stands at the end
+        return _translated(sentence[:-1], language) + "."
     return translate("Elastica", sentence)

@@ -16,7 +16,7 @@ BETWEEN = r"(?:, |; |、|,? (?:and|und|和|to|bis|至|到|or|oder|或|x|by|mal|�
 LIST = rf"\(?{NUMBER}\)?(?:{BETWEEN}\(?{NUMBER}\)?)*"
 # 1/mm, mm2 and N/mm2 are no lengths; 0.8mm in the name of a file is not followed by one either
 LENGTHS = re.compile(rf"(?<![\w./])({LIST})( |&nbsp;)mm(?![\w²/^*])")
-DECIMAL = re.compile(r"(?<![\w./-])(-?\d+)\.(\d+)(?![\w./])")
+DECIMAL = re.compile(r"(?<![\w./-])(-?\d+)\.(\d+)(?![\w/]|\.\w)")
 
 
 @dataclass(frozen=True)

@@ -39,7 +39,7 @@ class SheetsPanel(Panel):
             return
         sheet = self.own.get(name) or sheet_called(name)
         self.form.name.setText(name)
-        self.form.source.setText(sheet.source)
+        self.form.source.setPlainText(sheet.source)
         for field in NUMBERS:
             set_value(getattr(self.form, field), getattr(sheet, field))
         self.tell(
@@ -67,7 +67,8 @@ class SheetsPanel(Panel):
     def sheet(self) -> Sheet:
         """The sheet that the widgets describe."""
         numbers = {field: self.value(field) for field in NUMBERS}
-        return Sheet(self.form.name.text().strip(), source=self.form.source.text(), **numbers)
+        source = " ".join(self.form.source.toPlainText().split())
+        return Sheet(self.form.name.text().strip(), source=source, **numbers)
 
     def finished(self) -> None:
         """Write the user's sheets."""

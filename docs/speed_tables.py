@@ -1,0 +1,242 @@
+"""Writes explanation/speed.md: python docs/speed_tables.py [FILE] [--busy].
+
+FILE is what `make benchmark` writes (pytest-benchmark's JSON); what the page tells of it is kept in
+tests/benchmarks/measured.json. Without it the page is written from what was kept. --busy tells that the machine had
+other work.
+"""
+
+import argparse
+import json
+import re
+from collections.abc import Iterator
+from datetime import datetime
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).resolve().parents[1]
+PAGE = ROOT / "docs" / "explanation" / "speed.md"
+KEPT = ROOT / "tests" / "benchmarks" / "measured.json"
+
+HEAD = """# Speed: ours beside others in the same run
+
+`make benchmark` writes this page (`docs/speed_tables.py`, from `tests/benchmarks`). Seconds are medians and hang on
+the machine; a ratio divides our time by the peer's in the same run and hangs on it little, less than 1 is faster.
+"""
+
+PEERS = {
+    "test_nearest_against_ipopt.py::test_sixteen_light_curves_against_ipopt": (
+        "`nearest_rod`: the sixteen light curves of the Flower Pot, the median of their ratios",
+        "IPOPT through casadi: the same rod of 201 nodes and 20 coefficients, exact derivatives",
+    ),
+    "test_lp_cost.py::test_row_generation_against_all_rows[200]": (
+        "least stiffness ratio of a half ellipse, 200 samples",
+        "HiGHS: the program of Eq. 4 with all rows",
+    ),
+    "test_lp_cost.py::test_row_generation_against_all_rows[2000]": (
+        "the same, 2000 samples",
+        "HiGHS: the program of Eq. 4 with all rows",
+    ),
+    "test_lp_cost.py::test_gravity_against_the_full_program": (
+        "least stiffness ratio under weight, 500 samples",
+        "HiGHS: the program of Eq. 6 with all rows",
+    ),
+    "test_lp_cost.py::test_all_strips_of_the_gallery": (
+        "least stiffness ratios of all strips of nine models",
+        "HiGHS: the programs of the paper with all rows",
+    ),
+    "test_rod_speed.py::test_bend_against_solve_bvp": (
+        "`bend`: 201 nodes between two clamps",
+        "`scipy.integrate.solve_bvp`, to 1e-6",
+    ),
+    "test_rod_speed.py::test_stability_against_the_dense_constrained_eigenproblem": (
+        "`stability` of 1001 nodes",
+        "numpy: eigenvalues of the dense projected Hessian",
+    ),
+}  # fmt: skip
+"""What is measured beside a solver of others, and which one."""
+
+OURS = {
+    "test_lp_cost.py::test_cost_hardly_grows_with_the_samples": (
+        "least stiffness ratio, 20,000 samples",
+        "the same with 200 samples",
+    ),
+    "test_rod_speed.py::test_cost_is_linear_up_to_20000[bend]": ("`bend` of 20,001 nodes", "5001 nodes"),
+    "test_rod_speed.py::test_cost_is_linear_up_to_20000[stability]": (
+        "`stability` of 20,001 nodes",
+        "5001 nodes",
+    ),
+    "test_drawn_curve_speed.py::test_drawn_curve_against_its_evaluations[check_equilibrium-arch]": (
+        "verdict of Theorem 1, a drawn arch",
+        "100 evaluations of the curve at 601 points",
+    ),
+    "test_drawn_curve_speed.py::test_drawn_curve_against_its_evaluations[check_equilibrium-wave]": (
+        "the same, a wave",
+        "100 evaluations of the curve at 601 points",
+    ),
+    "test_drawn_curve_speed.py::test_drawn_curve_against_its_evaluations[optimal_rod-arch]": (
+        "`optimal_rod`, a drawn arch",
+        "100 evaluations of the curve at 601 points",
+    ),
+    "test_drawn_curve_speed.py::test_drawn_curve_against_its_evaluations[optimal_rod-wave]": (
+        "the same, a wave",
+        "100 evaluations of the curve at 601 points",
+    ),
+    "test_pattern_speed.py::test_rounded_holes": (
+        "all holes of a perforated strip rounded together",
+        "one after the other",
+    ),
+    "test_slot_speed.py::test_slots_cost_a_few_times_the_strips": (
+        "the Pavilion interlocked: 102 slots in 31 strips",
+        "its 31 rods under their weight",
+    ),
+}
+"""What is measured beside another task of ours."""
+
+ALONE = {
+    "test_nearest_speed.py::test_sixteen_light_curves": "nearest rods of sixteen light curves, ratio 2.5",
+    "test_nearest_speed.py::test_sixteen_heavy_stable_curves": "the same under weight, ratio 3.3, margin 5",
+    "test_nearest_speed.py::test_unstable_s": "an S that snaps, made stable, tangents kept",
+    "test_nearest_speed.py::test_march_with_sensitivities": "one march along 201 nodes with all derivatives",
+}
+"""What has no peer."""
+
+PROCESSES = {
+    "test_command_speed.py::test_whole_process[import]": "`import elastica_cad`",
+    "test_command_speed.py::test_whole_process[check]": "`elastica check arch.dxf`",
+    "test_command_speed.py::test_whole_process[strip without STEP]": "`elastica strip arch.dxf`, no CAD kernel",
+    "test_command_speed.py::test_whole_process[pavilion]": "`elastica model pavilion.toml`: 31 strips, 102 slots",
+}
+"""Whole processes, from the command to its end."""
+
+BODIES = {
+    "test_cad_speed.py::test_one_strip[FlatSolid]": "flat strip",
+    "test_cad_speed.py::test_one_strip[BentSolid]": "bent strip",
+    "test_cad_speed.py::test_assembly_of_31_slotted_strips": "31 bent strips with six slots each",
+    "test_cad_speed.py::test_a_strip_bent_forward": "a strip bent forward, its record",
+}
+"""Bodies of OpenCASCADE."""
+
+
+def main() -> None:
+    """Keep what a run told, if one is given; write the page."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("file", type=Path, nargs="?")
+    parser.add_argument("--busy", action="store_true")
+    asked = parser.parse_args()
+    if asked.file is not None:
+        run = json.loads(asked.file.read_text(encoding="utf-8"))
+        KEPT.write_text(json.dumps(condensed(run, asked.busy), indent=1) + "\n", encoding="utf-8")
+    PAGE.write_text(page(json.loads(KEPT.read_text(encoding="utf-8"))), encoding="utf-8")
+    print(PAGE)
+
+
+def condensed(run: dict[str, Any], busy: bool) -> dict[str, Any]:
+    """Of a run of pytest-benchmark what the page tells."""
+    found = {named(one["fullname"]): one for one in run["benchmarks"]}
+    lost = rows() - set(found)
+    if lost:
+        raise SystemExit(f"the run has no {', '.join(sorted(lost))}: run `make benchmark` whole")
+    machine = run["machine_info"]
+    return {
+        "date": datetime.fromisoformat(run["datetime"]).date().isoformat(),
+        "machine": f"{machine['cpu'].get('brand_raw', machine['machine'])}, Python {machine['python_version']}",
+        "busy": busy,
+        "rows": {
+            name: {"median_s": one["stats"]["median"], **one["extra_info"]}
+            for name, one in sorted(found.items())
+        },
+    }
+
+
+def named(test: str) -> str:
+    """A test by its file, its function and what it is asked with, without limits."""
+    return re.sub(r"-[\d.]+\]$", "]", test.removeprefix("tests/benchmarks/"))
+
+
+def rows() -> set[str]:
+    """All that the page tells."""
+    return {*PEERS, *OURS, *ALONE, *PROCESSES, *BODIES}
+
+
+def page(kept: dict[str, Any]) -> str:
+    """The whole page."""
+    found = kept["rows"]
+    busy = (
+        " The machine had other work meanwhile: seconds are too large, ratios are roughly right."
+        if kept["busy"]
+        else ""
+    )
+    parts = [HEAD, f"All rows are of {kept['date']}: {kept['machine']}.{busy}\n"]
+    parts += table(
+        "Beside solvers of others",
+        ["task", "peer", "ours", "ours / peer"],
+        [[*words, seconds(found[name]), ratio(found[name])] for name, words in PEERS.items()],
+    )
+    models = {
+        name: share
+        for name, share in found["test_lp_cost.py::test_all_strips_of_the_gallery"].items()
+        if name not in ("ratio", "median_s")
+    }
+    parts += table(
+        "The strips of each model, beside HiGHS with all rows",
+        ["model", "ours / peer"],
+        [[name, told(share)] for name, share in models.items()],
+    )
+    parts += table(
+        "Beside other tasks",
+        ["task", "beside", "ours", "ratio"],
+        [[*words, seconds(found[name]), ratio(found[name])] for name, words in OURS.items()],
+    )
+    parts += table(
+        "As a person waits for it",
+        ["process", "seconds", "over a process that imports numpy"],
+        [[words, seconds(found[name]), ratio(found[name])] for name, words in PROCESSES.items()],
+    )
+    parts += table(
+        "Bodies",
+        ["body", "seconds", "OpenCASCADE's share", "over the time of its solution"],
+        [
+            [
+                words,
+                seconds(found[name]),
+                *(
+                    f"{found[name][key]:g}" if key in found[name] else ""
+                    for key in ("OpenCASCADE's share", "times the core")
+                ),
+            ]
+            for name, words in BODIES.items()
+        ],
+    )
+    parts += table(
+        "Alone", ["task", "seconds"], [[words, seconds(found[name])] for name, words in ALONE.items()]
+    )
+    return "\n".join(parts)
+
+
+def table(title: str, head: list[str], body: list[list[str]]) -> Iterator[str]:
+    """A heading and its table."""
+    yield f"## {title}\n"
+    yield f"| {' | '.join(head)} |\n|{' --- |' * len(head)}"
+    yield from (f"| {' | '.join(row)} |" for row in body)
+    yield ""
+
+
+def seconds(one: dict[str, Any]) -> str:
+    """The median in a unit that is read at once."""
+    median = one["median_s"]
+    size, unit = next(unit for unit in ((1.0, "s"), (1e-3, "ms"), (1e-6, "µs")) if median >= unit[0])
+    return f"{told(median / size)} {unit}"
+
+
+def ratio(one: dict[str, Any]) -> str:
+    """Ours over the peer's."""
+    return told(one["ratio"])
+
+
+def told(number: float) -> str:
+    """Two digits, without powers of ten."""
+    return f"{float(f'{number:.2g}'):g}"
+
+
+if __name__ == "__main__":
+    main()
