@@ -117,6 +117,10 @@ BODIES = {
 """Bodies of OpenCASCADE."""
 
 
+FREECAD = "test_freecad_speed.py::test_a_hundred_strips"
+"""What a hand feels there: figures by what they are of, each with its unit."""
+
+
 def main() -> None:
     """Keep what a run told, if one is given; write the page."""
     parser = argparse.ArgumentParser(description=__doc__)
@@ -155,7 +159,7 @@ def named(test: str) -> str:
 
 def rows() -> set[str]:
     """All that the page tells."""
-    return {*PEERS, *OURS, *ALONE, *PROCESSES, *BODIES}
+    return {*PEERS, *OURS, *ALONE, *PROCESSES, *BODIES, FREECAD}
 
 
 def page(kept: dict[str, Any]) -> str:
@@ -191,6 +195,15 @@ def page(kept: dict[str, Any]) -> str:
         "As a person waits for it",
         ["process", "seconds", "over a process that imports numpy"],
         [[words, seconds(found[name]), ratio(found[name])] for name, words in PROCESSES.items()],
+    )
+    parts += table(
+        "What a hand feels in FreeCAD",
+        ["work", "figure"],
+        [
+            [work.rpartition(", ")[0], f"{number:g} {work.rpartition(', ')[2]}"]
+            for work, number in found[FREECAD].items()
+            if work != "median_s"
+        ],
     )
     parts += table(
         "Bodies",

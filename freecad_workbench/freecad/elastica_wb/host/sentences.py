@@ -19,7 +19,7 @@ __all__ = ["CONTEXT", "decimal_point", "translated"]
 
 CONTEXT = "ElasticaSentences"
 GAP = re.compile(r"%(\d)")
-BREAKS = (r"(?<=\.) (?=[A-Z])", "(?<=;) ", "(?<=:) ")  # between sentences that were put together
+BREAKS = (r"(?<=\.) (?=[A-Z])", "(?<=;) ")  # between sentences that were put together
 ONE = r"((?:(?!\. [A-Z]).)*?)"  # what fills a gap: no second sentence
 TELLING = 12  # letters of a key that stands for a whole text; shorter ones are for parts of one
 
@@ -104,6 +104,9 @@ def _translated(sentence: str, language: str) -> str:
             parts = re.split(between, sentence)
             if len(parts) > 1:
                 return " ".join(_translated(part, language) for part in parts)
+    label, colon, rest = sentence.partition(": ")  # a part's name and what is wrong with it
+    if colon and " " not in label:
+        return f"{label}: {_translated(rest, language)}"
     blank = sentence.strip()
     if blank != sentence:
         return sentence.replace(blank, _translated(blank, language))
