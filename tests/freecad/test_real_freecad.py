@@ -100,6 +100,11 @@ def test_every_command(tmp_path):
     found = launching.run_window("commands.py", tmp_path)
     assert found["workbench"] == "ElasticaWorkbench"
     assert len(found["known"]) == 18
+    ours = {keys for name, keys in found["shortcuts"].items() if name.startswith("Elastica")}
+    others = {keys for name, keys in found["shortcuts"].items() if not name.startswith("Elastica")}
+    assert len(ours) == 9
+    assert len(others) > 100
+    assert not {keys.split(",")[0] for keys in ours} & {keys.split(",")[0] for keys in others}
     assert "mm" in found["strip panel"]
     assert "can take this curve" in found["check"]
     assert found["check overlay"]["comb"] > 100
@@ -148,7 +153,7 @@ def test_every_command(tmp_path):
     assert found["about an axis"][1]
     assert "<b>3</b>" in found["curves shown"][0]
     assert found["curves shown"][1] == 3
-    assert "Ball, section 1 (6." in found["closed sections"]
+    assert "choose under Closed lines" in found["closed sections"]
     assert found["halves"] == 11
     assert found["strips of sections"] == [[["Up-to-date"], True]] * 3
     assert any(line.startswith("Bending the strip (Escape") for line in found["bar"])

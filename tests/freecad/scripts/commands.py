@@ -498,10 +498,15 @@ def work():
     from importlib.util import find_spec
 
     window()
+    for other in ("PartWorkbench", "SketcherWorkbench", "PartDesignWorkbench", "DraftWorkbench"):
+        Gui.activateWorkbench(other)  # their commands have shortcuts from now on
     Gui.activateWorkbench("ElasticaWorkbench")
     from freecad.elastica_wb import commands
 
     answers["workbench"] = Gui.activeWorkbench().name()
+    answers["shortcuts"] = {
+        name: pressed for name in Gui.Command.listAll() if (pressed := Gui.Command.get(name).getShortcut())
+    }
     answers["known"] = [name for name in commands.MENU if name in Gui.listCommands()]
     answers["ezdxf"] = find_spec("ezdxf") is not None
     document = App.newDocument("Work")
