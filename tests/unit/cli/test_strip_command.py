@@ -275,6 +275,19 @@ def test_a_strip_that_strays_is_told_what_compensates(tmp_path):
     assert "makes up for that" not in made_up
 
 
+@pytest.mark.parametrize("weight", [(), ("--gravity",)], ids=["light", "heavy"])
+def test_a_strip_that_only_stiffens_across_is_told_what_compensates(tmp_path, weight):
+    path = tmp_path / "hoop.json"
+    path.write_text(curves_json([ec.PlaneCurve.ellipse((0, 0), (50, 120), 0, -0.4, np.pi + 0.4)]))
+    asked = ("strip", path, "--sheet", "card-200gsm", "--max-width", 30, *weight)
+    told = elastica(*asked, "-o", tmp_path / "plain").stdout
+    assert re.search(r"each cause alone: [\d.]+ mm by anticlastic bending$", told, re.MULTILINE)
+    left = float(re.search(r"--compensate makes up for that in the widths: ([\d.]+) mm are left", told)[1])
+    assert left < 1e-4 * 370
+    made_up = elastica(*asked, "--compensate", "-o", tmp_path / "made up").stdout
+    assert float(re.search(r"as made and held the strip strays ([\d.]+) mm", made_up)[1]) == left
+
+
 @pytest.mark.parametrize(
     ("law", "quantity", "words"),
     [

@@ -26,7 +26,7 @@ from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.forming.revolution.meridian import meridian_through
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.material.anticlastic import anticlastic_factor
-from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.sheet import Sheet, sheet_names
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
 pytestmark = pytest.mark.core
@@ -307,6 +307,22 @@ def test_a_heavy_strip_carries_the_weight_of_its_corrected_widths():
     load = made.bending_stiffness * -made.nodal_load[:, 1] / made.node_lengths
     assert load[inner] == pytest.approx(newtons[inner], rel=2e-3)
     assert better.held_deviation < 5e-4 * heavy.length
+
+
+LIBRARY = sorted(map(Sheet.named, sheet_names()), key=lambda sheet: -sheet.thickness)
+ALIKE = {sheet.poisson_ratio: sheet for sheet in LIBRARY}
+"""The thinnest sheet of the library for each of their Poisson numbers."""
+
+
+@pytest.mark.parametrize("heavy", [False, True], ids=["light", "heavy"])
+@pytest.mark.parametrize("nu", sorted(ALIKE))
+def test_stiffening_across_is_made_up_for_wherever_the_poisson_number_is_known(nu, heavy):
+    hoop = PlaneCurve.ellipse((0, 0), (50, 120), 0, -0.4, np.pi + 0.4)
+    strip = Strip(optimal_rod(hoop, ALIKE[nu].gravity() if heavy else None), ALIKE[nu], max_width=30.0)
+    better = compensate_widths(strip)
+    assert nu > 0
+    assert strip.held().parts["anticlastic bending"] > 5e-5 * strip.rod.length
+    assert better.held_deviation < 0.2 * strip.held_deviation
 
 
 def test_widths_change_more_sharply_where_smooth_ones_leave_too_much():
