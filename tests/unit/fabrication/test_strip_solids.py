@@ -195,3 +195,12 @@ def test_lines_on_a_seam_belong_to_one_side():
     tab, body = pattern.regions
     assert [len(loop) for region in (tab, body) for loop in region.loops] == [4, 6]
     assert sum(isinstance(p.segment, Line) and p.seam for p in tab.loops[0]) == 1
+
+
+@pytest.mark.parametrize("name", CURVES)
+def test_joints_of_the_bent_strip_are_the_ends_of_its_curve(name):
+    curve = CURVES[name]
+    strip = Strip(optimal_rod(curve), Sheet.named("birch-plywood-0.8"), max_width=20, ends=ENDS)
+    joints = BentSolid.of(strip, frame=PLACE).joints
+    for end, place in zip(("start", "end"), curve.sample(2).position, strict=True):
+        assert joints[end].origin == pytest.approx(PLACE.point(place), abs=1e-6)
