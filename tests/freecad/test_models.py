@@ -1,5 +1,7 @@
 """Several strips: slotted into each other, held by fixtures and a base plate, laid on sheets."""
 
+import re
+
 import FreeCAD as App
 import pytest
 from freecad.elastica_wb.export.cutting_files import write_cutting_files
@@ -88,6 +90,11 @@ def test_fixtures_hold_every_end(document, standing):
     assert len(blocks.Shape.childShapes()) == 4
     assert blocks.Shape.isValid()
     assert blocks.Shape.common(made.Shape).Volume < 1e-6
+    # 0.15 mm on either face of tabs 10 mm long: 0.3 in 10, either way less than twice that, as pockets lean
+    (said,) = blocks.Reports
+    low, high = re.fullmatch(r"pocket leaves its tabs 0 mm across and (\S+) to (\S+) degrees", said).groups()
+    assert 1.7 < float(high) - float(low) < 2 * 1.72
+    assert min(abs(float(low)), abs(float(high))) == 0
     single = fixtures.create(document, [standing[0]])
     document.recompute()
     assert len(single.Shape.childShapes()) == 2
@@ -115,6 +122,10 @@ def test_the_base_plate_takes_all_tabs(document, standing):
     assert plate.Shape.isValid()
     assert plate.Shape.BoundBox.ZMax == pytest.approx(-2, abs=1e-6)
     assert len(plate.Shape.Faces) > 6 + 4 * 4 - 4
+    (said,) = plate.Reports
+    assert re.fullmatch(
+        r"slot of BasePlate leaves its tabs [\d.]+ mm across and (0|-[\d.]+) to (0|\+[\d.]+) degrees", said
+    )
     plate.Placement = App.Placement(App.Vector(0, 0, -500), App.Rotation())
     document.recompute()
     assert "no tab" in plate.getStatusString()

@@ -220,3 +220,10 @@ def test_leaving_the_plane_is_told_in_german(monkeypatch):
     assert user_units.worded("sideways ample: it stays in its plane") == (
         "seitlich reichlich: er bleibt in seiner Ebene"
     )
+
+
+@pytest.mark.usefixtures("german")
+def test_the_play_of_holders_is_told_in_german(monkeypatch):
+    monkeypatch.setattr(user_units, "decimal_point", lambda: ",")
+    said = user_units.worded("slot of Base leaves its tabs 0.3 mm across and -1.5 to +2 degrees")
+    assert said == "Schlitz von Base lässt den Laschen 0,3 mm quer und -1,5 bis +2 Grad"

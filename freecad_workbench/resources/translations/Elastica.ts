@@ -3238,6 +3238,22 @@
         <source>its holes leave open whether it tips over sideways: guide it at the sides, or try it out</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 leaves its tabs no play: they bend a little between its edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 leaves its tabs %2 mm across and %3 to %4 degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>slot of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pocket</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ElasticaSheets</name>

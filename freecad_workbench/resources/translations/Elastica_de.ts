@@ -3250,6 +3250,22 @@
         <source>its holes leave open whether it tips over sideways: guide it at the sides, or try it out</source>
         <translation>seine Löcher lassen offen, ob er zur Seite kippt: führen Sie ihn seitlich, oder probieren Sie es aus</translation>
     </message>
+    <message>
+        <source>%1 leaves its tabs no play: they bend a little between its edges</source>
+        <translation>%1 lässt den Laschen kein Spiel: sie biegen sich ein wenig zwischen den Kanten</translation>
+    </message>
+    <message>
+        <source>%1 leaves its tabs %2 mm across and %3 to %4 degrees</source>
+        <translation>%1 lässt den Laschen %2 mm quer und %3 bis %4 Grad</translation>
+    </message>
+    <message>
+        <source>slot of %1</source>
+        <translation>Schlitz von %1</translation>
+    </message>
+    <message>
+        <source>pocket</source>
+        <translation>Tasche</translation>
+    </message>
 </context>
 <context>
     <name>ElasticaSheets</name>

@@ -3250,6 +3250,22 @@
         <source>its holes leave open whether it tips over sideways: guide it at the sides, or try it out</source>
         <translation>因其孔洞，是否侧倾尚不能确定：请从两侧加以引导，或实际试验</translation>
     </message>
+    <message>
+        <source>%1 leaves its tabs no play: they bend a little between its edges</source>
+        <translation>%1没有给插片留余隙：插片在其边缘之间略微弯曲</translation>
+    </message>
+    <message>
+        <source>%1 leaves its tabs %2 mm across and %3 to %4 degrees</source>
+        <translation>%1给插片留有横向 %2 mm、转动 %3 至 %4 度的余隙</translation>
+    </message>
+    <message>
+        <source>slot of %1</source>
+        <translation>%1 的槽</translation>
+    </message>
+    <message>
+        <source>pocket</source>
+        <translation>夹块槽</translation>
+    </message>
 </context>
 <context>
     <name>ElasticaSheets</name>

@@ -6,7 +6,7 @@
 from typing import Any, ClassVar
 
 from freecad.elastica_wb.curves.sketch_curves import frame_of
-from freecad.elastica_wb.features.fixtures import source_model
+from freecad.elastica_wb.features.fixtures import PLAYS, source_model, tell_plays
 from freecad.elastica_wb.features.proxy import Feature, added
 from freecad.elastica_wb.host.property_table import Property
 from freecad.elastica_wb.host.sheet_store import sheet_called
@@ -30,15 +30,18 @@ class BasePlateFeature(Feature):
         Property(
             "Enumeration", "Outline", "Base plate", "The outline around all slots", ["hull", "rectangle"]
         ),
+        PLAYS,
     )
 
     sheets: ClassVar = {"Sheet": "SheetData"}
 
     def make(self, obj: Any) -> None:
         """Cut the slots."""
-        solid = plate_of(obj).solid
+        plate = plate_of(obj)
+        solid = plate.solid
         lowered = Frame().shifted(z=-solid.thickness)
         obj.Shape = make_solid(FlatSolid(solid.outline, solid.holes, solid.thickness, lowered))
+        tell_plays(obj, source_model(obj.Sources), [plate])
 
 
 def create(document: Any, sources: list[Any]) -> Any:

@@ -3,17 +3,23 @@
 
 """Printed blocks that hold the ends of strips, as a parametric object."""
 
+from collections.abc import Iterable
 from typing import Any
 
 import Part
 from freecad.elastica_wb.features.model import is_model, model_of, strips_model
 from freecad.elastica_wb.features.proxy import Feature, added
 from freecad.elastica_wb.host.progress import in_steps
-from freecad.elastica_wb.host.property_table import Property
+from freecad.elastica_wb.host.property_table import Property, put
+from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.shapes.prism_blocks import make_block
 
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.holders.rocking_tabs import holder_plays
 from elastica_cad.fabrication.model.strip_model import Model
+
+PLAYS = Property("StringList", "Reports", "Result", "What was found on the way", [], result=True)
+"""How much room tabs have in what holds them."""
 
 
 class FixturesFeature(Feature):
@@ -28,11 +34,13 @@ class FixturesFeature(Feature):
         ),
         Property("Length", "FootHeight", "Fixtures", "Height of the foot", 4.0),
         Property("Length", "Screw", "Fixtures", "Diameter of the screw holes in the foot; 0 for none", 4.3),
+        PLAYS,
     )
 
     def make(self, obj: Any) -> None:
         """Place a block at every end."""
-        blocks = source_model(obj.Sources).fixtures(
+        model = source_model(obj.Sources)
+        blocks = model.fixtures(
             clearance=obj.Clearance.Value,
             wall=obj.Wall.Value,
             foot=obj.Foot.Value,
@@ -44,6 +52,7 @@ class FixturesFeature(Feature):
         obj.Shape = Part.Compound(
             in_steps("Making the blocks", [block.solid for block in blocks], make_block)
         )
+        tell_plays(obj, model, blocks)
 
 
 def create(document: Any, sources: list[Any]) -> Any:
@@ -51,6 +60,11 @@ def create(document: Any, sources: list[Any]) -> Any:
     obj = added(document, "Fixtures", FixturesFeature)
     obj.Sources = sources
     return obj
+
+
+def tell_plays(obj: Any, model: Model, holders: Iterable[object]) -> None:
+    """Say in a holder's results how far tabs shift and turn in it."""
+    put(obj, Reports=[worded(line) for line in holder_plays(model.placed, holders)])
 
 
 def source_model(sources: list[Any]) -> Model:
