@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from typing import TypeGuard
 
 import numpy as np
 
@@ -37,7 +38,13 @@ def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
             across = 0.0 if room < NO_PLAY_MM else room
             least, most = _turn(low.min()), _turn(high.max())
             told.append(f"{name} leaves its tabs {across:.2g} mm across and {least} to {most} degrees")
-    return tuple(told)
+    glued = (one for one in holders if (isinstance(one, BasePlate) and one.glued) or _lies_on(one))
+    return (*told, *(f"{one.name} leaves its tabs no play: they are glued at their angle" for one in glued))
+
+
+def _lies_on(holder: object) -> TypeGuard[Ring]:
+    """Is this a ring on which tabs lie?"""
+    return isinstance(holder, Ring) and bool(holder.seats)
 
 
 def _turn(degrees: float) -> str:

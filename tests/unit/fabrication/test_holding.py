@@ -1,5 +1,6 @@
 """Strips in holders that leave them room: where they come to rest, and what keeps them as designed."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -23,7 +24,7 @@ from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import Tab
-from elastica_cad.forming.revolution.meridian import meridian_through
+from elastica_cad.forming.revolution.meridian import meridian, meridian_through
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.material.anticlastic import anticlastic_factor
 from elastica_cad.mechanics.material.sheet import Sheet, sheet_names
@@ -217,6 +218,36 @@ def test_two_rings_hold_a_surface_of_revolution_at_its_angle():
             gap=10,
             ends=(Tab(10, width=18), Tab(10, width=18)),
         )
+
+
+@pytest.mark.parametrize("kind", ["base", "pair", "feet", "frame", "fixtures", "rings", "cap", "ends"])
+def test_every_holder_says_what_play_it_leaves(kind):
+    bow = optimal_rod(PlaneCurve.ellipse((0, 0), (75.0, 60.0), 0.0, -0.5, np.pi + 0.5), samples=201)
+    strip = Strip(bow, PLY, max_width=30.0, ends=(Tab(40), Tab(40)), label="A")
+    placed, words = inclined(strip), "degrees|no play"
+    if kind in ("rings", "cap"):
+        points = [(70, 0), (85, 16), (125, 55), (90, 115), (75, 140)]
+        profile = (
+            meridian_through(points)
+            if kind == "rings"
+            else meridian(0.0, (1 / 300, 0), (300, 0), np.pi / 2, 900, ring=25)
+        )
+        turned = revolve(profile, 12, sheet="card-200gsm", rings="hdf-1.5" if kind == "rings" else "mdf-3")
+        placed, holders = turned.placed, turned.plates
+    else:
+        holders = {
+            "base": lambda: [base_plate(placed, MDF)],
+            "pair": lambda: plate_pair(placed, MDF, gap=10),
+            "feet": lambda: add_feet([base_plate(placed, MDF)], 8.0),
+            "frame": lambda: slotted_frame(placed, MDF).rails,
+            "fixtures": lambda: [EndFixture.of(strip, end, placed[0].frame) for end in ("start", "end")],
+            "ends": lambda: end_plates(placed, MDF, together=True),
+        }[kind]()
+    told = holder_plays(placed, holders)
+    plates = [one.name for one in holders if hasattr(one, "slots")] or ["pocket"]
+    assert plates
+    for name in plates:
+        assert re.search(rf"\b{name}\b.* leaves its tabs .*({words})", "; ".join(told)), told
 
 
 def leaning_row():
