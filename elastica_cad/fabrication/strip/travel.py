@@ -8,9 +8,11 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray
 from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip.strip_sideways import strip_sideways
 from elastica_cad.mechanics.bending.bend_forward import bend_path
 from elastica_cad.mechanics.rod.csv_text import csv_text
 from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stability.sideways import SidewaysStability
 from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
 
 
@@ -39,6 +41,9 @@ class Travel:
     safety : (k,) array
         Strain limit over strain of the layer nearest to its limit.
     verdicts : tuple of Stability
+        In the plane of the curve.
+    sideways : tuple of SidewaysStability
+        Out of it.
     """
 
     rods: tuple[Rod, ...]
@@ -54,6 +59,7 @@ class Travel:
     stress: FloatArray
     safety: FloatArray
     verdicts: tuple[Stability, ...]
+    sideways: tuple[SidewaysStability, ...]
 
     @property
     def stable(self) -> BoolArray:
@@ -145,6 +151,7 @@ def bend_strip(
         stress=np.array([stress for _, stress, _ in skins]),
         safety=np.array([safety for _, _, safety in skins]),
         verdicts=tuple(stability(rod) for rod in rods),
+        sideways=tuple(strip_sideways(rod, strip.layout) for rod in rods),
     )  # fmt: skip
 
 

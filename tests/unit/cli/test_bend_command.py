@@ -1,5 +1,7 @@
 """`elastica bend` as a user meets it: ends that are led, a strip that buckles, messages."""
 
+import re
+
 import numpy as np
 import pytest
 from click.testing import CliRunner
@@ -63,3 +65,15 @@ def test_bend_refuses_in_words(arguments, message, tmp_path):
     assert result.exit_code == 2
     assert message in result.stderr
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(("distance", "tips"), [(5, True), (200, False)])
+def test_a_strip_that_tips_sideways_on_its_way_is_told(distance, tips, tmp_path):
+    """Nearly a loop (an elastica of modulus 0.9) it leaves its plane in CalculiX too: docs/finite_elements.md."""
+    result = run("bend", "--straight", 300, "--to", distance, 0, "--steps", 3, "--side", "left",
+                 "--sheet", "birch-plywood-0.8", "--max-width", 5, "-o", tmp_path)  # fmt: skip
+    said = re.search(
+        r"Warning: at ([\d.]+) mm of travel, sideways margin -[\d.]+ \(unstable\): it tips", result.stderr
+    )
+    assert bool(said) == tips
+    assert said is None or float(said[1]) == pytest.approx(295.0)
