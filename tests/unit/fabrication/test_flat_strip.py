@@ -113,3 +113,9 @@ def test_as_built_is_bent_on_finer_nodes_than_the_design():
     rod = ec.nearest_rod(ec.PlaneCurve.spline(points), limits, gravity=CARD.gravity(), samples=101).rod
     assert np.abs(ec.bend(rod).position - rod.position).max() < 1e-3
     assert ec.Strip(rod, CARD, max_width=17.4).deviation_as_built > 0.1
+
+
+@pytest.mark.parametrize(("label", "told"), [("A1", "<Strip 'A1' of "), ("", "<Strip of ")])
+def test_a_strip_says_its_name_sheet_and_size(label, told):
+    strip = ec.Strip(ec.Rod.straight(100.0), CARD, max_width=20.0, label=label)
+    assert repr(strip).startswith(f"{told}{CARD.name}, 100 mm long, 20 ")

@@ -150,6 +150,19 @@ def test_trimming_next_to_a_knot_makes_no_rounding_span():
     assert np.diff(np.unique(part.curve.knots)).min() > 1e-3
 
 
+@pytest.mark.parametrize("scale", [1.0, 7.0])
+def test_velocities_are_those_of_the_points(scale):
+    curve = PlaneCurve(scale * wavy().knots, wavy().control_points, 4)
+    for segment in (Spline(curve), Arc((1, 1), 3, 2, -1), Line((0, 0), (4, 1))):
+        u, h = np.linspace(0.1, 0.9, 7), 1e-5
+        wanted = (segment.at(u + h) - segment.at(u - h)) / (2 * h)
+        assert segment.velocity_at(u) == pytest.approx(wanted, rel=1e-6, abs=1e-6)
+        for one, place, velocity in zip(u, segment.at(u), wanted, strict=True):
+            at, moving = segment.motion_at(float(one))
+            assert at == pytest.approx(place, abs=1e-9)
+            assert moving == pytest.approx(velocity, rel=1e-6, abs=1e-6)
+
+
 def test_a_path_is_cut_where_two_of_its_curves_meet():
     for k in range(1, 30):  # of these every fourth ends a rounding off the line
         x, y = 10 + 0.1 * k, k / 7
