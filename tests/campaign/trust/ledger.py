@@ -156,7 +156,8 @@ def page(kept) -> str:
         "", "## Mutants that no test notices", "",
         "Of the mutants above these change an answer, or run where the bank of requests does not go. A mutant that",
         "gives every answer of the bank as before, to 1e-6, is equivalent and not listed",
-        "(`tests/campaign/trust/equivalent.py`).",
+        "(`tests/campaign/trust/equivalent.py`); the bank sees only what it asks. Rates are those against",
+        "the tests as they were mended after the first look.",
         "", "| file | change | why it is left |", "| --- | --- | --- |",
     ]  # fmt: skip
     for one in kept["campaigns"].values():

@@ -127,6 +127,7 @@ def test_open_meshes_run_upwards_and_several_lines_are_told():
     sections = mesh_sections(vertices, faces, [Frame((0, 0, 10.0))])
     assert len(sections[0].lines) == 2
     assert sections[0].reports[0].startswith("the mesh is open along 66 edges (near (")
+    assert len(sections[0].reports[0]) < 250  # a few places, not all of them
     assert "section 1 falls into 2 lines" in sections[0].reports[1]
 
 
