@@ -134,7 +134,7 @@ def row(name, model, found, solving, seconds):
     wish = (
         shares([near.deviation for near in found], [near.rod.length for near in found]) if found else "exact"
     )
-    made = shares([part.strip.deviation_as_built for part in model.parts], [rod.length for rod in rods])
+    made = shares([part.strip.held_deviation for part in model.parts], [rod.length for rod in rods])
     return (
         f"| {name.replace('_', ' ')} | {sheets} | {len(model.placed)} ({len(rods)}) | {nodes} | {size} | {ratio} "
         f"| {wish} | {made} | {solving:.2f} | {times[0]} | {seconds:.2f} | {times[1]} |"
@@ -174,10 +174,10 @@ def main(*options):
     text = (
         "Written by gallery.py from one run; seconds are those of the processor, so that other work on the machine "
         "does not count. From the wish: the largest distance of the design from the curve "
-        "that was asked for; as made: that of the strip as it is cut, bent forward, from the design; in brackets "
-        "as shares of the curve's length. Rods: the seconds for stiffness and fabricability; all: from surfaces or "
-        "formulae to strips. Beside them those of the paper's Table 1, on another machine and, but for the "
-        "Pavilion and the Spiral, for other surfaces of the same kind.\n\n" + "\n".join(lines) + "\n\n"
+        "that was asked for; as made: that of the strip as it is made and held, bent forward, from the design; in "
+        "brackets as shares of the curve's length. Rods: the seconds for stiffness and fabricability; all: from "
+        "surfaces or formulae to strips. Beside them those of the paper's Table 1, on another machine and, but for "
+        "the Pavilion and the Spiral, for other surfaces of the same kind.\n\n" + "\n".join(lines) + "\n\n"
         f"The rods of the paper's models took {total[0] / total[2]:.1%} of the paper's seconds.\n\n"
         "The least stiffness ratio of every different strip above, at its samples: by `sampled_stiffness`, and by "
         "all rows of the paper's programs (Eq. 4; with weight Eq. 6 with its 3n + 4 variables) handed to HiGHS at "

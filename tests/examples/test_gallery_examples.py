@@ -391,7 +391,7 @@ def test_the_table_comes_from_a_run(project_root):
     assert len(cells) == 12
     asked, made = (float(cell.split()[0]) for cell in cells[6:8])
     assert asked == pytest.approx(max(near.deviation for near in found), abs=6e-4)
-    assert made == pytest.approx(max(strip.deviation_as_built for strip in model.strips), abs=6e-4)
+    assert made == pytest.approx(max(strip.held_deviation for strip in model.strips), abs=6e-4)
     table = (project_root / "examples" / "gallery.md").read_text()
     assert all(f"| {name.replace('_', ' ')} |" in table for name in names["PAPER"])
 
@@ -409,7 +409,7 @@ def test_the_table_is_of_the_models_as_they_are(name, built, project_root):
     assert told[:5] == cells[:5]
     ratios = [[float(ratio) for ratio in one[5].split("-")] for one in (told, cells)]
     assert ratios[0] == pytest.approx(ratios[1], abs=0.03), "write it again: python examples/gallery.py"
-    assert float(told[7].split()[0]) == pytest.approx(float(cells[7].split()[0]), abs=0.005)
+    assert float(told[7].split()[0]) == pytest.approx(float(cells[7].split()[0]), abs=0.005, rel=2e-3)
 
 
 def test_pictures_are_there_and_small(project_root):
