@@ -9,7 +9,6 @@ import click
 from elastica_cad.cli.asking.options import holding_option, output_options
 from elastica_cad.cli.running.voice import answer, say, say_step, voice, warn
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
-from elastica_cad.fabrication.sheets.cut_list import cut_list
 from elastica_cad.fabrication.sheets.equal_strips import count_shapes
 from elastica_cad.files import read_curves, read_surface
 from elastica_cad.formats.design_files.design_file import read_design
@@ -83,7 +82,7 @@ def _tell(kit: Kit, output: Path, *, step: bool, pictures: bool) -> None:
     """What was made, in a few lines."""
     answer(kit_report(kit) | {"folder": output})
     voice().files += [str(output / name) for name in kit.files]
-    listed = cut_list(kit.pieces)
+    listed = kit.cut_list
     strips = f"{len(kit.model.placed)} strips ({count_shapes(kit.model.parts)} different)"
     pieces = f"{listed.count} pieces of {listed.shapes} {'shape' if listed.shapes == 1 else 'shapes'}"
     say(f"{kit.model.name}: {strips}, {len(kit.model.joints)} joints; {pieces}, "

@@ -2,8 +2,9 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from pathlib import Path
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
@@ -15,10 +16,12 @@ from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults,
 from elastica_cad.fabrication.model.assembly import Holder
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import distinct_names
+from elastica_cad.fabrication.sheets.cut_list import CutList, cut_list
 from elastica_cad.fabrication.sheets.nesting import NestedSheet, nest_pieces
 from elastica_cad.fabrication.sheets.pieces import Piece, strip_pieces
 from elastica_cad.formats.design_files.kit_spec import KitSpec, Nesting
 from elastica_cad.formats.design_files.strip_table import StripEntry
+from elastica_cad.formats.reports.model_report import report_model
 
 Writer: TypeAlias = Callable[[Path], object]
 
@@ -41,6 +44,24 @@ class Kit:
     """The shape of each strip as made and held, by its name, where it was asked for."""
     notes: tuple[str, ...] = ()
     """What was chosen to hold it, what rocks there or finds no rest, what was made although it cannot be cut."""
+
+    @cached_property
+    def cut_list(self) -> CutList:
+        """All parts to be cut; which are of one shape takes longest to find."""
+        return cut_list(self.pieces)
+
+    @cached_property
+    def report(self) -> dict[str, Any]:
+        """All numbers, without the files."""
+        told = report_model(
+            self.model,
+            cut_list=self.cut_list,
+            nests=self.nests,
+            files={},
+            held=self.held,
+            entries=self.entries,
+        )
+        return told | {"reports": [*told["reports"], *self.notes]}
 
 
 def kit_of(

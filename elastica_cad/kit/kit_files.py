@@ -12,14 +12,12 @@ from elastica_cad.errors import InputError, how_to_install
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.model.strip_model import Model
-from elastica_cad.fabrication.sheets.cut_list import cut_list
 from elastica_cad.fabrication.sheets.equal_strips import count_shapes
 from elastica_cad.fabrication.sheets.nesting import NestedSheet
 from elastica_cad.fabrication.sheets.pieces import file_word
 from elastica_cad.files import save
 from elastica_cad.formats.design_files.kit_spec import Cutting, KitSpec, Nesting
 from elastica_cad.formats.file_access.file_transaction import write_together
-from elastica_cad.formats.reports.model_report import report_model
 from elastica_cad.formats.reports.start_page import compose_start_page
 from elastica_cad.kit.kit_contents import Kit, Writer, kit_of
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -174,7 +172,7 @@ def _plan(kit: Kit, *, step: bool, pictures: bool, parts: bool) -> None:
     name, files = file_word(kit.model.name), kit.files
     if pictures:
         files[f"{name}-assembly.pdf"] = ("assembly sheet", lambda path: _draw_assembly(kit, path))
-    listed = cut_list(kit.pieces, _homes(kit, parts=parts))
+    listed = kit.cut_list.in_files(_homes(kit, parts=parts))
     files[f"{name}-cut-list.csv"] = ("cut list", lambda path: _write_text(path, listed.csv))
     files[f"{name}-cut-list.txt"] = ("cut list", lambda path: _write_text(path, str(listed)))
     if step:
@@ -215,7 +213,7 @@ def _homes(kit: Kit, *, parts: bool) -> dict[str, str]:
 
 def _start_page(kit: Kit) -> str:
     """What was made, in sentences, with links."""
-    listed, count = cut_list(kit.pieces), len(kit.model.placed)
+    listed, count = kit.cut_list, len(kit.model.placed)
     lines = [
         f"{count} {'strip' if count == 1 else 'strips'}, {count_shapes(kit.model.parts)} different; "
         f"{listed.count} pieces, "
@@ -251,18 +249,7 @@ def _write_text(path: Path, text: str) -> None:
 
 def kit_report(kit: Kit) -> dict[str, Any]:
     """All numbers of a kit, as its report file has them."""
-    kinds = {name: kind for name, (kind, _) in kit.files.items()}
-    listed = cut_list(kit.pieces)
-    report = report_model(
-        kit.model,
-        cut_list=listed,
-        nests=kit.nests,
-        files=kinds,
-        held=kit.held,
-        entries=kit.entries,
-    )
-    report["reports"] += kit.notes
-    return report
+    return kit.report | {"files": {name: kind for name, (kind, _) in kit.files.items()}}
 
 
 def _assemblies(kit: Kit, stem: str) -> dict[str, tuple[str, Writer]]:
@@ -284,7 +271,7 @@ def _assemblies(kit: Kit, stem: str) -> dict[str, tuple[str, Writer]]:
 def _draw_assembly(kit: Kit, path: Path) -> None:
     from elastica_cad.plot.assembly_sheet import save_assembly_sheet
 
-    listed = cut_list(kit.pieces, _homes(kit, parts=True))
+    listed = kit.cut_list.in_files(_homes(kit, parts=True))
     save_assembly_sheet(kit.model, path, holders=kit.holders, cut_list=listed)
 
 

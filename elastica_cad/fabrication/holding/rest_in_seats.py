@@ -7,7 +7,11 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
-from elastica_cad.forming.optimizer.quadratic_program import QuadraticProgram, solve_quadratic
+from elastica_cad.forming.optimizer.quadratic_program import (
+    QuadraticProgram,
+    QuadraticSolution,
+    solve_quadratic,
+)
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.rod.rod_record import Rod
 
@@ -21,7 +25,8 @@ LEAST_SHARE = 1e-6  # of the largest eigenvalue: a direction that is softer coun
 PRICE = 100.0  # of a mm of overlap, over the forces that are there: far above any contact's multiplier
 SEATING_STEPS = 3
 SEATING = 1e4  # times as stiff are the ends while tabs bend into their seats
-LEAN_STEPS = 6  # contacts change little after the first
+LEAN_STEPS = 6  # at most: contacts change little after the first
+LEAN_SHARE = 1e-7  # of the length: what a step moves when the contacts have been found
 TAB_PIECES = 16  # of a tab that bends: its turn at the mouth is then right to half a percent
 
 
@@ -74,13 +79,13 @@ def rest_in_seats(
     stiffness = problem.end_stiffness(q, rod)
     # tabs bend into their seats first, else the strip is thrown far off by walls that a straight tab meets
     for _ in range(SEATING_STEPS):
-        q = q + problem.step(q, rod, SEATING * stiffness)
+        q = q + problem.step(q, rod, SEATING * stiffness).x
     rod = problem.bent(q, rod)
     step = np.zeros(q.size)
     for _ in range(MOST_STEPS):
         if np.abs(step).max() > RENEWED_SHARE * design.length:
             stiffness = problem.end_stiffness(q, rod)
-        step = problem.step(q, rod, stiffness)
+        step = problem.step(q, rod, stiffness).x
         q = q + step
         rod = problem.bent(q, rod)
         if np.abs(step).max() <= SETTLED_SHARE * design.length:
@@ -114,6 +119,7 @@ def lean_against(
         E I of the tab over the rod's B; a stiff tab unless given.
     """
     shift = turn = 0.0
+    near: QuadraticSolution | None = None
     for _ in range(LEAN_STEPS):
         end = _SeatedEnd(index, seat.moved(shift, turn), tab_stiffness)
         problem = _Held(design, design, (end,))
@@ -122,9 +128,14 @@ def lean_against(
             break
         q, soft = np.zeros(problem.unknowns), load / design.length * np.eye(2)
         for _ in range(LEAN_STEPS):
-            q = q + problem.step(q, design, soft)
+            near = problem.step(q, design, soft, near)
+            q = q + near.x
+            if np.abs(near.x).max() <= LEAN_SHARE * design.length:
+                break
         moved, turned = problem.pose(q)
         shift, turn = shift - moved, turn - end.way * turned
+        if abs(moved) + abs(turned) * design.length <= LEAN_SHARE * design.length:
+            break
     return shift, turn
 
 
@@ -223,8 +234,10 @@ class _Held:
         values = np.maximum(np.abs(values), LEAST_SHARE * np.abs(values).max())
         return np.asarray(vectors @ np.diag(values) @ vectors.T)
 
-    def step(self, q: FloatArray, rod: Rod, end_stiffness: FloatArray) -> FloatArray:
-        """The next step of sequential quadratic programming."""
+    def step(
+        self, q: FloatArray, rod: Rod, end_stiffness: FloatArray, near: QuadraticSolution | None = None
+    ) -> QuadraticSolution:
+        """The next step of sequential quadratic programming; `near` is the one before, for what touches."""
         length, poses = self.design.length, self.poses
         scale = float(np.abs(end_stiffness).max())
         g, H = np.zeros(q.size), np.zeros((q.size, q.size))
@@ -251,7 +264,7 @@ class _Held:
             H / scale, g / scale, -bound, bound, A, -gaps, np.full(gaps.size, price),
             np.ones(gaps.size, dtype=bool),
         )  # fmt: skip
-        return solve_quadratic(program).x
+        return solve_quadratic(program, near=near)
 
     @property
     def _begins(self) -> list[int]:

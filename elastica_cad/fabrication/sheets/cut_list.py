@@ -3,7 +3,7 @@
 import csv
 import io
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER
 from elastica_cad.fabrication.sheets.equal_strips import FlatShape
@@ -103,6 +103,10 @@ class CutList:
             )
         return stream.getvalue()
 
+    def in_files(self, files: Mapping[str, str]) -> "CutList":
+        """The list with the files that hold the parts, by their names; the others keep theirs."""
+        return CutList(tuple(replace(row, file=files.get(row.part, row.file)) for row in self.rows))
+
     def __str__(self) -> str:
         """A table for people, with the sums below."""
         head = ("part", "sheet", "mm", "size mm", "count", "cut mm", "g", "grain", "shape as", "file")
@@ -154,7 +158,6 @@ def cut_list(pieces: Iterable[Piece], files: Mapping[str, str] | None = None) ->
     seen: list[tuple[FlatShape, str]] = []
     for piece in pieces:
         length, width = piece.size
-        file = (files or {}).get(piece.name, f"{piece.file_stem}.dxf")
         rows.append(
             CutListRow(
                 piece.name,
@@ -165,12 +168,12 @@ def cut_list(pieces: Iterable[Piece], files: Mapping[str, str] | None = None) ->
                 piece.count,
                 piece.cut_length,
                 piece.mass,
-                file,
+                f"{piece.file_stem}.dxf",
                 "" if piece.sheet.grain == "none" else piece.sheet.grain,
                 _like(piece, seen),
             )
         )
-    return CutList(tuple(rows))
+    return CutList(tuple(rows)).in_files(files or {})
 
 
 def _like(piece: Piece, seen: list[tuple[FlatShape, str]]) -> str:
