@@ -170,7 +170,7 @@ def _calibrate(
     limit: dict[str, Any] = (
         {"max_strain": sheet.max_strain} if least_radius is None else {"least_radius": least_radius}
     )
-    found = result.sheet(name, **limit, poisson_ratio=sheet.poisson_ratio, **own)
+    found = _as_readings_tell(result.sheet(name, **limit, poisson_ratio=sheet.poisson_ratio, **own))
     file = f"{name}.toml"
     with write_together(output, [file], force=force) as workshop:
         (workshop / file).write_text(found.toml(), encoding="utf-8")
@@ -187,3 +187,10 @@ def _calibrate(
     say(found.toml())
     wrote([output / file])
     say(f"every command takes it: --sheet {name if output in library_folders() else output / file}")
+
+
+def _as_readings_tell(sheet: Sheet) -> Sheet:
+    """The sheet with a modulus of six digits, which is more than readings can tell."""
+    given = (sheet.youngs_modulus, *(sheet.youngs_modulus_range or ()))
+    E, *limits = (float(f"{modulus:.6g}") for modulus in given)
+    return replace(sheet, youngs_modulus=E, youngs_modulus_range=(limits[0], limits[1]) if limits else None)

@@ -96,12 +96,11 @@ class Calibration:
             _require(least_radius, "least radius", "mm")
             max_strain = self.thickness / (2 * least_radius)
         spread = 2 * (self.youngs_modulus_uncertainty or 0.0)
-        least = max(0.0, self.youngs_modulus - spread)
-        limits: Range = (_as_measured(least), _as_measured(self.youngs_modulus + spread))
+        limits: Range = (max(0.0, self.youngs_modulus - spread), self.youngs_modulus + spread)
         return Sheet(
             name,
             self.thickness,
-            _as_measured(self.youngs_modulus),
+            self.youngs_modulus,
             self.density,
             max_strain or 0.0,
             kerf=kerf,
@@ -145,11 +144,6 @@ def cantilever_droop(overhang: float, elasto_gravity_length: float) -> float:
         supports=Supports("clamped", "free"),
     )
     return float(-bend(strip).position[-1, 1])
-
-
-def _as_measured(modulus: float) -> float:
-    """A modulus in as many digits as readings can tell, and some more."""
-    return float(f"{modulus:.6g}")
 
 
 def calibrate_cantilever(
