@@ -33,7 +33,7 @@ def half_ellipse(n):
     return samples.position, samples.curvature
 
 
-@pytest.mark.parametrize(("n", "limit"), [(200, 0.5), (2000, 0.08)])
+@pytest.mark.parametrize(("n", "limit"), [(200, 0.7), (2000, 0.2)])
 def test_row_generation_against_all_rows(benchmark, plain, n, limit):
     position, curvature = half_ellipse(n)
     rows = sampled_rows(position, curvature)
