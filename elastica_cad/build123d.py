@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from math import radians
 from os import PathLike
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias, Unpack, overload
 
@@ -38,7 +37,7 @@ from elastica_cad.kernel.strip_on_path import (
     warn_of_missing_slots,
 )
 from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.bending.between_clamps import elastica_between
+from elastica_cad.mechanics.bending.between_clamps import angles_in_rad, elastica_between
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.material.sheet import Sheet
 
@@ -64,7 +63,8 @@ __all__ = [
 Drawn: TypeAlias = bd.Edge | bd.Wire | PlaneCurve | Strip | StripBody | Iterable[bd.Edge]
 """A curve that is drawn, or a strip that was made before: then there is nothing to solve."""
 
-OFF_PLANE = 1e-6  # mm
+
+COLOR = "_color"  # where shapes of build123d keep theirs
 
 
 class _Made(StripBody):
@@ -117,6 +117,23 @@ class _Made(StripBody):
     def fixture(self, end: End = "start", **sizes: Any) -> "EndFixture":
         """The block that holds an end of the bent strip, in place; `sizes` as in `EndFixture`."""
         return EndFixture(self, end=end, mode=bd.Mode.PRIVATE, **sizes)
+
+    def scale(self, *args: Any, **options: Any) -> bd.Part | bd.Sketch:
+        """As `Shape.scale`: a plain body, as a strip of another size has other numbers."""
+        body: Any = self
+        scaled = bd.Shape.scale(body, *args, **options).wrapped
+        plain = bd.Sketch(scaled) if isinstance(self, bd.Sketch) else bd.Part(scaled)
+        plain.label, plain.color = body.label, body.color
+        return plain
+
+    def __getstate__(self) -> dict[str, Any]:
+        """What `pickle` takes along; the kernel's colours cannot be pickled, so their numbers are."""
+        color = self.__dict__.get(COLOR)
+        return self.__dict__ | {COLOR: None if color is None else tuple(color)}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        color = state[COLOR]
+        self.__dict__.update(state | {COLOR: None if color is None else bd.Color(*color)})
 
 
 class _Bent:
@@ -382,15 +399,11 @@ class Elastica(bd.BaseLineObject):
         buckling: int = 1,
         mode: bd.Mode = bd.Mode.ADD,
     ) -> None:
-        ends = [bd.Vector(*point) if isinstance(point, tuple) else bd.Vector(point) for point in (start, end)]
-        if max(abs(point.Z) for point in ends) > OFF_PLANE:
-            raise InputError("an elastica lies in the xy plane of its workplane: give points without z")
-        turned = tuple(None if angle is None else radians(angle) for angle in angles)
         self.branch = elastica_between(
-            (ends[0].X, ends[0].Y),
-            (ends[1].X, ends[1].Y),
+            start,
+            end,
             length,
-            angles=(turned[0], turned[1]),
+            angles=angles_in_rad(angles),
             stiffness=stiffness,
             gravity=gravity,
             force=force,

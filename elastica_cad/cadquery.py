@@ -3,7 +3,6 @@
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
-from math import radians
 from os import PathLike
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypeVar, Unpack
@@ -42,7 +41,7 @@ from elastica_cad.kernel.strip_on_path import (
     warn_of_missing_slots,
 )
 from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.bending.between_clamps import elastica_between
+from elastica_cad.mechanics.bending.between_clamps import angles_in_rad, elastica_between
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.material.sheet import Sheet
 
@@ -156,6 +155,22 @@ class _Made(StripBody, cq.Shape):
         """As `Shape.mirror`; the image still knows its strip."""
         return super().mirror(mirrorPlane, basePointVector)
 
+    def scale(self, factor: float) -> cq.Shape:
+        """As `Shape.scale`: a plain body, as a strip of another size has other numbers."""
+        plain = cq.Shape.cast(super().scale(factor).wrapped)
+        plain.label = self.label
+        return plain
+
+    def __getstate__(self) -> tuple[Any, ...]:
+        """What `copy`, `deepcopy` and `pickle` take along: the strip too."""
+        kept = {k: v for k, v in self.__dict__.items() if k in KEPT}
+        return super().__getstate__(), kept | {"color": self.color.toTuple()}
+
+    def __setstate__(self, state: tuple[Any, ...]) -> None:
+        shape, kept = state
+        super().__setstate__(shape)
+        self.__dict__.update(kept | {"color": cq.Color(*kept["color"])})
+
     def _apply_transform(self, Tr: Any) -> Any:
         made = self._told(super()._apply_transform(Tr))
         if isinstance(made, type(self)):
@@ -248,6 +263,8 @@ class _Jointed(_Made):
 class _Ended(_Jointed):
     def end_face(self, end: End) -> cq.Face:
         """The plane face that closes the strip at one end."""
+        if end not in ENDS:
+            raise InputError(f'a strip has the ends "start" and "end", not {end!r}')
         tab = self.strip.ends[0 if end == "start" else 1].length
         if self.strip.is_closed and self._made.home is not None:  # bent, its lap is another body
             tab = 0.0
@@ -372,8 +389,8 @@ def end_fixture(
 
 
 def elastica(
-    start: tuple[float, float],
-    end: tuple[float, float],
+    start: cq.Vector | tuple[float, float],
+    end: cq.Vector | tuple[float, float],
     length: float,
     *,
     angles: tuple[float | None, float | None] = (None, None),
@@ -387,7 +404,7 @@ def elastica(
 
     Parameters
     ----------
-    start, end : (x, y)
+    start, end : (x, y) or Vector
         mm.
     length : float
         Of the strip, mm: more than the distance of its ends.
@@ -408,12 +425,11 @@ def elastica(
     >>> round(elastica((0, 0), (70, 0), 100, angles=(0, 0)).Length(), 3)
     100.0
     """
-    turned = tuple(None if angle is None else radians(angle) for angle in angles)
     found = elastica_between(
         start,
         end,
         length,
-        angles=(turned[0], turned[1]),
+        angles=angles_in_rad(angles),
         stiffness=stiffness,
         gravity=gravity,
         force=force,

@@ -152,7 +152,7 @@ class StripSpec(EqualByValue):
         for name in ("max_width", "min_width"):
             width = getattr(self, name)
             if width is not None and not (is_number(width) and width > 0):
-                raise InputError(f"{name} is {width}: it must be positive, in mm")
+                raise InputError(f"{name} is {width!r}: it must be positive, in mm")
         if not callable(getattr(self.style, "laid_out", None)):
             raise InputError(
                 f"style is {self.style!r}: give Plain(), Perforated(width=...) or Laminated(width=..., backing=...)"
@@ -172,6 +172,9 @@ class StripSpec(EqualByValue):
             )
         if not isinstance(self.label, str):
             raise InputError(f"label is {self.label!r}: give a text, empty for none")
+        for name in ("compensate", "anyway"):
+            if not isinstance(getattr(self, name), bool):
+                raise InputError(f"{name} must be True or False, got {getattr(self, name)!r}")
         if not isinstance(self.shop, Shop):
             raise InputError(f"shop is {self.shop!r}: give a Shop record, such as Shop(least_width=2.0)")
         settled = {

@@ -14,7 +14,7 @@ from elastica_cad.forming.plane_sections.section_lines import PlaneSection, coll
 from elastica_cad.forming.plane_sections.section_spec import Surface
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.drawn_edges import drawn_edges
-from elastica_cad.kernel.occt import Shape, plane_axes_of
+from elastica_cad.kernel.occt import Shape, kernel, plane_axes_of
 
 JOIN = 1e-4
 """Ends of edges nearer than this meet, mm."""
@@ -79,6 +79,8 @@ def shape_surface(shape: Shape, scale: float = 1.0) -> Surface:
     from OCP.TopAbs import TopAbs_ShapeEnum
     from OCP.TopExp import TopExp_Explorer
 
+    if not isinstance(shape, kernel().TopoDS_Shape):
+        raise InputError(f"a body to cut is a face, shell or solid, not {type(shape).__name__}")
     if scale != 1.0:
         larger = gp_Trsf()
         larger.SetScaleFactor(scale)

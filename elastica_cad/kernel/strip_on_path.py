@@ -262,6 +262,7 @@ def make_fixture_on(
     from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 
     sizes = {name: asked.pop(name) for name in FIXTURE_SIZES if name in asked}
+    _refuse_unknown(asked, FIXTURE_SIZES)
     made = make_strip_on(path, sheet, **asked)
     ground = None if floor is None else _frame_of(floor)
     return made, EndFixture.of(made.strip, end, made.frame, floor=ground, number=number, **sizes)
@@ -282,7 +283,8 @@ def curves_on_body(body: Any, planes: Any, *, half: bool = False) -> "tuple[Sect
     from elastica_cad.kernel.shape_sections import shape_surface
 
     if not isinstance(planes, SectionSpec):
-        rows = planes if isinstance(planes, Iterable) and not isinstance(planes, Frame) else (planes,)
+        alone = isinstance(planes, Frame | str) or not isinstance(planes, Iterable)
+        rows = (planes,) if alone else planes
         planes = SectionSpec(GivenCuts(tuple(map(_frame_of, rows))), half=half)
     curves, reports = planes.curves(shape_surface(getattr(body, "wrapped", body)))
     for text in reports:
@@ -321,19 +323,22 @@ def _warn_of_contact(strip: Strip) -> None:
         )
 
 
-def _refuse_unknown(asked: Mapping[str, Any]) -> None:
+def _refuse_unknown(asked: Mapping[str, Any], sizes: Sequence[str] = ()) -> None:
     """Names that are no options, with the nearest that is."""
     from elastica_cad.fabrication.strip_spec import StripSpec
 
-    known = sorted({"plane", *(field.name for field in fields(StripSpec))} - {"curve", "sheet", "frame"})
+    known = sorted(
+        {"plane", *sizes, *(field.name for field in fields(StripSpec))} - {"curve", "sheet", "frame"}
+    )
     for name in asked:
         if name in known:
             continue
         if name in OF_STYLES:
             raise UnknownOptionError(f"{name} is no option of a strip: give {OF_STYLES[name]}")
         near = get_close_matches(name, known, n=1)
+        what = "a fixture" if sizes else "a strip"
         hint = f"did you mean {near[0]}?" if near else f"there are {', '.join(known)}"
-        raise UnknownOptionError(f"{name} is no option of a strip: {hint}")
+        raise UnknownOptionError(f"{name} is no option of {what}: {hint}")
 
 
 def _frame_of(plane: Any) -> Frame:

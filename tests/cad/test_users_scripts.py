@@ -1,10 +1,13 @@
 """Scripts as users of both libraries write them: arrays, assemblies, and what they export."""
 
+import copy
 import math
+import pickle
 
 import numpy as np
 import pytest
 
+from elastica_cad.errors import InputError
 from elastica_cad.fabrication.strip.tabs import Hole, Tab
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
@@ -69,6 +72,22 @@ class TestBuild123d:
         size = bd.Compound(bd.import_svg(tmp_path / "rib.svg")).bounding_box().size
         assert pytest.approx((rib.rod.length + 24, 12), abs=0.2) == (size.X, size.Y)
 
+    def test_pickled(self, rib):
+        """As multiprocessing and caches do."""
+        for body in (rib, rib.flat, rib.outline, rib.fixture()):
+            read = pickle.loads(pickle.dumps(body))
+            assert (read.label, tuple(read.color)) == (body.label, tuple(body.color))
+            assert read.strip.mass == body.strip.mass
+            assert read.area == pytest.approx(body.area, rel=1e-9)
+            assert list(read.joints) == list(body.joints)
+
+    def test_scaled_it_is_no_strip(self, rib):
+        for body in (rib, rib.flat, rib.outline):
+            larger = body.scale(2)
+            assert larger.area == pytest.approx(4 * body.area, rel=1e-6)
+            assert larger.label == "rib"
+            assert not hasattr(larger, "strip")
+
 
 @pytest.mark.cadquery
 class TestCadQuery:
@@ -129,3 +148,54 @@ class TestCadQuery:
         assert (tmp_path / "rib.glb").read_bytes()[:4] == b"glTF"
         cq.exporters.export(cq.Workplane(obj=rib.outline), str(tmp_path / "rib.svg"))
         assert "<path" in (tmp_path / "rib.svg").read_text()
+
+    def test_copied_and_pickled(self, rib):
+        """As multiprocessing and caches do."""
+        for body in (rib, rib.flat, rib.outline, rib.fixture()):
+            for read in (copy.copy(body), copy.deepcopy(body), pickle.loads(pickle.dumps(body))):
+                assert (type(read), read.label) == (type(body), body.label)
+                assert read.color.toTuple() == body.color.toTuple()
+                assert read.strip.mass == body.strip.mass
+                assert read.Area() == pytest.approx(body.Area(), rel=1e-9)
+                assert read.flat.Volume() == pytest.approx(rib.flat.Volume(), rel=1e-9)
+        assert pickle.loads(pickle.dumps(rib)).joints["end"].toTuple() == rib.joints["end"].toTuple()
+
+    def test_scaled_it_is_no_strip(self, rib):
+        for body in (rib, rib.flat, rib.outline):
+            larger = body.scale(2)
+            assert larger.Area() == pytest.approx(4 * body.Area(), rel=1e-6)
+            assert larger.label == "rib"
+            assert not hasattr(larger, "strip")
+
+    def test_slips_are_told_in_a_sentence(self, rib):
+        import cadquery as cq
+
+        from elastica_cad.cadquery import bent_strip, elastica, section_strips
+
+        ball = cq.Workplane().sphere(60)
+        slips = {
+            "max_width is '12'": lambda: bent_strip(CURVE, SHEET, max_width="12"),
+            "compensate must be True or False": lambda: bent_strip(
+                CURVE, SHEET, max_width=12, compensate="no"
+            ),
+            "walls is no option of a fixture: did you mean wall": lambda: rib.fixture(walls=3),
+            "not 'middle'": lambda: rib.end_face("middle"),
+            "end must be two finite numbers": lambda: rib.bent(end="x"),
+            "face, shell or solid, not int": lambda: section_strips(5, cq.Plane.XZ(), SHEET, max_width=9),
+            "plane is 'XZ'": lambda: section_strips(ball, "XZ", SHEET, max_width=9),
+            "angles must be two": lambda: elastica((0, 0), (10, 0), 50, angles=30),
+        }
+        for says, slip in slips.items():
+            with pytest.raises(InputError, match=says):
+                slip()
+        on_vectors = elastica(cq.Vector(0, 0), cq.Vector(10, 0), 50)
+        assert on_vectors.Length() == pytest.approx(50, rel=1e-6)
+
+    def test_a_label_of_any_letters_is_engraved(self):
+        """A fixture's own number is in letters that the alphabet has."""
+        from elastica_cad.cadquery import bent_strip
+
+        rib = bent_strip(CURVE, SHEET, max_width=12, label="Träger ß")
+        block = rib.fixture("end")
+        assert block.isValid()
+        assert block.Volume() < rib.fixture("end", number="").Volume()

@@ -10,7 +10,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.grooves import grooves
-from elastica_cad.fabrication.drawings.lettering import Text, text_strokes, text_width
+from elastica_cad.fabrication.drawings.lettering import Text, engravable, text_strokes, text_width
 from elastica_cad.fabrication.holders.placed_tab import ENDS, End, PlacedTab, place_tabs
 from elastica_cad.fabrication.holding.rest_in_seats import lean_against
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
@@ -118,7 +118,7 @@ class EndFixture:
                 "mm: make the foot longer or the screw thinner"
             )
         if self.number is None:
-            object.__setattr__(self, "number", self.tab.name)
+            object.__setattr__(self, "number", engravable(self.tab.name))
         if abs(self._ground.z_axis @ self.tab.frame.y_axis) > LEVEL:
             lean = np.degrees(np.arcsin(min(1.0, abs(float(self._ground.z_axis @ self.tab.frame.y_axis)))))
             raise InputError(

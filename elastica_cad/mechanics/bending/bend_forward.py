@@ -299,7 +299,10 @@ def _guess_state(guess: "Rod | ArrayLike", system: RodSystem) -> RodState:
 def _pair(value: ArrayLike | None, own: FloatArray, name: str) -> FloatArray:
     if value is None:
         return np.array(own)
-    pair = np.asarray(value, dtype=float)
+    try:
+        pair = np.asarray(value, dtype=float)
+    except (TypeError, ValueError):
+        pair = np.array([])
     if pair.shape != (2,) or not np.all(np.isfinite(pair)):
         raise InputError(f"{name} must be two finite numbers, mm, got {value!r}")
     return pair

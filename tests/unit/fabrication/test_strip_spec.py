@@ -162,7 +162,7 @@ class TestLoads:
         ({"frame": (0, 0, 0)}, "give a Frame"),
         ({"max_width": 0}, "max_width is 0: it must be positive"),
         ({"min_width": math.nan}, "min_width is nan: it must be positive"),
-        ({"max_width": "wide"}, "max_width is wide"),
+        ({"max_width": "wide"}, "max_width is 'wide'"),
         ({"style": "plain"}, r"give Plain\(\)"),
         ({"limits": 3.5}, "limits is 3.5: give a Limits record"),
         ({"keep": True}, "keep is True: give a Keep record"),
@@ -209,7 +209,7 @@ def test_gravity_of_a_record_is_taken_as_it_is():
 @pytest.mark.parametrize("name", ["max_width", "min_width"])
 @pytest.mark.parametrize("width", [-5.0, 0.0, math.nan, "20"])
 def test_a_width_is_positive(name, width):
-    with pytest.raises(InputError, match=f"{name} is {width}: it must be positive, in mm"):
+    with pytest.raises(InputError, match=f"{name} is {width!r}: it must be positive, in mm"):
         spec(**{name: width})
 
 

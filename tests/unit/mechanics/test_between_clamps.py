@@ -8,6 +8,7 @@ from scipy.special import ellipe, ellipk
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.bending.between_clamps import elastica_between
 from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
 pytestmark = pytest.mark.core
 
@@ -62,3 +63,31 @@ def test_taper_and_weight():
 def test_refused(end, length, side, says):
     with pytest.raises(InputError, match=says):
         elastica_between((0, 0), end, length, side=side)
+
+
+@pytest.mark.parametrize(
+    "angles", [(0.5, -0.5), (0.0, 0.0), (None, None), (0.5, None), (None, -1.2), (1.6, -2.6)]
+)
+def test_a_strip_of_even_width_is_drawn(angles):
+    """The drawn curve asks for even stiffness, and is as long as the strip."""
+    curve = elastica_between((0, 0), (60, 20), 100.0, angles=angles).curve
+    assert optimal_rod(curve).ratio == pytest.approx(1, abs=1e-3)
+    assert curve.length == pytest.approx(100, rel=1e-8)
+
+
+@pytest.mark.parametrize(
+    ("given", "says"),
+    [
+        ({"start": (0, 0, 3)}, "start .* without z"),
+        ({"start": "a"}, "start .* without z"),
+        ({"end": 70}, "end .* without z"),
+        ({"length": "100"}, "length must be a number"),
+        ({"angles": 45}, "angles must be two"),
+        ({"angles": (10,)}, "angles must be two"),
+        ({"angles": ("steep", 0)}, "angles must be two"),
+    ],
+)
+def test_what_is_no_point_length_or_pair_is_named(given, says):
+    asked = {"start": (0, 0), "end": (70, 0), "length": 100.0} | given
+    with pytest.raises(InputError, match=says):
+        elastica_between(**asked)
