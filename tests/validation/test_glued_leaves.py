@@ -220,6 +220,14 @@ def test_the_nearest_stack_keeps_its_limits(curve, leaves, asked):
     assert near.curve.length == pytest.approx(rod.length)
 
 
+def test_a_stack_that_steps_less_stable_comes_of_a_stricter_taper():
+    """The steps of the first stack take 3 % of the margin that its taper had."""
+    low = PlaneCurve.spline([(0, 0), (100, 80), (200, 80), (300, 0)], degree=3)
+    near = nearest_rod(low, Limits(ratio=4.0, margin=160.0), section=LeavesLaw(LEAF, 4, 20.0))
+    assert near.status is Status.MET, str(near)
+    assert stability(near.rod).margin >= 160.0
+
+
 @dataclass(frozen=True)
 class _Answer:
     """What `shot` looks at."""

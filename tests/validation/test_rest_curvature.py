@@ -218,6 +218,14 @@ def test_what_a_blank_cannot_keep_is_told(rest, keep, words):
         nearest_rod(WAVE, None, keep, natural_curvature=rest)
 
 
+@pytest.mark.parametrize(("share", "length"), [(0.97, 1.01), (1.03, 0.99)])
+def test_a_blank_becomes_a_hundredth_longer_or_shorter_at_most(share, length):
+    """Its curvature is known along it: the nearest strip comes as near to the curve's length as it may."""
+    blank = share * ARCH.length
+    near = nearest_rod(ARCH, natural_curvature=RestCurvature.linear([0, blank], [0.002, 0.001]))
+    assert near.rod.length == pytest.approx(length * blank, rel=1e-6)
+
+
 class TestZeros:
     """Of kappa - kappa_0 on an arc, where kappa is 0.01 and kappa_0 is given."""
 

@@ -175,12 +175,13 @@ def known_of(copy, folder):
 
 
 def asked_again(copy, found, known, named, verdicts):
-    """The record with those of some verdicts tried anew, each as it is tried."""
+    """The record with those of some verdicts tried anew, each as it is tried, beside its first verdict."""
     for place, one in enumerate(found):
         if one["verdict"] in verdicts:
             found[place] = tried(copy, ROOT / one["file"], one["number"], known, LONG_S, named)
             if found[place]["change"] != one["change"]:
                 sys.exit(f"{one['file']} is no longer as it was: {one['change']}")
+            found[place]["first"] = one.get("first", one["verdict"])
             yield found[place]
 
 

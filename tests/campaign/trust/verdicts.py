@@ -3,18 +3,29 @@
 from typing import Any
 
 Record = list[dict[str, Any]]
+NOTICED = ("killed", "too long")
 
 
 def summary(record: Record) -> str:
-    """Both rates in a sentence."""
-    killed = sum(one["verdict"] in ("killed", "too long") for one in record)
+    """Both rates in a sentence, and how many were noticed before tests were mended."""
+    killed = sum(one["verdict"] in NOTICED for one in record)
+    first = sum(one.get("first", one["verdict"]) in NOTICED for one in record)
     equal = sum(one["verdict"] == "equivalent" for one in record)
     told = f"{killed} of {len(record)} mutants noticed"
+    if first != killed:
+        told += f" ({first} at the first look)"
     if not equal:
         return told
     rest = len(record) - equal
     share = 100 * killed / rest if rest else 100.0
     return f"{told}; {equal} leave every answer of the bank as it is, of the other {rest} {share:.1f} % are noticed"
+
+
+def together(records: list[Record]) -> Record:
+    """Mutants of several seeds, those that two of them drew once, as they were judged last."""
+    return list(
+        {(one["file"], one["number"], one["change"]): one for record in records for one in record}.values()
+    )
 
 
 def survivors(record: Record) -> list[list[str]]:
