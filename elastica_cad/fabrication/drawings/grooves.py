@@ -38,7 +38,8 @@ def grooves(stroke: Path, width: float, flatness: float) -> list[tuple[Path, tup
     (25.0, [9.0])
     """
     points = stroke.points(flatness)
-    if stroke.closed or np.hypot(*(points[-1] - points[0])) < width * LEAST_SIDE:
+    # a dot is one chord, however short
+    if stroke.closed or (len(points) > 2 and np.hypot(*(points[-1] - points[0])) < width * LEAST_SIDE):
         corners = points if stroke.closed else points[:-1]
         ring = _ring(corners, width)
         if ring is not None:

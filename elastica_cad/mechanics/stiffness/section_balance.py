@@ -142,7 +142,13 @@ def _settled(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffness:
 
 
 def extrapolated(first: float, second: float, third: float) -> float:
-    """Aitken's limit of a sequence that closes in by the same factor each time; else the last one."""
+    """Aitken's limit of a sequence that closes in by the same factor each time; else the last one.
+
+    Examples
+    --------
+    >>> extrapolated(0.0, 1.0, 1.5), extrapolated(0.0, 1.0, 3.0)
+    (2.0, 3.0)
+    """
     step, before = third - second, second - first
     if before == 0 or not -0.9 < step / before < 0.9:
         return third

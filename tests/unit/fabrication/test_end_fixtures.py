@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.holders.base_plate import base_plate
+from elastica_cad.fabrication.holders.base_plate import BasePlate, TabSlot, base_plate
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture, end_fixtures
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab
 from elastica_cad.fabrication.model.strip_model import Model
@@ -15,6 +15,7 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import Hole, Tab
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.paths.path import Path
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
@@ -88,6 +89,20 @@ def test_the_foot_stands_on_the_floor(arch):
         assert drill.frame.z_axis[2] == pytest.approx(1.0)
 
 
+@pytest.mark.parametrize("number", ["A:2", "an arch with a name:2"])
+def test_numbers_lie_between_the_ends_of_the_tab_and_the_tip_of_the_block(arch, number):
+    """A long one is engraved so small that its dots are shorter than the tool is wide."""
+    fixture = EndFixture.of(arch, "end", UPRIGHT, number=number)
+    letters = [
+        fixture.tab.frame.local(one.frame.point(one.outline.points(0.1)))
+        for one in fixture.solid.removed
+        if one.thickness < 1
+    ]
+    x = np.concatenate(letters)[:, 0]
+    assert len(letters) >= 5
+    assert 0 < x.min() < x.max() < fixture.tab.length + fixture.wall
+
+
 def test_all_fixtures_of_a_model_share_the_floor(arch):
     fixtures = end_fixtures(standing(arch, 0.0, 1.0).placed)
     assert [f.number for f in fixtures] == ["A:1", "A:2", "A:1", "A:2"]
@@ -151,6 +166,9 @@ def test_every_tab_goes_through_its_slot(arch, shape, check_drawing):
             for depth in (0.0, 1.5, 3.0):
                 assert hole.covers(shapely.MultiPoint(slab_corners(tab, depth)))
             assert outline.exterior.distance(hole) >= 12 - 2e-3  # the polyline of a rounded corner
+    spans = np.ptp(np.concatenate([slot.corners for slot in base.slots]), axis=0) + 2 * 12
+    assert np.ptp(base.outline.bounds, axis=0) == pytest.approx(spans)
+    assert (base.outline.area == pytest.approx(spans.prod())) == (shape == "rectangle")
     assert base.solid.frame.origin[2] == -3.0
     assert base.solid.area == pytest.approx(base.piece.area)
     check_drawing(base.drawing)
@@ -166,6 +184,21 @@ def test_labels_keep_off_the_slots(arch):
     for text in base.drawing.texts:
         for stroke in text_strokes(text):
             assert shapely.LineString(stroke.points(0.05)).distance(slots) > 0.8
+
+
+@pytest.mark.parametrize("side", [-1, 1])
+def test_a_label_goes_where_no_slot_is_in_the_way(side):
+    """Beside one other slot: away from it, and above where both sides are free."""
+    slots = [
+        TabSlot(np.array([(0, y), (20, y), (20, y + 3), (0, y + 3)], dtype=float), f"A:{k}", 0.8)
+        for k, y in enumerate((0.0, side * 6.0, 100.0))
+    ]
+    plate = BasePlate(
+        MDF, Frame(), Path.polygon([(-50, -50), (70, -50), (70, 150), (-50, 150)]), tuple(slots)
+    )
+    first, _, lone = plate.drawing.texts
+    assert (first.position[1] < 0) == (side == 1)
+    assert lone.position[1] > 103
 
 
 def test_least_slot_width_and_height_of_the_plate(arch):

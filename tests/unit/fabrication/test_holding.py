@@ -21,6 +21,7 @@ from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.model.revolution_model import revolve
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.strip.made_stiffness import stiffness_shares
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import Tab
@@ -124,6 +125,9 @@ def test_causes_are_listed_each_alone(rod):
     style = Perforated(width=40, columns=2, rows=3)
     leaning = Strip(rod, none, max_width=30.0, style=style).held()
     assert leaning.parts["leaning ligaments"] > 1e-5 * rod.length
+    layout = Strip(rod, none, max_width=30.0, style=style).layout
+    share = stiffness_shares(rod, layout, (), (None, None))["leaning ligaments"]
+    assert 0.98 < share.min() < share.max() < 1
 
 
 def inclined(strip):

@@ -90,6 +90,11 @@ def test_a_pole_is_closed_by_a_cap(globe):
     assert cap.radii[0] == 0
     assert cap.slots == ()
     assert len(cap.seats) == 12
+    for tab, seat in zip(tabs(globe, "end"), cap.seats, strict=True):
+        lies = [(x, side * tab.width / 2, 0.0) for x in (0.0, tab.length) for side in (-1, 1)]
+        corners = np.array([segment.start for segment in seat.segments])
+        for corner in cap.frame.local(tab.frame.point(lies))[:, :2]:
+            assert np.hypot(*(corners - corner).T).min() < 1e-6
     tip, card = globe.placed[0].strip.rod.position[-1], CARD.thickness
     assert cap.frame.origin[2] == pytest.approx(tip[1] + card / 2)
     assert cap.frame.z_axis[2] == -1

@@ -7,7 +7,7 @@ import shapely
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.lettering import text_strokes
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab
-from elastica_cad.fabrication.holders.slotted_frame import slotted_frame
+from elastica_cad.fabrication.holders.slotted_frame import SHOULDER_MM, slotted_frame
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -73,6 +73,8 @@ def test_tongues_fill_their_slots(frame):
             assert np.hypot(*(inside[1] - inside[0])) == pytest.approx(12.0)
             beside = local[np.abs(local[:, 2] + 3.0) < 1e-6]
             assert len(beside) >= 3
+            reach = np.hypot(*(beside[:, :2] - slot.corners.mean(axis=0)).T)
+            assert np.sort(reach)[:3] == pytest.approx([6.0, 6.0, 6.0 + SHOULDER_MM])
 
 
 def test_slots_keep_apart_and_inside(frame, check_drawing):

@@ -32,6 +32,10 @@ def test_a_taper_makes_a_trapezium():
     assert strip(Tab(10, taper=4)).area == pytest.approx(30 * 100 + 2 * 10 * (30 + 22) / 2)
 
 
+def test_a_chamfer_cuts_two_corners_of_a_tab():
+    assert strip(Tab(10, chamfer=3)).area == pytest.approx(30 * 100 + 2 * (10 * 30 - 3**2))
+
+
 def test_the_slot_lies_in_the_middle_of_the_edge():
     outline = strip(Tab(20, t_slot=TSlot(12, screw=4.0, nut=(7.0, 3.2), wall=5.0))).outline
     corners = {tuple(np.round(segment.start, 9)) for segment in outline.segments}

@@ -52,6 +52,20 @@ def test_nearly_closed_chain_of_arcs_closes():
     assert curve.length == pytest.approx(20 * np.pi, rel=1e-3)
 
 
+@pytest.mark.parametrize(("turn", "corners"), [(45.0, 0), (49.0, 0), (51.0, 1)])
+def test_a_polyline_has_corners_where_it_turns_by_more_than_50_degrees(turn, corners):
+    v = np.radians(turn)
+    curve = curve_from_points(np.array([(-100, 0), (0, 0), (100 * np.cos(v), 100 * np.sin(v))]))
+    assert len(curve.tangent_breaks) == corners
+
+
+def test_stations_lie_along_the_whole_edge():
+    edge = Edge.polyline([(0, 0), (10, 0), (10, 30)])
+    first, *_, last = edge.stations(each=5)
+    assert edge.at(np.array([first, last])) == pytest.approx(np.array([(0, 0), (10, 30)]))
+    assert len(edge.stations(each=5)) == 2 * 5 - 1
+
+
 def test_polyline_among_true_curves_is_fitted():
     v = np.linspace(0, np.pi / 2, 50)
     sampled = Edge.polyline(np.column_stack([100 * np.cos(v), 100 * np.sin(v)]))

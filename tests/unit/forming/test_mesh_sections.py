@@ -224,6 +224,18 @@ def test_split_at_a_spine_and_at_points():
     assert len(left.split_at([left.points[5]])) == 2
 
 
+def test_split_at_corners():
+    """Of an open line, whose pieces end where it does, and of a closed one."""
+    bent = SectionLine(np.array([(0, 0), (10, 1), (20, 0), (20, 10), (21, 20), (20, 31)]), UPRIGHT, "roof")
+    first, second = bent.split_at_corners(1.0)
+    assert first.points.tolist() == [[0, 0], [10, 1], [20, 0]]
+    assert second.points.tolist() == [[20, 0], [20, 10], [21, 20], [20, 31]]
+    assert bent.split_at_corners(2.0) == (bent,)
+    square = SectionLine(np.array([(0, 0), (5, 0), (9, 0), (9, 9), (0, 9), (0, 0)]), UPRIGHT, "well")
+    sides = square.split_at_corners(1.0)
+    assert sorted(side.length for side in sides) == [9, 9, 9, 9]
+
+
 def test_smoothing_halves_a_wave_and_keeps_ends():
     x = np.linspace(0, 400, 4000)
     wave = np.column_stack([x, 0.05 * np.sin(2 * np.pi * x / 40)])

@@ -378,6 +378,7 @@ def test_a_straight_wish():
             "mirror axis",
         ),
         (lambda: nearest_rod(ARCH, keep=Keep(points=(1e4,))), "lies off"),
+        (lambda: nearest_rod(ARCH, keep=Keep(points=(ARCH.length + 0.05,))), "lies off"),
         (lambda: nearest_rod(ARCH, keep=Keep(line=True), gravity=Gravity(100.0)), "inflection line"),
         (lambda: nearest_rod(ARCH, keep=Keep(line=True)), "inflection line"),
     ],

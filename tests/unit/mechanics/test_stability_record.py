@@ -115,6 +115,18 @@ class TestLimits:
         assert np.all(np.diff(limit.parameters) >= 0)
         assert limit.margins[0] == pytest.approx(stability(arch).margin)
 
+    def test_load_factors_begin_at_the_load_that_the_rod_carries(self):
+        """A column of its own weight, 1 / 1.3 of the one that buckles it: w L^3 / (E I) = 7.837."""
+        column = Rod.straight(
+            100.0, angle=np.pi / 2, supports=Supports("clamped", "free"),
+            gravity=Gravity(100.0 * (1.3 / 7.837) ** (1 / 3)),
+        )  # fmt: skip
+        standing = bend(column)
+        limit = stability_limit(standing, [2.0])
+        assert limit.at["load"] == pytest.approx(1.3, rel=1e-3)
+        assert limit.parameter == pytest.approx(0.3, abs=2e-3)
+        assert limit.margins[0] == pytest.approx(stability(standing).margin)
+
     def test_stable_all_along(self):
         arch = bend(Rod.straight(1.0, samples=101), end=(0.9, 0.0))
         limit = stability_limit(arch, [(0.8, 0.0), (0.6, 0.1), (0.3, 0.1)])
