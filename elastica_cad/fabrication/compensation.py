@@ -23,7 +23,9 @@ LEFT_SHARE = 2.8e-4  # of the length: what a correction may leave
 ENOUGH_SHARE = 1e-5  # of the length: a deviation that needs no correction
 
 
-def compensate_widths(strip: Strip, start: TabSeat | None = None, end: TabSeat | None = None) -> Strip:
+def compensate_widths(
+    strip: Strip, start: TabSeat | None = None, end: TabSeat | None = None, *, largest: float = np.inf
+) -> Strip:
     """The strip with widths that bring it, as it is made and held, back to its design.
 
     Bent forward as made (`Strip.held`) it strays; its widths are changed to first order, as smoothly as suffices,
@@ -34,6 +36,9 @@ def compensate_widths(strip: Strip, start: TabSeat | None = None, end: TabSeat |
     strip : Strip
     start, end : TabSeat, optional
         What holds the ends.
+    largest : float
+        Of the logarithm of a width's change, against the mean: ends flare where a slot lies beside a narrow tab,
+        and a strip as wide as before at its ends is narrower elsewhere.
 
     Returns
     -------
@@ -58,9 +63,8 @@ def compensate_widths(strip: Strip, start: TabSeat | None = None, end: TabSeat |
     best, least = strip, np.inf
     # a first guess: as much wider as each place is softer, evened out along the strip
     softer = -np.log(np.prod([np.ones(design.s.size), *strip.as_made.shares.values()], axis=0))
-    guess = np.clip(
-        np.linalg.lstsq(basis, softer - softer.mean(), rcond=None)[0], -LARGEST_GUESS, LARGEST_GUESS
-    )
+    clip = min(LARGEST_GUESS, largest)
+    guess = np.clip(np.linalg.lstsq(basis, softer - softer.mean(), rcond=None)[0], -clip, clip)
     rest, kept = None, np.zeros(basis.shape[1])
     for coefficients in (kept, guess):
         found = _rest(strip, basis @ coefficients, start, end)
@@ -72,7 +76,9 @@ def compensate_widths(strip: Strip, start: TabSeat | None = None, end: TabSeat |
             if rest is None or least <= ENOUGH_SHARE * design.length or damping > MOST_DAMPING:
                 break
             drift = rest.position - design.position
-            coefficients = correct_widths(rest, drift, basis, kept, damping, smoothing)
+            coefficients = correct_widths(
+                rest, drift, basis, kept, damping=damping, smoothing=smoothing, largest=largest
+            )
             found = _rest(strip, basis @ coefficients, start, end)
             if found is None or strayed(design, found[1]) >= least:
                 damping *= DAMPED

@@ -8,8 +8,12 @@ import pytest
 
 from elastica_cad.fabrication.holders.plate_pair import plate_pair
 from elastica_cad.fabrication.holders.tab_seats import held_shapes
+from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP
+from elastica_cad.fabrication.makeability.uncuttable_parts import find_strip_faults
 from elastica_cad.fabrication.model.compensated_model import interlock_compensated
 from elastica_cad.fabrication.strip.tabs import Tab
+from elastica_cad.files import read_curves
+from elastica_cad.formats.design_files.design_file import read_design
 
 
 @pytest.fixture(scope="module")
@@ -92,19 +96,47 @@ def test_slots_move_the_shape_a_little(pavilion):
 
 
 def test_widths_that_make_up_for_slots_keep_every_joint(pavilion):
-    """Strips that would no longer reach each other are widened as a whole, and say so."""
+    """Strips that are widened as a whole, so that they reach each other, say so."""
     model = pavilion(7)
     plain = model.interlock(clearance=0.1)
     made_up = interlock_compensated(model, {strip.label for strip in model.strips}, clearance=0.1)
     assert [joint.members for joint in made_up.joints] == [joint.members for joint in plain.joints]
     assert max(strip.held_deviation for strip in plain.strips) > 0.5
     assert max(strip.held_deviation for strip in made_up.strips) < 0.1
-    assert any("still locks" in text for text in made_up.reports)
+    _widened_as_told(made_up, model)
+
+
+def _widened_as_told(made_up, model):
     for strip, before in zip(made_up.strips, model.strips, strict=True):
         wider = strip.width.extremes[1] > 1.001 * before.width.extremes[1]
         assert wider == any(
             f"{strip.label} is " in text and "still locks" in text for text in made_up.reports
         )
+
+
+def test_the_design_file_with_its_feet_is_made_up_for(tmp_path, project_root):
+    """Its first seven strips, narrow tabs and slots beside them: no joint is lost, nothing gets too thin to cut."""
+    text = (project_root / "examples" / "pavilion" / "pavilion.toml").read_text()
+    text = text.replace('count = "strips"', "count = 7")
+    plain, made_up = (
+        read_design(_written(tmp_path / name, text.replace("gravity = true", extra, 1)), read_curves).model()
+        for name, extra in (
+            ("plain.toml", "gravity = true"),
+            ("made.toml", "gravity = true\ncompensate = true"),
+        )
+    )
+    assert [joint.members for joint in made_up.joints] == [joint.members for joint in plain.joints]
+    strayed = [[strip.held_deviation for strip in model.strips] for model in (plain, made_up)]
+    assert all(after < before for before, after in zip(*strayed, strict=True))
+    assert sorted(strayed[1])[3] < 0.1
+    assert any("still locks" in text for text in made_up.reports)
+    _widened_as_told(made_up, plain)
+    assert not any(find_strip_faults(strip, DEFAULT_SHOP) for strip in made_up.strips)
+
+
+def _written(path, text):
+    path.write_text(text)
+    return path
 
 
 def test_two_plates_hold_what_compensation_leaves(pavilion):

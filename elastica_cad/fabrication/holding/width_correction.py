@@ -25,7 +25,14 @@ def width_basis(s: FloatArray, *, closed: bool = False) -> FloatArray:
 
 
 def correct_widths(
-    made: Rod, drift: FloatArray, basis: FloatArray, kept: FloatArray, damping: float, smoothing: float
+    made: Rod,
+    drift: FloatArray,
+    basis: FloatArray,
+    kept: FloatArray,
+    *,
+    damping: float,
+    smoothing: float,
+    largest: float,
 ) -> FloatArray:
     """Coefficients (m,) of the change of width that takes a drift back, to first order.
 
@@ -48,7 +55,11 @@ def correct_widths(
         Weight of the second differences of the coefficients against the drift that is left.
     damping : float
         Weight of the step against the drift, relative: larger for shorter steps.
+    largest : float
+        No coefficient goes beyond it.
     """
+    from scipy.optimize import lsq_linear
+
     rod, n = made.discrete, made.s.size
     diagonal, off = rod.hessian
     moment = made.moment[:, None] * basis
@@ -74,7 +85,11 @@ def correct_widths(
     whole = np.concatenate([smoothing * bends, SIZE * one])
     system = np.concatenate([A, damping * scale * one, scale * whole])
     wanted = np.concatenate([-left, np.zeros(len(one)), -scale * whole @ kept])
-    return np.asarray(kept + np.linalg.lstsq(system, wanted, rcond=None)[0])
+    step = np.linalg.lstsq(system, wanted, rcond=None)[0]
+    if np.abs(kept + step).max() > largest:
+        bounds = (-largest - kept, largest - kept)
+        step = lsq_linear(system, wanted, bounds, method="bvls").x
+    return np.asarray(kept + step)
 
 
 def _without_motion(position: FloatArray, moves: FloatArray) -> FloatArray:

@@ -1,15 +1,25 @@
 """Strips that lock into each other, with widths that make up for their slots."""
 
-from collections import Counter
 from collections.abc import Container
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
+
 from elastica_cad.fabrication.compensation import compensate_widths
+from elastica_cad.fabrication.drawings.drawing import SAME_MM
 from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.strip_record import Strip
 
-ROUNDS, MOST_ROUNDS = 2, 6
+LARGEST = 0.15
+"""Of the logarithm of a width's change. Strips that flare at their ends are narrower elsewhere."""
+
+WIDENED, GENTLER = 1.1, 0.7
+"""As much wider a strip becomes at once so that no joint is lost; where that would need more, its largest change is
+made so much smaller instead: a wider strip has wider shoulders beside its tabs, which cost more than is gained."""
+
+ROUNDS, MOST_ROUNDS = 2, 10
 """Wider strips have deeper slots: a second round leaves little of that. As many again where joints were lost."""
 
 
@@ -17,7 +27,8 @@ def interlock_compensated(model: Model, which: Container[str], **options: Any) -
     """The model interlocked, with widths that make up for the slots.
 
     Strips that would no longer reach each other, narrower as they get, are widened as a whole by as much as they
-    lost there: that changes no shape, and is reported.
+    lost there, which changes no shape and is reported; where that is much, less is made up for. What is left is
+    each strip's `held_deviation`.
 
     Parameters
     ----------
@@ -29,22 +40,28 @@ def interlock_compensated(model: Model, which: Container[str], **options: Any) -
         Those of `Model.interlock`, and its errors.
     """
     first = locked = model.interlock(**options)
-    wider, left = [1.0] * len(model.strips), ROUNDS
+    wider, largest, left = [1.0] * len(model.strips), [LARGEST] * len(model.strips), ROUNDS
     for _ in range(MOST_ROUNDS):
         # slots are cut anew: where widths change, those of the round before need not reach the edge
-        strips = [
-            _widened(replace(one, correction=compensate_widths(cut).correction), scale)
-            if one.label in which else one
-            for one, cut, scale in zip(model.strips, locked.strips, wider, strict=True)
-        ]  # fmt: skip
+        known: dict[Any, Strip] = {}
+        strips = list(model.strips)
+        for k, (one, cut) in enumerate(zip(model.strips, locked.strips, strict=True)):
+            if one.label not in which:
+                continue
+            alike = (id(one.rod), cut.max_width, largest[k], *map(_cut_of, cut.slots))
+            if alike not in known:
+                known[alike] = compensate_widths(cut, largest=largest[k])
+            strips[k] = _widened(replace(one, correction=known[alike].correction), wider[k])
         locked = model.with_strips(_shared(model.strips, locked.strips, strips)).interlock(**options)
         lost = _lost(first, locked)
         left = ROUNDS if lost else left - 1
         if not left:
             break
-        for k, at in lost:
-            before, now = model.strips[k].width(at), locked.strips[k].width(at)
-            wider[k] *= max(1.0, float(before / now))
+        for k, narrower in _narrowed(lost, model, locked).items():
+            if narrower > WIDENED:
+                largest[k] *= GENTLER
+            else:
+                wider[k] *= narrower
     told = tuple(
         f"{model.name_of(k)} is {strip.max_width:.4g} mm wide at most, not {one.max_width:.4g} mm, so that it "
         "still locks into its neighbours"
@@ -54,6 +71,12 @@ def interlock_compensated(model: Model, which: Container[str], **options: Any) -
     return replace(locked, reports=(*locked.reports, *told))
 
 
+def _cut_of(slot: Slot) -> tuple[Any, ...]:
+    """What two slots that are cut alike share, to SAME_MM; whom they meet does not count."""
+    path = () if slot.path is None else tuple(np.round(slot.path.ravel() / SAME_MM).tolist())
+    return round(slot.at / SAME_MM), round(slot.width / SAME_MM), slot.side, slot.depth, *path
+
+
 def _widened(strip: Strip, scale: float) -> Strip:
     if scale == 1 or strip.max_width is None or strip.rod.bending_stiffness is not None:
         return strip
@@ -61,15 +84,25 @@ def _widened(strip: Strip, scale: float) -> Strip:
 
 
 def _lost(before: Model, after: Model) -> list[tuple[int, float]]:
-    """Strips, and places on them, mm, of joints that are no more."""
-    known = Counter(joint.members for joint in after.joints)
-    lost: list[tuple[int, float]] = []
-    for joint in before.joints:
-        if known[joint.members]:
-            known[joint.members] -= 1
-        else:
-            lost += [(k, slot.at) for k, slot in zip(joint.members, joint.slots, strict=True)]
-    return lost
+    """Strips, and places on them, mm, of joints that are no more.
+
+    Two strips may meet more than once: each joint that is left is the nearest one of before.
+    """
+    gone = [(joint.members, [slot.at for slot in joint.slots]) for joint in before.joints]
+    for joint in after.joints:
+        same = [one for one in gone if one[0] == joint.members]
+        if same:
+            gone.remove(min(same, key=lambda one: abs(one[1][0] - joint.slots[0].at)))
+    return [place for members, places in gone for place in zip(members, places, strict=True)]
+
+
+def _narrowed(lost: list[tuple[int, float]], before: Model, after: Model) -> dict[int, float]:
+    """How much narrower strips became at the joints that they lost, the most of each."""
+    found: dict[int, float] = {}
+    for k, at in lost:
+        narrower = float(before.strips[k].width(at) / after.strips[k].width(at))
+        found[k] = max(1.0, narrower, found.get(k, 1.0))
+    return found
 
 
 def _shared(before: tuple[Strip, ...], cut: tuple[Strip, ...], after: list[Strip]) -> list[Strip]:

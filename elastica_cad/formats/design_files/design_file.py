@@ -105,7 +105,7 @@ class Design:
             key = _likeness(entry)
             if key not in made:
                 try:
-                    made[key] = _make(entry)
+                    made[key] = _make(entry, slotted=self.interlock is not None)
                 except (NotRealizable, NotConvergedError, InputError) as problem:
                     (failed if entry.section else refused).append(problem)
                     continue
@@ -335,10 +335,11 @@ def _all_of(problems: Sequence[ElasticaError]) -> ElasticaError:
     return problems[0]
 
 
-def _make(entry: StripEntry) -> Strip:
-    """The strip without its slots, with complaints that name it."""
+def _make(entry: StripEntry, *, slotted: bool) -> Strip:
+    """The strip without its slots, with complaints that name it; what is slotted later is compensated with them."""
+    spec = entry.spec.changed(slots=(), compensate=entry.spec.compensate and not slotted)
     try:
-        return entry.spec.changed(slots=()).make()
+        return spec.make()
     except NotRealizable as problem:
         named = NotRealizable(problem.check)
         named.args = (f"{entry.called}: {problem}",)
