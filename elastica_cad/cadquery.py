@@ -27,7 +27,6 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.kernel import occt
-from elastica_cad.kernel.end_travel import Travel
 from elastica_cad.kernel.strip_on_path import (
     End,
     FixtureOptions,
@@ -221,6 +220,8 @@ class Slider:
     def __init__(self, rib: "_Made", end: ArrayLike) -> None:
         if rib._made.home is None:
             raise InputError("the end of a strip slides when it is bent: take its body .bent() first")
+        from elastica_cad.kernel.end_travel import Travel
+
         self.travel = Travel(rib.strip, rib.frame, end)
 
     def place(self, position: float) -> cq.Location:

@@ -2,7 +2,10 @@
 
 import copy
 import math
+import os
 import pickle
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -199,3 +202,17 @@ class TestCadQuery:
         block = rib.fixture("end")
         assert block.isValid()
         assert block.Volume() < rib.fixture("end", number="").Volume()
+
+
+def test_a_skin_is_there_soon_after_its_library(project_root):
+    """What solves, holds and animates strips is imported when it is asked for."""
+    library = os.environ.get("ELASTICA_KERNELS", "build123d").split(",")[0]
+    late = "optimal_rod", "nearest_rod", "end_travel", "held_shape", "strip_as_made", "assembly", "strip_spec"
+    code = (
+        f"import sys, elastica_cad.{library}\n"
+        f"print(sorted(set({late}) & {{name.rpartition('.')[2] for name in sys.modules if 'elastica' in name}}))"
+    )
+    told = subprocess.run(
+        [sys.executable, "-c", code], cwd=project_root, capture_output=True, text=True, check=False
+    )
+    assert told.stdout.strip() == "[]", told.stderr

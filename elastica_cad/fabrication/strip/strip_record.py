@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -10,17 +11,14 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication.drawings.drawing import (
     Drawing,
 )
-from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.holding.lap_joint import closes
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.as_built import rod_as_built
-from elastica_cad.fabrication.strip.strip_as_made import StripAsMade
 from elastica_cad.fabrication.strip.strip_layers import Layer, cut_layers, draw_layers
 from elastica_cad.fabrication.strip.strip_sideways import strip_sideways
 from elastica_cad.fabrication.strip.styles import PLAIN, Layout, Style, stations_of
 from elastica_cad.fabrication.strip.tabs import Tab
-from elastica_cad.forming.leaf_ends import leaf_bends
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.pen_curves.provenance import Provenance
@@ -34,6 +32,11 @@ from elastica_cad.mechanics.material.tapered_sections import LaidLeaves
 from elastica_cad.mechanics.rod.csv_text import csv_text
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.sideways import SidewaysStability
+
+# what holds strips, and leaves, are imported when they are asked for: a skin is then there soon after its library
+if TYPE_CHECKING:
+    from elastica_cad.fabrication.holding.held_shape import HeldShape
+    from elastica_cad.fabrication.strip.strip_as_made import StripAsMade
 from elastica_cad.mechanics.studies.creep import Creep, creep, require_creep
 
 FINE_EDGES = 1600
@@ -301,6 +304,8 @@ class Strip:
         """Stations (n,) and what each is bent by, |kappa - kappa_0|, 1/mm."""
         rod = self.rod
         if isinstance(self.layout.section, LaidLeaves):
+            from elastica_cad.forming.leaf_ends import leaf_bends
+
             return leaf_bends(rod, self.layout.section)
         s, curvature = rod.s, rod.curvature
         if rod.shape is not None:
@@ -435,11 +440,13 @@ class Strip:
         return float(np.hypot(*(bent.position[::finer] - self.rod.position).T).max())
 
     @cached_property
-    def as_made(self) -> StripAsMade:
+    def as_made(self) -> "StripAsMade":
         """The strip with all that changes its stiffness, to be held: see `held`."""
+        from elastica_cad.fabrication.strip.strip_as_made import StripAsMade
+
         return StripAsMade.of(self.rod, self.layout, self.ends, self.slots)
 
-    def held(self, start: TabSeat | None = None, end: TabSeat | None = None) -> HeldShape:
+    def held(self, start: TabSeat | None = None, end: TabSeat | None = None) -> "HeldShape":
         """The shape of the strip as it is made, in its holders; without one an end is held as designed.
 
         Raises
