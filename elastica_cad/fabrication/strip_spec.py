@@ -1,7 +1,7 @@
 """What is asked of one strip, in one record; and the strip that is made of it."""
 
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, cast
@@ -11,7 +11,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.asked_gravity import AskedGravity, is_number, lightened, pull_in_plane
 from elastica_cad.fabrication.makeability.makeable_widths import compensate_within
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
-from elastica_cad.fabrication.makeability.splices import spliced
+from elastica_cad.fabrication.makeability.splices import joined_within, spliced
 from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults, find_strip_faults
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lamination import Laminated
@@ -323,6 +323,8 @@ class StripSpec(EqualByValue):
             label=self.label,
             creep=self.creep,
         )
+        with suppress(InputError):  # no room for joints is told with what else cannot be cut
+            made = joined_within(made, self.shop)
         if self.compensate:
             made = compensate_within(made, self.shop)
         told = accept_faults(find_strip_faults(made, self.shop), self.anyway)

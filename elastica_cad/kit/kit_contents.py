@@ -11,7 +11,7 @@ from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.rocking_tabs import holder_plays, rocking_tabs
 from elastica_cad.fabrication.holders.tab_seats import hold_each
 from elastica_cad.fabrication.holding.held_shape import HeldShape
-from elastica_cad.fabrication.makeability.splices import Splice, spliced
+from elastica_cad.fabrication.makeability.splices import Splice, joined_within, spliced
 from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults, find_strip_faults
 from elastica_cad.fabrication.model.assembly import Holder
 from elastica_cad.fabrication.model.strip_model import Model
@@ -85,6 +85,7 @@ def kit_of(
         Parts larger than a sheet; strips, base or frame that cannot be cut and handled, unless `spec.anyway`.
     """
     spec = spec or KitSpec()
+    model = _joined(model, spec, entries)
     told, holders = [*_strip_faults(model, spec, entries)], list[Holder]()
     joined = _spliced(model, spec, entries)
     strips = strip_pieces(model.parts, numbered=bool(spec.holders or model.plates))
@@ -103,6 +104,15 @@ def kit_of(
     return Kit(
         model, spec, pieces, nests, tuple(holders), entries=tuple(entries), held=held, notes=tuple(told)
     )
+
+
+def _joined(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> Model:
+    """The model whose strips have the plates that join them, clear of the slots that neighbours cut."""
+    asked = {entry.label: entry.spec.shop for entry in entries}
+    known = {id(strip): joined_within(strip, asked.get(strip.label, spec.shop)) for strip in model.strips}
+    if all(known[id(strip)] is strip for strip in model.strips):
+        return model
+    return model.with_strips([known[id(strip)] for strip in model.strips])
 
 
 def _spliced(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> dict[str, Splice]:

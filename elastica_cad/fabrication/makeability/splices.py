@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 
@@ -18,8 +19,12 @@ from elastica_cad.fabrication.drawings.drawing import (
     LayeredPath,
 )
 from elastica_cad.fabrication.drawings.lettering import Text, text_width
+from elastica_cad.fabrication.holding.held_shape import strayed
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.sheets.pieces import Piece
+from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.strip.lap_plates import LapPlates
+from elastica_cad.fabrication.strip.made_stiffness import with_shares
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_layers import Layer
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -27,7 +32,6 @@ from elastica_cad.geometry.paths.clip import clip_across, trim_across
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.material.laminated_section import stack_stiffness
 
 PLACES = 400
 """Places along a strip where a joint is tried."""
@@ -98,31 +102,13 @@ class Splice:
     def deviation(self) -> float:
         """How far the plates move the shape, bent and held as designed, mm; their weight is left out.
 
-        Over a plate the strip is a sheet thicker and as stiff as that; it ends at once, as glue does.
+        Of a strip whose widths make up for them, what is left.
         """
-        made, (base, *more) = self.strip.as_built, self.strip.layers
-        s = made.s
-        wide, cut = self.strip.width(s), base.material(s)
-        left = np.minimum(replace(base, holes=self._holes).material(s), wide)
-        glued = [(layer.sheet, np.minimum(layer.material(s), cut)) for layer in more]
-        designed = stack_stiffness([(base.sheet, cut), *glued])
-        compliance = np.zeros(s.size)
-        on_base, on_backing = self._covered(s, self.joints), self._covered(s, self.backing_joints)
-        for share, stack in (
-            (1 - on_base - on_backing, [(base.sheet, left), *glued]),
-            (on_base, [(base.sheet, wide), (base.sheet, left), *glued]),
-            (on_backing, [(base.sheet, left), *glued, *glued]),
-        ):
-            compliance += share * designed / stack_stiffness(stack)
-        K = made.stiffness / compliance
-        factor = float(K.min() / made.stiffness.min())
-        B = made.bending_stiffness
-        stiffer = replace(
-            made.with_stiffness(Profile.interpolate(s, K)),
-            bending_stiffness=None if B is None else B * factor,
-        )
-        bent = bend(stiffer)
-        return float(np.hypot(*(bent.position - self.strip.rod.position).T).max())
+        if self.strip.correction is not None:
+            return replace(self.strip, plates=self.plates).held_deviation
+        whole, rod = self.strip.as_made.cut, self.strip.as_made.design
+        factor = self.plates.stiffening(rod.s, self.strip.layout, self.strip.layers)
+        return strayed(rod, bend(with_shares(whole, [factor])))
 
     def __str__(self) -> str:
         """One sentence."""
@@ -145,24 +131,15 @@ class Splice:
             f"move the shape by {self.deviation:.2g} mm"
         )
 
+    @property
+    def plates(self) -> LapPlates:
+        """What joins the pieces."""
+        return LapPlates(self.joints, self.lap, self.backing_joints)
+
     @cached_property
     def _holes(self) -> tuple[Path, ...]:
         """Holes of the base that are cut: those clear of the plates."""
-        half = self.lap / 2
-        spans = [(hole, hole.bounds[:, 0]) for hole in self.strip.holes]
-        return tuple(
-            hole
-            for hole, (low, high) in spans
-            if not any(low < at + half and high > at - half for at in self.joints)
-        )
-
-    def _covered(self, s: FloatArray, joints: Sequence[float]) -> FloatArray:
-        """Share (n,) of each node's cell that lies under a plate."""
-        ends = np.concatenate([s[:1], (s[1:] + s[:-1]) / 2, s[-1:]])
-        under = np.zeros(s.size)
-        for at in joints:
-            under += np.diff(np.clip(ends, at - self.lap / 2, at + self.lap / 2))
-        return under / np.diff(ends)
+        return self.plates.clear_holes(self.strip.holes)
 
     def _cut(self, whole: "_Whole") -> tuple[Piece, ...]:
         """The pieces of one layer in order, then its plates."""
@@ -267,7 +244,7 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
     s = np.linspace(lap / 2, strip.rod.length - lap / 2, PLACES)
     clear = np.ones(PLACES, dtype=bool)
     for slot in strip.slots:
-        clear &= np.abs(s - slot.at) > lap / 2 + slot.width
+        clear &= _keeps_off(slot, s, lap)
     rod = strip.rod
     turned = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(rod.angle)))])
     turn = np.interp(s + lap / 2, rod.s, turned) - np.interp(s - lap / 2, rod.s, turned)
@@ -295,7 +272,34 @@ def spliced(strip: Strip, shop: Shop) -> Splice | None:
     lengths = [float(np.ptp(layer.outline.bounds, axis=0)[0]) for layer in strip.layers]
     if all(length <= stock for length, stock in zip(lengths, stocks, strict=True)):
         return None
+    known = strip.plates
+    if known is not None and known.lap == shop.lap and _still_good(strip, known, stocks):
+        return Splice(strip, known.joints, known.lap, known.backing_joints)
     return splice(strip, stocks[0], shop.lap, backing_stock=stocks[-1])
+
+
+def joined_within(strip: Strip, shop: Shop) -> Strip:
+    """The strip with the plates that join its pieces, where the shop cuts it in pieces; else without any."""
+    joined = spliced(strip, shop)
+    plates = None if joined is None else joined.plates
+    return strip if strip.plates == plates else replace(strip, plates=plates)
+
+
+def _still_good(strip: Strip, plates: LapPlates, stocks: Sequence[float]) -> bool:
+    """Do the plates keep off the slots, and no piece pass the stock?"""
+    joints = (plates.joints, plates.backing_joints)
+    if not all(_keeps_off(slot, at, plates.lap) for slot in strip.slots for one in joints for at in one):
+        return False
+    for layer, cuts, stock in zip(strip.layers, joints, stocks, strict=False):
+        (first, _), (last, _) = layer.outline.bounds
+        if max(np.diff([float(first), *cuts, float(last)])) > stock:
+            return False
+    return True
+
+
+def _keeps_off(slot: Slot, at: FloatArray | float, lap: float) -> Any:
+    """Does a plate at these places along the strip leave the slot free?"""
+    return np.abs(at - slot.at) > lap / 2 + slot.width
 
 
 def _placed(

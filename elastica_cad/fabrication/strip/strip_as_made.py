@@ -14,6 +14,7 @@ from elastica_cad.fabrication.holding.rest_in_seats import rest_in_seats
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.as_built import rod_as_built
 from elastica_cad.fabrication.strip.flat_outline import Ends, fix_tab_widths
+from elastica_cad.fabrication.strip.lap_plates import LapPlates
 from elastica_cad.fabrication.strip.made_stiffness import stiffness_shares, with_shares
 from elastica_cad.fabrication.strip.strip_layers import cut_layers
 from elastica_cad.fabrication.strip.styles import Layout
@@ -39,7 +40,7 @@ class StripAsMade:
     cut : Rod
         With the stiffness and weight of what is cut, slots apart.
     shares : mapping of str to (n,) array
-        Factors on that stiffness at the nodes by cause: see `stiffness_shares`.
+        Factors on that stiffness at the nodes by cause: see `stiffness_shares`; "plates" over joints of pieces.
     approximated : bool
         Does the drawing only come near to the stiffness, as holes and backings do?
     lap : LapJoint, optional
@@ -55,20 +56,25 @@ class StripAsMade:
     lap: LapJoint | None = None
 
     @classmethod
-    def of(cls, rod: Rod, layout: Layout, ends: Ends, slots: Sequence[Slot]) -> "StripAsMade":
-        """What a rod becomes when its layout is cut with tabs and slots."""
+    def of(
+        cls, rod: Rod, layout: Layout, ends: Ends, slots: Sequence[Slot], plates: LapPlates | None = None
+    ) -> "StripAsMade":
+        """What a rod becomes when its layout is cut with tabs and slots, and joined of pieces by plates."""
         design = rod if rod.s.size <= HELD_NODES else resample(rod, HELD_NODES)
         widths = np.array([tab.width for tab in fix_tab_widths(layout.width, ends)])
         first, last = layout.stiffness(widths, None if layout.backing is None else widths).tolist()
         if layout.section is not None and layout.size is not None:
             first, last = layout.section.bending_stiffness(layout.size([0.0, rod.length])).tolist()
         whole = cut_layers(layout, ends, (), name="strip")
+        shares = stiffness_shares(design, layout, slots, (ends[0].width, ends[1].width))
+        if plates is not None:
+            shares["plates"] = plates.stiffening(design.s, layout, whole)
         return cls(
             design,
             layout.bending_stiffness,
             (first, last),
             rod_as_built(design, layout, [layer.material for layer in whole]),
-            stiffness_shares(design, layout, slots, (ends[0].width, ends[1].width)),
+            shares,
             layout.pattern is not None or layout.backing is not None,
             LapJoint.of(design, layout.material(design.s), ends[1].length, float(widths[1]))
             if ends[1].length and closes(rod)

@@ -15,6 +15,7 @@ from elastica_cad.fabrication.holding.lap_joint import closes
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.as_built import rod_as_built
+from elastica_cad.fabrication.strip.lap_plates import LapPlates
 from elastica_cad.fabrication.strip.strip_layers import Layer, cut_layers, draw_layers
 from elastica_cad.fabrication.strip.strip_sideways import strip_sideways
 from elastica_cad.fabrication.strip.styles import PLAIN, Layout, Style, stations_of
@@ -96,6 +97,8 @@ class Strip:
     correction : Profile, optional
         Factor on the stiffness from which widths are made, to make up for what else changes it: see
         `compensate_widths`.
+    plates : LapPlates, optional
+        What joins the pieces of a strip that is longer than the stock.
 
     Raises
     ------
@@ -125,6 +128,7 @@ class Strip:
     label: str = ""
     creep: float = 0.0
     correction: Profile | None = None
+    plates: LapPlates | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "sheet", Sheet.of(self.sheet))
@@ -444,7 +448,7 @@ class Strip:
         """The strip with all that changes its stiffness, to be held: see `held`."""
         from elastica_cad.fabrication.strip.strip_as_made import StripAsMade
 
-        return StripAsMade.of(self.rod, self.layout, self.ends, self.slots)
+        return StripAsMade.of(self.rod, self.layout, self.ends, self.slots, self.plates)
 
     def held(self, start: TabSeat | None = None, end: TabSeat | None = None) -> "HeldShape":
         """The shape of the strip as it is made, in its holders; without one an end is held as designed.

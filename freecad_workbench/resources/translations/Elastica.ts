@@ -1959,6 +1959,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>plates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>anticlastic bending</source>
         <translation type="unfinished"></translation>
     </message>

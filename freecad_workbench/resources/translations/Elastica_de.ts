@@ -1971,6 +1971,10 @@
         <translation>Überlappung</translation>
     </message>
     <message>
+        <source>plates</source>
+        <translation>Platten über den Stößen</translation>
+    </message>
+    <message>
         <source>anticlastic bending</source>
         <translation>Querkrümmung</translation>
     </message>

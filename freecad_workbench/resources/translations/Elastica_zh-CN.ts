@@ -1971,6 +1971,10 @@
         <translation>搭接</translation>
     </message>
     <message>
+        <source>plates</source>
+        <translation>接缝处的搭接板</translation>
+    </message>
+    <message>
         <source>anticlastic bending</source>
         <translation>反向弯曲</translation>
     </message>

@@ -1,16 +1,19 @@
 """Strips longer than the stock: pieces that fit it, plates over the joints, and what these do to the shape."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from click.testing import CliRunner
+from scipy.integrate import solve_ivp
+from scipy.optimize import root
 
 import elastica_cad as ec
 from elastica_cad.cli.commands import elastica
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, MARK
-from elastica_cad.fabrication.makeability.splices import Splice, splice, spliced
+from elastica_cad.fabrication.makeability.splices import Splice, joined_within, splice, spliced
 from elastica_cad.geometry.paths.clip import clip_across
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.mechanics.material.tapered_sections import ThicknessLaw
@@ -52,6 +55,70 @@ def test_what_the_plates_do_is_bent_forward(arch):
     assert 0.02 * lost * 1000 < joined.deviation < lost * 2000  # rad on arms of about a metre, both ends held
     assert "cut in 2 pieces at" in str(joined)
     assert f"move the shape by {joined.deviation:.2g} mm" in str(joined)
+
+
+def test_plates_do_not_weigh_what_they_are_stiff():
+    """An arch under its own weight, eight times as stiff within its plates and no heavier, shot by scipy."""
+    shop = ec.Shop(stock=(2200, 1500), lap=120.0)
+    heavy = ec.make_strip(ARCH, "birch-plywood-6", max_width=200, gravity=True, shop=shop)
+    (at,) = heavy.plates.joints
+    rod, sheet, held = heavy.rod, heavy.sheet, heavy.reactions()
+    per_width = sheet.density * 9.80665e-9 * sheet.thickness  # N/mm2
+    EI = sheet.youngs_modulus * sheet.thickness**3 / 12
+
+    def shot(unknown, **options):
+        def along(s, state):
+            x, y, angle, moment, weight = state
+            width = heavy.width(s)
+            stiff = EI * width * (8.0 if abs(s - at) < 60 else 1.0)
+            cos, sin = np.cos(angle), np.sin(angle)
+            return cos, sin, moment / stiff, sin * unknown[1] - cos * (unknown[2] + weight), per_width * width
+
+        start = (*rod.position[0], rod.angle[0], unknown[0] * 1000, 0.0)
+        return solve_ivp(along, (0, rod.length), start, rtol=1e-7, atol=1e-7, max_step=20.0, **options)
+
+    def missed(unknown):
+        x, y, angle = shot(unknown).y[:3, -1]
+        return x - rod.position[-1, 0], y - rod.position[-1, 1], 1000 * (angle - rod.angle[-1])
+
+    guess = [-held.start_moment / 1000, *(-held.start_force)]
+    found = root(missed, guess, options={"eps": 1e-6})
+    assert found.success, found.message
+    x, y = shot(found.x, t_eval=rod.s).y[:2]
+    moved = float(np.hypot(x - rod.position[:, 0], y - rod.position[:, 1]).max())
+    assert heavy.held().parts["plates"] == pytest.approx(moved, rel=0.02)
+    assert heavy.held_deviation == pytest.approx(moved, rel=0.05)  # as made and held: plates and all else
+
+
+def test_what_is_told_of_plates_is_what_the_report_says_of_the_strip(tmp_path):
+    """`elastica strip --lap`: one figure in the sentence, the report and its causes; --compensate makes up for it."""
+    (tmp_path / "arch.csv").write_text("0,0\n200,700\n1000,1050\n2100,800\n2600,0\n")
+    command = ["strip", str(tmp_path / "arch.csv"), "--sheet", "birch-plywood-6", "--max-width", "200", "--nearest",
+               "--lap", "120", "--stock", "2000", "1500", "-o", str(tmp_path / "out"), "--force", "--json"]  # fmt: skip
+    told = {}
+    for more in ((), ("--compensate",)):
+        done = CliRunner().invoke(elastica, [*command, *more])
+        assert done.exit_code == 0, done.output
+        (report,) = json.loads(done.stdout)["strips"]
+        (sentence,) = (text for text in report["warnings"] if text.startswith("cut in 2 pieces"))
+        told[more] = held = report["held"]
+        left = held["deviation"] if more else held["parts"]["plates"]
+        assert sentence.endswith(f"move the shape by {left:.2g} mm")
+    asked, better = told.values()
+    assert asked["deviation"] == pytest.approx(asked["parts"]["plates"], rel=0.1)
+    assert better["deviation"] < asked["deviation"] / 4
+
+
+def test_plates_that_would_lie_on_a_slot_are_laid_elsewhere(arch):
+    shop = ec.Shop(stock=(2200, 1500), lap=80.0)
+    joined = joined_within(arch, shop)
+    (at,) = joined.plates.joints
+    assert spliced(joined, shop).joints == (at,)
+    crossed = replace(joined, slots=(ec.Slot(at, 4.0),))
+    (other,) = spliced(crossed, shop).joints
+    assert abs(other - at) > 40
+    assert joined_within(crossed, shop).plates.joints == (other,)
+    assert joined_within(joined, ec.Shop(stock=(4000, 1500))).plates is None
 
 
 def test_joints_lie_where_the_strip_turns_least():
