@@ -116,6 +116,13 @@ def _what_helps(row, _):
         assert strayed(slots=slots, compensate=True) < 0.5 * strayed(slots=slots)
     elif row[0].startswith("wide strips"):
         assert strayed(max_width=60, compensate=True) < 0.5 * strayed(max_width=60)
+    elif row[0].startswith("plates that join"):
+
+        def joined(lap, **asked):
+            return strayed(shop=ec.Shop(stock=(250, 100), lap=lap), **asked)
+
+        assert joined(20.0, compensate=True) < 0.5 * joined(20.0)
+        assert strayed() < joined(10.0) < joined(20.0)
     else:
         assert row[0].startswith("the lap")
         proved_by("tests/unit/fabrication/test_closed_strips.py::test_widths_make_up_for_the_lap_and_close")
