@@ -68,7 +68,7 @@ def test_plates_do_not_weigh_what_they_are_stiff():
 
     def shot(unknown, **options):
         def along(s, state):
-            x, y, angle, moment, weight = state
+            _, _, angle, moment, weight = state
             width = heavy.width(s)
             stiff = EI * width * (8.0 if abs(s - at) < 60 else 1.0)
             cos, sin = np.cos(angle), np.sin(angle)
@@ -91,10 +91,26 @@ def test_plates_do_not_weigh_what_they_are_stiff():
 
 
 def test_what_is_told_of_plates_is_what_the_report_says_of_the_strip(tmp_path):
-    """`elastica strip --lap`: one figure in the sentence, the report and its causes; --compensate makes up for it."""
+    """`elastica strip --lap`: one figure in the sentence and the report; --compensate makes up for it."""
     (tmp_path / "arch.csv").write_text("0,0\n200,700\n1000,1050\n2100,800\n2600,0\n")
-    command = ["strip", str(tmp_path / "arch.csv"), "--sheet", "birch-plywood-6", "--max-width", "200", "--nearest",
-               "--lap", "120", "--stock", "2000", "1500", "-o", str(tmp_path / "out"), "--force", "--json"]  # fmt: skip
+    command = [
+        "strip",
+        str(tmp_path / "arch.csv"),
+        "--sheet",
+        "birch-plywood-6",
+        "--max-width",
+        "200",
+        "--nearest",
+        "--lap",
+        "120",
+        "--stock",
+        "2000",
+        "1500",
+        "-o",
+        str(tmp_path / "out"),
+        "--force",
+        "--json",
+    ]
     told = {}
     for more in ((), ("--compensate",)):
         done = CliRunner().invoke(elastica, [*command, *more])
