@@ -19,12 +19,10 @@ from elastica_cad.fabrication.drawings.drawing import (
     LayeredPath,
 )
 from elastica_cad.fabrication.drawings.lettering import Text, text_width
-from elastica_cad.fabrication.holding.held_shape import strayed
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.sheets.pieces import Piece
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lap_plates import LapPlates
-from elastica_cad.fabrication.strip.made_stiffness import with_shares
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_layers import Layer
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -104,6 +102,10 @@ class Splice:
 
         Of a strip whose widths make up for them, what is left.
         """
+        # imported when it is asked for, as what holds strips is
+        from elastica_cad.fabrication.holding.held_shape import strayed
+        from elastica_cad.fabrication.strip.made_stiffness import with_shares
+
         if self.strip.correction is not None:
             return replace(self.strip, plates=self.plates).held_deviation
         whole, rod = self.strip.as_made.cut, self.strip.as_made.design
