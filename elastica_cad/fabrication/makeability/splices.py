@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -22,7 +22,6 @@ from elastica_cad.fabrication.drawings.lettering import Text, text_width
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.sheets.pieces import Piece
 from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip.lap_plates import LapPlates
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_layers import Layer
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -30,6 +29,9 @@ from elastica_cad.geometry.paths.clip import clip_across, trim_across
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.bending.bend_forward import bend
+
+if TYPE_CHECKING:
+    from elastica_cad.fabrication.strip.made_stiffness import LapPlates
 
 PLACES = 400
 """Places along a strip where a joint is tried."""
@@ -134,8 +136,10 @@ class Splice:
         )
 
     @property
-    def plates(self) -> LapPlates:
+    def plates(self) -> "LapPlates":
         """What joins the pieces."""
+        from elastica_cad.fabrication.strip.made_stiffness import LapPlates
+
         return LapPlates(self.joints, self.lap, self.backing_joints)
 
     @cached_property
@@ -287,7 +291,7 @@ def joined_within(strip: Strip, shop: Shop) -> Strip:
     return strip if strip.plates == plates else replace(strip, plates=plates)
 
 
-def _still_good(strip: Strip, plates: LapPlates, stocks: Sequence[float]) -> bool:
+def _still_good(strip: Strip, plates: "LapPlates", stocks: Sequence[float]) -> bool:
     """Do the plates keep off the slots, and no piece pass the stock?"""
     joints = (plates.joints, plates.backing_joints)
     if not all(_keeps_off(slot, at, plates.lap) for slot in strip.slots for one in joints for at in one):

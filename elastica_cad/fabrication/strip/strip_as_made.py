@@ -14,8 +14,7 @@ from elastica_cad.fabrication.holding.rest_in_seats import rest_in_seats
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.as_built import rod_as_built
 from elastica_cad.fabrication.strip.flat_outline import Ends, fix_tab_widths
-from elastica_cad.fabrication.strip.lap_plates import LapPlates
-from elastica_cad.fabrication.strip.made_stiffness import stiffness_shares, with_shares
+from elastica_cad.fabrication.strip.made_stiffness import LapPlates, stiffness_shares, with_shares
 from elastica_cad.fabrication.strip.strip_layers import cut_layers
 from elastica_cad.fabrication.strip.styles import Layout
 from elastica_cad.mechanics.bending.bend_forward import resample

@@ -15,7 +15,6 @@ from elastica_cad.fabrication.holding.lap_joint import closes
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.as_built import rod_as_built
-from elastica_cad.fabrication.strip.lap_plates import LapPlates
 from elastica_cad.fabrication.strip.strip_layers import Layer, cut_layers, draw_layers
 from elastica_cad.fabrication.strip.strip_sideways import strip_sideways
 from elastica_cad.fabrication.strip.styles import PLAIN, Layout, Style, stations_of
@@ -37,6 +36,7 @@ from elastica_cad.mechanics.stability.sideways import SidewaysStability
 # what holds strips, and leaves, are imported when they are asked for: a skin is then there soon after its library
 if TYPE_CHECKING:
     from elastica_cad.fabrication.holding.held_shape import HeldShape
+    from elastica_cad.fabrication.strip.made_stiffness import LapPlates
     from elastica_cad.fabrication.strip.strip_as_made import StripAsMade
 from elastica_cad.mechanics.studies.creep import Creep, creep, require_creep
 
@@ -128,7 +128,7 @@ class Strip:
     label: str = ""
     creep: float = 0.0
     correction: Profile | None = None
-    plates: LapPlates | None = None
+    plates: "LapPlates | None" = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "sheet", Sheet.of(self.sheet))
