@@ -45,6 +45,7 @@ from elastica_cad.fabrication.holders.tab_seats import (
     tab_seats as tab_seats,
 )
 from elastica_cad.fabrication.holding.held_shape import HeldShape as HeldShape
+from elastica_cad.fabrication.holding.reactions import Reactions as Reactions
 from elastica_cad.fabrication.holding.rest_in_seats import EndPose as EndPose
 from elastica_cad.fabrication.holding.tab_seat import TabSeat as TabSeat
 from elastica_cad.fabrication.interlocking.interlock import (
@@ -77,7 +78,7 @@ from elastica_cad.fabrication.solids.strip_solids import BentSolid as BentSolid,
 from elastica_cad.fabrication.strip.lamination import Laminated as Laminated
 from elastica_cad.fabrication.strip.perforation import Perforated as Perforated
 from elastica_cad.fabrication.strip.strip_layers import Layer as Layer
-from elastica_cad.fabrication.strip.strip_record import Reactions as Reactions, Strip as Strip
+from elastica_cad.fabrication.strip.strip_record import Strip as Strip
 from elastica_cad.fabrication.strip_spec import StripSpec as StripSpec, make_strip as make_strip
 from elastica_cad.fabrication.strip.styles import Plain as Plain
 from elastica_cad.fabrication.strip.tabs import Hole as Hole, TSlot as TSlot, Tab as Tab

@@ -53,9 +53,13 @@ class SavedKit:
         return "\n".join((self.summary, *self.left_out, f"wrote {len(self.files)} files to {self.folder}"))
 
 
-def left_out(*, step: bool = True, pictures: bool = True) -> tuple[str, ...]:
-    """What of the assembly and the pictures cannot be written here, and which package would."""
-    wanted = ((pictures, "matplotlib", "matplotlib", "pictures"), (step, "OCP", "build123d", "STEP"))
+def left_out(*, step: bool = True, pictures: bool = True, paper: bool = False) -> tuple[str, ...]:
+    """What of the bodies, the pictures and the print on paper cannot be written here, and which package would."""
+    wanted = (
+        (pictures, "matplotlib", "matplotlib", "pictures"),
+        (paper, "matplotlib", "matplotlib", "PDF"),
+        (step, "OCP", "build123d", "STEP"),
+    )
     return tuple(
         f"no {kind}: {how_to_install(package)}"
         for asked, module, package, kind in wanted

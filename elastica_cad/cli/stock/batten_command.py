@@ -20,6 +20,7 @@ from elastica_cad.fabrication.leaf_stack import LeafStack
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.files import save
 from elastica_cad.formats.file_access.file_transaction import write_together
+from elastica_cad.kit.kit_files import left_out
 from elastica_cad.mechanics.material.tapered_sections import MOST_LEAVES, RoundLaw, ThicknessLaw
 
 LEAST_SHARE = 0.25  # of the stock's size, that is left unless told
@@ -100,6 +101,8 @@ def batten(**chosen: Any) -> None:
         )
     for warning in made.strip.warnings:
         warn(f"Warning: {warning}")
+    for missing in left_out(pictures=False, paper=True):
+        say(missing)
     wrote(written)
 
 
@@ -137,6 +140,8 @@ def _glue(made: Batten, chosen: dict[str, Any]) -> None:
         warn(f"Warning: {warning}")
     if not leafed.settled:
         warn("Warning: the search stopped before the ends of the leaves settled; others may come nearer")
+    for missing in left_out(pictures=False, paper=True):
+        say(missing)
     wrote(written)
 
 

@@ -12,6 +12,7 @@ from elastica_cad.fabrication.drawings.drawing import (
     Drawing,
 )
 from elastica_cad.fabrication.holding.lap_joint import closes
+from elastica_cad.fabrication.holding.reactions import Reactions
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.as_built import rod_as_built
@@ -57,16 +58,6 @@ AT_LIMIT = 1e-4
 
 CURVATURE_STATIONS = 2001
 """At which strain is looked for, spread over the curve's smooth panels."""
-
-
-@dataclass(frozen=True, eq=False)
-class Reactions:
-    """What the supports do to the strip: forces (2,) in N, moments in N mm (positive anticlockwise)."""
-
-    start_force: FloatArray
-    start_moment: float
-    end_force: FloatArray
-    end_moment: float
 
 
 @dataclass(frozen=True, eq=False)

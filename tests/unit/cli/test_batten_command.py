@@ -3,6 +3,7 @@
 import csv
 import json
 import re
+import sys
 
 import numpy as np
 import pytest
@@ -39,6 +40,17 @@ def test_the_files_say_what_is_told(tmp_path, check_drawing_file):
     assert outline.area == pytest.approx(2400 * sizes.mean(), rel=1e-3)
     for kind in ("svg", "pdf", "step"):
         assert (tmp_path / f"batten.{kind}").stat().st_size > 1000
+
+
+def test_what_cannot_be_written_is_told(tmp_path, monkeypatch):
+    """No CAD kernel and no matplotlib: the other files, and how to get these."""
+    for module in ("OCP", "matplotlib"):
+        monkeypatch.setitem(sys.modules, module, None)
+    told = run(*ASKED, "--stock", 25, 8, "--least", 3, "-o", tmp_path)
+    assert told.exit_code == 0, told.output
+    assert re.search("no STEP: .*build123d", told.output)
+    assert re.search("no PDF: .*matplotlib", told.output)
+    assert sorted(one.suffix for one in tmp_path.iterdir()) == [".csv", ".dxf", ".json", ".svg"]
 
 
 @pytest.mark.parametrize("law", ["strip", "rod", "tube"])
