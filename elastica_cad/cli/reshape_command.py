@@ -31,7 +31,9 @@ KINDS = ("dxf", "svg", "json")
 @click.command()
 @curve_argument()
 @which_options
-@click.option("--unit", type=click.Choice(["mm", "cm", "m", "in", "px"]), help="Unit of the file's numbers.")
+@click.option(
+    "--unit", type=click.Choice(["mm", "cm", "m", "in", "px", "pt"]), help="Unit of the file's numbers."
+)
 @click.option("--bottom-left", type=POINT, metavar="X Y", help="Where this corner of the box goes, mm.")
 @click.option("--bottom-right", type=POINT, metavar="X Y", help="The same of that corner.")
 @click.option("--top-right", type=POINT, metavar="X Y", help="The same of that corner.")

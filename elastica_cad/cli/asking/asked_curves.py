@@ -76,7 +76,7 @@ def _kind(data: bytes) -> str:
 
 
 unit_option = click.option(
-    "--unit", type=click.Choice(["mm", "cm", "m", "in", "px"]),
+    "--unit", type=click.Choice(["mm", "cm", "m", "in", "px", "pt"]),
     help="Unit of the file's numbers, where the file does not say or says it wrongly.",
 )  # fmt: skip
 
@@ -202,8 +202,9 @@ def drawn_curves(path: Path, unit: str | None, number: str | None, layer: str | 
         No such curve; the file is named.
     """
     drawing = read_drawing(path, unit=unit)
-    if drawing.left_out:
-        warn(f"{path.name}: {drawing.left_out}")
+    for told in (drawing.size, drawing.left_out):
+        if told:
+            warn(f"{path.name}: {told}")
     if not drawing.chosen(number, layer):
         drawing.one(number, layer, CHOICE)
     return drawing

@@ -97,6 +97,8 @@ class DrawnFile:
     curves : sequence of DrawnCurve
     skipped : mapping
         What was left out, by name, and how often: {"TEXT": 3}.
+    size : str
+        How large its units were taken, as one sentence, where that is not written in it; else empty.
 
     Raises
     ------
@@ -107,6 +109,7 @@ class DrawnFile:
     path: Path
     curves: Sequence[DrawnCurve]
     skipped: Mapping[str, int] = field(default_factory=dict)
+    size: str = ""
 
     def __post_init__(self) -> None:
         check_count(len(self.curves), MOST_CURVES, "curves", "leave out what is no strip")
@@ -188,7 +191,7 @@ class CurveList(list[PlaneCurve]):
     def notes(self) -> tuple[str, ...]:
         """What the reader left out, one sentence each."""
         bad = [f"{one.called} is left out: {one.problem}" for one in self.file.bad]
-        return (*([self.file.left_out] if self.file.left_out else []), *bad)
+        return (*(text for text in (self.file.size, self.file.left_out) if text), *bad)
 
 
 def collect_curves(

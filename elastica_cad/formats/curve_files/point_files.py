@@ -19,9 +19,13 @@ from elastica_cad.formats.curve_files.number_gate import (
     check_tolerance,
     half_last_place,
 )
-from elastica_cad.formats.file_access.source_file import look_up_unit
+from elastica_cad.formats.file_access.source_file import MILLIMETRES, look_up_unit
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.pen_curves.provenance import Provenance
+
+_UNIT = "|".join(MILLIMETRES)
+_HEAD = re.compile(rf"([xyz])(?:[\s_]*[\[(]\s*({_UNIT})\s*[\])]|[\s_]+({_UNIT}))?", re.IGNORECASE)
+"""A cell of a heading: a coordinate, and its unit."""
 
 _DIGITS = 20_000  # numbers whose digits are looked at
 
@@ -31,17 +35,19 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> D
 
     Columns are parted by commas, semicolons, tabs or blanks; rows that start with # are remarks, and the
     first row may be a heading. With semicolons, or with tabs, decimals may have commas. A third column is
-    taken when it is constant: points of a plane z = const.
+    taken when it is constant: points of a plane z = const. A heading that names x and y among its columns says
+    which they are, and their unit, "x (in)", "y [mm]" or "x_mm", unless `unit` does.
 
     Raises
     ------
     InputError
-        A row that is not two or three finite numbers, which is named; too few points.
+        A row that is not two or three finite numbers, which is named; too few points; a heading with two units.
     """
-    scale = look_up_unit(unit or "mm")
     check_tolerance(fit_tolerance, "tolerance for fitting")
     text = _text(file)
-    blocks = _blocks(text)
+    rows, named = _rows(text)
+    scale = look_up_unit(unit or _one_unit(named) or "mm")
+    blocks = _blocks(rows)
     digits = Provenance(rounding=scale * half_last_place(re.findall(NUMBER, text)[:_DIGITS]))
     makers = [partial(_fitted, scale * block, fit_tolerance, digits) for block in blocks]
     return DrawnFile(file, [DrawnCurve(number, make) for number, make in enumerate(makers, start=1)])
@@ -100,19 +106,45 @@ def _text(path: Path) -> str:
         raise InputError("is not a text file: save the points as plain text") from error
 
 
-def _blocks(text: str) -> list[FloatArray]:
-    """The points (n, 2) of each block of rows."""
+_Rows = list[tuple[int, list[str]]]
+
+
+def _rows(text: str) -> tuple[_Rows, tuple[str, ...]]:
+    """Number and cells of each row, none of them in one that parts blocks, and the heading's units of x, y, z."""
     lines = [line.strip() for line in text.splitlines()]
     rows = [(n, _cells(line)) for n, line in enumerate(lines, 1) if not line.startswith("#")]
+    first = next((k for k, (_, cells) in enumerate(rows) if any(cells)), 0)
+    if not rows or any(_is_number(cell) for cell in rows[first][1]):
+        return rows, ()
+    head = _cells(re.sub(r"\s+(?=[\[(])", "", lines[rows[first][0] - 1]))  # where blanks part columns
+    heads = {
+        found[1].lower(): (k, found[2] or found[3])
+        for k, cell in enumerate(head)
+        if (found := _HEAD.fullmatch(cell))
+    }
+    rows = rows[first + 1 :]
+    if not {"x", "y"} <= heads.keys():
+        return rows, ()
+    taken = [heads[name] for name in ("x", "y", "z") if name in heads]
+    last = max(k for k, _ in taken)
+    rows = [(n, [cells[k] for k, _ in taken] if len(cells) > last else cells) for n, cells in rows]
+    return rows, tuple(unit.lower() for _, unit in taken if unit)
+
+
+def _one_unit(named: tuple[str, ...]) -> str | None:
+    """The unit that a heading names; None where it names none."""
+    if len(set(named)) > 1:
+        raise InputError(f"its heading names {' and '.join(dict.fromkeys(named))}: give x and y in one unit")
+    return named[0] if named else None
+
+
+def _blocks(rows: _Rows) -> list[FloatArray]:
+    """The points (n, 2) of each block of rows."""
     blocks: list[list[FloatArray]] = [[]]
-    headed = False
     for n, cells in rows:
         if not any(cells):
             if blocks[-1]:
                 blocks.append([])
-            continue
-        if not headed and len(blocks) == 1 and not blocks[0] and not any(_is_number(cell) for cell in cells):
-            headed = True
             continue
         blocks[-1].append(_numbers(cells, n, 3))
     filled = [np.array(block) for block in blocks if block]

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from io import BytesIO
 from pathlib import Path
 from typing import Any
@@ -19,7 +20,12 @@ from elastica_cad.formats.svg_files.path_data import PathData, bezier_edge, path
 from elastica_cad.formats.svg_files.svg_tree import LENGTH, MARK, MM, SvgTree, svg_tree
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 
-_PX = MILLIMETRES["px"]
+_PX, _PT = MILLIMETRES["px"], MILLIMETRES["pt"]
+_ILLUSTRATOR = b"Generator: Adobe Illustrator"  # in a remark at the top
+_SIZED = re.compile(
+    rb"""<svg\b[^>]*\s(?:width|height)\s*=\s*["'][^"']*(?:mm|cm|in|pt|pc|q)\s*["']""", re.IGNORECASE
+)
+_TOP = 4096  # bytes
 _LEAST_UNIT = 1e-9  # mm
 _LARGEST = 1e15  # of any number: what comes of two of them is still a number
 
@@ -29,8 +35,9 @@ def read_svg_drawing(file: Path, *, tolerance: float, fit_tolerance: float, unit
 
     Up on the screen is up: y is minus SVG's y. Bezier curves and arcs stay exact, with all transforms applied; a
     path of straight lines only is fitted. The size of a user unit follows from width, height and viewBox of the
-    drawing; without a width in mm or the like it is a CSS pixel, 25.4/96 mm. The origin is the one of the user
-    units. Text, images, definitions and what is not displayed are left out and counted.
+    drawing; without a width in mm or the like it is a CSS pixel, 25.4/96 mm, and a point, 25.4/72 mm, where Adobe
+    Illustrator drew it, which counts in points and calls them px. The origin is the one of the user units. Text,
+    images, definitions and what is not displayed are left out and counted.
 
     Raises
     ------
@@ -38,18 +45,33 @@ def read_svg_drawing(file: Path, *, tolerance: float, fit_tolerance: float, unit
         Not an SVG file, an unknown unit, path data that break off, nothing usable in it.
     """
     tree = svg_tree(file)
-    scale = np.full(2, look_up_unit(unit)) if unit else _scale(tree.root)
+    points = not unit and _counts_in_points(file)
+    scale = np.full(2, look_up_unit(unit)) if unit else _scale(tree.root) * (_PT / _PX if points else 1.0)
     if not (np.all(scale >= _LEAST_UNIT) and np.all(scale <= 1 / _LEAST_UNIT)):
         raise InputError(
             f"has user units of {scale[0]:.3g} by {scale[1]:.3g} mm: check width, height and viewBox"
         )
     to_mm = np.diag(scale * (1.0, -1.0))
     place = np.diag([1 / scale[0], -1 / scale[1], 1.0])
-    return collect_curves(
+    drawn = collect_curves(
         file, _runs(file, tree, to_mm), tree.skipped, tolerance=tolerance, fit_tolerance=fit_tolerance,
         nothing="holds no curve: draw a path, line, polyline, circle, ellipse or rectangle that is shown",
         shown=Provenance(place=place, unit="mm" if np.all(scale == 1) else "user units"),
     )  # fmt: skip
+    return replace(drawn, size=_IN_POINTS) if points else drawn
+
+
+_IN_POINTS = (
+    "its units are taken as points, 72 to the inch, as Adobe Illustrator draws, which calls them px; where 96 "
+    "make an inch, say --unit px"
+)
+
+
+def _counts_in_points(file: Path) -> bool:
+    """Did Illustrator draw it, without a size in mm or the like?"""
+    with file.open("rb") as opened:
+        top = opened.read(_TOP)
+    return _ILLUSTRATOR in top and not _SIZED.search(top)
 
 
 def _scale(root: ElementTree.Element) -> FloatArray:

@@ -137,3 +137,38 @@ def test_bad_control_point_files(text, content, words):
     with pytest.raises(InputError, match=rf"spline\.txt: .*{words}") as caught:
         text(content)
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    "heading",
+    [
+        "x (in),y (in)",
+        "X [in], Y [in]",
+        "x_in,y_in",
+        "y in,x in",
+        "Point,x (in),y (in),Remark",
+        "n,X_in,Y_in,Z_in",
+    ],
+)
+def test_a_heading_says_columns_and_unit(tmp_path, heading):
+    """As spreadsheets and measuring machines write them: inches were read as mm, a column of names refused."""
+    parted = "," if "," in heading else " "
+    names = [cell.strip().lower()[0] for cell in heading.replace(" (", "(").split(parted)]
+    rows = [
+        {"x": x, "y": y, "z": 0, "p": "P1", "n": 7, "r": "edge"} for x, y in [(0, 0), (2, 1), (4, 1), (6, 0)]
+    ]
+    lines = [heading, *(parted.join(str(row[name]) for name in names) for row in rows)]
+    (tmp_path / "points.csv").write_text("\n".join(lines))
+    (tmp_path / "plain.csv").write_text("0,0\n2,1\n4,1\n6,0\n")
+    (named,) = read_curves(tmp_path / "points.csv")
+    (plain,) = read_curves(tmp_path / "plain.csv", unit="in")
+    assert named.length == pytest.approx(plain.length, rel=1e-12)
+    assert named.length > 150
+    (asked,) = read_curves(tmp_path / "points.csv", unit="cm")  # what is asked for goes first
+    assert asked.length == pytest.approx(plain.length / 2.54, rel=1e-12)
+
+
+def test_a_heading_with_two_units_is_refused(tmp_path):
+    (tmp_path / "points.csv").write_text("x (in),y (mm)\n0,0\n2,1\n4,1\n6,0\n")
+    with pytest.raises(InputError, match="names in and mm: give x and y in one unit"):
+        read_curves(tmp_path / "points.csv")

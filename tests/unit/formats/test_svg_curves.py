@@ -234,3 +234,35 @@ def test_pieces_between_corners_are_counted_and_say_where_they_meet(svg, tmp_pat
     assert sum(one.curve.length for one in pieces) == pytest.approx(whole.curve.length)
     for before, after in pairwise(pieces):
         assert before.curve.sample(2).position[-1] == pytest.approx(after.curve.sample(2).position[0])
+
+
+ILLUSTRATOR = """<?xml version="1.0" encoding="utf-8"?>
+<!-- Generator: Adobe Illustrator 27.0.0, SVG Export Plug-In . SVG Version: 6.00 Build 0)  -->
+<svg version="1.1" id="Layer_1" xmlns="http://www.w3.org/2000/svg" x="0px" y="0px" {size}
+   viewBox="0 0 595.28 841.89" xml:space="preserve">
+<path id="rib" d="M85.04,425.2c0-226.77,340.16-283.47,396.85-0.01"/>
+</svg>"""
+
+
+@pytest.mark.parametrize("size", ["", 'width="595.28px" height="841.89px"'])
+def test_illustrator_counts_in_points(tmp_path, size):
+    """An A4 page of 595.28 by 841.89 points: its curves came out a quarter too small, without a word."""
+    file = tmp_path / "rib.svg"
+    file.write_text(ILLUSTRATOR.format(size=size))
+    found = read_curves(file)
+    assert found[0].control_points[0] == pytest.approx(
+        (30, -150), abs=0.01
+    )  # mm, as the ruler of Illustrator says
+    assert found.notes == (found.file.size,)
+    assert "say --unit px" in found.file.size
+    pixels = read_curves(file, unit="px")
+    assert pixels[0].length == pytest.approx(0.75 * found[0].length)
+    assert pixels.notes == ()
+
+
+def test_illustrator_is_believed_where_it_says_mm(tmp_path):
+    file = tmp_path / "rib.svg"
+    file.write_text(ILLUSTRATOR.format(size='width="210mm" height="297mm"'))
+    found = read_curves(file)
+    assert found[0].control_points[0] == pytest.approx((30, -150), abs=0.01)
+    assert found.notes == ()
