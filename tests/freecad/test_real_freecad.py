@@ -122,6 +122,8 @@ def test_every_command(tmp_path):
     assert found["fixtures"] == 4
     assert found["nest"] == [["Up-to-date"], 1]
     assert "stays" in found["bend"]
+    assert "sideways" not in found["bend"]
+    assert "it tips over sideways" in found["bend sideways"], "nearly a loop, five times as wide as thick"
     ends = [place for place, _, _ in found["bend drag"]]
     assert len({tuple(end) for end in ends}) >= 10, "the bent shape follows the mouse"
     assert [end[:2] for end in ends] == [

@@ -196,6 +196,18 @@ def bend_command(document, strip):
     assert document.getObject("Bent") is None
     choose(strip)
     open_panel("Elastica_Bend").reject()
+    asked = strip.Sheet, strip.MaxWidth
+    strip.Sheet, strip.MaxWidth = "pom-1", 5.0
+    document.recompute()
+    choose(strip)
+    panel = open_panel("Elastica_Bend")
+    for x in (-60.0, -120.0, -170.0, -200.0):
+        fill(panel, EndX=x)
+        at_rest()
+    answers["bend sideways"] = panel.form.message.text()
+    panel.reject()
+    strip.Sheet, strip.MaxWidth = asked
+    document.recompute()
 
 
 def projective_command(document):

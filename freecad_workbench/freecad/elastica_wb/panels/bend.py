@@ -15,6 +15,7 @@ from freecad.elastica_wb.panels.widgets.fields import set_value
 from freecad.elastica_wb.preview.preview_lines import Preview
 
 from elastica_cad.errors import ElasticaError
+from elastica_cad.fabrication.strip.strip_sideways import strip_sideways
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import stability
 
@@ -105,7 +106,11 @@ class BendPanel(Panel):
         stays = "stays" if found.stable else "does not stay"
         moved_by = f"It moves by {largest_move(self.rest, rod):.2f} mm at most"
         words = f"{moved_by} and {stays}; its stability margin is {found.margin:.3g}."
-        self.tell(" ".join([words, *(w for w in rod.warnings if w not in self.rest.warnings)]))
+        fresh = [warning for warning in rod.warnings if warning not in self.rest.warnings]
+        tips = strip_sideways(rod, self.strip.layout)
+        if tips.word in ("unstable", "low"):
+            fresh.append(str(tips))
+        self.tell(" ".join([words, *fresh]))
 
     def _draw(self, rod: Rod) -> None:
         if self.preview is None:
