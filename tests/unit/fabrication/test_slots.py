@@ -5,6 +5,7 @@ import pytest
 from shapely.geometry import Polygon
 
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.slots.mating_marks import CLEARANCE_MM
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.solids.strip_solids import BentSolid
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -166,6 +167,9 @@ def test_mates_are_named_beside_their_slots(check_drawing):
     assert set(texts) == {"A", "B7", "C"}
     assert texts["B7"].layer == texts["C"].layer == "MARK"
     assert abs(texts["B7"].position[0] - 60) < 6
+    inner_end = strip.width(60.0) / 2 - 5
+    gap = inner_end - texts["B7"].position[1] - texts["B7"].height
+    assert CLEARANCE_MM <= gap < texts["B7"].height
     check_drawing(drawing)
 
 

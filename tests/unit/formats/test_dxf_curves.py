@@ -104,6 +104,23 @@ def test_polyline_with_arcs_is_an_exact_chain(drawing):
     assert at.position[1] == pytest.approx((130, 30), abs=1e-9)
 
 
+def test_a_vertex_drawn_twice_counts_once(drawing):
+    rows = [(0, 0, 0), (100, 0, 1), (100, 0, 1), (100, 60, 0), (20, 60, 0), (20, 60, 0)]
+    (curve,) = drawing(lambda space, _: space.add_lwpolyline(rows, format="xyb"))
+    assert curve.length == pytest.approx(100 + 30 * np.pi + 80, rel=1e-12)
+
+
+def test_knots_that_go_back_by_rounding_are_mended(drawing):
+    def draw(space, _):
+        spline = space.add_spline()
+        spline.dxf.degree = 3
+        spline.control_points = [(*p, 0) for p in S_POINTS]
+        spline.knots = [0, 0, 0, 0, 0.4, 1, 1 - 1e-12, 1, 1]
+
+    (curve,) = drawing(draw)
+    assert np.array_equal(curve.knots, [0, 0, 0, 0, 0.4, 1, 1, 1, 1])
+
+
 def test_arcs_of_polylines_match_another_reading(drawing):
     """All bulges, more than half turns too, against ezdxf's own arc construction."""
     from ezdxf.math import bulge_to_arc
@@ -231,11 +248,17 @@ def test_what_is_drawn_twice_counts_once(drawing):
 
 
 @pytest.mark.parametrize(
-    ("units", "factor"), [(0, 1), (1, 25.4), (2, 304.8), (4, 1), (5, 10), (6, 1000), (14, 100)]
-)
+    ("units", "factor"),
+    [
+        (0, 1), (1, 25.4), (2, 304.8), (3, 1609344), (4, 1), (5, 10), (6, 1000), (7, 1e6), (8, 25.4e-6),
+        (9, 0.0254), (10, 914.4), (11, 1e-7), (12, 1e-6), (13, 1e-3), (14, 100), (15, 1e4), (16, 1e5),
+        (17, 1e12), (21, 1200 / 3937 * 1000),
+    ],
+)  # fmt: skip
 def test_units_of_the_file_become_mm(drawing, units, factor):
-    (curve,) = drawing(lambda space, _: space.add_arc((0, 0), 3, 0, 90), units=units)
-    assert curve.length == pytest.approx(1.5 * np.pi * factor)
+    """The units of $INSUNITS as the DXF reference lists them, an arc of 300 mm radius in each."""
+    (curve,) = drawing(lambda space, _: space.add_arc((0, 0), 300 / factor, 0, 90), units=units)
+    assert curve.length == pytest.approx(150 * np.pi, rel=1e-9)
 
 
 def test_given_unit_overrides_the_file(drawing):

@@ -33,6 +33,15 @@ def test_arrays_are_computed_element_by_element():
     assert spiral.names == {"t", "a"}
 
 
+@pytest.mark.parametrize("nested", ["where(1 < {}, 2, 0)", "where({} > 1, 2, 0)", "abs({} + 0)"])
+def test_thirty_levels_are_not_too_deep(nested):
+    """Two nodes a level, on either side of a comparison: sixty are taken."""
+    text = "x"
+    for _ in range(29):
+        text = nested.replace("{}", text)
+    assert Formula(text)(x=2.0) == 2.0
+
+
 @pytest.mark.parametrize(
     ("text", "message"),
     [

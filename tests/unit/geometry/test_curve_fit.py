@@ -48,6 +48,13 @@ def test_points_lie_within_the_tolerance_and_the_ends_are_met(degree, tolerance)
         np.testing.assert_allclose(ends, points[[0, -1]], atol=1e-12)
 
 
+@pytest.mark.parametrize("tolerance", [60.0, 30.0, 20.0, 10.0, 2.0, 0.5])
+def test_a_drawn_shape_is_followed_to_a_third_of_the_tolerance(tolerance):
+    """Also where the first curve that is tried lies between a third and the whole of it."""
+    curve = PlaneCurve.fit(sine(), tolerance=tolerance)
+    assert distances(curve, sine()).max() <= tolerance / 3
+
+
 def test_few_control_points():
     assert len(PlaneCurve.fit(sine(), tolerance=0.05).control_points) <= 20
     assert len(PlaneCurve.fit(sine(), tolerance=1e-4).control_points) <= 60

@@ -5,6 +5,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.clip import trim_across
 from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.path_intersections import self_crossing
 from elastica_cad.geometry.paths.segments import Arc, Line, Spline
 from elastica_cad.geometry.paths.trim import clamp_ends, trim_segment
 
@@ -28,6 +29,14 @@ def green(curve, count=20001):
     f = (p[:, 0] * d[:, 1] - p[:, 1] * d[:, 0]) / 2
     h = t[1] - t[0]
     return h / 3 * (f[0] + f[-1] + 4 * f[1:-1:2].sum() + 2 * f[2:-1:2].sum())
+
+
+@pytest.mark.parametrize("closed", [True, False])
+def test_chords_with_one_between_them_may_cross(closed):
+    """A bow tie, whose first chord crosses the third; beside it a hook that turns back without touching."""
+    bow = np.array([(0, 0), (10, 10), (10, 0), (0, 10)], dtype=float)
+    assert self_crossing(bow, closed=closed) == pytest.approx([5, 5])
+    assert self_crossing(bow[[0, 2, 1, 3]], closed=closed) is None
 
 
 def test_rectangle_and_circle_in_closed_form():

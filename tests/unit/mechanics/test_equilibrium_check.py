@@ -166,7 +166,9 @@ class TestNotRealizable:
         assert len(curve.inflections) == 1
         check = check_equilibrium(curve)
         assert not check.realizable
+        (zero,) = curve.curvature_zeros
         assert check.crossings
+        assert min(abs(s - zero.s) for s in check.crossings) > 0.05 * curve.length
         assert "Every line through the inflection" in str(check)
 
     @pytest.mark.parametrize(("winding", "realizable"), [(0.5, 1), (0.9, 1), (1.2, 0), (2.0, 0)])
