@@ -27,8 +27,11 @@ SAME = 1e-6
 BANK_S = 6.0
 """Processor seconds, without the change, of the requests that one mutant is asked."""
 
-VARYING = re.compile(r"[\w/]*/tmp\w{8}\b|\d{4}-\d\d-\d\dT[\d:]+|\d+\.\d+[.\d]* @ [\d-]*T?[\d:.+]+")
-"""What differs between two runs of the same program: the folder, and the date in files of kernels."""
+VARYING = re.compile(
+    r"[\w/]*/tmp\w{8}\b|\d{4}-\d\d-\d\dT[\d:]+|\d+\.\d+[.\d]* @ [\d-]*T?[\d:.+]+"
+    r"|\{[0-9A-F]{8}(?:-[0-9A-F]{4}){3}-[0-9A-F]{12}\}|\b\d+\.\d\d s(?=  )"
+)
+"""What differs between two runs of the same program: folders, dates and ids in files, the seconds a step took."""
 
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 EPOCH = "1700000000"

@@ -60,6 +60,15 @@ def test_a_sphere_gives_one_circle(height):
     assert steps.sum() == pytest.approx(2 * np.pi)
 
 
+def test_a_seam_that_rounding_left_open_is_sewn():
+    """The last meridian lies a ten-thousandth of a millimetre off the first."""
+    vertices, faces = sphere(count=41)
+    vertices.reshape(41, 82, 3)[1:-1, -1, 1] += 1e-4
+    (section,) = mesh_sections(vertices, faces, [Frame((0, 0, 17.3))])
+    assert section.line.is_closed
+    assert section.line.length == pytest.approx(2 * np.pi * np.sqrt(2500 - 17.3**2), rel=2e-3)
+
+
 def test_points_lie_on_plane_and_edges():
     rng = np.random.default_rng(3)
     vertices, faces = sphere()

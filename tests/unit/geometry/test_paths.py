@@ -194,6 +194,7 @@ def test_a_path_is_cut_where_two_of_its_curves_meet():
         (lambda: Line((1, np.nan), (1, 2)), "finite"),
         (lambda: Arc((0, 0), -1, 0, 1), "radius is -1"),
         (lambda: Arc((0, 0), 1, 0, 7), "at most 2 pi"),
+        (lambda: Arc((0, 0), 1, 0, 2 * np.pi * 1.0001), "at most 2 pi"),
         (lambda: Arc((0, 0), 1, 1, 1), "more than 0"),
         (lambda: Path.rectangle(3, 0), "both sides must be positive"),
         (lambda: Path([Line((0, 0), (1, 0))]).area, "open path has no area"),
