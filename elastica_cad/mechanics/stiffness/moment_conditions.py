@@ -211,7 +211,7 @@ def _solutions(matrix: FloatArray, right: FloatArray) -> tuple[FloatArray, Float
 
 def _stretches(s: FloatArray, length: float) -> str:
     """Places, those closer than a twentieth of the length put together."""
-    s = np.sort(np.round(s, 6))
+    s = np.sort(np.round(s, 6)) + 0.0  # no -0
     groups = np.split(s, np.flatnonzero(np.diff(s) > length / 20) + 1)
     return ", ".join(
         f"{g[0]:.4g}" if np.ptp(g) < length / 200 else f"{g[0]:.4g} to {g[-1]:.4g}" for g in groups

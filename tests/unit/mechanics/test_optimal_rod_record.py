@@ -1,5 +1,6 @@
 """The record that optimal_rod returns, its options, and weight in newtons against an initial-value solver."""
 
+import re
 from itertools import pairwise
 
 import numpy as np
@@ -329,3 +330,28 @@ def test_a_rod_says_whether_it_carries_its_weight():
     light, heavy = optimal_rod(ARCH), optimal_rod(ARCH, gravity=LEANING)
     assert repr(light) == f"<Rod of {light.length:.4g} mm, ratio {light.ratio:.4g}, {light.s.size} nodes>"
     assert repr(heavy).endswith(" nodes, with weight>")
+
+
+@pytest.mark.parametrize(("peak", "end"), [(60, 10), (70, 0)])
+def test_where_the_moment_acts_against_the_curvature_is_told(peak, end):
+    """Three inflections leave the moment of a given weight no choice: M0, F x r and the moment of what follows."""
+    points = [(0, 0), (30, 60), (60, -60 if end else -50), (90, peak), (120, -60 if end else -50), (150, end)]
+    curve = PlaneCurve.spline(points, degree=4)
+    with pytest.raises(NotRealizable) as told:
+        optimal_rod(curve, Gravity(100.0), weight=Weight(alpha=0.1), bending_stiffness=1e4)
+    nodes = curve.sample(4001)
+    s, (x, y), step = nodes.s, nodes.position.T, nodes.s[1]
+
+    def following(f):
+        return np.append(np.cumsum(((f[1:] + f[:-1]) / 2 * step)[::-1])[::-1], 0.0)
+
+    own = x * following(np.ones_like(x)) - following(x)
+    terms = np.column_stack([np.ones_like(x), x, y])
+    at = [np.abs(s - zero.s).argmin() for zero in curve.curvature_zeros]
+    wrong = (own - terms @ np.linalg.solve(terms[at], own[at])) * nodes.curvature < 0
+    wrong[at] = wrong[np.array(at) + 3]
+    edges = s[np.flatnonzero(np.diff(np.concatenate([[False], wrong, [False]]).astype(int))).clip(max=4000)]
+    (stretches,) = re.findall(r"curvature near ([^m]*) mm", str(told.value))
+    given = [float(number) for number in re.findall(r"\d+\.?\d*", stretches)]
+    assert given == pytest.approx(edges.tolist(), abs=0.5)
+    assert "-" not in stretches
