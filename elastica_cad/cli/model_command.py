@@ -97,16 +97,16 @@ def _tell(kit: Kit, output: Path, *, step: bool, pictures: bool) -> None:
         far, name = max(moved)
         say(f"farthest from its drawn curve, {name}: {far:.2g} mm")
     for nest in kit.nests:
+        laid = len(nest.pieces)
         say(
-            f"{nest.name}: {len(nest.pieces)} pieces, {100 * nest.share:.0f} % of the sheet, "
+            f"{nest.name}: {laid} {'piece' if laid == 1 else 'pieces'}, {100 * nest.share:.0f} % of the sheet, "
             f"{100 * nest.filled / nest.used:.0f} % of the rows used"
             f"{nest.grain and f', {nest.grain}'}"
         )
     if kit.held:
         worst = max(kit.held, key=lambda name: kit.held[name].deviation)
         say(f"{worst}, the one that strays most: {kit.held[worst]}")
-    warnings = [f"{part.name}: {text}" for part in kit.model.parts for text in part.strip.warnings]
-    said = list(dict.fromkeys((*kit.notes, *kit.model.reports, *warnings)))
+    said = list(dict.fromkeys((*kit.notes, *kit.model.reports, *_warnings(kit))))
     most = len(said) if voice().verbose else MOST_SAID
     for text in said[:most]:
         warn(f"Note: {text}")
@@ -115,3 +115,15 @@ def _tell(kit: Kit, output: Path, *, step: bool, pictures: bool) -> None:
     for text in left_out(step=step, pictures=pictures):
         say(text)
     say(f"wrote {len(kit.files)} files to {output}")
+
+
+def _warnings(kit: Kit) -> list[str]:
+    """What strips warn of, a sentence that several share once, with the first of them and how many more."""
+    warned: dict[str, list[str]] = {}
+    for part in kit.model.parts:
+        for text in part.strip.warnings:
+            warned.setdefault(text, []).append(part.name)
+    return [
+        f"{names[0]}{f' (and {len(names) - 1} more)' if names[1:] else ''}: {text}"
+        for text, names in warned.items()
+    ]

@@ -60,7 +60,8 @@ def drawing(drawing: Drawing) -> Figure:
         label = None if item.layer in shown else item.layer
         shown.append(item.layer)
         x, y = _points(item.path).T
-        axes.plot(x, y, color=LAYER_COLORS[item.layer], linewidth=0.9, label=label)
+        # on whole pixels, dots of letters would shrink to nothing
+        axes.plot(x, y, color=LAYER_COLORS[item.layer], linewidth=0.9, label=label, snap=False)
     _plain_axes(axes, f"{drawing.name}: {size[0]:.1f} by {size[1]:.1f} mm")
     _legend_above(axes)
     return figure

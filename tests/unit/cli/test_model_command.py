@@ -339,3 +339,23 @@ def test_a_slip_beside_braces_is_mended_too(tmp_path):
     done = run("model", tmp_path / "a.toml", "-o", tmp_path / "out")
     assert done.exit_code == 2
     assert "is no TOML file" in done.output
+
+
+def test_what_twelve_ribs_share_is_told_once(tmp_path):
+    """Of a lamp the same warning filled the screen, rib by rib, and hid the others."""
+    (tmp_path / "rib.svg").write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" width="200mm" height="200mm" viewBox="0 0 200 200">'
+        '<path d="M 60 190 C 95 150 120 110 95 70 C 85 54 60 40 45 12"/></svg>'
+    )
+    design = tmp_path / "lamp.toml"
+    design.write_text(
+        'schema = 1\nname = "lamp"\nsheet = "birch-plywood-0.8"\nmax_width = 22\n[[strips]]\ncount = 12\n'
+        'label = "R{i}"\ncurve = "rib.svg"\nsmooth = 0.5\norigin = ["100 * i", 0, 0]\n'
+        "[nest]\nsheet_size = [600, 300]\n"
+    )
+    told = run(
+        "model", design, "-o", tmp_path / "kit", "--no-effects", "--no-pictures", "--no-step", "--no-parts"
+    )
+    assert told.exit_code == 0, told.output
+    (note,) = (line for line in told.stderr.splitlines() if "made fair" in line)
+    assert note.startswith("Note: R1 (and 11 more): The curvature jumped where pieces meet: made fair, 0.4")

@@ -1,15 +1,20 @@
 """Pictures: nothing overlaps, nothing is cut off, the file is whole."""
 
+import math
 from itertools import combinations
 
+import numpy as np
 import pytest
 
 from elastica_cad import plot
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.drawing import CUT_OUTER, ENGRAVE, Drawing, LayeredPath
+from elastica_cad.fabrication.drawings.lettering import Text
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.strip.tabs import Hole, Tab
 from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.path import Path
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 CURVES = {
@@ -90,3 +95,22 @@ def test_png_is_written_whole_and_the_same(tmp_path):
         plot.save_figure(plot.strip(made("arch")), tmp_path / "a.png")
     with pytest.raises(InputError, match="resolution"):
         plot.save_figure(plot.strip(made("arch")), tmp_path / "c.png", resolution=0)
+
+
+@pytest.mark.parametrize("turned", [0.0, math.pi / 2])
+def test_colons_of_a_sheet_are_seen_wherever_they_lie(turned):
+    """ "P1:2" beside an upright slot read "P1 2": its dots, a part of a pixel long, were snapped to nothing."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+    places = [(30.0 + 20 * k, 200.0 + 0.07 * k) for k in range(28)]
+    colons = tuple(Text(place, ":", 4.0, turned, ENGRAVE) for place in places)
+    sheet = LayeredPath(CUT_OUTER, Path.rectangle(600, 450))
+    figure = plot.drawing(Drawing("base", (sheet,), colons))
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    dark = 255.0 - np.asarray(canvas.buffer_rgba(), dtype=float)[::-1, :, :3].mean(axis=2)
+    seen = []
+    for place in places:
+        x, y = figure.axes[0].transData.transform(place).astype(int)
+        seen.append(dark[y - 9 : y + 10, x - 9 : x + 10].sum())
+    assert min(seen) > 0.5 * max(seen)
