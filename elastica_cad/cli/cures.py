@@ -212,6 +212,15 @@ def _nearly_named(refused: _Refused) -> Iterator[Words]:
             yield (*refused.words[:i], f"{head}{sign}{near}", *refused.words[i + 1 :])
 
 
+def _respelt(refused: _Refused) -> Iterator[Words]:
+    """A key inside a word (--end-tab 'lenght = 12') by the one that is told."""
+    slip = re.search(r"unknown key '([^']+)'; did you mean (\w+)", refused.said)
+    for i, word in enumerate(refused.words) if slip else ():
+        if re.search(rf"\b{re.escape(slip[1])}\b", word):
+            meant = re.sub(rf"\b{re.escape(slip[1])}\b", slip[2], word)
+            yield (*refused.words[:i], meant, *refused.words[i + 1 :])
+
+
 def _chosen(refused: _Refused) -> Iterator[Words]:
     """One curve of a file that holds several."""
     count = re.search(r"--curve 1 \.\. --curve (\d+)", refused.said)
@@ -312,5 +321,5 @@ def _dropped(refused: _Refused) -> Iterator[Words]:
 
 
 WAYS: tuple[Callable[[_Refused], Iterator[Words]], ...] = (
-    _nearly_named, _chosen, _closer, _handled, _within, _added, _dropped,
+    _respelt, _nearly_named, _chosen, _closer, _handled, _within, _added, _dropped,
 )  # fmt: skip

@@ -343,3 +343,15 @@ def test_an_option_without_its_value_is_one_sentence(words, tmp_path):
     assert refused.returncode == 2
     assert "Traceback" not in refused.stderr
     assert words.split()[-1 if "20" not in words else 1] in refused.stderr
+
+
+def test_a_misspelt_key_of_a_tab_keeps_its_tab(tmp_path):
+    arch = ec.PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
+    write_curves([arch], tmp_path / "arch.dxf")
+    words = ["strip", "arch.dxf", "--sheet", "birch-plywood-0.8", "--max-width", "30"]
+    refused = typed([*words, "--end-tab", "lenght = 25", "-o", "out"], tmp_path)
+    assert refused.returncode == 2
+    (command,) = re.findall(r"This works: `.*? -m elastica_cad ([^`]*)`", refused.stderr)
+    assert "length = 25" in command
+    made = typed(shlex.split(command), tmp_path)
+    assert made.returncode == 0, made.stderr
