@@ -25,7 +25,7 @@ from elastica_cad.fabrication.solids.boundary_records import (
     Surface,
     trace_turn,
 )
-from elastica_cad.fabrication.solids.prisms import PrismSolid
+from elastica_cad.fabrication.solids.prisms import PrismSolid, RoundGroove
 from elastica_cad.fabrication.solids.strip_solids import BodyRecord, FlatSolid
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
@@ -115,7 +115,7 @@ def make_face(outline: Path, holes: Sequence[Path] = (), frame: Frame | None = N
     return face
 
 
-def make_solid(record: BodyRecord | PrismSolid) -> Shape:
+def make_solid(record: BodyRecord | PrismSolid | RoundGroove) -> Shape:
     """A record as a TopoDS_Solid."""
     k = kernel()
     if isinstance(record, PrismSolid):
@@ -123,6 +123,8 @@ def make_solid(record: BodyRecord | PrismSolid) -> Shape:
         whole = _combined(first, rest, k.BOPAlgo_Operation.BOPAlgo_FUSE)
         holes = [make_solid(prism) for prism in record.removed]
         return _only_solid(_with_few_faces(_combined(whole, holes, k.BOPAlgo_Operation.BOPAlgo_CUT)))
+    if isinstance(record, RoundGroove):
+        return _groove(record)
     if isinstance(record, FlatSolid):
         face = make_face(record.outline, record.holes, record.frame)
         return k.BRepPrimAPI_MakePrism(face, k.gp_Vec(*(record.frame.z_axis * record.thickness))).Shape()
@@ -130,6 +132,17 @@ def make_solid(record: BodyRecord | PrismSolid) -> Shape:
     builder.MakeSolid(solid)
     builder.Add(solid, make_shell(record.boundary))
     return solid
+
+
+def _groove(record: RoundGroove) -> Shape:
+    """A piece of a cylinder or a torus, or a ball."""
+    k, way = kernel(), record.way
+    axes = plane_axes_of(record.start).Ax2()
+    if record.is_dent:
+        return k.BRepPrimAPI_MakeSphere(axes, record.radius).Shape()
+    if isinstance(way, Line):
+        return k.BRepPrimAPI_MakeCylinder(axes, record.radius, way.length).Shape()
+    return k.BRepPrimAPI_MakeTorus(axes, way.radius, record.radius, abs(way.sweep)).Shape()
 
 
 def _combined(shape: Shape, others: Sequence[Shape], operation: Any) -> Shape:

@@ -3,8 +3,8 @@
 import pytest
 from freecad.elastica_wb.shapes import part_shapes
 
-from elastica_cad.fabrication.drawings.grooves import grooves
 from elastica_cad.fabrication.drawings.lettering import Text, text_strokes
+from elastica_cad.fabrication.holders.end_fixtures import engraved
 from elastica_cad.fabrication.solids.prisms import PrismSolid
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 from elastica_cad.geometry.frame import Frame
@@ -13,15 +13,24 @@ from elastica_cad.geometry.paths.path import Path
 
 @pytest.mark.parametrize(
     "text",
-    ["ABCDEFGHI", "JKLMNOPQR", "STUVWXYZ", "abcdefghi", "jklmnopqr", "stuvwxyz", "0123456789", "-:+#&%_."],
+    [
+        "ABCDEFGHI",
+        "JKLMNOPQR",
+        "STUVWXYZ",
+        "abcdefghi",
+        "jklmnopqr",
+        "stuvwxyz",
+        "0123456789",
+        "-:+#&%_.*?Ø=",
+    ],
 )
 def test_letters(text):
     strokes = text_strokes(Text((0, 0), text, 4.0))
-    bands = [band for stroke in strokes for band in grooves(stroke, 0.6, 0.15)]
-    letters = tuple(FlatSolid(outline, holes, 0.6, Frame().shifted(z=-0.4)) for outline, holes in bands)
+    letters = tuple(engraved(strokes, 4.0, Frame()))
     block = FlatSolid(Path.rectangle(50, 12, corner=(-2, -4)), (), 4.0, Frame().shifted(z=-4))
     marked = part_shapes.make_solid(PrismSolid((block,), letters))
     assert marked.isValid()
     marked.check(True)
     assert len(marked.Solids) == 1
-    assert 0.3 * len(text) < block.volume - marked.Volume < 3.5 * len(text)
+    assert 0.3 * len(text) < block.volume - marked.Volume < 2.5 * len(text)
+    assert len(marked.Faces) <= 6 + 3 * len(letters)

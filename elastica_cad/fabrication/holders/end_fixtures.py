@@ -9,13 +9,13 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.grooves import grooves
 from elastica_cad.fabrication.drawings.lettering import Text, engravable, text_strokes, text_width
+from elastica_cad.fabrication.drawings.stencil_strokes import stencil_strokes
 from elastica_cad.fabrication.holders.placed_tab import ENDS, End, PlacedTab, place_tabs
 from elastica_cad.fabrication.holding.rest_in_seats import lean_against
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.placed_strip import Placed
-from elastica_cad.fabrication.solids.prisms import PrismSolid, convex_corners
+from elastica_cad.fabrication.solids.prisms import PrismSolid, RoundGroove, convex_corners
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
@@ -24,14 +24,9 @@ from elastica_cad.geometry.paths.path import Path
 LEAST_WALL_MM = 0.8
 """Two lines of a 0.4 mm nozzle."""
 
-GROOVE_MM = 0.6
-"""Width of engraved strokes: what a 0.4 mm nozzle still prints."""
-
-GROOVE_DEPTH_MM = 0.4
-"""Two layers of a print."""
-
-STROKE_MM = 0.15
-"""Flatness of engraved strokes, a quarter of their width."""
+GROOVE_SHARE = 0.16, 0.075, 0.04
+"""Width, depth and least distance of engraved strokes, of the height of the letters: at 4 mm the width is what a
+0.4 mm nozzle still prints, the depth two fine layers."""
 
 LABEL_MM = 4.0
 """Height of the part number, where there is room."""
@@ -283,8 +278,8 @@ class EndFixture:
             frame = Frame(frame.origin, -frame.x_axis, frame.y_axis)
         return FlatSolid(Path.circle((0.0, 0.0), self.screw / 2), (), self.foot_height + 2 * BEYOND_MM, frame)
 
-    def _letters(self) -> list[FlatSolid]:
-        """The part number as grooves in the side, along the tab."""
+    def _letters(self) -> list[RoundGroove]:
+        """The part number as round grooves in the side, along the tab."""
         if not self.number:
             return []
         (_, low), (long, high) = self._core[0], self._core[2]
@@ -294,11 +289,15 @@ class EndFixture:
         tab = self.tab.frame
         side = Frame(tab.point((0.0, self.across / 2, 0.0)), tab.x_axis, -tab.z_axis)
         strokes = text_strokes(Text((start, -height / 2), self.number, height))
-        return [
-            FlatSolid(outline, holes, GROOVE_DEPTH_MM + 0.2, side.shifted(z=-GROOVE_DEPTH_MM))
-            for stroke in strokes
-            for outline, holes in grooves(stroke, GROOVE_MM, STROKE_MM)
-        ]
+        return engraved(strokes, height, side)
+
+
+def engraved(strokes: Sequence[Path], height: float, side: Frame) -> list[RoundGroove]:
+    """The grooves of letters of this height in a face whose normal is the z axis of `side`."""
+    width, depth, gap = (share * height for share in GROOVE_SHARE)
+    radius = (width**2 / 4 + depth**2) / (2 * depth)
+    middle = side.shifted(z=radius - depth)
+    return [RoundGroove(piece, radius, middle) for piece in stencil_strokes(strokes, width, gap)]
 
 
 def end_fixtures(

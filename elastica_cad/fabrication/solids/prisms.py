@@ -1,4 +1,4 @@
-"""Bodies made of prisms: some are put together, others taken away."""
+"""Bodies made of prisms: some are put together, others and round grooves taken away."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -9,16 +9,60 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.paths.segments import Arc, Line
+
+DENT = 0.85
+"""Length of the way, in radii, below which one dent does: the dots of letters."""
+
+
+@dataclass(frozen=True, eq=False)
+class RoundGroove:
+    """What a ball of this radius would take away along a line or an arc, with plane ends: few faces for a letter.
+
+    Attributes
+    ----------
+    way : Line or Arc
+        Of the ball's middle, in the xy plane of `frame`; a way shorter than `DENT` radii is a single dent.
+    radius : float
+        mm.
+    frame : Frame
+        Its z axis points out of the body; the ball's middle lies outside, so that no seam of a ball does.
+    """
+
+    way: Line | Arc
+    radius: float
+    frame: Frame
+
+    @property
+    def is_dent(self) -> bool:
+        """A ball at the middle of the way?"""
+        return self.way.length < DENT * self.radius
+
+    @property
+    def start(self) -> Frame:
+        """Of a line its start, x axis out of the body and z axis along it; of an arc its centre, x axis to the end
+        from which it turns to the left; of a dent its middle.
+        """
+        way, out = self.way, self.frame.z_axis
+        if self.is_dent:
+            return Frame(self.frame.point(way.at(0.5)), self.frame.x_axis, self.frame.y_axis)
+        if isinstance(way, Line):
+            along = self.frame.direction((way.end - way.start) / way.length)
+            return Frame(self.frame.point(way.start), out, np.cross(along, out))
+        first = way.start if way.sweep > 0 else way.end
+        along = self.frame.direction((first - way.center) / way.radius)
+        return Frame(self.frame.point(way.center), along, np.cross(out, along))
 
 
 @dataclass(frozen=True, eq=False)
 class PrismSolid:
-    """The union of the prisms `added`, less the prisms `removed`.
+    """The union of the prisms `added`, less the prisms and grooves `removed`.
 
     Attributes
     ----------
-    added, removed : tuple of FlatSolid
+    added : tuple of FlatSolid
         Closed outlines with holes and thickness, each in its own frame.
+    removed : tuple of FlatSolid and RoundGroove
     joints : mapping of str to Frame
         Places to join other parts to.
 
@@ -29,7 +73,7 @@ class PrismSolid:
     """
 
     added: tuple[FlatSolid, ...]
-    removed: tuple[FlatSolid, ...] = ()
+    removed: tuple[FlatSolid | RoundGroove, ...] = ()
     joints: Mapping[str, Frame] = field(default_factory=dict)
 
     def __post_init__(self) -> None:

@@ -12,7 +12,7 @@ from freecad.elastica_wb.features.proxy import Feature, added
 from freecad.elastica_wb.host.progress import in_steps
 from freecad.elastica_wb.host.property_table import Property, put
 from freecad.elastica_wb.host.user_units import worded
-from freecad.elastica_wb.shapes.prism_blocks import make_block
+from freecad.elastica_wb.shapes.part_shapes import make_solid
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.holders.rocking_tabs import holder_plays
@@ -50,7 +50,7 @@ class FixturesFeature(Feature):
         if not blocks:
             raise InputError("no strip here has a tab to be held: give the strips tabs")
         obj.Shape = Part.Compound(
-            in_steps("Making the blocks", [block.solid for block in blocks], make_block)
+            in_steps("Making the blocks", [block.solid for block in blocks], make_solid)
         )
         tell_plays(obj, model, blocks)
 

@@ -14,7 +14,7 @@ import Part
 from freecad.elastica_wb.shapes.binary_brep import brep_bytes
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.solids.prisms import PrismSolid
+from elastica_cad.fabrication.solids.prisms import PrismSolid, RoundGroove
 from elastica_cad.fabrication.solids.strip_solids import BodyRecord, FlatSolid
 from elastica_cad.formats.curve_files.edges import Edge
 from elastica_cad.formats.curve_files.placed_curve import placed_curve
@@ -66,17 +66,36 @@ def make_face(outline: Path, holes: Sequence[Path] = (), frame: Frame | None = N
     return Part.Face([outer, *inner])
 
 
-def make_solid(record: BodyRecord | PrismSolid) -> Part.Shape:
+def make_solid(record: BodyRecord | PrismSolid | RoundGroove) -> Part.Shape:
     """A record as a solid."""
     if isinstance(record, PrismSolid):
         first, *rest = (make_solid(prism) for prism in record.added)
         whole = first.multiFuse(rest) if rest else first
         holes = [make_solid(prism) for prism in record.removed]
         return (whole.cut(holes) if holes else whole).removeSplitter()
+    if isinstance(record, RoundGroove):
+        return _groove(record)
     if isinstance(record, FlatSolid):
         face = make_face(record.outline, record.holes, record.frame)
         return face.extrude(_vector(record.frame.z_axis * record.thickness))
     return _read(brep_bytes(record.boundary))
+
+
+def _groove(record: RoundGroove) -> Part.Shape:
+    """A piece of a cylinder or a torus, or a ball."""
+    way, frame = record.way, record.start
+    if record.is_dent:
+        shape = Part.makeSphere(record.radius)
+    elif isinstance(way, Line):
+        shape = Part.makeCylinder(record.radius, way.length)
+    else:
+        origin, up = App.Vector(), App.Vector(0, 0, 1)
+        turn = float(np.degrees(abs(way.sweep)))
+        shape = Part.makeTorus(way.radius, record.radius, origin, up, 0, 360, turn)
+    shape.Placement = App.Placement(
+        App.Matrix(*np.column_stack([frame.axes.T, frame.origin]).ravel().tolist())
+    )
+    return shape
 
 
 def _read(brep: bytes) -> Part.Shape:
