@@ -104,6 +104,7 @@ def run(said, folder, typed):
     copy = os.fork()
     if not copy:
         os.chdir(folder)
+        os.environ["ELASTICA_SHEETS"] = str(folder / "library")  # not the one of whoever runs the campaign
         os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
         for number, stream in enumerate(streams, start=1):
             os.dup2(stream.fileno(), number)
