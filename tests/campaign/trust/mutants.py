@@ -4,10 +4,9 @@ python -m tests.campaign.trust.mutants --count 400 --seed 1 --minutes 120
 
 A comparison turned, an operator swapped, a number moved, a condition negated, a constant a hundred times as large.
 For each mutant the tests that run its lines are asked, the quickest first, until one fails. What no quick test
-notices is asked the bank of requests (`equivalent.py`): where all answers stay as they were, the mutant is
-equivalent; else it meets more tests, and what these miss is a survivor, a hole in the tests. A run goes on where
-the record of its seed ends. With --again survived those of the record are asked anew, the tests of --tests and the
-long look first.
+notices is asked the bank of requests (`equivalent.py`) and meets more tests: what these miss too is equivalent
+where all answers stay as they were, else a survivor, a hole in the tests. A run goes on where the record of its
+seed ends. With --again survived those of the record are asked anew, the tests of --tests and the long look first.
 """
 
 import argparse
@@ -34,8 +33,7 @@ from tests.campaign.trust.verdicts import summary
 ROOT = Path(__file__).resolve().parents[3]
 FLOORS = ("geometry", "mechanics", "forming", "fabrication", "formats")
 FIRST_S, LONG_S = 5.0, 24.0
-"""Processor seconds of the tests of a mutant as they take without a change: a quick look, then a long one, for
-mutants that change an answer of the bank."""
+"""Processor seconds of the tests of a mutant as they take without a change: a quick look, then a long one."""
 
 NAMED_S = 120.0
 """What tests that are named may take; more of it is for loops that a change made endless."""
@@ -137,12 +135,10 @@ def _judged(copy, first, seconds, tests, known, lines):
     if first and (verdict := asked_tests(copy, first, seconds)) != "survived":
         return verdict, ""
     equal, said = asked_bank(copy, known.bank, lines)
-    if equal:
-        return "equivalent", said
     more = [test for test in known.covering.within(tests, LONG_S) if test not in first]
     if more and (verdict := asked_tests(copy, more, LONG_S)) != "survived":
         return verdict, said
-    return "survived", said
+    return "equivalent" if equal else "survived", said
 
 
 def asked_tests(copy, tests, seconds):
