@@ -215,7 +215,9 @@ def _nearly_named(refused: _Refused) -> Iterator[Words]:
 def _respelt(refused: _Refused) -> Iterator[Words]:
     """A key inside a word (--end-tab 'lenght = 12') by the one that is told."""
     slip = re.search(r"unknown key '([^']+)'; did you mean (\w+)", refused.said)
-    for i, word in enumerate(refused.words) if slip else ():
+    if slip is None:
+        return
+    for i, word in enumerate(refused.words):
         if re.search(rf"\b{re.escape(slip[1])}\b", word):
             meant = re.sub(rf"\b{re.escape(slip[1])}\b", slip[2], word)
             yield (*refused.words[:i], meant, *refused.words[i + 1 :])
