@@ -265,6 +265,8 @@ def _handled(refused: _Refused) -> Iterator[Words]:
         curves = _drawn_curves(asked)
     except (click.UsageError, ElasticaError):
         return
+    if not curves:  # the one that was asked for is not there
+        return
     (left, low), (right, high) = box_around(curves)
     home = dict(zip(CORNERS, ((left, low), (right, low), (right, high), (left, high)), strict=True))
     places = {name: asked[name] for name in CORNERS if asked[name] is not None}

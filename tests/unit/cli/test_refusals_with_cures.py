@@ -355,3 +355,25 @@ def test_a_misspelt_key_of_a_tab_keeps_its_tab(tmp_path):
     assert "length = 25" in command
     made = typed(shlex.split(command), tmp_path)
     assert made.returncode == 0, made.stderr
+
+
+def test_handles_of_a_curve_that_is_not_there_are_refused(tmp_path):
+    arch = ec.PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
+    write_curves([arch], tmp_path / "arch.dxf")
+    words = [
+        "reshape",
+        "arch.dxf",
+        "--top-right",
+        "120",
+        "80",
+        "--handle",
+        "200",
+        "-1e308",
+        "40",
+        "0.5",
+        "--curve",
+    ]
+    refused = typed([*words, "point = [0, 0], normal = [0, 1]", "-o", "out"], tmp_path)
+    assert refused.returncode == 2
+    assert "Traceback" not in refused.stderr
+    assert refused.stderr.startswith(("Error: ", "Usage: "))
