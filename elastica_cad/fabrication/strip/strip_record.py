@@ -25,7 +25,7 @@ from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
-from elastica_cad.mechanics.material.plywood_radii import PLYWOOD_SOURCE
+from elastica_cad.mechanics.material.plywood_radii import PLYWOOD_SOURCE, TOLD_TO
 from elastica_cad.mechanics.material.section_limits import LayerStrain
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.sheet_keys import printable
@@ -52,9 +52,6 @@ LINEAR_CREEP_SHARE = 0.5
 
 UNEVEN_JOINT_MM = 0.05
 """Difference between the widths of a closed strip's ends that is told: finer than it is cut."""
-
-AT_LIMIT = 1e-4
-"""Share by which a strip may be bent beyond a published radius: a search for the nearest one ends on it."""
 
 CURVATURE_STATIONS = 2001
 """At which strain is looked for, spread over the curve's smooth panels."""
@@ -343,7 +340,7 @@ class Strip:
         tightest = int(np.argmax(bend))
         for one, layer in zip(self.layers, self.strains, strict=False):
             least = one.sheet.published_radius
-            if least is not None and not layer.exceeded and bend[tightest] * least > 1 + AT_LIMIT:
+            if least is not None and not layer.exceeded and bend[tightest] * least > 1 + TOLD_TO:
                 found.append(
                     f"it bends to a radius of {1 / bend[tightest]:.1f} mm at {s[tightest]:.1f} mm, but plywood of "
                     f"{one.sheet.thickness:g} mm bends to {least:.1f} mm at least {one.sheet.grain} the face grain "

@@ -25,6 +25,9 @@ ROWS_INCH = {
 SOLD_AS = 0.02
 """Share by which a sheet may be thinner than the first row of its plies: 4 mm is sold for 0.160 in."""
 
+TOLD_TO = 0.01
+"""Share to which a radius is known: the table has two digits, and a sheet's largest strain is rounded."""
+
 LEAST_MM, LARGEST_MM = 0.7, 9.6
 """Thicknesses that the rows speak of: a sheet of 0.8 mm takes the strain of the thinnest row, 0.89 mm."""
 
