@@ -194,7 +194,7 @@ def _tell_forces(moved: Travel) -> None:
             f"N mm, energy {moved.energy[k]:.4g} N mm, strain {100 * moved.strain[k]:.3g} %, "
             f"stress {moved.stress[k]:.4g} MPa, safety {moved.safety[k]:.3g}"
         )
-    tips = [k for k, found in enumerate(moved.sideways) if found.word in ("unstable", "low")]
+    tips = [k for k, found in enumerate(moved.sideways) if found.needs_guiding]
     if tips:
         k = min(tips, key=lambda k: moved.sideways[k].margin)
         warn(f"Warning: at {moved.travel[k]:.4g} mm of travel, {moved.sideways[k]}")

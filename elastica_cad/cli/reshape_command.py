@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from elastica_cad._types import FloatArray
-from elastica_cad.cli.asking.asked_curves import curve_argument, drawn_curves, which_options
+from elastica_cad.cli.asking.asked_curves import UNIT, curve_argument, drawn_curves, which_options
 from elastica_cad.cli.asking.lengths import LENGTH, POINT
 from elastica_cad.cli.asking.options import output_options
 from elastica_cad.cli.running.strip_cures import cure_for_curve
@@ -31,9 +31,7 @@ KINDS = ("dxf", "svg", "json")
 @click.command()
 @curve_argument()
 @which_options
-@click.option(
-    "--unit", type=click.Choice(["mm", "cm", "m", "in", "px", "pt"]), help="Unit of the file's numbers."
-)
+@click.option("--unit", type=UNIT, help="Unit of the file's numbers.")
 @click.option("--bottom-left", type=POINT, metavar="X Y", help="Where this corner of the box goes, mm.")
 @click.option("--bottom-right", type=POINT, metavar="X Y", help="The same of that corner.")
 @click.option("--top-right", type=POINT, metavar="X Y", help="The same of that corner.")

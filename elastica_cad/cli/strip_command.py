@@ -174,7 +174,7 @@ def _tell(kit: StripKit, written: Iterable[Path]) -> None:
         say(f"stable, {said}")
     else:
         warn(f"Warning: {said}. --stable finds the nearest that stays.")
-    if made.sideways.word in ("unstable", "low"):
+    if made.sideways.needs_guiding:
         warn(f"Warning: {made.sideways}.")
     else:
         say(str(made.sideways))

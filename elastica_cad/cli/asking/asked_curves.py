@@ -75,8 +75,11 @@ def _kind(data: bytes) -> str:
     return ".txt" if re.match(rb"\d+[ \t]+\d+[ \t]*\r?\n", head) else ".csv"
 
 
+UNIT = click.Choice(["mm", "cm", "m", "in", "px", "pt"])
+"""What the numbers of a file may be in."""
+
 unit_option = click.option(
-    "--unit", type=click.Choice(["mm", "cm", "m", "in", "px", "pt"]),
+    "--unit", type=UNIT,
     help="Unit of the file's numbers, where the file does not say or says it wrongly.",
 )  # fmt: skip
 

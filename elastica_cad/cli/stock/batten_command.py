@@ -101,9 +101,7 @@ def batten(**chosen: Any) -> None:
         )
     for warning in made.strip.warnings:
         warn(f"Warning: {warning}")
-    for missing in left_out(pictures=False, paper=True):
-        say(missing)
-    wrote(written)
+    _tell_files(written)
 
 
 def _glue(made: Batten, chosen: dict[str, Any]) -> None:
@@ -140,21 +138,31 @@ def _glue(made: Batten, chosen: dict[str, Any]) -> None:
         warn(f"Warning: {warning}")
     if not leafed.settled:
         warn("Warning: the search stopped before the ends of the leaves settled; others may come nearer")
-    for missing in left_out(pictures=False, paper=True):
-        say(missing)
-    wrote(written)
+    _tell_files(written)
 
 
 def _write_leaves(strip: Strip, report: dict[str, Any], chosen: dict[str, Any]) -> list[Path]:
     """Cut list, pattern, print, bodies and numbers, or none of them."""
     name, folder, stack = strip.label, chosen["output"], LeafStack(strip)
-    kinds = ["csv", "svg", "dxf", "json"]
-    kinds += [kind for kind, library in (("pdf", "matplotlib"), ("step", "OCP")) if find_spec(library)]
+    kinds = _kinds()
     with write_together(folder, [f"{name}.{kind}" for kind in kinds], force=chosen["force"]) as workshop:
         (workshop / f"{name}.csv").write_text(stack.cut_list.csv, encoding="utf-8")
         (workshop / f"{name}.json").write_text(json.dumps(report, indent=1) + "\n", encoding="utf-8")
         _write_drawn(strip, stack.drawing, workshop / name, kinds, chosen)
     return [folder / f"{name}.{kind}" for kind in kinds]
+
+
+def _kinds() -> list[str]:
+    """Of the files that the installed libraries allow."""
+    more = (("pdf", "matplotlib"), ("step", "OCP"))
+    return ["csv", "svg", "dxf", "json", *(kind for kind, library in more if find_spec(library))]
+
+
+def _tell_files(written: list[Path]) -> None:
+    """What was written, after what could not be."""
+    for missing in left_out(pictures=False, paper=True):
+        say(missing)
+    wrote(written)
 
 
 def _write_drawn(
@@ -219,8 +227,7 @@ def _write(
     made: Batten, name: str, stations: FloatArray, report: dict[str, Any], chosen: dict[str, Any]
 ) -> list[Path]:
     """All files that the installed libraries allow, or none."""
-    kinds = ["csv", "svg", "dxf", "json"]
-    kinds += [kind for kind, library in (("pdf", "matplotlib"), ("step", "OCP")) if find_spec(library)]
+    kinds = _kinds()
     folder: Path = chosen["output"]
     drawing = made.drawing(stations)
     with write_together(folder, [f"{name}.{kind}" for kind in kinds], force=chosen["force"]) as workshop:

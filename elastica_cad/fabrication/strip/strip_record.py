@@ -33,13 +33,13 @@ from elastica_cad.mechanics.material.tapered_sections import LaidLeaves
 from elastica_cad.mechanics.rod.csv_text import csv_text
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.sideways import SidewaysStability
+from elastica_cad.mechanics.studies.creep import Creep, creep, require_creep
 
 # what holds strips, and leaves, are imported when they are asked for: a skin is then there soon after its library
 if TYPE_CHECKING:
     from elastica_cad.fabrication.holding.held_shape import HeldShape
     from elastica_cad.fabrication.strip.made_stiffness import LapPlates
     from elastica_cad.fabrication.strip.strip_as_made import StripAsMade
-from elastica_cad.mechanics.studies.creep import Creep, creep, require_creep
 
 FINE_EDGES = 1600
 """At least, of the rod that is bent as built: its own error is then far below what it measures."""

@@ -76,9 +76,14 @@ class SidewaysStability:
             return "unstable"
         return "low" if self.margin < SAFE_MARGIN else "ample"
 
+    @property
+    def needs_guiding(self) -> bool:
+        """Does it tip, or may a push from the side tip it?"""
+        return self.word in ("unstable", "low")
+
     def __str__(self) -> str:
         """One sentence; the margin where it warns."""
-        if self.word in ("unstable", "low"):
+        if self.needs_guiding:
             return f"sideways margin {self.margin:.3g} ({self.word}): {self.meaning}"
         return f"sideways {self.word}: {self.meaning}"
 

@@ -108,7 +108,7 @@ class BendPanel(Panel):
         words = f"{moved_by} and {stays}; its stability margin is {found.margin:.3g}."
         fresh = [warning for warning in rod.warnings if warning not in self.rest.warnings]
         tips = strip_sideways(rod, self.strip.layout)
-        if tips.word in ("unstable", "low"):
+        if tips.needs_guiding:
             fresh.append(str(tips))
         self.tell(" ".join([words, *fresh]))
 
