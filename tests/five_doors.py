@@ -135,6 +135,13 @@ ASKED = {
         {"StartTab": 8.0, "EndTab": 8.0, "Joint": 60.0},
         OVAL,
     ),
+    "closed within limits": Asked(
+        {"max_width": 20.0, "joint": 60.0, "limits": Limits(ratio=9.0)},
+        "--max-width 20 --joint 60 --ratio 9",
+        "max_width = 20\njoint = 60\nlimits.ratio = 9",
+        NEAREST | {"RatioLimit": 9.0, "Joint": 60.0},
+        OVAL,
+    ),
     "closed where it is bent least": Asked({"max_width": 20.0}, "--max-width 20", "max_width = 20", {}, OVAL),
     "slotted": Asked(
         {"max_width": 20.0, "ends": (Tab(12, chamfer=2, holes=(Hole(6, 3),)), Tab(8, corner_radius=1)),
@@ -219,6 +226,10 @@ REFUSED = {
         "--max-width 20 --max-curvature 0.001 --keep-tangents --keep-length",
         "max_width = 20\nlimits.curvature = 0.001\nkeep = { tangents = true, length = true }",
         NEAREST | {"CurvatureLimit": 1e-3, "KeepTangents": True, "KeepLength": True},
+    ),
+    "joined but open": Asked(
+        {"max_width": 20.0, "joint": 60.0}, "--max-width 20 --joint 60", "max_width = 20\njoint = 60",
+        {"Joint": 60.0},
     ),
     "slot off the strip": Asked(
         {"max_width": 20.0, "slots": (Slot(900.0, 1.2),)}, "--max-width 20 --slot 'at = 900, width = 1.2'",

@@ -80,8 +80,8 @@ class StripSpec(EqualByValue):
     ends : pair of Tab
         Of a closed strip the second is the lap that is glued behind its start, the first is left out.
     joint : float, optional
-        Where a closed strip begins and ends, mm along the curve as drawn; where it is bent least unless given. All
-        places along the strip are counted from there.
+        Where a closed strip begins and ends, mm along the curve as drawn; where it is bent least unless given, or
+        as drawn with limits or keep. All places along the strip are counted from there. None for an open curve.
     slots : sequence of Slot
     label : str
         Engraved on the strip; empty for none.
@@ -170,6 +170,11 @@ class StripSpec(EqualByValue):
             raise InputError(
                 f"joint is {self.joint!r}: give a place along the curve, 0 to {self.curve.length:.4g} mm, or none"
             )
+        if self.joint is not None and not self.curve.is_closed:
+            raise InputError(
+                f"joint is {self.joint:g} mm, but the curve is open and begins at its own end: leave joint out, or "
+                "close the curve"
+            )
         if not isinstance(self.label, str):
             raise InputError(f"label is {self.label!r}: give a text, empty for none")
         for name in ("compensate", "anyway"):
@@ -246,13 +251,15 @@ class StripSpec(EqualByValue):
 
     @cached_property
     def _begun(self) -> PlaneCurve:
-        """The curve; a closed one from where the strip is joined, as long as it may not change."""
-        if not self.curve.is_closed or self.limits or self.keep:
+        """The curve; a closed one from where the strip is joined: where told, else only where it may not change."""
+        if not self.curve.is_closed:
             return self.curve
         if self.curve.has_corners and not self.smooth:  # refused, with places as drawn
             return self.curve
         if self.joint is not None:
             return begin_at(self.curve, self.joint)
+        if self.limits or self.keep:
+            return self.curve
         if isinstance(self.natural_curvature, RestCurvature):  # which counts from the start
             return self.curve
         return begin_at(self.curve, flattest_place(self.curve))

@@ -1951,6 +1951,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>joint is %1 mm, but the curve is open and begins at its own end: leave joint out, or close the curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>joint is %1: give a place along the curve, 0 to %2 mm, or none</source>
         <translation type="unfinished"></translation>
     </message>

@@ -1963,6 +1963,10 @@
         <translation>geschlossen: %1 bei %2, wo er %3 mm breit ist; die Verbindung trägt %4 N mm und %5 N</translation>
     </message>
     <message>
+        <source>joint is %1 mm, but the curve is open and begins at its own end: leave joint out, or close the curve</source>
+        <translation>die Verbindungsstelle ist %1 mm, aber die Kurve ist offen und beginnt an ihrem eigenen Ende: die Verbindungsstelle weglassen oder die Kurve schließen</translation>
+    </message>
+    <message>
         <source>joint is %1: give a place along the curve, 0 to %2 mm, or none</source>
         <translation>die Verbindungsstelle ist %1: eine Stelle entlang der Kurve angeben, 0 bis %2 mm, oder keine</translation>
     </message>

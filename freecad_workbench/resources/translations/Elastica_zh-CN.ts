@@ -1963,6 +1963,10 @@
         <translation>闭合：在 %2 处%1，该处宽 %3 mm；接合处承受 %4 N mm 和 %5 N</translation>
     </message>
     <message>
+        <source>joint is %1 mm, but the curve is open and begins at its own end: leave joint out, or close the curve</source>
+        <translation>接合处为 %1 mm，但曲线是开放的，从自身端点开始：请不要给出接合处，或将曲线闭合</translation>
+    </message>
+    <message>
         <source>joint is %1: give a place along the curve, 0 to %2 mm, or none</source>
         <translation>接合处为 %1：请给出沿曲线的位置，0 至 %2 mm，或不给出</translation>
     </message>

@@ -14,6 +14,7 @@ from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.fabrication.strip_spec import StripSpec, make_strip
 from elastica_cad.formats.reports.strip_report import report_strip
+from elastica_cad.forming.limits import Limits
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 from elastica_cad.mechanics.bending.bend_forward import bend
@@ -162,6 +163,10 @@ def test_where_it_is_joined():
     assert there.ends[0].length == 0
     with pytest.raises(InputError, match=r"joint is 1000.*0 to 66\d"):
         asked.changed(joint=1000.0)
+    free = asked.changed(joint=100.0, limits=Limits(ratio=9.0)).make()
+    assert free.rod.position[0] == pytest.approx(there.rod.position[0], abs=1e-6)
+    with pytest.raises(InputError, match="joint is 100 mm, but the curve is open"):
+        asked.changed(joint=100.0, curve=PlaneCurve.arc((0, 0), 60, 0, 3))
 
 
 def test_a_closed_curve_begins_anywhere():

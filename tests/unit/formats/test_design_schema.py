@@ -115,7 +115,7 @@ reshape = { handles = [[0, 0], [9, 0], [9, 9], [0, 9]], to = [[0, 0], [9, 0], [9
     ONE + "natural_curvature = { stations = [0, 50, 50, 211], curvatures = [0, 0.001, 0.002, 0] }\n",
     ONE + "natural_curvature.curve.spline = [[0, 0], [60, 20], [130, 30], [170, 26], [204, 20]]\n",
     HEAD + "[[strips]]\ncurve.ellipse = { center = [0, 9], semi_axes = [90, 60], rotation = 0.1, above = 0 }\n",
-    ONE + 'style = { kind = "plain" }\njoint = 10\n',
+    ONE.replace("2.9 }", "6.483185307179586 }") + 'style = { kind = "plain" }\njoint = 10\n',
     ONE.replace("max_width = 20\n", "") + 'law = { kind = "thickness", limits = [1, 3], width = 20 }\n',
     ONE.replace("max_width = 20\n", "") + 'samples = 201\nlaw = { kind = "rod", limits = [1, 3] }\n',
     ONE.replace("max_width = 20\n", "") + 'law = { kind = "tube", limits = [1, 3], bore = 0.5 }\n',
