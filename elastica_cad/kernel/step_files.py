@@ -1,12 +1,13 @@
 """STEP files: strips and models written by OpenCASCADE, curves read by it."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
 from io import BytesIO
 from os import PathLike
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -30,10 +31,15 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.drawn_edges import free_chains
 from elastica_cad.kernel.forked_trial import try_in_a_copy
-from elastica_cad.kernel.occt import Shape, kernel, make_location, make_solid
+from elastica_cad.kernel.occt import Shape, kernel, make_location, make_solid, sub_shapes
 from elastica_cad.kernel.step_text import canonical_step
 
 SETTINGS = {"write.step.schema": "AP214IS", "write.step.unit": "MM"}
+TRACES = "write.surfacecurve.mode"
+"""Are edges written in the parameters of their faces too? More than half of a file, which planes, cylinders, cones,
+balls and rings need not: there every reader finds them exactly."""
+
+ELEMENTARY = ("Plane", "Cylinder", "Cone", "Sphere", "Torus")
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,7 +109,8 @@ def step_bytes(parts: Sequence[NamedShape], *, name: str) -> bytes:
     k = kernel()
     document = make_document(parts, name=name)
     stream = BytesIO()
-    with _own_settings():
+    traces = "0" if all(_is_elementary(part.shape) for part in parts) else "1"
+    with _own_settings({TRACES: traces}):
         writer = k.STEPCAFControl_Writer()
         writer.SetColorMode(True)
         writer.SetNameMode(True)
@@ -123,18 +130,26 @@ def step_bytes(parts: Sequence[NamedShape], *, name: str) -> bytes:
     return canonical_step(stream.getvalue())
 
 
-@contextmanager
-def _own_settings() -> Iterator[None]:
-    """Silent, and with our own format of STEP, while OpenCASCADE works; its settings are then as they were."""
+def _is_elementary(shape: Shape) -> bool:
+    """Are all faces planes, cylinders and their like?"""
     k = kernel()
+    known = [getattr(k.GeomAbs_SurfaceType, f"GeomAbs_{name}") for name in ELEMENTARY]
+    faces = sub_shapes(getattr(shape, "wrapped", shape), k.TopAbs_ShapeEnum.TopAbs_FACE)
+    return all(k.BRepAdaptor_Surface(k.as_face(face)).GetType() in known for face in faces)
+
+
+@contextmanager
+def _own_settings(further: Mapping[str, str] = MappingProxyType({})) -> Iterator[None]:
+    """Silent, and with our own format of STEP, while OpenCASCADE works; its settings are then as they were."""
+    k, settings = kernel(), {**SETTINGS, **further}
     k.STEPControl_Writer()  # settings are there from the first use on
-    before = {name: k.Interface_Static.CVal_s(name) for name in SETTINGS}
+    before = {name: k.Interface_Static.CVal_s(name) for name in settings}
     messenger = k.Message.DefaultMessenger_s()
     printers = list(messenger.Printers())
     try:
         for printer in printers:
             messenger.RemovePrinter(printer)
-        for setting, value in SETTINGS.items():
+        for setting, value in settings.items():
             k.Interface_Static.SetCVal_s(setting, value)
         yield
     finally:

@@ -21,7 +21,13 @@ from elastica_cad.kernel.forked_trial import try_in_a_copy
 from elastica_cad.kernel.step_files import read_step_shape, write_strip_step
 
 DAMAGED = Path(__file__).resolve().parents[1] / "data" / "damaged"
-NAMES = ("write.step.schema", "write.step.unit", "write.step.product.name", "xstep.cascade.unit")
+NAMES = (
+    "write.step.schema",
+    "write.step.unit",
+    "write.step.product.name",
+    "xstep.cascade.unit",
+    "write.surfacecurve.mode",
+)
 
 
 def state():

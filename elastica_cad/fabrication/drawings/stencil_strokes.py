@@ -44,19 +44,38 @@ def stencil_strokes(strokes: Sequence[Path], width: float, gap: float) -> list[L
     [4.0, 5.5]
     """
     segments = [segment for stroke in strokes for segment in _joined(stroke.segments)]
-    others = [[other for other in segments if other is not one] for one in segments]
+    near = _neighbours(segments, 2 * (width + gap))
     left = [
-        _long(_clear(one, rest, width, gap), one, width) for one, rest in zip(segments, others, strict=True)
+        _long(_clear(one, [segments[i] for i in rest], width, gap), one, width)
+        for one, rest in zip(segments, near, strict=True)
     ]
     shares = [
         sum(part.length for part in parts) / one.length for one, parts in zip(segments, left, strict=True)
     ]
     ranks = sorted(range(len(segments)), key=lambda i: (len(left[i]) == 1, shares[i]))
-    kept: list[Line | Arc] = []
-    for one in (segments[i] for i in ranks):
-        pieces = _clear(one, kept, width, gap)
-        kept += [one] if pieces == [one] else _long(pieces, one, width)
-    return kept
+    kept: dict[int, list[Line | Arc]] = {}
+    for rank in ranks:
+        one = segments[rank]
+        pieces = _clear(one, [piece for i in near[rank] for piece in kept.get(i, ())], width, gap)
+        kept[rank] = [one] if pieces == [one] else _long(pieces, one, width)
+    return [piece for pieces in kept.values() for piece in pieces]
+
+
+def _neighbours(segments: Sequence[Line | Arc], reach: float) -> list[list[int]]:
+    """Of each segment the others that may lie within this reach: a long text has few of them near."""
+    corners = np.array([_box(segment) for segment in segments]).reshape(-1, 2, 2)
+    low, high = corners[:, 0], corners[:, 1]
+    met: FloatArray = np.all((low[:, None] < high + reach) & (low < high[:, None] + reach), axis=2)
+    np.fill_diagonal(met, False)
+    return [np.flatnonzero(row).tolist() for row in met]
+
+
+def _box(segment: Line | Arc) -> FloatArray:
+    """Least and largest x and y of a line, or of the circle of an arc."""
+    if isinstance(segment, Arc):
+        return np.array([segment.center - segment.radius, segment.center + segment.radius])
+    ends = np.array([segment.start, segment.end])
+    return np.array([ends.min(axis=0), ends.max(axis=0)])
 
 
 def _long(pieces: Sequence[Line | Arc], whole: Line | Arc, width: float) -> list[Line | Arc]:

@@ -45,3 +45,15 @@ def test_pieces_of_every_letter_keep_apart(letter, height):
         assert all(one.distance(other) > 0.5 * scale * GAP for other in areas[:k])
     drawn = shapely.MultiLineString([stroke.points(0.01) for stroke in strokes])
     assert drawn.difference(shapely.union_all(areas).buffer(0.75 * scale)).length < 0.05 * drawn.length
+
+
+def test_letters_of_a_long_text_are_those_that_stand_alone():
+    """Each piece asks its neighbours only: eighty letters take no minutes."""
+    text = "STRIP 17 OF THE PAVILION, BENT BY HAND: " * 2
+    together = stencil_strokes(text_strokes(Text((0, 0), text, 4.0)), WIDTH, GAP)
+    alone = [
+        piece.length
+        for letter in text.replace(" ", "")
+        for piece in stencil_strokes(text_strokes(Text((0, 0), letter, 4.0)), WIDTH, GAP)
+    ]
+    assert sorted(piece.length for piece in together) == pytest.approx(sorted(alone), abs=0.02)
