@@ -1,7 +1,7 @@
 """Slots: narrow cuts that let strips interlock, open at the edge of the flat pattern."""
 
 from dataclasses import dataclass, replace
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline, left_of
+from elastica_cad.geometry.polynomials.spline_function import SplineFunction, spline_through
 
 STRAIGHT_MM = 1e-7
 """Sides that bend less than this are lines: a tenth of what drawings tell apart."""
@@ -135,11 +136,14 @@ def slot_cut(slot: Slot, width: Profile, *, beyond: float) -> Path:
     """
     points, widths = slot.center_line(width)
     t = _chords(points)
-    spline = _spline(t, points)
-    normals = _left_of(spline(t, 1))
+    degree = min(3, len(points) - 1)  # of a spline through them
+    tangents = SplineFunction.of(*spline_through(t, points, degree), degree)(t, 1)
+    normals = _left_of(tangents)
     rows = [points + sign * widths[:, None] / 2 * normals for sign in (-1, 1)]
-    sides = _spline(t, np.hstack(rows))
-    right, left = (_through(row, sides, k, beyond) for k, row in enumerate(rows))
+    knots, controls = spline_through(t, np.hstack(rows), degree)
+    right, left = (
+        _through(row, knots, side, beyond) for row, side in zip(rows, np.hsplit(controls, 2), strict=True)
+    )
     end: Segment = Line(rows[0][0], rows[1][0])
     if slot.relief == "round":
         end = Arc.from_bulge(rows[0][0], rows[1][0], -1.0)
@@ -166,30 +170,19 @@ def _left_of(tangents: FloatArray) -> FloatArray:
     return np.asarray(normals / np.hypot(*tangents.T)[:, None], dtype=float)
 
 
-def _through(points: FloatArray, sides: Any, which: int, beyond: float) -> list[Segment]:
-    """Segments through points in order and straight on: lines where they lie on one, else a B-spline first.
-
-    `sides` is the spline of both sides at once, `which` the one of them that is meant.
-    """
+def _through(points: FloatArray, knots: FloatArray, controls: FloatArray, beyond: float) -> list[Segment]:
+    """Segments through points in order and straight on: lines where they lie on one, else their spline first."""
     chord = points[-1] - points[0]
     off = (points - points[0]) @ left_of(chord) / np.hypot(*chord)
     if len(points) == 2 or np.abs(off).max() < STRAIGHT_MM:
         return [Line(points[0], points[-1] + chord * beyond / np.hypot(*chord))]
     if len(points) < 4:
         raise InputError("a bent slot needs four points or more along its centre line")
-    columns = slice(2 * which, 2 * which + 2)
-    direction = sides(sides.t[-1], 1)[columns]
+    direction = controls[-1] - controls[-2]
     onward = Line(points[-1], points[-1] + direction * beyond / np.hypot(*direction))
-    return [Spline(PlaneCurve(sides.t, sides.c[:, columns], sides.k)), onward]
+    return [Spline(PlaneCurve(knots, controls, 3)), onward]
 
 
 def _chords(points: FloatArray) -> FloatArray:
     """Parameters (k,) of points: summed chord lengths."""
     return np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
-
-
-def _spline(t: FloatArray, points: FloatArray) -> Any:
-    """The interpolating spline, of degree 3 where there are points enough."""
-    from scipy.interpolate import make_interp_spline
-
-    return make_interp_spline(t, points, k=min(3, len(points) - 1))

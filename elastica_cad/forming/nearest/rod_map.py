@@ -10,6 +10,7 @@ from typing import Any, NamedTuple, TypeAlias, cast
 
 import numpy as np
 
+from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import FloatArray
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod, edge_forces, node_weights
@@ -216,8 +217,6 @@ class StripGrid:
         The linearised recursion couples each angle and moment to the two before it: one banded triangular solve
         for all columns. With `closing`, a last column p tells what brings the rod into balance to first order.
         """
-        from scipy.linalg.lapack import dtbtrs
-
         n, u = self.edges, self.unknowns
         K, M, T, length = rod.stiffness, rod.moments, rod.tangents, rod.length
         edge, w = length / n, length * self.shares
@@ -249,7 +248,7 @@ class StripGrid:
             drive_moment[:, -1] = M[:-1] + edge * rod.shear - M[1:]
             drive_angle[0, -1] += w[0] / K[0] * late + rod.z[u.angle] - rod.all_angles[0]
             drive_moment[0, -1] += late
-        solved, _ = dtbtrs(self._band(rod), right, uplo="L", diag="U", overwrite_b=1)
+        solved, _ = lapack().dtbtrs(self._band(rod), right, uplo="L", diag="U", overwrite_b=1)
 
         angles = np.zeros((n + 2, columns))
         angles[0, u.angle] = 1

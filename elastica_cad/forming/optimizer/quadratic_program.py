@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import BoolArray, FloatArray
 from elastica_cad.forming.optimizer.dense_solves import gram
 
@@ -193,8 +194,6 @@ def _by_active_sets(program: QuadraticProgram, start: _Binding | None) -> Quadra
     What is passed binds in the next guess, and what pulls inwards does no more (primal-dual active sets); None
     as soon as the guesses do not come nearer to each other, or where those that began from `start` do not settle.
     """
-    from scipy.linalg.lapack import dsysv
-
     H, g, A, r = program.hessian, program.gradient, program.rows, program.right
     lower, upper, price, one_sided = program.lower, program.upper, program.price, program.one_sided
     none = np.zeros(g.size, dtype=bool)
@@ -210,7 +209,7 @@ def _by_active_sets(program: QuadraticProgram, start: _Binding | None) -> Quadra
         right = np.concatenate([-(g + H @ x - y @ A)[free], (r - A @ x)[bound.met]])
         if not right.size:
             return None
-        *_, solution, info = dsysv(system, right, lower=1)
+        *_, solution, info = lapack().dsysv(system, right, lower=1)
         # some builds of LAPACK divide by a pivot of 1e-140 without a word
         if info != 0 or not np.all(np.isfinite(solution)):
             return None
@@ -242,24 +241,22 @@ def _factorised(
     L is inverted because LAPACK's triangular solves with several right-hand sides start threads, which on a
     busy machine costs a thousand times the work.
     """
-    from scipy.linalg.lapack import dpotrf, dtrtri
-
     G = H.copy()
     G.flat[:: G.shape[0] + 1] += diagonal
-    L, info = dpotrf(G, lower=1)
+    L, info = lapack().dpotrf(G, lower=1)
     if info != 0:
         return None
-    inverse, _ = dtrtri(L, lower=1)
+    inverse, _ = lapack().dtrtri(L, lower=1)
     W = inverse @ A.T
     S = gram(W) if W.size else np.zeros((0, 0))
     if not S.size:
         return inverse, W, S
     diagonals = S.reshape(-1)[:: S.shape[0] + 1]
     diagonals += D
-    C, info = dpotrf(S, lower=1)
+    C, info = lapack().dpotrf(S, lower=1)
     if info != 0:
         diagonals += _ROUNDING * diagonals.max()
-        C, info = dpotrf(S, lower=1)
+        C, info = lapack().dpotrf(S, lower=1)
     return None if info != 0 else (inverse, W, C)
 
 
@@ -267,13 +264,11 @@ def _solved(
     system: tuple[FloatArray, FloatArray, FloatArray], a: FloatArray, b: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
     """(dx, dy) with G dx - A^T dy = a and A dx + D dy = b."""
-    from scipy.linalg.lapack import dpotrs
-
     inverse, W, C = system
     half = inverse @ a
     dy = np.zeros(0)
     if C.size:
-        dy, _ = dpotrs(C, b - half @ W, lower=1)
+        dy, _ = lapack().dpotrs(C, b - half @ W, lower=1)
         half = half + W @ dy
     return half @ inverse, dy
 

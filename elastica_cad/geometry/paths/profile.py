@@ -3,17 +3,16 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray, IntArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.polynomials.bernstein import interior_roots, raise_degree, value_and_slope
-from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
 from elastica_cad.geometry.polynomials.fit_function import adaptive_spline
 from elastica_cad.geometry.polynomials.knot_runs import knot_runs
 from elastica_cad.geometry.polynomials.spline_checks import finite
+from elastica_cad.geometry.polynomials.spline_function import SplineFunction, spline_through
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,15 +101,12 @@ class Profile:
     @classmethod
     def interpolate(cls, s: ArrayLike, values: ArrayLike) -> "Profile":
         """The cubic spline through `values` (n,) at increasing arc lengths `s` (n,)."""
-        from scipy.interpolate import make_interp_spline
-
         s, values = finite("arc lengths", s), finite("values", values)
         if s.ndim != 1 or s.shape != values.shape or s.size < 2 or np.any(np.diff(s) <= 0):
             raise InputError(
                 "a profile is interpolated at two or more increasing arc lengths, one value each"
             )
-        spline = make_interp_spline(s, values, k=min(3, s.size - 1))
-        knots, coefficients = spline.t, spline.c
+        knots, coefficients = spline_through(s, values, min(3, s.size - 1))
         while knots.size < 8:
             knots = np.concatenate([knots[:1], knots, knots[-1:]])
             coefficients = raise_degree(coefficients)
@@ -118,7 +114,7 @@ class Profile:
 
     def __call__(self, s: ArrayLike, derivative: int = 0) -> FloatArray:
         """Values (or derivatives per mm) at arc lengths `s`, same shape; continued beyond the ends."""
-        return np.asarray(self._spline(np.asarray(s, dtype=float), nu=derivative), dtype=float)
+        return self._function(np.asarray(s, dtype=float), derivative)
 
     @property
     def length(self) -> float:
@@ -139,8 +135,7 @@ class Profile:
 
     @cached_property
     def _extreme_points(self) -> tuple[tuple[float, float], tuple[float, float]]:
-        spans = bezier_spans(self.knots, self.degree)
-        pieces = spans.bezier(self.coefficients)
+        spans, pieces = self._function.spans, self._function.pieces
         at_knots = pieces[:, [0, -1]]
         # a piece whose coefficients do not pass the extremes of the knots has none beyond them
         passing = np.flatnonzero(
@@ -173,14 +168,13 @@ class Profile:
         if factor > 0 and "_extreme_points" in self.__dict__:
             (first, low), (second, high) = self._extreme_points
             scaled.__dict__["_extreme_points"] = (first, low * factor), (second, high * factor)
+        if "_function" in self.__dict__:
+            scaled.__dict__["_function"] = self._function.scaled(factor)
         return scaled
 
     @cached_property
-    def _spline(self) -> Any:
-        from scipy.interpolate import BSpline
-
-        # copies: scipy before 1.11 evaluates writable arrays only
-        return BSpline(np.array(self.knots), np.array(self.coefficients), self.degree)
+    def _function(self) -> SplineFunction:
+        return SplineFunction.of(self.knots, self.coefficients, self.degree)
 
 
 def _turning_points(pieces: FloatArray) -> tuple[IntArray, FloatArray]:

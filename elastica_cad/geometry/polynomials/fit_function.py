@@ -4,6 +4,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.polynomials.bezier_pieces import Spans, bezier_spans
@@ -167,8 +168,6 @@ def _parts(excess: FloatArray, degree: int) -> IntArray:
 
 def _least_squares(spans: Spans, values: FloatArray, places: FloatArray, weight: FloatArray) -> FloatArray:
     """Coefficients (m, ...) of the spline nearest in mean square to values (p, k, ...) at places of spans."""
-    from scipy.linalg import solveh_banded
-
     degree, count = spans.degree, spans.count
     width = np.diff(spans.edges)
     basis = np.einsum("ki,pij->pkj", spans.bernstein(places), spans.matrix)
@@ -182,8 +181,10 @@ def _least_squares(spans: Spans, values: FloatArray, places: FloatArray, weight:
         total[spans.first + i] += right[:, i]
         for j in range(i, degree + 1):
             banded[degree - (j - i), spans.first + j] += gram[:, i, j]
-    solution: FloatArray = solveh_banded(banded, total)
-    return solution
+    _, solution, info = lapack().dpbsv(banded, total)
+    if info != 0:
+        raise np.linalg.LinAlgError("a span of the spline holds no place of the fit")
+    return np.asarray(solution, dtype=float)
 
 
 def _largest_errors(spans: Spans, coefficients: FloatArray, values: FloatArray) -> FloatArray:

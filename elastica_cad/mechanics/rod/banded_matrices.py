@@ -5,6 +5,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
 
@@ -18,14 +19,12 @@ _UNTHREADED = 5000  # entries, up to which BLAS starts no threads
 
 def solve_tridiagonal(diagonal: FloatArray, off: FloatArray, right: FloatArray) -> FloatArray:
     """Solve the symmetric tridiagonal system with pivoting; `right` is (n,) or (n, k)."""
-    from scipy.linalg.lapack import dgtsv
-
     if diagonal.size == 1:
         return np.asarray(right / diagonal[0])
-    solution, info = dgtsv(off, diagonal, off, right)[-2:]
+    solution, info = lapack().dgtsv(off, diagonal, off, right)[-2:]
     if info != 0:
         nudge = np.spacing(np.abs(diagonal).max())
-        solution, info = dgtsv(off, diagonal + nudge, off, right)[-2:]
+        solution, info = lapack().dgtsv(off, diagonal + nudge, off, right)[-2:]
     if info != 0:
         raise NotConvergedError("the rod's stiffness matrix is singular: its shape is not isolated")
     return np.asarray(solution)
@@ -88,14 +87,12 @@ def orthonormal_rows(rows: FloatArray) -> FloatArray:
 
 def count_negative(diagonal: FloatArray, off: FloatArray, shift: float = 0.0) -> int:
     """Number of eigenvalues at or below `shift` of the symmetric tridiagonal matrix (Sturm count)."""
-    from scipy.linalg.lapack import dstebz
-
     if diagonal.size == 1:
         return int(diagonal[0] <= shift)
     reach = _reach(diagonal, off)
     if shift < -reach:
         return 0
-    count, _, _, _, info = dstebz(
+    count, _, _, _, info = lapack().dstebz(
         diagonal, off, 1, -2 * reach - 1, shift, 1, 1, 8 * reach + 8 + abs(shift), b"E"
     )
     if info != 0:
@@ -136,8 +133,6 @@ def lowest_constrained(
     vectors : (count, n) array
         Orthonormal, orthogonal to `rows`.
     """
-    from scipy.linalg.lapack import dpttrf, dpttrs, dstebz
-
     n = diagonal.size
     basis = orthonormal_rows(rows)
     rank = basis.shape[0]
@@ -152,17 +147,17 @@ def lowest_constrained(
             return found
     tolerance = 0.01 * reach / n**2
     last = min(n, rank + count)
-    lowest = dstebz(diagonal, off, 2, 0.0, 0.0, 1, last, tolerance, b"E")[1]
+    lowest = lapack().dstebz(diagonal, off, 2, 0.0, 0.0, 1, last, tolerance, b"E")[1]
     step = 0.3 * (lowest[last - 1] - lowest[0]) + 10 * tolerance
     shift = lowest[0] - step
-    d, e, info = dpttrf(diagonal - shift, off)
+    d, e, info = lapack().dpttrf(diagonal - shift, off)
     while info != 0 and shift > -2 * reach - step:  # a shift too close by rounding: go further down
         step *= 2
         shift -= step
-        d, e, info = dpttrf(diagonal - shift, off)
+        d, e, info = lapack().dpttrf(diagonal - shift, off)
     if info != 0:
         raise NotConvergedError("no lower bound of the rod's second variation: its entries are not finite")
-    solved = np.ascontiguousarray(dpttrs(d, e, basis.T)[0].T) if rank else basis
+    solved = np.ascontiguousarray(lapack().dpttrs(d, e, basis.T)[0].T) if rank else basis
     inner = np.linalg.inv([_along(solved, row) for row in basis]) if rank else np.zeros((0, 0))
 
     most = min(MOST_STEPS, n - rank)
@@ -172,7 +167,7 @@ def lowest_constrained(
     V[0] = start / _norm(start)
     alpha, beta = np.zeros(most), np.zeros(most)
     for j in range(most):
-        x = dpttrs(d, e, V[j])[0]
+        x = lapack().dpttrs(d, e, V[j])[0]
         if rank:
             x = x - _combined(inner @ _along(basis, x), solved)
             x -= _combined(_along(basis, x), basis)

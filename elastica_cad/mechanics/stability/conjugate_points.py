@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.loads.supports import Supports
@@ -210,9 +211,7 @@ def _recursion(rod: DiscreteRod) -> FloatArray:
 
 
 def _solve_recursion(band: FloatArray, right: FloatArray, *, transposed: bool = False) -> FloatArray:
-    from scipy.linalg.lapack import dtbtrs
-
-    solution, info = dtbtrs(band, right, uplo="L", trans="T" if transposed else "N")
+    solution, info = lapack().dtbtrs(band, right, uplo="L", trans="T" if transposed else "N")
     if info != 0 or not np.all(np.isfinite(solution)):
         raise InputError(
             "the Jacobi equation overflows: the rod is pulled far too hard for Z(s) to be a number"

@@ -5,8 +5,9 @@ from typing import Literal
 
 import numpy as np
 
+from elastica_cad._compiled_scipy import crossing, lapack
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.rod.discrete_rod import node_weights, tangents
 from elastica_cad.mechanics.rod.rod_record import Rod
@@ -259,27 +260,43 @@ def _band(
     return lower
 
 
+def _two_lowest(lower: FloatArray) -> tuple[float, float]:
+    """The two lowest eigenvalues of a symmetric matrix, given by its lower bands."""
+    if not np.all(np.isfinite(lower)):
+        raise _no_mode()
+    least = 2 * lapack().dlamch("s")
+    values, _, _, _, info = lapack().dsbevx(
+        lower, 0.0, 1.0, 1, 2, compute_v=0, mmax=1, range=2, lower=1, abstol=least
+    )
+    if info != 0:
+        raise _no_mode()
+    return float(values[0]), float(values[1])
+
+
+def _no_mode() -> NotConvergedError:
+    return NotConvergedError("no lower bound of the rod's second variation: its entries are not finite")
+
+
 def _lowest(lower: FloatArray, row: FloatArray | None) -> float:
     """The lowest eigenvalue of the band matrix A where <row, v> = 0.
 
     It lies between the two lowest ones of A, where <row, (A - mu)^-1 row> vanishes.
     """
-    from scipy.linalg import eig_banded, solve_banded
-    from scipy.optimize import brentq
-
-    values = eig_banded(lower, lower=True, eigvals_only=True, select="i", select_range=(0, 1))
-    first, second = float(values[0]), float(values[1])
+    first, second = _two_lowest(lower)
     if row is None:
         return first
-    full = np.zeros((7, lower.shape[1]))
-    full[3:] = lower
+    full = np.zeros((10, lower.shape[1]))  # three rows for what elimination fills in
+    full[6:] = lower
     for k in (1, 2, 3):
-        full[3 - k, k:] = lower[k, : lower.shape[1] - k]
+        full[6 - k, k:] = lower[k, : lower.shape[1] - k]
 
     def along(mu: float) -> float:
         shifted = full.copy()
-        shifted[3] -= mu
-        return float(row @ solve_banded((3, 3), shifted, row))
+        shifted[6] -= mu
+        *_, solved, info = lapack().dgbsv(3, 3, shifted, row)
+        if info != 0:
+            raise _no_mode()
+        return float(row @ solved)
 
     gap = second - first
     low, high = first + _SIGN_SHARE * gap, second - _SIGN_SHARE * gap
@@ -287,4 +304,4 @@ def _lowest(lower: FloatArray, row: FloatArray | None) -> float:
         return first
     if along(high) <= 0:
         return second
-    return float(brentq(along, low, high, xtol=1e-13 * abs(first) + 1e-300, rtol=1e-12))
+    return crossing(along, low, high, absolute=1e-13 * abs(first) + 1e-300, relative=1e-12)

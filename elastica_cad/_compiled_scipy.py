@@ -1,0 +1,61 @@
+"""Compiled parts of scipy by themselves: LAPACK and Brent's method without the packages around them.
+
+`scipy.linalg` and `scipy.optimize` import some hundred modules before the first function can be called, a fifth
+and a third of a second. The functions used here are compiled ones in one file each, loaded alone in milliseconds.
+"""
+
+from collections.abc import Callable
+from functools import cache
+from importlib import import_module
+from importlib.machinery import PathFinder
+from importlib.util import module_from_spec
+from pathlib import Path
+from typing import Any
+
+_ROUNDS = 100  # of Brent's method, which takes a dozen
+
+
+@cache
+def lapack() -> Any:
+    """The functions of `scipy.linalg.lapack` that end in d..: dgtsv, dpbsv and so on."""
+    return _alone("linalg", "_flapack", "dgtsv") or import_module("scipy.linalg.lapack")
+
+
+def crossing(
+    function: Callable[[float], float], low: float, high: float, *, absolute: float, relative: float
+) -> float:
+    """The zero between two places of different signs, by Brent's method, to the larger tolerance.
+
+    Examples
+    --------
+    >>> round(crossing(lambda x: x * x - 2, 0.0, 2.0, absolute=1e-12, relative=1e-12), 9)
+    1.414213562
+    """
+    solver = _brent()
+    return float(solver(function, low, high, absolute, relative, _ROUNDS, (), False, True))
+
+
+@cache
+def _brent() -> Any:
+    alone = _alone("optimize", "_zeros", "_brentq") or import_module("scipy.optimize._zeros")
+    return alone._brentq
+
+
+def _alone(package: str, name: str, needed: str) -> Any | None:
+    """A compiled module of scipy without its package; None where this build keeps it otherwise.
+
+    It stays out of `sys.modules`: scipy, imported later, loads its own.
+    """
+    import scipy
+
+    spec = PathFinder.find_spec(
+        f"scipy.{package}.{name}", [str(Path(path) / package) for path in scipy.__path__]
+    )
+    if spec is None or spec.loader is None:
+        return None
+    try:
+        module = module_from_spec(spec)
+        spec.loader.exec_module(module)
+    except ImportError:
+        return None
+    return module if hasattr(module, needed) else None

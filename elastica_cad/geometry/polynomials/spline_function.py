@@ -1,0 +1,88 @@
+"""Splines as functions: their values, and those through given values."""
+
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from elastica_cad._compiled_scipy import lapack
+from elastica_cad._types import FloatArray
+from elastica_cad.geometry.polynomials.bezier_pieces import Spans, bezier_spans
+
+
+@dataclass(frozen=True, eq=False)
+class SplineFunction:
+    """A spline whose values and derivatives are asked at many places.
+
+    Parameters
+    ----------
+    spans : Spans
+        Of its knots.
+    pieces : (p, degree + 1, ...) array
+        Its Bezier coefficients on each span.
+
+    Examples
+    --------
+    >>> parabola = SplineFunction.of(np.repeat([0.0, 2.0], 3), np.array([0.0, 0.0, 4.0]), 2)
+    >>> parabola(np.array([1.0, 3.0])).tolist(), float(parabola(np.array(1.0), 1))
+    ([1.0, 9.0], 2.0)
+    """
+
+    spans: Spans
+    pieces: FloatArray
+
+    @classmethod
+    def of(cls, knots: FloatArray, coefficients: FloatArray, degree: int) -> "SplineFunction":
+        """Of a full knot vector (m + degree + 1,) and coefficients (m, ...)."""
+        spans = bezier_spans(knots, degree)
+        return cls(spans, spans.bezier(coefficients))
+
+    def scaled(self, factor: float) -> "SplineFunction":
+        """The function times `factor`."""
+        return SplineFunction(self.spans, self.pieces * factor)
+
+    def __call__(self, x: FloatArray, derivative: int = 0) -> FloatArray:
+        """Values of the shape of x and of one coefficient; beyond the ends the last pieces go on."""
+        spans, degree = self.spans, self.spans.degree
+        if derivative > degree:
+            return np.zeros((*x.shape, *self.pieces.shape[2:]))
+        index = np.searchsorted(spans.edges[1:-1], x, side="right")
+        width = spans.widths[index]
+        u = (x - spans.edges[index]) / width
+        factor = np.ones_like(width)
+        for k in range(derivative):
+            factor = factor * (degree - k) / width
+        if self.pieces.ndim > 2:
+            u, factor = (np.reshape(one, x.shape + (1,) * (self.pieces.ndim - 2)) for one in (u, factor))
+        rows = [self.pieces[index, k] for k in range(degree + 1)]
+        for _ in range(derivative):
+            rows = [b - a for a, b in pairwise(rows)]
+        while len(rows) > 1:  # de Casteljau
+            rows = [a + (b - a) * u for a, b in pairwise(rows)]
+        return np.asarray(rows[0] * factor if derivative else rows[0])
+
+
+def spline_through(x: FloatArray, values: FloatArray, degree: int) -> tuple[FloatArray, FloatArray]:
+    """Knots and coefficients (n, ...) of the spline of degree 1 or 3 through values (n, ...) at increasing x (n,).
+
+    A cubic one has no knots at the places next to its ends, so that it is one polynomial there. Of three places
+    it is the parabola, when degree 2 is asked for.
+
+    Examples
+    --------
+    >>> knots, coefficients = spline_through(np.arange(4.0), np.arange(4.0) ** 3 + 1, 3)
+    >>> knots.tolist(), coefficients.round(9).tolist()
+    ([0.0, 0.0, 0.0, 0.0, 3.0, 3.0, 3.0, 3.0], [1.0, 1.0, 1.0, 28.0])
+    """
+    beside = (degree + 1) // 2
+    ends = np.repeat(x[:1], degree + 1), np.repeat(x[-1:], degree + 1)
+    knots = np.concatenate([ends[0], x[beside:-beside] if degree % 2 else x[:0], ends[1]])
+    spans = bezier_spans(knots, degree)
+    basis, index = spans.local_basis(x)
+    column = spans.first[index][:, None] + np.arange(degree + 1)
+    bands = np.zeros((3 * degree + 1, x.size))
+    bands[2 * degree + np.arange(x.size)[:, None] - column, column] = basis
+    *_, coefficients, info = lapack().dgbsv(degree, degree, bands, values)
+    if info != 0:
+        raise np.linalg.LinAlgError("places of an interpolation are too close together")
+    return knots, np.asarray(coefficients, dtype=float)

@@ -1,0 +1,82 @@
+"""Our splines are those of scipy, which is not imported for them."""
+
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from elastica_cad import _compiled_scipy as compiled_scipy
+from elastica_cad.geometry.polynomials.spline_function import SplineFunction, spline_through
+
+pytestmark = pytest.mark.core
+
+JUMPING = np.array([0, 0, 0, 0, 1, 1, 2, 2, 2, 3, 3, 3, 3, 4, 4, 4, 4.0])
+
+
+@pytest.mark.parametrize("derivative", range(5))
+@pytest.mark.parametrize("columns", [(), (4,), (2, 3)])
+def test_values_are_those_of_scipy_at_knots_and_jumps_and_beyond_the_ends(derivative, columns):
+    from scipy.interpolate import BSpline
+
+    coefficients = np.random.default_rng(7).normal(size=(13, *columns))
+    places = np.concatenate([np.linspace(-1, 5, 61), np.arange(5)]).reshape(6, 11)
+    ours = SplineFunction.of(JUMPING, coefficients, 3)(places, derivative)
+    theirs = BSpline(JUMPING, coefficients, 3)(places, nu=derivative)
+    assert ours.shape == theirs.shape
+    assert np.abs(ours - theirs).max() < 1e-12 * max(1.0, np.abs(theirs).max())
+
+
+def test_one_place_is_a_number():
+    taper = SplineFunction.of(np.repeat([0.0, 100.0], 2), np.array([1.0, 2.0]), 1)
+    assert taper(np.array(50.0)).shape == ()
+    assert float(taper.scaled(2.0)(np.array(50.0))) == 3.0
+
+
+@pytest.mark.parametrize("count", [2, 3, 4, 5, 8, 60, 400])
+@pytest.mark.parametrize("columns", [(), (4,)])
+def test_splines_through_values_are_those_of_scipy(count, columns):
+    from scipy.interpolate import make_interp_spline
+
+    random = np.random.default_rng(count)
+    x, values = np.cumsum(random.uniform(0.2, 2, count)), random.normal(size=(count, *columns))
+    degree = min(3, count - 1)
+    knots, coefficients = spline_through(x, values, degree)
+    theirs = make_interp_spline(x, values, k=degree)
+    assert np.array_equal(knots, theirs.t)
+    assert np.abs(coefficients - theirs.c).max() < 1e-12 * np.abs(theirs.c).max()
+
+
+def test_places_that_are_one_are_refused():
+    with np.errstate(all="ignore"), pytest.raises(np.linalg.LinAlgError, match="too close"):
+        spline_through(np.array([0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]), np.ones(7), 3)
+
+
+def test_compiled_parts_are_those_of_scipy_and_leave_it_whole():
+    code = (
+        "import sys\n"
+        "from elastica_cad._compiled_scipy import crossing, lapack\n"
+        "import numpy as np\n"
+        "ours = lapack().dgtsv(np.ones(4), 4 * np.ones(5), np.ones(4), np.arange(5.0))[-2]\n"
+        "zero = crossing(np.cos, 1.0, 2.0, absolute=1e-12, relative=1e-12)\n"
+        "assert not {'scipy.linalg', 'scipy.optimize'} & set(sys.modules)\n"
+        "import scipy.linalg.lapack, scipy.optimize\n"
+        "theirs = scipy.linalg.lapack.dgtsv(np.ones(4), 4 * np.ones(5), np.ones(4), np.arange(5.0))[-2]\n"
+        "assert np.array_equal(ours, theirs)\n"
+        "assert zero == scipy.optimize.brentq(np.cos, 1.0, 2.0, xtol=1e-12, rtol=1e-12)\n"
+        "print('same')"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert done.stdout.strip() == "same", done.stderr
+
+
+def test_a_build_of_scipy_without_these_files_is_asked_as_a_whole(monkeypatch):
+    monkeypatch.setattr(compiled_scipy, "_alone", lambda *_: None)
+    whole, brent = compiled_scipy.lapack.__wrapped__(), compiled_scipy._brent.__wrapped__()
+    assert whole.__name__ == "scipy.linalg.lapack"
+    assert brent(np.cos, 1.0, 2.0, 1e-12, 1e-12, 100, (), False, True) == pytest.approx(np.pi / 2)
+
+
+def test_what_is_not_there_or_not_what_is_needed_is_none():
+    assert compiled_scipy._alone("linalg", "_no_such_file", "dgtsv") is None
+    assert compiled_scipy._alone("linalg", "_flapack", "no_such_function") is None
