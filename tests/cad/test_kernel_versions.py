@@ -2,7 +2,11 @@
 
 import builtins
 import importlib
+import importlib.util
+import re
 import sys
+from importlib.metadata import version
+from pathlib import Path as Files
 
 import pytest
 
@@ -70,3 +74,19 @@ def test_skin_without_its_library(library, monkeypatch):
     monkeypatch.delitem(sys.modules, f"elastica_cad.{library}", raising=False)
     with pytest.raises(ImportError, match=f"pip install {library}"):
         importlib.import_module(f"elastica_cad.{library}")
+
+
+def test_the_page_for_scripts_names_what_is_tested():
+    """The newest of a library may be newer than the page; the versions it names are there, or older."""
+    page = (Files(__file__).resolve().parents[2] / "docs" / "code_cad.md").read_text(encoding="utf-8")
+    named = {
+        library: [
+            tuple(map(int, found.split("."))) for found in re.findall(rf"{library} (\d+\.\d+\.\d+)", page)
+        ]
+        for library in ("build123d", "CadQuery")
+    }
+    installed = {one: version(one.lower()) for one in named if importlib.util.find_spec(one.lower())}
+    assert installed
+    for library, found in installed.items():
+        have = tuple(map(int, found.split(".")[:3]))
+        assert have in named[library] or have > max(named[library])

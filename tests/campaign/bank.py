@@ -105,7 +105,7 @@ HELD = (
     Tab(12.0, holes=(Hole(6, 3.2),)),
     Tab(14.0, width=18.0, corner_radius=3.0, holes=(Hole(5, 2, -3), Hole(8, 2, 3))),
 )
-HOLED = Perforated(width=30.0, columns=2, rows=4, least_ligament=0.2, least_hole=0.2)
+HOLED = Perforated(width=30.0, columns=1, rows=2, least_ligament=0.2, least_hole=0.2)
 BACKED = Laminated(width=24.0, backing=SHEET, least_backing=0.2)
 
 

@@ -17,17 +17,24 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Segment, Spline
 
-__all__ = ["KERNELS", "OPERATIONS", "Bodies", "kernel_named"]
+__all__ = ["KERNELS", "OPERATIONS", "PATIENCE", "SHARED", "Bodies", "kernel_named"]
 
 SMALL, OFFSET, WALL = 0.2, 0.1, 0.15  # mm: fillets and chamfers, outlines, shells
 NEAR = 2e-3  # mm: an edge is that which passes this near to a point
-MESHES = ((1.2, 10), (1.2, 1), (0.8, 10))  # mm, of elements, and gmsh's algorithm: 10 is HXT, 1 Delaunay
+MESHES = ((1.2, 10, False), (0.6, 10, False), (1.2, 10, True), (1.2, 1, True), (0.8, 10, True))
+"""Elements in mm, gmsh's algorithm (10 is HXT, 1 Delaunay), and whether its optimizers run: cheap ones first."""
 SICN = 0.3  # of the worst element of a mesh
 
 OPERATIONS = (
     "volume", "fillet", "chamfer", "fillet flat", "chamfer flat", "offset", "inset", "shell", "shell flat",
     "boolean", "mirror", "split", "mesh", "STEP", "BOP",
 )  # fmt: skip
+
+PATIENCE = dict.fromkeys(OPERATIONS, 10) | dict.fromkeys(("shell", "shell flat", "mesh", "BOP"), 20)
+"""Processor seconds after which an operation has failed."""
+
+SHARED = ("mesh", "STEP", "BOP")
+"""Asked of OpenCASCADE itself: what one of build123d and CadQuery answers, the other does with the same body."""
 
 
 class Bodies:
@@ -322,14 +329,14 @@ def faulty(shape: Any) -> bool:
 def meshed(path: str) -> bool:
     """Tetrahedra by gmsh: True where one of a few usual settings gives none worse than `SICN`."""
     worst = 0.0
-    for size, algorithm in MESHES:
-        worst = max(worst, worst_element(path, size, algorithm))
+    for size, algorithm, optimized in MESHES:
+        worst = max(worst, worst_element(path, size, algorithm, optimized))
         if worst >= SICN:
             return True
     raise RuntimeError(f"worst element {worst:.2f}")
 
 
-def worst_element(path: str, size: float, algorithm: int) -> float:
+def worst_element(path: str, size: float, algorithm: int, optimized: bool) -> float:
     """The smallest signed inverse condition number (1 for a regular tetrahedron) of a mesh."""
     import gmsh
 
@@ -347,7 +354,7 @@ def worst_element(path: str, size: float, algorithm: int) -> float:
         gmsh.model.occ.importShapes(path)
         gmsh.model.occ.synchronize()
         gmsh.model.mesh.generate(3)
-        for method in ("", "Relocate3D", "Netgen"):
+        for method in ("", "Relocate3D", "Netgen") if optimized else ():
             gmsh.model.mesh.optimize(method)
         _, tags, _ = gmsh.model.mesh.getElements(3)
         rows = [gmsh.model.mesh.getElementQualities(row, "minSICN") for row in tags if len(row)]

@@ -5,7 +5,8 @@
 Bodies come in an order shuffled by `--seed`, so that a run that ends in time has asked every kernel and style
 alike; the next run goes on where the log ends. What fails is asked again of a plain body with the same faces, whose
 long sides are splines through nine points: where that fails too, the kernel does. Every body has a process of its
-own, so that a kernel that crashes or hangs costs one answer. Needs gmsh.
+own, so that a kernel that crashes or hangs costs one answer. Answers are put into `solids.json`, of which
+`solid_table.py` writes docs/kernels.md; with `--minutes 0` a log alone is. Needs gmsh for meshes.
 """
 
 import argparse
@@ -17,9 +18,9 @@ import resource
 import signal
 import sys
 import time
-from collections import Counter
-from collections.abc import Iterable
+from datetime import date
 from importlib import import_module
+from importlib.metadata import version
 from itertools import product
 from pathlib import Path
 from typing import Any
@@ -33,17 +34,32 @@ Body = tuple[str, str, str]
 """Kernel, style and curve."""
 
 
-def asked(body: Body, plain: bool, names: list[str], patience: int, pipe: Any) -> None:
-    """Answers of one body, one message an operation; one that takes longer than `patience` ends the process."""
+def program(kernel: str) -> str:
+    """The program as it is installed, with its OpenCASCADE."""
+    if kernel == "freecad":
+        import FreeCAD as App
+        import Part
+
+        return f"FreeCAD {App.Version()[0]}.{App.Version()[1]} (OpenCASCADE {Part.OCC_VERSION})"
+    from OCP import __version__
+
+    occt = ".".join(__version__.split(".")[:3])
+    name = {"build123d": "build123d", "cadquery": "CadQuery"}[kernel]
+    return f"{name} {version(kernel)} (OpenCASCADE {occt})"
+
+
+def asked(body: Body, plain: bool, names: list[str], pipe: Any) -> None:
+    """Answers of one body, one message an operation; one that takes longer than `PATIENCE` ends the process."""
     from bank import made
-    from operations import Bodies, kernel_named
+    from operations import PATIENCE, Bodies, kernel_named
 
     kernel, style, curve = body
     bodies = Bodies(made(curve, style), plain=plain)
     runner = kernel_named(kernel)(bodies)
+    pipe.send(program(kernel))
     for name in names:
         start = time.process_time()
-        resource.setrlimit(resource.RLIMIT_CPU, (int(start) + patience, resource.RLIM_INFINITY))
+        resource.setrlimit(resource.RLIMIT_CPU, (int(start) + PATIENCE[name], resource.RLIM_INFINITY))
         try:
             valid, size = runner.run(name)
             answer = "ok" if valid else "invalid"
@@ -56,18 +72,21 @@ def asked(body: Body, plain: bool, names: list[str], patience: int, pipe: Any) -
     pipe.close()
 
 
-def answers(body: Body, plain: bool, operations: list[str], patience: int) -> list[dict[str, Any]]:
+def answers(body: Body, plain: bool, operations: list[str]) -> list[dict[str, Any]]:
     """All answers of one body, started anew after a crash or a hang."""
+    from operations import PATIENCE
+
     rows: list[dict[str, Any]] = []
     left = list(operations)
     context = multiprocessing.get_context("fork")
-    who = dict(zip(("kernel", "style", "curve"), body, strict=True))
+    who = dict(zip(("kernel", "style", "curve"), body, strict=True)) | {"program": body[0]}
     while left:
         here, there = context.Pipe(False)
-        process = context.Process(target=asked, args=(body, plain, left, patience, there))
+        process = context.Process(target=asked, args=(body, plain, left, there))
         process.start()
         there.close()
         try:
+            who |= {"program": here.recv(), "day": date.today().isoformat()}
             while left:
                 name, answer, size, whole, seconds = here.recv()
                 left.remove(name)
@@ -76,52 +95,27 @@ def answers(body: Body, plain: bool, operations: list[str], patience: int) -> li
         except EOFError:
             process.join()
             long = process.exitcode == -signal.SIGXCPU
-            answer = f"longer than {patience} s" if long else "crashes"
+            answer = f"longer than {PATIENCE[left[0]]} s" if long else "crashes"
             rows.append(who | {"operation": left.pop(0), "answer": answer})
         process.join()
     return rows
 
 
-def with_control(body: Body, operations: list[str], patience: int) -> list[dict[str, Any]]:
+def with_control(body: Body, operations: list[str]) -> list[dict[str, Any]]:
     """The answers of one body, those that failed with what a plain body with the same faces answers."""
-    rows = answers(body, False, operations, patience)
+    rows = answers(body, False, operations)
     failed = [row for row in rows if row["answer"] != "ok"]
-    told = answers(body, True, [row["operation"] for row in failed], patience)
+    told = answers(body, True, [row["operation"] for row in failed])
     for row, plain in zip(failed, told, strict=True):
         row["plain"] = plain["answer"]
     return rows
 
 
-def table(rows: list[dict[str, Any]], styles: Iterable[str]) -> str:
-    """Markdown: a line an operation and kernel, succeeded of asked in every style, then every failure."""
-    lines = [
-        f"| operation | kernel | {' | '.join(styles)} | fails on the plain body too | fails on ours only |",
-        f"| --- | --- |{' ---: |' * len(list(styles))} ---: | ---: |",
-    ]
-    order = list(dict.fromkeys(r["operation"] for r in rows))
-    for operation, kernel in product(order, dict.fromkeys(sorted(r["kernel"] for r in rows))):
-        mine = [r for r in rows if (r["operation"], r["kernel"]) == (operation, kernel)]
-        cells = []
-        for style in styles:
-            good = Counter(r["answer"] == "ok" for r in mine if r["style"] == style)
-            cells.append(f"{good[True]}/{good.total()}")
-        both = Counter(r["plain"] == "ok" for r in mine if r["answer"] != "ok")
-        lines.append(f"| {operation} | {kernel} | {' | '.join(cells)} | {both[False]} | {both[True]} |")
-    lines += [
-        "",
-        "| curve | style | kernel | operation | answer | plain body |",
-        "| --- | --- | --- | --- | --- | --- |",
-    ]
-    for r in rows:
-        if r["answer"] != "ok":
-            cells = [str(r[k]) for k in ("curve", "style", "kernel", "operation", "answer", "plain")]
-            lines.append(f"| {' | '.join(cell.replace('|', '/') for cell in cells)} |".replace("\n", " "))
-    return "\n".join(lines) + "\n"
-
-
 def main() -> None:
     from bank import CURVES, STYLES
-    from operations import KERNELS, OPERATIONS
+    from operations import KERNELS, OPERATIONS, SHARED
+
+    from tests.campaign.solid_table import keep
 
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--kernels", nargs="+", choices=list(KERNELS), default=list(KERNELS))
@@ -130,13 +124,13 @@ def main() -> None:
     parser.add_argument("--operations", nargs="+", choices=list(OPERATIONS), default=list(OPERATIONS))
     parser.add_argument("--seed", type=int, default=1, help="of the order of the curves")
     parser.add_argument("--minutes", type=float, default=180.0, help="after which no other body is begun")
-    parser.add_argument("--patience", type=int, default=60, help="processor seconds for one operation")
     parser.add_argument("--out", type=Path, default=Path("out/campaign"))
     wanted = parser.parse_args()
     wanted.out.mkdir(parents=True, exist_ok=True)
     log = wanted.out / "solids.jsonl"
     rows = [json.loads(line) for line in log.read_text().splitlines()] if log.exists() else []
     done = {(row["kernel"], row["style"], row["curve"], row["operation"]) for row in rows}
+    keep(rows)
     curves = list(wanted.curves)
     random.Random(wanted.seed).shuffle(curves)
     for library in {"build123d", "cadquery"} & set(wanted.kernels):
@@ -144,19 +138,20 @@ def main() -> None:
     end = time.monotonic() + 60 * wanted.minutes
     for curve, style, kernel in product(curves, wanted.styles, wanted.kernels):
         body = kernel, style, curve
-        left = [name for name in wanted.operations if (*body, name) not in done]
+        apart = SHARED if kernel == "cadquery" and "build123d" in wanted.kernels else ()
+        left = [name for name in wanted.operations if (*body, name) not in done and name not in apart]
         if not left:
             continue
         if time.monotonic() > end:
             print(f"time is up: go on with --out {wanted.out}", flush=True)
             break
-        found = with_control(body, left, wanted.patience)
+        found = with_control(body, left)
         rows += found
         with log.open("a") as file:
             file.writelines(json.dumps(row) + "\n" for row in found)
+        keep(found)
         good = sum(row["answer"] == "ok" for row in found)
         print(f"{kernel}, {style}, {curve}: {good} of {len(found)}", flush=True)
-    (wanted.out / "solids.md").write_text(table(rows, wanted.styles))
 
 
 if __name__ == "__main__":

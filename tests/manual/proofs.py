@@ -20,6 +20,7 @@ WRITTEN = {
     "docs/explanation/validation.md": "tests/manual/test_validation_page.py::test_the_tables_are_what_a_run_gives",
     "docs/explanation/speed.md": "tests/manual/test_speed_page.py::test_the_page_is_what_was_kept",
     "docs/finite_elements.md": "tests/manual/test_tables.py::test_pages_of_campaigns_are_what_was_measured",
+    "docs/kernels.md": "tests/manual/test_tables.py::test_pages_of_campaigns_are_what_was_measured",
     "docs/trust.md": "tests/manual/test_tables.py::test_pages_of_campaigns_are_what_was_measured",
     "examples/gallery.md": "tests/examples/test_gallery_examples.py::test_the_table_is_of_the_models_as_they_are",
 }

@@ -53,11 +53,35 @@ def test_a_row_is_true(table, row, tmp_path):
 
 
 def test_pages_of_campaigns_are_what_was_measured():
+    from tests.campaign import solid_table
     from tests.campaign.finite_elements import table
     from tests.campaign.trust import ledger
 
     assert table.PAGE.read_text(encoding="utf-8") == table.written(table.kept())
+    assert solid_table.PAGE.read_text(encoding="utf-8") == solid_table.written(solid_table.kept())
     assert ledger.PAGE.read_text(encoding="utf-8") == ledger.page(json.loads(ledger.KEPT.read_text()))
+
+
+def test_answers_of_kernels_take_the_place_of_older_ones(tmp_path, monkeypatch):
+    from tests.campaign import solid_table
+
+    monkeypatch.setattr(solid_table, "KEPT", tmp_path / "solids.json")
+    monkeypatch.setattr(solid_table, "PAGE", tmp_path / "kernels.md")
+    asked = {"program": "P 1", "style": "held", "curve": "S", "day": "2026-11-20"}
+    rows = [
+        asked | {"operation": "fillet", "answer": "invalid", "plain": "ok"},
+        asked | {"operation": "boolean", "answer": "Error: no, with advice", "plain": "crashes"},
+        asked | {"operation": "mirror", "answer": "ok"},
+    ]
+    solid_table.keep(rows)
+    page = (tmp_path / "kernels.md").read_text()
+    assert "| fillet 0.2 mm, long edges, bent | held | S | P 1 | invalid |" in page
+    assert "| boolean: a box cut out, bent |  | 0/1 |  |  |  | 1 | 0 |" in page
+    solid_table.keep([rows[0] | {"answer": "ok", "day": "2026-11-21"}])
+    (body,) = solid_table.kept()
+    assert sorted(body["ok"]) == ["fillet", "mirror"]
+    assert body["failed"] == {"boolean": ["Error: no", "crashes"]}
+    assert "3 operations on 1 of 150 bodies, 2026-11-21." in (tmp_path / "kernels.md").read_text()
 
 
 def test_every_block_is_run():

@@ -1,0 +1,132 @@
+"""What kernels did to the bodies of the bank, kept in a file beside this one, and told as docs/kernels.md."""
+
+import json
+import re
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from itertools import chain
+from pathlib import Path
+from typing import Any
+
+__all__ = ["KEPT", "PAGE", "keep", "kept", "written"]
+
+KEPT = Path(__file__).with_name("solids.json")
+PAGE = Path(__file__).resolve().parents[2] / "docs" / "kernels.md"
+STYLES = ("plain", "held", "slotted", "perforated", "laminated")
+CURVES = 30  # of the bank
+
+MEANT = {
+    "volume": "volume, as the program shows it",
+    "fillet": "fillet 0.2 mm, long edges, bent",
+    "chamfer": "chamfer 0.2 mm, long edges, bent",
+    "fillet flat": "fillet 0.2 mm, all round, flat",
+    "chamfer flat": "chamfer 0.2 mm, all round, flat",
+    "offset": "outline offset by 0.1 mm",
+    "inset": "outline offset by -0.1 mm",
+    "shell": "shell of 0.15 mm, bent",
+    "shell flat": "shell of 0.15 mm, flat",
+    "boolean": "boolean: a box cut out, bent",
+    "mirror": "mirror, bent",
+    "split": "split by a plane, bent",
+    "mesh": "gmsh, worst SICN 0.3 or better, bent",
+    "STEP": "STEP there and back, bent",
+    "BOP": "check before boolean operations, bent",
+}
+"""What each operation of `operations.py` does, in the order of the tables."""
+
+HEAD = """# What kernels do with the bodies
+
+`make campaign` writes this page (`tests/campaign/solids.py`): what users of build123d, CadQuery and FreeCAD do to
+the bodies of strips, thirty curves in five styles. "29/30": 29 succeed of 30 that were asked; the others of thirty
+were not asked yet. A body that comes out must be valid, and of the right volume where that is known; an operation
+that takes the processor longer than 10 s (shells and checks 20 s) has failed.
+
+What fails is asked again of a plain body with the same faces, whose long sides are splines through nine points, as
+one would draw them. Where that fails too, the kernel does; what fails on ours only is named at the end.
+
+The styles: plain; held (wide tabs with holes); slotted (two slots); perforated (8 diamond holes); laminated (the
+backing). Meshes, STEP files and checks of CadQuery's bodies are those of build123d 0.12: the same body in the same
+OpenCASCADE.
+"""
+
+
+def kept() -> list[dict[str, Any]]:
+    """One record a body: program, style, curve, day, what succeeded, and of what failed both answers."""
+    return json.loads(KEPT.read_text()) if KEPT.exists() else []
+
+
+def keep(rows: Iterable[dict[str, Any]]) -> None:
+    """Put answers of `solids.py` in the file, in place of older ones to the same question; write the page anew."""
+    bodies = {_key(body): body for body in kept()}
+    for row in rows:
+        blank = {name: row[name] for name in ("program", "style", "curve")} | {"ok": [], "failed": {}}
+        body = bodies.setdefault(_key(row), blank)
+        operation = row["operation"]
+        body["day"] = max(row["day"], body.get("day", ""))
+        body["ok"] = [name for name in body["ok"] if name != operation]
+        body["failed"].pop(operation, None)
+        if row["answer"] == "ok":
+            body["ok"].append(operation)
+        else:
+            body["failed"][operation] = [_short(row["answer"]), _short(row["plain"])]
+    told = sorted(bodies.values(), key=_key)
+    KEPT.write_text("[\n" + ",\n".join(map(json.dumps, told)) + "\n]\n")
+    PAGE.write_text(written(told))
+
+
+def _key(row: dict[str, Any]) -> tuple[str, str, str]:
+    return row["program"], row["style"], row["curve"]
+
+
+def _short(answer: str) -> str:
+    """An answer without the advice that kernels add, and without what breaks a table."""
+    return re.split(r"[,\n|]", answer)[0].strip()
+
+
+def written(bodies: Sequence[dict[str, Any]]) -> str:
+    """The page."""
+    lines = [HEAD]
+    for program in dict.fromkeys(body["program"] for body in bodies):
+        mine = [body for body in bodies if body["program"] == program]
+        days = sorted({body["day"] for body in mine})
+        asked = sum(len(body["ok"]) + len(body["failed"]) for body in mine)
+        when = days[0] if len(days) == 1 else f"{days[0]} to {days[-1]}"
+        lines += [
+            f"## {program}",
+            "",
+            f"{asked} operations on {len(mine)} of {CURVES * len(STYLES)} bodies, {when}.",
+        ]
+        lines += ["", *_counted(mine), ""]
+    ours = [
+        (MEANT[operation], body["style"], body["curve"], body["program"], answer)
+        for body in bodies
+        for operation, (answer, plain) in body["failed"].items()
+        if plain == "ok"
+    ]
+    head = ("operation", "style", "curve", "program", "answer")
+    order = list(MEANT.values())
+    ours.sort(key=lambda row: (order.index(row[0]), *row[1:]))
+    lines += ["## What fails on ours only", "", *_table(head, ours, words=len(head))]
+    return "\n".join(lines) + "\n"
+
+
+def _counted(bodies: Sequence[dict[str, Any]]) -> list[str]:
+    """A line an operation: succeeded of asked in every style, and who fails."""
+    rows = []
+    for operation, meant in MEANT.items():
+        good = Counter(body["style"] for body in bodies if operation in body["ok"])
+        bad = Counter(body["style"] for body in bodies if operation in body["failed"])
+        plain = Counter(
+            answers[1] == "ok"
+            for name, answers in chain.from_iterable(body["failed"].items() for body in bodies)
+            if name == operation
+        )
+        cells = [f"{good[s]}/{good[s] + bad[s]}" if good[s] + bad[s] else "" for s in STYLES]
+        if any(cells):
+            rows.append((meant, *cells, str(plain[False]), str(plain[True])))
+    return _table(("operation", *STYLES, "plain body fails too", "ours only"), rows)
+
+
+def _table(head: Sequence[str], rows: Iterable[Sequence[str]], words: int = 1) -> list[str]:
+    marks = ["---" if i < words else "---:" for i in range(len(head))]
+    return [f"| {' | '.join(row)} |" for row in (head, marks, *rows)]
