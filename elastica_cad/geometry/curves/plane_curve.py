@@ -232,7 +232,7 @@ class PlaneCurve(NurbsCurve):
         """Is the whole curve a straight segment?"""
         return [z.kind for z in self.curvature_zeros] == ["flat"] and not self.tangent_breaks
 
-    @property
+    @cached_property
     def is_closed(self) -> bool:
         """Do the ends meet (within 1e-9 of the length)?"""
         start, end = self.evaluate(np.array(self.domain), left=False)

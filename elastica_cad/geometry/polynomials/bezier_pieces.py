@@ -1,11 +1,13 @@
 """From B-splines with any knots to Bezier pieces, and the basis functions themselves."""
 
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
+
+_KEPT = 32  # knot vectors whose spans are kept: those of a curve, its stiffness, its widths and their copies
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,6 +77,13 @@ def bezier_spans(knots: FloatArray, degree: int) -> Spans:
 
     Bezier point j of the span [a, b] is the blossom at a (degree - j times) and b (j times).
     """
+    return _spans(np.asarray(knots, dtype=float).tobytes(), degree)
+
+
+@lru_cache(maxsize=_KEPT)
+def _spans(written: bytes, degree: int) -> Spans:
+    """The spans of knots as bytes; they are shared, so read-only."""
+    knots = np.frombuffer(written)
     inner = np.arange(degree, knots.size - degree - 1)
     span = inner[knots[inner + 1] > knots[inner]]
     a, b = knots[span], knots[span + 1]
@@ -88,7 +97,10 @@ def bezier_spans(knots: FloatArray, degree: int) -> Spans:
         low, high = knots[i], knots[i + size - level]
         alpha = (arguments[:, :, level - 1 : level] - low[:, None, :]) / (high - low)[:, None, :]
         points = points[:, :, :-1] * (1 - alpha[..., None]) + points[:, :, 1:] * alpha[..., None]
-    return Spans(knots.size - size, np.append(a, b[-1]), span - degree, np.ascontiguousarray(points[:, :, 0]))
+    edges, first, matrix = np.append(a, b[-1]), span - degree, np.ascontiguousarray(points[:, :, 0])
+    for shared in (edges, first, matrix):
+        shared.setflags(write=False)
+    return Spans(knots.size - size, edges, first, matrix)
 
 
 def _bernstein_values(degree: int, u: FloatArray, derivative: int) -> FloatArray:

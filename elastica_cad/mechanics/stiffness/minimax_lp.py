@@ -8,6 +8,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
+from elastica_cad.mechanics.stiffness.vertex_exchange import VertexExchange
 
 Solver: TypeAlias = Literal["auto", "highspy", "scipy"]
 
@@ -47,8 +48,8 @@ def minimax_ratio(
 ) -> MinimaxSolution | None:
     """Minimise R subject to 1 <= rows @ x + offset <= R (paper, Eq. 4), to global optimality.
 
-    The optimum is fixed by a handful of samples. So HiGHS starts with nine of them and gets the two most
-    violated ones (one below 1, one above R) until none is left; each round starts from the last one's basis.
+    The optimum is fixed by a handful of samples. So a program starts with nine of them and gets the two most
+    violated ones (one below 1, one above R) until none is left; each round starts from the last one's vertex.
 
     Parameters
     ----------
@@ -61,8 +62,8 @@ def minimax_ratio(
     tolerance : float
         Largest violation left, relative to the bound.
     solver
-        "highspy" keeps the basis between rounds; "scipy" needs scipy alone; "auto" takes highspy where it is
-        installed.
+        "auto" exchanges conditions at a vertex (`VertexExchange`), and asks HiGHS where that comes to none:
+        highspy where it is installed, else scipy's. "highspy" and "scipy" ask these at once.
 
     Returns
     -------
@@ -180,6 +181,34 @@ class _Program(Protocol):
 
 
 def _program(solver: Solver, unknowns: int) -> _Program:
+    return _QuickProgram(unknowns) if solver == "auto" else _library_program(solver, unknowns)
+
+
+class _QuickProgram:
+    """By exchanging vertices; where that comes to none, by a library, which also says whether there is any."""
+
+    def __init__(self, unknowns: int) -> None:
+        self.quick: VertexExchange | None = VertexExchange(unknowns)
+        self.unknowns = unknowns
+        self.added: list[tuple[FloatArray, FloatArray, int]] = []
+
+    def add(self, rows: FloatArray, offset: FloatArray, low: int) -> None:
+        self.added.append((rows, offset, low))
+        if self.quick is not None:
+            self.quick.add(rows, offset, low)
+
+    def solve(self) -> FloatArray | None:
+        answer = None if self.quick is None else self.quick.solve()
+        if answer is not None:
+            return answer
+        self.quick = None
+        whole = _library_program("auto", self.unknowns)
+        for rows, offset, low in self.added:
+            whole.add(rows, offset, low)
+        return whole.solve()
+
+
+def _library_program(solver: Solver, unknowns: int) -> _Program:
     # a missing module is looked for only once: the search takes longer than the program
     if solver == "scipy" or (solver == "auto" and hasattr(_local, "without_highs")):
         return _ScipyProgram(unknowns)

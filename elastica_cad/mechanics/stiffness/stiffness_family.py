@@ -138,8 +138,6 @@ def _continuous_ratio(
     """The least R, all local extremes that exceed it being added in each round."""
     rows, offset = family.dense
     program = MinimaxProgram(rows, side_rows=family.side_rows, solver=solver)
-    first = start_rows(len(rows))
-    rows, offset = rows[first], offset[first]
     low = high = np.ones(len(rows), dtype=bool)
     for _ in range(MAX_ROUNDS):
         program.demand(rows[low], offset[low], rows[high], offset[high])

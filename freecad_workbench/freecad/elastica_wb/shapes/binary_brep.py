@@ -7,6 +7,7 @@ The bytes hold what the record holds, bit for bit; nothing is projected, fitted 
 """
 
 from collections.abc import Iterable, Sequence
+from functools import lru_cache
 from struct import pack
 
 import numpy as np
@@ -138,7 +139,13 @@ def _reals(*groups: Iterable[float]) -> bytes:
 
 def _knots(knots: FloatArray) -> tuple[int, bytes]:
     """Number of distinct knots, and each with its multiplicity."""
-    places, counts = knot_runs(knots)
+    return _written_knots(np.asarray(knots, dtype=float).tobytes())
+
+
+@lru_cache(maxsize=64)
+def _written_knots(knots: bytes) -> tuple[int, bytes]:
+    """The same of knots as bytes: edges and faces side by side share theirs."""
+    places, counts = knot_runs(np.frombuffer(knots))
     rows = np.empty(places.size, dtype=_KNOT)
     rows["place"], rows["count"] = places, counts
     return rows.size, rows.tobytes()
