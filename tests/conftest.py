@@ -3,7 +3,9 @@
 import ast
 import importlib.util
 import os
+import shutil
 import sys
+import tempfile
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -13,6 +15,10 @@ from typing import Any
 import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
+
+# the sheets that whoever runs the tests keeps at home are not read; what the tests start inherits the empty folder
+_NO_SHEETS = tempfile.mkdtemp(prefix="elastica-sheets-")
+os.environ["ELASTICA_SHEETS"] = _NO_SHEETS
 
 if importlib.util.find_spec("hypothesis"):
     from hypothesis import settings
@@ -35,6 +41,11 @@ def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool 
     if config.getoption("markexpr") != "core" or not collection_path.match("test_*.py"):
         return None
     return None if _is_core(collection_path) else True
+
+
+def pytest_unconfigure() -> None:
+    """Leave no folder behind."""
+    shutil.rmtree(_NO_SHEETS, ignore_errors=True)
 
 
 def pytest_sessionfinish(session: pytest.Session) -> None:
