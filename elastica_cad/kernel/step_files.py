@@ -32,7 +32,7 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.drawn_edges import free_chains
 from elastica_cad.kernel.forked_trial import try_in_a_copy
 from elastica_cad.kernel.occt import Shape, kernel, make_location, make_solid, sub_shapes
-from elastica_cad.kernel.step_text import canonical_step
+from elastica_cad.kernel.step_text import canonical_step, with_shared_geometry
 
 SETTINGS = {"write.step.schema": "AP214IS", "write.step.unit": "MM"}
 TRACES = "write.surfacecurve.mode"
@@ -109,8 +109,8 @@ def step_bytes(parts: Sequence[NamedShape], *, name: str) -> bytes:
     k = kernel()
     document = make_document(parts, name=name)
     stream = BytesIO()
-    traces = "0" if all(_is_elementary(part.shape) for part in parts) else "1"
-    with _own_settings({TRACES: traces}):
+    elementary = all(_is_elementary(part.shape) for part in parts)
+    with _own_settings({TRACES: "0" if elementary else "1"}):
         writer = k.STEPCAFControl_Writer()
         writer.SetColorMode(True)
         writer.SetNameMode(True)
@@ -127,7 +127,8 @@ def step_bytes(parts: Sequence[NamedShape], *, name: str) -> bytes:
         done = done and writer.WriteStream(stream) == k.IFSelect_ReturnStatus.IFSelect_RetDone
     if not done:
         raise InputError("OpenCASCADE could not write these parts as STEP: check that they are valid solids")
-    return canonical_step(stream.getvalue())
+    content = canonical_step(stream.getvalue())
+    return with_shared_geometry(content) if elementary else content
 
 
 def _is_elementary(shape: Shape) -> bool:

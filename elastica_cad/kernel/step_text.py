@@ -1,6 +1,7 @@
-"""The same bytes for the same STEP file, whatever order a kernel's hash tables had."""
+"""The same bytes for the same STEP file, whatever order a kernel's hash tables had, and each point once."""
 
 import re
+from collections.abc import Mapping
 from itertools import count
 
 _OCCURRENCE = re.compile(rb"NEXT_ASSEMBLY_USAGE_OCCURRENCE\('\d+'(.*?\);)", re.DOTALL)
@@ -10,6 +11,13 @@ _STYLES = re.compile(
 _ENTITY = re.compile(rb"#(\d+) = (.*?);\n", re.DOTALL)
 _REFERENCE = re.compile(rb"#(\d+)")
 _FOLD = re.compile(rb"\n\s*")
+_GEOMETRY = tuple(
+    kind + b"("
+    for kind in (
+        b"CARTESIAN_POINT", b"DIRECTION", b"VECTOR", b"AXIS2_PLACEMENT_3D", b"LINE", b"CIRCLE", b"PLANE",
+        b"CYLINDRICAL_SURFACE", b"CONICAL_SURFACE", b"SPHERICAL_SURFACE", b"TOROIDAL_SURFACE",
+    )
+)  # fmt: skip
 
 
 def canonical_step(content: bytes) -> bytes:
@@ -41,8 +49,31 @@ def _sorted_styles(styles: bytes) -> bytes:
         if number in entities and number not in order:
             order[number] = first + len(order)
             waiting += references[number][::-1]
-    return b"".join(
-        b"#%d = %s;\n"
-        % (new, _REFERENCE.sub(lambda found: b"#%d" % order.get(int(found[1]), int(found[1])), entities[old]))
-        for old, new in order.items()
-    )
+    return b"".join(b"#%d = %s;\n" % (new, _renamed(entities[old], order)) for old, new in order.items())
+
+
+def with_shared_geometry(content: bytes) -> bytes:
+    """A STEP file that says each point, direction, line and plane once, however many faces refer to it.
+
+    OpenCASCADE writes them anew for every face and edge, which is a third of a file without splines.
+    """
+    start = content.index(b"DATA;") + len(b"DATA;")
+    end = content.rindex(b"ENDSEC;")
+    entities = {int(number): _FOLD.sub(b"", text) for number, text in _ENTITY.findall(content[start:end])}
+    while True:
+        first: dict[bytes, int] = {}
+        again: dict[int, int] = {}
+        for number, text in entities.items():
+            if text.startswith(_GEOMETRY) and first.setdefault(text, number) != number:
+                again[number] = first[text]
+        if not again:
+            break
+        entities = {n: _renamed(text, again) for n, text in entities.items() if n not in again}
+    order = {number: new for new, number in enumerate(entities, start=1)}
+    lines = (b"#%d = %s;\n" % (order[n], _renamed(text, order)) for n, text in entities.items())
+    return b"".join([content[:start], b"\n", *lines, content[end:]])
+
+
+def _renamed(text: bytes, names: Mapping[int, int]) -> bytes:
+    """An entity that refers to others by other numbers."""
+    return _REFERENCE.sub(lambda found: b"#%d" % names.get(int(found[1]), int(found[1])), text)

@@ -1,5 +1,7 @@
 """Fixtures and base plates in OpenCASCADE: whole bodies that hold the bent strip without touching it."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -66,11 +68,13 @@ def test_letters_stay_small_in_a_file(strip):
     for number in ("", "A:1", "S8", "ARCH:1", "PAVILION"):
         body = occt.make_solid(EndFixture.of(strip, number=number).solid)
         sizes[number] = len(step_bytes([NamedShape("block", body)], name="block"))
-    assert sizes["A:1"] < 2.1 * sizes[""]
+    assert sizes["A:1"] < 2 * sizes[""]
     assert sizes["S8"] < 2.4 * sizes[""]
-    assert sizes["ARCH:1"] < 3.8 * sizes[""]
-    assert sizes["PAVILION"] < 5 * sizes[""]
-    assert sizes["ARCH:1"] < 100e3
+    assert sizes["ARCH:1"] < 3.6 * sizes[""]
+    assert sizes["PAVILION"] < 4.7 * sizes[""]
+    assert (
+        sizes["ARCH:1"] < 65e3
+    )  # that of the block without letters was 59e3 with each edge drawn on its faces
 
 
 def test_a_file_of_plain_faces_has_each_edge_once(strip, tmp_path, measure):
@@ -82,7 +86,10 @@ def test_a_file_of_plain_faces_has_each_edge_once(strip, tmp_path, measure):
     for name, parts in written.items():
         path = tmp_path / f"{name}.step"
         path.write_bytes(step_bytes(parts, name=name))
-        assert (b"PCURVE(" in path.read_bytes()) == (name == "both")
+        content = path.read_bytes()
+        assert (b"PCURVE(" in content) == (name == "both")
+        points = re.findall(rb" (CARTESIAN_POINT\([^;]*);", content)
+        assert (len(set(points)) == len(points)) == (name == "block")
         back = read_step_shape(path)
         assert measure.is_valid(back)
         whole = sum(measure.volume(part.shape, bent=False) for part in parts)

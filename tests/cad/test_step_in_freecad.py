@@ -7,6 +7,7 @@ import subprocess
 import pytest
 
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
+from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel import occt
@@ -46,6 +47,7 @@ def test_freecad_sees_the_same(arch_strip, plain, tmp_path, measure):
         "arch flat": FlatSolid.of(arch_strip),
         "arch bent": BentSolid.of(arch_strip, Frame((0, 0, 0), (1, 0, 0), (0, 0, 1))),
         "plain bent": BentSolid.of(plain),
+        "fixture": EndFixture.of(arch_strip, number="ARCH:1").solid,
     }
     paths = {}
     for name, record in bodies.items():
