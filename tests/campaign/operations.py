@@ -38,14 +38,18 @@ SHARED = ("mesh", "STEP", "BOP")
 
 
 class Bodies:
-    """A strip's records, and the places on its bent body by which edges and faces are found in every kernel."""
+    """A strip's records, and the places on its bent body by which edges and faces are found in every kernel.
 
-    def __init__(self, strip: Strip, *, plain: bool = False) -> None:
+    With `points` the long sides are drawn anew, through so many of their points: a plain body with the same faces.
+    """
+
+    def __init__(self, strip: Strip, *, points: int = 0) -> None:
         self.strip, self.joints = strip, BentSolid.of(strip).joints
         # of a laminate the backing, whose width follows the stiffness
         self.flat, self.bent = FlatSolid.layers(strip)[-1], BentSolid.layers(strip)[-1]
-        if plain:
-            outline = Path(tuple(map(drawn_anew, self.flat.outline.segments)), closed=True)
+        if points:
+            sides = tuple(drawn_anew(side, points) for side in self.flat.outline.segments)
+            outline = Path(sides, closed=True)
             self.flat = replace(self.flat, outline=outline)
             self.bent = BentSolid.wrapped(strip.rod, outline, self.flat.holes, heights=self.bent.heights)
         self.volume = self.flat.volume
@@ -83,11 +87,11 @@ class Bodies:
         return np.append(at.position[0], 0.0), np.array([np.cos(at.angle[0]), np.sin(at.angle[0]), 0.0])
 
 
-def drawn_anew(segment: Segment) -> Segment:
-    """A long side as one would draw it: a spline through nine of its points."""
+def drawn_anew(segment: Segment, points: int) -> Segment:
+    """A long side as one would draw it: a spline through some of its points."""
     if not isinstance(segment, Spline):
         return segment
-    x, y = segment.at(np.linspace(0.0, 1.0, 9)).T
+    x, y = segment.at(np.linspace(0.0, 1.0, points)).T
     backward = bool(x[0] > x[-1])
     if backward:
         x, y = x[::-1], y[::-1]

@@ -41,8 +41,8 @@ the bodies of strips, thirty curves in five styles. "29/30": 29 succeed of 30 th
 were not asked yet. A body that comes out must be valid, and of the right volume where that is known; an operation
 that takes the processor longer than 10 s (shells and checks 20 s) has failed.
 
-What fails is asked again of a plain body with the same faces, whose long sides are splines through nine points, as
-one would draw them. Where that fails too, the kernel does; what fails on ours only is named at the end.
+What fails is asked again of plain bodies with the same faces, whose long sides are splines through nine points, as
+one would draw them, or through 25. Where one of these fails too, the kernel does; the rest is named at the end.
 
 The styles: plain; held (wide tabs with holes); slotted (two slots); perforated (8 diamond holes); laminated (the
 backing). Meshes, STEP files and checks of CadQuery's bodies are those of build123d 0.12: the same body in the same

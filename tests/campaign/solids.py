@@ -3,10 +3,11 @@
     python tests/campaign/solids.py --kernels build123d cadquery --minutes 60 --out out/campaign
 
 Bodies come in an order shuffled by `--seed`, so that a run that ends in time has asked every kernel and style
-alike; the next run goes on where the log ends. What fails is asked again of a plain body with the same faces, whose
-long sides are splines through nine points: where that fails too, the kernel does. Every body has a process of its
-own, so that a kernel that crashes or hangs costs one answer. Answers are put into `solids.json`, of which
-`solid_table.py` writes docs/kernels.md; with `--minutes 0` a log alone is. Needs gmsh for meshes.
+alike; the next run leaves out what is kept already, or with `--again` what is in the log of `--out` only. What
+fails is asked again of a plain body with the same faces, whose long sides are splines through nine points, and
+where that succeeds through 25: where one of them fails too, the kernel does. Every body has a process of its own,
+so that a kernel that crashes or hangs costs one answer. Answers are put into `solids.json`, of which
+`solid_table.py` writes docs/kernels.md; with `--minutes 0` those of a log alone. Needs gmsh for meshes.
 """
 
 import argparse
@@ -30,17 +31,24 @@ HERE = str(Path(__file__).resolve().parent)
 FREECAD = ("/usr/lib/freecad-python3/lib", "/usr/lib/freecad/lib", "/usr/share/freecad/Ext")
 
 
+DRAWN_THROUGH = (9, 25)  # points of long sides of plain bodies
+
 Body = tuple[str, str, str]
 """Kernel, style and curve."""
 
 
 def program(kernel: str) -> str:
-    """The program as it is installed, with its OpenCASCADE."""
+    """The program as it is installed, with its OpenCASCADE; it is imported, as every body's process is a copy."""
     if kernel == "freecad":
+        if os.path.isdir(FREECAD[0]):
+            import freecad
+
+            freecad.__path__.append(str(ROOT / "freecad_workbench" / "freecad"))
         import FreeCAD as App
         import Part
 
         return f"FreeCAD {App.Version()[0]}.{App.Version()[1]} (OpenCASCADE {Part.OCC_VERSION})"
+    import_module(kernel)
     from OCP import __version__
 
     occt = ".".join(__version__.split(".")[:3])
@@ -48,15 +56,14 @@ def program(kernel: str) -> str:
     return f"{name} {version(kernel)} (OpenCASCADE {occt})"
 
 
-def asked(body: Body, plain: bool, names: list[str], pipe: Any) -> None:
+def asked(body: Body, points: int, names: list[str], pipe: Any) -> None:
     """Answers of one body, one message an operation; one that takes longer than `PATIENCE` ends the process."""
     from bank import made
     from operations import PATIENCE, Bodies, kernel_named
 
     kernel, style, curve = body
-    bodies = Bodies(made(curve, style), plain=plain)
+    bodies = Bodies(made(curve, style), points=points)
     runner = kernel_named(kernel)(bodies)
-    pipe.send(program(kernel))
     for name in names:
         start = time.process_time()
         resource.setrlimit(resource.RLIMIT_CPU, (int(start) + PATIENCE[name], resource.RLIM_INFINITY))
@@ -72,21 +79,20 @@ def asked(body: Body, plain: bool, names: list[str], pipe: Any) -> None:
     pipe.close()
 
 
-def answers(body: Body, plain: bool, operations: list[str]) -> list[dict[str, Any]]:
+def answers(body: Body, points: int, operations: list[str]) -> list[dict[str, Any]]:
     """All answers of one body, started anew after a crash or a hang."""
     from operations import PATIENCE
 
     rows: list[dict[str, Any]] = []
     left = list(operations)
     context = multiprocessing.get_context("fork")
-    who = dict(zip(("kernel", "style", "curve"), body, strict=True)) | {"program": body[0]}
+    who = dict(zip(("kernel", "style", "curve"), body, strict=True)) | {"day": date.today().isoformat()}
     while left:
         here, there = context.Pipe(False)
-        process = context.Process(target=asked, args=(body, plain, left, there))
+        process = context.Process(target=asked, args=(body, points, left, there))
         process.start()
         there.close()
         try:
-            who |= {"program": here.recv(), "day": date.today().isoformat()}
             while left:
                 name, answer, size, whole, seconds = here.recv()
                 left.remove(name)
@@ -102,12 +108,13 @@ def answers(body: Body, plain: bool, operations: list[str]) -> list[dict[str, An
 
 
 def with_control(body: Body, operations: list[str]) -> list[dict[str, Any]]:
-    """The answers of one body, those that failed with what a plain body with the same faces answers."""
-    rows = answers(body, False, operations)
-    failed = [row for row in rows if row["answer"] != "ok"]
-    told = answers(body, True, [row["operation"] for row in failed])
-    for row, plain in zip(failed, told, strict=True):
-        row["plain"] = plain["answer"]
+    """The answers of one body, those that failed with what plain bodies with the same faces answer."""
+    rows = answers(body, 0, operations)
+    for points in DRAWN_THROUGH:
+        failed = [row for row in rows if row["answer"] != "ok" and row.get("plain", "ok") == "ok"]
+        told = answers(body, points, [row["operation"] for row in failed])
+        for row, plain in zip(failed, told, strict=True):
+            row["plain"] = plain["answer"]
     return rows
 
 
@@ -115,7 +122,7 @@ def main() -> None:
     from bank import CURVES, STYLES
     from operations import KERNELS, OPERATIONS, SHARED
 
-    from tests.campaign.solid_table import keep
+    from tests.campaign.solid_table import keep, kept
 
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--kernels", nargs="+", choices=list(KERNELS), default=list(KERNELS))
@@ -124,29 +131,35 @@ def main() -> None:
     parser.add_argument("--operations", nargs="+", choices=list(OPERATIONS), default=list(OPERATIONS))
     parser.add_argument("--seed", type=int, default=1, help="of the order of the curves")
     parser.add_argument("--minutes", type=float, default=180.0, help="after which no other body is begun")
+    parser.add_argument("--again", action="store_true", help="ask also what is kept, but for the log's")
     parser.add_argument("--out", type=Path, default=Path("out/campaign"))
     wanted = parser.parse_args()
     wanted.out.mkdir(parents=True, exist_ok=True)
     log = wanted.out / "solids.jsonl"
     rows = [json.loads(line) for line in log.read_text().splitlines()] if log.exists() else []
-    done = {(row["kernel"], row["style"], row["curve"], row["operation"]) for row in rows}
     keep(rows)
+    done = {(row["program"], row["style"], row["curve"], row["operation"]) for row in rows}
+    if not wanted.again:
+        done |= {
+            (body["program"], body["style"], body["curve"], operation)
+            for body in kept()
+            for operation in (*body["ok"], *body["failed"])
+        }
     curves = list(wanted.curves)
     random.Random(wanted.seed).shuffle(curves)
-    for library in {"build123d", "cadquery"} & set(wanted.kernels):
-        import_module(library)  # once, as every body's process begins as a copy of this one
+    programs = {kernel: program(kernel) for kernel in wanted.kernels}
     end = time.monotonic() + 60 * wanted.minutes
     for curve, style, kernel in product(curves, wanted.styles, wanted.kernels):
         body = kernel, style, curve
         apart = SHARED if kernel == "cadquery" and "build123d" in wanted.kernels else ()
-        left = [name for name in wanted.operations if (*body, name) not in done and name not in apart]
+        asked_of = programs[kernel], style, curve
+        left = [name for name in wanted.operations if (*asked_of, name) not in done and name not in apart]
         if not left:
             continue
         if time.monotonic() > end:
-            print(f"time is up: go on with --out {wanted.out}", flush=True)
+            print("time is up: the next run goes on", flush=True)
             break
-        found = with_control(body, left)
-        rows += found
+        found = [row | {"program": programs[kernel]} for row in with_control(body, left)]
         with log.open("a") as file:
             file.writelines(json.dumps(row) + "\n" for row in found)
         keep(found)
@@ -157,8 +170,4 @@ def main() -> None:
 if __name__ == "__main__":
     sys.path[:0] = [HERE, str(ROOT)]
     sys.path += [place for place in FREECAD if os.path.isdir(place)]
-    if os.path.isdir(FREECAD[0]):
-        import freecad
-
-        freecad.__path__.append(str(ROOT / "freecad_workbench" / "freecad"))
     main()
