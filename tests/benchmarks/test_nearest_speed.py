@@ -48,6 +48,30 @@ def test_sixteen_heavy_stable_curves(benchmark, flower_pot):
     assert benchmark.stats.stats.min / 16 <= 0.060
 
 
+def test_second_solves_after_a_small_move(benchmark, flower_pot):
+    points, _ = flower_pot
+    limits = Limits(ratio=2.5)
+    before = [nearest_rod(unclamped(p), limits) for p in points]
+    after = [p + 0.002 * np.ptp(p) * (np.arange(len(p)) == 3)[:, None] for p in points]
+
+    def solved(starts):
+        return [
+            nearest_rod(unclamped(p), limits, start=start) for p, start in zip(after, starts, strict=True)
+        ]
+
+    def seconds(starts):
+        began = time.process_time()
+        solved(starts)
+        return time.process_time() - began
+
+    found = benchmark.pedantic(lambda: solved(before), rounds=5, warmup_rounds=1)
+    assert all(near.met for near in found)
+    afresh = [None] * len(points)
+    ratio = min(seconds(before) for _ in range(5)) / min(seconds(afresh) for _ in range(5))
+    benchmark.extra_info["ratio"] = ratio
+    assert ratio <= 0.9
+
+
 def test_unstable_s(benchmark, reference_data):
     points = np.loadtxt(reference_data / "hafner" / "spline_infl_simple.txt", skiprows=1) * 30
     near = benchmark.pedantic(

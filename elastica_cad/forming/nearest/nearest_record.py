@@ -12,7 +12,7 @@ from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest.binding_limits import Binding
 from elastica_cad.forming.nearest.editable_curve import editable_curve
 from elastica_cad.forming.nearest.nearest_task import Measure
-from elastica_cad.forming.nearest.starts import MET
+from elastica_cad.forming.nearest.starts import MET, SearchPoint
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.material.tapered_sections import LaidLeaves
 from elastica_cad.mechanics.rod.rod_record import Rod
@@ -61,6 +61,8 @@ class NearestRod:
         What was made least: the distance as measured and weighted, mm.
     ties : tuple of Rod
         Rods of another shape that meet the limits and are as near, but for 2 %.
+    ended : SearchPoint or None
+        Where the search ended; `nearest_rod` begins there that has this record as `start`.
     again : callable, optional
         `nearest_rod` with all else that was asked; see `relaxed`.
     advise : callable, optional
@@ -81,6 +83,7 @@ class NearestRod:
     measure: Measure = "mean"
     distance: float = np.inf
     ties: tuple[Rod, ...] = ()
+    ended: SearchPoint | None = field(default=None, repr=False)
     again: "Callable[..., NearestRod] | None" = field(default=None, repr=False)
     advise: "Callable[[NearestRod], Iterable[str]] | None" = field(default=None, repr=False)
 

@@ -14,7 +14,7 @@ from elastica_cad.forming.nearest.binding_limits import Binding, list_bindings
 from elastica_cad.forming.nearest.curve_distance import measure_deviation
 from elastica_cad.forming.nearest.nearest_record import NearestRod, Status
 from elastica_cad.forming.nearest.nearest_task import Measure, NearestTask, Weights
-from elastica_cad.forming.nearest.starts import MET, mean_distance, search
+from elastica_cad.forming.nearest.starts import MET, SearchPoint, mean_distance, search
 from elastica_cad.forming.nearest.target_curve import TargetCurve
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.gravity import Gravity
@@ -46,6 +46,7 @@ def nearest_rod(
     coefficients: int | None = None,
     section: BoundedLaw | None = None,
     natural_curvature: NaturalCurvature = 0.0,
+    start: NearestRod | None = None,
 ) -> NearestRod:
     """The rod nearest to a drawn curve, realizable or not, that meets all limits.
 
@@ -80,6 +81,10 @@ def nearest_rod(
         nearest rod of any thickness is sought first, then leaves are laid to come near that (`lay_leaves`).
     natural_curvature : float or RestCurvature
         kappa_0, 1/mm, or that of a blank bent beforehand: the rod is then as long as the blank, but for 1 %.
+    start : NearestRod, optional
+        The answer to nearly the same wish, such as the curve before a small move: the search begins at its rod and
+        takes two thirds of the time, or a tenth where many starts were needed. It stays in that rod's valley while
+        what it finds there meets the limits and is nearly as near as that rod was; else it begins afresh.
 
     Returns
     -------
@@ -108,10 +113,14 @@ def nearest_rod(
             curve, limits, keep, gravity, section, supports=supports, weights=weights, measure=measure,
             samples=samples, coefficients=coefficients, natural_curvature=natural_curvature,
         )  # fmt: skip
+    if not (start is None or isinstance(start, NearestRod)):
+        raise InputError(
+            f"start is {start!r}: give the record that nearest_rod gave for a like curve, or None"
+        )
     task = NearestTask.of(
         curve, limits, keep, gravity, supports, weights, samples, coefficients, section, natural_curvature
     )
-    problem, outcome, ties, steps = search(task, measure)
+    problem, outcome, ties, steps, off = search(task, measure, None if start is None else start.ended)
     target = task.target
     deviation = measure_deviation(target, outcome.point.position) * target.size
     distance = outcome.objective if measure == "max" else float(np.sqrt(2 * outcome.objective))
@@ -123,6 +132,7 @@ def nearest_rod(
         limits=task.limits, keep=task.keep, measure=measure,
         distance=distance * target.size,
         ties=tuple(task.rod_of(tie.point) for tie in ties),
+        ended=SearchPoint(outcome.point.z, problem.grid.unknowns, target.size, target.origin, off),
         advise=advise,
         again=partial(
             nearest_rod, curve, gravity=gravity, supports=supports, weights=task.weights, measure=measure,

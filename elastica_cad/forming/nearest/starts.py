@@ -1,16 +1,18 @@
 """Starts and continuations of the search for the nearest rod; the best outcome is kept."""
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
+from elastica_cad._types import FloatArray
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.forming.nearest.nearest_task import Measure, NearestTask
-from elastica_cad.forming.nearest.rod_map import MappedRod
+from elastica_cad.forming.nearest.rod_map import MappedRod, Unknowns
 from elastica_cad.forming.nearest.rod_problem import RodProblem
+from elastica_cad.forming.nearest.target_curve import TargetCurve
 from elastica_cad.forming.optimizer.sqp import LIFTS, Outcome, lift, minimize
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
@@ -22,6 +24,8 @@ _MOST_STEPS_ELSEWHERE = 600  # the same for the bent starts of what is still far
 _BENT_STARTS, _FIRST_BENT_STARTS = 20, 4
 _BENT_RAD = 0.4  # typical size of the waves by which such a start is bent off the target
 _EVEN_RATIO = 1.4  # of a rod that is nearly even
+_NEAR = 0.015  # mean distance, in diagonals, below which the first start's valley is believed
+_AS_NEAR = 1.1  # times the distance from all starts: a search that goes on may come to that
 _FOLLOWED = 1e-3  # mean distance, in diagonals, below which a rod follows its target
 _LEAN = 1e-4  # the same, that a lesser ratio may cost
 _SPLINE_STIFFNESS = 1.005  # of the least ratio: K is a spline of few coefficients
@@ -31,21 +35,62 @@ _FEW_LIFTS = 3  # after which a start from a hard target is still open to severa
 _CONTINUATION_STEPS = 40  # of one part of a continuation, which need not settle
 
 
+@dataclass(frozen=True, eq=False)
+class SearchPoint:
+    """Where a search ended: the unknowns of a rod, and the target in whose units they are.
+
+    Attributes
+    ----------
+    z : (p,) array
+    unknowns : Unknowns
+    size : float
+        Length of the target, mm.
+    origin : (2,) array
+        mm.
+    off : float
+        Mean distance that the last search from all starts came to, in diagonals of its target.
+    """
+
+    z: FloatArray
+    unknowns: Unknowns
+    size: float
+    origin: FloatArray
+    off: float
+
+    def seen_from(self, target: TargetCurve, unknowns: Unknowns) -> FloatArray | None:
+        """The same rod in the units of another target; None where it has other unknowns."""
+        u = self.unknowns
+        if unknowns != u:
+            return None
+        z, larger = self.z.copy(), target.size / self.size
+        z[u.moment] *= larger
+        z[u.force] *= larger**2
+        z[u.length] /= larger
+        z[u.position] = (self.z[u.position] * self.size + self.origin - target.origin) / target.size
+        return np.asarray(z)
+
+
 class Search(NamedTuple):
-    """The problem, the best outcome of all starts, outcomes elsewhere that are as near, and all steps taken."""
+    """The problem, the best outcome, outcomes elsewhere that are as near, and all steps taken.
+
+    `off` is the mean distance that a search from all starts came to, in diagonals of the target.
+    """
 
     problem: RodProblem
     best: RodOutcome
     ties: tuple[RodOutcome, ...]
     steps: int
+    off: float
 
 
-def search(task: NearestTask, measure: Measure) -> Search:
-    """From as many starts as are needed.
+def search(task: NearestTask, measure: Measure, before: SearchPoint | None = None) -> Search:
+    """From where a like search ended before, or from as many starts as are needed.
 
     The first start nearly always does; the others are for what it leaves broken, unsettled or far from the target.
     """
     problem = task.problem(measure)
+    if before is not None and (near := _from_before(task, problem, before)) is not None:
+        return _told(task, measure, Search(problem, near, (), near.iterations, before.off), [near])
     first = _start(task, problem)
     best = minimize(problem, first)
     steps, off = best.iterations, mean_distance(task, best) / task.target.diagonal
@@ -61,11 +106,29 @@ def search(task: NearestTask, measure: Measure) -> Search:
         found.append(outcome)
         best = min(best, outcome, key=_rank)
         off = mean_distance(task, best) / task.target.diagonal
-    if task.section is None and off < _FOLLOWED:
+    return _told(task, measure, Search(problem, best, (), steps, off), found)
+
+
+def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) -> RodOutcome | None:
+    """What is found from there, where that meets the limits and is about as near as what all starts found."""
+    z = before.seen_from(task.target, problem.grid.unknowns)
+    rod = None if z is None else problem.close(problem.grid.shoot(z))
+    if rod is None:
+        return None
+    found = minimize(problem, rod)
+    enough = max(_NEAR, _AS_NEAR * before.off)
+    near = mean_distance(task, found) < enough * task.target.diagonal
+    return found if near and found.settled and found.violation <= MET else None
+
+
+def _told(task: NearestTask, measure: Measure, so_far: Search, found: Sequence[RodOutcome]) -> Search:
+    """The search with a leaner rod that is as near as its best, or with the outcomes `found` elsewhere that are."""
+    problem, best, _, steps, _ = so_far
+    if task.section is None and mean_distance(task, best) < _FOLLOWED * task.target.diagonal:
         lean = _leaner(task, measure, best)
         if lean is not None:
-            return Search(*lean, (), steps + lean[1].iterations)
-    return Search(problem, best, tuple(_ties(task, problem, measure, best, found)), steps)
+            return so_far._replace(problem=lean[0], best=lean[1], steps=steps + lean[1].iterations)
+    return so_far._replace(ties=tuple(_ties(task, problem, measure, best, found)))
 
 
 def _leaner(task: NearestTask, measure: Measure, best: RodOutcome) -> tuple[RodProblem, RodOutcome] | None:
@@ -133,7 +196,7 @@ def _attempts(
     task: NearestTask, measure: Measure, problem: RodProblem, first: MappedRod
 ) -> Iterator[_Attempt]:
     """Further attempts."""
-    yield _Attempt(0.015, lambda: _start(task, problem, same_length=True))
+    yield _Attempt(_NEAR, lambda: _start(task, problem, same_length=True))
     if measure != "mean":
         yield _Attempt(0.03, lambda: minimize(task.problem("mean"), first).point)
     if task.limits.margin is not None:

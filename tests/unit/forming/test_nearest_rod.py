@@ -328,6 +328,51 @@ def test_answers_do_not_change_from_run_to_run():
     np.testing.assert_array_equal(a.rod.position, b.rod.position)
 
 
+def moved(curve, pole, by):
+    """The curve with one pole moved, mm."""
+    points = np.array(curve.control_points)
+    points[pole] += by
+    return PlaneCurve(curve.knots, points, curve.degree)
+
+
+@pytest.mark.parametrize(
+    ("curve", "options"),
+    [
+        (ARCH, {"limits": Limits(ratio=1.3)}),
+        (WAVE, {"limits": Limits(ratio=1.7, margin=3.0)}),
+        (ARCH, {"limits": Limits(ratio=1.5, margin=5.0), "gravity": Gravity(200.0)}),
+        (
+            WAVE,
+            {"limits": Limits(ratio=2.0), "supports": Supports("pinned", "clamped"), "measure": "closest"},
+        ),
+    ],
+    ids=["ratio", "margin", "weight", "supports"],
+)
+def test_from_the_answer_before_a_small_move_comes_the_same_answer(curve, options):
+    before = nearest_rod(curve, **options)
+    after = moved(curve, 2, (1.0, 0.6))
+    afresh, going_on = nearest_rod(after, **options), nearest_rod(after, start=before, **options)
+    assert going_on.met
+    assert going_on.distance == pytest.approx(afresh.distance, rel=1e-4)
+    assert np.abs(going_on.rod.position - afresh.rod.position).max() < 2e-3 * after.length
+
+
+def test_a_wish_of_many_starts_goes_on_in_a_few_steps():
+    limits = Limits(ratio=1.7, margin=3.0)
+    going_on = nearest_rod(moved(WAVE, 2, (1.0, 0.6)), limits, start=nearest_rod(WAVE, limits))
+    assert 3 * going_on.iterations <= nearest_rod(WAVE, limits).iterations
+
+
+def test_what_leads_nowhere_is_begun_afresh():
+    afresh = nearest_rod(WAVE, Limits(ratio=2.0))
+    for start in (
+        nearest_rod(ARCH, Limits(ratio=2.0)),  # another valley
+        nearest_rod(WAVE, Limits(ratio=2.0), coefficients=12),  # other unknowns
+        NearestRod.failed(ARCH, "it rained"),
+    ):
+        assert nearest_rod(WAVE, Limits(ratio=2.0), start=start).distance <= 1.02 * afresh.distance
+
+
 def test_a_straight_wish():
     near = nearest_rod(PlaneCurve.line((0, 0), (100, 20)), Limits(ratio=2.0, margin=5.0))
     assert near.met
@@ -368,6 +413,7 @@ def test_a_straight_wish():
         (lambda: nearest_rod(ARCH, coefficients=2), "coefficients"),
         (lambda: nearest_rod(ARCH, measure="best"), "measure"),
         (lambda: nearest_rod(ARCH, weights=-1.0), "weights"),
+        (lambda: nearest_rod(ARCH, start=optimal_rod(ARCH)), "record that nearest_rod gave"),
         (lambda: nearest_rod(ARCH, Limits(length=(10, 100))), "apart"),
         (lambda: nearest_rod(ARCH, Limits(length=(300, 400)), Keep(length=True)), "keep length"),
         (lambda: nearest_rod(ARCH, Limits(keep_out=HalfPlane((0, 10)))), "keep-out"),
