@@ -9,7 +9,6 @@ import click
 from elastica_cad.cli.asking.options import holding_option, output_options
 from elastica_cad.cli.running.voice import answer, say, say_step, voice, warn
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
-from elastica_cad.fabrication.sheets.equal_strips import count_shapes
 from elastica_cad.files import read_curves, read_surface
 from elastica_cad.formats.design_files.design_file import read_design
 from elastica_cad.geometry.paths.point_distance import largest_deviation
@@ -83,7 +82,7 @@ def _tell(kit: Kit, output: Path, *, step: bool, pictures: bool) -> None:
     answer(kit_report(kit) | {"folder": output})
     voice().files += [str(output / name) for name in kit.files]
     listed = kit.cut_list
-    strips = f"{len(kit.model.placed)} strips ({count_shapes(kit.model.parts)} different)"
+    strips = f"{len(kit.model.placed)} strips ({kit.model.shape_count} different)"
     pieces = f"{listed.count} pieces of {listed.shapes} {'shape' if listed.shapes == 1 else 'shapes'}"
     say(f"{kit.model.name}: {strips}, {len(kit.model.joints)} joints; {pieces}, "
                f"{listed.cut_length / 1000:.1f} m of cuts, {listed.mass:.0f} g")  # fmt: skip

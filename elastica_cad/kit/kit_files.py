@@ -12,7 +12,6 @@ from elastica_cad.errors import InputError, how_to_install
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.model.strip_model import Model
-from elastica_cad.fabrication.sheets.equal_strips import count_shapes
 from elastica_cad.fabrication.sheets.nesting import NestedSheet
 from elastica_cad.fabrication.sheets.pieces import file_word
 from elastica_cad.files import save
@@ -163,7 +162,7 @@ def save_model(
     spec = KitSpec(Nesting(sheet_size, margin), Cutting(kerf=kerf, holding=holding), shop=shop, anyway=anyway)
     kit = kit_of(model, spec, effects=True)
     write_kit(kit, folder, step=step, pictures=pictures, parts=parts, force=force, done=done)
-    count, unlike, sheets = len(model.placed), count_shapes(model.parts), len(kit.nests)
+    count, unlike, sheets = len(model.placed), model.shape_count, len(kit.nests)
     summary = (
         f"{model.name}: {count} {'strip' if count == 1 else 'strips'} ({unlike} different) "
         f"on {sheets} {'sheet' if sheets == 1 else 'sheets'}"
@@ -219,7 +218,7 @@ def _start_page(kit: Kit) -> str:
     """What was made, in sentences, with links."""
     listed, count = kit.cut_list, len(kit.model.placed)
     lines = [
-        f"{count} {'strip' if count == 1 else 'strips'}, {count_shapes(kit.model.parts)} different; "
+        f"{count} {'strip' if count == 1 else 'strips'}, {kit.model.shape_count} different; "
         f"{listed.count} pieces, "
         f"{listed.cut_length / 1000:.1f} m of cuts, {listed.mass:.0f} g.",
         *(

@@ -207,7 +207,7 @@ def _stations_of(size: Profile) -> list[float]:
     """Widest and narrowest place, the ends, then the quarters, as far as their labels keep apart."""
     length = size.length
     s = np.linspace(0.0, length, 801)
-    w = size(s)
+    w = np.round(size(s), 9)  # where many places are widest, rounding does not choose
     wanted = [s[int(np.argmax(w))], s[int(np.argmin(w))], 0.0, length, length / 2, length / 4, 3 * length / 4]
     kept: list[float] = []
     for x in map(float, wanted):

@@ -18,7 +18,7 @@ from elastica_cad.fabrication.holders.base_plate import (
 from elastica_cad.fabrication.holders.placed_tab import ENDS, PlacedTab
 from elastica_cad.fabrication.holders.ring_plate import Ring, ring_around, ring_plate
 from elastica_cad.fabrication.holders.tab_seats import slot_walls, tab_key, tab_seats
-from elastica_cad.fabrication.holding.rest_in_seats import lean_against
+from elastica_cad.fabrication.holding.rest_in_seats import lean_against, what_leans
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
 from elastica_cad.geometry.frame import Frame
@@ -189,15 +189,15 @@ def lean_pair(placed: Sequence[Placed], plates: tuple[Plate, Plate]) -> tuple[Pl
     first, second = plates
     for _ in range(LEAN_ROUNDS):
         seats, moves = tab_seats((first, second)), dict[tuple[float, ...], tuple[float, float]]()
-        known = dict[tuple[int, int, tuple[float, ...]], tuple[float, float]]()
+        known = dict[tuple[int | float, ...], tuple[float, float]]()
         for one in placed:
             for index, end in enumerate(ENDS):
                 key = tab_key(PlacedTab.of(one.strip, end, one.frame))
                 if key in seats:
-                    alike = (id(one.strip), index, seats[key].places)
+                    loaded = one.strip.as_made.loaded
+                    ratio = one.strip.as_made.tab_ratios(loaded)[index]
+                    alike = what_leans(loaded, index, seats[key], ratio)
                     if alike not in known:
-                        loaded = one.strip.as_made.loaded
-                        ratio = one.strip.as_made.tab_ratios(loaded)[index]
                         known[alike] = lean_against(loaded, index, seats[key], ratio)
                     moves[key] = known[alike]
         first, second = (

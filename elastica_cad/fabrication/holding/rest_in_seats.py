@@ -1,6 +1,7 @@
 """The rest shape of a strip whose tabs sit in holders that leave them room."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -27,6 +28,7 @@ SEATING_STEPS = 3
 SEATING = 1e4  # times as stiff are the ends while tabs bend into their seats
 LEAN_STEPS = 6  # at most: contacts change little after the first
 LEAN_SHARE = 1e-7  # of the length: what a step moves when the contacts have been found
+ALIKE_DIGITS = 11  # of loads and lengths that are one: rounding of strips made alike in different places
 TAB_PIECES = 16  # of a tab that bends: its turn at the mouth is then right to half a percent
 
 
@@ -139,6 +141,15 @@ def lean_against(
     return shift, turn
 
 
+def what_leans(
+    design: Rod, index: int, seat: TabSeat, tab_stiffness: float = np.inf
+) -> tuple[int | float, ...]:
+    """All that `lean_against` hangs on, to rounding: of ends that are loaded and held alike the same."""
+    load = _Held(design, design, (_SeatedEnd(index, seat, tab_stiffness),)).reactions(design)
+    numbers = (design.length, *load.tolist(), tab_stiffness)
+    return (index, *(float(f"{number:.{ALIKE_DIGITS}g}") for number in numbers), seat.thickness, *seat.places)
+
+
 @dataclass(frozen=True, eq=False)
 class _SeatedEnd:
     """An end with room: its tab as a chain of rigid pieces between bending joints."""
@@ -160,6 +171,7 @@ class _SeatedEnd:
         """Length of a piece, mm."""
         return self.seat.depth / TAB_PIECES
 
+    @cached_property
     def bending(self) -> FloatArray:
         """Hessian (m, m) of the tab's energy over B in the angles of its pieces, 1/mm."""
         m = self.pieces
@@ -168,6 +180,7 @@ class _SeatedEnd:
         joints = np.eye(m) - np.eye(m, k=-1)
         return np.asarray(joints.T @ (springs[:, None] * joints))
 
+    @cached_property
     def sideways(self) -> FloatArray:
         """How far (k, m) each edge's gap closes for the angle of each piece, mm."""
         into = np.concatenate([self.seat.left[:, 0], self.seat.right[:, 0]])
@@ -250,9 +263,9 @@ class _Held:
             block[:, at : at + 2] = one.seat.slopes(*pose, one.way) / (1.0, length)
             gaps = one.seat.gaps(*pose, one.way)
             if one.pieces:
-                block[:, tab] = one.sideways() / length
+                block[:, tab] = one.sideways / length
                 gaps = gaps + block[:, tab] @ part[2:]
-                H[tab, tab] = one.bending() / length**2
+                H[tab, tab] = one.bending / length**2
                 g[tab] = H[tab, tab] @ part[2:]
             rows.append(block)
             room.append(gaps)

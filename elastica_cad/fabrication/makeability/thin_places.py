@@ -45,8 +45,6 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
     >>> [place.width for place in find_thin_places([plate], [hole], 2.0)]
     [1.0]
     """
-    from scipy.sparse import coo_matrix
-    from scipy.sparse.csgraph import connected_components
     from scipy.spatial import cKDTree
 
     points, normals, _ = _sampled(outlines, holes, least, COARSE)
@@ -66,6 +64,9 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
     i, j, width = i[facing], j[facing], width[facing]
     if not width.size:
         return ()
+    from scipy.sparse import coo_matrix
+    from scipy.sparse.csgraph import connected_components
+
     middle = (points[i] + points[j]) / 2
     near = cKDTree(middle).query_pairs(least, output_type="ndarray")
     links = coo_matrix((np.ones(len(near), dtype=bool), near.T), shape=(width.size, width.size))

@@ -18,7 +18,7 @@ from elastica_cad.fabrication.interlocking.interlock import Joint, interlock
 from elastica_cad.fabrication.model.patterns import mirror, repeat, rotate
 from elastica_cad.fabrication.placed_strip import Placed, distinct_names, strip_names
 from elastica_cad.fabrication.sheets.cut_list import CutList, cut_list
-from elastica_cad.fabrication.sheets.equal_strips import EqualStrips, group_equal_strips
+from elastica_cad.fabrication.sheets.equal_strips import EqualStrips, count_shapes, group_equal_strips
 from elastica_cad.fabrication.sheets.nesting import NestedSheet, nest_pieces
 from elastica_cad.fabrication.sheets.pieces import Piece, strip_pieces
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -94,6 +94,11 @@ class Model:
     def parts(self) -> tuple[EqualStrips, ...]:
         """What must be cut: equal strips once, with their count; see `group_equal_strips`."""
         return group_equal_strips(self.placed)
+
+    @cached_property
+    def shape_count(self) -> int:
+        """How many different shapes the strips have, whatever is engraved on them."""
+        return count_shapes(self.parts)
 
     def with_strips(self, strips: Sequence[Strip]) -> "Model":
         """The model with other strips in the same places."""

@@ -1,5 +1,7 @@
 """Distances from points to segments and curves."""
 
+from functools import lru_cache
+
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
@@ -9,6 +11,10 @@ from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
 
 _BLOCK = 4096
 """Points whose distances from all chords of a spline are held at a time: some ten MB."""
+
+_NEWTON_STEPS = 6
+_SETTLED = 1e-12  # of the domain: the distance changes with the square of such a step
+_TABLES = 256  # splines of late: parts are compared loop by loop, and each loop with several others
 
 
 def distances(segment: Segment, points: ArrayLike) -> FloatArray:
@@ -47,18 +53,27 @@ def _to_arc(p: FloatArray, arc: Arc) -> FloatArray:
 
 def _to_spline(p: FloatArray, spline: Spline) -> FloatArray:
     """Nearest chord, then Newton on <gamma - p, gamma'> = 0, kept only where it comes nearer."""
-    u = chord_parameters(spline, 1e-3 * max(1.0, spline.length / 100))
-    q = spline.at(u)
+    u, q = _table(spline)
     chord, where = _to_chords(p, q[:-1], q[1:])
     i = np.argmin(chord, axis=1)
     rows = np.arange(len(p))
     t = spline.parameter(u[i] + where[rows, i] * np.diff(u)[i])
     curve, (t0, t1) = spline.curve, spline.curve.domain
-    best = np.hypot(*(curve.evaluate(t) - p).T)
-    for _ in range(6):
-        off, d1, d2 = curve.evaluate(t) - p, curve.evaluate(t, 1), curve.evaluate(t, 2)
+    best = np.full(len(p), np.inf)
+    for _ in range(_NEWTON_STEPS + 1):
+        position, d1, d2 = curve.derivatives(t, 2)
+        off = position - p
+        best = np.minimum(best, np.hypot(off[:, 0], off[:, 1]))
         slope = (d1**2).sum(axis=1) + (off * d2).sum(axis=1)
         step = (off * d1).sum(axis=1) / np.where(slope > 0, slope, (d1**2).sum(axis=1))
-        t = np.clip(t - step, t0, t1)
-        best = np.minimum(best, np.hypot(*(curve.evaluate(t) - p).T))
+        before, t = t, np.clip(t - step, t0, t1)
+        if np.abs(t - before).max(initial=0.0) <= _SETTLED * (t1 - t0):
+            break
     return np.asarray(best, dtype=float)
+
+
+@lru_cache(maxsize=_TABLES)
+def _table(spline: Spline) -> tuple[FloatArray, FloatArray]:
+    """Parameters and points of chords close enough for Newton's method to begin from."""
+    u = chord_parameters(spline, 1e-3 * max(1.0, spline.length / 100))
+    return u, spline.at(u)

@@ -8,6 +8,7 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.compensation import compensate_widths
+from elastica_cad.fabrication.holders import plate_pair as pairs
 from elastica_cad.fabrication.holders.base_plate import base_plate
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.end_plates import end_plates
@@ -16,7 +17,7 @@ from elastica_cad.fabrication.holders.plate_pair import plate_pair
 from elastica_cad.fabrication.holders.rocking_tabs import holder_plays, rocking_tabs
 from elastica_cad.fabrication.holders.slotted_frame import slotted_frame
 from elastica_cad.fabrication.holders.tab_seats import held_shapes, tab_seats
-from elastica_cad.fabrication.holding.rest_in_seats import rest_in_seats
+from elastica_cad.fabrication.holding.rest_in_seats import lean_against, rest_in_seats, what_leans
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.model.revolution_model import revolve
 from elastica_cad.fabrication.placed_strip import Placed
@@ -191,6 +192,22 @@ def test_slots_of_two_plates_are_offset_by_the_gap(rod):
         along = (second.corners.mean(axis=0) - first.corners.mean(axis=0))[0]
         # slots lean against their load by less than a millimetre
         assert along == pytest.approx(-15.0 / np.tan(angle), abs=1.0)
+
+
+def test_ends_loaded_alike_lean_alike_and_are_reckoned_once(rod, monkeypatch):
+    reckoned = []
+    monkeypatch.setattr(pairs, "lean_against", lambda *ends: reckoned.append(ends) or lean_against(*ends))
+    ends = (Tab(30), Tab(30))
+    made = [Strip(rod, PLY, max_width=width, ends=ends) for width in (30.0, 30.0, 25.0)]
+    placed = [replace(inclined(one)[0], origin=(0.0, 60.0 * k, 0.0)) for k, one in enumerate(made)]
+    plate_pair(placed, MDF, gap=10)
+    assert len(reckoned) <= 2 * 2 * pairs.LEAN_ROUNDS  # ends of two different strips
+    first, second, other = (one.as_made.loaded for one in made)
+    seat = TabSeat.pocket(length=10, thickness=0.8, play=0.15)
+    assert what_leans(first, 1, seat, 0.5) == what_leans(second, 1, seat, 0.5)
+    assert lean_against(first, 1, seat, 0.5) == pytest.approx(lean_against(second, 1, seat, 0.5), abs=1e-6)
+    for changed in ((other, 1, seat, 0.5), (first, 0, seat, 0.5), (first, 1, seat, 0.6)):
+        assert what_leans(*changed) != what_leans(first, 1, seat, 0.5)
 
 
 def test_a_tab_too_short_for_the_lower_plate_is_refused_with_its_length(strip):

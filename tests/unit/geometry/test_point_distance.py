@@ -1,0 +1,31 @@
+"""Distances from points to splines are those of the nearest of very many points."""
+
+import numpy as np
+import pytest
+
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.point_distance import distances, largest_deviation
+from elastica_cad.geometry.paths.segments import Spline
+
+pytestmark = pytest.mark.core
+
+WAVE = PlaneCurve.spline([(0, 0), (40, 90), (80, -90), (120, 90), (160, 0)], degree=3)
+ROUND = PlaneCurve.arc((3.0, -2.0), 25.0, 0.3, 5.0)
+
+
+@pytest.mark.parametrize("curve", [WAVE, ROUND])
+@pytest.mark.parametrize("reach", [1e-9, 1e-3, 1.0, 60.0])
+def test_distances_are_those_of_the_nearest_point(curve, reach):
+    random = np.random.default_rng(5)
+    points = curve.sample(60).position + reach * random.normal(size=(60, 2))
+    dense = curve.evaluate(np.linspace(*curve.domain, 200_001))
+    nearest = np.array([np.hypot(*(dense - point).T).min() for point in points])
+    found = distances(Spline(curve), points)
+    assert np.all(found <= nearest + 1e-12)
+    assert np.abs(found - nearest).max() < 1e-6 + 1e-3 * min(reach, 1e-3)
+
+
+def test_points_of_a_curve_lie_on_it():
+    assert distances(Spline(WAVE), WAVE.sample(500).position).max() < 1e-12
+    assert distances(Spline(WAVE), np.zeros((0, 2))).shape == (0,)
+    assert largest_deviation(WAVE, WAVE.transformed(np.eye(3))) < 1e-12
