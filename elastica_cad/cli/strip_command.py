@@ -27,7 +27,6 @@ from elastica_cad.fabrication.drawings.bridges import HoldingTabs
 from elastica_cad.fabrication.makeability.makeable_widths import compensate_within
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.formats.design_files.kit_spec import Cutting
-from elastica_cad.forming.nearest.advice import advise
 from elastica_cad.kit.strip_kit import StripFiles, StripKit, write_strip
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 
@@ -166,6 +165,8 @@ def _tell(kit: StripKit, written: Iterable[Path]) -> None:
     say(f"largest strain {100 * made.max_strain:.2f} % at {made.max_strain_at:.1f} mm "
                f"({made.sheet.name} bears {100 * made.sheet.max_strain:.2f} %)")  # fmt: skip
     if near is not None:
+        from elastica_cad.forming.nearest.advice import advise
+
         say(f"largest distance from the drawn curve {near.deviation:.2f} mm. {near.status.value}")
         for advice in islice(advise(near), MOST_ADVICE):
             say(advice)

@@ -1,4 +1,4 @@
-from elastica_cad.forming.nearest.binding_limits import Binding as Binding
+from elastica_cad.forming.nearest.nearest_record import Binding as Binding
 from elastica_cad.forming.leaf_ends import (
     LeafedRod as LeafedRod,
     lay_leaves as lay_leaves,

@@ -14,6 +14,7 @@ from elastica_cad.mechanics.material.sheet import Sheet
 Symmetry: TypeAlias = Literal["mirror", "turn"]
 Bound: TypeAlias = "float | ArrayLike | Callable[[FloatArray], FloatArray] | None"
 
+MET = 1e-6  # worst broken limit, in lengths, radians or shares of the limit, that counts as met
 UNLIMITED_RATIO = 1000.0  # widths of 0.1 mm beside 100 mm, which no machine cuts
 
 

@@ -8,7 +8,6 @@ from elastica_cad.errors import InputError, NotMetError
 from elastica_cad.forming.fairing_request import Smoothing, check_smooth, smooth_curve
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod, Status
-from elastica_cad.forming.nearest.nearest_rod import nearest_rod
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.loads.arguments import (
@@ -145,6 +144,8 @@ class RodSpec(EqualByValue):
             As `optimal_rod`, `optimal_laminate` and `nearest_rod`.
         """
         if self.may_change:
+            from elastica_cad.forming.nearest.nearest_rod import nearest_rod
+
             return nearest_rod(
                 self.smoothing.curve,
                 self.limits,

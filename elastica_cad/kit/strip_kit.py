@@ -10,10 +10,7 @@ from typing import Any
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import Drawing
-from elastica_cad.fabrication.leaf_stack import LeafStack
 from elastica_cad.fabrication.makeability.splices import spliced
-from elastica_cad.fabrication.model.strip_model import Model
-from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.slots.mating_marks import end_numbers
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
@@ -183,6 +180,7 @@ def _draw_picture(kit: StripKit, path: Path) -> None:
 
 
 def _draw_template(kit: StripKit, path: Path) -> None:
+    from elastica_cad.fabrication.leaf_stack import LeafStack
     from elastica_cad.plot.template_pages import save_template
 
     leaves = isinstance(kit.strip.layout.section, LaidLeaves)
@@ -197,6 +195,8 @@ def _write_step(kit: StripKit, path: Path) -> None:
 
 
 def _write_glb(kit: StripKit, path: Path) -> None:
+    from elastica_cad.fabrication.model.strip_model import Model
+    from elastica_cad.fabrication.placed_strip import Placed
     from elastica_cad.kernel.glb_files import write_glb
     from elastica_cad.kernel.step_files import model_shapes
 

@@ -32,9 +32,21 @@ def save_figure(
     """
     if not (np.isfinite(resolution) and resolution > 0):
         raise InputError(f"resolution is {resolution}: it must be positive, in dots per inch")
-    stream = BytesIO()
-    figure.savefig(stream, format="png", dpi=resolution, metadata={"Software": None})
-    write_atomically(path, stream.getvalue(), force=force)
+    write_atomically(path, _png(figure, resolution), force=force)
+
+
+def _png(figure: Figure, resolution: float) -> bytes:
+    """What `savefig` writes: it would go through the whole figure once more, to lay it out before it is drawn."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+    stream, canvas, before = BytesIO(), figure.canvas, figure.dpi
+    figure.dpi = resolution
+    try:
+        FigureCanvasAgg(figure).print_png(stream, metadata={"Software": None})
+    finally:
+        figure.dpi = before
+        figure.set_canvas(canvas)
+    return stream.getvalue()
 
 
 def new_figure(height: float) -> Figure:

@@ -5,6 +5,13 @@ import sys
 
 SCIPY = {f"scipy.{name}" for name in ("linalg", "optimize", "interpolate", "special", "sparse", "spatial")}
 
+NOT_FOR_A_STRIP = (
+    "forming.nearest.nearest_rod", "forming.nearest.advice", "fabrication.model.strip_model",
+    "fabrication.holders.base_plate", "fabrication.interlocking.interlock", "fabrication.sheets.nesting",
+    "fabrication.solids.strip_solids",
+)  # fmt: skip
+"""Rooms that a strip which follows its curve, without bodies, never enters."""
+
 
 def _loaded(words, absent, folder):
     """The modules that a command has loaded at its end, where some libraries are not installed."""
@@ -28,3 +35,4 @@ def test_a_strip_needs_no_package_of_scipy(project_root, tmp_path):
     loaded = _loaded(words, ("OCP", "matplotlib"), tmp_path)
     assert "elastica_cad.fabrication.strip.strip_record" in loaded
     assert not SCIPY & loaded
+    assert not {f"elastica_cad.{name}" for name in NOT_FOR_A_STRIP} & loaded

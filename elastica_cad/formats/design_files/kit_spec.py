@@ -3,23 +3,20 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
-from elastica_cad.fabrication.holders.base_plate import BasePlate, base_plate
-from elastica_cad.fabrication.holders.end_fixtures import EndFixture, end_fixtures
-from elastica_cad.fabrication.holders.end_plates import end_plates
-from elastica_cad.fabrication.holders.feet import add_feet
-from elastica_cad.fabrication.holders.plate_pair import plate_pair
-from elastica_cad.fabrication.holders.slotted_frame import Rib, slotted_frame
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
-from elastica_cad.fabrication.model.stand import stand
-from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import strip_names
-from elastica_cad.fabrication.sheets.coupon import coupon_drawing, reference_bar
-from elastica_cad.fabrication.sheets.pieces import Piece
 from elastica_cad.mechanics.material.sheet import Sheet
+
+if TYPE_CHECKING:
+    from elastica_cad.fabrication.holders.base_plate import BasePlate
+    from elastica_cad.fabrication.holders.end_fixtures import EndFixture
+    from elastica_cad.fabrication.holders.slotted_frame import Rib
+    from elastica_cad.fabrication.model.strip_model import Model
+    from elastica_cad.fabrication.sheets.pieces import Piece
 
 
 @dataclass(frozen=True)
@@ -92,8 +89,8 @@ class HolderSpec:
         return str(self.options.get("name", self.kind))
 
     def made(
-        self, model: Model, shop: Shop = DEFAULT_SHOP, *, anyway: bool = False
-    ) -> tuple[tuple[BasePlate | Rib | EndFixture, ...], str]:
+        self, model: "Model", shop: Shop = DEFAULT_SHOP, *, anyway: bool = False
+    ) -> "tuple[tuple[BasePlate | Rib | EndFixture, ...], str]":
         """Plates, ribs and blocks, and a sentence on what was chosen, or an empty one.
 
         Raises
@@ -101,6 +98,14 @@ class HolderSpec:
         InputError
             No such strips, or what these cannot be held by.
         """
+        from elastica_cad.fabrication.holders.base_plate import base_plate
+        from elastica_cad.fabrication.holders.end_fixtures import end_fixtures
+        from elastica_cad.fabrication.holders.end_plates import end_plates
+        from elastica_cad.fabrication.holders.feet import add_feet
+        from elastica_cad.fabrication.holders.plate_pair import plate_pair
+        from elastica_cad.fabrication.holders.slotted_frame import slotted_frame
+        from elastica_cad.fabrication.model.stand import stand
+
         named = zip(model.placed, strip_names(model.placed), strict=True)
         placed = [one for one, name in named if any(fnmatchcase(name, text) for text in self.strips)]
         if not placed:
@@ -157,8 +162,11 @@ class KitSpec:
     shop: Shop = DEFAULT_SHOP
     anyway: bool = False
 
-    def extras(self, model: Model) -> tuple[Piece, ...]:
+    def extras(self, model: "Model") -> "tuple[Piece, ...]":
         """Coupons of the model's sheets and the reference bar, where they are asked for."""
+        from elastica_cad.fabrication.sheets.coupon import coupon_drawing, reference_bar
+        from elastica_cad.fabrication.sheets.pieces import Piece
+
         sheets = list(dict.fromkeys(strip.sheet for strip in model.strips))
         pieces = []
         if self.coupon:

@@ -8,8 +8,7 @@ import numpy as np
 
 from elastica_cad.errors import ElasticaError
 from elastica_cad.forming.limits import Keep, Limits
-from elastica_cad.forming.nearest.binding_limits import Binding
-from elastica_cad.forming.nearest.nearest_record import NearestRod, Status
+from elastica_cad.forming.nearest.nearest_record import Binding, NearestRod, Status
 from elastica_cad.forming.splitting import split
 from elastica_cad.mechanics.stability.stability_verdict import stability
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium

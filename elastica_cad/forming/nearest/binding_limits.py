@@ -1,39 +1,15 @@
 """What holds a rod away from the drawn curve: multipliers in millimetres."""
 
-from dataclasses import dataclass
-
 import numpy as np
 
+from elastica_cad.forming.limits import MET
 from elastica_cad.forming.nearest.constraints.limit_rows import CurvatureLimit, MarginLimit
+from elastica_cad.forming.nearest.nearest_record import Binding
 from elastica_cad.forming.nearest.nearest_task import Measure, NearestTask
 from elastica_cad.forming.nearest.rod_problem import RodProblem
-from elastica_cad.forming.nearest.starts import MET, RodOutcome
+from elastica_cad.forming.nearest.starts import RodOutcome
 
 _IDLE = 1e-6  # of the largest cost: smaller ones are what the quadratic program leaves open
-
-
-@dataclass(frozen=True)
-class Binding:
-    """A limit, or something kept, that costs distance.
-
-    Attributes
-    ----------
-    name : str
-        "ratio", "margin", "curvature", "length", "keep-out", "stiffness bounds", "end position", "end tangent",
-        "start position", "start tangent", "points", "inflection line", "symmetry", ...
-    limit : float or None
-        Its present value where it is one number (curvature in 1/mm, lengths in mm).
-    cost : float
-        Millimetres of distance (mean or largest, as measured) saved at first by relaxing it by one unit; for what
-        is kept, by moving it by 1 mm or 1 rad.
-    broken : float
-        By how much it is missed, in lengths of the drawn curve, radians or shares of the limit.
-    """
-
-    name: str
-    limit: float | None
-    cost: float
-    broken: float = 0.0
 
 
 def list_bindings(

@@ -4,18 +4,19 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from enum import Enum
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from elastica_cad.errors import NotConvergedError
-from elastica_cad.forming.limits import Keep, Limits
-from elastica_cad.forming.nearest.binding_limits import Binding
-from elastica_cad.forming.nearest.editable_curve import editable_curve
-from elastica_cad.forming.nearest.nearest_task import Measure
-from elastica_cad.forming.nearest.starts import MET, SearchPoint
+from elastica_cad.forming.limits import MET, Keep, Limits
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.material.tapered_sections import LaidLeaves
 from elastica_cad.mechanics.rod.rod_record import Rod
+
+if TYPE_CHECKING:
+    from elastica_cad.forming.nearest.nearest_task import Measure
+    from elastica_cad.forming.nearest.starts import SearchPoint
 
 
 class Status(Enum):
@@ -28,6 +29,30 @@ class Status(Enum):
         "The limits cannot be met together near this curve: this is the best rod found, relax what binds."
     )
     FAILED = "No rod was computed for this curve: see the message."
+
+
+@dataclass(frozen=True)
+class Binding:
+    """A limit, or something kept, that costs distance.
+
+    Attributes
+    ----------
+    name : str
+        "ratio", "margin", "curvature", "length", "keep-out", "stiffness bounds", "end position", "end tangent",
+        "start position", "start tangent", "points", "inflection line", "symmetry", ...
+    limit : float or None
+        Its present value where it is one number (curvature in 1/mm, lengths in mm).
+    cost : float
+        Millimetres of distance (mean or largest, as measured) saved at first by relaxing it by one unit; for what
+        is kept, by moving it by 1 mm or 1 rad.
+    broken : float
+        By how much it is missed, in lengths of the drawn curve, radians or shares of the limit.
+    """
+
+    name: str
+    limit: float | None
+    cost: float
+    broken: float = 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,10 +105,10 @@ class NearestRod:
     limits: Limits
     keep: Keep
     message: str = ""
-    measure: Measure = "mean"
+    measure: "Measure" = "mean"
     distance: float = np.inf
     ties: tuple[Rod, ...] = ()
-    ended: SearchPoint | None = field(default=None, repr=False)
+    ended: "SearchPoint | None" = field(default=None, repr=False)
     again: "Callable[..., NearestRod] | None" = field(default=None, repr=False)
     advise: "Callable[[NearestRod], Iterable[str]] | None" = field(default=None, repr=False)
 
@@ -126,6 +151,8 @@ class NearestRod:
         It follows the rod to 1e-3 mm; without weight its inflections lie on one line, so that
         `check_equilibrium` accepts it. Of glued leaves it is the rod's own curve.
         """
+        from elastica_cad.forming.nearest.editable_curve import editable_curve
+
         if isinstance(self.rod.section, LaidLeaves):  # its curvature goes in steps
             return self.rod.curve
         return editable_curve(self.rod, tangents=self.keep.both_tangents)

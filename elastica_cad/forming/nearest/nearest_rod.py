@@ -8,13 +8,13 @@ import numpy as np
 
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.forming.leaf_ends import LeafedRod, lay_leaves, leaf_bends
-from elastica_cad.forming.limits import Keep, Limits
+from elastica_cad.forming.limits import MET, Keep, Limits
 from elastica_cad.forming.nearest.advice import advise
-from elastica_cad.forming.nearest.binding_limits import Binding, list_bindings
+from elastica_cad.forming.nearest.binding_limits import list_bindings
 from elastica_cad.forming.nearest.curve_distance import measure_deviation
-from elastica_cad.forming.nearest.nearest_record import NearestRod, Status
+from elastica_cad.forming.nearest.nearest_record import Binding, NearestRod, Status
 from elastica_cad.forming.nearest.nearest_task import Measure, NearestTask, Weights
-from elastica_cad.forming.nearest.starts import MET, SearchPoint, mean_distance, search
+from elastica_cad.forming.nearest.starts import SearchPoint, mean_distance, search
 from elastica_cad.forming.nearest.target_curve import TargetCurve
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.gravity import Gravity

@@ -9,6 +9,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import ElasticaError, InputError
+from elastica_cad.forming.limits import MET
 from elastica_cad.forming.nearest.nearest_task import Measure, NearestTask
 from elastica_cad.forming.nearest.rod_map import MappedRod, Unknowns
 from elastica_cad.forming.nearest.rod_problem import RodProblem
@@ -18,7 +19,6 @@ from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
 RodOutcome: TypeAlias = Outcome[MappedRod]
 
-MET = 1e-6  # worst broken limit, in lengths, radians or shares of the limit, that counts as met
 _MOST_STEPS = 160  # in all, after which no new attempt is begun: two searches that use up their steps
 _MOST_STEPS_ELSEWHERE = 600  # the same for the bent starts of what is still far
 _BENT_STARTS, _FIRST_BENT_STARTS = 20, 4

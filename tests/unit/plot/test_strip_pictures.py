@@ -97,6 +97,17 @@ def test_png_is_written_whole_and_the_same(tmp_path):
         plot.save_figure(plot.strip(made("arch")), tmp_path / "c.png", resolution=0)
 
 
+@pytest.mark.parametrize("draw", [plot.strip_sheet, lambda strip: plot.drawing(strip.drawing())])
+def test_a_png_is_what_savefig_writes(draw, tmp_path):
+    """Laid out and drawn at one go; the figure stays as it was, for whoever draws on."""
+    figure, same = draw(made("S")), draw(made("S"))
+    canvas, resolution = figure.canvas, figure.dpi
+    plot.save_figure(figure, tmp_path / "ours.png", resolution=120)
+    same.savefig(tmp_path / "theirs.png", dpi=120, metadata={"Software": None})
+    assert (tmp_path / "ours.png").read_bytes() == (tmp_path / "theirs.png").read_bytes()
+    assert (figure.canvas, figure.dpi) == (canvas, resolution)
+
+
 @pytest.mark.parametrize("turned", [0.0, math.pi / 2])
 def test_colons_of_a_sheet_are_seen_wherever_they_lie(turned):
     """ "P1:2" beside an upright slot read "P1 2": its dots, a part of a pixel long, were snapped to nothing."""
