@@ -10,7 +10,6 @@ from elastica_cad.geometry.curve_editing.fairing import Fairing, choose_toleranc
 from elastica_cad.geometry.curve_editing.slight_corners import round_corners
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium, require_bendable
 
 LARGEST_SMOOTH = 1000.0
@@ -52,6 +51,8 @@ class Smoothing:
     @cached_property
     def ratio_as_drawn(self) -> float | None:
         """Stiffness ratio of the curve as drawn, clamped and without weight; None where no strip takes it."""
+        from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+
         try:
             return optimal_rod(self.drawn, supports=self.supports).ratio
         except ElasticaError:

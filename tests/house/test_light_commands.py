@@ -2,6 +2,9 @@
 
 import subprocess
 import sys
+from shutil import copy
+
+import pytest
 
 SCIPY = {f"scipy.{name}" for name in ("linalg", "optimize", "interpolate", "special", "sparse", "spatial")}
 
@@ -11,6 +14,8 @@ NOT_FOR_A_STRIP = (
     "fabrication.solids.strip_solids",
 )  # fmt: skip
 """Rooms that a strip which follows its curve, without bodies, never enters."""
+
+NOT_FOR_A_CHECK = ("mechanics.stiffness.optimal_rod", "mechanics.rod.rod_record", "fabrication.strip_spec")
 
 
 def _loaded(words, absent, folder):
@@ -36,3 +41,16 @@ def test_a_strip_needs_no_package_of_scipy(project_root, tmp_path):
     assert "elastica_cad.fabrication.strip.strip_record" in loaded
     assert not SCIPY & loaded
     assert not {f"elastica_cad.{name}" for name in NOT_FOR_A_STRIP} & loaded
+
+
+@pytest.mark.parametrize("drawn", ["arch.dxf", "arch.svg"])
+def test_a_check_loads_no_solver_and_no_reader_of_another_format(drawn, project_root, tmp_path):
+    (tmp_path / "arch.svg").write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg"><path d="M 0 90 C 40 10 120 0 190 90"/></svg>'
+    )
+    copy(project_root / "examples" / "arch" / "arch.dxf", tmp_path)
+    loaded = _loaded(["check", drawn], (), tmp_path)
+    assert "elastica_cad.mechanics.theorem1.equilibrium_check" in loaded
+    other = {"arch.dxf": "svgelements", "arch.svg": "ezdxf"}[drawn]
+    assert not {"scipy", "highspy", "matplotlib", "OCP", other} & loaded
+    assert not {f"elastica_cad.{name}" for name in (*NOT_FOR_A_STRIP, *NOT_FOR_A_CHECK)} & loaded

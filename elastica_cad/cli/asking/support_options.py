@@ -7,8 +7,6 @@ import click
 
 from elastica_cad.cli.asking.asked_curves import asked_curves
 from elastica_cad.cli.asking.options import join_options
-from elastica_cad.formats.design_files.one_line import parse_line
-from elastica_cad.formats.design_files.rod_records import BLANK_LINE, read_rest_curvature
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature, RestCurvature
 
 END_NAMES = ["clamped", "pinned", "slide-x", "slide-y", "guided", "free"]
@@ -28,6 +26,9 @@ class _Blank(click.ParamType):  # type: ignore[type-arg]  # no generic class bef
         except ValueError:
             pass
         if "=" in value:
+            from elastica_cad.formats.design_files.one_line import parse_line
+            from elastica_cad.formats.design_files.rod_records import BLANK_LINE, read_rest_curvature
+
             return parse_line(value, "--natural-curvature", read_rest_curvature, example=BLANK_LINE)
         if not Path(value).is_file():
             self.fail(

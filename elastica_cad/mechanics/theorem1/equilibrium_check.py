@@ -24,7 +24,6 @@ from elastica_cad.mechanics.theorem1.inflection_line import (
     line_meetings,
     widest_place,
 )
-from elastica_cad.mechanics.theorem1.project_inflections import project_inflections
 from elastica_cad.mechanics.theorem1.reasons import (
     AT_END_SHARE,
     FAINT_SHARE,
@@ -205,6 +204,8 @@ def _with_line(
         if isinstance(natural_curvature, RestCurvature) or check.curve.is_closed:
             return _refused(check, _off_line_reason(check, normal, 0.0))
         try:
+            from elastica_cad.mechanics.theorem1.project_inflections import project_inflections
+
             moved = project_inflections(
                 check.curve, check.zeros, normal=normal, natural_curvature=natural_curvature
             )
