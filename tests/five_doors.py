@@ -34,6 +34,7 @@ class Asked:
     keys: str
     properties: dict[str, Any] = field(default_factory=dict)
     points: list[tuple[float, float]] = field(default_factory=lambda: ARCH)
+    sheet: str = "card-200gsm"
 
     @property
     def curve(self) -> PlaneCurve:
@@ -127,6 +128,20 @@ ASKED = {
         "--max-width 20 --start-tab 'length = 12, width = 8' --end-tab 'length = 8' --compensate",
         "max_width = 20\nends = [{ length = 12, width = 8 }, { length = 8 }]\ncompensate = true",
         {"StartTabKeys": "length = 12, width = 8", "EndTabKeys": "length = 8", "Compensate": True},
+    ),
+    "as a plate": Asked({"max_width": 20.0}, "--max-width 20", "max_width = 20", sheet="pom-0.5"),
+    "as a plate with weight": Asked(
+        {"min_width": 12.0, "gravity": (0.0, -1.0)}, "--min-width 12 --gravity", "min_width = 12\ngravity = true",
+        {"MaxWidth": 0.0, "MinWidth": 12.0, **DOWN}, sheet="pom-0.5",
+    ),
+    "as a plate near a curve": Asked(
+        {"max_width": 20.0, "gravity": (0.0, -1.0), "limits": Limits(ratio=1.3)},
+        "--max-width 20 --gravity --ratio 1.3", "max_width = 20\ngravity = true\nlimits.ratio = 1.3",
+        NEAREST | DOWN | {"RatioLimit": 1.3}, sheet="pom-0.5",
+    ),
+    "as a beam": Asked(
+        {"max_width": 20.0, "compensate": False}, "--max-width 20 --no-compensate",
+        "max_width = 20\ncompensate = false", {"Anticlastic": False}, sheet="pom-0.5",
     ),
     "closed": Asked(
         {"max_width": 20.0, "ends": (Tab(8), Tab(8)), "joint": 60.0},

@@ -6,6 +6,8 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, cast
 
+import numpy as np
+
 from elastica_cad._equality import EqualByValue
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.asked_gravity import AskedGravity, is_number, lightened, pull_in_plane
@@ -91,9 +93,12 @@ class StripSpec(EqualByValue):
         0.1 mm or 5e-4 of the length at most (see `smooth_curve`).
     shop : Shop
         What the workshop can make: least widths and the largest sheet.
-    compensate : bool
-        Change the widths so that the strip as made (slots, narrow tabs, leaning ligaments, anticlastic bending,
-        its own weight) takes the curve, instead of the designed rod: see `compensate_widths`.
+    compensate : bool, optional
+        True: change the widths so that the strip as made (slots, narrow tabs, leaning ligaments, anticlastic
+        bending, its own weight) takes the curve, instead of the designed rod: see `compensate_widths`. False:
+        widths are proportional to the stiffness. Unless given, a plain strip of a sheet whose Poisson's ratio is
+        known (`Sheet.poisson_known`) makes up for anticlastic bending alone, under its weight too, but not under
+        loads: see `WidthLaw`.
     creep : float
         Creep factor phi of the sheet in the long run, 0 for none: sag, forces and springback are told, see
         `Strip.crept`.
@@ -139,7 +144,7 @@ class StripSpec(EqualByValue):
     label: str = ""
     smooth: float | None = None
     shop: Shop = DEFAULT_SHOP
-    compensate: bool = False
+    compensate: bool | None = None
     creep: float = 0.0
     law: BoundedLaw | None = None
     anyway: bool = False
@@ -177,9 +182,13 @@ class StripSpec(EqualByValue):
             )
         if not isinstance(self.label, str):
             raise InputError(f"label is {self.label!r}: give a text, empty for none")
-        for name in ("compensate", "anyway"):
-            if not isinstance(getattr(self, name), bool):
-                raise InputError(f"{name} must be True or False, got {getattr(self, name)!r}")
+        if not isinstance(self.anyway, bool):
+            raise InputError(f"anyway must be True or False, got {self.anyway!r}")
+        if not (self.compensate is None or isinstance(self.compensate, bool)):
+            raise InputError(
+                f"compensate is {self.compensate!r}: give True for all that widths can make up for, False for "
+                "nothing, or leave it out"
+            )
         if not isinstance(self.shop, Shop):
             raise InputError(f"shop is {self.shop!r}: give a Shop record, such as Shop(least_width=2.0)")
         settled = {
@@ -264,9 +273,29 @@ class StripSpec(EqualByValue):
             return self.curve
         return begin_at(self.curve, flattest_place(self.curve))
 
+    @property
+    def makes_up_for_curl(self) -> bool:
+        """Are the widths made for anticlastic bending, which nobody asked for or against?"""
+        sheet = self.material
+        if self.compensate is not None or self.law is not None or not isinstance(self.style, Plain):
+            return False
+        # masses settle the widths by themselves
+        return sheet.poisson_known and sheet.poisson_ratio > 0 and not self.loads
+
+    @property
+    def _width_law(self) -> WidthLaw:
+        """The law of a strip that is as wide at its widest, or else at its narrowest, place as asked."""
+        if self.max_width is not None:
+            return WidthLaw(self.material, 0.0, self.max_width)
+        return WidthLaw(self.material, self.min_width or 0.0, np.inf)
+
     def _section(self, share: float) -> BoundedLaw | None:
         """The law with the weight that pulls in the plane."""
-        law = self.law
+        law: BoundedLaw | None = self.law
+        felt = self.gravity_in_plane
+        if law is None and felt is not None and self.makes_up_for_curl:
+            law = self._width_law
+            share = (self.material.elasto_gravity_length / felt.length) ** 3
         if law is None:
             return None
         sheet = getattr(law, "sheet", None)
@@ -318,6 +347,8 @@ class StripSpec(EqualByValue):
             with place and cure of each fault.
         """
         rod = accepted_rod(self.rod_spec.solve() if found is None else found)
+        if self.makes_up_for_curl and rod.section is None:
+            rod = replace(rod, section=self._width_law)
         notes = self.rod_spec.smoothing.notes
         made = Strip(
             replace(rod, warnings=(*rod.warnings, *notes)) if notes else rod,

@@ -1,6 +1,7 @@
 """A section with limits as the search for a nearest rod sees it: K of one scale, its weight and its strain."""
 
 from dataclasses import dataclass, replace
+from typing import Self
 
 import numpy as np
 
@@ -12,6 +13,9 @@ from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.section_balance import TangentWeight
+
+SAME_SCALE = 1e-5
+"""Relative difference of scales below which the weight is that of the sections that are made."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,8 +44,10 @@ class SectionScale:
             The limits do not leave any section.
         """
         least, largest = law.limits
-        most = float(np.min(law.bending_stiffness(largest)))
         ratio = limits.largest_ratio
+        if not np.isfinite(largest):
+            return cls(law, float(np.max(law.bending_stiffness(least))), ratio)
+        most = float(np.min(law.bending_stiffness(largest)))
         if least > 0:
             low = float(np.max(law.bending_stiffness(least)))
             if low > most:
@@ -50,6 +56,19 @@ class SectionScale:
                 )
             ratio = min(ratio, most / low)
         return cls(law, most / ratio, ratio)
+
+    def settled(self, bend: FloatArray, stiffness: FloatArray) -> Self:
+        """Scaled so that nodal K (n,), bent by kappa - kappa_0 (n,), comes up to the largest section.
+
+        Itself where it has that scale already.
+        """
+        law = self.law.bent(bend)
+        least, largest = law.limits
+        if np.isfinite(largest):
+            scale = float(np.min(law.bending_stiffness(np.full(stiffness.size, largest)) / stiffness))
+        else:
+            scale = float(np.max(law.bending_stiffness(np.full(stiffness.size, least)) / stiffness))
+        return self if abs(scale / self.scale - 1) < SAME_SCALE else replace(self, law=law, scale=scale)
 
     def weight(self, stiffness: FloatArray, *, size: float) -> tuple[FloatArray, FloatArray]:
         """Weight over the scale (n,) of K (n,), times `size` mm cubed, and its derivative."""

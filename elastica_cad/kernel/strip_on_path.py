@@ -79,7 +79,7 @@ class StripOptions(TypedDict, total=False):
     slots: Slot | Sequence[Slot]
     label: str
     shop: "Shop"
-    compensate: bool
+    compensate: bool | None
     creep: float
     law: BoundedLaw | None
     anyway: bool

@@ -23,14 +23,13 @@ from elastica_cad.formats.curve_files.write_curves import write_curves
 
 DOORS = runpy.run_path(str(Path(__file__).resolve().parents[1] / "five_doors.py"))
 ASKED, REFUSED, loop_numbers = DOORS["ASKED"], DOORS["REFUSED"], DOORS["loop_numbers"]
-SHEET = "card-200gsm"
 NEAR = 1e-9  # mm
 
 
 def core(asked):
     """The strip in the core, or the sentence that refuses it."""
     try:
-        strip = make_strip(asked.curve, SHEET, label="S1", **asked.fields)
+        strip = make_strip(asked.curve, asked.sheet, label="S1", **asked.fields)
         _ = strip.layers
     except ElasticaError as error:
         return str(error)
@@ -39,7 +38,7 @@ def core(asked):
 
 def typed(asked, folder):
     write_curves([asked.curve], folder / "S1.json")
-    words = ["strip", str(folder / "S1.json"), "--sheet", SHEET, *shlex.split(asked.options)]
+    words = ["strip", str(folder / "S1.json"), "--sheet", asked.sheet, *shlex.split(asked.options)]
     return CliRunner().invoke(elastica, [*words, "-o", str(folder / "out")])
 
 
@@ -48,7 +47,7 @@ def written(asked, folder):
     points = [list(point) for point in asked.points]
     path = folder / "doors.toml"
     path.write_text(
-        f"schema = 1\nsheet = '{SHEET}'\n[[strips]]\nlabel = 'S1'\n{asked.keys}\n"
+        f"schema = 1\nsheet = '{asked.sheet}'\n[[strips]]\nlabel = 'S1'\n{asked.keys}\n"
         f"curve = {{ spline = {points}, degree = {len(points) - 1} }}\n"
     )
     fast = ("--no-step", "--no-pictures", "--no-effects")
@@ -58,8 +57,8 @@ def written(asked, folder):
 def skins(asked):
     """What build123d and CadQuery make of an edge drawn with each of them."""
     drawn = bd.Edge.make_bezier(*asked.points)
-    yield lambda: build123d.FlatStrip(drawn, SHEET, label="S1", **asked.fields)
-    yield lambda: cadquery.flat_strip(cq.Edge(drawn.wrapped), SHEET, label="S1", **asked.fields)
+    yield lambda: build123d.FlatStrip(drawn, asked.sheet, label="S1", **asked.fields)
+    yield lambda: cadquery.flat_strip(cq.Edge(drawn.wrapped), asked.sheet, label="S1", **asked.fields)
 
 
 def cuts(path):

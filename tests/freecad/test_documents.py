@@ -55,6 +55,7 @@ def test_a_file_of_an_earlier_version(document, tmp_path: Path):
         # what later versions ask for is there, with the meaning that the file had
         assert feature.Follow == "Exactly"
         assert feature.KeepTangents is False
+        assert feature.Anticlastic is False  # a sheet's nu was never asked for then
         feature.touch()
         old.recompute()
         assert feature.State == ["Up-to-date"]

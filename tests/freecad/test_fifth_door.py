@@ -12,7 +12,6 @@ from elastica_cad.fabrication.strip_spec import make_strip
 
 DOORS = runpy.run_path(str(Path(__file__).resolve().parents[1] / "five_doors.py"))
 ASKED, REFUSED, loop_numbers = DOORS["ASKED"], DOORS["REFUSED"], DOORS["loop_numbers"]
-SHEET = "card-200gsm"
 NEAR = 1e-9  # mm
 
 
@@ -20,13 +19,13 @@ NEAR = 1e-9  # mm
 def test_properties(name, document, drawn):
     asked = (ASKED | REFUSED)[name]
     feature = strip.create(document, drawn(asked.points, len(asked.points) - 1))
-    feature.Sheet = SHEET
+    feature.Sheet = asked.sheet
     feature.EngravedText = "S1"
     for key, value in ({"MaxWidth": 20.0} | asked.properties).items():
         setattr(feature, key, App.Vector(*value) if key == "GravityDirection" else value)
     document.recompute()
     try:
-        kinds, numbers = loop_numbers(make_strip(asked.curve, SHEET, label="S1", **asked.fields))
+        kinds, numbers = loop_numbers(make_strip(asked.curve, asked.sheet, label="S1", **asked.fields))
     except ElasticaError as error:
         refused = str(error)
     else:

@@ -62,6 +62,8 @@ def _left_out(row, _):
     elif row[0].startswith("room in slots"):
         pockets = measured(("strip", "length (mm)", "finite elements (mm)"), "Pavilion")
         assert told == [pytest.approx(max(float(far) / float(long) for _, long, far, _ in pockets), rel=0.05)]
+    elif row[0].startswith("corners"):
+        proved_by(f"{VALIDATION}/test_steps_of_width.py::test_told_as_finite_elements_have_it")
     elif row[0].startswith("twist"):
         words = {row[3] for row in measured(("strip", "width (mm)", "sideways"), "")}
         assert words <= {"ample", "low", "unstable", "undecided"}
@@ -114,8 +116,14 @@ def _what_helps(row, _):
     elif row[0].startswith("slots for"):
         slots = (ec.Slot(150, 1.0, side="lower"),)
         assert strayed(slots=slots, compensate=True) < 0.5 * strayed(slots=slots)
+    elif row[0].startswith("corners"):
+        proved_by(f"{VALIDATION}/test_steps_of_width.py::test_told_as_finite_elements_have_it")
+        proved_by(f"{VALIDATION}/test_steps_of_width.py::test_widths_make_up_for_them")
     elif row[0].startswith("wide strips"):
         assert strayed(max_width=60, compensate=True) < 0.5 * strayed(max_width=60)
+        proved_by(
+            f"{VALIDATION}/test_plate_widths.py::test_a_strip_takes_its_curve_by_default_where_nu_is_known"
+        )
     elif row[0].startswith("plates that join"):
 
         def joined(lap, **asked):

@@ -85,8 +85,9 @@ _WIDTHS = (
 )  # fmt: skip
 
 _STYLE = (
-    click.option("--compensate", is_flag=True,
-                 help="Make up in the widths for slots, narrow tabs, leaning ligaments, anticlastic bending."),
+    click.option("--compensate/--no-compensate", default=None,
+                 help="Make up in the widths for slots, narrow tabs, leaning ligaments, anticlastic bending; or "
+                      "for nothing. Without either: for anticlastic bending, where the sheet's nu is known."),
     click.option("--creep", type=float, default=0.0, metavar="PHI",
                  help="Creep factor in the long run: tells sag and forces. Plywood indoors: 0.8 (Eurocode 5)."),
     click.option("--law", metavar="KEYS",

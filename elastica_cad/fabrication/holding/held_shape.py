@@ -12,6 +12,9 @@ from elastica_cad.mechanics.rod.rod_record import Rod
 
 Seats = tuple[TabSeat | None, TabSeat | None]
 
+ANTICLASTIC = "anticlastic bending"
+"""A wide strip curls across as it bends, and is stiffer for it."""
+
 LEAST_TOLD_MM = 0.005
 """Deviations below it are not told one by one."""
 
@@ -33,6 +36,8 @@ class HeldShape:
         Where the ends come to rest.
     corrected : bool
         Do the widths make up for the causes? `parts` are then those of the strip without the correction.
+    as_plate : bool
+        Are the widths made by how the strip curls across? Anticlastic bending is then no cause.
     """
 
     rod: Rod
@@ -41,6 +46,12 @@ class HeldShape:
     start: EndPose
     end: EndPose
     corrected: bool = False
+    as_plate: bool = False
+
+    @property
+    def made_up_for(self) -> tuple[str, ...]:
+        """The causes that widths make up for."""
+        return (*(self.parts if self.corrected else ()), *((ANTICLASTIC,) if self.as_plate else ()))
 
     def __str__(self) -> str:
         """One sentence."""
@@ -51,10 +62,11 @@ class HeldShape:
         ]
         before = ", without its correction" if self.corrected else ""
         of = f"; each cause alone{before}: {'; '.join(told)}" if told else ""
+        curl = ", its widths made for anticlastic bending," if self.as_plate else ""
         share = 100 * self.deviation / self.rod.length
         return (
-            f"as made and held the strip strays {self.deviation:.2g} mm from its design, {share:.2g} % of its "
-            f"length{of}"
+            f"as made and held{curl} the strip strays {self.deviation:.2g} mm from its design, {share:.2g} % of "
+            f"its length{of}"
         )
 
 

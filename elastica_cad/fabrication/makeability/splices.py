@@ -237,7 +237,7 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
     ['A-1', 'A-2', 'A-lap-1']
     """
     name = strip.label or "strip"
-    if strip.rod.section is not None:
+    if strip.layout.size is not None:
         raise InputError(
             f"{name}: strips of a law are not cut in pieces, for their plates would have to taper too: take a "
             "larger stock, or a strip of one sheet"

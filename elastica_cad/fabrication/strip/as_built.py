@@ -72,8 +72,9 @@ def rod_as_built(rod: Rod, layout: Layout, widths: Sequence[Callable[[FloatArray
     backing = np.minimum(left[1], material) if len(left) > 1 else None
     law = None if layout.section is None else layout.section.bent(rod.bend_at(s))
     has = layout.stiffness(material, backing) if law is None else law.bending_stiffness(material)
-    softer = layout.bending_stiffness * rod.profile(s) / has
-    EI = layout.bending_stiffness * rod.stiffness / cell_means(softer, n)
+    asked = rod.profile(s)
+    softer = layout.bending_stiffness * asked / has
+    EI = layout.bending_stiffness * _stiffness_of_cells(rod, asked) / cell_means(softer, n)
     least = float(EI.min())
     made = replace(rod.with_stiffness(Profile.interpolate(rod.s, EI)), bending_stiffness=least)
     if rod.gravity is None:
@@ -88,6 +89,17 @@ def rod_as_built(rod: Rod, layout: Layout, widths: Sequence[Callable[[FloatArray
     factor = least / layout.bending_stiffness
     beta = weight.beta.scaled(factor) if isinstance(weight.beta, Profile) else weight.beta * factor
     return replace(made, weight=replace(weight, beta=beta))
+
+
+def _stiffness_of_cells(rod: Rod, asked: FloatArray) -> FloatArray:
+    """K (n,) at the nodes; where it jumps inside a cell, that of the cell's mean compliance."""
+    K = rod.stiffness.copy()
+    half = rod.length / (rod.s.size - 1) / 2
+    if rod.profile.steps:
+        jumps = np.array([start for start, _ in rod.profile.steps])
+        near = np.abs(rod.s[:, None] - jumps).min(axis=1) <= half
+        K[near] = 1 / cell_means(1 / asked, rod.s.size)[near]
+    return K
 
 
 def cell_stations(rod: Rod) -> FloatArray:

@@ -26,6 +26,9 @@ DEPTHS = 64
 SHOULDER_SLOPE = 0.62
 """Length, over depth, of the idle corner beside a tab: fitted to the strips of `docs/finite_elements.md`."""
 
+STEP_SHARE = 0.76
+"""Slope of the idle corners beside a step of the width, over that beside a cut: fitted in the same way."""
+
 LEAST_SHARE = 0.01
 """Of the width: no less is counted as left, for a slot that reaches across."""
 
@@ -62,10 +65,10 @@ def stiffness_shares(
     """What each cause leaves of, or adds to, the designed stiffness: factors (n,) at the nodes, by cause.
 
     "slots": the cuts and the idle triangles beside them. "narrow tabs": idle corners at ends that are wider than
-    their tabs. "leaning ligaments": a ligament at the angle theta to the strip keeps cos(theta) of its stiffness
-    when its twist is held by its mirror image. "anticlastic bending": `anticlastic_factor` of the width, of a
-    ligament in a perforated strip. "borders that curl": `laminate_factor` of a laminate. Causes that
-    change nothing are left out.
+    their tabs. "steps of width": the same of the wider side where a plain strip's width jumps. "leaning
+    ligaments": a ligament at the angle theta to the strip keeps cos(theta) of its stiffness when its twist is held
+    by its mirror image. "anticlastic bending": `anticlastic_factor` of the width, of a ligament in a perforated
+    strip. "borders that curl": `laminate_factor` of a laminate. Causes that change nothing are left out.
 
     Parameters
     ----------
@@ -82,6 +85,7 @@ def stiffness_shares(
     found = {
         "slots": 1 - _idle_width(slots, layout.width, s, slope=slope) / width if slots else None,
         "narrow tabs": _beside_tabs(layout.width, tab_widths, s),
+        "steps of width": _beside_steps(layout, s, slope=STEP_SHARE * slope),
         "leaning ligaments": _leaning(layout, s),
         "anticlastic bending": _anticlastic(rod, layout, s) if layout.backing is None else None,
         "borders that curl": _curling(rod, layout, s),
@@ -174,6 +178,19 @@ def _beside_tabs(
     for end, tab in zip((0.0, width.length), tab_widths, strict=True):
         shoulder = (float(width(end)) - (tab or np.inf)) / 2
         idle += 2 * np.maximum(0.0, shoulder - np.abs(s - end) / SHOULDER_SLOPE)
+    return 1 - idle / width(s) if idle.any() else None
+
+
+def _beside_steps(layout: Layout, s: FloatArray, *, slope: float) -> FloatArray | None:
+    """Share (n,) of a plain strip's width that carries beside the places where it jumps."""
+    if layout.pattern is not None or layout.backing is not None or layout.size is not None:
+        return None
+    width, idle = layout.width, np.zeros(s.size)
+    for start, end in width.steps:
+        before, after = width([start, end]).tolist()
+        wider = s <= start if before > after else s >= end
+        away = np.abs(s - (start if before > after else end))
+        idle += np.where(wider, 2 * np.maximum(0.0, abs(after - before) / 2 - away / slope), 0.0)
     return 1 - idle / width(s) if idle.any() else None
 
 

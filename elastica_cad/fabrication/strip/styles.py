@@ -170,7 +170,9 @@ class Plain:
     ) -> Layout:
         """One of the widths sets the scale; a rod that knows its bending stiffness sets it itself."""
         if rod.section is not None:
-            return _of_section(rod, rod.section, sheet)
+            sized = _of_section(rod, rod.section, sheet)
+            _within(sized.width, rod, min_width, max_width, slack=SAME_SCALE)
+            return sized
         if max_width is None and min_width is None and rod.bending_stiffness is None:
             raise InputError(NO_WIDTH)
         rigidity = PlainSection(sheet).rigidity
@@ -180,19 +182,25 @@ class Plain:
         else:
             factor = (min_width or 0.0) / low if max_width is None else max_width / high
         width = rod.profile.scaled(factor)
-        narrow, wide = width.extremes
-        slack = 1 + 1e-9
-        if min_width is not None and narrow * slack < min_width:
-            raise InputError(
-                f"the narrowest place is {narrow:.4g} mm, below min_width {min_width:g} mm: the ratio is "
-                f"{rod.ratio:.3g}, so max_width must be {min_width * rod.ratio:.4g} mm or more"
-            )
-        if max_width is not None and wide > max_width * slack:
-            raise InputError(
-                f"the rod's bending stiffness asks for a width of {wide:.4g} mm, above max_width "
-                f"{max_width:g} mm: choose a thicker or stiffer sheet"
-            )
+        _within(width, rod, min_width, max_width, slack=1e-9)
         return Layout(sheet, width, material=width, bending_stiffness=factor * rigidity)
+
+
+def _within(
+    width: Profile, rod: Rod, min_width: float | None, max_width: float | None, *, slack: float
+) -> None:
+    """Refuse widths beyond their limits."""
+    narrow, wide = width.extremes
+    if min_width is not None and narrow * (1 + slack) < min_width:
+        raise InputError(
+            f"the narrowest place is {narrow:.4g} mm, below min_width {min_width:g} mm: the ratio is "
+            f"{rod.ratio:.3g}, so max_width must be {min_width * wide / narrow:.4g} mm or more"
+        )
+    if max_width is not None and wide > max_width * (1 + slack):
+        raise InputError(
+            f"the rod's bending stiffness asks for a width of {wide:.4g} mm, above max_width "
+            f"{max_width:g} mm: choose a thicker or stiffer sheet"
+        )
 
 
 def _of_section(rod: Rod, section: BoundedLaw, sheet: Sheet) -> Layout:
@@ -211,8 +219,8 @@ def _of_section(rod: Rod, section: BoundedLaw, sheet: Sheet) -> Layout:
     if rod.bending_stiffness is not None and abs(B / rod.bending_stiffness - 1) < SAME_SCALE:
         B = rod.bending_stiffness
     size = Profile.fit(
-        lambda s: section.bent(rod.bend_at(s)).parameter(B * profile(s)), rod.length, breaks=profile.breaks,
-        knots=profile.knots, tolerance=SIZE_SHARE * limit,
+        lambda s: section.bent(_bend_between_steps(rod, s)).parameter(B * profile(s)), rod.length,
+        breaks=profile.breaks, knots=profile.knots, tolerance=SIZE_SHARE * limit,
     )  # fmt: skip
     if section.quantity == "width":
         return Layout(sheet, size, material=size, bending_stiffness=B, section=section)
@@ -220,6 +228,15 @@ def _of_section(rod: Rod, section: BoundedLaw, sheet: Sheet) -> Layout:
     if isinstance(section, ThicknessLaw):
         width = width_profile(section.width, rod.length, "width")
     return Layout(sheet, width, material=width, bending_stiffness=B, section=section, size=size)
+
+
+def _bend_between_steps(rod: Rod, s: FloatArray) -> FloatArray:
+    """kappa - kappa_0 (n,), 1/mm, without a jump inside the ramps that stand for steps of the stiffness."""
+    bend = rod.bend_at(s)
+    for step in rod.profile.steps:
+        inside = (s > step[0]) & (s < step[1])
+        bend[inside] = np.interp(s[inside], step, rod.bend_at(np.array(step)))
+    return bend
 
 
 PLAIN = Plain()

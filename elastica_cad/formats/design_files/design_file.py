@@ -337,7 +337,8 @@ def _all_of(problems: Sequence[ElasticaError]) -> ElasticaError:
 
 def _make(entry: StripEntry, *, slotted: bool) -> Strip:
     """The strip without its slots, with complaints that name it; what is slotted later is compensated with them."""
-    spec = entry.spec.changed(slots=(), compensate=entry.spec.compensate and not slotted)
+    asked = entry.spec.compensate
+    spec = entry.spec.changed(slots=(), compensate=False if asked and slotted else asked)
     try:
         return spec.make()
     except NotRealizable as problem:

@@ -119,7 +119,7 @@ def read_strip(
         "slots": tuple(read_slot(slot) for slot in table.tables("slots")),
         "smooth": table.maybe("smooth"),
         "shop": read_shop(table.table("shop")),
-        "compensate": table.flag("compensate"),
+        "compensate": table.flag("compensate") if table.has("compensate") else None,
         "creep": table.number("creep", 0.0),
         "law": read_law(table.table("law"), sheet) if table.has("law") else None,
         "anyway": table.flag("anyway"),

@@ -182,6 +182,7 @@ def report_held(shape: HeldShape) -> dict[str, Any]:
     return {
         "deviation": round_numbers(shape.deviation),
         "parts": {cause: round_numbers(mm) for cause, mm in shape.parts.items()},
+        "made_up_for": list(shape.made_up_for),
         "ends": {
             end: {"shift": round_numbers(pose.shift), "turn": round_numbers(pose.turn)}
             for end, pose in (("start", shape.start), ("end", shape.end))

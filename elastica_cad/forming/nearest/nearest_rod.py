@@ -14,7 +14,7 @@ from elastica_cad.forming.nearest.binding_limits import list_bindings
 from elastica_cad.forming.nearest.curve_distance import measure_deviation
 from elastica_cad.forming.nearest.nearest_record import Binding, NearestRod, Status
 from elastica_cad.forming.nearest.nearest_task import Measure, NearestTask, Weights
-from elastica_cad.forming.nearest.starts import SearchPoint, mean_distance, search
+from elastica_cad.forming.nearest.starts import mean_distance, search
 from elastica_cad.forming.nearest.target_curve import TargetCurve
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.gravity import Gravity
@@ -30,6 +30,7 @@ from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 _STRICTER = 6  # tapers at most, each within stricter limits, from which leaves are laid
 _BEYOND = 1.2  # times what a stack breaks of a limit is asked of the next taper
 _WHOLE = 1e-9  # of a leaf: more than rounding
+_RESCALINGS = 8  # searches more, at most, until a section weighs what it is made of
 _FAR = 0.05  # largest distance, in diagonals of the target, beyond which a rod no longer looks like it
 
 
@@ -120,7 +121,15 @@ def nearest_rod(
     task = NearestTask.of(
         curve, limits, keep, gravity, supports, weights, samples, coefficients, section, natural_curvature
     )
-    problem, outcome, ties, steps, off = search(task, measure, None if start is None else start.ended)
+    found = search(task, measure, None if start is None else start.ended)
+    steps = found.steps
+    for _ in range(_RESCALINGS):
+        settled = found.task.settled(found.best.point)
+        if settled is found.task:
+            break
+        found = search(settled, measure, found.ended)
+        steps += found.steps
+    task, problem, outcome = replace(task, section=found.task.section), found.problem, found.best
     target = task.target
     deviation = measure_deviation(target, outcome.point.position) * target.size
     distance = outcome.objective if measure == "max" else float(np.sqrt(2 * outcome.objective))
@@ -131,8 +140,8 @@ def nearest_rod(
         binding=list_bindings(task, problem, outcome, measure), violation=outcome.violation, iterations=steps,
         limits=task.limits, keep=task.keep, measure=measure,
         distance=distance * target.size,
-        ties=tuple(task.rod_of(tie.point) for tie in ties),
-        ended=SearchPoint(outcome.point.z, problem.grid.unknowns, target.size, target.origin, off),
+        ties=tuple(task.rod_of(tie.point) for tie in found.ties),
+        ended=found.ended,
         advise=advise,
         again=partial(
             nearest_rod, curve, gravity=gravity, supports=supports, weights=task.weights, measure=measure,

@@ -168,6 +168,14 @@ class NearestTask:
             section=scale, natural_curvature=natural_curvature,
         )  # fmt: skip
 
+    def settled(self, mapped: MappedRod) -> "NearestTask":
+        """The task with its section as large as its limits let a rod be that was found; itself where it was."""
+        if self.section is None:
+            return self
+        bend = mapped.moments / mapped.stiffness / self.target.size
+        section = self.section.settled(bend, mapped.stiffness)
+        return self if section is self.section else replace(self, section=section)
+
     def problem(self, measure: Measure, *, weight: float = 1.0, with_margin: bool = True) -> RodProblem:
         """The problem with a share `weight` of gravity."""
         grid = self.grid(weight)

@@ -71,16 +71,25 @@ class SearchPoint:
 
 
 class Search(NamedTuple):
-    """The problem, the best outcome, outcomes elsewhere that are as near, and all steps taken.
+    """What was asked at last, its best outcome, outcomes elsewhere that are as near, and all steps taken.
 
     `off` is the mean distance that a search from all starts came to, in diagonals of the target.
     """
 
+    task: NearestTask
     problem: RodProblem
     best: RodOutcome
     ties: tuple[RodOutcome, ...]
     steps: int
     off: float
+
+    @property
+    def ended(self) -> SearchPoint:
+        """Where it ended, for a like search to go on from."""
+        target = self.task.target
+        return SearchPoint(
+            self.best.point.z, self.problem.grid.unknowns, target.size, target.origin, self.off
+        )
 
 
 def search(task: NearestTask, measure: Measure, before: SearchPoint | None = None) -> Search:
@@ -90,7 +99,7 @@ def search(task: NearestTask, measure: Measure, before: SearchPoint | None = Non
     """
     problem = task.problem(measure)
     if before is not None and (near := _from_before(task, problem, before)) is not None:
-        return _told(task, measure, Search(problem, near, (), near.iterations, before.off), [near])
+        return _told(measure, Search(task, problem, near, (), near.iterations, before.off), [near])
     first = _start(task, problem)
     best = minimize(problem, first)
     steps, off = best.iterations, mean_distance(task, best) / task.target.diagonal
@@ -106,7 +115,7 @@ def search(task: NearestTask, measure: Measure, before: SearchPoint | None = Non
         found.append(outcome)
         best = min(best, outcome, key=_rank)
         off = mean_distance(task, best) / task.target.diagonal
-    return _told(task, measure, Search(problem, best, (), steps, off), found)
+    return _told(measure, Search(task, problem, best, (), steps, off), found)
 
 
 def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) -> RodOutcome | None:
@@ -121,29 +130,31 @@ def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) ->
     return found if near and found.settled and found.violation <= MET else None
 
 
-def _told(task: NearestTask, measure: Measure, so_far: Search, found: Sequence[RodOutcome]) -> Search:
+def _told(measure: Measure, so_far: Search, found: Sequence[RodOutcome]) -> Search:
     """The search with a leaner rod that is as near as its best, or with the outcomes `found` elsewhere that are."""
-    problem, best, _, steps, _ = so_far
-    if task.section is None and mean_distance(task, best) < _FOLLOWED * task.target.diagonal:
+    task, problem, best, _, steps, _ = so_far
+    if mean_distance(task, best) < _FOLLOWED * task.target.diagonal:
         lean = _leaner(task, measure, best)
         if lean is not None:
-            return so_far._replace(problem=lean[0], best=lean[1], steps=steps + lean[1].iterations)
+            tight, problem, best = lean
+            return so_far._replace(task=tight, problem=problem, best=best, steps=steps + best.iterations)
     return so_far._replace(ties=tuple(_ties(task, problem, measure, best, found)))
 
 
-def _leaner(task: NearestTask, measure: Measure, best: RodOutcome) -> tuple[RodProblem, RodOutcome] | None:
+def _leaner(
+    task: NearestTask, measure: Measure, best: RodOutcome
+) -> tuple[NearestTask, RodProblem, RodOutcome] | None:
     """A rod of the least ratio that the target itself needs, where that is less than the best one's and as near.
 
     The distance does not see the ratio: on a wish that can be met exactly it would stay as the search left it.
     """
     K = best.point.stiffness
+    law = None if task.section is None else task.section.law
     try:
-        least = (
-            optimal_rod(task.curve, task.gravity, task.supports, task.natural_curvature).ratio
-            * _SPLINE_STIFFNESS
-        )
+        rod = optimal_rod(task.curve, task.gravity, task.supports, task.natural_curvature, section=law)
     except ElasticaError:
         return None
+    least = rod.ratio * _SPLINE_STIFFNESS
     if best.violation > MET or least >= float(K.max() / K.min()):
         return None
     tight = replace(task, limits=replace(task.limits, ratio=least))
@@ -154,7 +165,7 @@ def _leaner(task: NearestTask, measure: Measure, best: RodOutcome) -> tuple[RodP
     outcome = minimize(problem, _start(tight, problem, stiffness=min(least, 4.0) ** 0.5))
     near = max(mean_distance(task, best), _LEAN * task.target.diagonal)
     good = outcome.violation <= MET and mean_distance(task, outcome) <= near
-    return (problem, outcome) if good else None
+    return (tight, problem, outcome) if good else None
 
 
 def _ties(

@@ -14,6 +14,9 @@ from elastica_cad.geometry.polynomials.knot_runs import knot_runs
 from elastica_cad.geometry.polynomials.spline_checks import finite
 from elastica_cad.geometry.polynomials.spline_function import SplineFunction, spline_through
 
+STEP_SHARE = 2e-5
+"""Of the length: a change within less is a step, which is drawn as a ramp so that an outline stays one edge."""
+
 
 @dataclass(frozen=True, eq=False)
 class Profile:
@@ -155,6 +158,14 @@ class Profile:
         """Interior knots (s, continuity): how often the value can be differentiated there, -1 at a jump."""
         knots, counts = knot_runs(self.knots[self.degree + 1 : -self.degree - 1])
         return tuple((float(s), self.degree - int(n)) for s, n in zip(knots, counts, strict=True))
+
+    @cached_property
+    def steps(self) -> tuple[tuple[float, float], ...]:
+        """Where ramps that stand for steps begin and end, mm."""
+        places = np.array([place for place, _ in self.breaks])
+        ends = np.flatnonzero(np.diff(places, append=np.inf) > STEP_SHARE * self.length)
+        starts = np.concatenate([[0], ends + 1])[:-1]
+        return tuple((float(places[i]), float(places[j])) for i, j in zip(starts, ends, strict=True) if i < j)
 
     @property
     def greville(self) -> FloatArray:

@@ -1,7 +1,7 @@
 """Sheets that strips are cut from: thickness, elasticity, weight, strain limit and kerf."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 from functools import lru_cache
 from pathlib import Path
@@ -13,9 +13,13 @@ from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
 from elastica_cad.mechanics.material.plywood_radii import least_plywood_radius
 from elastica_cad.mechanics.material.sheet_keys import (
     KEYS,
+    NOMINAL_KEY,
     SCHEMA,
     UNITS,
+    USUAL_RATIO,
+    NominalRatio,
     advise_key,
+    checked_poisson_ratio,
     finite_number,
     plausible_number,
     printable,
@@ -46,7 +50,9 @@ class Sheet:
     kerf : float
         Width of material that the laser takes away, mm; 0 when not known.
     poisson_ratio : float
-        nu, dimensionless; 0 where the modulus is that of a plate, measured on a wide coupon.
+        nu, dimensionless; 0 where the modulus is that of a plate, measured on a wide coupon. A number given here
+        is known, and widths make up for it (`poisson_known`); without one, or as a `NominalRatio`, it is only
+        estimated with.
     grain : "along", "across" or "none"
         How the strip lies to the (face) grain for which the numbers hold; "none" for sheets without grain. 0 and
         90, degrees, say the first two.
@@ -82,7 +88,7 @@ class Sheet:
     density: float
     max_strain: float
     kerf: float = 0.0
-    poisson_ratio: float = 0.3
+    poisson_ratio: float = USUAL_RATIO
     grain: Grain = "none"
     kind: str = ""
     source: str = ""
@@ -95,6 +101,7 @@ class Sheet:
     least_ligament: float | None = None
     least_bridge: float | None = None
     stock: Range | None = None
+    poisson_known: bool = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
         if not isinstance(self.name, str) or not self.name.strip():
@@ -109,10 +116,9 @@ class Sheet:
                 )
             object.__setattr__(self, field_name, value)
             self._check_range(field_name, value)
-        nu = finite_number(self.poisson_ratio, f"sheet {self.name!r}: poisson_ratio")
-        if not 0 <= nu < 1:
-            raise InputError(f"sheet {self.name!r}: poisson_ratio is {nu:g}; it must lie between 0 and 1")
+        nu = checked_poisson_ratio(self.poisson_ratio, f"sheet {self.name!r}")
         object.__setattr__(self, "poisson_ratio", nu)
+        object.__setattr__(self, "poisson_known", not isinstance(nu, NominalRatio))
         sides = () if self.stock is None else tuple(self.stock)
         if self.stock is not None and len(sides) != 2:
             raise InputError(f"sheet {self.name!r}: stock is {self.stock!r}; it must be two sides, in mm")
@@ -273,10 +279,13 @@ class Sheet:
             value = getattr(self, field_name)
             if value is None or (field_name in ("kind", "source") and not value):
                 continue
+            if field_name == "poisson_ratio" and self.poisson_known == (key == NOMINAL_KEY):
+                continue
             if isinstance(value, tuple):
                 lines.append(f"{key} = [{value[0]!r}, {value[1]!r}]")
             else:
-                lines.append(f"{key} = {quoted(value) if isinstance(value, str) else repr(value)}")
+                text = quoted(value) if isinstance(value, str) else repr(float(value))
+                lines.append(f"{key} = {text}")
         return "\n".join(lines) + "\n"
 
 
@@ -338,8 +347,9 @@ def load_sheets(path: str | Path) -> dict[str, Sheet]:
     """A user's own sheets from a TOML file.
 
     The file holds tables ``[sheets.NAME]`` with ``thickness_mm``, ``youngs_modulus_MPa``, ``density_kg_m3``
-    and ``max_strain``, and where known ``kerf_mm``, ``poisson_ratio``, ``grain``, ``kind``, ``source`` and
-    ranges such as ``youngs_modulus_range_MPa = [8200, 10300]``; ``grain`` is a word or 0 or 90 degrees.
+    and ``max_strain``, and where known ``kerf_mm``, ``poisson_ratio`` (``nominal_poisson_ratio`` for one to be
+    estimated with only), ``grain``, ``kind``, ``source`` and ranges such as ``youngs_modulus_range_MPa = [8200,
+    10300]``; ``grain`` is a word or 0 or 90 degrees.
 
     Raises
     ------
@@ -410,7 +420,12 @@ def _sheet_from_entry(name: str, entry: object, file: str) -> Sheet:
                 raise InputError(f"{where}: {key} is {value!r}; it must be two numbers, [lowest, highest]")
             values[field_name] = tuple(plausible_number(v, key, where) for v in value)
         else:
-            values[field_name] = plausible_number(value, key, where)
+            number = plausible_number(value, key, where)
+            values[field_name] = NominalRatio(number) if key == NOMINAL_KEY else number
+    if NOMINAL_KEY in entry and "poisson_ratio" in entry:
+        raise InputError(
+            f"{where}: poisson_ratio is given twice; leave out {NOMINAL_KEY}, now that it is known"
+        )
     for key in ("thickness_mm", "youngs_modulus_MPa", "density_kg_m3", "max_strain"):
         if key not in entry:
             raise InputError(f"{where}: {key} is missing; give it a number")

@@ -1,4 +1,4 @@
-"""Keys of a file of sheets: what field each sets, in which unit, and which values can be meant."""
+"""Keys of a file of sheets: what field each sets, in which unit, which values can be meant, and which are known."""
 
 from difflib import get_close_matches
 from math import isfinite
@@ -7,6 +7,9 @@ from typing import Any
 from elastica_cad.errors import InputError
 
 SCHEMA = 1
+
+NOMINAL_KEY = "nominal_poisson_ratio"
+"""Of a Poisson's ratio that is not known for the sheet."""
 
 UNITS = {
     "thickness": "mm",
@@ -24,6 +27,7 @@ KEYS: dict[str, tuple[str, str]] = {
     "max_strain": ("max_strain", "number"),
     "kerf_mm": ("kerf", "number"),
     "poisson_ratio": ("poisson_ratio", "number"),
+    NOMINAL_KEY: ("poisson_ratio", "number"),
     "grain": ("grain", "grain"),
     "kind": ("kind", "text"),
     "source": ("source", "text"),
@@ -99,3 +103,39 @@ def quoted(text: str) -> str:
     import json
 
     return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
+
+
+class NominalRatio(float):
+    """A Poisson's ratio that estimates count with, but that no width is made by: nobody vouches for it.
+
+    It computes as the number that it is, and stays nominal wherever it is passed on: by `dataclasses.replace`,
+    copies, pickles and files of sheets.
+
+    Examples
+    --------
+    >>> NominalRatio(0.3) == 0.3, NominalRatio(0.3)
+    (True, NominalRatio(0.3))
+    """
+
+    __slots__ = ()
+
+    def __repr__(self) -> str:
+        return f"NominalRatio({float(self)!r})"
+
+
+USUAL_RATIO = NominalRatio(0.3)
+"""Of a sheet of which nothing is said."""
+
+
+def checked_poisson_ratio(value: Any, where: str) -> float:
+    """The ratio, as nominal as it is given.
+
+    Raises
+    ------
+    InputError
+        No number from 0 to below 1.
+    """
+    nu = finite_number(value, f"{where}: poisson_ratio")
+    if not 0 <= nu < 1:
+        raise InputError(f"{where}: poisson_ratio is {nu:g}; it must lie between 0 and 1")
+    return NominalRatio(nu) if isinstance(value, NominalRatio) else nu

@@ -8,10 +8,12 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
+from elastica_cad.mechanics.material.sheet_keys import NominalRatio
+
 LIBRARY_VARIABLE = "ELASTICA_SHEETS"
 """Environment variable that names other folders of sheets, or files, as PATH does."""
 
-_WORDS = ("kind", "grain", "poisson_ratio")  # keys that are fields of `Sheet` as they stand
+_WORDS = ("kind", "grain")  # keys that are fields of `Sheet` as they stand
 _LIMITS = ("least_width_mm", "least_ligament_mm", "least_bridge_mm")
 
 # key in the file -> field of `Sheet`, what its source is called
@@ -54,6 +56,11 @@ def _sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict[str, 
         if "stock_mm" in entry:
             fields["stock"] = tuple(entry["stock_mm"])
         sources = [entry["note"]] if "note" in entry else []
+        known = entry["poisson_ratio"]  # a number alone, or { value, source }
+        if isinstance(known, dict):
+            fields["poisson_ratio"] = known["value"]
+        else:
+            fields["poisson_ratio"] = NominalRatio(known)
         for key, (field, label) in _FIGURES.items():
             if key not in entry:
                 sources.append(f"{label} not published: measure it on a coupon")
@@ -70,6 +77,8 @@ def _sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict[str, 
                 fields[f"{field}_range"] = (lowest, value)
             if "source" in figure:
                 sources.append(f"{label}: {figure['source']}")
+        if isinstance(known, dict):
+            sources.append(f"nu: {known['source']}")
         yield entry.get("name", f"{table}-{thickness:g}"), {**fields, "source": "; ".join(sources)}
 
 

@@ -12,6 +12,7 @@ from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
 from elastica_cad.mechanics.material.sheet import Grain, Range, Sheet
+from elastica_cad.mechanics.material.sheet_keys import USUAL_RATIO
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 _NODES = 201
@@ -66,7 +67,7 @@ class Calibration:
         max_strain: float | None = None,
         least_radius: float | None = None,
         kerf: float = 0.0,
-        poisson_ratio: float = 0.3,
+        poisson_ratio: float = USUAL_RATIO,
         grain: Grain = "none",
         kind: str = "",
     ) -> Sheet:

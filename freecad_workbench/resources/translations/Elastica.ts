@@ -96,6 +96,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Make up for anticlastic bending in the widths, where the sheet's Poisson ratio is known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Make up for slots, narrow tabs and holes in the widths</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1883,6 +1887,22 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>compensate is %1: give True for all that widths can make up for, False for nothing, or leave it out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, its widths made for anticlastic bending,</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: poisson_ratio is given twice; leave out %2, now that it is known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>anyway must be True or False, got %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>, without its correction</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1967,6 +1987,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>steps of width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>anticlastic bending</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1987,7 +2011,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>as made and held the strip strays %1 mm from its design, %2 % of its length%3</source>
+        <source>as made and held%1 the strip strays %2 mm from its design, %3 % of its length%4</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -100,6 +100,10 @@
         <translation>Wo ein geschlossener Streifen verbunden ist, entlang seiner Kurve; 0 wählt</translation>
     </message>
     <message>
+        <source>Make up for anticlastic bending in the widths, where the sheet's Poisson ratio is known</source>
+        <translation>Querkrümmung in den Breiten ausgleichen, wo die Querdehnzahl der Platte bekannt ist</translation>
+    </message>
+    <message>
         <source>Make up for slots, narrow tabs and holes in the widths</source>
         <translation>Schlitze, schmale Laschen und Löcher in den Breiten ausgleichen</translation>
     </message>
@@ -1895,6 +1899,22 @@
         <translation>Querschnitt ist %1: ein Gesetz mit Grenzen angeben, etwa ThicknessLaw(sheet, 3, 8, width=20)</translation>
     </message>
     <message>
+        <source>compensate is %1: give True for all that widths can make up for, False for nothing, or leave it out</source>
+        <translation>Ausgleich (compensate) ist %1: True für alles, was Breiten ausgleichen können, False für nichts angeben, oder weglassen</translation>
+    </message>
+    <message>
+        <source>, its widths made for anticlastic bending,</source>
+        <translation>, mit Breiten, die die Querkrümmung ausgleichen,</translation>
+    </message>
+    <message>
+        <source>%1: poisson_ratio is given twice; leave out %2, now that it is known</source>
+        <translation>%1: poisson_ratio ist doppelt angegeben; %2 weglassen, da sie nun bekannt ist</translation>
+    </message>
+    <message>
+        <source>anyway must be True or False, got %1</source>
+        <translation>anyway muss True oder False sein, nicht %1</translation>
+    </message>
+    <message>
         <source>, without its correction</source>
         <translation>, ohne seinen Ausgleich</translation>
     </message>
@@ -1979,6 +1999,10 @@
         <translation>Platten über den Stößen</translation>
     </message>
     <message>
+        <source>steps of width</source>
+        <translation>Stufen der Breite</translation>
+    </message>
+    <message>
         <source>anticlastic bending</source>
         <translation>Querkrümmung</translation>
     </message>
@@ -1999,8 +2023,8 @@
         <translation>%1 mm durch %2</translation>
     </message>
     <message>
-        <source>as made and held the strip strays %1 mm from its design, %2 % of its length%3</source>
-        <translation>so wie er gemacht und gehalten ist, weicht der Streifen %1 mm von seinem Entwurf ab, %2 % seiner Länge%3</translation>
+        <source>as made and held%1 the strip strays %2 mm from its design, %3 % of its length%4</source>
+        <translation>so wie er gemacht und gehalten ist%1, weicht der Streifen %2 mm von seinem Entwurf ab, %3 % seiner Länge%4</translation>
     </message>
     <message>
         <source>its widths do not make up for how it is made, since it would then be %1; give it tabs as wide as its ends, or shallower slots</source>

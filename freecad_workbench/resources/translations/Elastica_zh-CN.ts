@@ -100,6 +100,10 @@
         <translation>闭合条的接合处，沿其曲线；0 为自动选择</translation>
     </message>
     <message>
+        <source>Make up for anticlastic bending in the widths, where the sheet's Poisson ratio is known</source>
+        <translation>在已知板材泊松比时，用宽度补偿反向弯曲</translation>
+    </message>
+    <message>
         <source>Make up for slots, narrow tabs and holes in the widths</source>
         <translation>用宽度补偿槽口、窄接片和孔</translation>
     </message>
@@ -1895,6 +1899,22 @@
         <translation>截面为 %1：请给出带界限的规律，例如 ThicknessLaw(sheet, 3, 8, width=20)</translation>
     </message>
     <message>
+        <source>compensate is %1: give True for all that widths can make up for, False for nothing, or leave it out</source>
+        <translation>补偿（compensate）为 %1：True 表示补偿宽度所能补偿的一切，False 表示不补偿，或者省略</translation>
+    </message>
+    <message>
+        <source>, its widths made for anticlastic bending,</source>
+        <translation>（其宽度已补偿反向弯曲）</translation>
+    </message>
+    <message>
+        <source>%1: poisson_ratio is given twice; leave out %2, now that it is known</source>
+        <translation>%1：poisson_ratio 给了两次；既已知道，请去掉 %2</translation>
+    </message>
+    <message>
+        <source>anyway must be True or False, got %1</source>
+        <translation>anyway 必须为 True 或 False，而不是 %1</translation>
+    </message>
+    <message>
         <source>, without its correction</source>
         <translation>（未作补偿）</translation>
     </message>
@@ -1979,6 +1999,10 @@
         <translation>接缝处的搭接板</translation>
     </message>
     <message>
+        <source>steps of width</source>
+        <translation>宽度突变</translation>
+    </message>
+    <message>
         <source>anticlastic bending</source>
         <translation>反向弯曲</translation>
     </message>
@@ -1999,8 +2023,8 @@
         <translation>%2 %1 mm</translation>
     </message>
     <message>
-        <source>as made and held the strip strays %1 mm from its design, %2 % of its length%3</source>
-        <translation>按制作和夹持的实际情况，条带偏离设计 %1 mm，为其长度的 %2 %%3</translation>
+        <source>as made and held%1 the strip strays %2 mm from its design, %3 % of its length%4</source>
+        <translation>按制作和夹持的实际情况%1，条带偏离设计 %2 mm，为其长度的 %3 %%4</translation>
     </message>
     <message>
         <source>its widths do not make up for how it is made, since it would then be %1; give it tabs as wide as its ends, or shallower slots</source>

@@ -16,12 +16,31 @@ from elastica_cad.mechanics.material.sheet import Sheet
 
 __all__ = ["CASES", "CURVES", "Case"]
 
+
+def arcs(*parts: tuple[float, float]) -> PlaneCurve:
+    """Arcs (radius, angle) joined smoothly, as one rational quadratic: the width steps where they meet."""
+    p, theta = np.zeros(2), 0.0
+    points, weights, knots = [p], [1.0], [0.0] * 3
+    for i, (radius, angle) in enumerate(parts):
+        reach = radius * np.tan(angle / 2)
+        middle = p + reach * np.array([np.cos(theta), np.sin(theta)])
+        theta += angle
+        p = middle + reach * np.array([np.cos(theta), np.sin(theta)])
+        points += [middle, p]
+        weights += [np.cos(angle / 2), 1.0]
+        knots += [i + 1.0] * 2
+    return PlaneCurve(np.array([*knots, knots[-1]]), np.array(points), 2, np.array(weights))
+
+
 CURVES: Mapping[str, PlaneCurve] = {
     "arch": PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)], degree=4),
     "bow": PlaneCurve.spline([(0, 0), (40, 80), (110, 100), (190, 50), (240, 0)], degree=4),
     "S": PlaneCurve.spline([(0, 0), (50, 60), (100, 10), (150, -40), (200, 20)], degree=4),
     "tall ellipse": PlaneCurve.ellipse((5, 3), (60, 120), 0.3, 0.3, 2.5),
     "hook": PlaneCurve.spline([(0, 0), (80, 0), (120, 40), (90, 90), (50, 70)], degree=3),
+    "two arcs": arcs((70, 1.6), (140, 1.2)),
+    "three arcs": arcs((120, 0.9), (60, 1.5), (120, 0.9)),
+    "four arcs": arcs((60, 1.0), (90, 0.8), (60, 1.0), (110, 0.7)),
 }
 
 
@@ -59,6 +78,11 @@ class Case:
         scaled = drawn.transformed(np.diag([1.0, 1.0, drawn.length / self.length]))
         return StripSpec(scaled, self.sheet, **self.asked)
 
+    @property
+    def has_default_widths(self) -> bool:
+        """Are its widths by default others than the stiffness alone asks for?"""
+        return self.spec.makes_up_for_curl
+
 
 def ply(thickness: float = 0.8, poisson_ratio: float = 0.3) -> Sheet:
     """A sheet like birch plywood."""
@@ -71,6 +95,8 @@ CARD = Sheet.named("card-200gsm")
 def _plain() -> Iterator[Case]:
     for nu in (0.0, 0.3):
         for curve in CURVES:
+            if "arcs" in curve:
+                continue
             yield Case(f"plain, nu {nu:g}", curve, curve, 300.0, ply(0.8, nu), 4.0, {"max_width": 30.0})
         small = {"max_width": 6.0, "ends": (Tab(2.0), Tab(2.0)), "anyway": True}
         yield Case(f"plain, nu {nu:g}", "small arch", "arch", 50.0, ply(0.2, nu), 0.8, small)
@@ -138,8 +164,23 @@ def _narrow_tabs() -> Iterator[Case]:
         yield Case(f"narrow tabs, nu {nu:g}", name, curve, 300.0, ply(0.8, nu), 3.5, asked)
 
 
+def _stepped() -> Iterator[Case]:
+    for nu, curve, width in (
+        (0.0, "two arcs", 30.0),
+        (0.0, "two arcs", 60.0),
+        (0.0, "three arcs", 30.0),
+        (0.0, "four arcs", 30.0),
+        (0.3, "two arcs", 30.0),
+        (0.3, "three arcs", 30.0),
+    ):
+        name = f"{curve}, {width:g} mm wide"
+        asked = {"max_width": width, "anyway": True}
+        yield Case(f"steps of width, nu {nu:g}", name, curve, 300.0, ply(0.8, nu), 3.0, asked)
+
+
 CASES: tuple[Case, ...] = (
     *_plain(),
+    *_stepped(),
     *_heavy(),
     *_perforated(),
     *_laminated(),

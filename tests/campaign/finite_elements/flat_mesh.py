@@ -2,8 +2,9 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import ezdxf
 import gmsh
@@ -137,8 +138,35 @@ def _loops(entities: Sequence[Any]) -> list[int]:
     return loops
 
 
+class _Spline(NamedTuple):
+    """A B-spline without corners."""
+
+    degree: int
+    knots: np.ndarray
+    controls: np.ndarray
+
+    def dxftype(self) -> str:
+        """As entities have it."""
+        return "SPLINE"
+
+
 def _pieces(entity: Any) -> list[Any]:
-    return list(entity.virtual_entities()) if entity.dxftype() in ("LWPOLYLINE", "POLYLINE") else [entity]
+    """Lines, arcs and splines without corners: on an edge that turns, elements would cut the corner."""
+    if entity.dxftype() in ("LWPOLYLINE", "POLYLINE"):
+        return list(entity.virtual_entities())
+    if entity.dxftype() != "SPLINE":
+        return [entity]
+    assert not len(entity.weights), "cut files hold splines without weights"
+    p, knots, controls = entity.dxf.degree, np.round(entity.knots, 9), np.array(entity.control_points)
+    values, counts = np.unique(knots, return_counts=True)
+    corners = [value for value, times in zip(values[1:-1], counts[1:-1], strict=True) if times >= p]
+    found = []
+    for low, high in pairwise([values[0], *corners, values[-1]]):
+        inside = knots[(knots > low) & (knots < high)]
+        first = np.searchsorted(knots, low, side="right") - p - 1
+        own = np.concatenate([np.full(p + 1, low), inside, np.full(p + 1, high)])
+        found.append(_Spline(p, own, controls[first : first + own.size - p - 1]))
+    return found
 
 
 def _curve(entity: Any, point: Any) -> tuple[int, int, int]:
@@ -156,15 +184,11 @@ def _curve(entity: Any, point: Any) -> tuple[int, int, int]:
             x, y, _ = entity.dxf.center
             return occ.addCircleArc(ends[0], occ.addPoint(x, y, 0.0), ends[1]), *ends
         case "SPLINE":
-            controls = entity.control_points
-            ends = point(controls[0]), point(controls[-1])
-            inner = [occ.addPoint(x, y, 0.0) for x, y, _ in controls[1:-1]]
-            knots, times = np.unique(np.round(entity.knots, 9), return_counts=True)
-            shape = {"degree": entity.dxf.degree, "weights": list(entity.weights), "knots": list(knots)}
-            curve = occ.addBSpline(
-                [ends[0], *inner, ends[1]], **shape, multiplicities=[int(n) for n in times]
-            )
-            return curve, *ends
+            ends = point(entity.controls[0]), point(entity.controls[-1])
+            inner = [occ.addPoint(x, y, 0.0) for x, y, _ in entity.controls[1:-1]]
+            knots, times = np.unique(entity.knots, return_counts=True)
+            shape = {"degree": entity.degree, "knots": list(knots), "multiplicities": [int(n) for n in times]}
+            return occ.addBSpline([ends[0], *inner, ends[1]], **shape), *ends
     raise AssertionError(f"a cut file holds no {entity.dxftype()}")
 
 

@@ -155,6 +155,14 @@ least_ligament_mm = 1
 least_bridge_mm = 2
 stock_mm = [900, 600]
 [["""),
+    ONE.replace("card-200gsm", "felt").replace("[[", """
+[sheets.felt]
+thickness_mm = 1
+youngs_modulus_MPa = 20
+density_kg_m3 = 300
+max_strain = 0.1
+nominal_poisson_ratio = 0.3
+[["""),
     ONE + """
 [[base]]
 strips = "S*"

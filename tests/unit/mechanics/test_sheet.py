@@ -1,4 +1,6 @@
+import copy
 import os
+import pickle
 from dataclasses import replace
 
 import numpy as np
@@ -7,7 +9,7 @@ import pytest
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.material.plywood_radii import least_plywood_radius
 from elastica_cad.mechanics.material.sheet import Sheet, library_sheets, load_sheets, sheet_names
-from elastica_cad.mechanics.material.sheet_keys import KEYS
+from elastica_cad.mechanics.material.sheet_keys import KEYS, NominalRatio
 from elastica_cad.mechanics.material.sheet_library import library_files, library_folders
 
 pytestmark = pytest.mark.core
@@ -141,7 +143,37 @@ def test_impossible_sheets_are_refused(change, words):
 
 
 def test_every_field_has_a_key_in_the_file():
-    assert {name for name, _ in KEYS.values()} == set(Sheet.__dataclass_fields__) - {"name"}
+    assert {name for name, _ in KEYS.values()} == set(Sheet.__dataclass_fields__) - {"name", "poisson_known"}
+
+
+def test_a_poisson_ratio_is_known_where_somebody_vouches_for_it(tmp_path):
+    """However the sheet is passed on: changed, copied, pickled, written and read."""
+    given, none = Sheet("ply", **PLY, poisson_ratio=0.3), Sheet("ply", **PLY)
+    nominal = Sheet("ply", **PLY, poisson_ratio=NominalRatio(0.1))
+    assert [sheet.poisson_known for sheet in (given, none, nominal)] == [True, False, False]
+    assert given.poisson_ratio == none.poisson_ratio == 0.3
+    assert given != none
+    assert len({given, none, replace(none), replace(given)}) == 2
+    for sheet in (given, none, nominal):
+        path = written(tmp_path, sheet.toml())
+        assert sheet == load_sheets(path)["ply"] == pickle.loads(pickle.dumps(sheet)) == copy.deepcopy(sheet)
+        assert replace(sheet, density=700.0).poisson_known == sheet.poisson_known
+        assert sheet.with_thickness(1.0).poisson_known == sheet.poisson_known
+        assert replace(sheet, poisson_ratio=0.35).poisson_known
+    assert load_sheets(written(tmp_path, f"[sheets.mine]\n{ENTRY}poisson_ratio = 0.3\n"))[
+        "mine"
+    ].poisson_known
+    twice = f"[sheets.mine]\n{ENTRY}poisson_ratio = 0.3\nnominal_poisson_ratio = 0.3\n"
+    with pytest.raises(InputError, match="poisson_ratio is given twice; leave out nominal_poisson_ratio"):
+        load_sheets(written(tmp_path, twice))
+
+
+def test_the_library_knows_a_poisson_ratio_that_has_a_source():
+    sheets = list(map(Sheet.named, sheet_names()))
+    assert all(sheet.poisson_known == ("nu: " in sheet.source) for sheet in sheets)
+    known = {sheet.name for sheet in sheets if sheet.poisson_known}
+    assert {"aluminium-6061-0.5", "spring-steel-0.2", "pom-1", "acrylic-3"} <= known
+    assert not known & {"card-200gsm", "birch-plywood-0.8", "mdf-3"}
 
 
 def test_sheets_file_round_trip(tmp_path):

@@ -51,7 +51,11 @@ MAKING: Keys = {
     "smooth": (NUMBER, "how far the curve may move to become fair, mm; 0: exactly as drawn"),
     "shop": (table("shop"), "what the workshop can make"),
     "joint": (NUMBER, "where a closed strip is joined, mm along its curve; where it is bent least unless given"),
-    "compensate": (FLAG, "change the widths so that the strip as made and held takes the curve"),
+    "compensate": (
+        FLAG,
+        "true: change the widths so that the strip as made and held takes the curve; false: proportional to its "
+        "stiffness; unless given they make up for anticlastic bending, where the sheet's nu is known",
+    ),
     "creep": (NUMBER, "creep factor of the sheet in the long run; tells sag and springback"),
     "law": (
         either(table("law thickness"), table("law rod"), table("law tube"), table("law leaves")),

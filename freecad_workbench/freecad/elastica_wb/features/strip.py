@@ -46,6 +46,10 @@ class StripFeature(Feature):
     properties = PROPERTIES
     sheets: ClassVar = {"Sheet": "SheetData", "Backing": "BackingData"}
 
+    def __init__(self, obj: Any) -> None:
+        super().__init__(obj)
+        obj.Anticlastic = True
+
     def make(self, obj: Any) -> None:
         """Make the shape and tell the results."""
         drawn = drawn_curve(obj.Curve, obj)

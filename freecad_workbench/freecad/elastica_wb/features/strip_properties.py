@@ -49,6 +49,13 @@ PROPERTIES = (
     ),
     Property("Length", "Joint", "Tabs", "Where a closed strip is joined, along its curve; 0 chooses", 0.0),
     Property("Bool", "Compensate", "Width", "Make up for slots, narrow tabs and holes in the widths", False),
+    Property(
+        "Bool",
+        "Anticlastic",
+        "Width",
+        "Make up for anticlastic bending in the widths, where the sheet's Poisson ratio is known",
+        False,  # in files of earlier versions, whose widths stay
+    ),
     Property("Float", "Creep", "Sheet", "Creep factor of the sheet in the long run; 0 leaves creep out", 0.0),
     Property(
         "String",

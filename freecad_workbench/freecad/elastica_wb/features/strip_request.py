@@ -75,7 +75,7 @@ def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
         label=obj.EngravedText,
         smooth=obj.Smooth.Value or None,
         shop=_shop(obj),
-        compensate=obj.Compensate,
+        compensate=True if obj.Compensate else None if obj.Anticlastic else False,
         creep=obj.Creep,
         law=law,
         anyway=obj.Anyway,

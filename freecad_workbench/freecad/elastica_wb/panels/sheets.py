@@ -26,6 +26,7 @@ class SheetsPanel(Panel):
         super().__init__()
         self.own = own_sheets()
         self.before = dict(self.own)
+        self.seen = sheet_called(sheet_list()[0])
         self._list()
         self.form.sheets.currentIndexChanged.connect(self.shown)
         self.form.keep.clicked.connect(self.keep)
@@ -37,7 +38,7 @@ class SheetsPanel(Panel):
         name = self.form.sheets.currentText()
         if not name:
             return
-        sheet = self.own.get(name) or sheet_called(name)
+        self.seen = sheet = self.own.get(name) or sheet_called(name)
         self.form.name.setText(name)
         self.form.source.setPlainText(sheet.source)
         for field in NUMBERS:
@@ -67,6 +68,8 @@ class SheetsPanel(Panel):
     def sheet(self) -> Sheet:
         """The sheet that the widgets describe."""
         numbers = {field: self.value(field) for field in NUMBERS}
+        if numbers["poisson_ratio"] == self.seen.poisson_ratio:  # as nominal as it was
+            numbers["poisson_ratio"] = self.seen.poisson_ratio
         source = " ".join(self.form.source.toPlainText().split())
         return Sheet(self.form.name.text().strip(), source=source, **numbers)
 
