@@ -128,7 +128,6 @@ def _tables(title: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> I
 def _exploded(model: Model, holders: Sequence[Holder]) -> Any:
     """Strips spread out, holders drawn off their tabs, a line from every tab to where it goes."""
     from matplotlib.collections import PolyCollection
-    from matplotlib.colors import to_rgb
 
     bent = np.concatenate([one.frame.point(one.strip.rod.position) for one in model.placed])
     middle, extent = bent.mean(axis=0), float(np.ptp(bent, axis=0).max())
@@ -137,29 +136,29 @@ def _exploded(model: Model, holders: Sequence[Holder]) -> Any:
     screen = np.column_stack([right, np.cross(toward, right)])
     figure = _page(f"{model.name}: {len(model.placed)} strips, taken apart")
     axes = figure.add_axes((0.03, 0.03, 0.94, 0.87))
-    drawn: list[tuple[float, FloatArray, FloatArray, FloatArray]] = []
-    ink = np.array(to_rgb(INK))
+    shown: list[tuple[FloatArray, FloatArray]] = []
     spread = []
     for one in model.placed:
         center = one.frame.point(one.strip.rod.position).mean(axis=0)
         out = SPREAD * (center - middle)
         spread.append(Placed(one.strip, one.origin + out, one.x_axis, one.y_axis))
-        patches, colors = rule_strip(spread[-1])
-        depths = (patches.mean(axis=1) @ toward).tolist()
-        drawn += zip(depths, patches, colors, colors, strict=True)
+        shown.append(rule_strip(spread[-1]))
     far = APART * extent
-    for outline, depth_at, color in _outlines([*model.plates, *holders], far):
-        drawn.append((float(depth_at @ toward), outline, np.array(to_rgb(color)), ink))
-    drawn.sort(key=lambda item: item[0])
-    axes.add_collection(
-        PolyCollection(
-            [shape @ screen for _, shape, _, _ in drawn],
-            facecolors=np.array([fill for _, _, fill, _ in drawn]),
-            edgecolors=np.array([rim for _, _, _, rim in drawn]),
-            linewidths=0.4,
-            rasterized=True,
-        )
-    )
+    patches, colors = (np.concatenate(part) for part in zip(*shown, strict=True))
+    outlines = list(_outlines([*model.plates, *holders], far))
+    depths = [*(patches.mean(axis=1) @ toward), *(float(place @ toward) for _, place, _ in outlines)]
+    # from far to near; runs of patches of one size are made far faster than one polygon after the other
+    order = np.argsort(depths, kind="stable")
+    whole = order >= len(patches)
+    for run in np.split(order, np.flatnonzero(np.diff(whole)) + 1):
+        if run[0] < len(patches):
+            polygons: Any = patches[run] @ screen
+            inks: dict[str, Any] = {"facecolors": colors[run], "edgecolors": colors[run]}
+        else:
+            some = [outlines[k - len(patches)] for k in run]
+            polygons = [outline @ screen for outline, _, _ in some]
+            inks = {"facecolors": [color for _, _, color in some], "edgecolors": INK}
+        axes.add_collection(PolyCollection(polygons, **inks, linewidths=0.4, rasterized=True))
     numbered = len(model.placed) * 2 <= MOST_NUMBERS
     targets = dict(_targets([*model.plates, *holders], far))
     for tab in place_tabs(spread):

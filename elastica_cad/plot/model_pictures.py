@@ -148,9 +148,7 @@ def _seen(
         axes, lower = figure.subplots(2, 1, height_ratios=[tall, below])
         _draw_flats(lower, *flat)
     tints = colors[order]
-    axes.add_collection(
-        PolyCollection(list(plane[order]), facecolors=tints, edgecolors=tints, linewidths=0.6)
-    )
+    axes.add_collection(PolyCollection(plane[order], facecolors=tints, edgecolors=tints, linewidths=0.6))
     axes.autoscale_view()
     axes.set_aspect("equal")
     axes.set_axis_off()
