@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from importlib import import_module
 from threading import Lock
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -22,6 +22,7 @@ from elastica_cad.geometry.paths.trim import trim_segment
 if TYPE_CHECKING:
     from ezdxf.document import Drawing as Document
     from ezdxf.entities.dxfgfx import DXFGraphic
+    from ezdxf.entities.dxfgroups import DXFGroup
     from ezdxf.layouts.layout import Modelspace
 
 R12 = "AC1009"
@@ -113,7 +114,15 @@ class _Writer:
             chain = [self._entity(segment, attributes, path.closed and alone) for segment in path.segments]
             if not alone and self.document.dxfversion != R12:
                 self.loops += 1
-                self.document.groups.new(f"LOOP_{self.loops}").extend(chain)
+                self._bind(f"LOOP_{self.loops}", chain)
+
+    def _bind(self, name: str, chain: Sequence["DXFGraphic"]) -> None:
+        """A GROUP of entities: what `groups.new` does, which compares the name with that of every group before."""
+        groups = self.document.groups.object_dict
+        attributes = {"description": "", "unnamed": 0, "selectable": 1, "owner": groups.dxf.handle}
+        group = self.document.objects.add_dxf_object_with_reactor("GROUP", attributes)
+        groups.add(name, group)
+        cast("DXFGroup", group).extend(chain)
 
     def _polyline(self, path: Path, attributes: dict[str, Any]) -> None:
         segments = [piece for segment in path.segments for piece in _up_to_half_turns(segment)]

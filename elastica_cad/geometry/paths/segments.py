@@ -150,12 +150,12 @@ class Arc:
         """True for a whole turn."""
         return abs(abs(self.sweep) - 2 * np.pi) < 1e-12
 
-    @property
+    @cached_property
     def start(self) -> FloatArray:
         """First point (2,), mm."""
         return self._on(np.array(self.start_angle))
 
-    @property
+    @cached_property
     def end(self) -> FloatArray:
         """Last point (2,), mm; exactly the first one of a circle."""
         return self.start if self.is_circle else self._on(np.array(self.end_angle))

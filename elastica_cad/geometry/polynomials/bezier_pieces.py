@@ -84,6 +84,8 @@ def bezier_spans(knots: FloatArray, degree: int) -> Spans:
 def _spans(written: bytes, degree: int) -> Spans:
     """The spans of knots as bytes; they are shared, so read-only."""
     knots = np.frombuffer(written)
+    if knots.size == 2 * degree + 2 and knots[0] == knots[degree] < knots[degree + 1] == knots[-1]:
+        return _one_span(knots[[0, -1]], degree)
     inner = np.arange(degree, knots.size - degree - 1)
     span = inner[knots[inner + 1] > knots[inner]]
     a, b = knots[span], knots[span + 1]
@@ -101,6 +103,14 @@ def _spans(written: bytes, degree: int) -> Spans:
     for shared in (edges, first, matrix):
         shared.setflags(write=False)
     return Spans(knots.size - size, edges, first, matrix)
+
+
+def _one_span(edges: FloatArray, degree: int) -> Spans:
+    """Of knots that stand at two places only: control points are Bezier points."""
+    first, matrix = np.zeros(1, dtype=int), np.eye(degree + 1)[None]
+    for shared in (edges, first, matrix):
+        shared.setflags(write=False)
+    return Spans(degree + 1, edges, first, matrix)
 
 
 def _bernstein_values(degree: int, u: FloatArray, derivative: int) -> FloatArray:

@@ -258,3 +258,21 @@ def test_without_ezdxf_one_sentence_says_so(monkeypatch, tmp_path):
 
 def test_standard_styles():
     assert style_layers()["CUT_OUTER"].rgb == (255, 0, 0)
+
+
+def test_chains_are_bound_as_ezdxf_binds_them(tmp_path):
+    """We make groups without its search for the name among all that are there: the same entries, and sound ones."""
+    two = Drawing("two", [LayeredPath(CUT_OUTER, waved().moved(0, y)) for y in (0, 40)])
+    path = tmp_path / "two.dxf"
+    path.write_bytes(encode_dxf(two))
+    document = ezdxf.readfile(path)
+    assert not document.audit().has_issues
+    groups = dict(document.groups)
+    assert list(groups) == ["LOOP_1", "LOOP_2"]
+    for group in groups.values():
+        assert sorted(entity.dxftype() for entity in group) == ["ARC", "LINE", "SPLINE", "SPLINE"]
+    theirs = document.groups.new("THEIRS")
+    for group in groups.values():
+        assert group.dxf.owner == theirs.dxf.owner
+        assert group.get_reactors() == theirs.get_reactors()
+        assert set(group.dxf.all_existing_dxf_attribs()) == set(theirs.dxf.all_existing_dxf_attribs())

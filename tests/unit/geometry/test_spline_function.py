@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from elastica_cad import _compiled_scipy as compiled_scipy
+from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
 from elastica_cad.geometry.polynomials.spline_function import SplineFunction, spline_through
 
 pytestmark = pytest.mark.core
@@ -80,3 +81,16 @@ def test_a_build_of_scipy_without_these_files_is_asked_as_a_whole(monkeypatch):
 def test_what_is_not_there_or_not_what_is_needed_is_none():
     assert compiled_scipy._alone("linalg", "_no_such_file", "dgtsv") is None
     assert compiled_scipy._alone("linalg", "_flapack", "no_such_function") is None
+
+
+@pytest.mark.parametrize("degree", [1, 2, 3, 5])
+def test_a_single_span_is_its_control_points(degree):
+    from scipy.interpolate import BSpline
+
+    knots = np.repeat([-0.7, 13.1], degree + 1)
+    controls = np.random.default_rng(degree).normal(size=(degree + 1, 2))
+    spans = bezier_spans(knots, degree)
+    assert np.array_equal(spans.bezier(controls), controls[None])
+    places = np.linspace(*spans.edges, 23)
+    ours, theirs = spans.basis(places) @ controls, BSpline(knots, controls, degree)(places)
+    assert np.abs(ours - theirs).max() < 1e-14 * np.abs(theirs).max() * 10
