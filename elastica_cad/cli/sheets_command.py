@@ -42,6 +42,7 @@ def sheets(name: str | None) -> None:
     rows = {
         "thickness": f"{one.thickness:g} mm",
         "Young's modulus": f"{one.youngs_modulus:g} MPa",
+        "Poisson's ratio": f"{one.poisson_ratio:g}" + ("" if one.poisson_known else ", nominal"),
         "density": f"{one.density:g} kg/m3",
         "largest strain": f"{100 * one.max_strain:.3g} %",
         "least radius": f"{one.least_radius:.4g} mm",

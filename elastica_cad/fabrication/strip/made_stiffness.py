@@ -29,6 +29,11 @@ SHOULDER_SLOPE = 0.62
 STEP_SHARE = 0.76
 """Slope of the idle corners beside a step of the width, over that beside a cut: fitted in the same way."""
 
+PLATE_END, PLATE_CUT = 0.25, 0.82
+"""Thicknesses of a glued plate that carry nothing at each of its ends, and over the joint, where the strip is cut
+half through. The first is fitted to the strips of `docs/finite_elements.md`; the second is that of an edge crack in
+bending (Tada, Paris and Irwin 1973), in whose place 5.7 thicknesses of the stack would turn as much."""
+
 LEAST_SHARE = 0.01
 """Of the width: no less is counted as left, for a slot that reaches across."""
 
@@ -129,7 +134,7 @@ class LapPlates:
     def stiffening(self, s: FloatArray, layout: Layout, layers: Sequence[Layer]) -> FloatArray:
         """Factor (n,) on the stiffness of what is cut, in the cell of each of the nodes s (n,), mm.
 
-        Over a plate the strip is a sheet thicker and as stiff as that; it ends at once, as glue does.
+        Over a plate the strip is a sheet thicker and as stiff as that, but for its ends and over the joint itself.
         """
         base, *more = layers
         wide, cut = layout.width(s), base.material(s)
@@ -137,7 +142,8 @@ class LapPlates:
         glued = [(layer.sheet, np.minimum(layer.material(s), cut)) for layer in more]
         designed = stack_stiffness([(base.sheet, cut), *glued])
         compliance = np.zeros(s.size)
-        on_base, on_backing = self._covered(s, self.joints), self._covered(s, self.backing_joints)
+        on_base = self._covered(s, self.joints, base.sheet.thickness)
+        on_backing = self._covered(s, self.backing_joints, layers[-1].sheet.thickness)
         for share, stack in (
             (1 - on_base - on_backing, [(base.sheet, left), *glued]),
             (on_base, [(base.sheet, wide), (base.sheet, left), *glued]),
@@ -146,12 +152,15 @@ class LapPlates:
             compliance += share * designed / stack_stiffness(stack)
         return np.asarray(1 / compliance)
 
-    def _covered(self, s: FloatArray, joints: Sequence[float]) -> FloatArray:
-        """Share (n,) of each node's cell that lies under a plate."""
+    def _covered(self, s: FloatArray, joints: Sequence[float], thickness: float) -> FloatArray:
+        """Share (n,) of each node's cell that lies under a plate which carries."""
         ends = np.concatenate([s[:1], (s[1:] + s[:-1]) / 2, s[-1:]])
+        near = PLATE_CUT / 2 * thickness
+        far = max(near, self.lap / 2 - PLATE_END * thickness)
         under = np.zeros(s.size)
         for at in joints:
-            under += np.diff(np.clip(ends, at - self.lap / 2, at + self.lap / 2))
+            for low, high in ((at - far, at - near), (at + near, at + far)):
+                under += np.diff(np.clip(ends, low, high))
         return under / np.diff(ends)
 
 

@@ -13,7 +13,7 @@ from tests.campaign.finite_elements.bricks import Bricks, extrude
 from tests.campaign.finite_elements.calculix import Answer, Material, solve
 from tests.campaign.finite_elements.flat_mesh import mesh_cut_files
 
-__all__ = ["BentStrip", "bend_cut_strip", "flat_body", "middle_line", "on_curve"]
+__all__ = ["BentStrip", "bend_cut_strip", "flat_body", "in_tabs", "middle_line", "on_curve"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,7 +81,7 @@ def bend_cut_strip(
         drawn = drawn.transformed(np.diag([1.0, -1.0, 1.0]))
     length = strip.rod.length
     body = flat_body(strip, folder, size=size)
-    stays = _in_tabs(strip, body.nodes) if held is None else held(body.nodes)
+    stays = in_tabs(strip, body.nodes) if held is None else held(body.nodes)
     materials = [Material(layer.sheet.youngs_modulus, layer.sheet.poisson_ratio, layer.sheet.density)
                  for layer in strip.layers]  # fmt: skip
     falls = None if gravity is None else (gravity[0], 0.0, gravity[1])
@@ -113,7 +113,7 @@ def on_curve(curve: PlaneCurve, nodes: np.ndarray) -> np.ndarray:
     return np.column_stack([plane[:, 0], y, plane[:, 1]])
 
 
-def _in_tabs(strip: Strip, nodes: np.ndarray) -> np.ndarray:
+def in_tabs(strip: Strip, nodes: np.ndarray) -> np.ndarray:
     """Which points (n, 3) belong to the tabs, with their roots at the ends of the free part."""
     x, y, _ = nodes.T
     held = np.zeros(x.size, dtype=bool)

@@ -39,6 +39,9 @@ TAPERED = """Strips 8 mm wide whose thickness carries the stiffness. The side vi
 wide: two bricks across the width, elements of 8 mm along. Rods are round, twelve bricks to a section, as thick
 as their side view is high. The tabs are held in the drawn pose; asked are 1e-03 of the length."""
 
+JOINED = """Strips 20 or 30 mm wide of two pieces: the base is cut through, a plate of the same sheet, as wide as
+the strip, is glued over the joint. Shares of the length, held by the tabs in the drawn pose."""
+
 POCKETS = """Rigid walls 0.15 mm off either face of the tabs, 10 mm deep, without friction; weight included. A tab
 touches where the free part ends and at its bottom, on the faces where the walls push. "Told" is what `Strip.held`
 says. Strips of the Pavilion are of card, with their slots and weight; six minutes and more of processor each."""
@@ -140,6 +143,10 @@ def written(everything: dict[str, list[dict[str, Any]]]) -> str:
         lines += ["", "## Tapered in thickness or diameter", "", TAPERED, ""]
         head = ("strip", "length (mm)", "thickness, diameter (mm)", "nodes", "strayed")
         lines += _table(head, everything["tapered"], _thinned)
+    if everything.get("joined"):
+        lines += ["", "## Joined of two pieces by a plate", "", JOINED, ""]
+        head = ("strip", "plate (mm)", "strayed", "told", "made up for: strayed", "told")
+        lines += _table(head, everything["joined"], _joined)
     if everything.get("pockets"):
         lines += ["", "## In pockets with play", "", POCKETS, ""]
         head = ("strip", "length (mm)", "finite elements (mm)", "told (mm)")
@@ -182,6 +189,11 @@ def _thinned(row: dict[str, Any]) -> tuple[str, ...]:
         str(row["nodes"]),
         f"{row['strayed']:.1e}",
     )
+
+
+def _joined(row: dict[str, Any]) -> tuple[str, ...]:
+    shares = (row[name] for name in ("strayed", "told", "made_up", "told_made_up"))
+    return row["name"], f"{row['lap']:g}", *(f"{share:.1e}" for share in shares)
 
 
 def _pocketed(row: dict[str, Any]) -> tuple[str, ...]:

@@ -1,6 +1,7 @@
 """Strips longer than the stock: pieces that fit it, plates over the joints, and what these do to the shape."""
 
 import json
+import pathlib
 from dataclasses import replace
 
 import numpy as np
@@ -14,6 +15,7 @@ from elastica_cad.cli.commands import elastica
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, MARK
 from elastica_cad.fabrication.makeability.splices import Splice, joined_within, splice, spliced
+from elastica_cad.fabrication.strip.made_stiffness import PLATE_CUT, PLATE_END, LapPlates
 from elastica_cad.geometry.paths.clip import clip_across
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.mechanics.material.tapered_sections import ThicknessLaw
@@ -70,12 +72,13 @@ def test_plates_do_not_weigh_what_they_are_stiff():
         def along(s, state):
             _, _, angle, moment, weight = state
             width = heavy.width(s)
-            stiff = EI * width * (8.0 if abs(s - at) < 60 else 1.0)
+            carries = PLATE_CUT * 6 / 2 < abs(s - at) < 60 - PLATE_END * 6
+            stiff = EI * width * (8.0 if carries else 1.0)
             cos, sin = np.cos(angle), np.sin(angle)
             return cos, sin, moment / stiff, sin * unknown[1] - cos * (unknown[2] + weight), per_width * width
 
         start = (*rod.position[0], rod.angle[0], unknown[0] * 1000, 0.0)
-        return solve_ivp(along, (0, rod.length), start, rtol=1e-7, atol=1e-7, max_step=20.0, **options)
+        return solve_ivp(along, (0, rod.length), start, rtol=1e-7, atol=1e-7, max_step=4.0, **options)
 
     def missed(unknown):
         x, y, angle = shot(unknown).y[:3, -1]
@@ -88,6 +91,19 @@ def test_plates_do_not_weigh_what_they_are_stiff():
     moved = float(np.hypot(x - rod.position[:, 0], y - rod.position[:, 1]).max())
     assert heavy.held().parts["plates"] == pytest.approx(moved, rel=0.02)
     assert heavy.held_deviation == pytest.approx(moved, rel=0.05)  # as made and held: plates and all else
+
+
+def test_plates_move_a_strip_as_finite_elements_have_it():
+    """Two pieces, the base cut through: tests/campaign/finite_elements/joined.py."""
+    measured = pathlib.Path(__file__).parents[2] / "campaign/finite_elements/measured.json"
+    rows = {row["name"]: row for row in json.loads(measured.read_text(encoding="utf-8"))["joined"]}
+    arch = ec.PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)], degree=4)
+    arch = arch.transformed(np.diag([1.0, 1.0, arch.length / 300]))
+    for name, nu, width, joint in (("arch, nu 0", 0.0, 30.0, 150.0), ("arch, nu 0.3", 0.3, 20.0, 110.0)):
+        sheet = ec.Sheet("ply", 0.8, 9000.0, 680.0, max_strain=0.02, poisson_ratio=nu)
+        bare = ec.make_strip(arch, sheet, max_width=width, anyway=True, compensate=False)
+        joined = replace(bare, plates=LapPlates((joint,), rows[name]["lap"]))
+        assert joined.held_deviation / 300 == pytest.approx(rows[name]["strayed"], rel=0.02)
 
 
 def test_what_is_told_of_plates_is_what_the_report_says_of_the_strip(tmp_path):
