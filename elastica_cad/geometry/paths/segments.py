@@ -351,10 +351,10 @@ def _require_affine(matrix: ArrayLike) -> FloatArray:
 
 def is_similarity(matrix: ArrayLike) -> bool:
     """True where a 3x3 affine matrix keeps circles circles."""
-    a = _require_affine(matrix)[:2, :2]
-    size = float(np.abs(a).max())
-    same = np.allclose(a[:, 1], left_of(a[:, 0]), rtol=0, atol=1e-12 * size)
-    return bool(same or np.allclose(a[:, 1], -left_of(a[:, 0]), rtol=0, atol=1e-12 * size))
+    (a, b, _), (c, d, _), _ = _require_affine(matrix).tolist()
+    slack = 1e-12 * max(abs(a), abs(b), abs(c), abs(d))
+    turned = bool(abs(b + c) <= slack and abs(d - a) <= slack)
+    return turned or bool(abs(b - c) <= slack and abs(d + a) <= slack)
 
 
 def _beyond_sine(x: float) -> float:
