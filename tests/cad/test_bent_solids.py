@@ -5,6 +5,7 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
+from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.forming.limits import Limits
@@ -15,6 +16,7 @@ from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Arc, Line, Spline
 from elastica_cad.kernel import occt
 from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
@@ -220,3 +222,23 @@ class TestBadInput:
     def test_no_thickness(self):
         with pytest.raises(InputError, match="thickness is 0"):
             FlatSolid(Path.rectangle(10, 5), (), 0.0)
+
+
+def test_holes_that_begin_on_a_joint_of_arcs_and_reach_the_next(measure):
+    """The strip hangs together at the tip of a hole only: two faces meet there, not one that is pinched."""
+    knots, points = [0.0, 0.0, 0.0], [np.zeros(2)]
+    weights, at, angle = [1.0], np.zeros(2), 1.2
+    for radius, degrees in ((40, 50), (80, 60), (30, 40)):
+        first, sweep = angle + np.pi / 2, np.radians(degrees)
+        center = at + radius * np.array([np.sin(angle), -np.cos(angle)])
+        arc = PlaneCurve.arc(center, radius, first, first - sweep)
+        points += list(arc.control_points[1:])
+        weights += list(arc.weights[1:] / arc.weights[0] * weights[-1])
+        knots += [knots[-1] + 1.0] * 2
+        angle, at = angle - sweep, arc.control_points[-1]
+    curve = PlaneCurve(np.array([*knots, knots[-1]]), np.array(points), 2, np.array(weights))
+    style = Perforated(width=30.0, columns=1, rows=2, least_ligament=0.2, least_hole=0.2)
+    strip = Strip(optimal_rod(curve), Sheet.named("birch-plywood-0.8"), style=style)
+    body = occt.make_solid(BentSolid.of(strip))
+    assert measure.is_valid(body)
+    assert measure.volume(body) == pytest.approx(FlatSolid.of(strip).volume, rel=1e-6)

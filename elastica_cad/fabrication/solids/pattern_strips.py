@@ -197,7 +197,7 @@ class _Cutter:
     def _closed(self, interval: int, on_seam: list[list[int]]) -> list[list[Piece]]:
         """Loops made of the interval's open chains and the seams between them."""
         chains = list(self.chains.get(interval, []))
-        loops = []
+        loops: list[list[Piece]] = []
         while chains:
             loop = chains.pop(0)
             while loop[-1].end != loop[0].start:
@@ -216,7 +216,7 @@ class _Cutter:
                 if chain:
                     chains.remove(chain)
                     loop += chain
-            loops.append(loop)
+            loops += _parted(loop)
         return loops
 
     def _run(self, corner: int, interval: int, on_seam: list[list[int]]) -> tuple[list[int], int]:
@@ -245,6 +245,17 @@ class _Cutter:
                 home = next((o for o in outer if _inside(polygon[0], polygons[o])), outer[0])
                 groups[home].append(loops[k])
         return list(groups.values())
+
+
+def _parted(loop: Sequence[Piece]) -> Iterator[list[Piece]]:
+    """A loop as loops that come to each corner once: holes may have a tip on a station and reach past the next."""
+    walk: list[Piece] = []
+    for piece in loop:
+        walk.append(piece)
+        back = next((k for k, one in enumerate(walk) if one.start == piece.end), None)
+        if back is not None:
+            yield walk[back:]
+            del walk[back:]
 
 
 def _corner(segment: Segment, t: float) -> FloatArray:

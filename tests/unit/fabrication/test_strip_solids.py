@@ -162,6 +162,17 @@ class TestCutAcross:
         seams = [p.number for r in pattern.regions for loop in r.loops for p in loop if p.seam]
         assert sorted(seams) == sorted([*set(seams)] * 2)
 
+    def test_a_hole_from_a_station_past_the_next_parts_the_strip(self):
+        """Its tip is a corner of both halves; each half is a region that comes there once."""
+        diamond = Path.polygon([(10, 10), (30, 5), (50, 10), (30, 15)])
+        pattern = cut_across(Path.rectangle(60, 20), [diamond], (10.0, 20.0))
+        between = [region for region in pattern.regions if region.interval == 1]
+        assert len(between) == 2
+        for region in between:
+            (loop,) = region.loops
+            corners = [piece.start for piece in loop]
+            assert len(set(corners)) == len(corners)
+
     def test_direction_of_the_loops_does_not_matter(self):
         arc = Path((Arc((20, 10), 5, 0.0, -2 * np.pi),), closed=True)
         one = cut_across(Path.rectangle(40, 20).reversed(), [arc], (20.0,))
