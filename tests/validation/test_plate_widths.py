@@ -115,11 +115,11 @@ def test_a_long_strip_that_bends_as_a_plate_is_cut_in_pieces():
 @pytest.mark.parametrize("ratio", [None, 8.0])
 @pytest.mark.parametrize("name", CURVES)
 def test_a_taper_near_a_curve_weighs_what_it_is_made_of(name, ratio):
-    """Where no limit binds, its scale is the section's: it was bent under that of another thickness."""
+    """Where no limit binds it may be thinner than it is allowed to be; it was made thicker than solved for."""
     sheet = Sheet("rubbery", 2.0, 900.0, density=1150.0, max_strain=0.05)
     law = ThicknessLaw(sheet, 0.8, 2.0, width=20.0)
     made = make_strip(
         CURVES[name], sheet, law=law, gravity=True, limits=Limits(ratio=ratio), keep=Keep(), anyway=True
     )
     assert made.held_deviation < 1e-5 * LENGTH
-    assert made.tapered["thickness"].extremes[1] == pytest.approx(2.0, rel=1e-4)
+    assert made.tapered["thickness"].extremes[1] <= 2.0 * (1 + 1e-4)

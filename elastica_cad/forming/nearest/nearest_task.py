@@ -56,6 +56,7 @@ from elastica_cad.mechanics.loads.rest_curvature import (
 )
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
+from elastica_cad.mechanics.material.tapered_sections import WidthLaw
 from elastica_cad.mechanics.rod.node_counts import SEARCH_SAMPLES
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.rod.rod_system import RodSystem
@@ -169,8 +170,11 @@ class NearestTask:
         )  # fmt: skip
 
     def settled(self, mapped: MappedRod) -> "NearestTask":
-        """The task with its section as large as its limits let a rod be that was found; itself where it was."""
-        if self.section is None:
+        """The task with widths as large as their limit lets a rod be that was found; itself where they were.
+
+        Of other laws the scale is that of their limits, whatever the bend, and their sizes keep within these.
+        """
+        if self.section is None or not isinstance(self.section.law, WidthLaw):
             return self
         bend = mapped.moments / mapped.stiffness / self.target.size
         section = self.section.settled(bend, mapped.stiffness)
