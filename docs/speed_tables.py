@@ -81,6 +81,10 @@ OURS = {
         "the same, a wave",
         "100 evaluations of the curve at 601 points",
     ),
+    "test_nearest_speed.py::test_second_solves_after_a_small_move": (
+        "nearest rods of sixteen curves after a small move, `start=`",
+        "the same afresh",
+    ),
     "test_pattern_speed.py::test_rounded_holes": (
         "all holes of a perforated strip rounded together",
         "one after the other",

@@ -27,4 +27,4 @@ def test_slots_cost_a_few_times_the_strips(benchmark, pavilion):
     slots = seconds(model.interlock)
     benchmark.extra_info["ratio"] = slots / seconds(rods)
     assert slots < 3.9 / 2
-    assert benchmark.extra_info["ratio"] < 6
+    assert benchmark.extra_info["ratio"] < 8
