@@ -169,12 +169,17 @@ class NearestTask:
             section=scale, natural_curvature=natural_curvature,
         )  # fmt: skip
 
+    @property
+    def is_scaled_freely(self) -> bool:
+        """Does K tell shares only? Of a law with limits of its own each K is a size."""
+        return self.section is None or isinstance(self.section.law, WidthLaw)
+
     def settled(self, mapped: MappedRod) -> "NearestTask":
         """The task with widths as large as their limit lets a rod be that was found; itself where they were.
 
         Of other laws the scale is that of their limits, whatever the bend, and their sizes keep within these.
         """
-        if self.section is None or not isinstance(self.section.law, WidthLaw):
+        if self.section is None or not self.is_scaled_freely:
             return self
         bend = mapped.moments / mapped.stiffness / self.target.size
         section = self.section.settled(bend, mapped.stiffness)

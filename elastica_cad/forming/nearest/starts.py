@@ -133,7 +133,7 @@ def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) ->
 def _told(measure: Measure, so_far: Search, found: Sequence[RodOutcome]) -> Search:
     """The search with a leaner rod that is as near as its best, or with the outcomes `found` elsewhere that are."""
     task, problem, best, _, steps, _ = so_far
-    if mean_distance(task, best) < _FOLLOWED * task.target.diagonal:
+    if task.is_scaled_freely and mean_distance(task, best) < _FOLLOWED * task.target.diagonal:
         lean = _leaner(task, measure, best)
         if lean is not None:
             tight, problem, best = lean
