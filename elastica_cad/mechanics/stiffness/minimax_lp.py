@@ -188,24 +188,22 @@ class _QuickProgram:
     """By exchanging vertices; where that comes to none, by a library, which also says whether there is any."""
 
     def __init__(self, unknowns: int) -> None:
-        self.quick: VertexExchange | None = VertexExchange(unknowns)
         self.unknowns = unknowns
+        self.program: _Program = VertexExchange(unknowns)
         self.added: list[tuple[FloatArray, FloatArray, int]] = []
 
     def add(self, rows: FloatArray, offset: FloatArray, low: int) -> None:
         self.added.append((rows, offset, low))
-        if self.quick is not None:
-            self.quick.add(rows, offset, low)
+        self.program.add(rows, offset, low)
 
     def solve(self) -> FloatArray | None:
-        answer = None if self.quick is None else self.quick.solve()
-        if answer is not None:
-            return answer
-        self.quick = None
-        whole = _library_program("auto", self.unknowns)
-        for rows, offset, low in self.added:
-            whole.add(rows, offset, low)
-        return whole.solve()
+        answer = self.program.solve()
+        if answer is None and isinstance(self.program, VertexExchange):
+            self.program = _library_program("auto", self.unknowns)
+            for demands in self.added:
+                self.program.add(*demands)
+            answer = self.program.solve()
+        return answer
 
 
 def _library_program(solver: Solver, unknowns: int) -> _Program:
