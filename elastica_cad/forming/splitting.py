@@ -14,7 +14,8 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.trim import trim_curve
 from elastica_cad.mechanics.loads.arguments import require_curve, require_supports
 from elastica_cad.mechanics.loads.supports import End, Supports
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium, examine_curvature
+from elastica_cad.mechanics.theorem1.curvature_conditions import examine_curvature
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
 
 _SHORTEST_SHARE = 1e-4  # pieces shorter than this, relative to the domain, are none

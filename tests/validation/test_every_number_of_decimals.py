@@ -16,7 +16,8 @@ from elastica_cad.forming.fairing_request import smooth_curve
 from elastica_cad.forming.rounding_verdict import undecided_by_rounding
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.pen_curves.provenance import Provenance
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium, require_bendable
+from elastica_cad.mechanics.theorem1.corners import require_bendable
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
 pytest.importorskip("svgelements")
 

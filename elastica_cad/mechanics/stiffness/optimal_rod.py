@@ -28,9 +28,9 @@ from elastica_cad.mechanics.stiffness.optimal_balance import balance_with_weight
 from elastica_cad.mechanics.stiffness.quadrature_panels import values_at
 from elastica_cad.mechanics.stiffness.section_balance import balance_with_section
 from elastica_cad.mechanics.stiffness.stiffness_profile import stiffness_profile
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium, examine_curvature
+from elastica_cad.mechanics.theorem1.curvature_conditions import AT_END_SHARE, examine_curvature
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 from elastica_cad.mechanics.theorem1.inflection_line import InflectionLine
-from elastica_cad.mechanics.theorem1.reasons import AT_END_SHARE
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable, figure
 
 _LAW_SAMPLES = 2001  # along the curve, where a law is asked for its moments

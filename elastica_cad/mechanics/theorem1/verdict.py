@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from html import escape
 from typing import Any
 
+from elastica_cad._types import FloatArray
 from elastica_cad.errors import ElasticaError
 from elastica_cad.geometry.curves.curve_records import CurvatureZero
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -139,3 +140,9 @@ def listed(items: Iterable[str], most: int = 6) -> str:
     if len(texts) > most:
         return ", ".join(texts[:most]) + f" and {len(texts) - most} more"
     return " and ".join([", ".join(texts[:-1]), texts[-1]]) if len(texts) > 1 else "".join(texts)
+
+
+def shown_on(curve: PlaneCurve, point: FloatArray) -> str:
+    """A point (2,) as the program shows it in which the curve was drawn."""
+    drawn = curve.provenance
+    return f"({point[0]:.4g}, {point[1]:.4g})" if drawn is None else drawn.shown(point)

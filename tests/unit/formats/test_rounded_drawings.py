@@ -9,7 +9,8 @@ from elastica_cad.errors import InputError
 from elastica_cad.files import read_curves, read_drawing
 from elastica_cad.forming.fairing_request import smooth_curve
 from elastica_cad.forming.rounding_verdict import undecided_by_rounding
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium, require_bendable
+from elastica_cad.mechanics.theorem1.corners import require_bendable
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 
 pytest.importorskip("svgelements")
 

@@ -12,9 +12,9 @@ from elastica_cad.mechanics.loads.supports import End, Supports
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 from elastica_cad.mechanics.theorem1.inflection_line import (
     InflectionLine,
-    find_separating_line,
     fit_inflection_line,
 )
+from elastica_cad.mechanics.theorem1.line_conditions import find_separating_line
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 
 pytestmark = pytest.mark.core

@@ -15,7 +15,8 @@ from elastica_cad.errors import ElasticaError
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium, examine_curvature
+from elastica_cad.mechanics.theorem1.curvature_conditions import examine_curvature
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
 
 TEETH = 161  # of the comb: as smooth as a screen shows it

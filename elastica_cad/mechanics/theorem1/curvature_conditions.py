@@ -1,0 +1,274 @@
+"""Theorem 1 where it asks for the curvature alone: zeros of kappa - kappa_0, and what to tell of them."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from elastica_cad.geometry.curves.curve_records import CurvatureZero
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads.arguments import require_curve
+from elastica_cad.mechanics.loads.rest_curvature import (
+    ExcessCurvature,
+    NaturalCurvature,
+    RestCurvature,
+    require_natural_curvature,
+)
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.theorem1.closed_curves import begin_at, flattest_place
+from elastica_cad.mechanics.theorem1.corners import require_bendable
+from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, figure, listed, places, shown_on
+
+AT_END_SHARE = 1e-7
+"""A zero of the curvature nearer to an end than this, in lengths of the curve, is the end's."""
+
+SEAM_SHARE = 0.01
+"""Of the largest curvature: a closed curve that is bent less where it begins is begun elsewhere."""
+
+PINNED_SHARE = 1e-6
+"""Curvature at a pinned end, relative to the largest, that counts as none."""
+
+GENTLE_SHARE = 1e-5
+"""Slope of the curvature in an inflection, relative to the largest curvature over the length, that counts as none:
+the stiffness would exceed that of other places by some ten thousand times."""
+
+FAINT_SHARE = 1e-7
+"""Curvature in a dip, relative to the largest, that counts as none: as for the slope, whose square it goes with."""
+
+_DIP_SHARE = 0.01  # of the largest curvature: deeper dips are looked at closely
+
+
+def examine_curvature(
+    curve: PlaneCurve, supports: Supports, natural_curvature: NaturalCurvature = 0.0
+) -> EquilibriumCheck:
+    """Everything of `check_equilibrium` but the line: zeros of kappa - kappa_0, jumps, straight pieces,
+    kinks.
+
+    With weight there is no line (paper, section 5), but these conditions stay. The same errors are raised.
+    """
+    require_curve(curve)
+    require_natural_curvature(natural_curvature)
+    require_bendable(curve)
+    excess = ExcessCurvature(curve, natural_curvature)
+    largest = _largest(excess)
+    excess, begun = _begun_clear(excess, largest)
+    curve = excess.curve
+    zeros = _zeros_of(excess, supports, largest)
+    flats = [z for z in zeros if z.kind == "flat"]
+    jumps = tuple(z.s for z in zeros if z.kind == "jump")
+    touches = [z.s for z in zeros if z.kind == "touch"]
+    points = tuple(z for z in zeros if z.kind in ("crossing", "end"))
+    check = EquilibriumCheck(
+        realizable=True,
+        reasons=(),
+        warnings=(),
+        length=curve.length,
+        curve=curve,
+        inflections=tuple((z.s + z.s_end) / 2 for z in zeros if z.changes_sign),
+        jumps=jumps,
+        flats=tuple((z.s, z.s_end) for z in flats),
+        zeros=points,
+    )
+    if (
+        flats
+        and flats[0].s <= AT_END_SHARE * curve.length
+        and flats[0].s_end >= (1 - AT_END_SHARE) * curve.length
+    ):
+        return replace(check, any_stiffness=True, warnings=_warn_of_crossing(curve), zeros=())
+    gentle = [z.s for z in points if _slope(excess, z) <= GENTLE_SHARE * largest / curve.length]
+    gentle += _faint_places(excess, largest, zeros)
+    reasons = [
+        *_tell_pinned_ends(excess, supports, points),
+        *_tell_straight_parts(excess, flats, largest),
+        *_tell_jumps(jumps),
+        *_tell_touches(sorted([*touches, *gentle])),
+    ]
+    return replace(
+        check,
+        realizable=not reasons,
+        reasons=tuple(reasons),
+        warnings=(*begun, *_warn_of_widths(curve, jumps), *_warn_of_crossing(curve)),
+        curvature_touches=tuple(sorted([*touches, *gentle])),
+    )
+
+
+def _begun_clear(excess: ExcessCurvature, largest: float) -> tuple[ExcessCurvature, tuple[str, ...]]:
+    """The same; of a closed curve that begins where its bending vanishes, begun elsewhere, with a sentence."""
+    curve = excess.curve
+    if not curve.is_closed or isinstance(excess.rest, RestCurvature):  # which counts from the start
+        return excess, ()
+    if np.abs(excess.at(np.array(curve.domain))).min() > SEAM_SHARE * largest:
+        return excess, ()
+    place = flattest_place(curve)
+    told = (
+        "The curve is closed and begins where it is not bent, so places are counted from "
+        f"{shown_on(curve, curve.at(np.array([place])).position[0])}, "
+        f"{figure(place)} mm after its start."
+    )
+    return replace(excess, curve=begin_at(curve, place)), (told,)
+
+
+def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tuple[CurvatureZero, ...]:
+    """Zeros of kappa - kappa_0, those next to an end put there; a pinned end may keep a trace."""
+    curve = excess.curve
+    low, high = curve.domain
+    length, near = curve.length, AT_END_SHARE * curve.length
+    found: list[CurvatureZero] = []
+    ends: dict[bool, CurvatureZero] = {}
+    for zero in excess.zeros:
+        at_start, at_end = zero.s_end <= near, zero.s >= length - near
+        if zero.kind == "flat" or not (at_start or at_end):
+            found.append(zero)
+        else:
+            ends[at_end] = zero
+    for is_end, support in enumerate(supports.ends):
+        t = high if is_end else low
+        kappa = float(excess.at(np.array(t)))
+        pinned = not support.angle and abs(kappa) <= PINNED_SHARE * largest
+        if bool(is_end) in ends or (pinned and not any(z.t <= t <= z.t_end for z in found)):
+            slope = int(np.sign(excess.slope_at(np.array(t))))
+            sign = (0, slope) if not is_end else (-slope, 0)
+            s = length if is_end else 0.0
+            found.append(CurvatureZero(s, t, "end", s, t, *sign))
+    return tuple(sorted(found, key=lambda z: z.s))
+
+
+def _largest(excess: ExcessCurvature) -> float:
+    """Largest |kappa - kappa_0|, nearly: the size against which others are small."""
+    return float(np.abs(excess.survey).max())
+
+
+def _faint_places(excess: ExcessCurvature, largest: float, zeros: tuple[CurvatureZero, ...]) -> list[float]:
+    """Arc lengths (mm) where |kappa - kappa_0| dips all but to zero, without a zero there."""
+    curve, felt = excess.curve, excess.survey
+    s = curve.survey.s
+    bent = np.abs(felt)
+    inside = bent[1:-1]
+    dips = (inside <= bent[:-2]) & (inside <= bent[2:]) & (inside < _DIP_SHARE * largest)
+    found = []
+    for i in np.flatnonzero(dips) + 1:
+        low, high = s[i - 1], s[i + 1]
+        if any(low <= z.s_end and z.s <= high for z in zeros):
+            continue
+        sign = np.sign(felt[i])
+
+        def depth(s: float, sign: float = sign) -> float:
+            return float(sign * excess.at(curve.parameter(np.array(s))))
+
+        from scipy.optimize import minimize_scalar
+
+        least = minimize_scalar(
+            depth, bounds=(low, high), method="bounded", options={"xatol": 1e-7 * curve.length}
+        )
+        if least.fun <= FAINT_SHARE * largest:
+            found.append(float(least.x))
+    return found
+
+
+def _slope(excess: ExcessCurvature, zero: CurvatureZero) -> float:
+    """Least one-sided |d kappa / ds| at a zero."""
+    t = np.array(zero.t)
+    low, high = excess.curve.domain
+    sides = [side for side, inside in ((True, zero.t > low), (False, zero.t < high)) if inside]
+    return min(abs(float(excess.slope_at(t, left=side))) for side in sides)
+
+
+def _tell_pinned_ends(
+    excess: ExcessCurvature, supports: Supports, zeros: Sequence[CurvatureZero]
+) -> Iterable[str]:
+    """Ends that turn freely where the curve is bent."""
+    curve = excess.curve
+    for name, support, t, s in zip(
+        ("start", "end"), supports.ends, curve.domain, (0.0, curve.length), strict=True
+    ):
+        if support.angle or any(z.kind == "end" and z.t == t for z in zeros):
+            continue
+        kappa = float(curve.curvature_at(np.array(t)))
+        natural = float(excess.rest_at(np.array(t)))
+        over = f" less the natural {natural:.4g}" if natural else ""
+        yield (
+            f"The {name} (at {s:.4g} mm) is free to turn, so the curve must have no curvature there; it has "
+            f"{kappa:.4g} 1/mm{over}: clamp this end, or let the curvature run out to zero."
+        )
+
+
+def _tell_straight_parts(
+    excess: ExcessCurvature, flats: Sequence[CurvatureZero], largest: float
+) -> Iterable[str]:
+    """Straight parts, at whose ends no stiffness would do."""
+    curve = excess.curve
+    for flat in flats:
+        joints = [joint for joint in ((flat.s, flat.t, True), (flat.s_end, flat.t_end, False))
+                  if AT_END_SHARE * curve.length < joint[0] < (1 - AT_END_SHARE) * curve.length]  # fmt: skip
+        what = "has exactly the natural curvature" if excess.is_bent_beforehand else "is straight"
+        opening = (
+            f"The piece from {figure(flat.s)} to {flat.s_end:.4g} mm {what} and joined to a bent one, so "
+            "the stiffness would have to go to 0 at the joint"
+        )
+        if any(_is_gentle(excess, t, largest, left=left) for _, t, left in joints):
+            yield f"{opening}, whatever supports the strip there: bend the piece a little."
+        else:
+            yield (
+                f"{opening}: support the strip {places(s for s, _, _ in joints)}, or bend the piece a little."
+            )
+
+
+def _is_gentle(excess: ExcessCurvature, t: float, largest: float, *, left: bool) -> bool:
+    """Does kappa - kappa_0 leave zero at t without a slope, so that no strip takes the bent piece alone?"""
+    at = np.array(t)
+    kappa = abs(float(excess.at(at, left=left)))
+    slope = abs(float(excess.slope_at(at, left=left)))
+    return kappa <= PINNED_SHARE * largest and slope <= PINNED_SHARE * largest / excess.curve.length
+
+
+def _tell_jumps(jumps: Sequence[float]) -> Iterable[str]:
+    """Jumps of the curvature through zero."""
+    if jumps:
+        yield (
+            f"The bending is reversed by a jump of the curvature {places(jumps)}, where the stiffness would "
+            "have to go to 0: support the strip there, or let the curvature pass through zero smoothly "
+            "(smooth = 0.1, or --smooth 0.1, does that within 0.1 mm)."
+        )
+
+
+def _tell_touches(touches: Sequence[float]) -> Iterable[str]:
+    """Places where the curvature touches zero."""
+    if touches:
+        yield (
+            f"The curvature runs out to zero {places(touches)} without a clear change of sign, where the "
+            "stiffness would have to be infinite or zero, whatever supports the strip: bend the curve a "
+            "little more there, or reverse its bending at a clear rate."
+        )
+
+
+def _warn_of_widths(curve: PlaneCurve, jumps: Sequence[float]) -> Iterable[str]:
+    """Where the width will jump or kink with the curvature."""
+    breaks = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
+    steps = [b.s for b in breaks if b.continuity == 1 and b.s not in jumps]
+    kinks = [b.s for b in breaks if b.continuity == 2]
+    if steps:
+        yield (
+            f"The width of the strip steps {places(steps)}, where the curvature jumps: smooth = 0.1, or "
+            "--smooth 0.1, makes it a fair curve of degree 4 within 0.1 mm."
+        )
+    if kinks:
+        advice = (
+            "smooth = 0.1, or --smooth 0.1, makes it a fair curve of degree 4 within 0.1 mm"
+            if curve.degree < 4
+            else "do not repeat the knot there"
+        )
+        yield (
+            f"The width of the strip has a kink {places(kinks)}, where the slope of the curvature jumps: "
+            f"{advice}."
+        )
+
+
+def _warn_of_crossing(curve: PlaneCurve) -> tuple[str, ...]:
+    """Where the curve crosses itself."""
+    pairs = curve.self_intersections()
+    if not pairs.size:
+        return ()
+    where = listed(f"{first:.4g} and {second:.4g}" for first, second in pairs)
+    return (
+        f"The curve crosses itself (at {where} mm): two parts of the strip must pass side by side there.",
+    )
