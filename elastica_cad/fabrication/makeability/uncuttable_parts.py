@@ -92,25 +92,25 @@ def find_strip_faults(strip: Strip, shop: Shop | None = None) -> tuple[Fault, ..
     shop = shop or Shop()
     name = strip.label or "strip"
     joined = shop.lap is not None  # of pieces
+    stocks = [shop.stock_for(layer.sheet) for layer in strip.layers]
+    leasts = [shop.width_for(layer.sheet) for layer in strip.layers]
+    if isinstance(strip.style, Laminated):  # glued on, a backing needs no strength of its own
+        leasts[1:] = [min(least, strip.style.least_backing) for least in leasts[1:]]
+    ligament = shop.ligament_for(strip.sheet)
     found: list[Fault] = []
-    for i, layer in enumerate(strip.layers):
+    for i, (layer, least, stock) in enumerate(zip(strip.layers, leasts, stocks, strict=True)):
         called = name if i == 0 else f"{name}, backing"
-        least = shop.width_for(layer.sheet)
-        if i and isinstance(strip.style, Laminated):  # glued on, it needs no strength of its own
-            least = min(least, strip.style.least_backing)
         length, width = _size(strip)
-        if width < FAR_WIDER * shop.stock_for(layer.sheet)[0]:
+        if width < FAR_WIDER * stock[0]:
             found += _thin_strip(called, strip, layer, least)
-        longest = shop.stock_for(layer.sheet)[0] if joined else np.inf
-        found += _too_large(called, min(length, longest), width, layer.sheet, shop)
+        found += _too_large(called, min(length, stock[0] if joined else np.inf), width, layer.sheet, stock)
     style = strip.style
-    needed = shop.ligament_for(strip.sheet)
-    if isinstance(style, Perforated) and style.least_ligament < needed:
+    if isinstance(style, Perforated) and style.least_ligament < ligament:
         allowed = style.least_ligament
-        what = f"ligaments down to {allowed:.3g} mm are allowed, {needed:.3g} mm are needed"
+        what = f"ligaments down to {allowed:.3g} mm are allowed, {ligament:.3g} mm are needed"
         found.append(Fault(name, what, "ask for wider ligaments, or fewer columns"))
-    longest = min(strip.rod.length, shop.stock_for(strip.sheet)[0] if joined else np.inf)
-    slenderest = longest / min(float(strip.width.extremes[0]), shop.stock_for(strip.sheet)[1])
+    longest = min(strip.rod.length, stocks[0][0] if joined else np.inf)
+    slenderest = longest / min(float(strip.width.extremes[0]), stocks[0][1])
     if slenderest > SLENDEREST:
         what = (
             f"{strip.rod.length:.4g} mm long and {strip.width.extremes[0]:.3g} mm wide: too slender to handle"
@@ -129,7 +129,7 @@ def find_plate_faults(
 ) -> tuple[Fault, ...]:
     """The same for a ring, a base or a rail: bridges between its cuts, and its size; `called` names first holes."""
     shop = shop or Shop()
-    least = shop.bridge_for(sheet)
+    least, stock = shop.bridge_for(sheet), shop.stock_for(sheet)
     length, width = np.ptp(outline.bounds, axis=0)
     return (
         *_told(
@@ -137,7 +137,7 @@ def find_plate_faults(
             "leave more room between the slots: a larger ring or plate, fewer or narrower strips, a wider border",
             ("the edge", *called, *("a hole" for _ in holes[len(called):])),
         ),
-        *_too_large(name, float(length), float(width), sheet, shop),
+        *_too_large(name, float(length), float(width), sheet, stock),
     )  # fmt: skip
 
 
@@ -205,9 +205,10 @@ def _told(
         yield Fault(name, what, cure)
 
 
-def _too_large(name: str, length: float, width: float, sheet: Sheet, shop: Shop) -> Iterator[Fault]:
+def _too_large(
+    name: str, length: float, width: float, sheet: Sheet, stock: tuple[float, float]
+) -> Iterator[Fault]:
     long, short = max(length, width), min(length, width)
-    stock = shop.stock_for(sheet)
     if long > stock[0] or short > stock[1]:
         sides = " x ".join(f"{side:.4g}" for side in stock)
         what = f"{long:.4g} x {short:.4g} mm is larger than the stock of {sides} mm in {sheet.name}"

@@ -8,12 +8,12 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.geometry.polynomials.knot_runs import knot_runs
 from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature, NaturalCurvature
+from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2, PointMass, Weight
 from elastica_cad.mechanics.material.moment_curvature import MaterialLaw
+from elastica_cad.mechanics.stiffness.curve_cuts import REFINEMENTS, CutCurve
 from elastica_cad.mechanics.stiffness.moment_conditions import (
     NO_GAIN_SHARE,
     SMOOTHING_SHARE,
@@ -21,17 +21,9 @@ from elastica_cad.mechanics.stiffness.moment_conditions import (
     ConditionedRows,
 )
 from elastica_cad.mechanics.stiffness.moment_rows import LineLoad, moment_rows
-from elastica_cad.mechanics.stiffness.quadrature_panels import Panels, cut_into_panels
+from elastica_cad.mechanics.stiffness.quadrature_panels import Panels
 from elastica_cad.mechanics.stiffness.stiffness_smoothing import largest_number
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
-
-ROUGH = 1e-9
-"""Last Legendre coefficients of K in a panel, relative to K, that call for smaller panels."""
-
-REFINEMENTS = 6  # rounds of solving anew on finer panels
-
-SMOOTH = 4
-"""Continuous derivatives of K from which on a knot of the load needs no edge of a panel."""
 
 
 def balance_without_weight(
@@ -43,11 +35,10 @@ def balance_without_weight(
     nodes: FloatArray | None = None,
 ) -> BalancedStiffness:
     """Eq. 4 on the continuous curve, or with its ratio judged at the parameters `nodes` only."""
-    cuts, kinks = bend_kinks(check, natural_curvature, law)
-    panels = cut_panels(check, natural_curvature, law, cuts)
-    problem = ConditionedRows(check, supports, panels, moment_rows(panels), nodes)
+    cut = CutCurve.where_kinked(check, natural_curvature, law)
+    problem = ConditionedRows(check, supports, cut.panels, moment_rows(cut.panels), nodes)
     state = problem.least(problem.homogeneous(3), smooth=False)
-    return replace(problem.balance(problem.steadied(state)), kinks=kinks)
+    return replace(problem.balance(problem.steadied(state)), kinks=cut.kinks)
 
 
 def balance_with_weight(
@@ -62,16 +53,12 @@ def balance_with_weight(
     nodes: FloatArray | None = None,
 ) -> BalancedStiffness:
     """Eq. 6 on the continuous curve, with weight proportional to the stiffness, or in newtons."""
-    cuts, kinks = bend_kinks(check, natural_curvature, law)
-    load_cuts, load_kinks = load_places(check, weight)
-    cuts, kinks = [*cuts, *load_cuts], [*kinks, *load_kinks]
-    panels = cut_panels(check, natural_curvature, law, cuts)
+    cut = CutCurve.where_kinked(check, natural_curvature, law, weight)
     if weight is None or weight.own:
-        cuts = [*cuts, *heavy_cuts(panels, gravity)]
-        panels = cut_panels(check, natural_curvature, law, cuts)
+        cut = cut.for_weight(gravity)
     tau = None if bending_stiffness is None else 1 / bending_stiffness
     for _ in range(REFINEMENTS):
-        load = WeightedPanels(check, supports, panels, gravity, weight, nodes)
+        load = WeightedPanels(check, supports, cut.panels, gravity, weight, nodes)
         if weight is None:
             problem = load.against(0.0)
             balance = problem.balance(problem.least(problem.homogeneous(3)))
@@ -79,16 +66,15 @@ def balance_with_weight(
             tau = _least_compliance(load, weight) if tau is None else tau
             problem = load.against(tau)
             balance = problem.balance(problem.least(problem.at_compliance(tau)))
-        rough = balance.stiffness.unresolved(ROUGH)
-        if not rough.any():
+        finer = cut.for_stiffness(balance.stiffness)
+        if finer is None:
             break
-        cuts = [*cuts, *((panels.edges[1:] + panels.edges[:-1]) / 2)[rough]]
-        panels = cut_panels(check, natural_curvature, law, cuts)
+        cut = finer
     if weight is None or tau is None:
-        return replace(balance, kinks=kinks)
+        return replace(balance, kinks=cut.kinks)
     beta = _raised(weight.beta, gravity.length**-3 / tau) if weight.own else weight.beta
     carried = replace(weight, beta=beta, own=False)
-    return replace(balance, bending_stiffness=1 / tau, weight=carried, kinks=kinks)
+    return replace(balance, bending_stiffness=1 / tau, weight=carried, kinks=cut.kinks)
 
 
 @dataclass(frozen=True, eq=False)
@@ -190,67 +176,6 @@ def _searched_compliance(load: WeightedPanels, weight: Weight) -> float:
         return float(np.exp(trial[-1]))
     low, high = trial[within], trial[within + 1]
     return float(np.exp(brentq(lambda x: min(ratio(x), 2 * limit) - limit, low, high, xtol=1e-6)))
-
-
-def cut_panels(
-    check: EquilibriumCheck,
-    natural_curvature: NaturalCurvature,
-    law: MaterialLaw | None,
-    cuts: Sequence[float],
-) -> Panels:
-    """The curve cut into panels at the parameters `cuts`, at its zeros and where the law is not smooth."""
-    zeros = [z.t for z in check.zeros]
-    return cut_into_panels(check.curve, zeros, cuts=cuts, natural_curvature=natural_curvature, law=law)
-
-
-def heavy_cuts(panels: Panels, gravity: Gravity) -> FloatArray:
-    """Parameters at which to cut panels longer than sqrt(kappa l_eg^3), on which a heavy K varies."""
-    steep = np.sqrt(gravity.length**-3 / np.abs(panels.curvature).max(axis=1))
-    parts = np.clip(np.ceil(np.diff(panels.edge_s) * steep / 2), 1, 50).astype(int)
-    edges = panels.edges
-    inner = [np.linspace(a, b, n + 1)[1:-1] for a, b, n in zip(edges[:-1], edges[1:], parts, strict=True)]
-    return np.concatenate(inner)
-
-
-def bend_kinks(
-    check: EquilibriumCheck, natural_curvature: NaturalCurvature, law: MaterialLaw | None
-) -> tuple[list[float], list[tuple[float, int]]]:
-    """Parameters at which the blank or the material law is not smooth, and the kinks (s, continuity) of K there."""
-    excess = ExcessCurvature(check.curve, natural_curvature)
-    found = [*excess.kinks] + [
-        (place.t, place.s, continuity)
-        for curvature, continuity in (() if law is None else law.kinks)
-        for side in (-curvature, curvature)
-        for place in excess.equals(side)
-    ]
-    return [t for t, _, _ in found], [(s, continuity) for _, s, continuity in found]
-
-
-def load_places(
-    check: EquilibriumCheck, weight: Weight | None
-) -> tuple[list[float], list[tuple[float, int]]]:
-    """Parameters at which panels must end, and kinks (s, continuity) of the stiffness that the load makes."""
-    if weight is None:
-        return [], []
-    length = check.length
-    kinks: list[tuple[float, int]] = []
-    for mass in weight.masses:
-        if not (np.isfinite(mass.mass) and 0 <= mass.at <= length):
-            raise InputError(
-                f"point mass of {mass.mass:.6g} g at {mass.at:.6g} mm does not lie on the curve of "
-                f"{length:.6g} mm"
-            )
-        kinks.append((mass.at, 0))
-    for part in (weight.alpha, weight.beta):
-        if isinstance(part, Profile):
-            if not np.isclose(part.length, length, rtol=1e-6):
-                raise InputError(f"a weight profile is {part.length:.6g} mm long, the curve {length:.6g} mm")
-            # the moment is twice an integral of the load
-            knots, times = knot_runs(part.knots)
-            smooth = part.degree - times + 2
-            kinks += [(float(s), int(c)) for s, c in zip(knots, smooth, strict=True) if c < SMOOTH]
-    kinks = [(s, c) for s, c in kinks if 0 < s < length]
-    return [float(t) for t in check.curve.parameter(np.array([s for s, _ in kinks]))], kinks
 
 
 def _raised(value: float | Profile, step: float) -> float | Profile:

@@ -10,7 +10,6 @@ from elastica_cad.geometry.curves.curve_records import CurveSamples
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.loads.arguments import (
-    require_curve,
     require_gravity,
     require_supports,
     whole_number,
@@ -104,7 +103,6 @@ def optimal_rod(
     >>> round(optimal_rod(arch).ratio, 4)
     1.5699
     """
-    require_curve(curve)
     require_gravity(gravity)
     supports = require_supports(supports)
     _check_options(gravity, samples, weight, bending_stiffness)

@@ -14,16 +14,11 @@ from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw, StiffnessLaw
 from elastica_cad.mechanics.rod.node_counts import DEFAULT_SAMPLES
+from elastica_cad.mechanics.stiffness.curve_cuts import REFINEMENTS, CutCurve
 from elastica_cad.mechanics.stiffness.moment_conditions import BalancedStiffness
 from elastica_cad.mechanics.stiffness.optimal_balance import (
-    REFINEMENTS,
-    ROUGH,
     WeightedPanels,
     balance_without_weight,
-    bend_kinks,
-    cut_panels,
-    heavy_cuts,
-    load_places,
     point_weights,
 )
 from elastica_cad.mechanics.stiffness.quadrature_panels import VANDER, PanelFunction
@@ -72,23 +67,18 @@ def balance_with_section(
         scale = _scale(section.bent(balance.panels.curvature), balance.stiffness)
         return _within_limits(replace(balance, bending_stiffness=scale), section)
     carried = Weight(masses=tuple(masses))
-    cuts, kinks = load_places(check, carried)
-    kinks = [*kinks, *bend_kinks(check, natural_curvature, None)[1]]
     law = section.bent(0.0)
     full = float(law.bending_stiffness(_deciding(law)) / law.weight_per_length(_deciding(law)))
     heavy = replace(gravity, length=full ** (1 / 3))
-    panels = cut_panels(check, natural_curvature, None, cuts)
-    cuts = [*cuts, *heavy_cuts(panels, heavy)]
-    panels = cut_panels(check, natural_curvature, None, cuts)
+    cut = CutCurve.where_kinked(check, natural_curvature, weight=carried).for_weight(heavy)
     for _ in range(REFINEMENTS):
-        load = WeightedPanels(check, supports, panels, heavy, carried, nodes)
-        balance = _settled(load, section.bent(panels.curvature))
-        rough = balance.stiffness.unresolved(ROUGH)
-        if not rough.any():
+        load = WeightedPanels(check, supports, cut.panels, heavy, carried, nodes)
+        balance = _settled(load, section.bent(cut.panels.curvature))
+        finer = cut.for_stiffness(balance.stiffness)
+        if finer is None:
             break
-        cuts = [*cuts, *((panels.edges[1:] + panels.edges[:-1]) / 2)[rough]]
-        panels = cut_panels(check, natural_curvature, None, cuts)
-    return replace(_within_limits(balance, section), kinks=kinks)
+        cut = finer
+    return replace(_within_limits(balance, section), kinks=cut.kinks)
 
 
 @dataclass(frozen=True, eq=False)

@@ -115,13 +115,10 @@ def _with_line(
         try:
             from elastica_cad.mechanics.theorem1.project_inflections import project_inflections
 
-            moved = project_inflections(
-                check.curve, check.zeros, normal=normal, natural_curvature=natural_curvature
-            )
+            moved = project_inflections(check.curve, check.zeros, line, natural_curvature)
         except NotConvergedError:
             return _refused(check, _off_line_reason(check, normal, 0.0))
         again = examine_curvature(moved, supports, natural_curvature)
-        line = fit_inflection_line(_positions(again), normal)
         check = replace(again, line=line, off_line=off_line, moved=_largest_move(check.curve, moved))
     meetings = _line_meetings(check.curve, line, check.zeros)
     if not meetings:

@@ -4,7 +4,6 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.geometry.curve_editing.control_point_constraints import (
     Constraint,
@@ -18,7 +17,7 @@ from elastica_cad.geometry.curve_editing.control_point_constraints import (
 )
 from elastica_cad.geometry.curves.curve_records import CurvatureZero
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.theorem1.inflection_line import InflectionLine, fit_inflection_line
+from elastica_cad.mechanics.theorem1.inflection_line import InflectionLine
 
 MOST_STEPS = 12
 """Newton steps before the move counts as none."""
@@ -33,15 +32,13 @@ LARGEST_MOVE_SHARE = 0.05
 def project_inflections(
     curve: PlaneCurve,
     zeros: Sequence[CurvatureZero],
-    *,
-    normal: FloatArray | None = None,
+    line: InflectionLine,
     natural_curvature: float = 0.0,
 ) -> PlaneCurve:
-    """The curve with control points moved so that all `zeros` of kappa - kappa_0 lie on one line.
+    """The curve with control points moved so that all `zeros` of kappa - kappa_0 lie on a line.
 
-    The line is the nearest one to the zeros (of given `normal`, if any) and is held. End points and end
-    tangents are held as long as the curve has the freedom for it; a zero at an end stays there, and where pieces
-    of a pen's path meet the tangent stays continuous.
+    End points and end tangents are held as long as the curve has the freedom for it; a zero at an end stays
+    there, and where pieces of a pen's path meet the tangent stays continuous.
 
     Raises
     ------
@@ -52,7 +49,6 @@ def project_inflections(
     ----------
     Paper, Appendix C.
     """
-    line = fit_inflection_line(np.asarray(curve.evaluate(np.array([z.t for z in zeros]))), normal)
     needed = [*_on_line(curve, zeros, line, natural_curvature), SmoothJoints.of(curve)]
     for kept in _kept_ends(curve, zeros):
         try:

@@ -29,6 +29,11 @@ class DrawnCurve:
     placement: App.Placement
     world: App.Placement
 
+    @property
+    def plane(self) -> Frame:
+        """Its plane in the whole document."""
+        return frame_of(self.world)
+
 
 def drawn_curve(link: Any, follower: Any = None) -> DrawnCurve:
     """The curve behind a link (object, names of edges), seen from where `follower` stands.

@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
-from freecad.elastica_wb.curves.sketch_curves import DrawnCurve, frame_of
+from freecad.elastica_wb.curves.sketch_curves import DrawnCurve
 from freecad.elastica_wb.features.strip_properties import PROPERTIES
 from freecad.elastica_wb.host.sheet_store import sheet_called
 
@@ -58,7 +58,7 @@ def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
     return StripSpec(
         drawn.curve,
         sheet,
-        frame_of(drawn.world),
+        drawn.plane,
         max_width=width or None if law is None else None,  # a law has its own limits
         min_width=obj.MinWidth.Value or None if law is None else None,
         style=_style(obj),
@@ -85,7 +85,7 @@ def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
 def nearest_spec_of(obj: Any, drawn: DrawnCurve) -> RodSpec:
     """The rod nearest to the curve within the limits, also where the strip is to follow its curve exactly."""
     sheet, supports = _sheet(obj), Supports(obj.StartSupport, obj.EndSupport)
-    plain = StripSpec(drawn.curve, sheet, frame_of(drawn.world), max_width=1.0, gravity=_gravity(obj, drawn))
+    plain = StripSpec(drawn.curve, sheet, drawn.plane, max_width=1.0, gravity=_gravity(obj, drawn))
     return RodSpec(drawn.curve, plain.gravity_in_plane, supports, limits=_limits(obj, sheet), keep=_keep(obj))
 
 
@@ -147,8 +147,7 @@ def _gravity(obj: Any, drawn: DrawnCurve) -> AskedGravity:
         raise InputError("the direction of gravity is zero: give a vector such as (0, 0, -1)")
     if not obj.GravityLength.Value:
         return direction
-    plane = frame_of(drawn.world)
-    return Gravity.in_plane(obj.GravityLength.Value, direction, plane.x_axis, plane.y_axis)
+    return Gravity.in_plane(obj.GravityLength.Value, direction, drawn.plane.x_axis, drawn.plane.y_axis)
 
 
 def _natural_curvature(obj: Any) -> NaturalCurvature:
