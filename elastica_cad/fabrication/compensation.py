@@ -1,6 +1,7 @@
 """Widths that make up for what slots, tabs, leaning ligaments and anticlastic bending do to a strip."""
 
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -60,46 +61,59 @@ def compensate_widths(
     strip = replace(strip, correction=None) if strip.correction is not None else strip
     design = strip.as_made.design
     basis = width_basis(design.s, closed=strip.is_closed)
-    best, least = strip, np.inf
     # a first guess: as much wider as each place is softer, evened out along the strip
     softer = -np.log(np.prod([np.ones(design.s.size), *strip.as_made.shares.values()], axis=0))
     clip = min(LARGEST_GUESS, largest)
     guess = np.clip(np.linalg.lstsq(basis, softer - softer.mean(), rcond=None)[0], -clip, clip)
-    rest, kept = None, np.zeros(basis.shape[1])
-    for coefficients in (kept, guess):
-        found = _rest(strip, basis @ coefficients, start, end)
-        if found is not None and strayed(design, found[1]) < least:
-            (best, rest), kept, least = found, coefficients, strayed(design, found[1])
+    starts = [
+        found
+        for coefficients in (np.zeros(basis.shape[1]), guess)
+        if (found := _held(strip, basis, coefficients, start, end)) is not None
+    ]
+    if not starts:
+        return strip
+    best = min(starts, key=lambda one: one.strayed)
     for smoothing in SMOOTHINGS:
         damping = FIRST_DAMPING
         for _ in range(ROUNDS):
-            if rest is None or least <= ENOUGH_SHARE * design.length or damping > MOST_DAMPING:
+            if best.strayed <= ENOUGH_SHARE * design.length or damping > MOST_DAMPING:
                 break
-            drift = rest.position - design.position
             coefficients = correct_widths(
-                rest, drift, basis, kept, damping=damping, smoothing=smoothing, largest=largest
-            )
-            found = _rest(strip, basis @ coefficients, start, end)
-            if found is None or strayed(design, found[1]) >= least:
+                best.rod, best.rod.position - design.position, basis, best.coefficients,
+                damping=damping, smoothing=smoothing, largest=largest,
+            )  # fmt: skip
+            found = _held(strip, basis, coefficients, start, end)
+            if found is None or found.strayed >= best.strayed:
                 damping *= DAMPED
                 continue
-            gain = strayed(design, found[1]) / least
-            (best, rest), kept, least, damping = found, coefficients, gain * least, damping / 3
+            gain = found.strayed / best.strayed
+            best, damping = found, damping / 3
             if gain > LEAST_GAIN:
                 break
-        if least <= LEFT_SHARE * design.length:
+        if best.strayed <= LEFT_SHARE * design.length:
             break
-    return best
+    return best.strip
 
 
-def _rest(
-    strip: Strip, change: FloatArray, start: TabSeat | None, end: TabSeat | None
-) -> tuple[Strip, Rod] | None:
-    """The strip with its widths changed, and its shape as held; None where the style or the rest refuses it."""
+class _Held(NamedTuple):
+    """A strip with corrected widths, its shape as held, and how far that strays from the design, mm."""
+
+    strip: Strip
+    coefficients: FloatArray
+    rod: Rod
+    strayed: float
+
+
+def _held(
+    strip: Strip, basis: FloatArray, coefficients: FloatArray, start: TabSeat | None, end: TabSeat | None
+) -> _Held | None:
+    """With its widths changed; None where the style or the rest refuses it."""
+    design, change = strip.as_made.design, basis @ coefficients
     try:
         changed = strip
         if change.any():
-            changed = replace(strip, correction=Profile.interpolate(strip.as_made.design.s, np.exp(change)))
-        return changed, changed.as_made.rest((start, end))
+            changed = replace(strip, correction=Profile.interpolate(design.s, np.exp(change)))
+        rod = changed.as_made.rest((start, end))
     except (InputError, NotConvergedError):
         return None
+    return _Held(changed, coefficients, rod, strayed(design, rod))

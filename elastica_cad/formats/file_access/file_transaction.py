@@ -50,14 +50,7 @@ def write_together(
     if target.exists() and not target.is_dir():
         raise InputError(f"{folder} is a file, not a folder: choose another folder for the files")
     if target.is_dir():
-        for name in names:
-            folders = [one for one in (target / name).parents if one.exists() and not one.is_dir()]
-            if folders:
-                raise InputError(
-                    f"{folders[0]} is a file, and a folder is to be there: choose another folder"
-                )
-            if (target / name).parent.is_dir():
-                check_target(target / name, force=force)
+        _check(target, names, force=force)
     ground = next(parent for parent in (target, *target.parents) if parent.is_dir())
     workshop = ground / f".elastica-{token_hex(8)}"
     try:
@@ -80,8 +73,17 @@ def _move(workshop: Path, target: Path, names: Sequence[str], *, force: bool) ->
     """All files to their places; while others move theirs there, this waits."""
     target.mkdir(parents=True, exist_ok=True)
     with take_turn(target):
-        for name in (name for name in names if (target / name).parent.is_dir()):
-            check_target(target / name, force=force)  # another may have come first
+        _check(target, names, force=force)  # another may have come first
         for name in names:
             (target / name).parent.mkdir(parents=True, exist_ok=True)
             os.replace(Path(workshop, name), target / name)
+
+
+def _check(target: Path, names: Sequence[str], *, force: bool) -> None:
+    """Refuse files that are there already, or stand where a folder is to be."""
+    for path in (target / name for name in names):
+        files = [one for one in path.parents if one.exists() and not one.is_dir()]
+        if files:
+            raise InputError(f"{files[0]} is a file, and a folder is to be there: choose another folder")
+        if path.parent.is_dir():
+            check_target(path, force=force)
