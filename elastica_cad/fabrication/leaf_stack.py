@@ -8,7 +8,6 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.sheets.cut_list import CutList, CutListRow
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.mechanics.material.tapered_sections import LaidLeaves
 
 APART_MM = 5.0
 """Between the leaves of the pattern."""
@@ -32,17 +31,17 @@ class LeafStack:
     strip: Strip
 
     def __post_init__(self) -> None:
-        if not isinstance(self.strip.layout.section, LaidLeaves):
+        if self.strip.layout.stack is None:
             raise InputError("the strip is not of leaves: make it with law=LeavesLaw(sheet, leaves, width)")
 
     @property
     def cut_list(self) -> CutList:
         """A row for every leaf, the through one first."""
-        section = self.strip.layout.section
-        assert isinstance(section, LaidLeaves)
+        stack = self.strip.layout.stack
+        assert stack is not None
         label = self.strip.label or "stack"
         rows = []
-        for layer, name in zip(self.strip.layers, section.names, strict=True):
+        for layer, name in zip(self.strip.layers, stack.names, strict=True):
             length, width = np.ptp(layer.outline.bounds, axis=0).tolist()
             rows.append(
                 CutListRow(

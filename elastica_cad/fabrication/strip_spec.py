@@ -31,10 +31,10 @@ from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature, RestCurvature
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
+from elastica_cad.mechanics.material.anticlastic import WidthLaw
 from elastica_cad.mechanics.material.laminated_section import LaminatedSection
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
-from elastica_cad.mechanics.material.tapered_sections import WidthLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.studies.creep import require_creep
 from elastica_cad.mechanics.theorem1.closed_curves import begin_at, flattest_place
@@ -163,7 +163,7 @@ class StripSpec(EqualByValue):
                 f"style is {self.style!r}: give Plain(), Perforated(width=...) or Laminated(width=..., backing=...)"
             )
         if self.law is not None:
-            _check_law(self)
+            _check_law(self, self.law)
         elif isinstance(self.style, Plain) and not (self.max_width or self.min_width or self.loads):
             raise InputError(NO_WIDTH)
         ends, slots = _several("ends", self.ends, Tab, "Tab"), _several("slots", self.slots, Slot, "Slot")
@@ -403,15 +403,15 @@ class StripSpec(EqualByValue):
         )
 
 
-def _check_law(spec: StripSpec) -> None:
+def _check_law(spec: StripSpec, law: BoundedLaw) -> None:
     shaped = bool(spec.slots) or any(tab != Tab(tab.length) for tab in spec.ends)
-    shaped = shaped and not isinstance(spec.law, WidthLaw)
+    shaped = shaped and law.quantity != "width"
     if not isinstance(spec.style, Plain) or spec.max_width or spec.min_width or shaped:
         raise InputError(
             "a law says what the section is and how large: leave out style, slots, max_width and min_width, and "
             "give tabs a length only, or leave out law"
         )
-    sheet = getattr(spec.law, "sheet", spec.material)
+    sheet = getattr(law, "sheet", spec.material)
     if sheet != spec.material:
         raise InputError(
             f"the law is of {sheet.name}, the strip of {spec.material.name}: give both the same sheet"

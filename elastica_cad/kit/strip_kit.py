@@ -20,7 +20,6 @@ from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.formats.reports.strip_report import report_strip
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.mechanics.material.tapered_sections import LaidLeaves
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
 
@@ -183,8 +182,7 @@ def _draw_template(kit: StripKit, path: Path) -> None:
     from elastica_cad.fabrication.leaf_stack import LeafStack
     from elastica_cad.plot.template_pages import save_template
 
-    leaves = isinstance(kit.strip.layout.section, LaidLeaves)
-    drawing = LeafStack(kit.strip).drawing if leaves else _pattern(kit, 0)[0]
+    drawing = LeafStack(kit.strip).drawing if kit.strip.layout.stack else _pattern(kit, 0)[0]
     save_template(drawing, path, paper=str(kit.asked.paper))
 
 

@@ -9,6 +9,7 @@ from elastica_cad.mechanics.loads.supports import End as End, Supports as Suppor
 from elastica_cad.mechanics.loads.weight import PointMass as PointMass, Weight as Weight
 from elastica_cad.mechanics.material.anticlastic import (
     AnticlasticWidths as AnticlasticWidths,
+    WidthLaw as WidthLaw,
     anticlastic_factor as anticlastic_factor,
     anticlastic_widths as anticlastic_widths,
 )
@@ -44,7 +45,6 @@ from elastica_cad.mechanics.material.tapered_sections import (
     LeavesLaw as LeavesLaw,
     RoundLaw as RoundLaw,
     ThicknessLaw as ThicknessLaw,
-    WidthLaw as WidthLaw,
 )
 from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod as DiscreteRod
 from elastica_cad.mechanics.rod.rod_record import Rod as Rod

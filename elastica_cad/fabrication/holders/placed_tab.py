@@ -12,7 +12,6 @@ from elastica_cad.fabrication.placed_strip import Placed, strip_names
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import Hole, TSlot
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.mechanics.material.tapered_sections import LaidLeaves
 
 End = Literal["start", "end"]
 ENDS: tuple[End, End] = ("start", "end")
@@ -51,7 +50,7 @@ class PlacedTab:
     ) -> "PlacedTab":
         """The tab at the start or the end of a strip whose curve is drawn in `frame`."""
         place = frame or Frame()
-        if isinstance(strip.layout.section, LaidLeaves):
+        if strip.layout.stack is not None:
             raise InputError(
                 "a stack of leaves lies on one side of its curve, where none of our holders is: hold its ends in "
                 "clamps"

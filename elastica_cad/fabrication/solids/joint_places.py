@@ -4,13 +4,11 @@ from collections.abc import Mapping
 
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.mechanics.material.tapered_sections import LaidLeaves
 
 
 def centred_thickness(strip: Strip) -> float:
     """Thickness, mm, of the layers that are centred on the curve: all, but of glued leaves the through one."""
-    leaves = isinstance(strip.layout.section, LaidLeaves)
-    return strip.layers[0 if leaves else -1].high
+    return strip.layers[-1 if strip.layout.stack is None else 0].high
 
 
 def joint_places(strip: Strip) -> dict[str, tuple[float, float, int]]:

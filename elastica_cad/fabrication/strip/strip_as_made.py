@@ -18,7 +18,6 @@ from elastica_cad.fabrication.strip.made_stiffness import LapPlates, stiffness_s
 from elastica_cad.fabrication.strip.strip_layers import cut_layers
 from elastica_cad.fabrication.strip.styles import Layout
 from elastica_cad.mechanics.bending.bend_forward import resample
-from elastica_cad.mechanics.material.tapered_sections import WidthLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 HELD_NODES = 241
@@ -114,9 +113,16 @@ class StripAsMade:
         """The same with what each cause does alone to the strip as it was asked for, before any correction."""
         rod, poses = rest_in_seats(self.rod, self.design, seats, self.tab_ratios(self.rod))
         parts = asked.deviations_alone(seats)
-        plate = isinstance(self.design.section, WidthLaw)
+        section = self.design.section
         strays, corrected = strayed(self.design, rod), asked is not self
-        return HeldShape(rod, strays, parts, *poses, corrected=corrected, as_plate=plate)
+        return HeldShape(
+            rod,
+            strays,
+            parts,
+            *poses,
+            corrected=corrected,
+            as_plate=section is not None and section.follows_bend,
+        )
 
     def deviations_alone(self, seats: Seats) -> dict[str, float]:
         """How far, mm, each cause alone takes the strip from its design."""

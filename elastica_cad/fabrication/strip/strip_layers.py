@@ -93,8 +93,8 @@ def cut_layers(layout: Layout, ends: Ends, slots: Sequence[Slot], *, name: str) 
         A slot meets an end, a hole or another slot; `name` is what the message calls the strip.
     """
     width = layout.width
-    if isinstance(layout.section, LaidLeaves):
-        return _cut_leaves(layout.section, width.length, ends)
+    if layout.stack is not None:
+        return _cut_leaves(layout.stack, width.length, ends)
     # the layers of a laminate are aligned by holes in their tabs
     ends_held = add_register_holes(ends, layout.dots) if layout.dots else ends
     holes = (*end_holes(width, ends_held), *layout.hole_paths(ends, slots))
@@ -141,7 +141,7 @@ def draw_layers(
     for i, layer in enumerate(layers):
         width = layout.width if i == 0 or layout.backing is None else layout.backing.width
         marks = (*_ticks(layout, width, lap), *(() if i else layout.guides))
-        if isinstance(layout.section, LaidLeaves):
+        if layout.stack is not None:
             marks = _leaf_marks(layer, layers)
         paths = (
             *(LayeredPath(MARK, mark) for mark in marks),
@@ -149,7 +149,7 @@ def draw_layers(
             LayeredPath(CUT_OUTER, layer.outline),
         )
         texts = _label_texts(label, layout, width, ends) if label else ()
-        if isinstance(layout.section, LaidLeaves):
+        if layout.stack is not None:
             texts = (_leaf_text(name, layer),)
         elif i == 0:
             texts += mating_marks(slots, layout.width, (*marks, *layer.holes), texts)

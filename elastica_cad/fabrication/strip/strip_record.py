@@ -29,7 +29,6 @@ from elastica_cad.mechanics.material.plywood_radii import PLYWOOD_SOURCE, TOLD_T
 from elastica_cad.mechanics.material.section_limits import LayerStrain
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.sheet_keys import printable
-from elastica_cad.mechanics.material.tapered_sections import LaidLeaves
 from elastica_cad.mechanics.rod.csv_text import csv_text
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.sideways import SidewaysStability
@@ -295,10 +294,10 @@ class Strip:
     def _bend(self) -> tuple[FloatArray, FloatArray]:
         """Stations (n,) and what each is bent by, |kappa - kappa_0|, 1/mm."""
         rod = self.rod
-        if isinstance(self.layout.section, LaidLeaves):
+        if self.layout.stack is not None:
             from elastica_cad.forming.leaf_ends import leaf_bends
 
-            return leaf_bends(rod, self.layout.section)
+            return leaf_bends(rod, self.layout.stack)
         s, curvature = rod.s, rod.curvature
         if rod.shape is not None:
             panels = rod.curve.smooth_panels
@@ -394,7 +393,7 @@ class Strip:
     def mass(self) -> float:
         """Mass in g, of all layers."""
         section, size = self.layout.section, self.layout.size
-        if section is None or size is None or isinstance(section, LaidLeaves):
+        if section is None or size is None or section.stack is not None:
             return sum(layer.mass for layer in self.layers)
         newtons = section.weight_per_length(size(stations_of(self.rod.length)))
         newtons = (newtons[1:] + newtons[:-1]) / 2

@@ -109,6 +109,11 @@ class Layout:
     section: BoundedLaw | None = None
     size: Profile | None = None
 
+    @property
+    def stack(self) -> LaidLeaves | None:
+        """The glued leaves that it is cut as; None for one piece."""
+        return None if self.section is None else self.section.stack
+
     def hole_paths(self, ends: Ends, slots: Sequence[Slot] = ()) -> tuple[Path, ...]:
         """Closed loops cut out of the free part, clear of the slots."""
         return () if self.pattern is None else self.pattern.paths(ends, slots)
@@ -206,10 +211,10 @@ def _within(
 def _of_section(rod: Rod, section: BoundedLaw, sheet: Sheet) -> Layout:
     """The sizes that a section needs: as wide as a tapered strip is, or as its width or diameter comes out."""
     profile = rod.profile
-    if isinstance(section, LaidLeaves):
+    if (stack := section.stack) is not None:
         B = rod.bending_stiffness or 1.0
         steps = Profile(profile.knots, section.parameter(B * profile.coefficients), profile.degree)
-        even = width_profile(section.width, rod.length, "width")
+        even = width_profile(stack.width, rod.length, "width")
         return Layout(sheet, even, material=even, bending_stiffness=B, section=section, size=steps)
     least, largest = section.limits
     s = stations_of(rod.length, profile)

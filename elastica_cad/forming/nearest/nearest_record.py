@@ -11,7 +11,6 @@ import numpy as np
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.forming.limits import MET, Keep, Limits
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.material.tapered_sections import LaidLeaves
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 if TYPE_CHECKING:
@@ -153,7 +152,8 @@ class NearestRod:
         """
         from elastica_cad.forming.nearest.editable_curve import editable_curve
 
-        if isinstance(self.rod.section, LaidLeaves):  # its curvature goes in steps
+        section = self.rod.section
+        if section is not None and section.stack is not None:  # its curvature goes in steps
             return self.rod.curve
         return editable_curve(self.rod, tangents=self.keep.both_tangents)
 

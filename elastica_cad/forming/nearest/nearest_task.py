@@ -56,7 +56,6 @@ from elastica_cad.mechanics.loads.rest_curvature import (
 )
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
-from elastica_cad.mechanics.material.tapered_sections import WidthLaw
 from elastica_cad.mechanics.rod.node_counts import SEARCH_SAMPLES
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.rod.rod_system import RodSystem
@@ -171,8 +170,8 @@ class NearestTask:
 
     @property
     def is_scaled_freely(self) -> bool:
-        """Does K tell shares only? Of a law with limits of its own each K is a size."""
-        return self.section is None or isinstance(self.section.law, WidthLaw)
+        """Does K tell shares only? Of a law whose limits settle its scale, whatever the bend, each K is a size."""
+        return self.section is None or self.section.law.follows_bend
 
     def settled(self, mapped: MappedRod) -> "NearestTask":
         """The task with widths as large as their limit lets a rod be that was found; itself where they were.

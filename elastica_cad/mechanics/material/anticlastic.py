@@ -1,11 +1,14 @@
 """Anticlastic bending: wide thin strips curl across, or are kept from it and get stiffer."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
+from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
+from elastica_cad.mechanics.material.section_limits import LayerStrain, positive, require_number
+from elastica_cad.mechanics.material.sheet import Sheet
 
 SECANTS = 12
 """Steps to a width that bends as stiffly as asked: the last ones only round."""
@@ -179,6 +182,98 @@ def anticlastic_widths(
     factor = anticlastic_factor(width, kappa, thickness=h, poisson_ratio=nu)
     gain = scale / (max_width / float(K.max()))
     return AnticlasticWidths(width, plain, factor, float(relative[i]), i, gain)
+
+
+@dataclass(frozen=True, eq=False)
+class WidthLaw:
+    """A strip of one sheet, from narrow, which bends with E, to wide, which bends as a plate with E/(1 - nu^2).
+
+    Its weight is that of the sheet, so it is not proportional to the stiffness: see `anticlastic_factor`.
+
+    Parameters
+    ----------
+    sheet : Sheet
+    least, largest : float
+        Limits of the width, mm; 0 for no least one, or infinity for no largest one.
+    curvature : float or (n,) array
+        |kappa - kappa_0| of the stations, 1/mm; set by `bent`.
+
+    Examples
+    --------
+    >>> law = WidthLaw(Sheet("s", 1.0, 12.0, density=1000.0, max_strain=0.01), 0.0, 900.0)
+    >>> law.bending_stiffness(900.0).item(), round(law.bent(0.01).bending_stiffness(900.0).item() / 900, 3)
+    (900.0, 1.098)
+    """
+
+    sheet: Sheet
+    least: float
+    largest: float
+    curvature: float | FloatArray = 0.0
+
+    def __post_init__(self) -> None:
+        low = require_number(self.least, "width limit")
+        high = np.inf if self.largest == np.inf else require_number(self.largest, "width limit")
+        if not 0 <= low <= high or (low, high) in ((0, 0), (0, np.inf)):
+            raise InputError(
+                f"width limits are {low:g} and {high:g} mm: give the least first, 0 for none, such as 0 and 40"
+            )
+
+    @property
+    def quantity(self) -> str:
+        """Width."""
+        return "width"
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """Least and largest width, mm."""
+        return self.least, self.largest
+
+    @property
+    def follows_bend(self) -> bool:
+        """Yes: the sharper the bend, the more of the width bends as a plate."""
+        return True
+
+    @property
+    def stack(self) -> None:
+        """None: it is of one piece."""
+        return None
+
+    def bent(self, curvature: ArrayLike) -> "WidthLaw":
+        """The law at stations bent by kappa - kappa_0 (n,), 1/mm."""
+        return replace(self, curvature=np.abs(np.asarray(curvature, dtype=float)))
+
+    def bending_stiffness(self, parameter: ArrayLike) -> FloatArray:
+        """E I (n,), N mm2, of widths (n,), mm, as far as they bend as plates."""
+        w = positive(parameter, self.quantity)
+        return np.asarray(
+            self.sheet.bending_stiffness(1.0) * w * anticlastic_factor(w, self.curvature, **self._plate)
+        )
+
+    def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
+        """Widths (n,), mm, that give the E I (n,), N mm2."""
+        EI = positive(bending_stiffness, "bending stiffness")
+        return plate_width(EI / self.sheet.bending_stiffness(1.0), self.curvature, **self._plate)
+
+    def weight_per_length(self, parameter: ArrayLike) -> FloatArray:
+        """N/mm (n,) of widths (n,), mm."""
+        specific = self.sheet.density * 1e-9 * STANDARD_GRAVITY_M_S2
+        return specific * self.sheet.thickness * positive(parameter, self.quantity)
+
+    def strains(
+        self,
+        curvature: ArrayLike,
+        parameter: ArrayLike,  # noqa: ARG002
+        *,
+        natural_curvature: float = 0.0,
+    ) -> tuple[LayerStrain, ...]:
+        """Skin strain h/2 |kappa - kappa_0|, whatever the width."""
+        bend = np.abs(np.asarray(curvature, dtype=float) - natural_curvature)
+        strain = np.atleast_1d(bend * self.sheet.thickness / 2)
+        return (LayerStrain(self.sheet.name, strain, self.sheet.max_strain),)
+
+    @property
+    def _plate(self) -> dict[str, float]:
+        return {"thickness": self.sheet.thickness, "poisson_ratio": self.sheet.poisson_ratio}
 
 
 def _checked(thickness: float, poisson_ratio: float) -> tuple[float, float]:

@@ -107,3 +107,10 @@ def positive(values: ArrayLike, name: str) -> FloatArray:
         i = int(np.argmin(good))
         raise InputError(f"{name} is {array.flat[i]:.6g} at station {i}: it must be positive")
     return array
+
+
+def require_number(value: object, name: str) -> float:
+    """The number; refused where it is none or not finite."""
+    if not isinstance(value, float | int | np.number) or isinstance(value, bool) or not np.isfinite(value):
+        raise InputError(f"{name} is {value!r}: give a finite number")
+    return float(value)

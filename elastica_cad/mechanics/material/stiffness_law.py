@@ -4,6 +4,7 @@ from typing import Protocol
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.mechanics.material.section_limits import LayerStrain
+from elastica_cad.mechanics.material.tapered_sections import LaidLeaves
 
 
 class StiffnessLaw(Protocol):
@@ -38,6 +39,14 @@ class BoundedLaw(StiffnessLaw, Protocol):
     @property
     def limits(self) -> tuple[float, float]:
         """Least (0: none) and largest parameter, mm."""
+
+    @property
+    def follows_bend(self) -> bool:
+        """Does its stiffness hang on how sharply it is bent? Its scale is then known once the bend is."""
+
+    @property
+    def stack(self) -> LaidLeaves | None:
+        """The glued leaves that it is, as they lie; None for one piece."""
 
     def bent(self, curvature: ArrayLike, /) -> "BoundedLaw":
         """The law at stations bent by kappa - kappa_0 (n,), 1/mm; itself where bending does not change it."""

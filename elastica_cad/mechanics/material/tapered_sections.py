@@ -1,7 +1,7 @@
-"""Cross-sections whose size varies: tapered strips, rods and tubes, strips that bend as plates, glued leaves."""
+"""Cross-sections whose size varies: tapered strips, rods and tubes, glued leaves."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Self
 
@@ -10,8 +10,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
-from elastica_cad.mechanics.material.anticlastic import anticlastic_factor, plate_width
-from elastica_cad.mechanics.material.section_limits import LayerStrain, positive
+from elastica_cad.mechanics.material.section_limits import LayerStrain, positive, require_number
 from elastica_cad.mechanics.material.sheet import Sheet
 
 MOST_LEAVES = 50
@@ -37,7 +36,7 @@ class _PowerLaw:
     def __post_init__(self) -> None:
         if not isinstance(self.sheet, Sheet):
             raise InputError(f"a Sheet is needed for the material of the section, not {self.sheet!r}")
-        low, high = (_number(value, f"{self.quantity} limit") for value in (self.least, self.largest))
+        low, high = (require_number(value, f"{self.quantity} limit") for value in (self.least, self.largest))
         if not 0 < low <= high:
             raise InputError(
                 f"{self.quantity} limits are {low:g} and {high:g} mm: give the least first, such as 3 and 8"
@@ -49,6 +48,11 @@ class _PowerLaw:
         raise NotImplementedError
 
     @property
+    def stack(self) -> "LaidLeaves | None":
+        """None: it is of one piece."""
+        return None
+
+    @property
     def _shape(self) -> tuple[int, float, float]:
         """Power of the parameter in E I, second moment and area for p = 1."""
         raise NotImplementedError
@@ -58,7 +62,12 @@ class _PowerLaw:
         """Least and largest parameter, mm."""
         return self.least, self.largest
 
-    def bent(self, curvature: ArrayLike) -> Self:  # noqa: ARG002 - bending does not change the section
+    @property
+    def follows_bend(self) -> bool:
+        """No: bending does not change it."""
+        return False
+
+    def bent(self, curvature: ArrayLike) -> Self:  # noqa: ARG002 - see `follows_bend`
         """The law itself: bending does not change it."""
         return self
 
@@ -112,7 +121,7 @@ class ThicknessLaw(_PowerLaw):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        if not _number(self.width, "width") > 0:
+        if not require_number(self.width, "width") > 0:
             raise InputError(f"width is {self.width:g}: it must be positive, in mm")
 
     @property
@@ -149,7 +158,7 @@ class RoundLaw(_PowerLaw):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        if not 0 <= _number(self.bore, "bore") < 1:
+        if not 0 <= require_number(self.bore, "bore") < 1:
             raise InputError(
                 f"bore is {self.bore:g}: give the inner over the outer diameter, from 0 (a rod) to below 1"
             )
@@ -162,88 +171,6 @@ class RoundLaw(_PowerLaw):
     @property
     def _shape(self) -> tuple[int, float, float]:
         return 4, np.pi / 64 * (1 - self.bore**4), np.pi / 4 * (1 - self.bore**2)
-
-
-@dataclass(frozen=True, eq=False)
-class WidthLaw:
-    """A strip of one sheet, from narrow, which bends with E, to wide, which bends as a plate with E/(1 - nu^2).
-
-    Its weight is that of the sheet, so it is not proportional to the stiffness: see `anticlastic_factor`.
-
-    Parameters
-    ----------
-    sheet : Sheet
-    least, largest : float
-        Limits of the width, mm; 0 for no least one, or infinity for no largest one.
-    curvature : float or (n,) array
-        |kappa - kappa_0| of the stations, 1/mm; set by `bent`.
-
-    Examples
-    --------
-    >>> law = WidthLaw(Sheet("s", 1.0, 12.0, density=1000.0, max_strain=0.01), 0.0, 900.0)
-    >>> law.bending_stiffness(900.0).item(), round(law.bent(0.01).bending_stiffness(900.0).item() / 900, 3)
-    (900.0, 1.098)
-    """
-
-    sheet: Sheet
-    least: float
-    largest: float
-    curvature: float | FloatArray = 0.0
-
-    def __post_init__(self) -> None:
-        low = _number(self.least, "width limit")
-        high = np.inf if self.largest == np.inf else _number(self.largest, "width limit")
-        if not 0 <= low <= high or (low, high) in ((0, 0), (0, np.inf)):
-            raise InputError(
-                f"width limits are {low:g} and {high:g} mm: give the least first, 0 for none, such as 0 and 40"
-            )
-
-    @property
-    def quantity(self) -> str:
-        """Width."""
-        return "width"
-
-    @property
-    def limits(self) -> tuple[float, float]:
-        """Least and largest width, mm."""
-        return self.least, self.largest
-
-    def bent(self, curvature: ArrayLike) -> "WidthLaw":
-        """The law at stations bent by kappa - kappa_0 (n,), 1/mm."""
-        return replace(self, curvature=np.abs(np.asarray(curvature, dtype=float)))
-
-    def bending_stiffness(self, parameter: ArrayLike) -> FloatArray:
-        """E I (n,), N mm2, of widths (n,), mm, as far as they bend as plates."""
-        w = positive(parameter, self.quantity)
-        return np.asarray(
-            self.sheet.bending_stiffness(1.0) * w * anticlastic_factor(w, self.curvature, **self._plate)
-        )
-
-    def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
-        """Widths (n,), mm, that give the E I (n,), N mm2."""
-        EI = positive(bending_stiffness, "bending stiffness")
-        return plate_width(EI / self.sheet.bending_stiffness(1.0), self.curvature, **self._plate)
-
-    def weight_per_length(self, parameter: ArrayLike) -> FloatArray:
-        """N/mm (n,) of widths (n,), mm."""
-        specific = self.sheet.density * 1e-9 * STANDARD_GRAVITY_M_S2
-        return specific * self.sheet.thickness * positive(parameter, self.quantity)
-
-    def strains(
-        self,
-        curvature: ArrayLike,
-        parameter: ArrayLike,  # noqa: ARG002
-        *,
-        natural_curvature: float = 0.0,
-    ) -> tuple[LayerStrain, ...]:
-        """Skin strain h/2 |kappa - kappa_0|, whatever the width."""
-        bend = np.abs(np.asarray(curvature, dtype=float) - natural_curvature)
-        strain = np.atleast_1d(bend * self.sheet.thickness / 2)
-        return (LayerStrain(self.sheet.name, strain, self.sheet.max_strain),)
-
-    @property
-    def _plate(self) -> dict[str, float]:
-        return {"thickness": self.sheet.thickness, "poisson_ratio": self.sheet.poisson_ratio}
 
 
 @dataclass(frozen=True)
@@ -294,13 +221,23 @@ class LeavesLaw:
         """Fewest and most leaves."""
         return float(self.fewest), float(self.leaves)
 
+    @property
+    def stack(self) -> "LaidLeaves | None":
+        """None: they are not laid yet."""
+        return None
+
     @cached_property
     def relaxed(self) -> ThicknessLaw:
         """The same stack where any thickness between the fewest leaves and all may be had."""
         h = self.sheet.thickness
         return ThicknessLaw(self.sheet, self.fewest * h, self.leaves * h, width=self.width)
 
-    def bent(self, curvature: ArrayLike) -> Self:  # noqa: ARG002 - bending does not change the section
+    @property
+    def follows_bend(self) -> bool:
+        """No: bending does not change it."""
+        return False
+
+    def bent(self, curvature: ArrayLike) -> Self:  # noqa: ARG002 - see `follows_bend`
         """The law itself: bending does not change it."""
         return self
 
@@ -361,6 +298,11 @@ class LaidLeaves(ThicknessLaw):
     leaves: tuple[Leaf, ...] = ()
 
     @property
+    def stack(self) -> "LaidLeaves":
+        """Itself."""
+        return self
+
+    @property
     def names(self) -> tuple[str, ...]:
         """One a leaf: its number, and a letter where it is in pieces."""
         numbers = [leaf.number for leaf in self.leaves]
@@ -388,9 +330,3 @@ class LaidLeaves(ThicknessLaw):
 
 def _is_whole(value: object) -> bool:
     return isinstance(value, int | np.integer) and not isinstance(value, bool)
-
-
-def _number(value: object, name: str) -> float:
-    if not isinstance(value, float | int | np.number) or isinstance(value, bool) or not np.isfinite(value):
-        raise InputError(f"{name} is {value!r}: give a finite number")
-    return float(value)

@@ -20,7 +20,6 @@ from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.forming.nearest.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.mechanics.material.tapered_sections import LaidLeaves
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
 
@@ -119,7 +118,7 @@ def _bent(strip: Strip) -> tuple[BodyRecord, ...]:
 def flat_shape(strip: Strip, layer: int = 0) -> Part.Shape:
     """One layer of the strip as cut, lying on the xy plane."""
     records = FlatSolid.layers(strip)
-    if isinstance(strip.layout.section, LaidLeaves):
+    if strip.layout.stack is not None:
         return Part.Compound([make_solid(record) for record in records])
     record = records[layer]
     return make_solid(replace(record, frame=Frame()) if layer else record)
