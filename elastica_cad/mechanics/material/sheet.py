@@ -14,18 +14,20 @@ from elastica_cad.mechanics.material.plywood_radii import least_plywood_radius
 from elastica_cad.mechanics.material.sheet_keys import (
     KEYS,
     NOMINAL_KEY,
-    SCHEMA,
     UNITS,
     USUAL_RATIO,
     NominalRatio,
-    advise_key,
     checked_poisson_ratio,
     finite_number,
-    plausible_number,
     printable,
     quoted,
 )
-from elastica_cad.mechanics.material.sheet_library import built_in_figures, library_files
+from elastica_cad.mechanics.material.sheet_library import (
+    built_in_figures,
+    figures_from_table,
+    library_files,
+    read_figures,
+)
 
 Grain: TypeAlias = Literal["along", "across", "none"]
 Range: TypeAlias = tuple[float, float]
@@ -366,25 +368,7 @@ def load_sheets(path: str | Path) -> dict[str, Sheet]:
     ...     round(load_sheets(file)["my-pom"].elasto_gravity_length, 1)
     159.6
     """
-    import tomllib
-
-    path = Path(path)
-    if path.is_dir():
-        raise InputError(f"{path} is a folder, not a file of sheets: name the TOML file inside it")
-    try:
-        data = tomllib.loads(path.read_bytes().decode("utf-8"))
-    except OSError as error:
-        raise InputError(f"{path} cannot be read: {error.strerror or error}") from error
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise InputError(f"{path} is not a TOML file: {error}") from error
-    for key in data:
-        if key not in ("schema", "sheets"):
-            raise InputError(f"{path}: unknown entry {key!r}; sheets are tables [sheets.NAME]")
-    if data.get("schema", SCHEMA) != SCHEMA:
-        raise InputError(
-            f"{path}: schema {data['schema']!r} is not known; this version reads schema {SCHEMA}"
-        )
-    return sheets_from_table(data.get("sheets", {}), where=str(path))
+    return _sheets(read_figures(path), str(path))
 
 
 def sheets_from_table(table: object, *, where: str) -> dict[str, Sheet]:
@@ -395,41 +379,12 @@ def sheets_from_table(table: object, *, where: str) -> dict[str, Sheet]:
     InputError
         As `load_sheets`.
     """
-    if not isinstance(table, Mapping) or not table:
-        raise InputError(f"{where} holds no sheet: write at least one table [sheets.NAME]")
-    return {name: _sheet_from_entry(name, entry, where) for name, entry in table.items()}
+    return _sheets(figures_from_table(table, where), where)
 
 
-def _sheet_from_entry(name: str, entry: object, file: str) -> Sheet:
-    where = f"{file}: sheet {name!r}"
-    if not isinstance(entry, Mapping):
-        raise InputError(f"{where} must be a table [sheets.{name}], got {entry!r}")
-    values: dict[str, Any] = {}
-    for key, value in entry.items():
-        if key not in KEYS:
-            raise InputError(f"{where}: unknown key {key!r}{advise_key(key)}")
-        field_name, kind = KEYS[key]
-        if kind == "grain" and not isinstance(value, str):
-            values[field_name] = finite_number(value, f"{where}: {key}")
-        elif kind in ("text", "grain"):
-            if not isinstance(value, str):
-                raise InputError(f"{where}: {key} is {value!r}; it must be text in quotes")
-            values[field_name] = value
-        elif kind == "range":
-            if not isinstance(value, list) or len(value) != 2:
-                raise InputError(f"{where}: {key} is {value!r}; it must be two numbers, [lowest, highest]")
-            values[field_name] = tuple(plausible_number(v, key, where) for v in value)
-        else:
-            number = plausible_number(value, key, where)
-            values[field_name] = NominalRatio(number) if key == NOMINAL_KEY else number
-    if NOMINAL_KEY in entry and "poisson_ratio" in entry:
-        raise InputError(
-            f"{where}: poisson_ratio is given twice; leave out {NOMINAL_KEY}, now that it is known"
-        )
-    for key in ("thickness_mm", "youngs_modulus_MPa", "density_kg_m3", "max_strain"):
-        if key not in entry:
-            raise InputError(f"{where}: {key} is missing; give it a number")
+def _sheets(figures: Mapping[str, Mapping[str, Any]], file: str) -> dict[str, Sheet]:
+    """Sheets of these fields; a complaint names the file."""
     try:
-        return Sheet(name=name, **values)
+        return {name: Sheet(name=name, **fields) for name, fields in figures.items()}
     except InputError as error:
         raise InputError(f"{file}: {error}") from error

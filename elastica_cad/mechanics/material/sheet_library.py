@@ -1,4 +1,4 @@
-"""The built-in sheets, the figures of `sheets.toml` with their sources; and where a user keeps his own."""
+"""Figures of sheets in files: those built in, of `sheets.toml` with their sources, and a user's own."""
 
 import os
 import sys
@@ -8,7 +8,16 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from elastica_cad.mechanics.material.sheet_keys import NominalRatio
+from elastica_cad.errors import InputError
+from elastica_cad.mechanics.material.sheet_keys import (
+    KEYS,
+    NOMINAL_KEY,
+    SCHEMA,
+    NominalRatio,
+    advise_key,
+    finite_number,
+    plausible_number,
+)
 
 LIBRARY_VARIABLE = "ELASTICA_SHEETS"
 """Environment variable that names other folders of sheets, or files, as PATH does."""
@@ -111,3 +120,72 @@ def library_files() -> tuple[Path, ...]:
         for place in library_folders()
         for file in (sorted(place.glob("*.toml")) if place.is_dir() else [place] if place.is_file() else [])
     )
+
+
+def read_figures(path: str | Path) -> dict[str, dict[str, Any]]:
+    """Fields of `Sheet` but for its name, by name, from a user's file: see `load_sheets`.
+
+    Raises
+    ------
+    InputError
+        No such file, not TOML, an unknown key, a missing value or another unit.
+    """
+    import tomllib
+
+    path = Path(path)
+    if path.is_dir():
+        raise InputError(f"{path} is a folder, not a file of sheets: name the TOML file inside it")
+    try:
+        data = tomllib.loads(path.read_bytes().decode("utf-8"))
+    except OSError as error:
+        raise InputError(f"{path} cannot be read: {error.strerror or error}") from error
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise InputError(f"{path} is not a TOML file: {error}") from error
+    for key in data:
+        if key not in ("schema", "sheets"):
+            raise InputError(f"{path}: unknown entry {key!r}; sheets are tables [sheets.NAME]")
+    if data.get("schema", SCHEMA) != SCHEMA:
+        raise InputError(
+            f"{path}: schema {data['schema']!r} is not known; this version reads schema {SCHEMA}"
+        )
+    return figures_from_table(data.get("sheets", {}), str(path))
+
+
+def figures_from_table(table: object, where: str) -> dict[str, dict[str, Any]]:
+    """The same from the parsed table ``sheets`` of a TOML file; `where` names the file in messages."""
+    if not isinstance(table, Mapping) or not table:
+        raise InputError(f"{where} holds no sheet: write at least one table [sheets.NAME]")
+    return {name: _fields(name, entry, where) for name, entry in table.items()}
+
+
+def _fields(name: str, entry: object, file: str) -> dict[str, Any]:
+    """Fields of one sheet."""
+    where = f"{file}: sheet {name!r}"
+    if not isinstance(entry, Mapping):
+        raise InputError(f"{where} must be a table [sheets.{name}], got {entry!r}")
+    values: dict[str, Any] = {}
+    for key, value in entry.items():
+        if key not in KEYS:
+            raise InputError(f"{where}: unknown key {key!r}{advise_key(key)}")
+        field_name, kind = KEYS[key]
+        if kind == "grain" and not isinstance(value, str):
+            values[field_name] = finite_number(value, f"{where}: {key}")
+        elif kind in ("text", "grain"):
+            if not isinstance(value, str):
+                raise InputError(f"{where}: {key} is {value!r}; it must be text in quotes")
+            values[field_name] = value
+        elif kind == "range":
+            if not isinstance(value, list) or len(value) != 2:
+                raise InputError(f"{where}: {key} is {value!r}; it must be two numbers, [lowest, highest]")
+            values[field_name] = tuple(plausible_number(v, key, where) for v in value)
+        else:
+            number = plausible_number(value, key, where)
+            values[field_name] = NominalRatio(number) if key == NOMINAL_KEY else number
+    if NOMINAL_KEY in entry and "poisson_ratio" in entry:
+        raise InputError(
+            f"{where}: poisson_ratio is given twice; leave out {NOMINAL_KEY}, now that it is known"
+        )
+    for key in ("thickness_mm", "youngs_modulus_MPa", "density_kg_m3", "max_strain"):
+        if key not in entry:
+            raise InputError(f"{where}: {key} is missing; give it a number")
+    return values
