@@ -20,7 +20,7 @@ from elastica_cad.cli.asking.support_options import END_NAMES
 from elastica_cad.cli.running.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.travel import Travel, bend_strip
+from elastica_cad.fabrication.travel import Travel, bend_strip
 from elastica_cad.formats.curve_files.json_curves import curves_json
 from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.forming.limits import Limits

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from elastica_cad.fabrication.strip.travel import Travel
+from elastica_cad.fabrication.travel import Travel
 from elastica_cad.plot.canvas import INK, Figure, new_figure
 
 FIRST, LAST, UNSTABLE = "#a9c6e8", "#1d4f8c", "#c2452d"  # shapes from first to last; what snaps away

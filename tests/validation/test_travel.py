@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.travel import bend_strip
+from elastica_cad.fabrication.travel import bend_strip
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod

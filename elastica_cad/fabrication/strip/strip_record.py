@@ -7,25 +7,37 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.fabrication.drawings.drawing import (
-    Drawing,
-)
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.holding.lap_joint import closes
 from elastica_cad.fabrication.holding.reactions import Reactions
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.as_built import rod_as_built
 from elastica_cad.fabrication.strip.strip_layers import Layer, cut_layers, draw_layers
+from elastica_cad.fabrication.strip.strip_sentences import (
+    tell_breadth,
+    tell_joint,
+    warn_of_creep,
+    warn_of_plywood,
+    warn_of_strains,
+    warn_of_width,
+)
 from elastica_cad.fabrication.strip.strip_sideways import strip_sideways
-from elastica_cad.fabrication.strip.styles import PLAIN, Layout, Style, stations_of
+from elastica_cad.fabrication.strip.styles import (
+    PLAIN,
+    Layout,
+    Style,
+    bend_stations,
+    correct_layout,
+    stations_of,
+)
 from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2
-from elastica_cad.mechanics.material.plywood_radii import PLYWOOD_SOURCE, TOLD_TO
 from elastica_cad.mechanics.material.section_limits import LayerStrain
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.sheet_keys import printable
@@ -42,18 +54,6 @@ if TYPE_CHECKING:
 
 FINE_EDGES = 1600
 """At least, of the rod that is bent as built: its own error is then far below what it measures."""
-
-CORRECTION_TOLERANCE = 1e-6
-"""Of corrected stiffness, relative to its largest."""
-
-LINEAR_CREEP_SHARE = 0.5
-"""Of the strain limit: beyond it creep grows faster than the stress."""
-
-UNEVEN_JOINT_MM = 0.05
-"""Difference between the widths of a closed strip's ends that is told: finer than it is cut."""
-
-CURVATURE_STATIONS = 2001
-"""At which strain is looked for, spread over the curve's smooth panels."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -171,15 +171,7 @@ class Strip:
 
     def breadth(self, digits: str = ".2f") -> str:
         """How wide it is, in words, and as thick as it tapers: "20.00 to 20.00 mm wide, 2.00 to 3.00 mm thick"."""
-
-        def told(size: Profile) -> str:
-            low, high = size.extremes
-            return f"{low:{digits}} to {high:{digits}} mm"
-
-        wide, tapered = f"{told(self.width)} wide", self.tapered
-        if "diameter" in tapered:
-            return f"{told(tapered['diameter'])} in diameter"
-        return f"{wide}, {told(tapered['thickness'])} thick" if "thickness" in tapered else wide
+        return tell_breadth(self.width, self.tapered, digits)
 
     @cached_property
     def layout(self) -> Layout:
@@ -187,15 +179,7 @@ class Strip:
         widths = {"max_width": self.max_width, "min_width": self.min_width}
         if self.correction is None:
             return self.style.laid_out(self.rod, self.sheet, **widths)
-        asked, correction = self.rod.profile, self.correction
-        corrected = Profile.fit(
-            lambda s: asked(s) * correction(s), self.rod.length, breaks=asked.breaks, knots=correction.knots,
-            tolerance=CORRECTION_TOLERANCE * float(asked.extremes[1]),
-        )  # fmt: skip
-        rod = self.rod.with_stiffness(corrected)
-        layout = self.style.laid_out(rod, self.sheet, **widths)
-        # E I where the rod's own K is 1; with_stiffness made the least corrected one 1
-        return replace(layout, bending_stiffness=layout.bending_stiffness / float(corrected(rod.s).min()))
+        return correct_layout(self.style, self.rod, self.sheet, self.correction, **widths)
 
     @property
     def width(self) -> Profile:
@@ -247,17 +231,7 @@ class Strip:
         """How a closed strip is joined, and what the joint carries; empty for an open one."""
         if not self.is_closed:
             return ""
-        held = self.reactions()
-        lap, (_, wide) = self.ends[1].length, self.end_widths
-        how = (
-            f"glue its tab of {lap:.3g} mm, bent as drawn, behind its start"
-            if lap
-            else "join its ends butt to butt"
-        )
-        return (
-            f"closed: {how} at {self._begins_at}, where it is {wide:.3g} mm wide; the joint "
-            f"carries {abs(held.end_moment):.3g} N mm and {np.hypot(*held.end_force):.2g} N"
-        )
+        return tell_joint(self.ends[1].length, self.end_widths[1], self.reactions(), self._begins_at)
 
     @property
     def end_widths(self) -> tuple[float, float]:
@@ -293,81 +267,26 @@ class Strip:
     @cached_property
     def _bend(self) -> tuple[FloatArray, FloatArray]:
         """Stations (n,) and what each is bent by, |kappa - kappa_0|, 1/mm."""
-        rod = self.rod
-        if self.layout.stack is not None:
-            from elastica_cad.forming.leaf_ends import leaf_bends
+        if self.layout.stack is None:
+            return bend_stations(self.rod)
+        from elastica_cad.forming.leaf_ends import leaf_bends
 
-            return leaf_bends(rod, self.layout.stack)
-        s, curvature = rod.s, rod.curvature
-        if rod.shape is not None:
-            panels = rod.curve.smooth_panels
-            places = np.linspace(0.0, panels.size - 1.0, max(CURVATURE_STATIONS, rod.s.size))
-            t = np.interp(places, np.arange(panels.size), panels)
-            s, curvature = rod.curve.arc_length(t), rod.curve.curvature_at(t)
-        s = np.minimum(s, rod.length)
-        rest = np.broadcast_to(np.asarray(rod.natural_curvature, dtype=float), rod.s.shape)
-        return s, np.abs(curvature - np.interp(s, rod.s, rest))
+        return leaf_bends(self.rod, self.layout.stack)
 
     @property
     def warnings(self) -> tuple[str, ...]:
         """What a maker should know before cutting: the rod's and the style's warnings, strains beyond a limit."""
-        found = [*self.rod.warnings, *self.layout.warnings]
         s, bend = self._bend
-        for layer in self.strains:
-            if layer.exceeded:
-                at = layer.station
-                bearable = bend[at] * layer.limit / layer.largest
-                found.append(
-                    f"strain {100 * layer.largest:.2f} % at {s[at]:.1f} mm is beyond the {100 * layer.limit:.2f} % "
-                    f"that {layer.name} bears: its radius there is {1 / bend[at]:.1f} mm, the least advisable "
-                    f"{1 / bearable:.1f} mm; use a thinner sheet or a gentler curve"
-                )
-        start, end = self.end_widths
-        if self.is_closed and abs(end - start) > UNEVEN_JOINT_MM:
-            found.append(
-                f"its ends are {start:.3g} and {end:.3g} mm wide where it closes: choose another joint, leave out "
-                "gravity, or make the curvature continuous there"
-            )
-        widest = float(self.width.extremes[1])
-        if widest > self.rod.length:
-            found.append(
-                f"it is {widest:.4g} mm wide and {self.rod.length:.4g} mm long: what is wider than long bends as a "
-                "plate, not as a strip; give a smaller max_width, and look at its unit"
-            )
+        found = (
+            *self.rod.warnings,
+            *self.layout.warnings,
+            *warn_of_strains(self.strains, s, bend),
+            *warn_of_width(self.width, self.rod.length, closed=self.is_closed),
+        )
         if self.layout.size is not None:
-            return tuple(found)
-        tightest = int(np.argmax(bend))
-        for one, layer in zip(self.layers, self.strains, strict=False):
-            least = one.sheet.published_radius
-            if least is not None and not layer.exceeded and bend[tightest] * least > 1 + TOLD_TO:
-                found.append(
-                    f"it bends to a radius of {1 / bend[tightest]:.1f} mm at {s[tightest]:.1f} mm, but plywood of "
-                    f"{one.sheet.thickness:g} mm bends to {least:.1f} mm at least {one.sheet.grain} the face grain "
-                    f"({PLYWOOD_SOURCE}); use a thinner sheet or a gentler curve"
-                )
-        return (*found, *self._creep_warnings)
-
-    @property
-    def _creep_warnings(self) -> tuple[str, ...]:
-        """Where creep is not linear any more, and where the strip does not stay."""
-        if not self.creep:
-            return ()
-        found = []
-        if self.max_strain > LINEAR_CREEP_SHARE * self.strain_limit:
-            found.append(
-                f"strain {100 * self.max_strain:.2f} % is more than {100 * LINEAR_CREEP_SHARE:.0f} % of what the "
-                "sheet bears: creep is not linear there, and more than said; use a thinner sheet or a gentler curve"
-            )
-        try:
-            later = self.crept
-        except NotConvergedError as problem:
-            return (*found, str(problem))
-        if later is not None and not later.stability.stable:
-            found.append(
-                f"with a creep factor of {self.creep:g} it will not stay in the long run: it snaps into another "
-                "shape; use a stiffer sheet or support it"
-            )
-        return tuple(found)
+            return found
+        creeps = warn_of_creep(self.creep, self._strained[0], lambda: self.crept) if self.creep else ()
+        return (*found, *warn_of_plywood(self.layers, self.strains, s, bend), *creeps)
 
     @cached_property
     def crept(self) -> Creep | None:

@@ -1,7 +1,7 @@
 """Styles: how stiffness becomes material. The plain one, and what a style answers."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Protocol, TypeAlias
 
 import numpy as np
@@ -29,6 +29,12 @@ WIDTH_MM = 1e-6
 
 SIZE_SHARE = 3e-6
 """Error of a section's size relative to its limit: about that of the stiffness it is made of."""
+
+CORRECTION_TOLERANCE = 1e-6
+"""Of corrected stiffness, relative to its largest."""
+
+CURVATURE_STATIONS = 2001
+"""At which strain is looked for, spread over the curve's smooth panels."""
 
 SAME_SCALE = 1e-4
 """Relative difference of bending stiffnesses that an optimal rod's own accuracy explains."""
@@ -290,3 +296,30 @@ def stations_of(length: float, *profiles: Profile, count: int = 2001) -> FloatAr
     """Stations (n,) in [0, length], mm, dense, with the knots of the profiles among them."""
     knots = [profile.knots[(profile.knots >= 0) & (profile.knots <= length)] for profile in profiles]
     return np.unique(np.concatenate([np.linspace(0.0, length, count), *knots]))
+
+
+def correct_layout(
+    style: Style, rod: Rod, sheet: Sheet, correction: Profile, **widths: float | None
+) -> Layout:
+    """What a style makes of a rod whose stiffness is corrected by a factor along it."""
+    asked = rod.profile
+    corrected = Profile.fit(
+        lambda s: asked(s) * correction(s), rod.length, breaks=asked.breaks, knots=correction.knots,
+        tolerance=CORRECTION_TOLERANCE * float(asked.extremes[1]),
+    )  # fmt: skip
+    layout = style.laid_out(rod.with_stiffness(corrected), sheet, **widths)
+    # E I where the rod's own K is 1; with_stiffness made the least corrected one 1
+    return replace(layout, bending_stiffness=layout.bending_stiffness / float(corrected(rod.s).min()))
+
+
+def bend_stations(rod: Rod) -> tuple[FloatArray, FloatArray]:
+    """Stations (n,), mm, spread over the curve's smooth panels, and |kappa - kappa_0| there, 1/mm."""
+    s, curvature = rod.s, rod.curvature
+    if rod.shape is not None:
+        panels = rod.curve.smooth_panels
+        places = np.linspace(0.0, panels.size - 1.0, max(CURVATURE_STATIONS, rod.s.size))
+        t = np.interp(places, np.arange(panels.size), panels)
+        s, curvature = rod.curve.arc_length(t), rod.curve.curvature_at(t)
+    s = np.minimum(s, rod.length)
+    rest = np.broadcast_to(np.asarray(rod.natural_curvature, dtype=float), rod.s.shape)
+    return s, np.abs(curvature - np.interp(s, rod.s, rest))

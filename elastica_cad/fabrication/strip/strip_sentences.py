@@ -1,0 +1,109 @@
+"""What is told of a strip in words: how wide it is, how it closes, and what a maker should know before cutting."""
+
+from collections.abc import Callable, Iterator, Sequence
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import NotConvergedError
+from elastica_cad.fabrication.holding.reactions import Reactions
+from elastica_cad.fabrication.strip.strip_layers import Layer
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.mechanics.material.plywood_radii import PLYWOOD_SOURCE, TOLD_TO
+from elastica_cad.mechanics.material.section_limits import LayerStrain
+from elastica_cad.mechanics.studies.creep import Creep
+
+LINEAR_CREEP_SHARE = 0.5
+"""Of the strain limit: beyond it creep grows faster than the stress."""
+
+UNEVEN_JOINT_MM = 0.05
+"""Difference between the widths of a closed strip's ends that is told: finer than it is cut."""
+
+
+def tell_breadth(width: Profile, tapered: dict[str, Profile], digits: str) -> str:
+    """How wide a strip is, and as thick as it tapers."""
+
+    def told(size: Profile) -> str:
+        low, high = size.extremes
+        return f"{low:{digits}} to {high:{digits}} mm"
+
+    if "diameter" in tapered:
+        return f"{told(tapered['diameter'])} in diameter"
+    wide = f"{told(width)} wide"
+    return f"{wide}, {told(tapered['thickness'])} thick" if "thickness" in tapered else wide
+
+
+def tell_joint(lap: float, width: float, held: Reactions, place: str) -> str:
+    """How a closed strip is joined at a place, where it is so wide, mm, and what the joint carries."""
+    how = (
+        f"glue its tab of {lap:.3g} mm, bent as drawn, behind its start"
+        if lap
+        else "join its ends butt to butt"
+    )
+    return (
+        f"closed: {how} at {place}, where it is {width:.3g} mm wide; the joint carries "
+        f"{abs(held.end_moment):.3g} N mm and {np.hypot(*held.end_force):.2g} N"
+    )
+
+
+def warn_of_strains(strains: Sequence[LayerStrain], s: FloatArray, bend: FloatArray) -> Iterator[str]:
+    """Layers strained beyond what their sheets bear, bent by `bend` (n,), 1/mm, at stations s (n,), mm."""
+    for layer in strains:
+        if layer.exceeded:
+            at = layer.station
+            bearable = bend[at] * layer.limit / layer.largest
+            yield (
+                f"strain {100 * layer.largest:.2f} % at {s[at]:.1f} mm is beyond the {100 * layer.limit:.2f} % "
+                f"that {layer.name} bears: its radius there is {1 / bend[at]:.1f} mm, the least advisable "
+                f"{1 / bearable:.1f} mm; use a thinner sheet or a gentler curve"
+            )
+
+
+def warn_of_width(width: Profile, length: float, *, closed: bool) -> Iterator[str]:
+    """Ends that do not match where a strip closes, and strips wider than long."""
+    start, end = width([0.0, length]).tolist()
+    if closed and abs(end - start) > UNEVEN_JOINT_MM:
+        yield (
+            f"its ends are {start:.3g} and {end:.3g} mm wide where it closes: choose another joint, leave out "
+            "gravity, or make the curvature continuous there"
+        )
+    widest = float(width.extremes[1])
+    if widest > length:
+        yield (
+            f"it is {widest:.4g} mm wide and {length:.4g} mm long: what is wider than long bends as a "
+            "plate, not as a strip; give a smaller max_width, and look at its unit"
+        )
+
+
+def warn_of_plywood(
+    layers: Sequence[Layer], strains: Sequence[LayerStrain], s: FloatArray, bend: FloatArray
+) -> Iterator[str]:
+    """Plywood bent sharper than its published radii, where its strain has not told so."""
+    tightest = int(np.argmax(bend))
+    for one, layer in zip(layers, strains, strict=False):
+        least = one.sheet.published_radius
+        if least is not None and not layer.exceeded and bend[tightest] * least > 1 + TOLD_TO:
+            yield (
+                f"it bends to a radius of {1 / bend[tightest]:.1f} mm at {s[tightest]:.1f} mm, but plywood of "
+                f"{one.sheet.thickness:g} mm bends to {least:.1f} mm at least {one.sheet.grain} the face grain "
+                f"({PLYWOOD_SOURCE}); use a thinner sheet or a gentler curve"
+            )
+
+
+def warn_of_creep(factor: float, strained: LayerStrain, crept: Callable[[], Creep | None]) -> Iterator[str]:
+    """Where creep of the most strained layer is not linear any more, and a strip that does not stay."""
+    if strained.largest > LINEAR_CREEP_SHARE * strained.limit:
+        yield (
+            f"strain {100 * strained.largest:.2f} % is more than {100 * LINEAR_CREEP_SHARE:.0f} % of what the "
+            "sheet bears: creep is not linear there, and more than said; use a thinner sheet or a gentler curve"
+        )
+    try:
+        later = crept()
+    except NotConvergedError as problem:
+        yield str(problem)
+        return
+    if later is not None and not later.stability.stable:
+        yield (
+            f"with a creep factor of {factor:g} it will not stay in the long run: it snaps into another "
+            "shape; use a stiffer sheet or support it"
+        )
