@@ -68,14 +68,14 @@ def anticlastic_factor(
     return np.asarray((1 - nu**2 * (2 * ratio + x * slope / 2)) / (1 - nu**2))
 
 
-def plate_width(
+def _plate_width(
     effective: ArrayLike, curvature: ArrayLike, *, thickness: float, poisson_ratio: float
 ) -> FloatArray:
     """Widths w with w `anticlastic_factor`(w, curvature) = `effective`, the width of a strip that bends with E.
 
     Examples
     --------
-    >>> round(plate_width(1000.0, 0.01, thickness=1.0, poisson_ratio=0.3).item(), 1)
+    >>> round(_plate_width(1000.0, 0.01, thickness=1.0, poisson_ratio=0.3).item(), 1)
     911.1
     """
     h, nu = _checked(thickness, poisson_ratio)
@@ -175,7 +175,7 @@ def anticlastic_widths(
 
     # every station could be the widest one: the scale c is the largest that keeps them all within max_width
     scale = float(np.min(effective(max_width) / K))
-    width = np.minimum(plate_width(scale * K, kappa, thickness=h, poisson_ratio=nu), max_width)
+    width = np.minimum(_plate_width(scale * K, kappa, thickness=h, poisson_ratio=nu), max_width)
     plain = max_width * K / K.max()
     relative = np.abs(width - plain) / plain
     i = int(np.argmax(relative))
@@ -252,7 +252,7 @@ class WidthLaw:
     def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
         """Widths (n,), mm, that give the E I (n,), N mm2."""
         EI = positive(bending_stiffness, "bending stiffness")
-        return plate_width(EI / self.sheet.bending_stiffness(1.0), self.curvature, **self._plate)
+        return _plate_width(EI / self.sheet.bending_stiffness(1.0), self.curvature, **self._plate)
 
     def weight_per_length(self, parameter: ArrayLike) -> FloatArray:
         """N/mm (n,) of widths (n,), mm."""
