@@ -30,7 +30,7 @@ OPERATIONS = (
     "boolean", "mirror", "split", "mesh", "STEP", "BOP",
 )  # fmt: skip
 
-PATIENCE = dict.fromkeys(OPERATIONS, 10) | dict.fromkeys(("shell", "shell flat", "mesh", "BOP"), 20)
+PATIENCE = dict.fromkeys(OPERATIONS, 10) | {"shell": 20, "shell flat": 20, "mesh": 60, "BOP": 60}
 """Processor seconds after which an operation has failed."""
 
 SHARED = ("mesh", "STEP", "BOP")

@@ -4,8 +4,8 @@
 
 Bodies come in an order shuffled by `--seed`, so that a run that ends in time has asked every kernel and style
 alike; the next run leaves out what is kept already, or with `--again` what is in the log of `--out` only. What
-fails is asked again of a plain body with the same faces, whose long sides are splines through nine points, and
-where that succeeds through 25: where one of them fails too, the kernel does. Every body has a process of its own,
+fails is asked again of plain bodies with the same faces, whose long sides are splines through nine points, and
+while that succeeds through 25, 17, 40 and 90: where one of them fails too, the kernel does. Every body has a process of its own,
 so that a kernel that crashes or hangs costs one answer. Answers are put into `solids.json`, of which
 `solid_table.py` writes docs/kernels.md; with `--minutes 0` those of a log alone. Needs gmsh for meshes.
 """
@@ -31,7 +31,8 @@ HERE = str(Path(__file__).resolve().parent)
 FREECAD = ("/usr/lib/freecad-python3/lib", "/usr/lib/freecad/lib", "/usr/share/freecad/Ext")
 
 
-DRAWN_THROUGH = (9, 25)  # points of long sides of plain bodies
+DRAWN_THROUGH = (9, 25, 17, 40, 90)
+"""Points of long sides of plain bodies: from few, as one draws them, to as many as ours have."""
 
 Body = tuple[str, str, str]
 """Kernel, style and curve."""

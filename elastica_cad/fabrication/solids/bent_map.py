@@ -24,6 +24,7 @@ POSITION_TOLERANCE = 1e-6  # mm, of the centre line
 SURFACE_TOLERANCE = 5e-8  # mm, of edges drawn on the bent faces
 MOST_SPANS = 4000  # of one face: more mean a curve that cannot be followed
 PROBES = np.array([0.06, 0.27, 0.5, 0.73, 0.94])  # places in a span where the error is measured
+LEAST_SPANS = 3  # of an edge: kernels walk from knot to knot, and fillets of one or two spans break off
 MOST_PARTS = 4  # that a span is cut into at a time
 SPARE = 1.1  # parts for every one that the error asks for
 FIRST_TURN = 0.2  # rad, of the spans that are tried first
@@ -141,8 +142,18 @@ class BentMap:
         if t.size:
             apart = np.flatnonzero(np.diff(t, prepend=first) >= near)
             t, continuity = t[apart], np.minimum.reduceat(continuity, apart)
+        if t.size < LEAST_SPANS - 1:
+            t, continuity = _in_thirds(np.array([first, *t, last]), continuity, degree)
         inner = np.repeat(t, np.minimum(degree - continuity, degree))
         return np.concatenate([np.full(degree + 1, first), inner, np.full(degree + 1, last)]), degree
+
+
+def _in_thirds(edges: FloatArray, continuity: IntArray, degree: int) -> tuple[FloatArray, IntArray]:
+    """Interior knots with their continuity where every span is cut into three, smoothly."""
+    thirds = edges[:-1, None] + np.diff(edges)[:, None] * [0, 1 / 3, 2 / 3]
+    smoothness = np.full(thirds.shape, degree - 1)
+    smoothness[1:, 0] = continuity
+    return thirds.ravel()[1:], smoothness.ravel()[1:]
 
 
 def bent_maps(rod: Rod, frame: Frame, reach: float) -> tuple[BentMap, ...]:
