@@ -50,6 +50,22 @@ def test_cadquery(bodies, campaign):
         assert size > 0, name
 
 
+@pytest.mark.parametrize(
+    "kernel",
+    [
+        pytest.param("Build123d", marks=pytest.mark.build123d),
+        pytest.param("CadQuery", marks=pytest.mark.cadquery),
+    ],
+)
+def test_a_fillet_between_a_slot_and_a_step_of_width(kernel, campaign):
+    """Along an edge of one span both kernels gave up."""
+    bank, operations = campaign
+    runner = getattr(operations, kernel)(operations.Bodies(bank.made("two arcs", "slotted")))
+    valid, size = runner.run("fillet")
+    assert valid
+    assert 0 < size < runner.bodies.volume
+
+
 def test_volumes(bodies, campaign):
     """As CAD programs show them, by plain integration; by the adaptive one to rounding."""
     from OCP.BRepGProp import BRepGProp
