@@ -5,9 +5,9 @@
 Bodies come in an order shuffled by `--seed`, so that a run that ends in time has asked every kernel and style
 alike; the next run leaves out what is kept already, or with `--again` what is in the log of `--out` only. What
 fails is asked again of plain bodies with the same faces, whose long sides are splines through nine points, and
-while that succeeds through 25, 17, 40 and 90: where one of them fails too, the kernel does. Every body has a process of its own,
-so that a kernel that crashes or hangs costs one answer. Answers are put into `solids.json`, of which
-`solid_table.py` writes docs/kernels.md; with `--minutes 0` those of a log alone. Needs gmsh for meshes.
+while that succeeds through 25, 17, 40 and 90: where one of them fails too, the kernel does. Every body has a
+process of its own, so that a kernel that crashes or hangs costs one answer. Answers are put into `solids.json`, of
+which `solid_table.py` writes docs/kernels.md; with `--minutes 0` those of a log alone. Needs gmsh for meshes.
 """
 
 import argparse
