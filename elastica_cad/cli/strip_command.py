@@ -24,7 +24,7 @@ from elastica_cad.cli.running.typed_command import MOST_CURES, say_with_cure
 from elastica_cad.cli.running.voice import answer, say, say_step, warn, wrote
 from elastica_cad.errors import ElasticaError, InputError, NotConvergedError, how_to_install
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
-from elastica_cad.fabrication.makeability.makeable_widths import compensate_within
+from elastica_cad.fabrication.makeability.makeable_strip import compensate_within
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.formats.design_files.kit_spec import Cutting
 from elastica_cad.kit.strip_kit import StripFiles, StripKit, write_strip

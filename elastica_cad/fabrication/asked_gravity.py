@@ -9,11 +9,14 @@ import numpy as np
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.loads.weight import PointMass
+from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.sheet import Sheet
 
 AskedGravity: TypeAlias = "Gravity | bool | Sequence[float] | None"
 """A `Gravity`, True for the sheet's own weight along -y, or the direction in which that falls."""
+
+Loads: TypeAlias = "tuple[PointMass, ...] | Weight"
+"""Masses hung on a strip beside its own weight; or all weight in newtons."""
 
 
 def pull_in_plane(given: AskedGravity, sheet: Sheet, frame: Frame | None) -> tuple[Gravity | None, float]:
@@ -41,9 +44,19 @@ def pull_in_plane(given: AskedGravity, sheet: Sheet, frame: Frame | None) -> tup
     return felt, 1.0 if felt is None else (own / felt.length) ** 3
 
 
-def lightened(loads: tuple[PointMass, ...], share: float) -> tuple[PointMass, ...]:
-    """Masses of which only a share acts."""
+def lightened(loads: Loads, share: float) -> Loads:
+    """Masses of which only a share acts; a weight in newtons is what acts."""
+    if isinstance(loads, Weight):
+        return loads
     return tuple(replace(one, mass=share * one.mass) for one in loads)
+
+
+def hung_weight(loads: Loads, share: float) -> Weight | None:
+    """Loads as `optimal_rod` takes them; in a plane that leans, masses hang with a share of their weight."""
+    felt = lightened(loads, share)
+    if isinstance(felt, Weight):
+        return felt
+    return Weight(masses=felt, own=True) if felt else None
 
 
 def _direction(given: object) -> tuple[float, ...]:

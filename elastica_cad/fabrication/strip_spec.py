@@ -1,7 +1,5 @@
 """What is asked of one strip, in one record; and the strip that is made of it."""
 
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, cast
@@ -10,16 +8,28 @@ import numpy as np
 
 from elastica_cad._equality import EqualByValue
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.asked_gravity import AskedGravity, is_number, lightened, pull_in_plane
-from elastica_cad.fabrication.makeability.makeable_widths import compensate_within
+from elastica_cad.fabrication.asked_gravity import (
+    AskedGravity,
+    hung_weight,
+    is_number,
+    lightened,
+    pull_in_plane,
+)
+from elastica_cad.fabrication.makeability.makeable_strip import make_within
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
-from elastica_cad.fabrication.makeability.splices import joined_within, spliced
-from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults, find_strip_faults
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.styles import NO_WIDTH, PLAIN, Plain, Style, width_profile
 from elastica_cad.fabrication.strip.tabs import Tab
+from elastica_cad.fabrication.strip_checks import (
+    check_compensate,
+    check_joint,
+    check_law,
+    masses_of,
+    several,
+    told_in_python,
+)
 from elastica_cad.forming.fairing_request import smooth_curve
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest.nearest_record import NearestRod
@@ -38,12 +48,6 @@ from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.studies.creep import require_creep
 from elastica_cad.mechanics.theorem1.closed_curves import begin_at, flattest_place
-from elastica_cad.mechanics.theorem1.verdict import NotRealizable
-
-NEAREST_CALL = (
-    "limits=ec.Limits() asks for the nearest curve that a strip can take, which strip.rod.curve then is."
-)
-"""What a program that asked for a strip can do."""
 
 SAME_LENGTH = 1e-9
 """Relative difference below which two gravity lengths are of the same sheet: they were computed alike."""
@@ -162,38 +166,34 @@ class StripSpec(EqualByValue):
             raise InputError(
                 f"style is {self.style!r}: give Plain(), Perforated(width=...) or Laminated(width=..., backing=...)"
             )
+        sized = bool(self.max_width or self.min_width)
         if self.law is not None:
-            _check_law(self, self.law)
-        elif isinstance(self.style, Plain) and not (self.max_width or self.min_width or self.loads):
+            check_law(
+                self.law,
+                self.material,
+                self.style,
+                self.ends,
+                self.slots,
+                sized=bool(self.max_width or self.min_width),
+            )
+        elif isinstance(self.style, Plain) and not (sized or self.loads):
             raise InputError(NO_WIDTH)
-        ends, slots = _several("ends", self.ends, Tab, "Tab"), _several("slots", self.slots, Slot, "Slot")
+        ends, slots = several("ends", self.ends, Tab, "Tab"), several("slots", self.slots, Slot, "Slot")
         if len(ends) != 2:
             raise InputError(
                 f"ends are {len(ends)} tabs: give two, for the start and the end; Tab(0) is none"
             )
-        if self.joint is not None and not (is_number(self.joint) and 0 <= self.joint <= self.curve.length):
-            raise InputError(
-                f"joint is {self.joint!r}: give a place along the curve, 0 to {self.curve.length:.4g} mm, or none"
-            )
-        if self.joint is not None and not self.curve.is_closed:
-            raise InputError(
-                f"joint is {self.joint:g} mm, but the curve is open and begins at its own end: leave joint out, or "
-                "close the curve"
-            )
+        check_joint(self.joint, self.curve)
         if not isinstance(self.label, str):
             raise InputError(f"label is {self.label!r}: give a text, empty for none")
         if not isinstance(self.anyway, bool):
             raise InputError(f"anyway must be True or False, got {self.anyway!r}")
-        if not (self.compensate is None or isinstance(self.compensate, bool)):
-            raise InputError(
-                f"compensate is {self.compensate!r}: give True for all that widths can make up for, False for "
-                "nothing, or leave it out"
-            )
+        check_compensate(self.compensate)
         if not isinstance(self.shop, Shop):
             raise InputError(f"shop is {self.shop!r}: give a Shop record, such as Shop(least_width=2.0)")
         settled = {
             "sheet": given,
-            "loads": self.loads if isinstance(self.loads, Weight) else _masses(self.loads),
+            "loads": self.loads if isinstance(self.loads, Weight) else masses_of(self.loads),
             "supports": require_supports(self.supports),
             "ends": ends,
             "slots": slots,
@@ -224,8 +224,7 @@ class StripSpec(EqualByValue):
         gravity, share = self._pulled
         if self.frame is None:
             return self
-        loads = self.loads if isinstance(self.loads, Weight) else lightened(self.loads, share)
-        return replace(self, frame=None, gravity=gravity, loads=loads)
+        return replace(self, frame=None, gravity=gravity, loads=lightened(self.loads, share))
 
     @property
     def may_change(self) -> bool:
@@ -237,7 +236,7 @@ class StripSpec(EqualByValue):
         """What the rod is found from; requests that differ only in widths, ends, slots or label share it."""
         gravity, share = self._pulled
         layers: LaminateLayers | None = None
-        weight = self._weight(share)
+        weight = hung_weight(self.loads, share)
         if isinstance(self.style, Laminated) and gravity is not None:
             layers = self._layers(self.style, gravity)
             if isinstance(self.loads, Weight):
@@ -361,28 +360,11 @@ class StripSpec(EqualByValue):
             label=self.label,
             creep=self.creep,
         )
-        with suppress(InputError):  # no room for joints is told with what else cannot be cut
-            made = joined_within(made, self.shop)
-        if self.compensate:
-            made = compensate_within(made, self.shop)
-        told = accept_faults(find_strip_faults(made, self.shop), self.anyway)
-        joined = spliced(made, self.shop)
-        told += () if joined is None else (str(joined),)
-        if not told:
-            return made
-        return replace(made, rod=replace(made.rod, warnings=(*made.rod.warnings, *told)))
+        return make_within(made, self.shop, compensate=bool(self.compensate), anyway=self.anyway)
 
     def changed(self, **fields: Any) -> "StripSpec":
         """The request with other values of some fields."""
         return replace(self, **fields)
-
-    def _weight(self, share: float) -> Weight | None:
-        """Loads as `optimal_rod` takes them; in a plane that leans, masses hang with a share of their weight."""
-        if isinstance(self.loads, Weight):
-            return self.loads
-        if not self.loads:
-            return None
-        return Weight(masses=lightened(self.loads, share), own=True)
 
     @property
     def _bent(self) -> PlaneCurve:
@@ -403,21 +385,6 @@ class StripSpec(EqualByValue):
         )
 
 
-def _check_law(spec: StripSpec, law: BoundedLaw) -> None:
-    shaped = bool(spec.slots) or any(tab != Tab(tab.length) for tab in spec.ends)
-    shaped = shaped and law.quantity != "width"
-    if not isinstance(spec.style, Plain) or spec.max_width or spec.min_width or shaped:
-        raise InputError(
-            "a law says what the section is and how large: leave out style, slots, max_width and min_width, and "
-            "give tabs a length only, or leave out law"
-        )
-    sheet = getattr(law, "sheet", spec.material)
-    if sheet != spec.material:
-        raise InputError(
-            f"the law is of {sheet.name}, the strip of {spec.material.name}: give both the same sheet"
-        )
-
-
 def make_strip(curve: PlaneCurve, sheet: Sheet | str, **fields: Any) -> Strip:
     """The strip that bends into a curve: `StripSpec(curve, sheet, **fields).make()`.
 
@@ -433,34 +400,5 @@ def make_strip(curve: PlaneCurve, sheet: Sheet | str, **fields: Any) -> Strip:
     30.0
     """
     spec = StripSpec(curve, sheet, **fields)
-    with told_in_python(spec):
+    with told_in_python(spec.curve, spec.may_change):
         return spec.make()
-
-
-@contextmanager
-def told_in_python(spec: StripSpec) -> Iterator[None]:
-    """A refusal of the curve ends with the argument that lets it change, where a program asked for the strip.
-
-    It is a note below the message, not tried: a search may take longer than a program has for a curve that it
-    only asks about.
-    """
-    try:
-        yield
-    except (NotRealizable, InputError) as problem:
-        refused = isinstance(problem, NotRealizable) or spec.curve.has_corners
-        if refused and not spec.may_change:
-            problem.add_note(NEAREST_CALL)
-        raise
-
-
-def _masses(loads: object) -> tuple[PointMass, ...]:
-    return _several("loads", (loads,) if isinstance(loads, PointMass) else loads, PointMass, "PointMass")
-
-
-def _several(name: str, values: object, record: type[Any], kind: str) -> tuple[Any, ...]:
-    """A tuple of records of one kind."""
-    found = tuple(values) if isinstance(values, Sequence) else (values,)
-    for one in found:
-        if not isinstance(one, record):
-            raise InputError(f"{name} hold {one!r}: give {kind} records")
-    return found

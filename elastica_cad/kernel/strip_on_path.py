@@ -207,7 +207,8 @@ def make_strip_on(
         Edges that are no smooth, plane curve, or lie in another plane; options that are not known, or that
         come too late for a strip that is made; and as `StripSpec.make`.
     """
-    from elastica_cad.fabrication.strip_spec import StripSpec, told_in_python
+    from elastica_cad.fabrication.strip_checks import told_in_python
+    from elastica_cad.fabrication.strip_spec import StripSpec
 
     asked = {name: value for name, value in asked.items() if value is not None}
     _refuse_unknown(asked)
@@ -235,7 +236,7 @@ def make_strip_on(
         drawn_on = None if workplane is None else _frame_of(workplane).axes.T
         curve, frame = plane_curve(path, frame, turned=drawn_on)
     spec = StripSpec(curve, sheet, frame, **asked)
-    with told_in_python(spec):
+    with told_in_python(spec.curve, spec.may_change):
         strip, deviation = _made(spec)
     for layer in strip.strains:
         if layer.exceeded:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.forming.limits import Limits
-from elastica_cad.forming.nearest.many_rods import nearest_rods
+from elastica_cad.forming.many_rods import nearest_rods
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.bending.bend_forward import bend, bend_path
 from elastica_cad.mechanics.loads.gravity import Gravity

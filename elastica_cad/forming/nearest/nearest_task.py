@@ -1,43 +1,23 @@
-"""What is asked of a nearest rod, in lengths of the drawn curve, and the nonlinear program made of it."""
+"""What is asked of a nearest rod, in lengths of the drawn curve."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import partial
 from typing import Literal, TypeAlias
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.forming.limits import Keep, Limits, Symmetry
-from elastica_cad.forming.nearest.constraints.constraint import Constraint
-from elastica_cad.forming.nearest.constraints.kept_shape import (
-    EndAngle,
-    EndForce,
-    EndMoment,
-    EndPosition,
-    InflectionLine,
-    MiddleOfMirror,
-    MiddleOfTurn,
-    Through,
-)
-from elastica_cad.forming.nearest.constraints.limit_rows import (
-    CurvatureLimit,
-    KeepOut,
-    LeastStiffness,
-    MarginLimit,
-    StrainLimit,
-)
+from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest.curve_distance import (
     ClosestDistance,
     Distance,
     LargestDistance,
     MeanDistance,
 )
-from elastica_cad.forming.nearest.rod_map import MappedRod, StripGrid
-from elastica_cad.forming.nearest.rod_problem import RodProblem
+from elastica_cad.forming.nearest.rod_map import MappedRod
 from elastica_cad.forming.nearest.stiffness_basis import StiffnessBasis
-from elastica_cad.forming.nearest.target_curve import TargetCurve, symmetry_frame
+from elastica_cad.forming.nearest.target_curve import TargetCurve
 from elastica_cad.forming.section_scale import SectionScale
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
@@ -49,7 +29,6 @@ from elastica_cad.mechanics.loads.arguments import (
 )
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.rest_curvature import (
-    LENGTHS_APART,
     NaturalCurvature,
     RestCurvature,
     require_natural_curvature,
@@ -67,14 +46,11 @@ Weights: TypeAlias = "ArrayLike | Callable[[FloatArray], ArrayLike] | None"
 _MOST_NODES = 5000  # beyond, time grows and the shape hardly changes
 _FEWEST_COEFFICIENTS, _MOST_COEFFICIENTS = 20, 60  # of the stiffness unless told
 _COEFFICIENTS_PER_HALF_TURN = 4.2  # a curve that turns more often asks for a finer stiffness
-_SAME_LENGTH = 1e-6  # of the room that a blank has: rods keep inside it for all rounding
-_SAME_CURVATURE = 1e-6  # of the target's typical one: blanks are symmetric but for rounding
-_LENGTHS = (0.2, 5.0)  # of the target, least and largest: where no limit says so a rod stays of its kind
 
 
 @dataclass(frozen=True, eq=False)
 class NearestTask:
-    """All that is asked, in lengths of the target; `problem` builds the nonlinear program.
+    """All that is asked, in lengths of the target; `pose_problem` makes a nonlinear program of it.
 
     Attributes
     ----------
@@ -184,29 +160,6 @@ class NearestTask:
         section = self.section.settled(bend, mapped.stiffness)
         return self if section is self.section else replace(self, section=section)
 
-    def problem(self, measure: Measure, *, weight: float = 1.0, with_margin: bool = True) -> RodProblem:
-        """The problem with a share `weight` of gravity."""
-        grid = self.grid(weight)
-        lower, upper = self._box(grid)
-        return RodProblem(
-            lower, upper, self._scale(grid), grid=grid, distance=self.distance(measure),
-            constraints=tuple(self._constraints(with_margin)),
-        )  # fmt: skip
-
-    def grid(self, weight: float = 1.0) -> StripGrid:
-        """The nodes, with a share `weight` of gravity."""
-        basis = self.basis.at_nodes(self.nodes)
-        rest = self.rest
-        if self.gravity is None:
-            return StripGrid(basis, np.zeros(2), rest, supports=self.supports)
-        if self.section is None:
-            return StripGrid(
-                basis, self.gravity.e * self.target.size**3 * weight, rest, supports=self.supports
-            )
-        up = -weight * np.asarray(self.gravity.direction)
-        carried = partial(self.section.weight, size=self.target.size)
-        return StripGrid(basis, up, rest, supports=self.supports, weight=carried)
-
     @property
     def rest(self) -> float | FloatArray:
         """kappa_0, or that of a blank (nodes,), in the target's units; the blank is stretched to the rod."""
@@ -240,69 +193,6 @@ class NearestTask:
         """What K is a sum of."""
         return StiffnessBasis(self.coefficients, mirrored=bool(self.keep.symmetry))
 
-    @property
-    def moment_scale(self) -> float:
-        """Typical moment."""
-        bend = float(np.sqrt(np.mean(self.target.curvature**2)))
-        return float(max(1.0, bend * min(2.0, np.sqrt(self.limits.largest_ratio))))
-
-    def _scale(self, grid: StripGrid) -> FloatArray:
-        u = grid.unknowns
-        scale = np.ones(u.count)
-        scale[u.moment] = self.moment_scale
-        scale[u.force] = 5 * self.moment_scale
-        return scale
-
-    def _box(self, grid: StripGrid) -> tuple[FloatArray, FloatArray]:
-        u, target = grid.unknowns, self.target
-        lower, upper = np.full(u.count, -np.inf), np.full(u.count, np.inf)
-        lower[u.stiffness], upper[u.stiffness] = self._stiffness_box(u.coefficients)
-        start = self.supports.ends[0]
-        if self.keep.both_ends[0]:
-            lower[u.position] = upper[u.position] = target.position[0]
-        if self.keep.both_tangents[0]:
-            lower[u.angle] = upper[u.angle] = target.angle[0]
-        if not start.angle:
-            lower[u.moment] = upper[u.moment] = 0.0
-        for axis, held in enumerate((start.x, start.y)):
-            if not held:
-                lower[u.force.start + axis] = upper[u.force.start + axis] = 0.0
-        lower[u.length], upper[u.length] = self._lengths()
-        return lower, upper
-
-    def _lengths(self) -> tuple[float, float]:
-        target, limits = self.target, self.limits
-        low, high = _LENGTHS if limits.length is None else np.asarray(limits.length) / target.size
-        blank = self.natural_curvature.length if isinstance(self.natural_curvature, RestCurvature) else None
-        if blank is not None:
-            asked = "keep length asks" if self.keep.length else "the limit length asks"
-            least, most = (1.0, 1.0) if self.keep.length else (low, high)
-            room = LENGTHS_APART * (1 - _SAME_LENGTH)
-            low, high = (
-                max(low, (1 - room) * blank / target.size),
-                min(high, (1 + room) * blank / target.size),
-            )
-            if least > high or most < low:
-                raise InputError(
-                    f"{asked} for {least * target.size:.6g} to {most * target.size:.6g} mm, but the blank is "
-                    f"{blank:.6g} mm long before it is bent: give its curvature along the length that is asked for"
-                )
-        if self.keep.length:
-            if not low * (1 - 1e-12) <= 1 <= high * (1 + 1e-12):
-                raise InputError(
-                    f"keep length asks for {target.size:.6g} mm, outside the limit length of "
-                    f"{low * target.size:.6g} to {high * target.size:.6g} mm: drop one of them"
-                )
-            low = high = 1.0
-        if all(self.keep.both_ends):
-            chord = float(np.hypot(*(target.position[-1] - target.position[0])))
-            if high < chord * (1 - 1e-12):
-                raise InputError(
-                    f"the rod may be at most {high * target.size:.6g} mm long, but its kept ends are "
-                    f"{chord * target.size:.6g} mm apart: allow more length or free an end"
-                )
-        return float(low), float(high)
-
     def distance(self, measure: Measure) -> Distance:
         """The measure of the distance from the target."""
         if measure == "mean":
@@ -319,105 +209,6 @@ class NearestTask:
         shares = self.weights.copy()
         shares[[0, -1]] /= 2
         return np.asarray(shares / shares.sum())
-
-    def _constraints(self, with_margin: bool) -> list[Constraint]:
-        target, limits, keep = self.target, self.limits, self.keep
-        end = self.supports.ends[1]
-        found: list[Constraint] = []
-        if keep.symmetry:
-            found.append(self._symmetry(keep.symmetry))
-        else:
-            if keep.both_ends[1]:
-                found.append(EndPosition(target=_pair(target.position[-1])))
-            if keep.both_tangents[1]:
-                found.append(EndAngle(target=float(target.angle[-1])))
-            if not end.angle:
-                found.append(EndMoment(scale=self.moment_scale))
-            found += [
-                EndForce(axis=axis, scale=5 * self.moment_scale)
-                for axis, held in enumerate((end.x, end.y))
-                if not held
-            ]
-        for s in keep.points:
-            if not 0 <= s <= target.size * (1 + 1e-9):
-                raise InputError(f"keep point at {s:.6g} mm lies off the drawn curve of {target.size:.6g} mm")
-            place = min(s / target.size, 1.0)
-            point, _ = target.at(np.array([place]))
-            found.append(Through(target=_pair(point[0]), place=place))
-        if self.line is not None:
-            a, b = ((np.asarray(p) - target.origin) / target.size for p in self.line)
-            direction = (b - a) / np.hypot(*(b - a))
-            found.append(InflectionLine(point=_pair(a), direction=_pair(direction), scale=self.moment_scale))
-        curvature = limits.largest_curvature if self.section is None else limits.curvature
-        if self.section is not None and limits.sheet is not None:
-            found.append(StrainLimit(section=self.section, strain=limits.strain, size=target.size))
-        if curvature is not None:
-            found.append(CurvatureLimit(limit=curvature * target.size))
-        found += [
-            KeepOut(region=region, size=target.size, origin=_pair(target.origin), kept=keep.both_ends)
-            for region in limits.keep_out
-        ]
-        if limits.stiffness_bounds is not None and limits.stiffness_bounds[0] is not None:
-            found.append(LeastStiffness())
-        if with_margin and limits.margin is not None:
-            found.append(MarginLimit(limit=limits.margin))
-        return found
-
-    def _symmetry(self, kind: Symmetry) -> Constraint:
-        target = self.target
-        centre, axis = symmetry_frame(target, kind)
-        rest = np.broadcast_to(self.rest, (self.nodes,))
-        if (
-            np.abs(rest - (1 if kind == "mirror" else -1) * rest[::-1]).max()
-            > _SAME_CURVATURE * self.moment_scale
-        ):
-            image = "mirror image" if kind == "mirror" else "half turn"
-            raise InputError(
-                f"the blank is not its own {image} before it is bent: give one that is, or leave out keep symmetry"
-            )
-        if kind == "turn":
-            if self.gravity is not None:
-                raise InputError("a half turn turns gravity over: keep symmetry='turn' only without weight")
-            return MiddleOfTurn(centre=_pair(centre), scale=self.moment_scale)
-        if self.gravity is not None and abs(np.dot(self.gravity.direction, axis)) < 1 - 1e-9:
-            raise InputError(
-                "gravity pulls across the mirror axis: a strip with weight cannot stay symmetric"
-            )
-        across = np.array([-axis[1], axis[0]])
-        middle = float(target.angles(np.array([0.5]))[0])
-        angle = float(np.arctan2(across[1], across[0]))
-        angle += np.pi * np.round((middle - angle) / np.pi)
-        return MiddleOfMirror(
-            centre=_pair(centre), axis=_pair(axis), angle=angle, scale=5 * self.moment_scale
-        )
-
-    def _stiffness_box(self, count: int) -> tuple[FloatArray, FloatArray]:
-        """Least and largest coefficients: of the bounds along the strip the strictest over each one's support."""
-        ratio = self.limits.largest_ratio
-        low, high = np.ones(count), np.full(count, ratio)
-        if self.limits.stiffness_bounds is None:
-            return low, high
-        s = np.linspace(0, 1, 20 * self.coefficients + 1)
-        support = self.basis.at(s) > 0
-        below, above = self.limits.stiffness_bounds
-        if below is not None:
-            values = _along(below, s, self.target.size, "stiffness bounds")
-            low = np.maximum(low, np.where(support, values[:, None], -np.inf).max(axis=0))
-        if above is not None:
-            values = _along(above, s, self.target.size, "stiffness bounds")
-            high = np.minimum(high, np.where(support, values[:, None], np.inf).min(axis=0))
-        if low.min() > 1:
-            raise InputError(
-                f"stiffness_bounds ask for at least {low.min():.4g} everywhere, but K / min K is 1 somewhere: "
-                "let the lower bound come down to 1"
-            )
-        if np.any(low > high):
-            at = float(s[int(np.argmax(support[:, int(np.argmax(low - high))]))]) * self.target.size
-            raise InputError(
-                f"no stiffness is both above the lower and below the upper bound (or the ratio limit {ratio:.4g}) "
-                f"near {at:.4g} mm: widen the bounds"
-            )
-        return low, high
 
 
 def _nodal_rest(rest: NaturalCurvature, nodes: int, size: float) -> float | FloatArray:
@@ -448,13 +239,13 @@ def _inflection_line(
 
 def _node_weights(weights: Weights, nodes: int, size: float) -> FloatArray:
     """Weights along the curve at the nodes, mean 1."""
-    values = _along(1.0 if weights is None else weights, np.linspace(0, 1, nodes), size, "weights")
+    values = values_along(1.0 if weights is None else weights, np.linspace(0, 1, nodes), size, "weights")
     if np.any(values < 0) or not values.any():
         raise InputError("weights along the curve must be 0 or more, and not all 0")
     return np.asarray(values / values.mean())
 
 
-def _along(given: object, x: FloatArray, size: float, what: str) -> FloatArray:
+def values_along(given: object, x: FloatArray, size: float, what: str) -> FloatArray:
     """Values at x (0..1) of a number, of values at equal distances, or of a function of arc length in mm."""
     values = given(x * size) if callable(given) else given
     array = np.asarray(values, dtype=float)
@@ -465,7 +256,3 @@ def _along(given: object, x: FloatArray, size: float, what: str) -> FloatArray:
             f"{what} must be a finite number, values at equal distances, or a function of arc length"
         )
     return np.asarray(np.interp(x, np.linspace(0, 1, array.size), array))
-
-
-def _pair(point: FloatArray) -> tuple[float, float]:
-    return float(point[0]), float(point[1])

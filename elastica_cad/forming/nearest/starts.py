@@ -13,6 +13,7 @@ from elastica_cad.forming.limits import MET
 from elastica_cad.forming.nearest.nearest_task import Measure, NearestTask
 from elastica_cad.forming.nearest.rod_map import MappedRod, Unknowns
 from elastica_cad.forming.nearest.rod_problem import RodProblem
+from elastica_cad.forming.nearest.rod_program import pose_problem
 from elastica_cad.forming.nearest.target_curve import TargetCurve
 from elastica_cad.forming.optimizer.sqp import LIFTS, Outcome, lift, minimize
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
@@ -97,7 +98,7 @@ def search(task: NearestTask, measure: Measure, before: SearchPoint | None = Non
 
     The first start nearly always does; the others are for what it leaves broken, unsettled or far from the target.
     """
-    problem = task.problem(measure)
+    problem = pose_problem(task, measure)
     if before is not None and (near := _from_before(task, problem, before)) is not None:
         return _told(measure, Search(task, problem, near, (), near.iterations, before.off), [near])
     first = _start(task, problem)
@@ -159,7 +160,7 @@ def _leaner(
         return None
     tight = replace(task, limits=replace(task.limits, ratio=least))
     try:
-        problem = tight.problem(measure)
+        problem = pose_problem(tight, measure)
     except InputError:  # the stiffness is bounded elsewhere too
         return None
     outcome = minimize(problem, _start(tight, problem, stiffness=min(least, 4.0) ** 0.5))
@@ -209,9 +210,9 @@ def _attempts(
     """Further attempts."""
     yield _Attempt(_NEAR, lambda: _start(task, problem, same_length=True))
     if measure != "mean":
-        yield _Attempt(0.03, lambda: minimize(task.problem("mean"), first).point)
+        yield _Attempt(0.03, lambda: minimize(pose_problem(task, "mean"), first).point)
     if task.limits.margin is not None:
-        yield _Attempt(0.03, lambda: minimize(task.problem(measure, with_margin=False), first).point)
+        yield _Attempt(0.03, lambda: minimize(pose_problem(task, measure, with_margin=False), first).point)
     if task.gravity is not None:
         yield _Attempt(0.03, lambda: _half_the_weight(task, measure))
     yield _Attempt(0.03, lambda: _start(task, problem, stiffness=1.0), 0.3)
@@ -262,14 +263,14 @@ def _start(
 def _nearly_even(task: NearestTask, measure: Measure) -> MappedRod:
     """The nearest rod of small stiffness ratio, which leaves out what only a large one can follow."""
     even = replace(task, limits=replace(task.limits, ratio=_EVEN_RATIO))
-    problem = even.problem(measure)
+    problem = pose_problem(even, measure)
     return minimize(problem, _start(even, problem), steps=_CONTINUATION_STEPS).point
 
 
 def _half_the_weight(task: NearestTask, measure: Measure) -> MappedRod:
     """From the weightless rod in steps of weight."""
-    problem = task.problem(measure, weight=0.0)
+    problem = pose_problem(task, measure, weight=0.0)
     rod = _start(task, problem)
     for weight in (0.0, 0.25, 0.5):
-        rod = minimize(task.problem(measure, weight=weight), rod, steps=_CONTINUATION_STEPS).point
+        rod = minimize(pose_problem(task, measure, weight=weight), rod, steps=_CONTINUATION_STEPS).point
     return rod

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.forming.limits import Limits
-from elastica_cad.forming.nearest.many_rods import nearest_rods
+from elastica_cad.forming.many_rods import nearest_rods
 from elastica_cad.forming.nearest.nearest_record import Status
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 

@@ -8,7 +8,7 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.forming.limits import Keep, Limits
-from elastica_cad.forming.nearest.many_rods import nearest_rods
+from elastica_cad.forming.many_rods import nearest_rods
 from elastica_cad.forming.nearest.nearest_record import Status
 from elastica_cad.forming.nearest.nearest_rod import nearest_rod
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve

@@ -1,0 +1,44 @@
+"""A strip as a workshop can make it: in pieces where it is long, its widths made up where they can still be cut."""
+
+from contextlib import suppress
+from dataclasses import replace
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.compensation import compensate_widths
+from elastica_cad.fabrication.makeability.shop import Shop
+from elastica_cad.fabrication.makeability.splices import joined_within, spliced
+from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults, find_strip_faults
+from elastica_cad.fabrication.strip.strip_record import Strip
+
+
+def make_within(strip: Strip, shop: Shop, *, compensate: bool, anyway: bool) -> Strip:
+    """The strip joined of pieces where it is longer than the stock, with compensated widths where asked.
+
+    Raises
+    ------
+    InputError
+        It cannot be cut or handled, with place and cure of each fault, unless `anyway`.
+    """
+    with suppress(InputError):  # no room for joints is told with what else cannot be cut
+        strip = joined_within(strip, shop)
+    if compensate:
+        strip = compensate_within(strip, shop)
+    told = accept_faults(find_strip_faults(strip, shop), anyway)
+    joined = spliced(strip, shop)
+    told += () if joined is None else (str(joined),)
+    if not told:
+        return strip
+    return replace(strip, rod=replace(strip.rod, warnings=(*strip.rod.warnings, *told)))
+
+
+def compensate_within(strip: Strip, shop: Shop) -> Strip:
+    """The strip with compensated widths; as it is, with a warning, where those could not be cut and handled."""
+    better = compensate_widths(strip)
+    faults = find_strip_faults(better, shop)
+    if not faults or find_strip_faults(strip, shop):
+        return better
+    told = (
+        f"its widths do not make up for how it is made, since it would then be {faults[0].what}; give it tabs as "
+        "wide as its ends, or shallower slots"
+    )
+    return replace(strip, rod=replace(strip.rod, warnings=(*strip.rod.warnings, told)))

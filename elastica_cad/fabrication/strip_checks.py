@@ -1,0 +1,89 @@
+"""What may be asked of a strip: refusals of values of another kind, and of requests that exclude each other."""
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from typing import Any
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.asked_gravity import is_number
+from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.strip.styles import Plain, Style
+from elastica_cad.fabrication.strip.tabs import Tab
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads.weight import PointMass
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
+from elastica_cad.mechanics.theorem1.verdict import NotRealizable
+
+NEAREST_CALL = (
+    "limits=ec.Limits() asks for the nearest curve that a strip can take, which strip.rod.curve then is."
+)
+"""What a program that asked for a strip can do."""
+
+
+def check_joint(joint: float | None, curve: PlaneCurve) -> None:
+    """Refuse a place to begin that is not on the curve, or on one that is open."""
+    if joint is not None and not (is_number(joint) and 0 <= joint <= curve.length):
+        raise InputError(
+            f"joint is {joint!r}: give a place along the curve, 0 to {curve.length:.4g} mm, or none"
+        )
+    if joint is not None and not curve.is_closed:
+        raise InputError(
+            f"joint is {joint:g} mm, but the curve is open and begins at its own end: leave joint out, or "
+            "close the curve"
+        )
+
+
+def check_compensate(compensate: object) -> None:
+    """Refuse what is neither a truth value nor None."""
+    if not (compensate is None or isinstance(compensate, bool)):
+        raise InputError(
+            f"compensate is {compensate!r}: give True for all that widths can make up for, False for "
+            "nothing, or leave it out"
+        )
+
+
+def check_law(
+    law: BoundedLaw, sheet: Sheet, style: Style, ends: Sequence[Tab], slots: Sequence[Slot], *, sized: bool
+) -> None:
+    """Refuse a law beside another style, widths (`sized`) or a shape of its own, or one of another sheet."""
+    shaped = bool(slots) or any(tab != Tab(tab.length) for tab in ends)
+    shaped = shaped and getattr(law, "quantity", "") != "width"
+    if not isinstance(style, Plain) or sized or shaped:
+        raise InputError(
+            "a law says what the section is and how large: leave out style, slots, max_width and min_width, and "
+            "give tabs a length only, or leave out law"
+        )
+    other = getattr(law, "sheet", sheet)
+    if other != sheet:
+        raise InputError(f"the law is of {other.name}, the strip of {sheet.name}: give both the same sheet")
+
+
+def masses_of(loads: object) -> tuple[PointMass, ...]:
+    """Masses hung on a strip: one, or several."""
+    return several("loads", (loads,) if isinstance(loads, PointMass) else loads, PointMass, "PointMass")
+
+
+def several(name: str, values: object, record: type[Any], kind: str) -> tuple[Any, ...]:
+    """A tuple of records of one kind."""
+    found = tuple(values) if isinstance(values, Sequence) else (values,)
+    for one in found:
+        if not isinstance(one, record):
+            raise InputError(f"{name} hold {one!r}: give {kind} records")
+    return found
+
+
+@contextmanager
+def told_in_python(curve: PlaneCurve, may_change: bool) -> Iterator[None]:
+    """A refusal of the curve ends with the argument that lets it change, where a program asked for the strip.
+
+    It is a note below the message, not tried: a search may take longer than a program has for a curve that it
+    only asks about.
+    """
+    try:
+        yield
+    except (NotRealizable, InputError) as problem:
+        refused = isinstance(problem, NotRealizable) or curve.has_corners
+        if refused and not may_change:
+            problem.add_note(NEAREST_CALL)
+        raise
