@@ -18,7 +18,7 @@ from elastica_cad.fabrication.holders.base_plate import (
 from elastica_cad.fabrication.holders.placed_tab import ENDS, PlacedTab
 from elastica_cad.fabrication.holders.ring_plate import Ring, ring_around, ring_plate
 from elastica_cad.fabrication.holders.tab_seats import slot_walls, tab_key, tab_seats
-from elastica_cad.fabrication.holding.rest_in_seats import lean_against, what_leans
+from elastica_cad.fabrication.holding.rest_in_seats import Lean, lean_against, what_leans
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
 from elastica_cad.geometry.frame import Frame
@@ -187,9 +187,10 @@ def lean_pair(placed: Sequence[Placed], plates: tuple[Plate, Plate]) -> tuple[Pl
     The load is that of the strip as it is made: slots and widths that make up for them change it.
     """
     first, second = plates
+    moves = dict[tuple[float, ...], Lean]()
     for _ in range(LEAN_ROUNDS):
-        seats, moves = tab_seats((first, second)), dict[tuple[float, ...], tuple[float, float]]()
-        known = dict[tuple[int | float, ...], tuple[float, float]]()
+        seats, before, moves = tab_seats((first, second)), moves, {}
+        known = dict[tuple[int | float, ...], Lean]()
         for one in placed:
             for index, end in enumerate(ENDS):
                 key = tab_key(PlacedTab.of(one.strip, end, one.frame))
@@ -198,7 +199,8 @@ def lean_pair(placed: Sequence[Placed], plates: tuple[Plate, Plate]) -> tuple[Pl
                     ratio = one.strip.as_made.tab_ratios(loaded)[index]
                     alike = what_leans(loaded, index, seats[key], ratio)
                     if alike not in known:
-                        known[alike] = lean_against(loaded, index, seats[key], ratio)
+                        near = before[key].touching if key in before else None
+                        known[alike] = lean_against(loaded, index, seats[key], ratio, near)
                     moves[key] = known[alike]
         first, second = (
             replace(plate, slots=tuple(_moved(slot, plate, moves) for slot in plate.slots))
@@ -207,16 +209,16 @@ def lean_pair(placed: Sequence[Placed], plates: tuple[Plate, Plate]) -> tuple[Pl
     return first, second
 
 
-def _moved(slot: TabSlot, plate: Plate, moves: dict[tuple[float, ...], tuple[float, float]]) -> TabSlot:
+def _moved(slot: TabSlot, plate: Plate, moves: dict[tuple[float, ...], Lean]) -> TabSlot:
     """A slot moved within its plate by what its tab's holder is to be shifted and turned."""
     tab = slot.tab
     if tab is None or tab_key(tab) not in moves:
         return slot
-    shift, turn = moves[tab_key(tab)]
+    lean = moves[tab_key(tab)]
     # left of the curve is -z of the tab; what is moved within the plate by m moves across the tab by m sin(phi)
     left: FloatArray = -(plate.frame.axes @ tab.frame.z_axis)[:2]
     within = left / float(left @ left)
     # of each wall the place nearest to the tab is what the tab touches
     near = [places[int(np.argmin(np.abs(places[:, 1])))] for places in slot_walls(slot, plate)]
-    first, second = ((shift + turn * float(place[0])) * within for place in near)
+    first, second = ((lean.shift + lean.turn * float(place[0])) * within for place in near)
     return replace(slot, corners=slot.corners + np.array([first, first, second, second]))

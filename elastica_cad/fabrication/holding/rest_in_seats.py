@@ -102,10 +102,23 @@ def rest_in_seats(
     return rod, (poses[0], poses[1])
 
 
+@dataclass(frozen=True)
+class Lean:
+    """How a holder is shifted, mm, and turned, rad, to the left; `touching`: the last step, and what touches in it."""
+
+    shift: float
+    turn: float
+    touching: QuadraticSolution | None = None
+
+
 def lean_against(
-    design: Rod, index: int, seat: TabSeat, tab_stiffness: float = np.inf
-) -> tuple[float, float]:
-    """How a holder is shifted and turned to the left, mm and rad, so that the loaded tab lies as designed.
+    design: Rod,
+    index: int,
+    seat: TabSeat,
+    tab_stiffness: float = np.inf,
+    near: QuadraticSolution | None = None,
+) -> Lean:
+    """How a holder is shifted and turned so that the loaded tab lies as designed.
 
     The strip's force and moment press the tab against some edges of the holder: moved by this, those edges are
     where the tab is meant to be, and all play lies on the other sides.
@@ -119,9 +132,10 @@ def lean_against(
         The holder where it was designed.
     tab_stiffness : float
         E I of the tab over the rod's B; a stiff tab unless given.
+    near : QuadraticSolution, optional
+        What touched in a seat like this one: changes the time only.
     """
     shift = turn = 0.0
-    near: QuadraticSolution | None = None
     for _ in range(LEAN_STEPS):
         end = _SeatedEnd(index, seat.moved(shift, turn), tab_stiffness)
         problem = _Held(design, design, (end,))
@@ -138,7 +152,7 @@ def lean_against(
         shift, turn = shift - moved, turn - end.way * turned
         if abs(moved) + abs(turned) * design.length <= LEAN_SHARE * design.length:
             break
-    return shift, turn
+    return Lean(shift, turn, near)
 
 
 def what_leans(

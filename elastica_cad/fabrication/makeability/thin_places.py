@@ -14,6 +14,9 @@ FACING = 0.9  # cosine between a width and both inward normals: corners blunter 
 OPPOSED = (
     -0.6
 )  # dot product of the normals of cuts that face each other: at most -cos(2 arccos(FACING)) = -0.62
+LEANING = (
+    0.1  # of the least width, by which sides that lean come nearer within half a step of the first look: 0.785 / 8
+)
 FLAT_SHARE = 0.02  # of the least width: chords of the sampled cuts
 
 
@@ -49,7 +52,13 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
 
     points, normals, _ = _sampled(outlines, holes, least, COARSE)
     i, j = cKDTree(points).query_pairs(least * (1 + 1 / COARSE), output_type="ndarray").reshape(-1, 2).T
-    if not np.any(np.einsum("ij,ij->i", normals[i], normals[j]) < OPPOSED):
+    i, j = np.stack([i, j])[:, np.einsum("ij,ij->i", normals[i], normals[j]) < OPPOSED]
+    across = points[j] - points[i]
+    # the walls of a slot face each other, too, but there is no material between them
+    between = (np.einsum("ij,ij->i", across, normals[i]) > -LEANING * least) & (
+        np.einsum("ij,ij->i", across, normals[j]) < LEANING * least
+    )
+    if not np.any(between):
         return ()
     points, normals, loop = _sampled(outlines, holes, least, SAMPLES_PER_WIDTH)
     pairs = cKDTree(points).query_pairs(least * (1 - 1e-9), output_type="ndarray")

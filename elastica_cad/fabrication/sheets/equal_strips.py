@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 
@@ -24,6 +24,8 @@ STEEPEST_SLOPE = 100.0
 
 SAMPLES = 6
 """Points a segment by which loops are compared: as many as a cubic has coefficients, and two more."""
+
+_LEANS = 256  # outlines of late: parts, shapes and the cut list ask for the same ones
 
 WAYS = ((1, 1), (1, -1), (-1, 1), (-1, -1))
 """Signs of x and y: as it is, turned over along the strip, across it, turned about."""
@@ -124,11 +126,7 @@ class FlatShape:
     @cached_property
     def _lean(self) -> FloatArray:
         """From the middle of the box to the centroid (2,), mm: its signs change as the part is turned."""
-        x, y = self.layers[0].outline.points(CENTROID_MM).T
-        x1, y1 = np.roll(x, -1), np.roll(y, -1)
-        cross = x * y1 - x1 * y
-        centroid = np.array([((x + x1) * cross).sum(), ((y + y1) * cross).sum()]) / (3 * cross.sum())
-        return np.asarray(centroid - self.layers[0].outline.bounds.mean(axis=0), dtype=float)
+        return _lean(self.layers[0].outline)
 
     def _covers(self, other: "FlatShape", way: tuple[int, int]) -> bool:
         """Do the other's loops, turned and laid onto the middle of this one's, run along these?"""
@@ -143,6 +141,16 @@ class FlatShape:
                 if not any(_along(hole, points) for hole in near):
                     return False
         return True
+
+
+@lru_cache(maxsize=_LEANS)
+def _lean(outline: Path) -> FloatArray:
+    """From the middle of its box to its centroid (2,), mm."""
+    x, y = outline.points(CENTROID_MM).T
+    x1, y1 = np.roll(x, -1), np.roll(y, -1)
+    cross = x * y1 - x1 * y
+    centroid = np.array([((x + x1) * cross).sum(), ((y + y1) * cross).sum()]) / (3 * cross.sum())
+    return np.asarray(centroid - outline.bounds.mean(axis=0), dtype=float)
 
 
 def _samples(path: Path) -> FloatArray:
