@@ -14,9 +14,7 @@ FACING = 0.9  # cosine between a width and both inward normals: corners blunter 
 OPPOSED = (
     -0.6
 )  # dot product of the normals of cuts that face each other: at most -cos(2 arccos(FACING)) = -0.62
-LEANING = (
-    0.1  # of the least width, by which sides that lean come nearer within half a step of the first look: 0.785 / 8
-)
+LEANING = 0.1  # of the least width: what leaning sides come nearer in half a step of the first look, 0.785 / 8
 FLAT_SHARE = 0.02  # of the least width: chords of the sampled cuts
 
 
