@@ -36,6 +36,7 @@ Shape: TypeAlias = Any
 """A TopoDS_Shape, or an object of build123d or CadQuery that wraps one."""
 
 CONFUSION = 1e-7  # mm: OpenCASCADE's own tolerance of edges
+_KEPT_KNOTS = 64  # knot vectors at a time: those of a wall, its edges and their traces
 CORNER = 1e-6  # mm: gap that paths may have between segments
 
 MODULES = (
@@ -320,8 +321,14 @@ def _array(kind: Any, values: Iterable[Any]) -> Any:
 
 def _knots(knots: FloatArray) -> tuple[Any, Any]:
     """Distinct knots and their multiplicities."""
+    return _written_knots(knots.tobytes())
+
+
+@lru_cache(maxsize=_KEPT_KNOTS)
+def _written_knots(written: bytes) -> tuple[Any, Any]:
+    """The same of knots as bytes; OpenCASCADE copies what its curves and faces are given."""
     k = kernel()
-    values, counts = knot_runs(knots)
+    values, counts = knot_runs(np.frombuffer(written))
     return _array(k.Reals, values.tolist()), _array(k.Integers, counts.tolist())
 
 

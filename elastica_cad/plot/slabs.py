@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad.geometry.paths.many_segments import polylines
 from elastica_cad.geometry.paths.path import Path
 
 APART_MM = 1e-7
@@ -36,7 +37,7 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, tolerance: float) ->
     >>> len(found), float(width @ height)
     (4, 36.0)
     """
-    polygons = [loop.points(tolerance) for loop in loops]
+    polygons = polylines(loops, tolerance)
     ends = np.concatenate([np.stack([p, np.roll(p, -1, axis=0)], axis=1) for p in polygons])
     ends = ends[np.abs(ends[:, 1, 0] - ends[:, 0, 0]) > APART_MM]
     order = np.argsort(ends[..., 0], axis=1)

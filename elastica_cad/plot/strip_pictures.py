@@ -1,5 +1,6 @@
 """A strip on one page: its curve, its stiffness, its flat pattern; and drawings in the colours of their layers."""
 
+from collections.abc import Sequence
 from textwrap import fill
 from typing import Any, TypeAlias
 
@@ -10,6 +11,7 @@ from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.many_segments import polylines
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.rod.rod_record import Rod
@@ -56,10 +58,11 @@ def drawing(drawing: Drawing) -> Figure:
     figure = new_figure(float(np.clip(WIDTH_INCHES * size[1] / size[0], 1.6, 11.0)) + 0.8)
     axes = figure.subplots()
     shown: list[str] = []
-    for item in drawing.strokes:
+    lines = _lines([item.path for item in drawing.strokes])
+    for item, line in zip(drawing.strokes, lines, strict=True):
         label = None if item.layer in shown else item.layer
         shown.append(item.layer)
-        x, y = _points(item.path).T
+        x, y = line.T
         # on whole pixels, dots of letters would shrink to nothing
         axes.plot(x, y, color=LAYER_COLORS[item.layer], linewidth=0.9, label=label, snap=False)
     _plain_axes(axes, f"{drawing.name}: {size[0]:.1f} by {size[1]:.1f} mm")
@@ -183,7 +186,8 @@ def paint_flat(axes: Axes, strip: Strip, shift: tuple[float, float] = (0.0, 0.0)
     for layer in strip.layers:
         # what runs against the outline is left out of the filling
         holes = [hole if hole.area < 0 else hole.reversed() for hole in layer.holes]
-        loops = [Outline(_points(loop) + shift, closed=True) for loop in (layer.outline, *holes)]
+        lines = _lines([layer.outline, *holes])
+        loops = [Outline(line + shift, closed=True) for line in lines]
         axes.add_patch(
             PathPatch(
                 Outline.make_compound_path(*loops),
@@ -270,9 +274,11 @@ def _flat_height(strip: Strip) -> float:
     return float(np.clip(WIDTH_INCHES * ((top - bottom) / (right - left) + 0.13), 1.5, 5.0))
 
 
-def _points(path: Path) -> FloatArray:
-    points = path.points(SMOOTH_MM)
-    return np.concatenate([points, points[:1]]) if path.closed else points
+def _lines(paths: Sequence[Path]) -> list[FloatArray]:
+    return [
+        np.concatenate([points, points[:1]]) if path.closed else points
+        for path, points in zip(paths, polylines(paths, SMOOTH_MM), strict=True)
+    ]
 
 
 def _plain_axes(axes: Axes, title: str) -> None:

@@ -153,7 +153,8 @@ class EndFixture:
         bends is told by `Strip.held`.
         """
         straight = replace(self, lean=(0.0, 0.0)).seat
-        return replace(self, lean=lean_against(strip.as_made.loaded, ENDS.index(end), straight))
+        lean = lean_against(strip.as_made.loaded, ENDS.index(end), straight)
+        return replace(self, lean=(lean.shift, lean.turn))
 
     @property
     def label(self) -> str:

@@ -104,7 +104,7 @@ def rest_in_seats(
 
 @dataclass(frozen=True)
 class Lean:
-    """How a holder is shifted, mm, and turned, rad, to the left; `touching`: the last step, and what touches in it."""
+    """How a holder is shifted, mm, and turned, rad, to the left; `touching` is the last step, with what touches."""
 
     shift: float
     turn: float

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
+from elastica_cad.geometry.paths.many_segments import polylines
 from elastica_cad.geometry.paths.path import Path
 
 SAMPLES_PER_WIDTH = 12  # points along a cut in each least width: a width is found to a percent
@@ -14,7 +15,9 @@ FACING = 0.9  # cosine between a width and both inward normals: corners blunter 
 OPPOSED = (
     -0.6
 )  # dot product of the normals of cuts that face each other: at most -cos(2 arccos(FACING)) = -0.62
-LEANING = 0.1  # of the least width: what leaning sides come nearer in half a step of the first look, 0.785 / 8
+LEANING = (
+    0.1  # of the least width: what leaning sides come nearer in half a step of the first look, 0.785 / 8
+)
 FLAT_SHARE = 0.02  # of the least width: chords of the sampled cuts
 
 
@@ -96,12 +99,13 @@ def _sampled(
     points: list[FloatArray] = []
     normals: list[FloatArray] = []
     loops: list[IntArray] = []
-    for path, outer in [*((path, True) for path in outlines), *((path, False) for path in holes)]:
-        run = path if (path.area > 0) == outer else path.reversed()  # the material on the left
-        corners = run.points(FLAT_SHARE * least)
-        sides = np.roll(corners, -1, axis=0) - corners
+    sided = [*((path, True) for path in outlines), *((path, False) for path in holes)]
+    # the material on the left
+    runs = [path if (path.area > 0) == outer else path.reversed() for path, outer in sided]
+    for line in polylines(runs, FLAT_SHARE * least):
+        sides = np.roll(line, -1, axis=0) - line
         long = np.hypot(sides[:, 0], sides[:, 1])
-        corners, sides, long = corners[long > 0], sides[long > 0], long[long > 0]
+        corners, sides, long = line[long > 0], sides[long > 0], long[long > 0]
         counts = np.maximum(1, np.ceil(long * per_width / least)).astype(int)
         side = np.repeat(np.arange(len(sides)), counts)
         place = (np.arange(side.size) - np.repeat(np.cumsum(counts) - counts, counts) + 0.5) / counts[side]

@@ -15,6 +15,7 @@ from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, MARK
 from elastica_cad.fabrication.drawings.lettering import Text
 from elastica_cad.fabrication.sheets.equal_strips import EqualStrips
 from elastica_cad.fabrication.slots.mating_marks import end_numbers
+from elastica_cad.geometry.paths.many_segments import total_length
 from elastica_cad.mechanics.material.sheet import Sheet
 
 
@@ -79,7 +80,7 @@ class Piece:
     @cached_property
     def cut_length(self) -> float:
         """Length of all cuts of one piece, mm."""
-        return sum(path.length for path in self.drawing.on(CUT_INNER, CUT_OUTER))
+        return total_length(self.drawing.on(CUT_INNER, CUT_OUTER))
 
     @cached_property
     def area(self) -> float:

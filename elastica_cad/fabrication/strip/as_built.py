@@ -1,14 +1,18 @@
 """How much material is left at a station of a flat part, measured on its loops, and the rod that this makes."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
+from itertools import pairwise
+from typing import TypeAlias
 
 import numpy as np
 
-from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._types import ArrayLike, FloatArray, IntArray
 from elastica_cad.fabrication.strip.flat_outline import pace
 from elastica_cad.fabrication.strip.styles import Layout
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.chords import chord_points
+from elastica_cad.geometry.paths.many_segments import points_of
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Spline
@@ -39,7 +43,7 @@ def material_width(outline: Path, holes: Iterable[Path], s: ArrayLike) -> FloatA
     [10.0, 6.0]
     """
     s = np.asarray(s, dtype=float)
-    return _chord(outline, s) - sum((_chord(hole, s) for hole in holes), np.zeros(s.shape))
+    return _widths([outline], s) - _widths(tuple(holes), s)
 
 
 def rod_as_built(rod: Rod, layout: Layout, widths: Sequence[Callable[[FloatArray], FloatArray]]) -> Rod:
@@ -115,44 +119,69 @@ def cell_means(values: FloatArray, nodes: int) -> FloatArray:
     return np.concatenate([halves[:1], inner, halves[-1:]])
 
 
-def _chord(loop: Path, s: FloatArray) -> FloatArray:
-    """Length (n,) inside a loop of the lines across at `s`: the signed sum of its crossings' y."""
-    (low, _), (high, _) = loop.bounds
-    total = np.zeros(s.shape)
-    met = np.flatnonzero((s >= low) & (s <= high))
-    if not met.size:
-        return total
-    order = met[np.argsort(s[met], kind="stable")]
+def _widths(loops: Sequence[Path], s: FloatArray) -> FloatArray:
+    """Lengths (n,) inside loops of the lines across at `s`, summed: each loop's signed sum of its crossings' y."""
+    order = np.argsort(s, kind="stable")
     at = s[order]
-    sums = np.zeros(at.size)
+    found = [*_even_crossings(loops, at), *_drawn_crossings(loops, at)]
+    if not found:
+        return np.zeros(s.shape)
+    loop, station, y = (np.concatenate(part) for part in zip(*found, strict=True))
+    # a loop is run round either way
+    way = np.sign(np.bincount(loop, y, minlength=len(loops)))
+    total = np.zeros(s.shape)
+    total[order] = np.bincount(station, way[loop] * y, minlength=at.size)
+    return total
+
+
+Crossings: TypeAlias = tuple[IntArray, IntArray, FloatArray]
+"""Numbers (k,) of the loops, of the stations, and the signed y."""
+
+
+def _even_crossings(loops: Sequence[Path], at: FloatArray) -> Iterator[Crossings]:
+    """Of splines along which x runs evenly: exact."""
+    curves: list[PlaneCurve] = []
+    rows: list[tuple[float, float, float, float, int]] = []
+    for k, loop in enumerate(loops):
+        for segment, following in pairwise((*loop.segments, loop.segments[0])):
+            even = pace(segment) if isinstance(segment, Spline) else None
+            if even is not None and isinstance(segment, Spline):
+                curves.append(segment.curve)
+                rows.append((*even, float(segment.start[0]), float(following.start[0]), k))
+    if not rows:
+        return
+    offset, speed, x0, x1, owner = np.array(rows).T
+    which, station = _met(at, x0, x1)
+    t = np.clip((at[station] - offset[which]) / speed[which], *np.array([c.domain for c in curves])[which].T)
+    y = points_of(curves, which, t)[:, 1]
+    yield owner[which].astype(int), station, np.sign(x0 - x1)[which] * y
+
+
+def _drawn_crossings(loops: Sequence[Path], at: FloatArray) -> Iterator[Crossings]:
+    """Of all other segments, by their chords."""
     starts: list[FloatArray] = []
     ends: list[FloatArray] = []
-    for segment, following in zip(loop.segments, (*loop.segments[1:], loop.segments[0]), strict=True):
-        even = pace(segment) if isinstance(segment, Spline) else None
-        if even is not None and isinstance(segment, Spline):
-            x0, x1 = segment.start[0], following.start[0]
-            first, last = np.searchsorted(at, sorted((x0, x1)), side="left")
-            if first < last:
-                t = np.clip((at[first:last] - even[0]) / even[1], *segment.curve.domain)
-                sums[first:last] += np.sign(x0 - x1) * segment.curve.evaluate(t)[:, 1]
-            continue
-        points = chord_points(segment, CHORD_MM)[:-1]
-        starts.append(points)
-        ends += [points[1:], following.start[None]]
-    if starts:
-        sums += _crossed(np.concatenate(starts), np.concatenate(ends), at)
-    total[order] = sums
-    return np.abs(total)
-
-
-def _crossed(start: FloatArray, end: FloatArray, at: FloatArray) -> FloatArray:
-    """Signed sums (n,) of y where lines from `start` to `end` (k, 2) meet the sorted stations `at` (n,)."""
+    owner: list[int] = []
+    for k, loop in enumerate(loops):
+        for segment, following in pairwise((*loop.segments, loop.segments[0])):
+            if not isinstance(segment, Spline) or pace(segment) is None:
+                points = chord_points(segment, CHORD_MM)[:-1]
+                starts.append(points)
+                ends += [points[1:], following.start[None]]
+                owner += [k] * len(points)
+    if not starts:
+        return
+    start, end = np.concatenate(starts), np.concatenate(ends)
     (x, y), (x1, y1) = start.T, end.T
-    # a line meets the stations with min(x, x1) <= s < max(x, x1)
-    first = np.searchsorted(at, np.minimum(x, x1), side="left")
-    count = np.searchsorted(at, np.maximum(x, x1), side="left") - first
-    line = np.repeat(np.arange(x.size), count)
-    station = np.arange(line.size) - np.repeat(np.cumsum(count) - count, count) + np.repeat(first, count)
+    line, station = _met(at, x, x1)
     u = (at[station] - x[line]) / (x1 - x)[line]
     crossing = np.sign(x[line] - x1[line]) * (y[line] * (1 - u) + y1[line] * u)
-    return np.asarray(np.bincount(station, crossing, minlength=at.size), dtype=float)
+    yield np.array(owner)[line], station, crossing
+
+
+def _met(at: FloatArray, x0: FloatArray, x1: FloatArray) -> tuple[IntArray, IntArray]:
+    """Which line (k,) between x0 and x1 (m,) meets which of the sorted stations: min <= s < max."""
+    first = np.searchsorted(at, np.minimum(x0, x1), side="left")
+    count = np.searchsorted(at, np.maximum(x0, x1), side="left") - first
+    line = np.repeat(np.arange(x0.size), count)
+    return line, np.arange(line.size) - np.repeat(np.cumsum(count) - count, count) + np.repeat(first, count)

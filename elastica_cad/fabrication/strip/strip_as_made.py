@@ -15,7 +15,7 @@ from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.as_built import rod_as_built
 from elastica_cad.fabrication.strip.flat_outline import Ends, fix_tab_widths
 from elastica_cad.fabrication.strip.made_stiffness import LapPlates, stiffness_shares, with_shares
-from elastica_cad.fabrication.strip.strip_layers import cut_layers
+from elastica_cad.fabrication.strip.strip_layers import Layer, cut_layers
 from elastica_cad.fabrication.strip.styles import Layout
 from elastica_cad.mechanics.bending.bend_forward import resample
 from elastica_cad.mechanics.rod.rod_record import Rod
@@ -56,15 +56,24 @@ class StripAsMade:
 
     @classmethod
     def of(
-        cls, rod: Rod, layout: Layout, ends: Ends, slots: Sequence[Slot], plates: LapPlates | None = None
+        cls,
+        rod: Rod,
+        layout: Layout,
+        ends: Ends,
+        slots: Sequence[Slot],
+        plates: LapPlates | None = None,
+        whole: Sequence[Layer] | None = None,
     ) -> "StripAsMade":
-        """What a rod becomes when its layout is cut with tabs and slots, and joined of pieces by plates."""
+        """What a rod becomes when its layout is cut with tabs and slots, and joined of pieces by plates.
+
+        `whole` are its layers without slots, where they are known.
+        """
         design = rod if rod.s.size <= HELD_NODES else resample(rod, HELD_NODES)
         widths = np.array([tab.width for tab in fix_tab_widths(layout.width, ends)])
         first, last = layout.stiffness(widths, None if layout.backing is None else widths).tolist()
         if layout.section is not None and layout.size is not None:
             first, last = layout.section.bending_stiffness(layout.size([0.0, rod.length])).tolist()
-        whole = cut_layers(layout, ends, (), name="strip")
+        whole = whole or cut_layers(layout, ends, (), name="strip")
         shares = stiffness_shares(design, layout, slots, (ends[0].width, ends[1].width))
         if plates is not None:
             shares["plates"] = plates.stiffening(design.s, layout, whole)

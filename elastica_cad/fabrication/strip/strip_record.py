@@ -354,7 +354,8 @@ class Strip:
         """The strip with all that changes its stiffness, to be held: see `held`."""
         from elastica_cad.fabrication.strip.strip_as_made import StripAsMade
 
-        return StripAsMade.of(self.rod, self.layout, self.ends, self.slots, self.plates)
+        whole = None if self.slots else self.layers
+        return StripAsMade.of(self.rod, self.layout, self.ends, self.slots, self.plates, whole)
 
     def held(self, start: TabSeat | None = None, end: TabSeat | None = None) -> "HeldShape":
         """The shape of the strip as it is made, in its holders; without one an end is held as designed.

@@ -97,29 +97,67 @@ class ArcLength:
 
 
 def arc_length_table(speed: Callable[[FloatArray], FloatArray], edges: FloatArray) -> ArcLength:
-    """Tabulate the integral of `speed` (parameters (n,) to mm per unit of t) over spans between `edges`.
+    """Tabulate the integral of `speed` (parameters (n,) to mm per unit of t) over spans between `edges`."""
+    one = np.zeros(edges.size - 1, dtype=int)
+    _, t, _, series = _panels(lambda _, t: speed(t), one, edges[:-1], np.diff(edges), edges[[-1]] - edges[0])
+    order = np.argsort(t)
+    series = series[order]
+    s = np.concatenate([[0.0], np.cumsum(series.sum(axis=1))])
+    return ArcLength(np.append(t[order], edges[-1]), s, series)
+
+
+def arc_lengths(
+    speed: Callable[[IntArray, FloatArray], FloatArray],
+    which: IntArray,
+    low: FloatArray,
+    width: FloatArray,
+    whole: FloatArray,
+) -> FloatArray:
+    """Lengths (m,) of m curves at one go, each as exact as by a table of its own.
+
+    Parameters
+    ----------
+    speed : callable
+        Of the curves (n,) at parameters (n,), mm per unit of t.
+    which, low, width : (k,) arrays
+        The spans of all curves: whose they are, where they begin and how long they are in the parameter.
+    whole : (m,) array
+        Sizes of the curves' domains.
+    """
+    owner, _, _, series = _panels(speed, which, low, width, whole)
+    return np.asarray(np.bincount(owner, series.sum(axis=1), minlength=whole.size), dtype=float)
+
+
+def _panels(
+    speed: Callable[[IntArray, FloatArray], FloatArray],
+    which: IntArray,
+    low: FloatArray,
+    width: FloatArray,
+    whole: FloatArray,
+) -> tuple[IntArray, FloatArray, FloatArray, FloatArray]:
+    """Whose each panel is (k,), its start (k,), its width (k,) and the series (k, 17) of its arc length.
 
     Panels are cut into 2, 4 or 8 until the Chebyshev coefficients of the speed have fallen to rounding level, which
     is where cutting no longer helps when the parameters themselves are large beside their domain.
     """
     nodes, to_series, integrate = _chebyshev()
-    low: FloatArray = edges[:-1]
-    width: FloatArray = np.diff(edges)
     parent: FloatArray = np.full(low.shape, np.inf)
-    starts, widths, tables = [], [], []
-    total = 0.0
+    owners, starts, widths, tables = [], [], [], []
+    total = np.zeros(whole.size)
     while low.size:
         t = low[:, None] + width[:, None] * (1 + nodes) / 2
-        values = speed(t.ravel()).reshape(t.shape)
+        values = speed(np.repeat(which, nodes.size), t.ravel()).reshape(t.shape)
         coefficients = values @ to_series.T
-        total = max(total, float((coefficients[:, 0] * width).sum()))
+        sums = np.bincount(which, coefficients[:, 0] * width, minlength=whole.size)
+        total = np.maximum(total, sums)
         tail = np.abs(coefficients[:, -3:]).max(axis=1)
         fine = (
             (tail <= _FINE * coefficients[:, 0])
-            | (tail * width <= 1e-15 * total)
-            | (width < _NARROWEST * (edges[-1] - edges[0]))
+            | (tail * width <= 1e-15 * total[which])
+            | (width < _NARROWEST * whole[which])
         )
         fine |= (tail < _NOISE_SHARE * coefficients[:, 0]) & (tail > 0.3 * parent)
+        owners.append(which[fine])
         starts.append(low[fine])
         widths.append(width[fine])
         tables.append((coefficients[fine] * width[fine, None] / 2) @ integrate.T)
@@ -131,11 +169,10 @@ def arc_length_table(speed: Callable[[FloatArray], FloatArray], edges: FloatArra
         width = np.repeat(width[rough] / parts, parts)
         low = np.repeat(low[rough], parts) + part * width
         parent = np.repeat(tail[rough], parts)
-    t = np.concatenate(starts)
-    order = np.argsort(t)
-    series = np.concatenate(tables)[order]
-    s = np.concatenate([[0.0], np.cumsum(series.sum(axis=1))])
-    return ArcLength(np.append(t[order], edges[-1]), s, series)
+        which = np.repeat(which[rough], parts)
+    found = (np.concatenate(part) for part in (owners, starts, widths, tables))
+    owner, start, size, series = found
+    return owner, start, size, series
 
 
 @lru_cache(maxsize=1)

@@ -6,10 +6,10 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
 
-_PROBES = np.array([0.25, 0.5, 0.75])
+PROBES = np.array([0.25, 0.5, 0.75])
 """Places of a span at which its distance from the chord is measured, in shares of the span."""
 
-_MOST_ROUNDS = 40
+MOST_ROUNDS = 40
 """Of halving: a span is then as short as rounding."""
 
 
@@ -46,22 +46,22 @@ def _spline_chords(segment: Spline, tolerance: float) -> tuple[FloatArray, Float
     tolerance, (t0, t1) = require_tolerance_mm(tolerance), segment.curve.domain
     knots = segment.curve.knots
     u = np.unique(np.concatenate([[0.0], (knots[(knots > t0) & (knots < t1)] - t0) / (t1 - t0), [0.5, 1.0]]))
-    for _ in range(_MOST_ROUNDS):
-        inner = u[:-1, None] + np.diff(u)[:, None] * _PROBES
+    for _ in range(MOST_ROUNDS):
+        inner = u[:-1, None] + np.diff(u)[:, None] * PROBES
         points = segment.at(np.concatenate([u, inner.ravel()]))
         ends = points[: u.size]
-        bad = _chord_errors(ends, points[u.size :].reshape(*inner.shape, 2)) > 0.95 * tolerance
+        bad = chord_errors(ends[:-1], ends[1:], points[u.size :].reshape(*inner.shape, 2)) > 0.95 * tolerance
         if not bad.any():
             return u, ends
         u = np.sort(np.concatenate([u, (u[:-1] + np.diff(u) / 2)[bad]]))
     return u, segment.at(u)
 
 
-def _chord_errors(ends: FloatArray, probes: FloatArray) -> FloatArray:
-    """Largest distance (n - 1,) of the probes (n - 1, k, 2) in each span from the chord of its ends (n, 2)."""
-    chord = np.diff(ends, axis=0)
+def chord_errors(begins: FloatArray, ends: FloatArray, probes: FloatArray) -> FloatArray:
+    """Largest distance (n,) of the probes (n, k, 2) of each span from the chord between its ends (n, 2)."""
+    chord = ends - begins
     size = np.hypot(chord[:, 0], chord[:, 1])
-    off = probes - ends[:-1, None, :]
+    off = probes - begins[:, None, :]
     cross = np.abs(chord[:, None, 0] * off[..., 1] - chord[:, None, 1] * off[..., 0])
     straight = np.divide(cross, size[:, None], out=np.full_like(cross, np.inf), where=size[:, None] > 0)
     error = np.where(size[:, None] > 0, straight, np.hypot(off[..., 0], off[..., 1]))

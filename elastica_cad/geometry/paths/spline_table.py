@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
+from elastica_cad.geometry.curves.arc_length import arc_lengths
 from elastica_cad.geometry.curves.curve_derivatives import quotient
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.polynomials.gauss_rule import gauss_rule
@@ -70,16 +71,46 @@ class SplineTable:
         position, velocity = quotient([point[:, :2].T, slope[:, :2].T], [point[:, 2], slope[:, 2]])
         return position.T, velocity.T * (last - first)[:, None]
 
+    @property
+    def spans(self) -> tuple[IntArray, FloatArray, FloatArray]:
+        """Of all curves, row by row: whose each is (k,), its first parameter (k,) and its width (k,)."""
+        low, high = self.knots[:, :-1], self.knots[:, 1:]
+        inside = (low < high) & (low >= self.domain[:, :1]) & (high <= self.domain[:, 1:])
+        row, column = np.nonzero(inside)
+        return row, low[row, column], high[row, column] - low[row, column]
+
+    @property
+    def lengths(self) -> FloatArray:
+        """Arc lengths (n,) of curves without weights, mm, to rounding error.
+
+        Velocities of a span are polynomials of degree p - 1: p places tell them, and these all others.
+        """
+        nodes = gauss_rule(self.degree)[0]
+        row, start, width = self.spans
+        (first, _), size = self.domain.T, np.ptp(self.domain, axis=1)
+        u = (start[:, None] - first[row, None] + width[:, None] * (1 + nodes) / 2) / size[row, None]
+        velocity = self.motion(np.repeat(row, nodes.size), u.ravel())[1].reshape(row.size, nodes.size, 2)
+        velocity *= (width / size[row] / 2)[:, None, None]
+        powers = np.linalg.inv(np.vander(nodes, increasing=True)) @ velocity
+
+        def speed(span: IntArray, x: FloatArray) -> FloatArray:
+            v = powers[span, -1].T
+            for k in range(nodes.size - 2, -1, -1):
+                v = v * x + powers[span, k].T
+            return np.asarray(np.hypot(*v))
+
+        whole, each = np.full(row.size, 2.0), np.arange(row.size)
+        lengths = arc_lengths(speed, each, -whole / 2, whole, whole)
+        return np.asarray(np.bincount(row, lengths, minlength=len(self.curves)), dtype=float)
+
     def swept_areas(self, origin: FloatArray) -> FloatArray:
         """Signed areas (n,) swept by the rays from `origin` to curves without weights, mm2, to rounding error.
 
         x y' - y x' is of degree 2 p - 1 at most, so p nodes of Gauss a span are exact.
         """
         x, weight = gauss_rule(self.degree)
-        low, high = self.knots[:, :-1], self.knots[:, 1:]
-        inside = (low < high) & (low >= self.domain[:, :1]) & (high <= self.domain[:, 1:])
-        row, column = np.nonzero(inside)
-        start, half = low[row, column], (high[row, column] - low[row, column]) / 2
+        row, start, width = self.spans
+        half = width / 2
         first, size = self.domain[row, 0], np.ptp(self.domain[row], axis=1)
         u = (start[:, None] - first[:, None] + half[:, None] * (1 + x)) / size[:, None]
         which = np.repeat(row, x.size)

@@ -8,6 +8,10 @@ import numpy as np
 from elastica_cad._types import FloatArray, IntArray
 
 _KEPT = 32  # knot vectors whose spans are kept: those of a curve, its stiffness, its widths and their copies
+_SHORT, _KEPT_SHORT = (
+    24,
+    16384,
+)  # knots of sides of holes, thousands in a model, each drawn in several files: 20 MB
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,10 +81,20 @@ def bezier_spans(knots: FloatArray, degree: int) -> Spans:
 
     Bezier point j of the span [a, b] is the blossom at a (degree - j times) and b (j times).
     """
-    return _spans(np.asarray(knots, dtype=float).tobytes(), degree)
+    written = np.asarray(knots, dtype=float).tobytes()
+    return _short_spans(written, degree) if knots.size <= _SHORT else _long_spans(written, degree)
 
 
 @lru_cache(maxsize=_KEPT)
+def _long_spans(written: bytes, degree: int) -> Spans:
+    return _spans(written, degree)
+
+
+@lru_cache(maxsize=_KEPT_SHORT)
+def _short_spans(written: bytes, degree: int) -> Spans:
+    return _spans(written, degree)
+
+
 def _spans(written: bytes, degree: int) -> Spans:
     """The spans of knots as bytes; they are shared, so read-only."""
     knots = np.frombuffer(written)

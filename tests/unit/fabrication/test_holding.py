@@ -205,8 +205,8 @@ def test_ends_loaded_alike_lean_alike_and_are_reckoned_once(rod, monkeypatch):
     first, second, other = (one.as_made.loaded for one in made)
     seat = TabSeat.pocket(length=10, thickness=0.8, play=0.15)
     assert what_leans(first, 1, seat, 0.5) == what_leans(second, 1, seat, 0.5)
-    one, other = (lean_against(rod, 1, seat, 0.5) for rod in (first, second))
-    assert (one.shift, one.turn) == pytest.approx((other.shift, other.turn), abs=1e-6)
+    one, alike = (lean_against(rod, 1, seat, 0.5) for rod in (first, second))
+    assert (one.shift, one.turn) == pytest.approx((alike.shift, alike.turn), abs=1e-6)
     again = lean_against(first, 1, seat, 0.5, one.touching)  # what touched before changes the time only
     assert (again.shift, again.turn) == pytest.approx((one.shift, one.turn), abs=1e-12)
     for changed in ((other, 1, seat, 0.5), (first, 0, seat, 0.5), (first, 1, seat, 0.6)):

@@ -1,0 +1,55 @@
+"""Many paths at one go say what each path says by itself."""
+
+import numpy as np
+import pytest
+
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.paths.many_segments import points_of, polylines, total_length
+from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.segments import Arc, Line, Spline
+
+pytestmark = pytest.mark.core
+
+
+@pytest.fixture(scope="module")
+def paths():
+    """Splines of two degrees with few and many knots, some rational, among lines and arcs; open and closed."""
+    rng = np.random.default_rng(18)
+    made = [Path.rectangle(40.0, 20.0), Path.circle((3.0, 4.0), 5.0)]
+    for count, degree in ((4, 3), (5, 3), (7, 3), (12, 3), (30, 3), (6, 4), (9, 4), (5, 2), (8, 2)):
+        points = np.column_stack([np.linspace(0.0, 60.0, count), rng.uniform(-9.0, 9.0, count)])
+        curve = PlaneCurve.spline(points, degree)
+        start, end = points[0], points[-1]
+        made.append(Path([Spline(curve)]))
+        below = [end - np.array([0.0, 30.0]), start - np.array([0.0, 30.0])]
+        made.append(
+            Path([Spline(curve), Line(end, below[0]), Line(*below), Line(below[1], start)], closed=True)
+        )
+    made.append(Path([Spline(PlaneCurve.arc((0.0, 0.0), 7.0, 0.2, 2.9))]))
+    made.append(Path([Arc((0.0, 0.0), 7.0, 2.9, 0.2)]))
+    return made
+
+
+def test_lengths_sum_to_rounding_error(paths):
+    assert total_length(paths) == pytest.approx(sum(path.length for path in paths), rel=1e-13)
+    assert total_length(paths[:3]) == pytest.approx(sum(path.length for path in paths[:3]), rel=1e-15)
+
+
+@pytest.mark.parametrize("tolerance", [1.0, 1e-2, 1e-4])
+def test_polylines_have_the_same_points(paths, tolerance):
+    for path, points in zip(paths, polylines(paths, tolerance), strict=True):
+        expected = path.points(tolerance)
+        assert points.shape == expected.shape
+        assert np.abs(points - expected).max() < 1e-11
+
+
+def test_points_of_splines_are_their_own(paths):
+    curves = [s.curve for path in paths for s in path.segments if isinstance(s, Spline)]
+    which = np.tile(np.arange(len(curves)), 20)
+    share = np.linspace(0.0, 1.0, which.size)
+    low, high = np.array([curve.domain for curve in curves])[which].T
+    t = low + share * (high - low)
+    expected = [curves[k].evaluate(np.array([at]))[0] for k, at in zip(which, t, strict=True)]
+    assert np.abs(points_of(curves, which, t) - expected).max() < 1e-11
+    few = points_of(curves[:2], np.array([1, 0]), np.full(2, 0.5))
+    assert np.abs(few - [curve.evaluate(0.5) for curve in curves[1::-1]]).max() < 1e-11
