@@ -15,7 +15,7 @@ from elastica_cad.forming.nearest.rod_map import MappedRod, Unknowns
 from elastica_cad.forming.nearest.rod_problem import RodProblem
 from elastica_cad.forming.nearest.rod_program import pose_problem
 from elastica_cad.forming.nearest.target_curve import TargetCurve
-from elastica_cad.forming.optimizer.sqp import LIFTS, Outcome, lift, minimize
+from elastica_cad.forming.optimizer.sqp import LIFTS, STEPS, Outcome, lift, minimize
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
 RodOutcome: TypeAlias = Outcome[MappedRod]
@@ -26,6 +26,9 @@ _BENT_STARTS, _FIRST_BENT_STARTS = 20, 4
 _BENT_RAD = 0.4  # typical size of the waves by which such a start is bent off the target
 _EVEN_RATIO = 1.4  # of a rod that is nearly even
 _NEAR = 0.015  # mean distance, in diagonals, below which the first start's valley is believed
+_FAR = 0.03  # the same, above which other valleys are looked for
+_BENT_ENOUGH = 0.02  # the same of the first bent starts
+_WEIGHTS = (0.0, 0.25, 0.5)  # shares of the weight on the way from the weightless rod
 _AS_NEAR = 1.1  # times the distance from all starts: a search that goes on may come to that
 _FOLLOWED = 1e-3  # mean distance, in diagonals, below which a rod follows its target
 _LEAN = 1e-4  # the same, that a lesser ratio may cost
@@ -111,7 +114,7 @@ def search(task: NearestTask, measure: Measure, before: SearchPoint | None = Non
         if steps > (attempt.most_steps if done else _MOST_STEPS) or (done and off < attempt.enough):
             continue
         known = best if done and measure != "max" and attempt.most_steps == _MOST_STEPS else None
-        outcome = minimize(problem, attempt.start(), radius=attempt.radius, known=known)
+        outcome = minimize(problem, attempt.route().end(), radius=attempt.radius, known=known)
         steps += outcome.iterations
         found.append(outcome)
         best = min(best, outcome, key=_rank)
@@ -195,11 +198,26 @@ def _rank(outcome: RodOutcome) -> tuple[bool, float]:
     return not met, outcome.objective + (0.0 if met else outcome.violation)
 
 
+class _Route(NamedTuple):
+    """A rod to start from, and easier problems whose answers lead on, each searched from that before."""
+
+    rod: MappedRod
+    through: Sequence[RodProblem] = ()
+    steps: int = STEPS
+
+    def end(self) -> MappedRod:
+        """Where it leads."""
+        rod = self.rod
+        for problem in self.through:
+            rod = minimize(problem, rod, steps=self.steps).point
+        return rod
+
+
 class _Attempt(NamedTuple):
     """Where to start from, unless the mean distance found is small `enough`, in diagonals of the target."""
 
     enough: float
-    start: Callable[[], MappedRod]
+    route: Callable[[], _Route]
     radius: float = 1.0
     most_steps: int = _MOST_STEPS
 
@@ -208,21 +226,38 @@ def _attempts(
     task: NearestTask, measure: Measure, problem: RodProblem, first: MappedRod
 ) -> Iterator[_Attempt]:
     """Further attempts."""
-    yield _Attempt(_NEAR, lambda: _start(task, problem, same_length=True))
+    yield _Attempt(_NEAR, lambda: _Route(_start(task, problem, same_length=True)))
     if measure != "mean":
-        yield _Attempt(0.03, lambda: minimize(pose_problem(task, "mean"), first).point)
+        yield _Attempt(_FAR, lambda: _Route(first, [pose_problem(task, "mean")]))
     if task.limits.margin is not None:
-        yield _Attempt(0.03, lambda: minimize(pose_problem(task, measure, with_margin=False), first).point)
+        yield _Attempt(_FAR, lambda: _Route(first, [pose_problem(task, measure, with_margin=False)]))
     if task.gravity is not None:
-        yield _Attempt(0.03, lambda: _half_the_weight(task, measure))
-    yield _Attempt(0.03, lambda: _start(task, problem, stiffness=1.0), 0.3)
+        yield _Attempt(_FAR, lambda: _in_steps_of_weight(task, measure))
+    yield _Attempt(_FAR, lambda: _Route(_start(task, problem, stiffness=1.0)), 0.3)
     if task.limits.largest_ratio > _EVEN_RATIO and task.limits.stiffness_bounds is None:
-        yield _Attempt(0.03, lambda: _nearly_even(task, measure))
-    yield _Attempt(0.03, lambda: problem.grid.shoot(_start(task, problem, lifts=_FEW_LIFTS).z))
+        yield _Attempt(_FAR, lambda: _nearly_even(task, measure))
+    yield _Attempt(_FAR, lambda: _Route(problem.grid.shoot(_start(task, problem, lifts=_FEW_LIFTS).z)))
     for seed in range(_BENT_STARTS):
-        bent = partial(_start, task, problem, lifts=_FEW_LIFTS, seed=seed)
-        enough = 0.02 if seed < _FIRST_BENT_STARTS else 0.03
-        yield _Attempt(enough, bent, most_steps=_MOST_STEPS_ELSEWHERE)
+        enough = _BENT_ENOUGH if seed < _FIRST_BENT_STARTS else _FAR
+        yield _Attempt(enough, partial(_from_bent, task, problem, seed), most_steps=_MOST_STEPS_ELSEWHERE)
+
+
+def _from_bent(task: NearestTask, problem: RodProblem, seed: int) -> _Route:
+    """From the target bent by waves."""
+    return _Route(_start(task, problem, lifts=_FEW_LIFTS, seed=seed))
+
+
+def _nearly_even(task: NearestTask, measure: Measure) -> _Route:
+    """By the nearest rod of small stiffness ratio, which leaves out what only a large one can follow."""
+    even = replace(task, limits=replace(task.limits, ratio=_EVEN_RATIO))
+    problem = pose_problem(even, measure)
+    return _Route(_start(even, problem), [problem], _CONTINUATION_STEPS)
+
+
+def _in_steps_of_weight(task: NearestTask, measure: Measure) -> _Route:
+    """From the weightless rod in steps of weight."""
+    problems = [pose_problem(task, measure, weight=share) for share in _WEIGHTS]
+    return _Route(_start(task, problems[0]), problems, _CONTINUATION_STEPS)
 
 
 def _start(
@@ -258,19 +293,3 @@ def _start(
     moments = (grid.basis @ z[u.stiffness]) * (np.diff(angles) / grid.shares - grid.natural_curvature)
     start = grid.assemble(z, angles, moments)
     return lift(replace(problem, distance=task.distance("mean")), start, lifts)
-
-
-def _nearly_even(task: NearestTask, measure: Measure) -> MappedRod:
-    """The nearest rod of small stiffness ratio, which leaves out what only a large one can follow."""
-    even = replace(task, limits=replace(task.limits, ratio=_EVEN_RATIO))
-    problem = pose_problem(even, measure)
-    return minimize(problem, _start(even, problem), steps=_CONTINUATION_STEPS).point
-
-
-def _half_the_weight(task: NearestTask, measure: Measure) -> MappedRod:
-    """From the weightless rod in steps of weight."""
-    problem = pose_problem(task, measure, weight=0.0)
-    rod = _start(task, problem)
-    for weight in (0.0, 0.25, 0.5):
-        rod = minimize(pose_problem(task, measure, weight=weight), rod, steps=_CONTINUATION_STEPS).point
-    return rod
