@@ -260,17 +260,13 @@ class StripSpec(EqualByValue):
     @cached_property
     def _begun(self) -> PlaneCurve:
         """The curve; a closed one from where the strip is joined: where told, else only where it may not change."""
-        if not self.curve.is_closed:
-            return self.curve
-        if self.curve.has_corners and not self.smooth:  # refused, with places as drawn
-            return self.curve
+        curve = self.curve
+        if not curve.is_closed or (curve.has_corners and not self.smooth):  # refused, with places as drawn
+            return curve
         if self.joint is not None:
-            return begin_at(self.curve, self.joint)
-        if self.limits or self.keep:
-            return self.curve
-        if isinstance(self.natural_curvature, RestCurvature):  # which counts from the start
-            return self.curve
-        return begin_at(self.curve, flattest_place(self.curve))
+            return begin_at(curve, self.joint)
+        counted = isinstance(self.natural_curvature, RestCurvature)  # from the start
+        return curve if self.limits or self.keep or counted else begin_at(curve, flattest_place(curve))
 
     @property
     def makes_up_for_curl(self) -> bool:
@@ -312,11 +308,9 @@ class StripSpec(EqualByValue):
         limits = Limits() if self.limits is None else self.limits
         if self.anyway or not isinstance(limits, Limits):  # the rod's request refuses what is no record
             return limits
-        if self.law is not None:
-            return limits if limits.sheet is not None else replace(limits, sheet=self.material)
         if limits.sheet is None:
             limits = replace(limits, sheet=self.material)
-        if isinstance(self.style, Plain) and self.max_width is not None:
+        if self.law is None and isinstance(self.style, Plain) and self.max_width is not None:
             least = max(self.min_width or 0.0, self.shop.width_for(self.material))
             if least >= self.max_width:
                 raise InputError(
