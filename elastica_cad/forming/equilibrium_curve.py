@@ -26,7 +26,6 @@ from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod
 from elastica_cad.mechanics.rod.node_counts import DEFAULT_SAMPLES
 from elastica_cad.mechanics.stiffness.moment_conditions import BalancedStiffness
 from elastica_cad.mechanics.stiffness.optimal_balance import balance_without_weight
-from elastica_cad.mechanics.stiffness.stiffness_family import dense_places, extreme_places
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
 
@@ -87,8 +86,8 @@ class EquilibriumCurve:
                 "the curve is straight, so a strip of one width takes it: there is nothing to change"
             )
         balance = balance_without_weight(check, supports, 0.0)
-        dense = dense_places(balance.panels, _PARTS)
-        extremes = extreme_places(balance.stiffness)
+        dense = balance.panels.dense_places(_PARTS)
+        extremes = balance.stiffness.extreme_places()
         panel, x = (np.concatenate(pair) for pair in zip(dense, extremes, strict=True))
         order = np.lexsort((x, panel))
         places = (panel[order], x[order])

@@ -13,7 +13,6 @@ from elastica_cad.mechanics.stiffness.moment_rows import MomentRows
 from elastica_cad.mechanics.stiffness.quadrature_panels import PanelFunction, Panels
 from elastica_cad.mechanics.stiffness.stiffness_family import (
     StiffnessFamily,
-    dense_values,
     find_violations,
     least_ratio,
     smoothest,
@@ -147,7 +146,7 @@ class ConditionedRows:
         if self.check.zeros:
             return state
         table = PanelFunction.through(self.rows.stiffness)
-        rows = dense_values(table) if self.places is None else table.at(*self.places)
+        rows = table.dense if self.places is None else table.at(*self.places)
         K, steady = rows @ state, np.abs(rows[:, 0])
         if steady.max() * K.min() > (1 + NO_GAIN_SHARE) * K.max() * steady.min():
             return state

@@ -19,6 +19,9 @@ MAX_PANELS = 4000  # of one curve: more mean a function that cannot be resolved
 RESOLVED = 1e-11  # of the function: last coefficients below it are rounding
 NOISE = 1e-6  # of the function: last coefficients below it that a split hardly lowers are rounding too
 
+DENSE_PARTS = 24
+"""Of each panel, at whose places bounds are first watched."""
+
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(ORDER)
 _DEGREES = np.arange(ORDER)
 VANDER = np.polynomial.legendre.legvander(NODES, ORDER - 1)
@@ -91,6 +94,11 @@ class Panels:
         """Panel numbers and places x in [-1, 1] of parameters `t` (n,)."""
         return locate_in_panels(self.edges, t)
 
+    def dense_places(self, parts: int = DENSE_PARTS) -> tuple[IntArray, FloatArray]:
+        """Panel numbers and places x of a dense sampling, panel ends included, in so many parts a panel."""
+        x = _lobatto(parts)
+        return np.repeat(np.arange(self.count), x.size), np.tile(x, self.count)
+
     def arc_length(self, panel: IntArray, x: FloatArray) -> FloatArray:
         """Arc lengths of places x in panels, mm."""
         return np.asarray(PanelFunction.through(self.s).at(panel, x))
@@ -130,6 +138,42 @@ class PanelFunction:
         size = np.abs(self.coefficients)
         return np.asarray(size[:, -2:].max(axis=1) > tolerance * size.max(axis=1))
 
+    @property
+    def nodal(self) -> FloatArray:
+        """Values (N, p, ...) at the nodes of the panels."""
+        return np.asarray(np.einsum("ij,nj...->ni...", VANDER, self.coefficients))
+
+    @property
+    def dense(self) -> FloatArray:
+        """Values (n, ...) at `Panels.dense_places`."""
+        values = self.in_every_panel(_DENSE_BASIS)
+        return values.reshape(-1, *values.shape[2:])
+
+    @property
+    def extremes(self) -> FloatArray:
+        """Values at `extreme_places`."""
+        return self.at(*self.extreme_places())
+
+    def extreme_places(self, steps: int = 3) -> tuple[IntArray, FloatArray]:
+        """Places of the local extremes near the largest and least value, by Newton's method from samples."""
+        table = self.in_every_panel(_DENSE_BASIS)
+        extreme = np.zeros_like(table, dtype=bool)
+        middle, before, after = table[:, 1:-1], table[:, :-2], table[:, 2:]
+        extreme[:, 1:-1] = ((middle >= before) & (middle >= after)) | ((middle <= before) & (middle <= after))
+        low, high = table.min(), table.max()
+        band = 0.05 * (high - low)
+        near = extreme & ((table > high - band) | (table < low + band))
+        # the worst samples stay in, ends of panels among them
+        near.flat[[table.argmin(), table.argmax()]] = True
+        panel, place = np.nonzero(near)
+        start = x = _DENSE[place]
+        lower, upper = np.maximum(start - 0.15, -1.0), np.minimum(start + 0.15, 1.0)
+        for _ in range(steps):
+            slope, curvature = self.slopes_at(panel, x)
+            step = np.divide(-slope, curvature, out=np.zeros_like(x), where=curvature != 0)
+            x = np.minimum(np.maximum(x + step, lower), upper)
+        return np.concatenate([panel, panel]), np.concatenate([start, x])
+
     def combined(self, numbers: FloatArray) -> "PanelFunction":
         """The last axis contracted with `numbers`."""
         return PanelFunction(self.coefficients @ numbers)
@@ -144,6 +188,16 @@ def values_at(functions: Sequence[PanelFunction], panel: IntArray, x: FloatArray
 def legendre_basis(x: FloatArray) -> FloatArray:
     """Values (n, p) of the Legendre polynomials at x (n,)."""
     return np.asarray(chebyshev(x, ORDER).T @ _CHEBYSHEV_TO_LEGENDRE)
+
+
+def _lobatto(parts: int) -> FloatArray:
+    """Places (parts + 1,) from -1 to 1, closer towards the ends."""
+    inner = np.cos(np.pi * (np.arange(1, parts)[::-1] / parts))
+    return np.concatenate([[-1.0], inner, [1.0]])
+
+
+_DENSE = _lobatto(DENSE_PARTS)
+_DENSE_BASIS = legendre_basis(_DENSE)
 
 
 def cut_into_panels(

@@ -21,8 +21,7 @@ from elastica_cad.mechanics.stiffness.optimal_balance import (
     balance_without_weight,
     point_weights,
 )
-from elastica_cad.mechanics.stiffness.quadrature_panels import VANDER, PanelFunction
-from elastica_cad.mechanics.stiffness.stiffness_family import extreme_places
+from elastica_cad.mechanics.stiffness.quadrature_panels import PanelFunction
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
 
 MOST_ROUNDS = 40
@@ -107,7 +106,7 @@ def _settled(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffness:
     light = load.carrying(own, np.zeros(own.shape), 0.0 * points)
     balance = light.balance(light.least(light.homogeneous(3)))
     scale = _scale(law, balance.stiffness)
-    EI = scale * _nodal(balance.stiffness)
+    EI = scale * balance.stiffness.nodal
     change = np.inf
     history: list[float] = []
     for _ in range(MOST_ROUNDS):
@@ -115,7 +114,7 @@ def _settled(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffness:
         problem = load.carrying(tangent.slope, tangent.fixed, points)
         state = problem.least(problem.at_compliance(1 / scale))
         balance = problem.balance(state)
-        found = scale * _nodal(balance.stiffness)
+        found = scale * balance.stiffness.nodal
         change, EI = float(np.abs(found / EI - 1).max()), found
         asked, scale = scale, _scale(law, balance.stiffness)
         if change < SETTLED_SHARE and abs(scale / asked - 1) < SETTLED_SHARE:
@@ -151,15 +150,10 @@ def _deciding(law: BoundedLaw) -> float:
     return largest if np.isfinite(largest) else least
 
 
-def _nodal(function: PanelFunction) -> FloatArray:
-    """Values (N, p) at the nodes of the panels."""
-    return np.asarray(np.einsum("ij,nj->ni", VANDER, function.coefficients))
-
-
 def _scale(law: BoundedLaw, stiffness: PanelFunction) -> float:
     """The B, N mm2, with which B K comes up to the largest section, or down to the least."""
-    share = PanelFunction.through(_nodal(stiffness) / law.bending_stiffness(_deciding(law)))
-    extremes = share.at(*extreme_places(share))
+    share = PanelFunction.through(stiffness.nodal / law.bending_stiffness(_deciding(law)))
+    extremes = share.extremes
     return 1 / float(extremes.max() if np.isfinite(law.limits[1]) else extremes.min())
 
 
@@ -176,7 +170,7 @@ def _weight(
 def _within_limits(balance: BalancedStiffness, section: BoundedLaw) -> BalancedStiffness:
     """The balance itself; refused where it asks for less than the least section."""
     law = section.bent(balance.panels.curvature)
-    EI = (balance.bending_stiffness or 1.0) * _nodal(balance.stiffness)
+    EI = (balance.bending_stiffness or 1.0) * balance.stiffness.nodal
     least, largest = section.limits
     if least > 0 and float((EI / law.bending_stiffness(least)).min()) < 1 - FIT_SHARE:
         asked = law.parameter(EI)

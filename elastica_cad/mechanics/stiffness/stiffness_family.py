@@ -25,17 +25,7 @@ from elastica_cad.mechanics.stiffness.quadrature_panels import (
 )
 from elastica_cad.mechanics.stiffness.stiffness_smoothing import least_variation
 
-
-def _lobatto(parts: int) -> FloatArray:
-    """Places (parts + 1,) from -1 to 1, closer towards the ends."""
-    inner = np.cos(np.pi * (np.arange(1, parts)[::-1] / parts))
-    return np.concatenate([[-1.0], inner, [1.0]])
-
-
-DENSE = _lobatto(24)
-"""Places in each panel at which bounds are first watched."""
-
-_DENSE_BASIS, _ENDS_BASIS = legendre_basis(DENSE), legendre_basis(np.array([-1.0, 1.0]))
+_ENDS_BASIS = legendre_basis(np.array([-1.0, 1.0]))
 _SLOPES_AT_NODES = VANDER @ SLOPES
 
 BOUNDED = 1e-7
@@ -74,30 +64,18 @@ class StiffnessFamily:
 
     @cached_property
     def dense(self) -> tuple[FloatArray, FloatArray]:
-        """Rows and offsets at `dense_places`."""
-        rows = dense_values(self.rows)
-        return rows, np.zeros(len(rows)) if self.offset is None else dense_values(self.offset)
+        """Rows and offsets at `Panels.dense_places`."""
+        rows = self.rows.dense
+        return rows, np.zeros(len(rows)) if self.offset is None else self.offset.dense
 
     def extremes(self, y: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Rows and offsets where K of the numbers y has its extremes."""
-        return self.at(*extreme_places(self.stiffness(y)))
+        return self.at(*self.stiffness(y).extreme_places())
 
     def stiffness(self, y: FloatArray) -> PanelFunction:
         """K of the numbers y."""
         K = self.rows.combined(y)
         return K if self.offset is None else PanelFunction(K.coefficients + self.offset.coefficients)
-
-
-def dense_values(function: PanelFunction) -> FloatArray:
-    """Values (n, ...) at `dense_places`."""
-    values = function.in_every_panel(_DENSE_BASIS)
-    return values.reshape(len(values) * DENSE.size, *values.shape[2:])
-
-
-def dense_places(panels: Panels, parts: int | None = None) -> tuple[IntArray, FloatArray]:
-    """Panel numbers and places x of a dense sampling, panel ends included; in so many parts a panel."""
-    x = DENSE if parts is None else _lobatto(parts)
-    return np.repeat(np.arange(panels.count), x.size), np.tile(x, panels.count)
 
 
 def least_ratio(
@@ -190,7 +168,7 @@ def find_violations(family: StiffnessFamily) -> FloatArray:
     """
     from scipy.optimize import linprog
 
-    panel, x = dense_places(family.panels)
+    panel, x = family.panels.dense_places()
     rows, offset = family.dense
     s = family.panels.arc_length(panel, x)
     d = family.freedom
@@ -207,24 +185,3 @@ def find_violations(family: StiffnessFamily) -> FloatArray:
     if result.status != 0:
         return np.zeros(0)
     return np.asarray(s[np.abs(result.ineqlin.marginals) > 1e-9])
-
-
-def extreme_places(K: PanelFunction, steps: int = 3) -> tuple[IntArray, FloatArray]:
-    """Places of the local extremes of K near its largest and least value, by Newton's method from samples."""
-    table = K.in_every_panel(_DENSE_BASIS)
-    extreme = np.zeros_like(table, dtype=bool)
-    middle, before, after = table[:, 1:-1], table[:, :-2], table[:, 2:]
-    extreme[:, 1:-1] = ((middle >= before) & (middle >= after)) | ((middle <= before) & (middle <= after))
-    low, high = table.min(), table.max()
-    band = 0.05 * (high - low)
-    near = extreme & ((table > high - band) | (table < low + band))
-    # the worst samples stay in, ends of panels among them
-    near.flat[[table.argmin(), table.argmax()]] = True
-    panel, place = np.nonzero(near)
-    start = x = DENSE[place]
-    lower, upper = np.maximum(start - 0.15, -1.0), np.minimum(start + 0.15, 1.0)
-    for _ in range(steps):
-        slope, curvature = K.slopes_at(panel, x)
-        step = np.divide(-slope, curvature, out=np.zeros_like(x), where=curvature != 0)
-        x = np.minimum(np.maximum(x + step, lower), upper)
-    return np.concatenate([panel, panel]), np.concatenate([start, x])
