@@ -14,8 +14,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 if TYPE_CHECKING:
-    from elastica_cad.forming.nearest.nearest_task import Measure
-    from elastica_cad.forming.nearest.starts import SearchPoint
+    from elastica_cad.forming.nearest.nearest_task import Measure, SearchPoint
 
 
 class Status(Enum):

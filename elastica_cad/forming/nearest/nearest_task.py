@@ -15,7 +15,7 @@ from elastica_cad.forming.nearest.curve_distance import (
     LargestDistance,
     MeanDistance,
 )
-from elastica_cad.forming.nearest.rod_map import MappedRod
+from elastica_cad.forming.nearest.rod_map import MappedRod, Unknowns
 from elastica_cad.forming.nearest.stiffness_basis import StiffnessBasis
 from elastica_cad.forming.nearest.target_curve import TargetCurve
 from elastica_cad.forming.section_scale import SectionScale
@@ -216,6 +216,41 @@ def _nodal_rest(rest: NaturalCurvature, nodes: int, size: float) -> float | Floa
     if isinstance(rest, RestCurvature):
         return size * rest.at(np.linspace(0.0, rest.length, nodes))
     return size * rest
+
+
+@dataclass(frozen=True, eq=False)
+class SearchPoint:
+    """Where a search ended: the unknowns of a rod, and the target in whose units they are.
+
+    Attributes
+    ----------
+    z : (p,) array
+    unknowns : Unknowns
+    size : float
+        Length of the target, mm.
+    origin : (2,) array
+        mm.
+    off : float
+        Mean distance that the last search from all starts came to, in diagonals of its target.
+    """
+
+    z: FloatArray
+    unknowns: Unknowns
+    size: float
+    origin: FloatArray
+    off: float
+
+    def seen_from(self, target: TargetCurve, unknowns: Unknowns) -> FloatArray | None:
+        """The same rod in the units of another target; None where it has other unknowns."""
+        u = self.unknowns
+        if unknowns != u:
+            return None
+        z, larger = self.z.copy(), target.size / self.size
+        z[u.moment] *= larger
+        z[u.force] *= larger**2
+        z[u.length] /= larger
+        z[u.position] = (self.z[u.position] * self.size + self.origin - target.origin) / target.size
+        return np.asarray(z)
 
 
 def _inflection_line(

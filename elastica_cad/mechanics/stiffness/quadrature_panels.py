@@ -147,7 +147,7 @@ class PanelFunction:
     def dense(self) -> FloatArray:
         """Values (n, ...) at `Panels.dense_places`."""
         values = self.in_every_panel(_DENSE_BASIS)
-        return values.reshape(-1, *values.shape[2:])
+        return values.reshape(values.shape[0] * values.shape[1], *values.shape[2:])
 
     @property
     def extremes(self) -> FloatArray:

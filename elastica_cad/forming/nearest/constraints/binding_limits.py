@@ -6,14 +6,15 @@ from elastica_cad.forming.limits import MET
 from elastica_cad.forming.nearest.constraints.limit_rows import CurvatureLimit, MarginLimit
 from elastica_cad.forming.nearest.nearest_record import Binding
 from elastica_cad.forming.nearest.nearest_task import Measure, NearestTask
+from elastica_cad.forming.nearest.rod_map import MappedRod
 from elastica_cad.forming.nearest.rod_problem import RodProblem
-from elastica_cad.forming.nearest.starts import RodOutcome
+from elastica_cad.forming.optimizer.sqp import Outcome
 
 _IDLE = 1e-6  # of the largest cost: smaller ones are what the quadratic program leaves open
 
 
 def list_bindings(
-    task: NearestTask, problem: RodProblem, outcome: RodOutcome, measure: Measure
+    task: NearestTask, problem: RodProblem, outcome: Outcome[MappedRod], measure: Measure
 ) -> tuple[Binding, ...]:
     """All limits with a cost, the dearest relative change first."""
     size, limits, u = task.target.size, task.limits, problem.grid.unknowns

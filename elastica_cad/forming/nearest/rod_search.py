@@ -1,25 +1,35 @@
-"""Starts and continuations of the search for the nearest rod; the best outcome is kept."""
+"""The search for the nearest rod: where it starts, what leads there, and its best outcome as a record."""
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
 from elastica_cad.errors import ElasticaError, InputError
-from elastica_cad.forming.limits import MET
-from elastica_cad.forming.nearest.nearest_task import Measure, NearestTask
-from elastica_cad.forming.nearest.rod_map import MappedRod, Unknowns
+from elastica_cad.forming.limits import MET, Keep, Limits
+from elastica_cad.forming.nearest.advice import advise
+from elastica_cad.forming.nearest.constraints.binding_limits import list_bindings
+from elastica_cad.forming.nearest.curve_distance import measure_deviation
+from elastica_cad.forming.nearest.nearest_record import NearestRod, Status
+from elastica_cad.forming.nearest.nearest_task import Measure, NearestTask, SearchPoint, Weights
+from elastica_cad.forming.nearest.rod_map import MappedRod
 from elastica_cad.forming.nearest.rod_problem import RodProblem
 from elastica_cad.forming.nearest.rod_program import pose_problem
 from elastica_cad.forming.nearest.target_curve import TargetCurve
 from elastica_cad.forming.optimizer.sqp import LIFTS, STEPS, Outcome, lift, minimize
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
 RodOutcome: TypeAlias = Outcome[MappedRod]
 
+_RESCALINGS = 8  # searches more, at most, until a section weighs what it is made of
+_UNLIKE = 0.05  # largest distance, in diagonals of the target, beyond which a rod no longer looks like it
 _MOST_STEPS = 160  # in all, after which no new attempt is begun: two searches that use up their steps
 _MOST_STEPS_ELSEWHERE = 600  # the same for the bent starts of what is still far
 _BENT_STARTS, _FIRST_BENT_STARTS = 20, 4
@@ -39,39 +49,67 @@ _FEW_LIFTS = 3  # after which a start from a hard target is still open to severa
 _CONTINUATION_STEPS = 40  # of one part of a continuation, which need not settle
 
 
-@dataclass(frozen=True, eq=False)
-class SearchPoint:
-    """Where a search ended: the unknowns of a rod, and the target in whose units they are.
+def find_rod(
+    curve: PlaneCurve,
+    limits: Limits | None,
+    keep: Keep | None,
+    section: BoundedLaw | None,
+    *,
+    gravity: Gravity | None,
+    supports: Supports | None,
+    weights: Weights,
+    measure: Measure,
+    samples: int,
+    coefficients: int | None,
+    natural_curvature: NaturalCurvature,
+    again: Callable[..., NearestRod],
+    start: NearestRod | None = None,
+) -> NearestRod:
+    """The answer to `nearest_rod` for sections of any size; `again` is what asks anew within other limits."""
+    if not (start is None or isinstance(start, NearestRod)):
+        raise InputError(
+            f"start is {start!r}: give the record that nearest_rod gave for a like curve, or None"
+        )
+    task = NearestTask.of(
+        curve, limits, keep, gravity, supports, weights, samples, coefficients, section, natural_curvature
+    )
+    found = _search(task, measure, None if start is None else start.ended)
+    steps = found.steps
+    for _ in range(_RESCALINGS):
+        settled = found.task.settled(found.best.point)
+        if settled is found.task:
+            break
+        found = _search(settled, measure, found.ended)
+        steps += found.steps
+    task, problem, outcome = replace(task, section=found.task.section), found.problem, found.best
+    target = task.target
+    deviation = measure_deviation(target, outcome.point.position) * target.size
+    distance = outcome.objective if measure == "max" else float(np.sqrt(2 * outcome.objective))
+    return NearestRod(
+        found=task.rod_of(outcome.point), target=curve, deviation=deviation,
+        status=judge_search(outcome.violation, deviation, target, outcome.settled),
+        mean_deviation=_mean_distance(task, outcome) * target.size,
+        binding=list_bindings(task, problem, outcome, measure), violation=outcome.violation, iterations=steps,
+        limits=task.limits, keep=task.keep, measure=measure,
+        distance=distance * target.size,
+        ties=tuple(task.rod_of(tie.point) for tie in found.ties),
+        ended=found.ended,
+        advise=advise,
+        again=partial(
+            again, curve, gravity=gravity, supports=supports, weights=task.weights, measure=measure,
+            samples=task.nodes, coefficients=task.coefficients, section=section,
+            natural_curvature=natural_curvature,
+        ),
+    )  # fmt: skip
 
-    Attributes
-    ----------
-    z : (p,) array
-    unknowns : Unknowns
-    size : float
-        Length of the target, mm.
-    origin : (2,) array
-        mm.
-    off : float
-        Mean distance that the last search from all starts came to, in diagonals of its target.
-    """
 
-    z: FloatArray
-    unknowns: Unknowns
-    size: float
-    origin: FloatArray
-    off: float
-
-    def seen_from(self, target: TargetCurve, unknowns: Unknowns) -> FloatArray | None:
-        """The same rod in the units of another target; None where it has other unknowns."""
-        u = self.unknowns
-        if unknowns != u:
-            return None
-        z, larger = self.z.copy(), target.size / self.size
-        z[u.moment] *= larger
-        z[u.force] *= larger**2
-        z[u.length] /= larger
-        z[u.position] = (self.z[u.position] * self.size + self.origin - target.origin) / target.size
-        return np.asarray(z)
+def judge_search(violation: float, deviation: float, target: TargetCurve, settled: bool) -> Status:
+    """How a search ended: by what is broken first, then by how far the rod is, then by whether it came to rest."""
+    if violation > MET:
+        return Status.NOT_MET
+    if deviation > _UNLIKE * target.diagonal * target.size:
+        return Status.FAR
+    return Status.MET if settled else Status.UNSETTLED
 
 
 class Search(NamedTuple):
@@ -96,7 +134,7 @@ class Search(NamedTuple):
         )
 
 
-def search(task: NearestTask, measure: Measure, before: SearchPoint | None = None) -> Search:
+def _search(task: NearestTask, measure: Measure, before: SearchPoint | None = None) -> Search:
     """From where a like search ended before, or from as many starts as are needed.
 
     The first start nearly always does; the others are for what it leaves broken, unsettled or far from the target.
@@ -106,7 +144,7 @@ def search(task: NearestTask, measure: Measure, before: SearchPoint | None = Non
         return _told(measure, Search(task, problem, near, (), near.iterations, before.off), [near])
     first = _start(task, problem)
     best = minimize(problem, first)
-    steps, off = best.iterations, mean_distance(task, best) / task.target.diagonal
+    steps, off = best.iterations, _mean_distance(task, best) / task.target.diagonal
     found = [best]
     for attempt in _attempts(task, measure, problem, first):
         done = best.settled and best.violation <= MET
@@ -118,7 +156,7 @@ def search(task: NearestTask, measure: Measure, before: SearchPoint | None = Non
         steps += outcome.iterations
         found.append(outcome)
         best = min(best, outcome, key=_rank)
-        off = mean_distance(task, best) / task.target.diagonal
+        off = _mean_distance(task, best) / task.target.diagonal
     return _told(measure, Search(task, problem, best, (), steps, off), found)
 
 
@@ -130,14 +168,14 @@ def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) ->
         return None
     found = minimize(problem, rod)
     enough = max(_NEAR, _AS_NEAR * before.off)
-    near = mean_distance(task, found) < enough * task.target.diagonal
+    near = _mean_distance(task, found) < enough * task.target.diagonal
     return found if near and found.settled and found.violation <= MET else None
 
 
 def _told(measure: Measure, so_far: Search, found: Sequence[RodOutcome]) -> Search:
     """The search with a leaner rod that is as near as its best, or with the outcomes `found` elsewhere that are."""
     task, problem, best, _, steps, _ = so_far
-    if task.is_scaled_freely and mean_distance(task, best) < _FOLLOWED * task.target.diagonal:
+    if task.is_scaled_freely and _mean_distance(task, best) < _FOLLOWED * task.target.diagonal:
         lean = _leaner(task, measure, best)
         if lean is not None:
             tight, problem, best = lean
@@ -167,8 +205,8 @@ def _leaner(
     except InputError:  # the stiffness is bounded elsewhere too
         return None
     outcome = minimize(problem, _start(tight, problem, stiffness=min(least, 4.0) ** 0.5))
-    near = max(mean_distance(task, best), _LEAN * task.target.diagonal)
-    good = outcome.violation <= MET and mean_distance(task, outcome) <= near
+    near = max(_mean_distance(task, best), _LEAN * task.target.diagonal)
+    good = outcome.violation <= MET and _mean_distance(task, outcome) <= near
     return (tight, problem, outcome) if good else None
 
 
@@ -187,7 +225,7 @@ def _ties(
             yield outcome
 
 
-def mean_distance(task: NearestTask, outcome: RodOutcome) -> float:
+def _mean_distance(task: NearestTask, outcome: RodOutcome) -> float:
     """Root mean square distance, arc length against arc length, in lengths."""
     return float(np.sqrt(2 * task.distance("mean").value(outcome.point)))
 
