@@ -142,7 +142,10 @@ def _groove(record: RoundGroove) -> Shape:
     if record.is_dent:
         return k.BRepPrimAPI_MakeSphere(axes, record.radius).Shape()
     if isinstance(way, Line):
-        return k.BRepPrimAPI_MakeCylinder(axes, record.radius, way.length).Shape()
+        whole = k.BRepPrimAPI_MakeCylinder(axes, record.radius, record.length).Shape()
+        return _combined(
+            whole, [make_solid(block) for block in record.mitres], k.BOPAlgo_Operation.BOPAlgo_CUT
+        )
     return k.BRepPrimAPI_MakeTorus(axes, way.radius, record.radius, abs(way.sweep)).Shape()
 
 

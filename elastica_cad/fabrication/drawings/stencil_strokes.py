@@ -1,6 +1,8 @@
-"""Strokes of a text in pieces that keep apart, as of stencils: engraved bodies then have few faces."""
+"""Strokes of a text in pieces that keep apart, as of stencils, or go on in each other: few faces for a letter."""
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from math import atan2, hypot
 
 import numpy as np
 
@@ -15,6 +17,12 @@ LEAST, STUB = 0.55, 0.38
 LEAST_TURN = 1e-6
 """Arcs about one centre go on in each other within this, mm and rad."""
 
+SMOOTH = 1e-9
+"""Turn from one segment to the next, rad, that is none: ends of grooves must meet without slivers."""
+
+SHARPEST_MITRE = 1.8
+"""Turn, rad, up to which two lines meet in a mitre: a sharper one has a long tip."""
+
 STATIONS = 200
 """Places along a piece at which it is asked whether it keeps off the others."""
 
@@ -22,8 +30,25 @@ SIDES = np.array([-0.5, -0.25, 0.0, 0.25, 0.5])
 """Across a piece, in widths."""
 
 
-def stencil_strokes(strokes: Sequence[Path], width: float, gap: float) -> list[Line | Arc]:
-    """Lines and arcs that follow strokes of this width and leave a gap wherever two would touch.
+@dataclass(frozen=True)
+class StencilPiece:
+    """A line or an arc of a stroke, and how it goes on.
+
+    Attributes
+    ----------
+    way : Line or Arc
+        mm.
+    turns : pair of float or None
+        At its start and its end: None where it ends; else the turn to the left, rad, to the piece that goes on
+        there, 0 where that is smooth.
+    """
+
+    way: Line | Arc
+    turns: tuple[float | None, float | None] = (None, None)
+
+
+def stencil_strokes(strokes: Sequence[Path], width: float, gap: float) -> list[StencilPiece]:
+    """Lines and arcs that follow strokes of this width, and leave a gap wherever two touch that do not go on.
 
     Parameters
     ----------
@@ -34,20 +59,25 @@ def stencil_strokes(strokes: Sequence[Path], width: float, gap: float) -> list[L
 
     Returns
     -------
-    list of Line and Arc
-        What others would divide is left whole, and those end before it; crumbs are left out.
+    list of StencilPiece
+        What others would divide is left whole, and those end before it; crumbs are left out. Segments of a stroke
+        that are tangent go on in each other, as do lines at no sharp corner.
 
     Examples
     --------
     >>> tee = [Path.polyline([(0, 6), (4, 6)]), Path.polyline([(2, 0), (2, 6)])]
-    >>> [round(float(piece.length), 1) for piece in stencil_strokes(tee, 0.6, 0.2)]
+    >>> [round(float(piece.way.length), 1) for piece in stencil_strokes(tee, 0.6, 0.2)]
     [4.0, 5.5]
+    >>> [corner, _] = stencil_strokes([Path.polyline([(0, 6), (0, 0), (4, 0)])], 0.6, 0.2)
+    >>> round(corner.turns[1], 4)
+    1.5708
     """
-    segments = [segment for stroke in strokes for segment in _joined(stroke.segments)]
+    segments, joints = _segments(strokes, width)
     near = _neighbours(segments, 2 * (width + gap))
+    others = [[i for i in rest if not {(k, i), (i, k)} & joints.keys()] for k, rest in enumerate(near)]
     left = [
         _long(_clear(one, [segments[i] for i in rest], width, gap), one, width)
-        for one, rest in zip(segments, near, strict=True)
+        for one, rest in zip(segments, others, strict=True)
     ]
     shares = [
         sum(part.length for part in parts) / one.length for one, parts in zip(segments, left, strict=True)
@@ -56,9 +86,78 @@ def stencil_strokes(strokes: Sequence[Path], width: float, gap: float) -> list[L
     kept: dict[int, list[Line | Arc]] = {}
     for rank in ranks:
         one = segments[rank]
-        pieces = _clear(one, [piece for i in near[rank] for piece in kept.get(i, ())], width, gap)
+        pieces = _clear(one, [piece for i in others[rank] for piece in kept.get(i, ())], width, gap)
         kept[rank] = [one] if pieces == [one] else _long(pieces, one, width)
-    return [piece for pieces in kept.values() for piece in pieces]
+    return _going_on(segments, joints, kept)
+
+
+Joints = dict[tuple[int, int], float]
+"""Of two segments, by number, the first of which ends where the second starts and goes on: the turn, rad."""
+
+
+def _segments(strokes: Sequence[Path], width: float) -> tuple[list[Line | Arc], Joints]:
+    """All segments, and which go on in each other."""
+    segments: list[Line | Arc] = []
+    joints: Joints = {}
+    for stroke in strokes:
+        mine = _in_one(list(_joined(stroke.segments)))
+        first = len(segments)
+        segments += mine
+        for k, one in enumerate(mine):
+            after = (k + 1) % len(mine)
+            turn = _turn(one, mine[after], width) if len(mine) > 1 else None
+            if turn is not None:
+                joints[first + k, first + after] = turn
+    return segments, joints
+
+
+def _in_one(segments: list[Line | Arc]) -> list[Line | Arc]:
+    """The segments of a closed stroke that is begun in the middle of an arc, with that arc as one."""
+    first, last = segments[0], segments[-1]
+    if len(segments) > 1 and isinstance(first, Arc) and isinstance(last, Arc) and _goes_on(last, first):
+        return [_prolonged(last, first), *segments[1:-1]]
+    return segments
+
+
+def _turn(one: Line | Arc, after: Line | Arc, width: float) -> float | None:
+    """The turn from a segment to that which follows, if grooves along them can go on in each other."""
+    if hypot(*(one.end - after.start)) > LEAST_TURN:
+        return None
+    (a, b), (c, d) = one.tangent_at(1.0).tolist(), after.tangent_at(0.0).tolist()
+    turn = atan2(a * d - b * c, a * c + b * d)
+    if abs(turn) < SMOOTH:
+        return 0.0
+    lines = isinstance(one, Line) and isinstance(after, Line)
+    long = min(one.length, after.length) > width
+    return turn if lines and long and abs(turn) < SHARPEST_MITRE else None
+
+
+def _going_on(
+    segments: Sequence[Line | Arc], joints: Joints, kept: dict[int, list[Line | Arc]]
+) -> list[StencilPiece]:
+    """What is kept, with the turns where both of two that go on in each other still reach their joint."""
+    reached = {
+        (one, after)
+        for one, after in joints
+        if any(_same(piece.end, segments[one].end) for piece in kept[one])
+        and any(_same(piece.start, segments[after].start) for piece in kept[after])
+    }
+    before = {after: joints[one, after] for one, after in reached}
+    following = {one: joints[one, after] for one, after in reached}
+    found = []
+    for number, pieces in kept.items():
+        whole = segments[number]
+        for piece in pieces:
+            turns = (
+                before.get(number) if _same(piece.start, whole.start) else None,
+                following.get(number) if _same(piece.end, whole.end) else None,
+            )
+            found.append(StencilPiece(piece, turns))
+    return found
+
+
+def _same(a: FloatArray, b: FloatArray) -> bool:
+    return hypot(*(a - b)) < LEAST_TURN
 
 
 def _neighbours(segments: Sequence[Line | Arc], reach: float) -> list[list[int]]:
@@ -91,13 +190,17 @@ def _joined(segments: Sequence[Segment]) -> Iterator[Line | Arc]:
         if not isinstance(segment, Line | Arc):
             raise InputError("a stroke of a letter is made of lines and arcs: leave splines out")
         if isinstance(last, Arc) and isinstance(segment, Arc) and _goes_on(last, segment):
-            last = Arc(last.center, last.radius, last.start_angle, last.end_angle + segment.sweep)
+            last = _prolonged(last, segment)
             continue
         if last is not None:
             yield last
         last = segment
     if last is not None:
         yield last
+
+
+def _prolonged(arc: Arc, by: Arc) -> Arc:
+    return Arc(arc.center, arc.radius, arc.start_angle, arc.end_angle + by.sweep)
 
 
 def _goes_on(a: Arc, b: Arc) -> bool:

@@ -298,7 +298,9 @@ def engraved(strokes: Sequence[Path], height: float, side: Frame) -> list[RoundG
     width, depth, gap = (share * height for share in GROOVE_SHARE)
     radius = (width**2 / 4 + depth**2) / (2 * depth)
     middle = side.shifted(z=radius - depth)
-    return [RoundGroove(piece, radius, middle) for piece in stencil_strokes(strokes, width, gap)]
+    return [
+        RoundGroove(piece.way, radius, middle, piece.turns) for piece in stencil_strokes(strokes, width, gap)
+    ]
 
 
 def end_fixtures(

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from math import cos, sin, tan
 
 import numpy as np
 
@@ -9,6 +10,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Line
 
 DENT = 0.85
@@ -22,36 +24,73 @@ class RoundGroove:
     Attributes
     ----------
     way : Line or Arc
-        Of the ball's middle, in the xy plane of `frame`; a way shorter than `DENT` radii is a single dent.
+        Of the ball's middle, in the xy plane of `frame`; a way shorter than `DENT` radii that goes on nowhere is a
+        single dent.
     radius : float
         mm.
     frame : Frame
         Its z axis points out of the body; the ball's middle lies outside, so that no seam of a ball does.
+    turns : pair of float or None
+        At the start and the end: None where the groove ends; else the turn to the left, rad, to another that goes
+        on there. The end of a line that turns is mitred.
     """
 
     way: Line | Arc
     radius: float
     frame: Frame
+    turns: tuple[float | None, float | None] = (None, None)
 
     @property
     def is_dent(self) -> bool:
         """A ball at the middle of the way?"""
-        return self.way.length < DENT * self.radius
+        return self.turns == (None, None) and self.way.length < DENT * self.radius
+
+    @property
+    def tips(self) -> tuple[float, float]:
+        """How far the outer sides of mitred ends reach beyond the way, mm."""
+        start, end = (self.radius * tan(abs(turn or 0.0) / 2) for turn in self.turns)
+        return start, end
+
+    @property
+    def length(self) -> float:
+        """Of a line with its tips, mm."""
+        return self.way.length + sum(self.tips)
 
     @property
     def start(self) -> Frame:
-        """Of a line its start, x axis out of the body and z axis along it; of an arc its centre, x axis to the end
-        from which it turns to the left; of a dent its middle.
+        """Of a line where its tip starts, x axis out of the body and z axis along it; of an arc its centre, x axis
+        to the end from which it turns to the left; of a dent its middle.
         """
         way, out = self.way, self.frame.z_axis
         if self.is_dent:
             return Frame(self.frame.point(way.at(0.5)), self.frame.x_axis, self.frame.y_axis)
         if isinstance(way, Line):
             along = self.frame.direction((way.end - way.start) / way.length)
-            return Frame(self.frame.point(way.start), out, np.cross(along, out))
+            return Frame(self.frame.point(way.start) - self.tips[0] * along, out, np.cross(along, out))
         first = way.start if way.sweep > 0 else way.end
         along = self.frame.direction((first - way.center) / way.radius)
         return Frame(self.frame.point(way.center), along, np.cross(out, along))
+
+    @property
+    def mitres(self) -> tuple[FlatSolid, ...]:
+        """Blocks beyond the planes in which the groove meets others at corners: they are cut off it."""
+        found = []
+        for place, turn, way in zip((0.0, 1.0), self.turns, (-1.0, 1.0), strict=True):
+            if turn:
+                # the mitre's plane halves the corner
+                c, s = cos(turn / 2), sin(turn / 2)
+                x, y = self.way.tangent_at(place).tolist()
+                normal = way * np.array([c * x - way * s * y, way * s * x + c * y])
+                size = 4 * self.radius
+                corner = self.frame.point(self.way.at(place))
+                plane = Frame(
+                    corner,
+                    self.frame.direction(normal),
+                    np.cross(self.frame.z_axis, self.frame.direction(normal)),
+                )
+                block = Path.rectangle(size, 2 * size, corner=(0.0, -size))
+                found.append(FlatSolid(block, (), 2 * size, plane.shifted(z=-size)))
+        return tuple(found)
 
 
 @dataclass(frozen=True, eq=False)

@@ -87,7 +87,7 @@ def _groove(record: RoundGroove) -> Part.Shape:
     if record.is_dent:
         shape = Part.makeSphere(record.radius)
     elif isinstance(way, Line):
-        shape = Part.makeCylinder(record.radius, way.length)
+        shape = Part.makeCylinder(record.radius, record.length)
     else:
         origin, up = App.Vector(), App.Vector(0, 0, 1)
         turn = float(np.degrees(abs(way.sweep)))
@@ -95,7 +95,8 @@ def _groove(record: RoundGroove) -> Part.Shape:
     shape.Placement = App.Placement(
         App.Matrix(*np.column_stack([frame.axes.T, frame.origin]).ravel().tolist())
     )
-    return shape
+    mitres = [make_solid(block) for block in record.mitres]
+    return shape.cut(mitres) if mitres else shape
 
 
 def _read(brep: bytes) -> Part.Shape:
