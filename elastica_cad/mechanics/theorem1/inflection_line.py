@@ -1,4 +1,4 @@
-"""The line of Theorem 1 as a record, and the one nearest to given points."""
+"""The line of Theorem 1 as a record."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -45,15 +45,3 @@ class InflectionLine:
             "a": self.a,
             "b": self.b.tolist(),
         }
-
-
-def fit_inflection_line(points: FloatArray, normal: FloatArray | None = None) -> InflectionLine:
-    """The line nearest to points (k, 2) in least squares; with a given normal only its place is free."""
-    centre = points.mean(axis=0)
-    if normal is None:
-        _, _, vt = np.linalg.svd(points - centre)
-        normal = vt[1]
-    normal = normal / np.hypot(*normal)
-    if normal[1] < 0 or (normal[1] == 0 and normal[0] > 0):
-        normal = -normal
-    return InflectionLine((float(centre[0]), float(centre[1])), (float(normal[1]), -float(normal[0])))

@@ -14,7 +14,7 @@ from elastica_cad.geometry.curves.view_angles import find_view_angles
 from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature, NaturalCurvature, RestCurvature
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.theorem1.curvature_conditions import AT_END_SHARE, examine_curvature
-from elastica_cad.mechanics.theorem1.inflection_line import InflectionLine, fit_inflection_line
+from elastica_cad.mechanics.theorem1.inflection_line import InflectionLine
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, count, figure, listed, places
 
 _SAME_PLACE_SHARE = 1e-6
@@ -172,6 +172,18 @@ def _off_line_reason(check: EquilibriumCheck, normal: FloatArray | None, allowed
 
 def _refused(check: EquilibriumCheck, reason: str) -> EquilibriumCheck:
     return replace(check, realizable=False, reasons=(*check.reasons, reason))
+
+
+def fit_inflection_line(points: FloatArray, normal: FloatArray | None = None) -> InflectionLine:
+    """The line nearest to points (k, 2) in least squares; with a given normal only its place is free."""
+    centre = points.mean(axis=0)
+    if normal is None:
+        _, _, vt = np.linalg.svd(points - centre)
+        normal = vt[1]
+    normal = normal / np.hypot(*normal)
+    if normal[1] < 0 or (normal[1] == 0 and normal[0] > 0):
+        normal = -normal
+    return InflectionLine((float(centre[0]), float(centre[1])), (float(normal[1]), -float(normal[0])))
 
 
 def _line_meetings(

@@ -8,7 +8,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.theorem1.inflection_line import fit_inflection_line
+from elastica_cad.mechanics.theorem1.line_conditions import fit_inflection_line
 from elastica_cad.mechanics.theorem1.project_inflections import project_inflections
 
 pytestmark = pytest.mark.core
