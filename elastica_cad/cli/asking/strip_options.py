@@ -194,7 +194,9 @@ def spec_from_options(curve: PlaneCurve, name: str, chosen: Mapping[str, Any]) -
         raise InputError(
             "--keep-tangents, --keep-length and other --keep options are for a curve that may change: add --nearest"
         )
-    line = chosen["law"]
+    law = None
+    if chosen["law"] is not None:
+        law = parse_line(chosen["law"], "--law", partial(read_law, sheet=sheet), example=LAW_LINE)
     try:
         return StripSpec(
             curve,
@@ -219,9 +221,7 @@ def spec_from_options(curve: PlaneCurve, name: str, chosen: Mapping[str, Any]) -
             creep=chosen["creep"],
             anyway=chosen["anyway"],
             frame=_frame(chosen),
-            law=None
-            if line is None
-            else parse_line(line, "--law", partial(read_law, sheet=sheet), example=LAW_LINE),
+            law=law,
         )
     except InputError as problem:
         raise InputError(f"{problem}{_options_named(str(problem))}") from problem

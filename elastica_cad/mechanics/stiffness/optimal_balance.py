@@ -95,8 +95,8 @@ class WeightedPanels:
         own = np.full(panels.t.shape, proportional if weight is None or weight.own else 0.0)
         dead = np.zeros(panels.t.shape)
         if weight is not None:
-            own += _along(weight.beta, panels.s) * tau
-            dead = _along(weight.alpha, panels.s)
+            dead, per_stiffness = weight.along(panels.s)
+            own += per_stiffness * tau
         points = point_weights(panels, () if weight is None else weight.masses)
         return self.carrying(own, dead, points)
 
@@ -182,7 +182,3 @@ def _raised(value: float | Profile, step: float) -> float | Profile:
     if isinstance(value, Profile):
         return Profile(value.knots, value.coefficients + step, value.degree)
     return value + step
-
-
-def _along(value: float | Profile, s: FloatArray) -> FloatArray:
-    return value(s) if isinstance(value, Profile) else np.full(s.shape, float(value))
