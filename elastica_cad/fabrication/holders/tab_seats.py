@@ -115,7 +115,8 @@ def hold_each(
     seats, known = tab_seats(holders), dict[object, HeldShape | NotConvergedError]()
     for one in placed:
         start, end = (seat_of(seats, one, k) for k in ENDS)
-        alike = id(one.strip), *(None if seat is None else seat.places for seat in (start, end))
+        # strips that are cut alike share their layers
+        alike = id(one.strip.layers), *(None if seat is None else seat.places for seat in (start, end))
         if alike not in known:
             try:
                 known[alike] = one.strip.held(start, end)

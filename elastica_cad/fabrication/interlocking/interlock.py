@@ -9,6 +9,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.interlocking.alike_strips import cut_as_known
 from elastica_cad.fabrication.interlocking.ruled_intersection import PARALLEL_RAD
 from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip
 from elastica_cad.fabrication.interlocking.strip_crossings import Crossing, strip_crossings
@@ -131,13 +132,15 @@ def interlock(
     for joint in joints:
         for member, slot in zip(joint.members, joint.slots, strict=True):
             slots[member].append(slot)
-    slotted = tuple(
-        one.with_strip(replace(one.strip, slots=(*one.strip.slots, *new))) if new else one
-        for one, new in zip(placed, slots, strict=True)
-    )
-    for one, name in zip(slotted, strip_names(placed), strict=True):
-        _refuse_faults(one.strip, name)
-    return InterlockedStrips(slotted, tuple(joints), _reports(names, joints))
+    slotted: list[Placed] = []
+    for one, new, name in zip(placed, slots, strip_names(placed), strict=True):
+        strip = one.strip
+        if new:
+            known = [earlier.strip for earlier in slotted]
+            strip = cut_as_known(replace(strip, slots=(*strip.slots, *new)), known)
+        _refuse_faults(strip, name)
+        slotted.append(one.with_strip(strip) if new else one)
+    return InterlockedStrips(tuple(slotted), tuple(joints), _reports(names, joints))
 
 
 def _checked_pairs(count: int, pairs: Iterable[tuple[int, int]] | None) -> list[tuple[int, int]]:

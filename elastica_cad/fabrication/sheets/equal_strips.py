@@ -111,6 +111,8 @@ class FlatShape:
             for p, q in zip(self.layers, other.layers, strict=True)
         ):
             return False
+        if all(p.runs_as(q) for p, q in zip(self.layers, other.layers, strict=True)):
+            return True
         if np.abs(self._size - other._size).max() > SAME_MM * self._size[0]:
             return False
         off = np.abs(self._lean - np.array(WAYS) * other._lean).max(axis=1)

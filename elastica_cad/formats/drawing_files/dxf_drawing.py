@@ -5,6 +5,7 @@ import logging
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from functools import cache
 from importlib import import_module
 from threading import Lock
 from typing import TYPE_CHECKING, Any, cast
@@ -186,6 +187,7 @@ def _sort_classes(document: "Document") -> None:
     document.classes.classes = dict(sorted(document.classes.classes.items()))
 
 
+@cache
 def _nearest_index(rgb: tuple[int, int, int]) -> int:
     """The AutoCAD colour index nearest to a colour; black is 7, which is drawn in the ink of the screen."""
     from ezdxf.colors import aci2rgb

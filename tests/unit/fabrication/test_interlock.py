@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.interlocking.alike_strips import cut_as_known
 from elastica_cad.fabrication.interlocking.interlock import slot_width
 from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip
 from elastica_cad.fabrication.interlocking.strip_crossings import strip_crossings
@@ -364,3 +365,31 @@ def test_slots_that_were_there_stay():
     first = replace(model.strips[0], slots=(Slot(20, 1.0, 3.0),))
     joined = model.with_strips([first, model.strips[1]]).interlock()
     assert [slot.at for slot in joined.strips[0].slots] == [20, pytest.approx(50)]
+
+
+def test_strips_that_are_slotted_alike_are_cut_once_under_their_own_names():
+    rod = Rod.straight(100.0)
+    ribs = [
+        Placed(
+            Strip(rod, CARD, max_width=20, label=f"R{k}"), (0, 30 * k * (1 + 1e-15), 0), (1, 0, 0), (0, 1, 0)
+        )
+        for k in range(3)
+    ]
+    rails = [
+        Placed(
+            Strip(Rod.straight(90.0), CARD, max_width=20, label=f"L{k}"), (x, -15, 0), (0, 1, 0), (-1, 0, 0)
+        )
+        for k, x in enumerate((20.0, 70.0))
+    ]
+    first, *others = Model([*ribs, *rails]).interlock(above=(0, 0, 1)).strips[:3]
+    for other, label in zip(others, ("R1", "R2"), strict=True):
+        assert other.label == label
+        assert [slot.mate for slot in other.slots] == ["L0", "L1"]
+        assert other.layers is first.layers
+    crept = replace(first, creep=0.1, label="R3")
+    assert cut_as_known(crept, [first]) is crept
+    turned_over = replace(first, slots=tuple(slot.mirrored() for slot in first.slots))
+    assert cut_as_known(turned_over, [first]) is turned_over
+    farther = tuple(replace(slot, path=slot.path + np.array([1e-6, 0.0])) for slot in first.slots)
+    moved = replace(first, slots=farther)
+    assert cut_as_known(moved, [first]) is moved
