@@ -51,6 +51,7 @@ def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
     """
     _refuse_slips(obj, drawn)
     sheet, nearest = _sheet(obj), obj.Follow == "Nearest"
+    backing = sheet_called(obj.Backing, obj.BackingData) if obj.Style == "Laminated" else None
     width = obj.MaxWidth.Value if obj.Style == "Plain" else obj.MaterialWidth.Value
     law = None
     if obj.Law.strip():
@@ -61,7 +62,7 @@ def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
         drawn.plane,
         max_width=width or None if law is None else None,  # a law has its own limits
         min_width=obj.MinWidth.Value or None if law is None else None,
-        style=_style(obj),
+        style=_style(obj, backing),
         limits=_limits(obj, sheet) if nearest else None,
         keep=_keep(obj) if nearest else None,
         gravity=_gravity(obj, drawn),
@@ -116,7 +117,7 @@ def _shop(obj: Any) -> Shop:
     return Shop(least_width=obj.LeastWidth.Value or None, least_ligament=ligament)
 
 
-def _style(obj: Any) -> Style:
+def _style(obj: Any, backing: Sheet | None) -> Style:
     if obj.Style == "Perforated":
         return Perforated(
             width=obj.OuterWidth.Value,
@@ -128,10 +129,10 @@ def _style(obj: Any) -> Style:
             corner_radius=obj.HoleRadius.Value,
             sides=obj.HoleSides,
         )
-    if obj.Style == "Laminated":
+    if backing is not None:
         return Laminated(
             width=obj.OuterWidth.Value,
-            backing=sheet_called(obj.Backing, obj.BackingData),
+            backing=backing,
             least_backing=obj.LeastBacking.Value,
             dots=obj.Dots.Value,
         )
