@@ -48,12 +48,15 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, tolerance: float) ->
         np.concatenate([left[:, 0], right[:, 0], stations[(stations > low) & (stations < high)]])
     )
     cuts = cuts[np.concatenate([[True], np.diff(cuts) > APART_MM])]
-    found = []
-    for sides in np.stack([cuts[:-1], cuts[1:]], axis=1):
-        middle = sides.mean()
-        here = np.flatnonzero((left[:, 0] < middle) & (right[:, 0] > middle))
-        y = left[here, 1] + slope[here] * (sides[:, None] - left[here, 0])
-        y = y[:, np.argsort(y.sum(axis=0))]
-        x = np.broadcast_to(sides[:, None], (2, here.size // 2))
-        found.append(np.stack([x, y[:, 0::2], y[:, 1::2]], axis=-1).swapaxes(0, 1))
-    return np.concatenate(found)
+    sides = np.stack([cuts[:-1], cuts[1:]], axis=1)
+    middles = sides.mean(axis=1)
+    # each line goes through all slabs from one to another
+    first = np.searchsorted(middles, left[:, 0], side="right")
+    count = np.searchsorted(middles, right[:, 0], side="left") - first
+    line = np.repeat(np.arange(len(left)), count)
+    slab = np.arange(line.size) - np.repeat(np.cumsum(count) - count, count) + np.repeat(first, count)
+    y = left[line, 1:] + slope[line, None] * (sides[slab] - left[line, :1])
+    order = np.lexsort((y.sum(axis=1), slab))
+    # loops are closed: every slab has its lines in pairs, below and above what lies inside
+    y, x = y[order], sides[slab[order[0::2]]]
+    return np.stack([x, y[0::2], y[1::2]], axis=-1)
