@@ -221,9 +221,11 @@ class StripSpec(EqualByValue):
     @property
     def in_plane(self) -> "StripSpec":
         """The same strip asked for in the plane of its curve alone, wherever that lies: without a frame."""
+        return self if self.frame is None else self._without_frame
+
+    @cached_property
+    def _without_frame(self) -> "StripSpec":
         gravity, share = self._pulled
-        if self.frame is None:
-            return self
         return replace(self, frame=None, gravity=gravity, loads=lightened(self.loads, share))
 
     @property

@@ -203,8 +203,9 @@ def _shape_of(rod: Rod) -> tuple[Shape, list[tuple[float, int]]]:
     scale = curve.length / rod.length
 
     def drawn(s: FloatArray) -> tuple[FloatArray, FloatArray]:
-        samples = curve.at(np.clip(s * scale, 0.0, curve.length))
-        return samples.position, np.column_stack([np.cos(samples.angle), np.sin(samples.angle)])
+        t = curve.parameter(np.minimum(np.maximum(s * scale, 0.0), curve.length))
+        position, velocity = curve.position_and_velocity(t)
+        return position, velocity / np.hypot(velocity[:, 0], velocity[:, 1])[:, None]
 
     breaks = [(b.s / scale, _smoothness(curve, b.t, b.continuity)) for b in curve.breaks]
     return drawn, [(float(s), c) for s, c in breaks if 0 < s < rod.length and c < DEGREE - 1]

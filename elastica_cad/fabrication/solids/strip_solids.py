@@ -166,17 +166,34 @@ class BentSolid:
         Where the two faces lie over the curve, mm.
     frame : Frame
         The plane in which the curve is drawn.
-    joints : mapping of str to Frame
-        "start" and "end" of the free part, "hole1", "hole2", ...: half way through the thickness, z off the
-        strip's upper side, x along the strip (outward at the ends); "hole1:top" and "hole1:bottom" lie on the
-        strip's faces, z outward.
+    places : mapping of str to (x, y, way)
+        Flat places of the joints, on the curve's own height; way is 1 where x runs along the strip, else -1.
+    between : float
+        Thickness of the strip, mm, where its holes have joints on both faces; else 0.
     """
 
     pattern: CutPattern
     maps: tuple[Map, ...]
     heights: tuple[float, float]
     frame: Frame
-    joints: Mapping[str, Frame]
+    places: Mapping[str, tuple[float, float, int]]
+    between: float = 0.0
+
+    @cached_property
+    def joints(self) -> Mapping[str, Frame]:
+        """Frames by name.
+
+        "start" and "end" of the free part, "hole1", "hole2", ...: half way through the thickness, z off the strip's
+        upper side, x along the strip (outward at the ends); "hole1:top" and "hole1:bottom" lie on the strip's
+        faces, z outward.
+        """
+        stations = [0.0, *(float(part.knots[-1]) for part in self.maps if isinstance(part, BentMap))]
+        found = {}
+        for name, (x, y, way) in self.places.items():
+            shape = self.maps[int(np.searchsorted(stations, x))]
+            tangent = shape.frame_at(x) if isinstance(shape, BentMap) else shape
+            found[name] = turned(tangent.shifted(x, y), way)
+        return with_faces(found, self.between) if self.between else found
 
     @cached_property
     def boundary(self) -> Boundary:
@@ -303,12 +320,7 @@ class BentSolid:
         loops = [in_smooth_pieces(loop) for loop in (outline, *holes)]
         pattern = cut_across(loops[0], loops[1:], stations)
         maps: tuple[Map, ...] = (bent[0].frame_at(0.0), *bent, bent[-1].frame_at(rod.length))
-        places = {}
-        for name, (x, y, way) in (joints or {}).items():
-            shape = maps[int(np.searchsorted(stations, x))]
-            tangent = shape.frame_at(x) if isinstance(shape, BentMap) else shape
-            places[name] = turned(tangent.shifted(x, y), way)
-        made = cls(pattern, maps, (lower, upper), frame, with_faces(places, between) if between else places)
+        made = cls(pattern, maps, (lower, upper), frame, joints or {}, between)
         if not made.boundary.is_closed:
             raise InputError("the flat pattern's loops cross or touch: the bent strip has no closed skin")
         return made

@@ -21,6 +21,10 @@ _FINE = 2e-15
 _NOISE_SHARE = 1e-8
 """Coefficients below this share of the speed that halving no longer lessens are rounding."""
 
+_STEPS = np.linspace(-1.0, 1.0, 33)
+_AT_STEPS = chebyshev(_STEPS, _DEGREE + 2)
+"""Places in a panel between which its inverse is nearly straight, and the polynomials (17, 33) there."""
+
 _LAST_NEWTON_STEP = 1e-8
 """In a panel from -1 to 1: the next step would be its square."""
 
@@ -45,20 +49,22 @@ class ArcLength:
 
     def length_at(self, t: FloatArray) -> FloatArray:
         """Arc lengths (n,) of parameters (n,)."""
+        if not t.size:
+            return np.zeros(0)
         panel = self._panel(self.t, t)
-        x = np.minimum(np.maximum(2 * (t - self.t[panel]) / np.diff(self.t)[panel] - 1, -1.0), 1.0)
+        x = np.minimum(np.maximum(2 * (t - self.t[panel]) / self._widths[panel] - 1, -1.0), 1.0)
         s = self.s[panel] + series_at(self.series, panel, chebyshev(x, self.series.shape[1]))
         return np.asarray(np.where(x <= -1, self.s[panel], np.where(x >= 1, self.s[panel + 1], s)))
 
     def parameter_at(self, s: FloatArray) -> FloatArray:
         """Parameters (n,) of arc lengths (n,)."""
         panel = self._panel(self.s, s)
-        target, whole = s - self.s[panel], np.diff(self.s)[panel]
+        target, whole = s - self.s[panel], self._lengths[panel]
         share = np.minimum(np.maximum(2 * target / whole - 1, -1.0), 1.0)
         guess = series_at(self._inverse, panel, chebyshev(share, self._inverse.shape[1]))
         x = self._places(panel, target, guess)
         x = np.where(target <= 0, -1.0, np.where(target >= whole, 1.0, x))
-        return np.asarray(self.t[panel] + np.diff(self.t)[panel] * (1 + x) / 2)
+        return np.asarray(self.t[panel] + self._widths[panel] * (1 + x) / 2)
 
     def _panel(self, edges: FloatArray, places: FloatArray) -> IntArray:
         """The panels between `edges` in which places (n,) lie; beyond the ends the outermost one."""
@@ -82,6 +88,16 @@ class ArcLength:
         return np.asarray(x)
 
     @cached_property
+    def _widths(self) -> FloatArray:
+        """Of the panels (k,), in the parameter."""
+        return np.diff(self.t)
+
+    @cached_property
+    def _lengths(self) -> FloatArray:
+        """Of the panels (k,), mm."""
+        return np.diff(self.s)
+
+    @cached_property
     def _slopes(self) -> FloatArray:
         return np.asarray(np.polynomial.chebyshev.chebder(self.series, axis=1), dtype=float)
 
@@ -92,7 +108,11 @@ class ArcLength:
         count = self.series.shape[0]
         panel = np.repeat(np.arange(count), nodes.size)
         share = np.tile((1 + nodes) / 2, count)
-        x = self._places(panel, share * np.diff(self.s)[panel], 2 * share - 1)
+        target = share * self._lengths[panel]
+        reached = self.series @ _AT_STEPS + self.s[:-1, None]
+        steps = 2.0 * np.arange(count)[:, None] + _STEPS
+        guess = np.interp(target + self.s[panel], reached.ravel(), steps.ravel()) - 2.0 * panel
+        x = self._places(panel, target, guess)
         return np.asarray(x.reshape(count, -1) @ to_series.T)
 
 

@@ -51,18 +51,24 @@ class RationalPieces:
     def within(self, index: IntArray, u: FloatArray, order: int) -> list[FloatArray]:
         """The same at local coordinates u (n,) of spans (n,), by de Casteljau's scheme."""
         degree = self.spans.degree
-        c = self._columns[:, :, index]
+        # the coefficients of the only piece need no copy for every place
+        alone = len(self.bezier) == 1 and not self.rational and order < degree
+        c = self._columns if alone else self._columns[:, :, index]
         differences: list[FloatArray] = []
         for remaining in range(degree, -1, -1):
             if remaining <= order:
                 differences.append(_difference(c))
             if remaining:
-                step = c[1:] - c[:-1]
-                step *= u
+                step = (c[1:] - c[:-1]) * u
                 step += c[:-1]
                 c = step
         homogeneous = []
-        factor, width = np.ones_like(u), self.spans.widths[index]
+        factor = np.ones_like(self.spans.widths if alone else u)
+        width, origins = (
+            (self.spans.widths, self._origins)
+            if alone
+            else (self.spans.widths[index], self._origins[:, index])
+        )
         for k, difference in enumerate(reversed(differences)):
             if k:  # no place is divided by the width: it may be too small for that
                 factor = factor * (degree - k + 1) / width
@@ -70,7 +76,7 @@ class RationalPieces:
         homogeneous += [np.zeros_like(homogeneous[0])] * (order + 1 - len(homogeneous))
         if self.rational:
             homogeneous = quotient([h[:2] for h in homogeneous], [h[2] for h in homogeneous])
-        homogeneous[0] = homogeneous[0] + self._origins[:, index]
+        homogeneous[0] = homogeneous[0] + origins
         return [np.ascontiguousarray(h.T) for h in homogeneous]
 
     def beside_knots(self, order: int) -> tuple[list[FloatArray], list[FloatArray]]:

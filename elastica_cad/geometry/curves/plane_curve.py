@@ -202,6 +202,8 @@ class PlaneCurve(NurbsCurve):
     @cached_property
     def tangent_breaks(self) -> tuple[TangentBreak, ...]:
         """Corners of more than 1e-5 rad, without that of a closed curve's seam."""
+        if self._pieces.edges.size == 2:
+            return ()
         angle = self._knot_sides.corners
         sharp = np.flatnonzero(np.abs(angle) > CORNER_RAD)
         t = self._pieces.edges[1:-1][sharp]
@@ -255,6 +257,8 @@ class PlaneCurve(NurbsCurve):
 
     @cached_property
     def _continuity(self) -> IntArray:
+        if self._pieces.edges.size == 2:
+            return np.zeros(0, dtype=int)
         return continuity_orders(self._pieces, self._knot_sides, self.knots, self.length)
 
     @cached_property

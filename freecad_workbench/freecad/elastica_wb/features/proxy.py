@@ -48,7 +48,8 @@ class Feature:
 
     def onChanged(self, obj: Any, name: str) -> None:
         """A newly chosen sheet brings its thickness, and its numbers into the document."""
-        if "Restore" in obj.State:
+        # asked for every result that is written, so what takes longer to tell comes last
+        if (name != "Curve" and name not in self.sheets) or "Restore" in obj.State:
             return
         if name == "Curve" and CONTAINERS.name in obj.PropertiesList:
             put(obj, Containers=_containers(obj))

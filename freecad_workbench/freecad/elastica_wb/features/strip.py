@@ -57,7 +57,7 @@ class StripFeature(Feature):
         strip = solve_strip(spec)
         shape = bent_shape(strip) if obj.Form == "Bent" else flat_shape(strip)
         made_from = _mark(obj, drawn, spec)
-        if "AddSubShape" in obj.PropertiesList:  # what PartDesign's patterns repeat
+        if hasattr(obj, "AddSubShape"):  # what PartDesign's patterns repeat
             obj.AddSubShape = shape
         obj.Shape = shape
         _shown[made_from] = strip

@@ -39,6 +39,7 @@ from elastica_cad.mechanics.material.sheet import Sheet
 
 LONGEST_MM, THINNEST_MM = 1e6, 1e-3  # a kilometre; thinner than any foil
 MOST_SAMPLES = 20000  # a second's work
+LENGTHS = tuple(p.name for p in PROPERTIES if p.kind == "Length" and not p.result)
 
 
 def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
@@ -91,7 +92,7 @@ def nearest_spec_of(obj: Any, drawn: DrawnCurve) -> RodSpec:
 
 
 def _refuse_slips(obj: Any, drawn: DrawnCurve) -> None:
-    lengths = {p.name: getattr(obj, p.name).Value for p in PROPERTIES if p.kind == "Length" and not p.result}
+    lengths = {name: getattr(obj, name).Value for name in LENGTHS}
     for name, value in (lengths | {"the length of the curve": drawn.curve.length}).items():
         if value > LONGEST_MM:
             raise InputError(f"{name} is {value:.4g} mm, more than a kilometre: is its unit right?")

@@ -21,11 +21,12 @@ def own_sheets_file() -> Path:
 
 def own_sheets() -> dict[str, Sheet]:
     """The user's sheets by name; an unreadable file is told in the report view and counts as empty."""
+    path = own_sheets_file()
     try:
-        state = own_sheets_file().stat()
+        state = path.stat()
     except OSError:
         return {}
-    return dict(_read(own_sheets_file(), state.st_mtime_ns, state.st_size))
+    return dict(_read(path, state.st_mtime_ns, state.st_size))
 
 
 @lru_cache(maxsize=1)

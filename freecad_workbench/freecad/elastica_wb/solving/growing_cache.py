@@ -20,6 +20,7 @@ Answer = TypeVar("Answer")
 def growing_cache(work: Callable[..., Answer]) -> Callable[..., Answer]:
     """Remember answers by their arguments; the oldest go first. Failures are not remembered."""
     kept: OrderedDict[Hashable, Any] = OrderedDict()
+    most = LEAST
     lock = Lock()  # panels ask from threads of their own
 
     @wraps(work)
@@ -29,11 +30,19 @@ def growing_cache(work: Callable[..., Answer]) -> Callable[..., Answer]:
                 kept.move_to_end(arguments)
                 return kept[arguments]
         answer = work(*arguments)
-        room = max(LEAST, PER_OBJECT * sum(len(one.Objects) for one in App.listDocuments().values()))
+        nonlocal most
         with lock:
             kept[arguments] = answer
-            while len(kept) > room:
-                kept.popitem(last=False)
+            if len(kept) > most:  # a long list of objects takes long to get: not for every answer
+                room = _room()
+                most = room + LEAST
+                while len(kept) > room:
+                    kept.popitem(last=False)
         return answer
 
     return ask
+
+
+def _room() -> int:
+    """How many answers the open documents have use for."""
+    return max(LEAST, PER_OBJECT * sum(len(one.Objects) for one in App.listDocuments().values()))
