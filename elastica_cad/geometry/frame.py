@@ -69,7 +69,8 @@ class Frame:
     @property
     def z_axis(self) -> FloatArray:
         """Unit normal of the plane, x_axis cross y_axis."""
-        return np.asarray(self.axes[2], dtype=float)
+        normal: FloatArray = self.axes[2]
+        return normal
 
     @cached_property
     def axes(self) -> FloatArray:
@@ -80,6 +81,10 @@ class Frame:
         rows.setflags(write=False)
         return rows
 
+    @cached_property
+    def _plane_axes(self) -> FloatArray:
+        return self.axes[:2]
+
     def point(self, local: ArrayLike) -> FloatArray:
         """Points in space (..., 3) of local coordinates (..., 2) or (..., 3), mm."""
         return self.origin + self.direction(local)
@@ -87,7 +92,8 @@ class Frame:
     def direction(self, local: ArrayLike) -> FloatArray:
         """Vectors in space (..., 3) of local components (..., 2) or (..., 3)."""
         local = np.asarray(local, dtype=float)
-        return np.asarray(local @ self.axes[: local.shape[-1]], dtype=float)
+        found: FloatArray = local @ (self.axes if local.shape[-1] == 3 else self._plane_axes)
+        return found
 
     def local(self, points: ArrayLike) -> FloatArray:
         """Local coordinates (..., 3) of points in space (..., 3), mm."""

@@ -117,7 +117,7 @@ class BentMap:
     def _rows(self) -> Any:
         from scipy.interpolate import BSpline
 
-        return BSpline(self.knots, self.coefficients, DEGREE)
+        return BSpline.construct_fast(self.knots, self.coefficients, DEGREE)  # made of numbers that are sound
 
     def _spline(self, s: FloatArray, derivative: int = 0) -> FloatArray:
         return np.asarray(self._rows(s, derivative), dtype=float)
@@ -251,7 +251,9 @@ def _fitted(
         probes = (edges[:-1, None] + np.diff(edges)[:, None] * PROBES).ravel()
         values = function(np.concatenate([sites, probes]))
         rows = _interpolated(sites, values[: sites.size], knots, DEGREE)
-        excess = np.abs(BSpline(knots, rows, DEGREE)(probes) - values[sites.size :]) / tolerance
+        excess = (
+            np.abs(BSpline.construct_fast(knots, rows, DEGREE)(probes) - values[sites.size :]) / tolerance
+        )
         excess = excess.max(axis=1).reshape(-1, PROBES.size).max(axis=1)
         bad = excess > 1
         if not bad.any():

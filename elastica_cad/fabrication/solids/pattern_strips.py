@@ -72,9 +72,8 @@ def on_segment(segment: Segment, t: FloatArray) -> FloatArray:
         from scipy.interpolate import BSpline
 
         # asked for few places of many splines: Bezier pieces of each would cost more than they save
-        return np.asarray(
-            BSpline(np.array(curve.knots), np.array(curve.control_points), curve.degree)(t), dtype=float
-        )
+        rows = BSpline.construct_fast(np.array(curve.knots), np.array(curve.control_points), curve.degree)
+        return np.asarray(rows(t), dtype=float)
     if isinstance(segment, Arc):
         return segment.at((t - segment.start_angle) / segment.sweep)
     return segment.at(t / segment.length)

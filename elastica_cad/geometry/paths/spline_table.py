@@ -63,9 +63,8 @@ class SplineTable:
         p, (first, last) = self.degree, self.domain[which].T
         knots, t = self.knots[which], first * (1 - u) + last * u
         span = np.minimum((knots <= t[:, None]).sum(axis=1), (knots < last[:, None]).sum(axis=1)) - 1
-        *_, (a, b), (point,) = (
-            np.moveaxis(row, 1, 0) for row in _de_boor(knots, self.points[which], span, t, p)
-        )
+        *_, last_but_one, whole = _de_boor(knots, self.points[which], span, t, p)
+        a, b, point = last_but_one[:, 0], last_but_one[:, 1], whole[:, 0]
         each = np.arange(t.size)
         slope = (b - a) * (p / (knots[each, span + 1] - knots[each, span]))[:, None]
         position, velocity = quotient([point[:, :2].T, slope[:, :2].T], [point[:, 2], slope[:, 2]])

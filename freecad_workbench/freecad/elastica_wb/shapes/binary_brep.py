@@ -42,13 +42,15 @@ _KNOT = np.dtype([("place", "<f8"), ("count", "<i4")])
 
 # free, modified, checked, orientable, closed, infinite, convex
 _FLAGS = {
-    _VERTEX: (0, 1, 0, 1, 1, 0, 1),
-    _EDGE: (0, 1, 0, 1, 0, 0, 0),
-    _WIRE: (0, 1, 0, 1, 1, 0, 0),
-    _FACE: (0, 1, 0, 1, 0, 0, 0),
-    _SHELL: (0, 1, 0, 1, 0, 0, 0),
-    _SOLID: (1, 1, 0, 0, 0, 0, 0),
+    (_VERTEX, False): bytes((0, 1, 0, 1, 1, 0, 1)),
+    (_EDGE, False): bytes((0, 1, 0, 1, 0, 0, 0)),
+    (_WIRE, False): bytes((0, 1, 0, 1, 1, 0, 0)),
+    (_FACE, False): bytes((0, 1, 0, 1, 0, 0, 0)),
+    (_SHELL, False): bytes((0, 1, 0, 1, 0, 0, 0)),
+    (_SHELL, True): bytes((0, 1, 0, 1, 1, 0, 0)),
+    (_SOLID, False): bytes((1, 1, 0, 0, 0, 0, 0)),
 }
+_KINDS = [bytes([kind]) for kind in range(_VERTEX + 1)]
 
 
 def brep_bytes(boundary: Boundary) -> bytes:
@@ -97,9 +99,7 @@ class _Tables:
         self, kind: int, geometry: bytes, parts: Sequence[tuple[int, bool]] = (), *, closed: bool = False
     ) -> int:
         """Number of a new shape made of earlier ones, each with its orientation."""
-        flags = list(_FLAGS[kind])
-        flags[4] |= closed
-        self.shapes.append((bytes([kind]) + geometry + bytes(flags), parts))
+        self.shapes.append((_KINDS[kind] + geometry + _FLAGS[kind, closed], parts))
         return len(self.shapes)
 
     def edge(self, edge: Edge, ends: tuple[int, int], traces: Iterable[bytes]) -> int:
@@ -208,7 +208,8 @@ def _trace(trace: StraightTrace | Segment, turn: FloatArray) -> bytes:
 def _trace_ends(trace: StraightTrace | Segment, first: float, last: float) -> FloatArray:
     """Where an edge begins and where it ends, (2, 2)."""
     if isinstance(trace, StraightTrace):
-        return np.array(trace.origin) + np.outer((first, last), trace.direction)
+        (x, y), (dx, dy) = trace.origin, trace.direction
+        return np.array([(x + first * dx, y + first * dy), (x + last * dx, y + last * dy)])
     if isinstance(trace, Spline) and (first, last) == trace.curve.domain:
         return np.array([trace.start, trace.end])
     return on_segment(trace, np.array((first, last)))
