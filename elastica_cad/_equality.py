@@ -30,7 +30,7 @@ def value_key(value: Any) -> Any:
     >>> value_key([1.0, np.array([2.0, 3.0])]) == value_key((1, np.array([2.0, 3.0])))
     True
     """
-    kind = type(value)
+    kind: Any = type(value)
     if kind in _PLAIN:
         return value
     if isinstance(value, np.ndarray):
@@ -46,8 +46,9 @@ def _record_key(record: Any) -> tuple[Any, ...]:
     """That of a record; a frozen one keeps it, as a curve stands in several requests."""
     kept = getattr(record, "__dict__", {}) if record.__dataclass_params__.frozen else {}
     if _KEPT not in kept:
-        names = _compared(type(record)) or ()
-        kept[_KEPT] = type(record), *(value_key(getattr(record, name)) for name in names)
+        kind: Any = type(record)
+        names = _compared(kind) or ()
+        kept[_KEPT] = kind, *(value_key(getattr(record, name)) for name in names)
     key: tuple[Any, ...] = kept[_KEPT]
     return key
 

@@ -117,6 +117,7 @@ def _continuous_ratio(
     rows, offset = family.dense
     program = MinimaxProgram(rows, side_rows=family.side_rows, solver=solver)
     low = high = np.ones(len(rows), dtype=bool)
+    before = np.full(family.freedom, np.nan)
     for _ in range(MAX_ROUNDS):
         program.demand(rows[low], offset[low], rows[high], offset[high])
         answer = program.solve()
@@ -125,6 +126,9 @@ def _continuous_ratio(
         y, ratio = answer
         rows, offset = family.extremes(y)
         values = rows @ y + offset
+        if np.array_equal(y, before):  # what is beyond its bounds still is so by the solver's own tolerance
+            tolerance = BOUNDED
+        before = y
         low, high = values < 1 - tolerance, values > ratio * (1 + tolerance)
         if not (low.any() or high.any()):
             return y, float(max(values.max() / min(1.0, values.min()), ratio))
