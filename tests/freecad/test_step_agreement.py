@@ -16,6 +16,14 @@ def solids(path):
     return sorted(shape.Solids, key=lambda solid: solid.BoundBox.ZLength)
 
 
+def distance(edge, point, t):
+    """From an edge to a point, mm.
+
+    The nearest place that OpenCASCADE finds strays by 1e-7 mm where an edge is flat: it is asked at t as well.
+    """
+    return min((edge.valueAt(t) - point).Length, edge.distToShape(Part.Vertex(point))[0])
+
+
 @pytest.mark.parametrize(
     ("points", "degree"), [([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)], 4), (WAVE, 3)]
 )
@@ -38,5 +46,5 @@ def test_same_strip(document, drawn, tmp_path, points, degree):
         for edge in edges:
             first, last = edge.ParameterRange
             for share in (0.07, 0.31, 0.5, 0.77, 0.96):
-                point = Part.Vertex(edge.valueAt(first + share * (last - first)))
-                assert min(other.distToShape(point)[0] for other in b.Edges) < 1e-9
+                t = first + share * (last - first)
+                assert min(distance(other, edge.valueAt(t), t) for other in b.Edges) < 1e-9
