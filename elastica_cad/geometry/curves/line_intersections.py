@@ -26,12 +26,12 @@ def line_crossings(curve: PlaneCurve, a: float, b: ArrayLike) -> tuple[LineCross
     >>> [(root.kind, round(root.s, 3)) for root in line_crossings(arch, -50, (0, 1))]
     [('touch', 78.54)]
     """
-    normal = finite("b", b)
+    normal, constant = finite("b", b), float(finite("a", a))
     if normal.shape != (2,) or not normal.any():
         raise InputError(f"the normal of a line must be two numbers, not both zero: {normal.tolist()}")
     pieces = curve.bezier_pieces()
     edges = np.array([pieces[0][0], *(end for _, end, _ in pieces)])
-    found = line_places(np.array([piece for *_, piece in pieces]), edges, float(finite("a", a)), normal)
+    found = line_places(np.array([piece for *_, piece in pieces]), edges, constant, normal)
     s = curve.arc_length(np.array([[place.t, place.t_end] for place in found]).reshape(-1, 2))
     return tuple(
         LineCrossing(float(at), p.t, p.kind, float(to), p.t_end, p.before, p.after)
