@@ -189,14 +189,15 @@ def spec_from_options(curve: PlaneCurve, name: str, chosen: Mapping[str, Any]) -
     """
     sheet = asked_sheet(chosen)
     backing = None if chosen["backing"] is None else Sheet.named(chosen["backing"])
+    law = None
+    if chosen["law"] is not None:
+        law = parse_line(chosen["law"], "--law", partial(read_law, sheet=sheet), example=LAW_LINE)
+    label = engravable(name) if chosen["label"] is None else chosen["label"]
     limits, keep = _limits(chosen, sheet), _keep(chosen)
     if limits is None and keep is not None:
         raise InputError(
             "--keep-tangents, --keep-length and other --keep options are for a curve that may change: add --nearest"
         )
-    law = None
-    if chosen["law"] is not None:
-        law = parse_line(chosen["law"], "--law", partial(read_law, sheet=sheet), example=LAW_LINE)
     try:
         return StripSpec(
             curve,
@@ -214,7 +215,7 @@ def spec_from_options(curve: PlaneCurve, name: str, chosen: Mapping[str, Any]) -
             ends=_ends(chosen),
             joint=chosen["joint"],
             slots=chosen["slots"],
-            label=engravable(name) if chosen["label"] is None else chosen["label"],
+            label=label,
             smooth=chosen["smooth"],
             shop=_shop(chosen),
             compensate=chosen["compensate"],
