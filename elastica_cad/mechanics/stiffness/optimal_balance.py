@@ -97,7 +97,7 @@ class WeightedPanels:
         if weight is not None:
             dead, per_stiffness = weight.along(panels.s)
             own += per_stiffness * tau
-        points = point_weights(panels, () if weight is None else weight.masses)
+        points = point_weights(panels, () if weight is None else weight.masses, self.supports)
         return self.carrying(own, dead, points)
 
     def carrying(self, own: FloatArray, dead: FloatArray, points: FloatArray) -> "ConditionedRows":
@@ -114,11 +114,12 @@ class WeightedPanels:
         return ConditionedRows(self.check, self.supports, panels, rows, self.nodes)
 
 
-def point_weights(panels: Panels, masses: Sequence[PointMass]) -> FloatArray:
-    """Newtons (N + 1,) hung on the ends of the panels."""
+def point_weights(panels: Panels, masses: Sequence[PointMass], supports: Supports) -> FloatArray:
+    """Newtons (N + 1,) hung on the ends of the panels; those at an end that is held in place bend nothing."""
     points = np.zeros(panels.count + 1)
     for mass in masses:
         points[int(np.abs(panels.edge_s - mass.at).argmin())] += mass.mass * 1e-3 * STANDARD_GRAVITY_M_S2
+    points[[0, -1]] *= [not (end.x and end.y) for end in supports.ends]
     return points
 
 
@@ -128,6 +129,11 @@ def _least_compliance(load: WeightedPanels, weight: Weight) -> float:
         return _searched_compliance(load, weight)
     problem = load.against(1.0)
     if problem.scale.size == 3:
+        if weight.masses:
+            raise InputError(
+                "what is hung on the rod bends it nowhere (a held end carries it, or its mass is 0): hang it "
+                "between the ends, or leave `weight` out"
+            )
         raise InputError(
             "the weight is proportional to the stiffness, so every bending stiffness will do: leave "
             "`weight` out, or give bending_stiffness"

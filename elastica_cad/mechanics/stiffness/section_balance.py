@@ -101,7 +101,7 @@ class TangentWeight:
 def _settled(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffness:
     """The fixed point on given panels."""
     panels, masses = load.panels, () if load.weight is None else load.weight.masses
-    points = point_weights(panels, masses)
+    points = point_weights(panels, masses, load.supports)
     own = np.full(panels.t.shape, load.gravity.length**-3)
     light = load.carrying(own, np.zeros(own.shape), 0.0 * points)
     balance = light.balance(light.least(light.homogeneous(3)))

@@ -312,6 +312,8 @@ class TestBadInput:
         ({"gravity": LEANING, "weight": Weight(1.0), "bending_stiffness": -5.0}, "must be positive"),
         ({"gravity": LEANING, "weight": Weight(own=True)}, "every bending stiffness will do"),
         ({"gravity": LEANING, "weight": Weight(masses=(PointMass(1e4, 1.0),))}, "does not lie on the curve"),
+        ({"gravity": LEANING, "weight": Weight(masses=(PointMass(0.0, 9.0),))}, "bends it nowhere .* hang it"),
+        ({"gravity": LEANING, "weight": Weight(masses=(PointMass(ELLIPSE.length, 9.0),))}, "bends it nowhere"),
         ({"gravity": LEANING, "weight": Weight(Profile.interpolate([0, 5], [1, 1]))}, "profile is 5 mm long"),
         ({"natural_curvature": np.inf}, "finite number"),
     ])  # fmt: skip
@@ -324,6 +326,13 @@ class TestBadInput:
         with pytest.raises(NotRealizable) as caught:
             optimal_rod(ELLIPSE, supports=supports)
         assert caught.value.check.reasons == check_equilibrium(ELLIPSE, supports).reasons
+
+
+def test_a_mass_on_a_held_end_bends_nothing():
+    carried = optimal_rod(ARCH, LEANING, weight=Weight(1e-5))
+    hung = optimal_rod(ARCH, LEANING, weight=Weight(1e-5, masses=(PointMass(ARCH.length, 50.0),)))
+    assert hung.ratio == pytest.approx(carried.ratio, rel=1e-9)
+    assert hung.bending_stiffness == pytest.approx(carried.bending_stiffness, rel=1e-9)
 
 
 def test_a_rod_says_whether_it_carries_its_weight():
