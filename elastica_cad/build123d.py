@@ -5,7 +5,6 @@ from dataclasses import replace
 from os import PathLike
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias, Unpack, overload
 
-from elastica_cad._types import ArrayLike
 from elastica_cad.errors import InputError, how_to_install
 
 try:
@@ -24,18 +23,20 @@ from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.kernel import occt
 from elastica_cad.kernel.strip_on_path import (
+    BendOptions,
     End,
     FixtureOptions,
     MadeStrip,
+    Point,
     StripBody,
     StripOptions,
     StripWarning,
     curves_on_body,
+    image_of,
     make_fixture_on,
     make_strip_on,
     warn_of_missing_slots,
 )
-from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.bending.between_clamps import angles_in_rad, elastica_between
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -83,8 +84,8 @@ class _Made(StripBody):
         """The strip bent, on its curve; called with new ends it is bent further: `rib.bent(end=(120, 0))`."""
         return _Bent(self)
 
-    def slider(self, end: ArrayLike) -> "Slider":
-        """A joint of this body: the travel of its end to another point, mm, in the plane of the curve."""
+    def slider(self, end: Point) -> "Slider":
+        """A joint of this body: the travel of its end to a point in space, or two numbers in its `frame`, mm."""
         return Slider(self, end)
 
     @property
@@ -117,6 +118,19 @@ class _Made(StripBody):
         """The block that holds an end of the bent strip, in place; `sizes` as in `EndFixture`."""
         return EndFixture(self, end=end, mode=bd.Mode.PRIVATE, **sizes)
 
+    def mirror(self, mirror_plane: bd.Plane | None = None) -> Any:
+        """As `Shape.mirror`; the image knows its strip, which is turned over, and has its rigid joints."""
+        body: Any = self
+        plane = mirror_plane or bd.Plane.XY
+        image = bd.Shape.mirror(body, plane)
+        image._made = self._made.mirrored()
+        image.joints = {}
+        for name, joint in getattr(self, "joints", {}).items():
+            if isinstance(joint, bd.RigidJoint):
+                place = image_of(_frame(joint.location), _frame(plane.location))
+                bd.RigidJoint(name, image, bd.Location(occt.make_location(place)))
+        return image
+
     def scale(self, *args: Any, **options: Any) -> bd.Part | bd.Sketch:
         """As `Shape.scale`: a plain body, as a strip of another size has other numbers."""
         body: Any = self
@@ -141,14 +155,14 @@ class _Bent:
     def __init__(self, owner: _Made) -> None:
         self._owner = owner
 
-    def __call__(self, **moved: Any) -> "BentStrip":
-        """The body; `start`, `end` (mm, in the plane of the curve), `angles` (rad), ... as in `bend`."""
+    def __call__(self, **moved: Unpack[BendOptions]) -> "BentStrip":
+        """The body with its ends led to `start` and `end`: points in space, or two numbers in the `frame` of the
+        body, mm; `angles` (rad in that frame) and all others as in `mechanics.bend`.
+        """
         owner = self._owner
         if not moved:
             return BentStrip(owner, mode=bd.Mode.PRIVATE)
-        strip = replace(owner.strip, rod=bend(owner.rod, **moved))
-        frame = owner.frame
-        return BentStrip(strip, plane=frame, mode=bd.Mode.PRIVATE)
+        return BentStrip(owner._bent_anew(moved), plane=owner.frame, mode=bd.Mode.PRIVATE)
 
 
 class Slider(bd.LinearJoint):
@@ -160,8 +174,8 @@ class Slider(bd.LinearJoint):
     ----------
     rib : BentStrip or PlacedStrip
         Gets the joint.
-    end : (2,) array_like
-        Where the end goes, mm, in the plane of the curve.
+    end : point, or (2,) array_like
+        Where the end goes: a point in space, or two numbers in the rib's `frame`, mm.
 
     Attributes
     ----------
@@ -183,12 +197,12 @@ class Slider(bd.LinearJoint):
     (65.0, 65.0)
     """
 
-    def __init__(self, rib: "_Made", end: ArrayLike) -> None:
+    def __init__(self, rib: "_Made", end: Point) -> None:
         if rib._made.home is None:
             raise InputError("the end of a strip slides when it is bent: take its body .bent() first")
         from elastica_cad.kernel.end_travel import Travel
 
-        self.travel = Travel(rib.strip, rib.frame, end)
+        self.travel = Travel(rib.strip, rib.frame, rib._in_plane(end, "end"))
         place = bd.Location(occt.make_location(self.travel.place))
         super().__init__(
             "slider", rib, bd.Axis(place.position, bd.Plane(place).x_dir), (0.0, self.travel.length)
@@ -200,9 +214,11 @@ class Slider(bd.LinearJoint):
         strip = replace(travel.strip, rod=travel.rod(position))
         return BentStrip(strip, plane=travel.frame, mode=bd.Mode.PRIVATE)
 
-    def write_glb(self, path: str | PathLike[str], **options: Any) -> None:
-        """Write the way there and back as an animation; `frames`, `seconds`, `force` as in `Travel.write_glb`."""
-        self.travel.write_glb(path, **options)
+    def write_glb(
+        self, path: str | PathLike[str], *, frames: int = 25, seconds: float = 4.0, force: bool = False
+    ) -> None:
+        """Write the way there and back as an animation; a file that is there only with `force`."""
+        self.travel.write_glb(path, frames=frames, seconds=seconds, force=force)
 
 
 class StripOutline(_Made, bd.BaseSketchObject):

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypeVar, Unpack
 
 import numpy as np
 
-from elastica_cad._types import ArrayLike
 from elastica_cad.errors import InputError, how_to_install
 
 try:
@@ -28,9 +27,11 @@ from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.kernel import occt
 from elastica_cad.kernel.strip_on_path import (
+    BendOptions,
     End,
     FixtureOptions,
     MadeStrip,
+    Point,
     StripBody,
     StripOptions,
     StripWarning,
@@ -39,7 +40,6 @@ from elastica_cad.kernel.strip_on_path import (
     make_strip_on,
     warn_of_missing_slots,
 )
-from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.bending.between_clamps import angles_in_rad, elastica_between
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -96,14 +96,16 @@ class _Made(StripBody, cq.Shape):
         """The flat pattern as a face."""
         return strip_outline(self)
 
-    def bent(self, **moved: Any) -> "StripSolid | StripCompound":
-        """The strip bent; with `start`, `end` (mm, in the plane of the curve), `angles`, ... bent as by `bend`."""
+    def bent(self, **moved: Unpack[BendOptions]) -> "StripSolid | StripCompound":
+        """The strip bent, with its ends led to `start` and `end` where given: points in space, or two numbers in
+        the `frame` of the body, mm; `angles` (rad in that frame) and all others as in `mechanics.bend`.
+        """
         if not moved:
             return bent_strip(self)
-        return bent_strip(replace(self.strip, rod=bend(self.rod, **moved)), plane=self.frame)
+        return bent_strip(self._bent_anew(moved), plane=self.frame)
 
-    def slider(self, end: ArrayLike) -> "Slider":
-        """The travel of the strip's end to another point (mm, in the plane of the curve)."""
+    def slider(self, end: Point) -> "Slider":
+        """The travel of the strip's end to a point in space, or two numbers in its `frame`, mm."""
         return Slider(self, end)
 
     @property
@@ -151,7 +153,7 @@ class _Made(StripBody, cq.Shape):
         return self._told(super().clean())
 
     def mirror(self, mirrorPlane: Any = "XY", basePointVector: Any = (0, 0, 0)) -> Any:
-        """As `Shape.mirror`; the image still knows its strip."""
+        """As `Shape.mirror`; the image still knows its strip, which is turned over."""
         return super().mirror(mirrorPlane, basePointVector)
 
     def scale(self, factor: float) -> cq.Shape:
@@ -174,6 +176,8 @@ class _Made(StripBody, cq.Shape):
         made = self._told(super()._apply_transform(Tr))
         if isinstance(made, type(self)):
             here, back = self.location(), made.location().inverse
+            if Tr.IsNegative():
+                made._made = self._made.mirrored()
             made._joints = {
                 name: back * _location(_moved(_frame(here * at), Tr)) for name, at in self._joints.items()
             }
@@ -192,8 +196,8 @@ class Slider:
     ----------
     rib : StripSolid or StripCompound
         A bent strip.
-    end : (2,) array_like
-        Where the end goes, mm, in the plane of the curve.
+    end : point, or (2,) array_like
+        Where the end goes: a point in space, or two numbers in the rib's `frame`, mm.
 
     Attributes
     ----------
@@ -217,12 +221,12 @@ class Slider:
     65.0
     """
 
-    def __init__(self, rib: "_Made", end: ArrayLike) -> None:
+    def __init__(self, rib: "_Made", end: Point) -> None:
         if rib._made.home is None:
             raise InputError("the end of a strip slides when it is bent: take its body .bent() first")
         from elastica_cad.kernel.end_travel import Travel
 
-        self.travel = Travel(rib.strip, rib.frame, end)
+        self.travel = Travel(rib.strip, rib.frame, rib._in_plane(end, "end"))
 
     def place(self, position: float) -> cq.Location:
         """Where the end is `position` mm along the way: x along it, z across the strip."""
@@ -239,9 +243,11 @@ class Slider:
         child, _, _ = name.partition("?")
         return assembly.constrain(name, "FixedPoint", at).constrain(child, "FixedRotation", turn)
 
-    def write_glb(self, path: str | PathLike[str], **options: Any) -> None:
-        """Write the way there and back as an animation; `frames`, `seconds`, `force` as in `Travel.write_glb`."""
-        self.travel.write_glb(path, **options)
+    def write_glb(
+        self, path: str | PathLike[str], *, frames: int = 25, seconds: float = 4.0, force: bool = False
+    ) -> None:
+        """Write the way there and back as an animation; a file that is there only with `force`."""
+        self.travel.write_glb(path, frames=frames, seconds=seconds, force=force)
 
 
 class StripFace(_Made, cq.Face):
@@ -584,7 +590,8 @@ def _workplane_strip(
     max_width : float
         As in `strip_outline`.
     form : "flat" or "bent"
-        Flat it lies on the workplane, the start of its free part at the origin; bent it stands on the edges.
+        Flat it lies on the workplane, the start of its free part at the origin; bent it stands on the edges,
+        which are moved to the points of the stack, where there are some.
     combine, clean
         As in `Workplane.eachpoint`.
     **options
@@ -593,8 +600,8 @@ def _workplane_strip(
     Returns
     -------
     Workplane
-        With a strip for every chain of edges on its stack, of a flat one at every point of the stack; their end
-        faces are tagged "start" and "end".
+        With a strip for every chain of edges on its stack, at every point of the stack; their end faces are tagged
+        "start" and "end".
     """
     if form not in ("flat", "bent"):
         raise InputError(f"form {form!r} is not known: choose flat or bent")
@@ -608,17 +615,19 @@ def _workplane_strip(
         records = FlatSolid.layers(made.strip) if form == "flat" else BentSolid.layers(made.strip, made.frame)
         bodies.append(_body(records, made))
     tidy = clean and bool(combine)  # alone the strip is clean, and stays the object that knows its rod
-    flat = form == "flat"
-    places = [item for item in self.objects if flat and not isinstance(item, cq.Edge | cq.Wire)]
-    places = places or [cq.Location()]
+    points = [item for item in self.objects if not isinstance(item, cq.Edge | cq.Wire)]
+    places = points or [cq.Location()]
+    local = form == "flat" or bool(points)  # what is drawn in place stays as it was made
+    if local and form == "bent":
+        bodies = [body.moved(self.plane.location.inverse) for body in bodies]
     left = iter([body for body in bodies for _ in places])
     put = []
 
     def at_place(place: cq.Location) -> StripSolid | StripCompound:
-        put.append(next(left).moved(place) if flat else next(left))
+        put.append(next(left).moved(place) if local else next(left))
         return put[-1]
 
-    made = self.newObject(places * len(bodies)).eachpoint(at_place, flat, combine, tidy)
+    made = self.newObject(places * len(bodies)).eachpoint(at_place, local, combine, tidy)
     for end in ENDS:
         self.newObject([body.end_face(end) for body in put]).tag(end)
     return made

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from functools import cached_property
 from os import PathLike
+from pathlib import Path as FilePath
 
 import numpy as np
 
@@ -94,8 +95,8 @@ class Travel:
 
     def rods(self, frames: int) -> tuple[Rod, ...]:
         """The shapes at even places of the way, both its ends among them, each found from the one before."""
-        if frames < 2:
-            raise InputError(f"a travel of {frames} frames shows no motion: give 2 or more")
+        if not isinstance(frames, int) or frames < 2:
+            raise InputError(f"a travel of {frames} frames shows no motion: give a whole number, 2 or more")
         shares = np.linspace(0.0, 1.0, frames)[1:, None]
         return (self._rod, *bend_path(self._rod, self._rod.position[-1] + shares * self._way))
 
@@ -129,8 +130,13 @@ class Travel:
         Raises
         ------
         InputError
-            Fewer than two frames, no time, or a file that is there already or cannot be written.
+            Fewer than two frames, no time, a name without .glb, or a file that is there already or cannot be
+            written.
         """
+        if FilePath(path).suffix.lower() != ".glb":
+            raise InputError(
+                f"{FilePath(path).name}: animations are written as binary glTF: name the file .glb"
+            )
         if not (np.isfinite(seconds) and seconds > 0):
             raise InputError(f"an animation of {seconds} s shows nothing: give a positive number of seconds")
         rods = self.rods(frames)

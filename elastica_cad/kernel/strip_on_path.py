@@ -1,12 +1,17 @@
 """The strip of a curve drawn in a CAD kernel, given as numbers, or made before; and what its bodies tell."""
 
+import sys
 import warnings
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from difflib import get_close_matches
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypedDict
+from math import hypot
+from typing import TYPE_CHECKING, Any, Literal, Protocol, TypeAlias, TypedDict
 
+import numpy as np
+
+from elastica_cad._types import ArrayLike
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.slots.slot import Slot
@@ -20,6 +25,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.drawn_edges import plane_curve
 from elastica_cad.kernel.occt import Shape, make_face, make_solid
+from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -37,6 +43,12 @@ if TYPE_CHECKING:
     from elastica_cad.forming.plane_sections.section_curves import SectionCurve
 
 End: TypeAlias = Literal["start", "end"]
+
+LIBRARIES = ("elastica_cad", "build123d", "cadquery")
+"""Between the user's line and what goes wrong."""
+
+OFF_PLANE_MM = 1e-4
+"""How far a point given in space may lie off the curve's plane."""
 
 KEPT_REQUESTS = 64  # requests whose strips are kept: a few models' worth
 FIXTURE_SIZES = ("clearance", "wall", "foot", "foot_height", "screw")
@@ -95,6 +107,38 @@ class FixtureOptions(StripOptions, total=False):
     screw: float
 
 
+class TupleLike(Protocol):
+    """A vector of CadQuery."""
+
+    def toTuple(self) -> tuple[float, float, float]:  # noqa: D102
+        ...
+
+
+Point: TypeAlias = Iterable[float] | TupleLike
+"""In space, or two numbers in the frame of a body, mm."""
+
+
+class BendOptions(TypedDict, total=False):
+    """Where the ends of a strip are led, as in `mechanics.bend`.
+
+    `start` and `end` are points in space (three numbers, a vector of the library), or two numbers in the body's
+    `frame`, mm; `angles` are rad in that frame, None where an end is to turn freely.
+    """
+
+    start: "Point | None"
+    end: "Point | None"
+    angles: "tuple[float | None, float | None] | ArrayLike | None"
+    gravity: Any
+    supports: Supports | None
+    force: ArrayLike | None
+    moment: float | tuple[float, float] | None
+    guess: Any
+    side: int | None
+    mode: int
+    samples: int | None
+    settle: bool
+
+
 @dataclass(frozen=True, eq=False)
 class MadeStrip:
     """A strip and where it lies; copies of a shape share it.
@@ -117,6 +161,10 @@ class MadeStrip:
 
     def __deepcopy__(self, memo: dict[int, Any]) -> "MadeStrip":
         return self
+
+    def mirrored(self) -> "MadeStrip":
+        """That of a body's image: across, the strip is the other way round."""
+        return replace(self, strip=self.strip.mirrored())
 
     @property
     def face(self) -> Shape:
@@ -170,6 +218,37 @@ class StripBody:
         """The strip in its place, for `Model`."""
         frame = self.frame
         return Placed(self.strip, frame.origin, frame.x_axis, frame.y_axis)
+
+    def _bent_anew(self, moved: BendOptions) -> Strip:
+        """The strip with its ends led elsewhere; what it then suffers is told."""
+        _refuse_others(moved, BendOptions, "bending a strip")
+        led: dict[str, Any] = dict(moved)
+        for name in ("start", "end"):
+            if led.get(name) is not None:
+                led[name] = self._in_plane(led[name], name)
+        strip = replace(self.strip, rod=bend(self.rod, **led))
+        _warn_of_strain(strip)
+        return strip
+
+    def _in_plane(self, point: Point, name: str) -> tuple[float, ...]:
+        """A point in space in the plane of the curve; two numbers are taken as they are."""
+        try:
+            numbers: Any = point.toTuple() if hasattr(point, "toTuple") else point
+            row = tuple(map(float, numbers))
+        except (TypeError, ValueError):
+            row = ()
+        if len(row) == 2:
+            return row
+        if len(row) != 3:
+            raise InputError(
+                f"{name} is {point!r}: give a point in space, or two numbers in the strip's frame, mm"
+            )
+        x, y, z = self.frame.local(row).tolist()
+        if abs(z) > OFF_PLANE_MM * max(1.0, hypot(x, y) / 100):
+            raise InputError(
+                f"{name} lies {abs(z):.4g} mm off the plane in which the strip bends: give a point in it"
+            )
+        return x, y
 
     def _layers(self) -> Iterator[tuple[Shape, str, Sheet]]:
         """The bent sheets, the base first: TopoDS_Solid, name, material."""
@@ -238,13 +317,16 @@ def make_strip_on(
     spec = StripSpec(curve, sheet, frame, **asked)
     with told_in_python(spec.curve, spec.may_change):
         strip, deviation = _made(spec)
-    for layer in strip.strains:
-        if layer.exceeded:
-            text = next(text for text in strip.warnings if text.startswith("strain"))
-            warnings.warn(text, StripWarning, stacklevel=4)
-            break
+    _warn_of_strain(strip)
     _warn_of_contact(strip)
     return MadeStrip(strip, frame, deviation)
+
+
+def image_of(frame: Frame, mirror: Frame) -> Frame:
+    """The mirror image of a frame in the xy plane of another: x and z are kept, as frames are right-handed."""
+    n = mirror.z_axis
+    x, z = (axis - 2 * (axis @ n) * n for axis in (frame.x_axis, frame.z_axis))
+    return Frame(frame.origin - 2 * ((frame.origin - mirror.origin) @ n) * n, x, np.cross(z, x))
 
 
 def make_fixture_on(
@@ -289,7 +371,7 @@ def curves_on_body(body: Any, planes: Any, *, half: bool = False) -> "tuple[Sect
         planes = SectionSpec(GivenCuts(tuple(map(_frame_of, rows))), half=half)
     curves, reports = planes.curves(shape_surface(getattr(body, "wrapped", body)))
     for text in reports:
-        warnings.warn(text, StripWarning, stacklevel=3)
+        _warn(text)
     found: tuple[SectionCurve, ...] = curves
     return found
 
@@ -299,7 +381,7 @@ def warn_of_missing_slots(placed: Sequence[Placed]) -> None:
     from elastica_cad.fabrication.interlocking.missing_slots import missing_slots
 
     for text in missing_slots(placed):
-        warnings.warn(text, StripWarning, stacklevel=3)
+        _warn(text)
 
 
 @lru_cache(maxsize=KEPT_REQUESTS)
@@ -311,17 +393,39 @@ def _made(spec: "StripSpec") -> tuple[Strip, float]:
     return spec.make(found), found.deviation if isinstance(found, NearestRod) else 0.0
 
 
+def _warn_of_strain(strip: Strip) -> None:
+    """Tell of a strip that is strained beyond what its sheet takes."""
+    if any(layer.exceeded for layer in strip.strains):
+        _warn(next(text for text in strip.warnings if text.startswith("strain")))
+
+
+def _warn(text: str) -> None:
+    """Warn at the line of the user's script, however deep we are."""
+    depth, caller = 2, sys._getframe(1)
+    while caller.f_back is not None and str(caller.f_globals.get("__name__")).split(".")[0] in LIBRARIES:
+        depth, caller = depth + 1, caller.f_back
+    warnings.warn(text, StripWarning, stacklevel=depth)
+
+
 def _warn_of_contact(strip: Strip) -> None:
     """Tell of a strip that meets itself when it is bent."""
     meeting = self_contact(strip)
     if meeting is not None:
         low, high = meeting
-        warnings.warn(
+        _warn(
             f"bent, the strip runs through itself: {low:.1f} mm along it meets {high:.1f} mm (tabs lie below 0 "
-            f"and beyond {strip.rod.length:.1f}); shorten the tabs, open the curve, or cut a slot there",
-            StripWarning,
-            stacklevel=5,
+            f"and beyond {strip.rod.length:.1f}); shorten the tabs, open the curve, or cut a slot there"
         )
+
+
+def _refuse_others(asked: Mapping[str, Any], known: type, what: str) -> None:
+    """Names that a dict of options does not have, with the nearest that it has."""
+    names = sorted(known.__annotations__)
+    for name in asked:
+        if name not in names:
+            near = get_close_matches(name, names, n=1)
+            hint = f"did you mean {near[0]}?" if near else f"there are {', '.join(names)}"
+            raise UnknownOptionError(f"{name} is no option of {what}: {hint}")
 
 
 def _refuse_unknown(asked: Mapping[str, Any], sizes: Sequence[str] = ()) -> None:

@@ -183,7 +183,7 @@ class TestCadQuery:
             ),
             "walls is no option of a fixture: did you mean wall": lambda: rib.fixture(walls=3),
             "not 'middle'": lambda: rib.end_face("middle"),
-            "end must be two finite numbers": lambda: rib.bent(end="x"),
+            "give a point in space, or two numbers": lambda: rib.bent(end="x"),
             "face, shell or solid, not int": lambda: section_strips(5, cq.Plane.XZ(), SHEET, max_width=9),
             "plane is 'XZ'": lambda: section_strips(ball, "XZ", SHEET, max_width=9),
             "angles must be two": lambda: elastica((0, 0), (10, 0), 50, angles=30),

@@ -216,10 +216,11 @@ class Strip:
         return self if label == self.label else replace(self, label=label)
 
     def mirrored(self) -> "Strip":
-        """The strip turned over about its centre line (y to -y), bent into the same curve."""
-        start, end = self.ends
-        slots = tuple(slot.mirrored() for slot in self.slots)
-        return replace(self, ends=(start.mirrored(), end.mirrored()), slots=slots)
+        """The strip turned over about its centre line (y to -y), bent into the same curve; itself if it is even."""
+        start, end = (tab.mirrored() for tab in self.ends)
+        if not self.slots and (start, end) == self.ends:
+            return self
+        return replace(self, ends=(start, end), slots=tuple(slot.mirrored() for slot in self.slots))
 
     @cached_property
     def is_closed(self) -> bool:

@@ -90,7 +90,7 @@ class Tab:
         mm; the strip's own width at that end where not given.
     corner_radius, chamfer : float
         Rounding or chamfer of the two outer corners, mm (one or the other).
-    holes : tuple of Hole
+    holes : Hole or tuple of Hole
         Round holes.
     t_slot : TSlot, optional
         A slot for a screw with its nut.
@@ -117,6 +117,8 @@ class Tab:
     taper: float = 0.0
 
     def __post_init__(self) -> None:
+        if isinstance(self.holes, Hole):
+            object.__setattr__(self, "holes", (self.holes,))
         sizes = {
             "length": self.length,
             "corner radius": self.corner_radius,

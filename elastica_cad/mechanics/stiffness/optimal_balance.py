@@ -132,7 +132,7 @@ def _least_compliance(load: WeightedPanels, weight: Weight) -> float:
         if weight.masses:
             raise InputError(
                 "what is hung on the rod bends it nowhere (a held end carries it, or its mass is 0): hang it "
-                "between the ends, or leave `weight` out"
+                "between the ends, or leave it out"
             )
         raise InputError(
             "the weight is proportional to the stiffness, so every bending stiffness will do: leave "

@@ -2403,6 +2403,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>what is hung on the rod bends it nowhere (a held end carries it, or its mass is 0): hang it between the ends, or leave it out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>a laminate that carries its weight must stand upright and weigh what its sheets do: turn its plane, give gravity=True or the base sheet's gravity, or leave gravity out</source>
         <translation type="unfinished"></translation>
     </message>

@@ -2415,6 +2415,10 @@
         <translation>%1 Um es trotzdem zu machen, Anyway setzen.</translation>
     </message>
     <message>
+        <source>what is hung on the rod bends it nowhere (a held end carries it, or its mass is 0): hang it between the ends, or leave it out</source>
+        <translation>was am Stab hängt, biegt ihn nirgends (ein gehaltenes Ende trägt es, oder seine Masse ist 0): es zwischen die Enden hängen oder weglassen</translation>
+    </message>
+    <message>
         <source>a laminate that carries its weight must stand upright and weigh what its sheets do: turn its plane, give gravity=True or the base sheet's gravity, or leave gravity out</source>
         <translation>ein Laminat, das sein Gewicht trägt, muss aufrecht stehen und wiegen, was seine Platten wiegen: seine Ebene drehen oder die Schwerkraft weglassen</translation>
     </message>

@@ -2415,6 +2415,10 @@
         <translation>%1 若仍要制作，请设置 Anyway。</translation>
     </message>
     <message>
+        <source>what is hung on the rod bends it nowhere (a held end carries it, or its mass is 0): hang it between the ends, or leave it out</source>
+        <translation>挂在杆上的重物没有使杆弯曲（它由固定的一端承受，或其质量为 0）：请把它挂在两端之间，或去掉它</translation>
+    </message>
+    <message>
         <source>a laminate that carries its weight must stand upright and weigh what its sheets do: turn its plane, give gravity=True or the base sheet's gravity, or leave gravity out</source>
         <translation>承受自重的层压条必须竖立，且重量等于其板材：转动其平面，或去掉重力</translation>
     </message>

@@ -422,14 +422,14 @@ def style_commands(document, strip):
 
 
 def long_work():
-    """A strip with a thousand holes takes seconds: a bar shows, and Escape leaves a sentence."""
+    """A strip with thousands of holes takes seconds: a bar shows, and Escape leaves a sentence."""
     from freecad.elastica_wb.features import strip
 
     document = App.newDocument("Long")
     made = strip.create(document, sketch(document, ARCH))
     document.recompute()
     volume = made.Shape.Volume
-    made.Style, made.Columns, made.Rows = "Perforated", 4, 44
+    made.Style, made.Columns, made.Rows = "Perforated", 8, 88
     seen, pressed = [], []
 
     def look():
