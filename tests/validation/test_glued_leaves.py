@@ -171,7 +171,7 @@ def test_fifty_stacks_rest_where_they_should():
         told = -stack.force[0] * stack.bending_stiffness
         found.append((shape, place, np.hypot(*(force - told)) / np.hypot(*told)))
     shape, place, force = np.array(found).max(axis=0)
-    assert shape < 5e-5  # of the length; asked is 1e-4
+    assert shape < 1e-4  # of the length, as asked: where a search for leaves ends hangs on rounding
     assert place < 1e-3  # of the chord; asked is 5e-3
     assert force < 2e-3  # asked is 1e-2
 
