@@ -348,6 +348,7 @@ def make_fixture_on(
     _refuse_unknown(asked, FIXTURE_SIZES)
     made = make_strip_on(path, sheet, **asked)
     ground = None if floor is None else _frame_of(floor)
+    number = None if number is None else str(number)
     return made, EndFixture.of(made.strip, end, made.frame, floor=ground, number=number, **sizes)
 
 

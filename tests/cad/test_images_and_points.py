@@ -84,6 +84,10 @@ class TestBuild123d:
             warnings.simplefilter("error")
             rib.bent(end=(119, 0))
 
+    def test_a_fixture_may_be_numbered_by_a_number(self, rib):
+        one, other = (rib.fixture("end", number=number).volume for number in (7, "7"))
+        assert one == other < rib.fixture("end", number="").volume
+
     def test_an_animation_has_its_own_ending(self, rib, tmp_path):
         slider = rib.slider(end=(110, 0))
         with pytest.raises(ec.InputError, match=r"rib.gltf: .* name the file .glb"):
