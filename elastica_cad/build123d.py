@@ -22,21 +22,16 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.kernel import occt
+from elastica_cad.kernel.strip_body import BendOptions, MadeStrip, Point, StripBody
 from elastica_cad.kernel.strip_on_path import (
-    BendOptions,
     End,
     FixtureOptions,
-    MadeStrip,
-    Point,
-    StripBody,
     StripOptions,
-    StripWarning,
     curves_on_body,
-    image_of,
     make_fixture_on,
     make_strip_on,
-    warn_of_missing_slots,
 )
+from elastica_cad.kernel.strip_warnings import StripWarning, warn_of_missing_slots
 from elastica_cad.mechanics.bending.between_clamps import angles_in_rad, elastica_between
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -122,12 +117,13 @@ class _Made(StripBody):
         """As `Shape.mirror`; the image knows its strip, which is turned over, and has its rigid joints."""
         body: Any = self
         plane = mirror_plane or bd.Plane.XY
+        turn = occt.mirror_in(_frame(plane.location))
         image = bd.Shape.mirror(body, plane)
         image._made = self._made.mirrored()
         image.joints = {}
         for name, joint in getattr(self, "joints", {}).items():
             if isinstance(joint, bd.RigidJoint):
-                place = image_of(_frame(joint.location), _frame(plane.location))
+                place = occt.moved_frame(_frame(joint.location), turn)
                 bd.RigidJoint(name, image, bd.Location(occt.make_location(place)))
         return image
 

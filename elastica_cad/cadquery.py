@@ -7,8 +7,6 @@ from os import PathLike
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypeVar, Unpack
 
-import numpy as np
-
 from elastica_cad.errors import InputError, how_to_install
 
 try:
@@ -26,20 +24,16 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.kernel import occt
+from elastica_cad.kernel.strip_body import BendOptions, MadeStrip, Point, StripBody
 from elastica_cad.kernel.strip_on_path import (
-    BendOptions,
     End,
     FixtureOptions,
-    MadeStrip,
-    Point,
-    StripBody,
     StripOptions,
-    StripWarning,
     curves_on_body,
     make_fixture_on,
     make_strip_on,
-    warn_of_missing_slots,
 )
+from elastica_cad.kernel.strip_warnings import StripWarning, warn_of_missing_slots
 from elastica_cad.mechanics.bending.between_clamps import angles_in_rad, elastica_between
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -179,7 +173,8 @@ class _Made(StripBody, cq.Shape):
             if Tr.IsNegative():
                 made._made = self._made.mirrored()
             made._joints = {
-                name: back * _location(_moved(_frame(here * at), Tr)) for name, at in self._joints.items()
+                name: back * _location(occt.moved_frame(_frame(here * at), Tr))
+                for name, at in self._joints.items()
             }
         return made
 
@@ -692,14 +687,6 @@ def _dressed(shape: S, joints: Mapping[str, Frame], made: MadeStrip) -> S:
 def _frame(location: cq.Location) -> Frame:
     plane = cq.Plane(location)
     return Frame(plane.origin.toTuple(), plane.xDir.toTuple(), plane.yDir.toTuple())
-
-
-def _moved(frame: Frame, transformation: Any) -> Frame:
-    """The frame moved, turned or mirrored; of an image x and z are kept, as frames are right-handed."""
-    axes = occt.plane_axes_of(frame).Transformed(transformation)
-    x, z = (np.array([d.X(), d.Y(), d.Z()]) for d in (axes.XDirection(), axes.Direction()))
-    at = axes.Location()
-    return Frame((at.X(), at.Y(), at.Z()), x, np.cross(z, x))
 
 
 def _plain(name: str) -> str:

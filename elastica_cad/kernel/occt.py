@@ -348,6 +348,23 @@ def _dir(direction: FloatArray) -> Any:
     return kernel().gp_Dir(*direction.tolist())
 
 
+def moved_frame(frame: Frame, motion: Any) -> Frame:
+    """The frame after a gp_Trsf that moves, turns or mirrors; of an image x and z are kept, as frames are
+    right-handed.
+    """
+    axes = plane_axes_of(frame).Transformed(motion)
+    x, z = (np.array([d.X(), d.Y(), d.Z()]) for d in (axes.XDirection(), axes.Direction()))
+    at = axes.Location()
+    return Frame((at.X(), at.Y(), at.Z()), x, np.cross(z, x))
+
+
+def mirror_in(plane: Frame) -> Any:
+    """The gp_Trsf that mirrors in the xy plane of a frame."""
+    motion = kernel().gp_Trsf()
+    motion.SetMirror(plane_axes_of(plane).Ax2())
+    return motion
+
+
 def plane_axes_of(frame: Frame) -> Any:
     """The frame's origin, normal and x axis for the kernel."""
     return kernel().gp_Ax3(_pnt(frame.origin), _dir(frame.z_axis), _dir(frame.x_axis))

@@ -7,7 +7,7 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.kernel.strip_on_path import StripWarning
+from elastica_cad.kernel.strip_warnings import StripWarning
 
 SHEET = "polypropylene-0.8"
 CURVE = PlaneCurve.spline([(0, 0), (20, 50), (60, 75), (100, 50), (120, 0)])
@@ -80,9 +80,14 @@ class TestBuild123d:
         with pytest.warns(StripWarning, match="strain") as told:
             rib.bent(end=(20, 0))
         assert {one.filename for one in told} == {__file__}
+        slider = rib.slider(end=(20, 0))
+        with pytest.warns(StripWarning, match="strain") as told:
+            slider.bent(slider.travel.length)
+        assert {one.filename for one in told} == {__file__}
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             rib.bent(end=(119, 0))
+            slider.bent(1)
 
     def test_a_fixture_may_be_numbered_by_a_number(self, rib):
         one, other = (rib.fixture("end", number=number).volume for number in (7, "7"))

@@ -1,0 +1,179 @@
+"""What bodies of strips tell in every kernel, and how they are bent anew."""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+from math import hypot
+from typing import Any, Protocol, TypeAlias, TypedDict
+
+from elastica_cad._types import ArrayLike
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.solids.smooth_pieces import in_smooth_pieces
+from elastica_cad.fabrication.solids.strip_solids import BentSolid, bent_sheets
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.kernel.occt import Shape, make_face, make_solid
+from elastica_cad.kernel.unknown_options import refuse_unknown
+from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
+
+OFF_PLANE_MM = 1e-4
+"""How far a point given in space may lie off the curve's plane."""
+
+
+class TupleLike(Protocol):
+    """A vector of CadQuery."""
+
+    def toTuple(self) -> tuple[float, float, float]:
+        """Its coordinates."""
+
+
+Point: TypeAlias = Iterable[float] | TupleLike
+"""In space, or two numbers in the frame of a body, mm."""
+
+
+class BendOptions(TypedDict, total=False):
+    """Where the ends of a strip are led, as in `mechanics.bend`.
+
+    `start` and `end` are points in space (three numbers, a vector of the library), or two numbers in the body's
+    `frame`, mm; `angles` are rad in that frame, None where an end is to turn freely.
+    """
+
+    start: "Point | None"
+    end: "Point | None"
+    angles: "tuple[float | None, float | None] | ArrayLike | None"
+    gravity: Any
+    supports: Supports | None
+    force: ArrayLike | None
+    moment: float | tuple[float, float] | None
+    guess: Any
+    side: int | None
+    mode: int
+    samples: int | None
+    settle: bool
+
+
+@dataclass(frozen=True, eq=False)
+class MadeStrip:
+    """A strip and where it lies; copies of a shape share it.
+
+    Attributes
+    ----------
+    strip : Strip
+    frame : Frame
+        The plane of its curve.
+    deviation : float
+        How far limits moved the strip off the drawn curve, mm.
+    home : Frame or None
+        The joint "start" as it was made of a body that stands on the curve; None for others.
+    """
+
+    strip: Strip
+    frame: Frame
+    deviation: float = 0.0
+    home: Frame | None = None
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> "MadeStrip":
+        return self
+
+    def mirrored(self) -> "MadeStrip":
+        """That of a body's image: across, the strip is the other way round."""
+        return replace(self, strip=self.strip.mirrored())
+
+    @property
+    def face(self) -> Shape:
+        """The flat pattern as a TopoDS_Face."""
+        outline, *holes = (in_smooth_pieces(loop) for loop in (self.strip.outline, *self.strip.holes))
+        return make_face(outline, holes)
+
+
+class StripBody:
+    """What a body of a strip tells about it, in every kernel."""
+
+    _made: MadeStrip
+
+    def _start(self) -> Frame | None:
+        """Where the joint "start" lies now; None where the body has none."""
+        raise NotImplementedError
+
+    @property
+    def strip(self) -> Strip:
+        """The strip: widths, outline, strain, mass."""
+        return self._made.strip
+
+    @property
+    def deviation(self) -> float:
+        """How far limits moved the strip off the drawn curve, mm."""
+        return self._made.deviation
+
+    @property
+    def frame(self) -> Frame:
+        """The plane in which the curve of the bent strip lies: moved with a bent body, as drawn for others."""
+        home, now = self._made.home, self._start()
+        return self._made.frame if home is None or now is None else self._made.frame.carried(home, now)
+
+    @property
+    def rod(self) -> Rod:
+        """The bent rod: shape, stiffness, moment, force."""
+        return self.strip.rod
+
+    @property
+    def check(self) -> EquilibriumCheck | None:
+        """The verdict of Theorem 1 on the drawn curve, where one was asked for."""
+        return self.rod.check
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What a maker should know before cutting."""
+        return self.strip.warnings
+
+    @property
+    def placed(self) -> Placed:
+        """The strip in its place, for `Model`."""
+        frame = self.frame
+        return Placed(self.strip, frame.origin, frame.x_axis, frame.y_axis)
+
+    def _bent_anew(self, moved: BendOptions) -> Strip:
+        """The strip with its ends led elsewhere."""
+        refuse_unknown(moved, BendOptions.__annotations__, "bending a strip")
+        led: dict[str, Any] = dict(moved)
+        for name in ("start", "end"):
+            if led.get(name) is not None:
+                led[name] = self._in_plane(led[name], name)
+        return replace(self.strip, rod=bend(self.rod, **led))
+
+    def _in_plane(self, point: Point, name: str) -> tuple[float, ...]:
+        """A point in space in the plane of the curve; two numbers are taken as they are."""
+        try:
+            numbers: Any = point.toTuple() if hasattr(point, "toTuple") else point
+            row = tuple(map(float, numbers))
+        except (TypeError, ValueError):
+            row = ()
+        if len(row) == 2:
+            return row
+        if len(row) != 3:
+            raise InputError(
+                f"{name} is {point!r}: give a point in space, or two numbers in the strip's frame, mm"
+            )
+        x, y, z = self.frame.local(row).tolist()
+        if abs(z) > OFF_PLANE_MM * max(1.0, hypot(x, y) / 100):
+            raise InputError(
+                f"{name} lies {abs(z):.4g} mm off the plane in which the strip bends: give a point in it"
+            )
+        return x, y
+
+    def _layers(self) -> Iterator[tuple[Shape, str, Sheet]]:
+        """The bent sheets, the base first: TopoDS_Solid, name, material."""
+        from elastica_cad.fabrication.model.assembly import bent_names
+
+        names = bent_names(self.strip.label or "strip", self.strip)
+        records = BentSolid.layers(self.strip, self.frame)
+        for record, name, sheet in zip(records, names, bent_sheets(self.strip), strict=True):
+            yield make_solid(record), name, sheet
+
+    def _require_backing(self) -> None:
+        if len(self.strip.layers) == 1:
+            raise InputError("the strip has no backing: give style=Laminated(width=..., backing=...)")
