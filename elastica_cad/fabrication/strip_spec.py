@@ -174,7 +174,7 @@ class StripSpec(EqualByValue):
                 self.style,
                 self.ends,
                 self.slots,
-                sized=bool(self.max_width or self.min_width),
+                sized=sized,
             )
         elif isinstance(self.style, Plain) and not (sized or self.loads):
             raise InputError(NO_WIDTH)

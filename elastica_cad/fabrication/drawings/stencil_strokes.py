@@ -2,7 +2,8 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from math import atan2, hypot
+from math import atan2, dist
+from typing import TypeAlias
 
 import numpy as np
 
@@ -10,6 +11,9 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment
+
+Joints: TypeAlias = dict[tuple[int, int], float]
+"""Of two segments, by number, the first of which ends where the second starts and goes on: the turn, rad."""
 
 LEAST, STUB = 0.55, 0.38
 """Length of what is left of a piece beside others, in widths: of one of three widths or more a stub stays."""
@@ -91,10 +95,6 @@ def stencil_strokes(strokes: Sequence[Path], width: float, gap: float) -> list[S
     return _going_on(segments, joints, kept)
 
 
-Joints = dict[tuple[int, int], float]
-"""Of two segments, by number, the first of which ends where the second starts and goes on: the turn, rad."""
-
-
 def _segments(strokes: Sequence[Path], width: float) -> tuple[list[Line | Arc], Joints]:
     """All segments, and which go on in each other."""
     segments: list[Line | Arc] = []
@@ -121,7 +121,7 @@ def _in_one(segments: list[Line | Arc]) -> list[Line | Arc]:
 
 def _turn(one: Line | Arc, after: Line | Arc, width: float) -> float | None:
     """The turn from a segment to that which follows, if grooves along them can go on in each other."""
-    if hypot(*(one.end - after.start)) > LEAST_TURN:
+    if not _same(one.end, after.start):
         return None
     (a, b), (c, d) = one.tangent_at(1.0).tolist(), after.tangent_at(0.0).tolist()
     turn = atan2(a * d - b * c, a * c + b * d)
@@ -157,7 +157,7 @@ def _going_on(
 
 
 def _same(a: FloatArray, b: FloatArray) -> bool:
-    return hypot(*(a - b)) < LEAST_TURN
+    return dist(a, b) < LEAST_TURN
 
 
 def _neighbours(segments: Sequence[Line | Arc], reach: float) -> list[list[int]]:

@@ -80,14 +80,9 @@ class RoundGroove:
                 # the mitre's plane halves the corner
                 c, s = cos(turn / 2), sin(turn / 2)
                 x, y = self.way.tangent_at(place).tolist()
-                normal = way * np.array([c * x - way * s * y, way * s * x + c * y])
+                away = self.frame.direction([way * c * x - s * y, s * x + way * c * y])
+                plane = Frame(self.frame.point(self.way.at(place)), away, np.cross(self.frame.z_axis, away))
                 size = 4 * self.radius
-                corner = self.frame.point(self.way.at(place))
-                plane = Frame(
-                    corner,
-                    self.frame.direction(normal),
-                    np.cross(self.frame.z_axis, self.frame.direction(normal)),
-                )
                 block = Path.rectangle(size, 2 * size, corner=(0.0, -size))
                 found.append(FlatSolid(block, (), 2 * size, plane.shifted(z=-size)))
         return tuple(found)
