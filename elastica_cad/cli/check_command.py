@@ -15,7 +15,7 @@ from elastica_cad.cli.asking.asked_curves import (
 from elastica_cad.cli.asking.options import smooth_option
 from elastica_cad.cli.asking.support_options import support_options
 from elastica_cad.cli.running.typed_command import MOST_CURES
-from elastica_cad.cli.running.voice import answer, say, warn
+from elastica_cad.cli.running.voice import answer, say, voice, warn
 from elastica_cad.errors import ElasticaError
 from elastica_cad.formats.reports.check_report import report_check
 from elastica_cad.forming.fairing_request import smooth_curve
@@ -53,7 +53,7 @@ def check(
     smooth curve.
     """
     asked = asked_curves(curve, unit, number, layer, every=True, split=split_corners)
-    supports, worst = Supports(start, end), 0
+    of_file, supports, worst = list(voice().notes), Supports(start, end), 0
     answers: list[dict[str, Any]] = []
     several = max(asked[0].count, len(asked)) > 1
     for one in asked:
@@ -78,7 +78,7 @@ def check(
             warn(said)
         else:
             say(f"{head}{said}")
-    answer(answers)
+    answer([one | {"notes": [*of_file, *one.get("notes", ())]} for one in answers])
     if worst:
         ctx.exit(worst)
 

@@ -10,6 +10,7 @@ from elastica_cad.cli.asking.options import holding_option, output_options
 from elastica_cad.cli.running.voice import answer, say, say_step, voice, warn
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
 from elastica_cad.files import read_curves, read_surface
+from elastica_cad.formats.curve_files.drawn_file import CurveList
 from elastica_cad.formats.design_files.design_file import read_design
 from elastica_cad.geometry.paths.point_distance import largest_deviation
 from elastica_cad.kit.kit_contents import Kit, kit_of
@@ -62,7 +63,7 @@ def model(
     everything has succeeded, or none. The fastest way to the nested sheets alone:
     --no-parts --no-effects --no-pictures --no-step.
     """
-    read = read_design(design, read_curves, read_surface, below=below)
+    read = read_design(design, _read_told, read_surface, below=below)
     read = read.nearest() if nearest else read
     read = read.made_anyway() if anyway else read
     if holding is not None:
@@ -75,6 +76,15 @@ def model(
     write_kit(kit, output, step=step, pictures=pictures, parts=parts, force=force,
               done=lambda name, total: say_step(f"wrote {name}", next(files), total))  # fmt: skip
     _tell(kit, output, step=step, pictures=pictures)
+
+
+def _read_told(path: Path, *, unit: str | None = None) -> CurveList:
+    """The curves of a file, told where their size is in doubt."""
+    curves = read_curves(path, unit=unit)
+    told = f"{path.name}: {curves.file.size}"
+    if curves.file.size and told not in voice().notes:  # many strips may be drawn in one file
+        warn(told)
+    return curves
 
 
 def _tell(kit: Kit, output: Path, *, step: bool, pictures: bool) -> None:

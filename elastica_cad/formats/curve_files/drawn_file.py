@@ -5,6 +5,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from pathlib import Path
 
+from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.formats.curve_files.chains import curve_from_run, join_runs
 from elastica_cad.formats.curve_files.edges import Run, Source
@@ -98,7 +99,8 @@ class DrawnFile:
     skipped : mapping
         What was left out, by name, and how often: {"TEXT": 3}.
     size : str
-        How large its units were taken, as one sentence, where that is not written in it; else empty.
+        How large its units were taken, as one sentence, where that is not written in it, or makes its curves of a
+        size that strips do not have; else empty.
 
     Raises
     ------
@@ -204,6 +206,7 @@ def collect_curves(
     fit_tolerance: float,
     shown: Provenance | None = None,
     flat: Callable[[Run, float], Run] | None = None,
+    doubt: Callable[[Iterable[Iterable[FloatArray]]], str] = lambda _: "",
 ) -> DrawnFile:
     """The curves of a file that draws runs of edges, joined where their ends meet.
 
@@ -215,6 +218,8 @@ def collect_curves(
         Of joints, and of polylines' vertices, mm.
     flat : callable, optional
         Brings edges in space into their plane.
+    doubt : callable, optional
+        What is said of the size of the curves, as `DrawnFile.size`.
 
     Raises
     ------
@@ -237,7 +242,8 @@ def collect_curves(
         DrawnCurve(number, partial(make, chain), source.name, source.layer)
         for number, (chain, source) in enumerate(zip(chains, sources, strict=True), start=1)
     ]
-    return DrawnFile(path, curves, dict(sorted(skipped.items())))
+    size = doubt((edge.points for edge in chain) for chain in chains)
+    return DrawnFile(path, curves, dict(sorted(skipped.items())), size)
 
 
 _SHOWN = 6  # curves named in a sentence

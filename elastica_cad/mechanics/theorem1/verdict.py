@@ -73,16 +73,16 @@ class EquilibriumCheck:
 
     def __str__(self) -> str:
         if not self.realizable:
-            opening = f"A flat strip cannot take this curve of {self.length:.4g} mm."
+            opening = f"A flat strip cannot take this curve of {figure(self.length)} mm."
         elif self.any_stiffness:
-            opening = f"A strip of any width takes this curve of {self.length:.4g} mm: it is not bent."
+            opening = f"A strip of any width takes this curve of {figure(self.length)} mm: it is not bent."
         elif self.inflections:
             opening = (
-                f"A flat strip can take this curve of {self.length:.4g} mm; it has "
+                f"A flat strip can take this curve of {figure(self.length)} mm; it has "
                 f"{count(self.inflections)}, {places(self.inflections)}."
             )
         else:
-            opening = f"A flat strip can take this curve of {self.length:.4g} mm; it has no inflections."
+            opening = f"A flat strip can take this curve of {figure(self.length)} mm; it has no inflections."
         return " ".join([opening, *self.reasons, *self.warnings])
 
     def _repr_html_(self) -> str:
@@ -130,8 +130,8 @@ def places(s: Iterable[float], word: str = "at") -> str:
 
 
 def figure(x: float) -> str:
-    """Four figures, and no traces of rounding instead of 0."""
-    return f"{round(x, 6):.4g}"
+    """Four figures, and no traces of rounding instead of 0; no power of ten where it is large."""
+    return f"{round(x, 6):.4g}" if abs(x) < 1e4 else f"{x:.0f}"
 
 
 def listed(items: Iterable[str], most: int = 6) -> str:

@@ -130,3 +130,72 @@ def test_a_design_file_chooses_by_id_and_layer_and_smooths(drawing, tmp_path):
     )
     done = elastica("model", design, "-o", tmp_path / "out", "--no-step", "--no-pictures")
     assert done.returncode == 0, done.stderr
+
+
+ARCH = [(0, 0), (60, 150), (150, 190), (240, 150), (300, 0)]
+
+
+@pytest.fixture
+def arch_in(tmp_path):
+    """A function that saves an arch, 300 of its units wide, as a DXF whose header names that $INSUNITS."""
+
+    def save(insunits, factor=1.0):
+        document = pytest.importorskip("ezdxf").new()
+        document.header["$INSUNITS"] = insunits
+        document.modelspace().add_open_spline([(factor * x, factor * y) for x, y in ARCH], degree=4)
+        path = tmp_path / "arch.dxf"
+        document.saveas(path)
+        return path
+
+    return save
+
+
+@pytest.mark.parametrize(
+    ("insunits", "factor", "told"),
+    [
+        (6, 1.0, "its largest curve is 300 m across, for its file says m ($INSUNITS = 6)"),
+        (2, 1.0, "its largest curve is 91.44 m across, for its file says feet ($INSUNITS = 2)"),
+        (13, 1.0, "its largest curve is 0.3 mm across, for its file says microns ($INSUNITS = 13)"),
+        (4, 0.001, "its largest curve is 0.3 mm across, for its file says mm ($INSUNITS = 4)"),
+        (0, 0.001, "its largest curve is 0.3 mm across, for its file names no unit, and mm are taken"),
+    ],
+)
+def test_a_size_that_no_strip_has_is_told_with_the_unit_that_mends_it(arch_in, insunits, factor, told):
+    """Numbers in mm under a header that says m made an arch of 444 m, without a word."""
+    file = arch_in(insunits, factor)
+    done = elastica("check", file)
+    said = done.stderr.decode()
+    assert done.returncode == 0
+    assert f"arch.dxf: {told}: where that is wrong, say --unit" in said
+    assert "e+" not in done.stdout.decode()
+    unit = "mm" if factor == 1.0 else "m"
+    assert f"--unit {unit} (300 mm)" in said
+    (noted,) = (one["notes"] for one in json.loads(elastica("check", file, "--json").stdout))
+    assert told in noted[0]
+    mended = elastica("check", file, "--unit", unit)
+    assert b"this curve of 443.6 mm" in mended.stdout
+    assert mended.stderr == b""
+
+
+@pytest.mark.parametrize(
+    ("insunits", "factor"), [(4, 1.0), (0, 1.0), (6, 0.001), (5, 0.1), (1, 1 / 25.4), (6, 0.02)]
+)
+def test_a_likely_size_is_taken_without_a_word(arch_in, insunits, factor):
+    done = elastica("check", arch_in(insunits, factor))
+    assert done.returncode == 0
+    assert done.stderr == b""
+
+
+def test_a_design_tells_of_an_unlikely_size_once(arch_in, tmp_path):
+    arch_in(6)
+    design = tmp_path / "arches.toml"
+    strip = '[[strips]]\nlabel = "{}"\ncurve = "arch.dxf"\n'
+    head = 'schema = 1\nsheet = "birch-plywood-0.8"\nmax_width = 30\n'
+    design.write_text(head + strip.format("A") + strip.format("B"))
+    done = elastica("model", design, "-o", tmp_path / "kit")
+    assert done.returncode == 2
+    assert done.stderr.count(b"its largest curve is 300 m across") == 1
+    design.write_text(design.read_text().replace('"arch.dxf"', '{ file = "arch.dxf", unit = "mm" }'))
+    done = elastica("model", design, "-o", tmp_path / "kit", "--no-step", "--no-pictures", "--no-effects")
+    assert done.returncode == 0
+    assert b"across" not in done.stderr

@@ -266,3 +266,17 @@ def test_illustrator_is_believed_where_it_says_mm(tmp_path):
     found = read_curves(file)
     assert found[0].control_points[0] == pytest.approx((30, -150), abs=0.01)
     assert found.notes == ()
+
+
+def test_a_speck_is_told_with_what_one_unit_was_taken_as(tmp_path):
+    file = tmp_path / "speck.svg"
+    body = '<path d="M 0 0 C 0 1 2 1 2 0"/>'
+    file.write_text(f'<svg xmlns="http://www.w3.org/2000/svg" width="10mm" viewBox="0 0 10 10">{body}</svg>')
+    (told,) = read_curves(file).notes
+    assert told.startswith(
+        "its largest curve is 2 mm across, for its width, height and viewBox make one unit 1 mm"
+    )
+    file.write_text(
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="1000mm" viewBox="0 0 10 10">{body}</svg>'
+    )
+    assert read_curves(file).notes == ()
