@@ -16,6 +16,7 @@ from elastica_cad.cli.asking.options import (
     sheet_options,
     smooth_option,
 )
+from elastica_cad.cli.asking.strip_options import refuse_idle_weight
 from elastica_cad.cli.asking.support_options import END_NAMES
 from elastica_cad.cli.running.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError
@@ -49,8 +50,8 @@ from elastica_cad.mechanics.stability.stability_verdict import Stability, stabil
     help="Width of the widest place: with --sheet it tells newtons, strain and safety.",
 )
 @click.option("--gravity", is_flag=True, help="The strip feels its weight (needs --sheet).")
-@click.option("--down", type=(float, float), default=(0.0, -1.0), show_default=True, metavar="X Y",
-              help="The direction in which things fall.")  # fmt: skip
+@click.option("--down", type=(float, float), metavar="X Y",
+              help="The direction in which things fall.  [default: 0 -1]")  # fmt: skip
 @click.option("--from", "start", type=POINT, metavar="X Y", help="Move the start there, mm, y up.")
 @click.option("--to", "end", type=POINT, metavar="X Y", help="Move the end there, mm, y up.")
 @click.option("--start-angle", type=float, metavar="DEG", help="Turn the start to this direction.")
@@ -82,6 +83,8 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
         raise InputError("name a CURVE, or give the length of a straight strip with --straight MM")
     if chosen["gravity"] and chosen["sheet"] is None:
         raise InputError("--gravity needs to know the material: add --sheet NAME")
+    if not chosen["gravity"]:
+        refuse_idle_weight(chosen, ("down",))
     if chosen["thickness"] is not None and chosen["sheet"] is None:
         raise InputError("--thickness is of a material: add --sheet NAME")
     if chosen["max_width"] is not None and chosen["sheet"] is None:
@@ -110,7 +113,9 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
 def _rod(curve: Path | None, chosen: dict[str, Any]) -> Rod:
     """The strip before it is moved."""
     sheet = None if chosen["sheet"] is None else asked_sheet(chosen)
-    gravity = sheet.gravity(chosen["down"]) if sheet is not None and chosen["gravity"] else None
+    gravity = (
+        sheet.gravity(chosen["down"] or (0.0, -1.0)) if sheet is not None and chosen["gravity"] else None
+    )
     if curve is None:
         return Rod.straight(chosen["straight"], gravity=gravity)
     (asked,) = asked_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])

@@ -41,6 +41,7 @@ ADDED = (
     (r"no rest shape|of the path|continu", ("--steps", "100")),
     (r"split", ("--split-corners", "20")),
     (r"--force", ("--force",)),
+    (r"--gravity", ("--gravity",)),
     (r"--unit", ("--unit", "mm")),
     (r"--unit", ("--unit", "cm")),
     (r"--unit", ("--unit", "m")),
@@ -105,6 +106,8 @@ def cure_by_trial(group: click.Group, words: Sequence[str], said: str) -> str:
         The refusal.
     """
     if TRYING.get() or "-" in words:  # standard input has been read
+        return ""
+    if "choose another folder" in said:  # trials write elsewhere, and would prove nothing
         return ""
     for mended, result in _mended(group, tuple(words), said):
         return f"This works: {mended}, then `{command_line(*words)}`{result}."

@@ -1,7 +1,7 @@
 """Options that ask for one strip, and the request that they make together."""
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import Any, cast
 
@@ -278,6 +278,7 @@ def _frame(chosen: Mapping[str, Any]) -> Frame | None:
 def _gravity(chosen: Mapping[str, Any]) -> AskedGravity:
     down, in_space, length = chosen["down"], chosen["down_in_space"], chosen["gravity_length"]
     if not chosen["gravity"]:
+        refuse_idle_weight(chosen, ("down", "down_in_space", "gravity_length"))
         return None
     if down is not None and in_space is not None:
         raise InputError("--down and --down-in-space say the same in two ways: leave one of them out")
@@ -286,6 +287,15 @@ def _gravity(chosen: Mapping[str, Any]) -> AskedGravity:
             raise InputError("--gravity-length falls in the drawing: use --down instead of --down-in-space")
         return Gravity(length, down or (0.0, -1.0))
     return in_space or down or True
+
+
+def refuse_idle_weight(chosen: Mapping[str, Any], names: Sequence[str]) -> None:
+    """Refuse options of a weight that is not asked for."""
+    idle = [name for name in names if chosen[name] is not None]
+    if idle:
+        raise InputError(
+            f"--{idle[0].replace('_', '-')} says how weight pulls, which is left out: add --gravity"
+        )
 
 
 def _loads(chosen: Mapping[str, Any]) -> tuple[PointMass, ...] | Weight:

@@ -4,6 +4,7 @@ import re
 import struct
 from collections import Counter
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -77,7 +78,8 @@ def _runs(document: "Drawing", scale: float, rounding: float, skipped: Counter[s
 
     bad: list[InputError] = []
     good = 0
-    for entity, size, layer in _entities(document.modelspace(), 0, skipped):
+    hidden = _Hidden.of(document)
+    for entity, size, layer in _entities(document.modelspace(), 0, skipped, hidden):
         kind = entity.dxftype()
         try:
             run = _run(entity)
@@ -163,19 +165,48 @@ def _unit_code(document: "Drawing") -> int:
     return code
 
 
+@dataclass(frozen=True)
+class _Hidden:
+    """Names of the layers that are not shown, in small letters: those off or frozen, and the frozen alone."""
+
+    layers: frozenset[str]
+    frozen: frozenset[str]
+
+    @classmethod
+    def of(cls, document: "Drawing") -> "_Hidden":
+        """Those of a drawing."""
+        frozen = frozenset(str(one.dxf.name).lower() for one in document.layers if one.is_frozen())
+        off = (str(one.dxf.name).lower() for one in document.layers if one.is_off())
+        return cls(frozen.union(off), frozen)
+
+    def hides(self, entity: Any, layer: str) -> bool:
+        """Is it not shown? A block is where its layer is frozen; where that is off, its parts go by their own."""
+        layers = self.frozen if entity.dxftype() == "INSERT" else self.layers
+        if layer.lower() in layers:
+            return True
+        return entity.dxf.is_supported("invisible") and bool(entity.dxf.get("invisible", 0))
+
+
 def _entities(
-    layout: Iterable[Any], depth: int, skipped: Counter[str], size: float = 1.0, outer: str = "0"
+    layout: Iterable[Any],
+    depth: int,
+    skipped: Counter[str],
+    hidden: _Hidden,
+    size: float = 1.0,
+    outer: str = "0",
 ) -> Iterator[tuple[Any, float, str]]:
     """The entities of a layout with the scale they are shown at and their layer, those of blocks in their place.
 
-    What lies on layer 0 of a block is on the layer that the block is inserted on.
+    What lies on layer 0 of a block is on the layer that the block is inserted on. What is hidden is counted.
     """
     from ezdxf.lldxf.const import DXFError
 
     for entity in layout:
         layer = str(entity.dxf.get("layer", "0")) if entity.dxf.is_supported("layer") else "0"
         layer = outer if layer == "0" and depth else layer
-        if entity.dxftype() != "INSERT":
+        if hidden.hides(entity, layer):
+            skipped[f"hidden on layer {layer}"] += 1
+        elif entity.dxftype() != "INSERT":
             yield entity, size, layer
         elif depth < DEEPEST_BLOCK:
             try:
@@ -185,7 +216,7 @@ def _entities(
             except (*ODDITIES, DXFError):
                 skipped["INSERT that makes no sense"] += 1
                 continue
-            yield from _entities(shown, depth + 1, skipped, size * stretch, layer)
+            yield from _entities(shown, depth + 1, skipped, hidden, size * stretch, layer)
         else:
             raise InputError(f"blocks are nested more than {DEEPEST_BLOCK} deep: explode them before export")
 
@@ -241,6 +272,8 @@ def _spline(entity: Any) -> Edge:
     if not len(entity.control_points):
         if len(entity.fit_points) < 2:
             raise InputError("a SPLINE has neither control points nor fit points: draw it anew")
+        if entity.closed and len(entity.fit_points) > 2:
+            return _ring(np.array([tuple(p) for p in entity.fit_points], dtype=float))
         tool = entity.construction_tool()
         return Edge(np.array(tool.knots()), np.array([tuple(p) for p in tool.control_points]), tool.degree)
     points = np.array([tuple(p) for p in entity.control_points], dtype=float)
@@ -251,6 +284,19 @@ def _spline(entity: Any) -> Edge:
     if knots.size and backwards.max() <= 1e-9 * np.ptp(knots):  # knots written with too few decimals
         knots = knots + backwards
     return Edge(knots, points, entity.dxf.degree, weights)
+
+
+def _ring(points: FloatArray) -> Edge:
+    """The cubic through points (n, 3) that closes as smoothly as it passes them; its parameter is the chord."""
+    from scipy.interpolate import make_interp_spline
+
+    around = points if np.array_equal(points[0], points[-1]) else np.vstack([points, points[:1]])
+    chords = np.linalg.norm(np.diff(around, axis=0), axis=1)
+    around, chords = around[np.append(True, chords > 0)], chords[chords > 0]
+    if len(chords) < 3:
+        raise InputError("a closed SPLINE has fewer than three fit points: draw it anew")
+    spline = make_interp_spline(np.append(0.0, np.cumsum(chords)), around, k=3, bc_type="periodic")
+    return Edge(spline.t, spline.c, 3)
 
 
 def _polyline(rows: list[tuple[float, float, float, float]], *, closed: bool, to_world: Any) -> Run:

@@ -22,6 +22,7 @@ from elastica_cad.formats.svg_files.svg_tree import LENGTH, MARK, MM, SvgTree, s
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 
 _PX, _PT = MILLIMETRES["px"], MILLIMETRES["pt"]
+_INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}version"
 _ILLUSTRATOR = b"Generator: Adobe Illustrator"  # in a remark at the top
 _SIZED = re.compile(
     rb"""<svg\b[^>]*\s(?:width|height)\s*=\s*["'][^"']*(?:mm|cm|in|pt|pc|q)\s*["']""", re.IGNORECASE
@@ -36,8 +37,9 @@ def read_svg_drawing(file: Path, *, tolerance: float, fit_tolerance: float, unit
 
     Up on the screen is up: y is minus SVG's y. Bezier curves and arcs stay exact, with all transforms applied; a
     path of straight lines only is fitted. The size of a user unit follows from width, height and viewBox of the
-    drawing; without a width in mm or the like it is a CSS pixel, 25.4/96 mm, and a point, 25.4/72 mm, where Adobe
-    Illustrator drew it, which counts in points and calls them px. The origin is the one of the user units. Text,
+    drawing; without a width in mm or the like it is a CSS pixel, 25.4/96 mm, a point, 25.4/72 mm, where Adobe
+    Illustrator drew it, which counts in points and calls them px, and 25.4/90 mm where Inkscape before 0.92
+    did. The origin is the one of the user units. Text,
     images, definitions and what is not displayed are left out and counted.
 
     Raises
@@ -46,8 +48,8 @@ def read_svg_drawing(file: Path, *, tolerance: float, fit_tolerance: float, unit
         Not an SVG file, an unknown unit, path data that break off, nothing usable in it.
     """
     tree = svg_tree(file)
-    points = not unit and _counts_in_points(file)
-    scale = np.full(2, look_up_unit(unit)) if unit else _scale(tree.root) * (_PT / _PX if points else 1.0)
+    size, pixel = ("", _PX) if unit else _program(file, tree.root)
+    scale = np.full(2, look_up_unit(unit)) if unit else _scale(tree.root) * pixel / _PX
     if not (np.all(scale >= _LEAST_UNIT) and np.all(scale <= 1 / _LEAST_UNIT)):
         raise InputError(
             f"has user units of {scale[0]:.3g} by {scale[1]:.3g} mm: check width, height and viewBox"
@@ -60,7 +62,7 @@ def read_svg_drawing(file: Path, *, tolerance: float, fit_tolerance: float, unit
         shown=Provenance(place=place, unit="mm" if np.all(scale == 1) else "user units"),
         doubt=lambda runs: "" if unit else doubt_size(runs, float(scale.max()), _WHY.format(scale.max())),
     )  # fmt: skip
-    return replace(drawn, size=_IN_POINTS) if points else drawn
+    return replace(drawn, size=size) if size else drawn
 
 
 _WHY = "its width, height and viewBox make one unit {:.4g} mm"
@@ -71,11 +73,23 @@ _IN_POINTS = (
 )
 
 
-def _counts_in_points(file: Path) -> bool:
-    """Did Illustrator draw it, without a size in mm or the like?"""
+_OF_INKSCAPE = "its pixels are taken as 90 to the inch, as Inkscape before 0.92 drew; else say --unit px"
+
+
+def _program(file: Path, root: ElementTree.Element) -> tuple[str, float]:
+    """A sentence and the size of a pixel, mm, where the program that drew it has one of its own.
+
+    Illustrator does without a size in mm or the like, Inkscape before 0.92 without that or a viewBox.
+    """
     with file.open("rb") as opened:
         top = opened.read(_TOP)
-    return _ILLUSTRATOR in top and not _SIZED.search(top)
+    sized = _SIZED.search(top)
+    if _ILLUSTRATOR in top and not sized:
+        return _IN_POINTS, _PT
+    version = re.match(r"0\.(\d+)", root.get(_INKSCAPE, ""))
+    if version and int(version[1][:2]) < 92 and not (sized and root.get("viewBox")):
+        return _OF_INKSCAPE, 25.4 / 90
+    return "", _PX
 
 
 def _scale(root: ElementTree.Element) -> FloatArray:

@@ -118,6 +118,9 @@ REFUSED = [
     ("strip slight.svg --sheet birch-plywood-0.8 --max-width 30 -o out", "--smooth 0.2"),
     ("check slight.svg", "--smooth 0.2"),
     ("bend --straight 100 --gravity --to 90 0", "--sheet birch-plywood-0.8"),
+    ("bend --straight 300 --to 200 0 --sheet card-200gsm --down 1 0", "--gravity"),
+    ("strip tall.dxf --sheet birch-plywood-0.8 --max-width 40 --down 1 0", "--down 1 0 --gravity"),
+    ("strip tall.dxf --sheet birch-plywood-0.8 --max-width 40 --gravity-length 400", "--gravity"),
     ("bend", "--straight 300 --to 200 0"),
     ("sheets birch-ply", "sheets birch-plywood-"),
     ("coupon", "--sheet birch-plywood-0.8"),
@@ -301,6 +304,28 @@ def test_a_reshaped_curve_that_cannot_be_bent_ends_with_a_strip_near_it(tmp_path
 def test_margins_of_bent_strips_come_with_a_word(tmp_path):
     made = typed(["bend", "--straight", "200", "--to", "150", "0", "-o", "out"], tmp_path)
     assert re.search(r"stable, margin [0-9.]+ \((low|ample)\)", made.stdout)
+
+
+@pytest.mark.parametrize("out", ["taken", "taken/below"])
+def test_a_file_where_files_should_go_is_told_and_no_command_that_fails_as_well(out, desk, tmp_path):
+    """Trials write elsewhere: `--nearest` was told to work, into the same file."""
+    taken = tmp_path / "taken"
+    taken.write_text("mine")
+    words = [
+        "strip",
+        "tall.dxf",
+        "--sheet",
+        "birch-plywood-0.8",
+        "--max-width",
+        "40",
+        "-o",
+        str(tmp_path / out),
+    ]
+    refused = typed(words, desk)
+    assert refused.returncode == 2
+    assert "choose another folder" in refused.stderr
+    assert "This works" not in refused.stderr
+    assert taken.read_text() == "mine"
 
 
 def test_an_option_is_no_folder(tmp_path):

@@ -408,3 +408,62 @@ def test_missing_library_is_said_in_one_sentence(drawing, tmp_path, monkeypatch)
     monkeypatch.setitem(sys.modules, "ezdxf", None)
     with pytest.raises(MissingDependencyError, match=r"reading drawn\.dxf needs ezdxf.*pip install ezdxf"):
         read_curves(tmp_path / "drawn.dxf")
+
+
+def test_what_a_drawing_hides_is_left_out_and_told(drawing):
+    """Guide lines on a layer that is off, or frozen, were curves among the others."""
+
+    def draw(space, document):
+        for name in ("guides", "Frost"):
+            document.layers.add(name)
+        document.layers.get("guides").off()
+        document.layers.get("Frost").freeze()
+        block = document.blocks.new("rib")
+        block.add_arc((0, 0), 50, 0, 180)  # on the layer of the block
+        block.add_arc((0, 0), 30, 0, 180, dxfattribs={"layer": "Cut"})
+        space.add_arc((0, 0), 100, 0, 180, dxfattribs={"layer": "Cut"})
+        space.add_arc((0, 0), 90, 0, 180, dxfattribs={"layer": "GUIDES"})
+        space.add_arc((0, 0), 80, 0, 180, dxfattribs={"invisible": 1})
+        space.add_blockref("rib", (300, 0), dxfattribs={"layer": "guides"})
+        space.add_blockref("rib", (600, 0), dxfattribs={"layer": "frost"})
+
+    found = drawing(draw)
+    assert [curve.length for curve in found] == pytest.approx([100 * np.pi, 30 * np.pi])
+    (note,) = found.notes
+    for hidden in (
+        "1 hidden on layer 0",
+        "1 hidden on layer GUIDES",
+        "1 hidden on layer guides",
+        "1 hidden on layer frost",
+    ):
+        assert hidden in note
+
+
+def test_a_drawing_that_hides_all_says_where(drawing):
+    def draw(space, document):
+        document.layers.add("guides").off()
+        space.add_arc((0, 0), 90, 0, 180, dxfattribs={"layer": "guides"})
+
+    with pytest.raises(InputError, match="found only 1 hidden on layer guides"):
+        drawing(draw)
+
+
+@pytest.mark.parametrize("again", [False, True])
+def test_a_closed_spline_of_fit_points_closes_smoothly(drawing, again):
+    """It ended at its last point, a quarter of the ring short."""
+    places = [(100.0, 0.0), (0.0, 80.0), (-100.0, 0.0), (0.0, -80.0)]
+
+    def draw(space, _):
+        spline = space.add_spline([(*p, 0) for p in [*places, *places[: int(again)]]])
+        spline.closed = True
+
+    (curve,) = drawing(draw)
+    assert curve.is_closed
+    assert len(curve.inflections) == 0
+    assert curve.length == pytest.approx(559.5, abs=0.1)
+    dense = spaced(curve, 4001)
+    for place in places:
+        assert np.min(np.linalg.norm(dense - place, axis=1)) < 0.2
+    ends = curve.sample(2)
+    assert ends.curvature[0] == pytest.approx(ends.curvature[-1])
+    assert np.cos(ends.angle[0]) == pytest.approx(np.cos(ends.angle[-1]))

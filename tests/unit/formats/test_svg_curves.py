@@ -268,6 +268,35 @@ def test_illustrator_is_believed_where_it_says_mm(tmp_path):
     assert found.notes == ()
 
 
+@pytest.mark.parametrize(
+    ("version", "size", "unit"),
+    [
+        ("0.48.4 r9939", 'width="744.09448" height="1052.3622"', 25.4 / 90),
+        ("0.48.4 r9939", 'width="210mm" height="297mm"', 25.4 / 90),
+        ("0.91 r13725", 'width="744.09448" height="1052.3622" viewBox="0 0 744.09448 1052.3622"', 25.4 / 90),
+        ("0.91 r13725", 'width="210mm" height="297mm" viewBox="0 0 210 297"', 1.0),
+        ("0.92.3 (2405546, 2018-03-11)", 'width="793.70081" height="1122.5197"', 25.4 / 96),
+        (
+            "1.2.2 (b0a8486541, 2022-12-01)",
+            'width="793.7" height="1122.5" viewBox="0 0 793.7 1122.5"',
+            25.4 / 96,
+        ),
+    ],
+)
+def test_old_inkscape_has_ninety_pixels_to_the_inch(tmp_path, version, size, unit):
+    """An A4 page of 744.09 by 1052.36 pixels: its curves came out a sixteenth too small, without a word."""
+    file = tmp_path / "arch.svg"
+    names = 'xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"'
+    file.write_text(
+        f'<svg {names} {size} inkscape:version="{version}"><path d="M 100,400 A 60,60 0 0 1 220,400"/></svg>'
+    )
+    found = read_curves(file)
+    assert found[0].length == pytest.approx(60 * np.pi * unit)
+    old = unit == 25.4 / 90
+    assert [("90 to the inch" in note and "--unit px" in note) for note in found.notes] == [True] * old
+    assert read_curves(file, unit="px")[0].length == pytest.approx(60 * np.pi * 25.4 / 96)
+
+
 def test_a_speck_is_told_with_what_one_unit_was_taken_as(tmp_path):
     file = tmp_path / "speck.svg"
     body = '<path d="M 0 0 C 0 1 2 1 2 0"/>'
