@@ -6,6 +6,7 @@ from pathlib import Path
 import FreeCAD as App
 import pytest
 from freecad.elastica_wb.features import strip
+from freecad.elastica_wb.host.sentences import translated
 
 from elastica_cad.errors import ElasticaError
 from elastica_cad.fabrication.strip_spec import make_strip
@@ -32,7 +33,8 @@ def test_properties(name, document, drawn):
         refused = ""
     if refused:
         assert "Invalid" in feature.State
-        assert feature.getStatusString().strip() == refused
+        # the same sentence, with the names of properties
+        assert feature.getStatusString().strip() == translated(refused)
         return
     assert feature.State == ["Up-to-date"], feature.getStatusString()
     found, ours = loop_numbers(strip.strip_of(feature))

@@ -195,6 +195,44 @@ def test_in_inches(tmp_path):
     assert "in wide" in found["advice"]
 
 
+def test_a_maker_at_work(tmp_path):
+    found = launching.run_window("at_work.py", tmp_path)
+    assert found["tracebacks"] == 0
+    assert found["boxes left"] == 0, "what is bound to a property outlives its panel"
+    assert found["formula"] == [pytest.approx(22), False]
+    flats = sorted(found["flat parts"], key=lambda one: one[1])
+    assert [one[0] for one in flats] == ["Strip backing", "Strip001 flat", "Strip flat"]
+    assert all(one[3] == "Up-to-date" for one in flats)
+    tops = [one[1] for one in flats[1:]] + [found["least y of strips"]]
+    assert all(one[2] < top for one, top in zip(flats, tops, strict=True)), "no part lies on another"
+    (narrow, offered), (none, useless), (fits, _) = found["refused"].values()
+    assert offered
+    assert not useless, "the nearest curve is no help against a width of 0"
+    assert "make it wider (MaxWidth)" in narrow
+    assert (
+        none
+        == "There is no strip.\nA strip needs MaxWidth or MinWidth (mm): the rod only fixes how widths compare"
+    )
+    assert fits.startswith("A flat strip")
+    assert not re.search("max_width|min_width|--", narrow + none + fits), "words of those who type commands"
+    assert "Invalid" in found["without its sketch"][0]
+    assert not found["without its sketch"][1]
+    assert found["with it again"] == ["Up-to-date", True]
+    assert found["in the room"] == [True, pytest.approx(0, abs=1e-6)], "where its container puts it"
+    low, high = found["over both rooms"]
+    assert low > 0
+    assert high > 280
+    assert found["dragged into one"] == [pytest.approx(low), pytest.approx(high), False]
+    words, seen = found["no slots"]
+    assert words
+    assert seen == [True, True]
+    assert found["export first"].startswith("Written to")
+    assert found["export again"].endswith(
+        "exists already: choose another folder, or tick the box that overwrites"
+    )
+    assert found["export nowhere"] == "write the whole path of the folder, or press Browse"
+
+
 def test_a_hostile_user(tmp_path):
     found = launching.run_window("hostile.py", tmp_path)
     assert found["trouble"] == []

@@ -227,3 +227,15 @@ def test_the_play_of_holders_is_told_in_german(monkeypatch):
     monkeypatch.setattr(user_units, "decimal_point", lambda: ",")
     said = user_units.worded("slot of Base leaves its tabs 0.3 mm across and -1.5 to +2 degrees")
     assert said == "Schlitz von Base lässt den Laschen 0,3 mm quer und -1,5 bis +2 Grad"
+
+
+def test_what_is_typed_elsewhere_has_the_name_of_its_property():
+    told = sentences.translated(
+        "The width of the strip has a kink at 20 mm, where the slope of the curvature jumps: "
+        "smooth = 0.1, or --smooth 0.1, makes it a fair curve of degree 4 within 0.1 mm."
+    )
+    assert told.endswith("jumps: Smooth = 0.1 makes it a fair curve of degree 4 within 0.1 mm.")
+    told = sentences.translated("make it wider (max_width). To make it all the same, set anyway (--anyway).")
+    assert told == "make it wider (MaxWidth). To make it all the same, set Anyway."
+    assert sentences.capital("too narrow") == "Too narrow"
+    assert sentences.capital("rib: too narrow") == "rib: too narrow"

@@ -202,8 +202,8 @@ def test_bad_sketches_are_sentences(document, sketch, spoil, says):
     ("name", "value", "says"),
     [
         ("Thickness", 0, "thickness"),
-        ("MaxWidth", 0, "max_width or min_width"),
-        ("MinWidth", 29.9, "below min_width"),
+        ("MaxWidth", 0, "MaxWidth or MinWidth"),
+        ("MinWidth", 29.9, "below MinWidth"),
         ("TabRadius", 50, "tab corners"),
         ("TabHole", 12, "does not fit"),
         ("StartSupport", "free", "pinned|free|curvature"),

@@ -603,7 +603,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>tick the box for it</source>
+        <source>exists already: choose another folder, or tick the box that overwrites</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write the whole path of the folder, or press Browse</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

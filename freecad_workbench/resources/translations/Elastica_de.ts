@@ -607,8 +607,12 @@
         <translation>bitte einen Ordner für die Dateien wählen</translation>
     </message>
     <message>
-        <source>tick the box for it</source>
-        <translation>das Kästchen dafür ankreuzen</translation>
+        <source>exists already: choose another folder, or tick the box that overwrites</source>
+        <translation>gibt es schon: einen anderen Ordner wählen oder das Überschreiben ankreuzen</translation>
+    </message>
+    <message>
+        <source>write the whole path of the folder, or press Browse</source>
+        <translation>bitte den ganzen Pfad des Ordners schreiben oder Durchsuchen drücken</translation>
     </message>
     <message>
         <source>Ranges are those of the sheet.</source>

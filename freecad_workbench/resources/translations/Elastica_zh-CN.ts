@@ -607,8 +607,12 @@
         <translation>请选择文件夹</translation>
     </message>
     <message>
-        <source>tick the box for it</source>
-        <translation>请勾选相应的复选框</translation>
+        <source>exists already: choose another folder, or tick the box that overwrites</source>
+        <translation>已存在：请选择另一个文件夹，或勾选覆盖已有文件</translation>
+    </message>
+    <message>
+        <source>write the whole path of the folder, or press Browse</source>
+        <translation>请写出文件夹的完整路径，或按浏览</translation>
     </message>
     <message>
         <source>Ranges are those of the sheet.</source>

@@ -27,15 +27,15 @@ class InterlockCommand(Command):
         return answers(chosen_strips, least=2)
 
     def run(self) -> None:
-        """Make the model, hide the single strips, open the panel."""
+        """Make the model, hide the single strips behind it, open the panel."""
         strips = chosen_strips(least=2)
         App.ActiveDocument.openTransaction(self.text)
         made = model.create(App.ActiveDocument, strips)
-        for strip in strips:
-            strip.Visibility = False
         for part in flat.flats_of(strips):
             part.Model = made
         App.ActiveDocument.recompute()
+        for strip in strips:  # they stay in sight where there is nothing in their place
+            strip.Visibility = "Invalid" in made.State
         show_panel(panel_of, made)
 
 

@@ -52,13 +52,13 @@ class StripCommand(Command):
         if edited_sketch() is not None:
             Gui.ActiveDocument.resetEdit()
         document.openTransaction("Strip from sketch")
-        for source, edges in curves:
-            made = strip.create(document, source, edges)
-            flat.create(document, made)
+        made = [strip.create(document, source, edges) for source, edges in curves]
         document.recompute()
+        for one in made:
+            flat.create(document, one).recompute()  # the next one lies beside it
         for source, _ in curves:
             source.Visibility = True
-        show_panel(panel_of, made)
+        show_panel(panel_of, made[-1])
 
 
 class PerforateCommand(OnStrips):
@@ -97,8 +97,10 @@ class LaminateCommand(OnStrips):
         App.ActiveDocument.openTransaction(self.text)
         for chosen in strips:
             chosen.Style = "Laminated"
-            flat.create(App.ActiveDocument, chosen, "Backing")
         App.ActiveDocument.recompute()
+        for chosen in strips:
+            if not any(part.Layer == "Backing" for part in flat.flats_of([chosen])):
+                flat.create(App.ActiveDocument, chosen, "Backing").recompute()  # the next one lies beside it
         show_panel(panel_of, strips[-1])
 
 

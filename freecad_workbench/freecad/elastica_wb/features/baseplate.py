@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 
 from freecad.elastica_wb.curves.sketch_curves import frame_of
 from freecad.elastica_wb.features.fixtures import PLAYS, source_model, tell_plays
-from freecad.elastica_wb.features.proxy import Feature, added
+from freecad.elastica_wb.features.proxy import CONTAINERS, Feature, added
 from freecad.elastica_wb.host.property_table import Property
 from freecad.elastica_wb.host.sheet_store import sheet_called
 from freecad.elastica_wb.shapes.part_shapes import make_solid
@@ -31,6 +31,7 @@ class BasePlateFeature(Feature):
             "Enumeration", "Outline", "Base plate", "The outline around all slots", ["hull", "rectangle"]
         ),
         PLAYS,
+        CONTAINERS,
     )
 
     sheets: ClassVar = {"Sheet": "SheetData"}
@@ -46,7 +47,7 @@ class BasePlateFeature(Feature):
 
 def create(document: Any, sources: list[Any]) -> Any:
     """A base plate for a model or for strips; recompute the document to see it."""
-    obj = added(document, "BasePlate", BasePlateFeature)
+    obj = added(document, "BasePlate", BasePlateFeature, sources)
     obj.Sources = sources
     return obj
 

@@ -7,8 +7,9 @@ from collections.abc import Iterable
 from typing import Any
 
 import Part
+from freecad.elastica_wb.curves.sketch_curves import container
 from freecad.elastica_wb.features.model import is_model, model_of, strips_model
-from freecad.elastica_wb.features.proxy import Feature, added
+from freecad.elastica_wb.features.proxy import CONTAINERS, Feature, added
 from freecad.elastica_wb.host.progress import in_steps
 from freecad.elastica_wb.host.property_table import Property, put
 from freecad.elastica_wb.host.user_units import worded
@@ -35,6 +36,7 @@ class FixturesFeature(Feature):
         Property("Length", "FootHeight", "Fixtures", "Height of the foot", 4.0),
         Property("Length", "Screw", "Fixtures", "Diameter of the screw holes in the foot; 0 for none", 4.3),
         PLAYS,
+        CONTAINERS,
     )
 
     def make(self, obj: Any) -> None:
@@ -49,15 +51,17 @@ class FixturesFeature(Feature):
         )
         if not blocks:
             raise InputError("no strip here has a tab to be held: give the strips tabs")
-        obj.Shape = Part.Compound(
-            in_steps("Making the blocks", [block.solid for block in blocks], make_solid)
-        )
+        inner, solids = container(obj).inverse(), [block.solid for block in blocks]
+        made = in_steps("Making the blocks", solids, make_solid)
+        for block in made:
+            block.Placement = inner * block.Placement
+        obj.Shape = Part.Compound(made)
         tell_plays(obj, model, blocks)
 
 
 def create(document: Any, sources: list[Any]) -> Any:
     """Fixtures for a model or for strips; recompute the document to see them."""
-    obj = added(document, "Fixtures", FixturesFeature)
+    obj = added(document, "Fixtures", FixturesFeature, sources)
     obj.Sources = sources
     return obj
 

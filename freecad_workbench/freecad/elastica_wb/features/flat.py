@@ -3,7 +3,7 @@
 
 """The flat twin of a strip: a body of its own for assemblies, drawings and cutting."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import FreeCAD as App
@@ -45,13 +45,14 @@ class FlatFeature(Feature):
 
 def create(document: Any, strip: Any, layer: str = "Base") -> Any:
     """The flat part of a strip, lying in front of it; recompute the document to see it."""
+    placement = _beside(strip)
     obj = document.addObject("Part::FeaturePython", "Flat")
     FlatFeature(obj)
     obj.Strip = strip
     obj.Layer = layer
     kind = translate("Elastica", "flat") if layer == "Base" else translate("Elastica", "backing")
     obj.Label = f"{strip.Label} {kind}"
-    obj.Placement = _beside(strip)
+    obj.Placement = placement
     group = strip.getParentGeoFeatureGroup()
     if group is not None and group.TypeId == "App::Part":
         group.addObject(obj)
@@ -71,11 +72,38 @@ def _slotted(obj: Any) -> Strip:
 
 
 def _beside(strip: Any) -> App.Placement:
-    """On the ground in front of the drawn curve."""
-    box = strip.Curve[0].Shape.BoundBox
-    if not box.isValid():  # a sketch that was not recomputed yet
-        return App.Placement(App.Vector(0, -GAP_MM - strip.MaxWidth.Value, 0), App.Rotation())
-    return App.Placement(App.Vector(box.XMin, box.YMin - GAP_MM - strip.MaxWidth.Value, 0), App.Rotation())
+    """On the ground in front of the drawn curve, and of what else of strips lies there already."""
+    source, width = strip.Curve[0], _width(strip)
+    if not source.Shape.BoundBox.isValid():  # a sketch that undo brought back, or that was not recomputed yet
+        source.recompute()
+    box = source.Shape.BoundBox
+    if not box.isValid():
+        return App.Placement(App.Vector(0, -GAP_MM - width, 0), App.Rotation())
+    y = box.YMin - GAP_MM - width
+    left, right = box.XMin - strip.StartTab.Value, box.XMin + source.Shape.Length + strip.EndTab.Value
+    for other in sorted(_lying(strip), key=lambda one: -one.YMax):  # from the back to the front
+        if (
+            other.XMin < right
+            and left < other.XMax
+            and y - width / 2 < other.YMax
+            and other.YMin < y + width / 2
+        ):
+            y = other.YMin - GAP_MM - width / 2
+    return App.Placement(App.Vector(box.XMin, y, 0), App.Rotation())
+
+
+def _lying(strip: Any) -> Iterator[App.BoundBox]:
+    """Where the other strips of its container stand, and all flat parts lie."""
+    group = strip.getParentGeoFeatureGroup()
+    for obj in strip.Document.Objects:
+        shown = is_flat(obj) or (is_strip(obj) and obj is not strip)
+        if shown and obj.getParentGeoFeatureGroup() is group and obj.Shape.BoundBox.isValid():
+            yield obj.Shape.BoundBox
+
+
+def _width(strip: Any) -> float:
+    """Of the outline at most, whatever the style; mm."""
+    return float(max(strip.MaxWidth.Value, strip.OuterWidth.Value))
 
 
 def flats_of(strips: Iterable[Any]) -> list[Any]:

@@ -9,7 +9,7 @@ import FreeCAD as App
 import numpy as np
 import Part
 from freecad.elastica_wb.curves.sketch_curves import container, drawn_curve, frame_of, placement_of
-from freecad.elastica_wb.features.proxy import Feature, added
+from freecad.elastica_wb.features.proxy import CONTAINERS, Feature, added
 from freecad.elastica_wb.features.strip import is_strip, strip_of
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.progress import in_background
@@ -48,6 +48,7 @@ class ModelFeature(Feature):
         ),
         Property("Integer", "Joints", "Result", "How many slots fit into each other", 0, result=True),
         Property("StringList", "Reports", "Result", "What was found on the way", [], result=True),
+        CONTAINERS,
     )
 
     def make(self, obj: Any) -> None:

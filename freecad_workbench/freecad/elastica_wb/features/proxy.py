@@ -3,7 +3,7 @@
 
 """What the proxies of all features share: properties, sheets, curves that move with containers, refusals."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
 from typing import Any, ClassVar
 
@@ -19,6 +19,9 @@ CONTAINERS = Property(
     "LinkListGlobal", "Containers", "Curve", "What the curve moves with", [], result=True, hidden=True
 )
 """Containers that move the curve and not the feature: it is made anew where they move."""
+
+FOLLOWED = ("Curve", "Sources", "Strips")
+"""Properties that name what a feature is made from."""
 
 
 class Feature:
@@ -49,9 +52,9 @@ class Feature:
     def onChanged(self, obj: Any, name: str) -> None:
         """A newly chosen sheet brings its thickness, and its numbers into the document."""
         # asked for every result that is written, so what takes longer to tell comes last
-        if (name != "Curve" and name not in self.sheets) or "Restore" in obj.State:
+        if (name not in FOLLOWED and name not in self.sheets) or "Restore" in obj.State:
             return
-        if name == "Curve" and CONTAINERS.name in obj.PropertiesList:
+        if name in FOLLOWED and CONTAINERS.name in obj.PropertiesList:
             put(obj, Containers=_containers(obj))
         kept = self.sheets.get(name)
         if kept in obj.PropertiesList:
@@ -113,7 +116,27 @@ def parents(source: Any) -> list[Any]:
     return found[:-1]
 
 
+def keep_containers(document: Any) -> None:
+    """Something went into a container or out of one: a feature that is inside now cannot hang on it as well."""
+    for obj in document.Objects:
+        if isinstance(getattr(obj, "Proxy", None), Feature) and CONTAINERS.name in obj.PropertiesList:
+            found = _containers(obj)
+            if obj.Containers != found:
+                obj.Containers = found
+                obj.touch()  # it stood in the other place
+
+
 def _containers(obj: Any) -> list[Any]:
-    source = obj.Curve[0] if obj.Curve else None
     own = [obj, *parents(obj)]
-    return [one for one in parents(source) if one not in own]
+    found = [one for source in _followed(obj) for one in parents(source) if one not in own]
+    return list(dict.fromkeys(found))
+
+
+def _followed(obj: Any) -> Iterator[Any]:
+    """What a feature is made from, and what that is made from."""
+    for name in [one for one in FOLLOWED if one in obj.PropertiesList]:
+        value = getattr(obj, name)
+        sources = value if name != "Curve" else value[:1] if value else ()
+        for source in sources:
+            yield source
+            yield from _followed(source)

@@ -15,6 +15,7 @@ from freecad.elastica_wb.features.strip_request import spec_of
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.property_table import put
 from freecad.elastica_wb.host.refusal import FAILURES
+from freecad.elastica_wb.host.sentences import capital
 from freecad.elastica_wb.host.sheet_store import sheet_called
 from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.host.view_providers import dress
@@ -106,6 +107,15 @@ def strip_of(obj: Any) -> Strip:
     return solve_strip(spec_of(obj, drawn_curve(obj.Curve, obj)))
 
 
+def could_follow_another(obj: Any) -> bool:
+    """Are curve, sheet and sizes such that a nearer curve may help where this one is refused?"""
+    try:
+        spec_of(obj, drawn_curve(obj.Curve, obj))
+    except FAILURES:
+        return False
+    return bool(obj.MaxWidth.Value > 0 or obj.MinWidth.Value > 0)
+
+
 def shown_strip(obj: Any) -> Strip:
     """The strip that its shape shows, for features that are recomputed after it.
 
@@ -141,6 +151,8 @@ def is_stale(obj: Any, changed: set[str]) -> bool:
     touched = {obj.Name, *(one.Name for one in (source, *parents(source)) if one is not None)}
     if not touched & changed:
         return False
+    if "Invalid" in obj.State:  # undo brings the results of before back, and leaves the state
+        return True
     try:
         drawn = drawn_curve(obj.Curve, obj)
         return bool(obj.MadeFrom != _mark(obj, drawn, spec_of(obj, drawn)))
@@ -175,7 +187,7 @@ def _tell_results(obj: Any, strip: Strip, changed: float | None, smoothed: float
     put(
         obj,
         Verdict=worded(" ".join([taken, *(["There are remarks."] if notes else [])])),
-        Reasons=[worded(note) for note in notes],
+        Reasons=[capital(worded(note)) for note in notes],
         Ratio=rod.ratio,
         Margin=0.0 if found is None else found.margin,
         ConjugatePoint=0.0 if found is None or found.conjugate_point is None else found.conjugate_point,
@@ -198,8 +210,8 @@ def _tell_error(obj: Any, error: ElasticaError) -> None:
     )
     put(
         obj,
-        Verdict=verdict,
-        Reasons=[worded(reason) for reason in reasons],
+        Verdict=worded(verdict),
+        Reasons=[capital(worded(reason)) for reason in reasons],
         MadeFrom="",
         Held="",
         Sideways="",

@@ -15,13 +15,25 @@ from xml.etree import ElementTree
 import FreeCAD as App
 from freecad.elastica_wb.host.resources import RESOURCES, translate
 
-__all__ = ["CONTEXT", "decimal_point", "translated"]
+__all__ = ["CONTEXT", "capital", "decimal_point", "translated"]
 
 CONTEXT = "ElasticaSentences"
 GAP = re.compile(r"%(\d)")
 BREAKS = (r"(?<=\.) (?=[A-Z])", "(?<=;) ")  # between sentences that were put together
 ONE = r"((?:(?!\. [A-Z]).)*?)"  # what fills a gap: no second sentence
 TELLING = 12  # letters of a key that stands for a whole text; shorter ones are for parts of one
+TYPED = (  # what the core's sentences tell those who type to write, and where that is set in FreeCAD
+    (
+        re.compile(r"\bsmooth = ([\d.]+),? (?:(?:or|oder|或) )?--smooth [\d.]+,?", re.IGNORECASE),
+        r"Smooth = \1",
+    ),
+    (re.compile(r"\banyway \(--anyway\)"), "Anyway"),
+    (re.compile(r" \(--force, or force=True\)"), ""),
+    (re.compile(r"\bshop=Shop\(least_width=\.\.\.\)"), "LeastWidth"),
+    (re.compile(r"\bmax_width\b"), "MaxWidth"),
+    (re.compile(r"\bmin_width\b"), "MinWidth"),
+    (re.compile(r"\bhole_ratio\b"), "HoleRatio"),
+)
 
 
 @dataclass(frozen=True)
@@ -57,8 +69,17 @@ class Key:
 
 
 def translated(sentence: str) -> str:
-    """The sentence in the user's language; what is not known stays as it is."""
-    return _translated(sentence, _language()) if sentence else sentence
+    """The sentence in the user's language, with the names of properties; what is not known stays as it is."""
+    found = _translated(sentence, _language()) if sentence else sentence
+    for typed, named in TYPED:
+        found = typed.sub(named, found)
+    return found
+
+
+def capital(sentence: str) -> str:
+    """It begins with a capital letter, but for a name of the user's that a colon follows."""
+    first = sentence.partition(" ")[0]
+    return sentence if first.endswith(":") else sentence[:1].upper() + sentence[1:]
 
 
 def decimal_point() -> str:

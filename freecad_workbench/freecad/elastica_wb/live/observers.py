@@ -96,6 +96,8 @@ class Changes:
         """The mouse was released, or something else changed the sketch."""
         if obj.Document.Transacting:
             self._changed.add((obj.Document.Name, obj.Name))
+        elif name == "Group" and not obj.Document.Restoring:
+            _regrouped(obj.Document)
         session = _session()
         if session is not None and obj is session.sketch and name == "Geometry":
             self._soon()
@@ -147,6 +149,15 @@ def _session() -> Any:
 
     module = sys.modules.get("freecad.elastica_wb.live.session")
     return None if module is None else module.session()
+
+
+def _regrouped(document: Any) -> None:
+    """Something moved into a container, or out of one; without ever importing what no document has yet."""
+    import sys
+
+    module = sys.modules.get("freecad.elastica_wb.features.proxy")
+    if module is not None:
+        module.keep_containers(document)
 
 
 def _stop() -> None:

@@ -3,6 +3,7 @@
 
 """The panel of the export: which files, how written, where to."""
 
+import re
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -22,7 +23,7 @@ from elastica_cad.fabrication.sheets.pieces import Piece
 from elastica_cad.formats.drawing_files.curve_style import CURVES
 from elastica_cad.formats.drawing_files.dxf_drawing import DXF_VERSIONS
 
-BY_HAND = "(--force, or force=True)"  # how those who type allow files to be overwritten
+EXISTS = re.compile(r"(.*) exists already: ")
 
 
 class ExportPanel(Panel):
@@ -77,9 +78,13 @@ class ExportPanel(Panel):
         try:
             self._write()
         except InputError as error:
-            raise InputError(
-                str(error).replace(BY_HAND, translate("Elastica", "tick the box for it"))
-            ) from error
+            found = EXISTS.match(str(error))
+            if found is None:
+                raise
+            words = translate(
+                "Elastica", "exists already: choose another folder, or tick the box that overwrites"
+            )
+            raise InputError(f"{found[1]} {words}") from error
 
     def _write(self) -> None:
         kinds = [kind for kind in KINDS if getattr(self.form, kind).isChecked()]
@@ -87,10 +92,13 @@ class ExportPanel(Panel):
             self.browse()
         if not self.form.folder.text().strip():
             raise InputError(translate("Elastica", "choose a folder for the files"))
+        folder = Path(self.form.folder.text().strip()).expanduser()
+        if not folder.is_absolute():  # FreeCAD runs in a folder that nobody knows
+            raise InputError(translate("Elastica", "write the whole path of the folder, or press Browse"))
         with progress("Writing files", len(self.pieces) + len(self.strips)) as go_on:
             self.written = write_cutting_files(
                 self.strips,
-                self.form.folder.text(),
+                folder,
                 kinds=kinds,
                 sheet_size=(self.value("sheetWidth"), self.value("sheetHeight")),
                 kerf=self.value("kerf"),
@@ -100,7 +108,7 @@ class ExportPanel(Panel):
                 force=self.form.force.isChecked(),
                 step=go_on,
             )
-        preferences.put("ExportFolder", self.form.folder.text())
+        preferences.put("ExportFolder", str(folder))
         if self.written:
             tell_files(self.written)
 

@@ -10,13 +10,21 @@ from typing import Any
 
 import FreeCAD as App
 import FreeCADGui as Gui
+from freecad.elastica_wb.features.strip import could_follow_another
 from freecad.elastica_wb.host.property_table import Property
 from freecad.elastica_wb.host.qt import QtCore, QtWidgets
 from freecad.elastica_wb.host.refusal import FAILURES, explained
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.panels.panel import Panel
-from freecad.elastica_wb.panels.widgets.fields import field_for, put_choices, set_value, signal_of, value_of
+from freecad.elastica_wb.panels.widgets.fields import (
+    field_for,
+    put_away,
+    put_choices,
+    set_value,
+    signal_of,
+    value_of,
+)
 
 Told = tuple[tuple[str, str], ...]
 
@@ -149,8 +157,8 @@ class PropertyPanel(Panel):
         self._stop_picking()
         self._refresh.stop()
         for name in list(self.fields):
-            self.fields.pop(name).setParent(None)
             delattr(self.form, name)
+            put_away(self.fields.pop(name))
         self.rows.clear()
         gc.collect()
 
@@ -202,7 +210,9 @@ class PropertyPanel(Panel):
         rows = "".join(f"<tr><td>{name}&nbsp;&nbsp;</td><td><b>{value}</b></td></tr>" for name, value in told)
         self.form.numbers.setText(worded(f"<table>{rows}</table>") if rows else "")
         self.form.numbers.setVisible(bool(rows))
-        self.form.useNearest.setVisible(failed and getattr(obj, "Follow", "") == "Exactly")
+        self.form.useNearest.setVisible(
+            failed and getattr(obj, "Follow", "") == "Exactly" and could_follow_another(obj)
+        )
         self.form.footnote.setText("" if failed else layout.footnote(obj))
         self.tell(self._words())
         if layout.source:
@@ -217,7 +227,7 @@ class PropertyPanel(Panel):
     def _words(self) -> str:
         obj = self.object
         if hasattr(obj, "Verdict"):
-            return " ".join([obj.Verdict, *obj.Reasons])
+            return "\n".join([obj.Verdict, *obj.Reasons])
         if "Invalid" in obj.State:
             return str(obj.getStatusString())
         return "\n".join(getattr(obj, "Reports", []))

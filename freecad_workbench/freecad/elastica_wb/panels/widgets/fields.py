@@ -44,6 +44,13 @@ def field_for(obj: Any, name: str) -> Any:
     return box
 
 
+def put_away(widget: Any) -> None:
+    """End a widget of `field_for`: one that is bound to a property would go on hearing of its expressions."""
+    widget.blockSignals(True)
+    widget.setParent(None)
+    widget.deleteLater()
+
+
 def put_choices(box: Any, choices: list[str]) -> None:
     """Let a list offer these, in the user's language."""
     if [box.itemData(i) for i in range(box.count())] != choices:
