@@ -234,7 +234,7 @@ def test_what_is_typed_elsewhere_has_the_name_of_its_property():
         "The width of the strip has a kink at 20 mm, where the slope of the curvature jumps: "
         "smooth = 0.1, or --smooth 0.1, makes it a fair curve of degree 4 within 0.1 mm."
     )
-    assert told.endswith("jumps: Smooth = 0.1 makes it a fair curve of degree 4 within 0.1 mm.")
+    assert told.endswith("jumps: Smooth = 0.1 mm makes it a fair curve of degree 4 within 0.1 mm.")
     told = sentences.translated("make it wider (max_width). To make it all the same, set anyway (--anyway).")
     assert told == "make it wider (MaxWidth). To make it all the same, set Anyway."
     assert sentences.capital("too narrow") == "Too narrow"
