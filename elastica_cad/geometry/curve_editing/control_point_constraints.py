@@ -1,7 +1,6 @@
 """Constraints on the control points of a curve, and the least move that restores them.
 
-Appendix C of the paper: inflections on a
-line, end points, end tangents, arc length. Every constraint is an equation G(q) = 0 in the control points
+Appendix C of the paper: inflections on a line, end points, end tangents, arc length. Every constraint is an equation G(q) = 0 in the control points
 q (m, 2), read row by row; of a rational curve the weights stay as they are.
 """
 
@@ -16,6 +15,7 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
 _GAUSS, _GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(16)
+_EPS = float(np.finfo(float).eps)
 
 
 class Constraint(Protocol):
@@ -214,7 +214,8 @@ def least_norm_newton(
     Parameters
     ----------
     tolerance : float
-        Norm of all residuals at which to stop, relative to the size of the curve.
+        Norm of all residuals at which to stop, relative to the size of the curve; it stops too where the rounding
+        of the control points makes residuals as large, as dense knots do to inflections.
 
     Returns
     -------
@@ -237,7 +238,7 @@ def least_norm_newton(
     size = float(np.ptp(curve.control_points, axis=0).max())
     residual, jacobian = _assembled(curve, constraints)
     norms = [float(np.linalg.norm(residual))]
-    while norms[-1] > tolerance * size:
+    while norms[-1] > max(tolerance * size, _rounding(curve, jacobian)):
         if len(norms) > max_steps:
             raise NotConvergedError(
                 f"the constraints on the curve are not met after {max_steps} steps: {norms[-1]:.3g} is left; "
@@ -247,6 +248,11 @@ def least_norm_newton(
         curve, residual, jacobian = _advanced(curve, constraints, step, norms[-1])
         norms.append(float(np.linalg.norm(residual)))
     return curve, tuple(norms)
+
+
+def _rounding(curve: PlaneCurve, jacobian: FloatArray) -> float:
+    """Norm of the residuals that control points make by being rounded, and evaluation by being some times so."""
+    return float(8 * _EPS * np.linalg.norm(np.abs(jacobian) @ np.abs(curve.control_points).ravel()))
 
 
 def _advanced(

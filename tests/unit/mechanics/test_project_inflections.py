@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import NotConvergedError
+from elastica_cad.geometry.curve_editing.fairing import fair_curve
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
@@ -42,6 +43,26 @@ def test_inflections_are_collinear_afterwards_and_ends_stay(bend):
     np.testing.assert_allclose(*tangents, atol=1e-9)
     t = np.linspace(*ends, 500)
     assert np.hypot(*(moved.evaluate(t) - curve.evaluate(t)).T).max() < 5 * before
+
+
+@pytest.mark.parametrize(("points", "digits"), [(40, 3), (80, 4), (80, 6), (150, 4), (150, 6)])
+def test_a_wave_of_a_pen_made_fair_is_a_strip(points, digits):
+    """With hundreds of control points, rounding of these alone moves inflections by nanometres."""
+    rng = np.random.default_rng(points + digits)
+    for _ in range(4):
+        x = np.linspace(0, 300, points)
+        wave = np.column_stack([x, rng.uniform(25, 30) * np.sin(3.4 * np.pi * x / 300 + 0.3)])
+        turn = rng.uniform(0, 2 * np.pi)
+        wave = wave @ [[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]]
+        drawn = PlaneCurve.spline(np.round(wave, digits))
+        fair = fair_curve(drawn, 0.02).curve
+        zeros = fair.curvature_zeros
+        assert len(zeros) == 3
+        assert off_line(fair, zeros) < 0.03
+        check = check_equilibrium(fair)
+        assert check.realizable, check.reasons
+        assert off_line(check.curve, check.curve.curvature_zeros) < 1e-10 * fair.length
+        assert optimal_rod(fair).residual < 1e-9
 
 
 def test_rational_weights_are_kept():
