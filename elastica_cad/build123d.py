@@ -27,12 +27,13 @@ from elastica_cad.kernel.strip_on_path import (
     End,
     FixtureOptions,
     StripOptions,
-    curves_on_body,
     make_fixture_on,
     make_strip_on,
+    section_requests,
 )
 from elastica_cad.kernel.strip_warnings import StripWarning, warn_of_missing_slots
 from elastica_cad.mechanics.bending.between_clamps import angles_in_rad, elastica_between
+from elastica_cad.mechanics.loads.arguments import whole_number
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.material.sheet import Sheet
 
@@ -421,7 +422,7 @@ class Elastica(bd.BaseLineObject):
             gravity=gravity,
             force=force,
             side=side,
-            mode=buckling,
+            mode=whole_number(buckling, "buckling", 1),
         )
         wire = occt.make_wire(Path([Spline(self.branch.curve)]))
         super().__init__(bd.Wire(wire), mode)
@@ -545,7 +546,7 @@ def section_strips(
     Returns
     -------
     ShapeList of BentStrip
-        Standing in the section's plane, with its z axis to the strip's upper edge.
+        Standing in the section's plane, with its z axis to the strip's upper edge; called by `label` and a number.
 
     Raises
     ------
@@ -565,11 +566,10 @@ def section_strips(
     >>> len(ribs)
     3
     """
-    made: bd.ShapeList[BentStrip] = bd.ShapeList()
-    for one in curves_on_body(body, planes, half=half):
-        placed: StripOptions = {**options, "plane": one.frame}
-        made.append(BentStrip(one.curve, sheet, max_width=max_width, mode=bd.Mode.PRIVATE, **placed))
-    return made
+    return bd.ShapeList(
+        BentStrip(curve, sheet, max_width=max_width, mode=bd.Mode.PRIVATE, **placed)
+        for curve, placed in section_requests(body, planes, options, half=half)
+    )
 
 
 class PlacedStrip(_Made, bd.Part):

@@ -29,12 +29,13 @@ from elastica_cad.kernel.strip_on_path import (
     End,
     FixtureOptions,
     StripOptions,
-    curves_on_body,
     make_fixture_on,
     make_strip_on,
+    section_requests,
 )
 from elastica_cad.kernel.strip_warnings import StripWarning, warn_of_missing_slots
 from elastica_cad.mechanics.bending.between_clamps import angles_in_rad, elastica_between
+from elastica_cad.mechanics.loads.arguments import whole_number
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.material.sheet import Sheet
 
@@ -436,7 +437,7 @@ def elastica(
         gravity=gravity,
         force=force,
         side=side,
-        mode=buckling,
+        mode=whole_number(buckling, "buckling", 1),
     )
     return cq.Wire(occt.make_wire(Path([Spline(found.curve)]))).Edges()[0]
 
@@ -462,6 +463,11 @@ def section_strips(
     half : bool
         Only what lies on the side to which a plane's x axis points.
 
+    Returns
+    -------
+    list of StripSolid
+        Standing in the section's plane; called by `label` and a number.
+
     Raises
     ------
     InputError
@@ -479,11 +485,10 @@ def section_strips(
     1
     """
     shape = body.val() if isinstance(body, cq.Workplane) else body
-    made = []
-    for one in curves_on_body(shape, planes, half=half):
-        placed: StripOptions = {**options, "plane": one.frame}
-        made.append(bent_strip(one.curve, sheet, max_width=max_width, **placed))
-    return made
+    return [
+        bent_strip(curve, sheet, max_width=max_width, **placed)
+        for curve, placed in section_requests(shape, planes, options, half=half)
+    ]
 
 
 def model_assembly(model: "Model", *, others: "Iterable[Holder]" = ()) -> cq.Assembly:

@@ -186,6 +186,17 @@ def curves_on_body(body: Any, planes: Any, *, half: bool = False) -> "tuple[Sect
     return found
 
 
+def section_requests(
+    body: Any, planes: Any, options: StripOptions, *, half: bool = False
+) -> "list[tuple[PlaneCurve, StripOptions]]":
+    """The curves of `curves_on_body`, each with its strip's options: their plane, and a label with a number."""
+    called = options.get("label") or "strip"
+    return [
+        (one.curve, {**options, "plane": one.frame, "label": f"{called}-{number}"})
+        for number, one in enumerate(curves_on_body(body, planes, half=half), start=1)
+    ]
+
+
 @lru_cache(maxsize=KEPT_REQUESTS)
 def _made(spec: "StripSpec") -> tuple[Strip, float]:
     """The strip and its deviation."""

@@ -58,6 +58,8 @@ class TestBuild123d:
 
         with pytest.raises(InputError, match="longer"):
             Elastica((0, 0), (70, 0), 60)
+        with pytest.raises(InputError, match="buckling is 0: it must be"):
+            Elastica((0, 0), (70, 0), 100, buckling=0)
         with pytest.raises(InputError, match="without z"):
             Elastica((0, 0, 1), (70, 0, 0), 100)
 

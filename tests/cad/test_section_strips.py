@@ -29,7 +29,7 @@ def test_build123d():
     planes = [bd.Plane.XZ.offset(y) for y in (-20, 0, 20)]
     ribs = section_strips(dome, planes, CARD, max_width=8, label="rib")
     assert [type(rib) for rib in ribs] == [BentStrip] * 3
-    assert {rib.label for rib in ribs} == {"rib"}
+    assert [rib.label for rib in ribs] == ["rib-1", "rib-2", "rib-3"]
     for rib, plane in zip(ribs, planes, strict=True):
         assert off_sphere(rib, 60) < 0.3
         assert rib.frame.origin @ rib.frame.z_axis == pytest.approx(tuple(plane.origin) @ rib.frame.z_axis)
@@ -55,6 +55,7 @@ def test_cadquery():
     planes = [cq.Plane.XZ((0, y, 0)) for y in (-20, 0, 20)]
     ribs = section_strips(dome, planes, CARD, max_width=8)
     assert [type(rib) for rib in ribs] == [StripSolid] * 3
+    assert [rib.label for rib in ribs] == ["strip-1", "strip-2", "strip-3"]
     assert max(off_sphere(rib, 60) for rib in ribs) < 0.3
     halves = section_strips(cq.Solid.makeSphere(60, angleDegrees1=-90), CUTS, CARD, max_width=8)
     assert len(halves) == 4

@@ -187,6 +187,7 @@ class TestCadQuery:
             "face, shell or solid, not int": lambda: section_strips(5, cq.Plane.XZ(), SHEET, max_width=9),
             "plane is 'XZ'": lambda: section_strips(ball, "XZ", SHEET, max_width=9),
             "angles must be two": lambda: elastica((0, 0), (10, 0), 50, angles=30),
+            "buckling is 0: it must be": lambda: elastica((0, 0), (10, 0), 50, buckling=0),
         }
         for says, slip in slips.items():
             with pytest.raises(InputError, match=says):
