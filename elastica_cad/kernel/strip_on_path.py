@@ -161,7 +161,7 @@ def make_fixture_on(
     return made, EndFixture.of(made.strip, end, made.frame, floor=ground, number=number, **sizes)
 
 
-def curves_on_body(body: Any, planes: Any, *, half: bool = False) -> "tuple[SectionCurve, ...]":
+def _curves_on_body(body: Any, planes: Any, *, half: bool = False) -> "tuple[SectionCurve, ...]":
     """The curves in which planes cut a face or a body of a kernel, each with its plane in space.
 
     `planes` are planes of any library, or a `SectionSpec`; `half` keeps what lies on the side of their x axes. What
@@ -189,11 +189,11 @@ def curves_on_body(body: Any, planes: Any, *, half: bool = False) -> "tuple[Sect
 def section_requests(
     body: Any, planes: Any, options: StripOptions, *, half: bool = False
 ) -> "list[tuple[PlaneCurve, StripOptions]]":
-    """The curves of `curves_on_body`, each with its strip's options: their plane, and a label with a number."""
+    """The curves of `_curves_on_body`, each with its strip's options: their plane, and a label with a number."""
     called = options.get("label") or "strip"
     return [
         (one.curve, {**options, "plane": one.frame, "label": f"{called}-{number}"})
-        for number, one in enumerate(curves_on_body(body, planes, half=half), start=1)
+        for number, one in enumerate(_curves_on_body(body, planes, half=half), start=1)
     ]
 
 

@@ -214,8 +214,8 @@ def least_norm_newton(
     Parameters
     ----------
     tolerance : float
-        Norm of all residuals at which to stop, relative to the size of the curve; it stops too where the rounding
-        of the control points makes residuals as large, as dense knots do to inflections.
+        Norm of all residuals at which to stop, relative to the size of the curve. It stops too where no step
+        lessens residuals that rounding of the control points makes: with dense knots these are larger.
 
     Returns
     -------
@@ -238,14 +238,22 @@ def least_norm_newton(
     size = float(np.ptp(curve.control_points, axis=0).max())
     residual, jacobian = _assembled(curve, constraints)
     norms = [float(np.linalg.norm(residual))]
-    while norms[-1] > max(tolerance * size, _rounding(curve, jacobian)):
+    while norms[-1] > tolerance * size:
+        is_rounding = norms[-1] <= _rounding(curve, jacobian)
+        if len(norms) > max_steps and is_rounding:
+            break
         if len(norms) > max_steps:
             raise NotConvergedError(
                 f"the constraints on the curve are not met after {max_steps} steps: {norms[-1]:.3g} is left; "
                 "give up one of them, or start from a curve that is nearer"
             )
         step = np.asarray(np.linalg.lstsq(jacobian, -residual, rcond=1e-12)[0].reshape(-1, 2), dtype=float)
-        curve, residual, jacobian = _advanced(curve, constraints, step, norms[-1])
+        try:
+            curve, residual, jacobian = _advanced(curve, constraints, step, norms[-1])
+        except NotConvergedError:
+            if is_rounding:
+                break
+            raise
         norms.append(float(np.linalg.norm(residual)))
     return curve, tuple(norms)
 

@@ -21,15 +21,20 @@ class RationalPieces:
     ----------
     spans : Spans
         The knot spans.
-    bezier : (p, degree + 1, 3) array
-        Rows x w, y w, w of every span.
+    control_points : (m, 3) array
+        Rows x w, y w, w.
     rational : bool
         Do the weights differ?
     """
 
     spans: Spans
-    bezier: FloatArray
+    control_points: FloatArray
     rational: bool
+
+    @cached_property
+    def bezier(self) -> FloatArray:
+        """Rows x w, y w, w of every span, (p, degree + 1, 3)."""
+        return self.spans.bezier(self.control_points)
 
     @property
     def edges(self) -> FloatArray:
@@ -112,18 +117,24 @@ class RationalPieces:
     def _columns(self) -> FloatArray:
         """Pieces as (degree + 1, 3 or 2, p), the layout in which many points are evaluated fast.
 
-        Each is seen from its own first point: derivatives of a short piece far from the origin would
-        otherwise carry the rounding of its coordinates.
+        Each is seen from its middle control point, from which the others are subtracted without rounding: the
+        second derivatives of short pieces far from the origin would otherwise carry that of their coordinates.
         """
-        kept = self.bezier.copy() if self.rational else self.bezier[..., :2].copy()
-        kept[..., :2] -= self.bezier[..., 2:] * self._origins.T[:, None, :]
-        return np.ascontiguousarray(np.moveaxis(kept, 0, 2))
+        near = self.control_points[self._acting]
+        near[..., :2] -= near[..., 2:] * self._origins.T[:, None, :]
+        kept = near if self.rational else near[..., :2]
+        return np.ascontiguousarray(np.einsum("pij,pjk->ikp", self.spans.matrix, kept))
+
+    @cached_property
+    def _acting(self) -> IntArray:
+        """The control points that act on each piece, (p, degree + 1)."""
+        return np.asarray(self.spans.first[:, None] + np.arange(self.spans.degree + 1))
 
     @cached_property
     def _origins(self) -> FloatArray:
-        """First points (2, p) of the pieces, mm."""
-        first = self.bezier[:, 0]
-        return np.ascontiguousarray((first[:, :2] / first[:, 2:]).T)
+        """Middle control points (2, p) of the pieces, mm."""
+        middle = self.control_points[self.spans.first + self.spans.degree // 2]
+        return np.ascontiguousarray((middle[:, :2] / middle[:, 2:]).T)
 
 
 def _difference(c: FloatArray) -> FloatArray:

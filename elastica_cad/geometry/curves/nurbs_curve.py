@@ -290,4 +290,4 @@ class NurbsCurve:
         spans = bezier_spans(self.knots, self.degree)
         weights = np.ones(self.control_points.shape[0]) if self.weights is None else self.weights
         homogeneous = np.column_stack([self.control_points * weights[:, None], weights])
-        return RationalPieces(spans, spans.bezier(homogeneous), self.is_rational)
+        return RationalPieces(spans, homogeneous, self.is_rational)

@@ -1,7 +1,7 @@
 """The drawn curve that a strip is to take: its arc length, tangent, curvature, inflections, corners, crossings."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -19,6 +19,7 @@ from elastica_cad.geometry.curves.continuity import (
 from elastica_cad.geometry.curves.curve_derivatives import (
     curvature,
     curvature_slope,
+    norm,
 )
 from elastica_cad.geometry.curves.curve_records import Break, CurvatureZero, CurveSamples, TangentBreak
 from elastica_cad.geometry.curves.nurbs_curve import NurbsCurve
@@ -32,6 +33,9 @@ DRAWN_POINTS = 301  # of a curve in a notebook, a few pixels apart
 
 CORNER_RAD = 1e-5
 """Turn at once, rad, that is a corner."""
+
+ROUNDED_ZERO_SHARE = 1e-6
+"""Step, in lengths of a piece, by which a zero of the curvature may be off by rounding."""
 
 _ROUNDING = 1e-10  # of an angle
 
@@ -143,7 +147,7 @@ class PlaneCurve(NurbsCurve):
         found = zeros.curvature_zero_places(
             self._pieces.bezier, self._pieces.edges, self._curvature_continuous
         )
-        return self._measured(found)
+        return self._measured(self._polished(found, 0.0))
 
     def curvature_equals(self, level: float) -> tuple[CurvatureZero, ...]:
         """All places where the curvature is `level` (1/mm); before, after: signs of curvature - level."""
@@ -153,7 +157,7 @@ class PlaneCurve(NurbsCurve):
         found = zeros.curvature_level_places(
             self._pieces.bezier, self._pieces.edges, self._curvature_continuous, level
         )
-        return self._measured(found)
+        return self._measured(self._polished(found, level))
 
     def zeros_along(
         self,
@@ -272,6 +276,23 @@ class PlaneCurve(NurbsCurve):
     @cached_property
     def _curvature_continuous(self) -> BoolArray:
         return self._continuity >= 2
+
+    def _polished(self, found: tuple[zeros.ZeroPlace, ...], level: float) -> tuple[zeros.ZeroPlace, ...]:
+        """Crossings brought nearer by a step of Newton's: pieces are short, and their coordinates rounded."""
+        crossing = [i for i, place in enumerate(found) if place.kind == "crossing"]
+        if not crossing:
+            return found
+        t, edges = np.array([found[i].t for i in crossing]), self._pieces.edges
+        index, u = self._pieces.spans.locate(t)
+        _, d1, d2, d3 = self._pieces.within(index, u, 3)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            better = t - (curvature(d1, d2) - level) / (curvature_slope(d1, d2, d3) * norm(d1))
+        near = np.abs(better - t) < ROUNDED_ZERO_SHARE * (edges[index + 1] - edges[index])
+        near &= (edges[index] < better) & (better < edges[index + 1])
+        places = list(found)
+        for i, at in zip(np.array(crossing)[near], better[near].tolist(), strict=True):
+            places[i] = replace(found[i], t=at, t_end=at)
+        return tuple(places)
 
     def _measured(self, found: tuple[zeros.ZeroPlace, ...]) -> tuple[CurvatureZero, ...]:
         s = self.arc_length(np.array([[place.t, place.t_end] for place in found]).reshape(-1, 2))

@@ -1,0 +1,49 @@
+"""Shapes of strips that were bent, drawn again with a pen's cubics and written to files, can be bent again."""
+
+import numpy as np
+import pytest
+
+from elastica_cad.files import read_drawing
+from elastica_cad.forming.fairing_request import smooth_curve
+from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from tests.validation.test_every_number_of_decimals import smooth_path, written
+
+pytest.importorskip("svgelements")
+
+
+def bent_strip(rng):
+    """A strip of varying stiffness between two clamps."""
+    length = rng.uniform(120, 900)
+    stiffness = Profile.interpolate(np.linspace(0, length, 6), np.exp(rng.uniform(-0.4, 0.4, 6)))
+    end, angles = (rng.uniform(0.35, 0.9) * length, 0.0), rng.uniform(-1.2, 1.2, 2)
+    return bend(Rod.straight(length, stiffness), end=end, angles=tuple(angles))
+
+
+def as_cubics(rod, pieces):
+    """Cubics between points at even distances, with the tangents there and handles of a third of the way."""
+    curve = rod.curve
+    t = curve.parameter(np.linspace(0, curve.length, pieces + 1))
+    place, velocity = curve.evaluate(t), curve.evaluate(t, 1)
+    handle = curve.length / pieces / 3 / np.hypot(*np.diff(place, axis=0).T)
+    return smooth_path(place, np.degrees(np.arctan2(velocity[:, 1], velocity[:, 0])), handle, handle)
+
+
+@pytest.mark.parametrize(("pieces", "decimals"), [(5, 3), (12, 2), (16, 3), (40, 3)])
+def test_bent_strips_drawn_again_are_strips(tmp_path, pieces, decimals):
+    """Drawn up to 150 m from the origin, as in plans of sites: rounding there must not hide a strip."""
+    rng = np.random.default_rng(pieces)
+    rods = [bent_strip(rng) for _ in range(30)]
+    path = tmp_path / "drawn.svg"
+    drawn = {str(k): as_cubics(rod, pieces) for k, rod in enumerate(rods)}
+    written(path, decimals, "mm", relative=False, curves=drawn)
+    for rod, one in zip(rods, read_drawing(path), strict=True):
+        curve = smooth_curve(one.curve).curve
+        check = check_equilibrium(curve)
+        assert check.realizable, check.reasons
+        again = optimal_rod(curve)
+        assert again.length == pytest.approx(rod.length, rel=5e-3)
+        assert again.residual < 1e-8
