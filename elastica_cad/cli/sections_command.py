@@ -222,7 +222,7 @@ def _strip_keys(sheet: str, chosen: dict[str, Any], output: Path) -> dict[str, A
 
 def _path_points(path: Path) -> list[list[float]]:
     """Rows of three numbers, under a row of three names or none."""
-    text = require_file(path).read_text(encoding="utf-8", errors="replace")
+    text = require_file(path).read_text(encoding="utf-8-sig", errors="replace")
     rows: list[list[float]] = []
     headed = False
     for number, line in enumerate(text.splitlines(), start=1):

@@ -171,13 +171,16 @@ def _blocks(rows: _Rows) -> list[FloatArray]:
 
 
 def _cells(line: str) -> list[str]:
-    """The cells of one row; a trailing separator adds none."""
-    if ";" in line or "\t" in line:
-        cells = [cell.strip().replace(",", ".") for cell in re.split(r"[;\t]", line)]
-    elif "," in line:
-        cells = [cell.strip() for cell in line.split(",")]
+    """The cells of one row, without quotes; a trailing separator adds none."""
+    parts = line.split('"')
+    parting = next((sign for sign in ";\t," if any(sign in part for part in parts[::2])), None)
+    if parting is None:
+        cells = "".join(parts).split()
     else:
-        cells = line.split()
+        parts[::2] = [part.replace(parting, "\n") for part in parts[::2]]  # within quotes nothing parts cells
+        cells = [cell.strip() for cell in "".join(parts).split("\n")]
+    if parting != "," or len(parts) > 1:
+        cells = [cell.replace(",", ".") for cell in cells]
     while cells and not cells[-1]:
         cells.pop()
     return cells

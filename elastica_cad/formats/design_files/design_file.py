@@ -171,9 +171,13 @@ def read_design(
 
 def _read(path: Path, read_curves: CurveReader, read_surface: SurfaceReader) -> Design:
     try:
-        data = tomllib.loads(path.read_bytes().decode("utf-8"))
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise InputError(f"{path} is no TOML file: {error}") from error
+        data = tomllib.loads(path.read_bytes().decode("utf-8-sig"))  # with a byte order mark or without
+    except UnicodeDecodeError as error:
+        raise InputError(f"{path} is no TOML file, which are UTF-8: save it as text in UTF-8") from error
+    except tomllib.TOMLDecodeError as error:
+        raise InputError(
+            f"{path} is no TOML file: {error}; mend that line, or begin with one of `elastica new`"
+        ) from error
     top, slips = Table(data, str(path), {}), Slips()
     with slips.gathering():
         top.only(*TOP)

@@ -57,7 +57,7 @@ def require_file(path: str | Path) -> Path:
             f"{path} cannot be read: {error.strerror or error}; name a file that is there and may be read"
         ) from error
     if empty:
-        raise InputError(f"{path} is empty: export the curve anew")
+        raise InputError(f"{path} is empty: save it anew in the program that made it")
     size = path.stat().st_size
     if size > LARGEST_FILE:
         raise InputError(

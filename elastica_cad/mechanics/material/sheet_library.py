@@ -136,11 +136,13 @@ def read_figures(path: str | Path) -> dict[str, dict[str, Any]]:
     if path.is_dir():
         raise InputError(f"{path} is a folder, not a file of sheets: name the TOML file inside it")
     try:
-        data = tomllib.loads(path.read_bytes().decode("utf-8"))
+        data = tomllib.loads(path.read_bytes().decode("utf-8-sig"))  # with a byte order mark or without
     except OSError as error:
         raise InputError(f"{path} cannot be read: {error.strerror or error}") from error
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise InputError(f"{path} is not a TOML file: {error}") from error
+    except UnicodeDecodeError as error:
+        raise InputError(f"{path} is not a TOML file, which are UTF-8: save it as text in UTF-8") from error
+    except tomllib.TOMLDecodeError as error:
+        raise InputError(f"{path} is not a TOML file: {error}; mend that line") from error
     for key in data:
         if key not in ("schema", "sheets"):
             raise InputError(f"{path}: unknown entry {key!r}; sheets are tables [sheets.NAME]")

@@ -119,6 +119,8 @@ def test_planes_along_a_path(dome, tmp_path):
     mesh, path = written(tmp_path / "dome.obj", *dome), tmp_path / "path.csv"
     path.write_text("# x, y, z\n-60, 0, 0\n60, 0, 0\n")
     assert_two_along(mesh, path, tmp_path)
+    path.write_bytes(b"\xef\xbb\xbf-60, 0, 0\r\n60, 0, 0\r\n")  # as Windows saves it
+    assert_two_along(mesh, path, tmp_path / "windows")
     path.write_text("1, 2\n")
     assert "path.csv, line 1: '1, 2' is no point" in run("sections", mesh, "--along", path).stderr.replace(
         "  ", ", "

@@ -455,3 +455,14 @@ def test_the_last_slip_that_is_not_told_is_counted_too(count, told):
     for number in range(count):
         slips.add(f"strip {number} has no width")
     assert slips.text.endswith(f" Also: {told}")
+
+
+def test_a_design_of_a_windows_editor_is_read(tmp_path):
+    """A byte order mark before the first line, and line ends of two bytes: `Invalid statement (at line 1 ...)`."""
+    design = tmp_path / "design.toml"
+    text = HEAD + "[[strips]]\n" + ARC
+    design.write_bytes(b"\xef\xbb\xbf" + text.replace("\n", "\r\n").encode())
+    assert len(read_design(design, read_curves).entries) == 1
+    design.write_bytes(text.encode("utf-16"))
+    with pytest.raises(InputError, match="save it as text in UTF-8"):
+        read_design(design, read_curves)

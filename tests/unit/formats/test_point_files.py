@@ -184,3 +184,21 @@ def test_points_of_an_unlikely_size_are_told_with_what_says_so(tmp_path):
     poles.write_text("2 4\n0 0\n.1 .2\n.3 .2\n.4 0\n")
     (told,) = read_curves(poles).notes
     assert told.endswith("say --unit m (400 mm)")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        '"Point";"X [mm]";"Y [mm]"\r\n1;0;0\r\n2;40,5;30\r\n3;90;45\r\n4;140;32\r\n5;180;0\r\n',
+        '"Point","X (mm)","Y (mm)"\n"1","0","0"\n"2","40,5","30"\n"3","90","45"\n"4","140","32"\n"5","180","0"\n',
+        '"x" "y"\n0 0\n40.5 30\n90 45\n140 32\n180 0\n',
+    ],
+)
+def test_cells_in_quotes_are_read_as_a_spreadsheet_saves_them(tmp_path, text):
+    """The quotes hid the heading: the number of the point was x, and y a third column that ran over 45 mm."""
+    file = tmp_path / "points.csv"
+    file.write_text(text)
+    (curve,) = read_curves(file)
+    assert curve.sample(2).position == pytest.approx(np.array([(0, 0), (180, 0)]), abs=0.1)
+    dense = curve.sample(4001).position
+    assert np.min(np.linalg.norm(dense - (40.5, 30), axis=1)) < 0.1

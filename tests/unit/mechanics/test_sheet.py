@@ -304,3 +304,12 @@ def test_a_sheet_of_a_file(tmp_path):
         Sheet.named(str(path))
     with pytest.raises(InputError, match="there is no sheet 'third'"):
         Sheet.named(f"{path}:third")
+
+
+def test_a_sheets_file_of_a_windows_editor_is_read(tmp_path):
+    path, text = tmp_path / "mine.toml", f"[sheets.mine]\n{ENTRY}"
+    path.write_bytes(b"\xef\xbb\xbf" + text.replace("\n", "\r\n").encode())
+    assert load_sheets(path)["mine"].thickness == 0.8
+    path.write_bytes(text.encode("utf-16"))
+    with pytest.raises(InputError, match="save it as text in UTF-8"):
+        load_sheets(path)
