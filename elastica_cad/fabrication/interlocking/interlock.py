@@ -168,14 +168,13 @@ class _Cutter:
     def joint(self, members: tuple[int, int], crossing: Crossing) -> Joint:
         """Both slots of one crossing, each from the half way point to where its strip ends."""
         names = [self.names[i] for i in members]
-        ends = self._ends(members, crossing)
         points = crossing.course[2]
         low, high = float(points.angle.min()), float(points.angle.max())
         if low < TOUCHING_RAD:
             s = float(points.first[int(points.angle.argmin()), 0])
             raise InputError(self._touch(names, s))
         slots, middle = [], np.zeros(3)
-        for which, end in enumerate(ends):
+        for which, end in enumerate(self._ends(members, crossing)):
             last = crossing.beyond(which, end)
             p = crossing.at(crossing.evenly(crossing.middle, float(end if last is None else last), PITCH_MM))
             rows = (p.first, p.second)[which]

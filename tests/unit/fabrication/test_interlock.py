@@ -306,6 +306,17 @@ def test_a_strip_held_from_both_edges_is_told():
     assert "threaded" not in first.reports[-1]
 
 
+def test_arches_that_lie_on_each_other_at_the_top_touch():
+    """Where one runs over the other both lie flat: no slot, and no strip too short for one."""
+    rod = optimal_rod(PlaneCurve.spline([(-75, 0), (-50, 60), (0, 95), (50, 60), (75, 0)]))
+    arches = [
+        Placed(Strip(rod, CARD, max_width=16.0, label=name), x_axis=x, y_axis=(0, 0, 1))
+        for name, x in (("A", (1, 0, 0)), ("B", (0, 1, 0)))
+    ]
+    with pytest.raises(InputError, match="A and B touch along a line at .*: move them apart or turn one"):
+        Model(arches).interlock()
+
+
 def test_shallow_angles_are_told():
     model = Model([flat(label="A"), turned(np.radians(10), label="B")]).interlock()
     assert "A and B cross at 10.0 degrees at 50.0 mm of A" in model.reports[0]
