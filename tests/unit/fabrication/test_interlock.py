@@ -313,7 +313,7 @@ def test_arches_that_lie_on_each_other_at_the_top_touch():
         Placed(Strip(rod, CARD, max_width=16.0, label=name), x_axis=x, y_axis=(0, 0, 1))
         for name, x in (("A", (1, 0, 0)), ("B", (0, 1, 0)))
     ]
-    with pytest.raises(InputError, match="A and B touch along a line at .*: move them apart or turn one"):
+    with pytest.raises(InputError, match=r"A and B touch along a line at .*: move them apart or turn one"):
         Model(arches).interlock()
 
 
