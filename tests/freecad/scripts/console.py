@@ -46,7 +46,7 @@ def report(document, feature):
 
     width = feature.MaxWidth.Value
     feature.MaxWidth = 0
-    answers["said"] = [line for line in said(document.recompute).splitlines() if "max_width" in line]
+    answers["said"] = [line for line in said(document.recompute).splitlines() if "MaxWidth" in line]
     answers["traceback"] = (OUT / "said.txt").read_text().count("Traceback")
     answers["status"] = feature.getStatusString()
     answers["limit"] = hasattr(sys, "tracebacklimit")
