@@ -21,7 +21,8 @@ def test_same_ratios(plain, gravity):
     ]
     rods = [near.rod for near in ec.nearest_rods(curves, limits, gravity=gravity)]
     ours, plainly, apart = plain["race"](rods)
-    assert apart < 1e-8
+    # all meet their rows to some 1e-10 only, which a wave under a slanted weight makes a hundredfold of
+    assert apart < 5e-8
     assert min(ours, plainly) > 0
     for rod in rods:
-        assert 1 < plain["plain"](*plain["samples"](rod)) <= rod.ratio * (1 + 1e-8)
+        assert 1 < plain["plain"](*plain["samples"](rod)) <= rod.ratio * (1 + 5e-8)
