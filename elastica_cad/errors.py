@@ -1,6 +1,7 @@
 """The one family of errors: every message says what is wrong, where (mm), and what to do."""
 
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 from reprlib import Repr
 
@@ -14,6 +15,10 @@ class ElasticaError(Exception):
 
 class InputError(ElasticaError, ValueError):
     """Input that no computation can start from: a bad file, number, option or curve."""
+
+
+class UnknownOptionError(InputError, TypeError):
+    """An option that no strip has, as Python itself refuses unknown arguments."""
 
 
 class NotConvergedError(ElasticaError, RuntimeError):
@@ -52,3 +57,21 @@ def how_to_install(package: str) -> str:
         f'"{word}"' if set(word) & set(" []") else word for word in (here, "-m", "pip", "install", package)
     )
     return " ".join(words)
+
+
+def refuse_unknown(asked: Iterable[str], known: Iterable[str], what: str) -> None:
+    """Refuse the first name that is not known as an option of `what`.
+
+    Raises
+    ------
+    UnknownOptionError
+        There is one.
+    """
+    from difflib import get_close_matches
+
+    names = sorted(known)
+    for name in asked:
+        if name not in names:
+            near = get_close_matches(name, names, n=1)
+            hint = f"did you mean {near[0]}?" if near else f"there are {', '.join(names)}"
+            raise UnknownOptionError(f"{name} is no option of {what}: {hint}")

@@ -1,13 +1,14 @@
 """What is asked of one strip, in one record; and the strip that is made of it."""
 
 from dataclasses import dataclass, field, replace
+from dataclasses import fields as fields_of
 from functools import cached_property
 from typing import Any, cast
 
 import numpy as np
 
 from elastica_cad._equality import EqualByValue
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, refuse_unknown
 from elastica_cad.fabrication.asked_gravity import (
     AskedGravity,
     hung_weight,
@@ -387,7 +388,7 @@ def make_strip(curve: PlaneCurve, sheet: Sheet | str, **fields: Any) -> Strip:
     Raises
     ------
     NotRealizable, NotConvergedError, InputError
-        As `StripSpec` and its `make`.
+        As `StripSpec` and its `make`; a field that no strip has.
 
     Examples
     --------
@@ -395,6 +396,7 @@ def make_strip(curve: PlaneCurve, sheet: Sheet | str, **fields: Any) -> Strip:
     >>> round(make_strip(arch, "birch-plywood-0.8", max_width=30).width.extremes[1], 6)
     30.0
     """
+    refuse_unknown(fields, {one.name for one in fields_of(StripSpec)} - {"curve", "sheet"}, "a strip")
     spec = StripSpec(curve, sheet, **fields)
     with told_in_python(spec.curve, spec.may_change):
         return spec.make()

@@ -15,7 +15,7 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.file_access.atomic_write import write_atomically
 from elastica_cad.formats.surface_files.animated_glb import MovingMesh, encode_animation
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.kernel.skin_mesh import skin_meshes
+from elastica_cad.kernel.meshes.skin_mesh import skin_meshes
 from elastica_cad.mechanics.bending.bend_forward import bend, bend_path
 from elastica_cad.mechanics.rod.rod_record import Rod
 

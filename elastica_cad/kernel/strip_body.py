@@ -6,14 +6,13 @@ from math import hypot
 from typing import Any, Protocol, TypeAlias, TypedDict
 
 from elastica_cad._types import ArrayLike
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, refuse_unknown
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.solids.smooth_pieces import in_smooth_pieces
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, bent_sheets
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.occt import Shape, make_face, make_solid
-from elastica_cad.kernel.unknown_options import refuse_unknown
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.material.sheet import Sheet

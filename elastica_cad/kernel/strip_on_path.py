@@ -5,7 +5,7 @@ from dataclasses import fields
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypedDict
 
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, UnknownOptionError, refuse_unknown
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.styles import Style
@@ -15,7 +15,6 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.drawn_edges import plane_curve
 from elastica_cad.kernel.strip_body import MadeStrip, StripBody
 from elastica_cad.kernel.strip_warnings import warn, warn_of_contact, warn_of_strain
-from elastica_cad.kernel.unknown_options import UnknownOptionError, refuse_unknown
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.sheet import Sheet

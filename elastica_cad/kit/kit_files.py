@@ -1,15 +1,17 @@
 """A kit written into one folder: all files together, or none."""
 
 import json
+from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
 from elastica_cad.errors import InputError, how_to_install
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
+from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.sheets.nesting import NestedSheet
@@ -196,6 +198,8 @@ def _plan(kit: Kit, *, step: bool, pictures: bool, parts: bool) -> None:
                 "differ in more than capitals and signs"
             )
         _add_drawing(kit, stem, piece.drawing, piece.sheet, "part")
+    if step:
+        files.update(_blocks(kit))
     files[f"{name}.json"] = (
         "report",
         lambda path: _write_text(path, json.dumps(kit_report(kit), indent=1) + "\n"),
@@ -226,10 +230,23 @@ def _start_page(kit: Kit) -> str:
             f"{nest.sheet_size[0]:g} by {nest.sheet_size[1]:g} mm."
             for nest in kit.nests
         ),
+        *_block_lines(kit),
         "Ends are numbered: end 1 is where a strip's label begins, end 2 where it ends; slot A:1 takes end 1 of A.",
     ]
     files = {file: what for file, (what, _) in kit.files.items() if file != "index.html"}
     return compose_start_page(kit.model.name, lines, kit_report(kit)["reports"], files)
+
+
+def _block_lines(kit: Kit) -> list[str]:
+    """How many blocks are printed, and from which files."""
+    count = len(_printed(kit))
+    if not count:
+        return []
+    files = [file for file in kit.files if file.endswith(".stl")]
+    blocks = f"{count} {'block' if count == 1 else 'blocks'} to print"
+    if not files:
+        return [f"{blocks}: without STEP files they are left out."]
+    return [f"{blocks}: {files[0]}{f' to {files[-1]}' if count > 1 else ''}, foot down."]
 
 
 def _suffix(kit: Kit) -> str:
@@ -257,7 +274,7 @@ def kit_report(kit: Kit) -> dict[str, Any]:
 
 def _assemblies(kit: Kit, stem: str) -> dict[str, tuple[str, Writer]]:
     """The files that a CAD kernel writes, and how; the bodies are made once for all."""
-    from elastica_cad.kernel.glb_files import write_glb
+    from elastica_cad.kernel.meshes.glb_files import write_glb
     from elastica_cad.kernel.step_files import model_shapes, write_step
 
     shapes = cache(lambda: model_shapes(kit.model, kit.holders))
@@ -269,6 +286,28 @@ def _assemblies(kit: Kit, stem: str) -> dict[str, tuple[str, Writer]]:
             lambda path: write_glb(shapes(), path, name=name),
         ),
     }
+
+
+def _blocks(kit: Kit) -> dict[str, tuple[str, Writer]]:
+    """Each block to print, as it stands on the printer's bed."""
+    used, files = Counter[str](), dict[str, tuple[str, Writer]]()
+    for block in _printed(kit):
+        stem = file_word(block.label)
+        used[stem.casefold()] += 1
+        again = f"-{count}" if (count := used[stem.casefold()]) > 1 else ""
+        files[f"{PARTS}/{stem}{again}.stl"] = ("block to print", partial(_write_block, block))
+    return files
+
+
+def _printed(kit: Kit) -> list[EndFixture]:
+    return [holder for holder in kit.holders if isinstance(holder, EndFixture)]
+
+
+def _write_block(block: EndFixture, path: Path) -> None:
+    from elastica_cad.kernel.meshes.stl_files import write_stl
+    from elastica_cad.kernel.occt import make_solid
+
+    write_stl(make_solid(block.solid), path, bed=block.ground)
 
 
 def _draw_assembly(kit: Kit, path: Path) -> None:

@@ -17,6 +17,7 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.kernel import occt
+from elastica_cad.kernel.meshes.stl_files import write_stl
 from elastica_cad.kernel.step_files import NamedShape, read_step_shape, step_bytes
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
@@ -93,6 +94,30 @@ def test_a_file_of_plain_faces_has_each_edge_once(strip, tmp_path, measure):
         assert measure.is_valid(back)
         whole = sum(measure.volume(part.shape, bent=False) for part in parts)
         assert measure.volume(back, bent=False) == pytest.approx(whole, rel=1e-6)
+
+
+@pytest.mark.parametrize("number", ["", "A:1", "K2:2", "80O&g"])
+@pytest.mark.parametrize("floor", [None, Frame((0, 0, -30.0))])
+def test_a_slicer_finds_a_closed_body_that_stands_on_its_bed(strip, measure, tmp_path, number, floor):
+    fixture = EndFixture.of(strip, "end", UPRIGHT, floor=floor, number=number)
+    body = occt.make_solid(fixture.solid)
+    file = tmp_path / "block.stl"
+    write_stl(body, file, bed=fixture.ground)
+    content = file.read_bytes()
+    row = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
+    triangles = np.frombuffer(content, row, offset=84)
+    assert int.from_bytes(content[80:84], "little") == len(triangles)
+    a, b, c = np.moveaxis(triangles["corners"].astype(float), 1, 0)
+    volume = np.sum(a * np.cross(b, c)) / 6
+    assert volume == pytest.approx(measure.volume(body, bent=False), rel=1e-3)
+    assert np.sum(triangles["normal"] * np.cross(b - a, c - a), axis=1).min() > 0
+    assert min(one[:, 2].min() for one in (a, b, c)) == pytest.approx(0.0, abs=1e-4)
+    # every edge is run once each way
+    number_of = np.unique(np.concatenate([a, b, c]), axis=0, return_inverse=True)[1]
+    ring = number_of.reshape(3, -1)
+    ways = {(i, j) for k in range(3) for i, j in zip(ring[k], ring[(k + 1) % 3], strict=True)}
+    assert len(ways) == 3 * len(triangles)
+    assert all((j, i) in ways for i, j in ways)
 
 
 def test_a_long_number_is_engraved_whole(strip, measure):

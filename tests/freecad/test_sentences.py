@@ -28,6 +28,7 @@ SPOKEN = [
     "fabrication/slots",
     "fabrication/interlocking/interlock.py",
     "fabrication/model/strip_model.py",
+    "fabrication/drawings/kerf.py",
     "fabrication/holders/base_plate.py",
     "fabrication/holders/end_fixtures.py",
     "fabrication/sheets/nesting.py",

@@ -154,9 +154,9 @@ _NEAREST = (
 )  # fmt: skip
 
 _PATTERN = (
-    click.option("--tab", type=LENGTH, default=TAB_LENGTH_MM, show_default=True, metavar="MM",
-                 help="Length of both tabs."),
-    click.option("--tab-radius", type=LENGTH, default=0.0, metavar="MM", help="Rounding of the tabs' corners."),
+    click.option("--tab", type=LENGTH, metavar="MM",
+                 help=f"Length of tabs without sizes of their own [default: {TAB_LENGTH_MM:g}]."),
+    click.option("--tab-radius", type=LENGTH, metavar="MM", help="Rounding of their corners [default: 0]."),
     click.option("--start-tab", type=_Keys(read_tab), metavar="KEYS",
                  help="The first tab: 'length = 12, holes = [{at = 6, diameter = 3}]'."),
     click.option("--end-tab", type=_Keys(read_tab), metavar="KEYS", help="The last tab, in the same way."),
@@ -343,5 +343,12 @@ def _keep(chosen: Mapping[str, Any]) -> Keep | None:
 
 
 def _ends(chosen: Mapping[str, Any]) -> tuple[Tab, Tab]:
-    usual = Tab(chosen["tab"], corner_radius=chosen["tab_radius"])
-    return chosen["start_tab"] or usual, chosen["end_tab"] or usual
+    own = chosen["start_tab"], chosen["end_tab"]
+    sizes = {name: chosen[name] for name in ("tab", "tab_radius") if chosen[name] is not None}
+    if all(own) and sizes:
+        raise InputError(
+            f"--{next(iter(sizes)).replace('_', '-')} is of tabs without sizes of their own, and both tabs have "
+            "theirs: leave it out"
+        )
+    usual = Tab(sizes.get("tab", TAB_LENGTH_MM), corner_radius=sizes.get("tab_radius", 0.0))
+    return own[0] or usual, own[1] or usual

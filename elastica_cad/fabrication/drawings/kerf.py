@@ -9,6 +9,9 @@ from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.path_intersections import polylines_cross
 from elastica_cad.geometry.paths.segments import place
 
+WIDEST_KERF_MM = 15.0
+"""A router's bit of half an inch is 12.7 mm wide."""
+
 
 def compensate_kerf(drawing: Drawing, kerf: float, *, tolerance: float = 1e-4) -> Drawing:
     """The drawing as the tool must run so that the parts come out as drawn.
@@ -27,7 +30,8 @@ def compensate_kerf(drawing: Drawing, kerf: float, *, tolerance: float = 1e-4) -
     Raises
     ------
     InputError
-        A loop is swallowed by the cut, or moved loops cross or touch each other.
+        A kerf wider than that of any tool; a loop is swallowed by the cut, or moved loops cross or touch each
+        other.
 
     Examples
     --------
@@ -37,6 +41,11 @@ def compensate_kerf(drawing: Drawing, kerf: float, *, tolerance: float = 1e-4) -
     """
     if not np.isfinite(kerf):
         raise InputError(f"the kerf is {kerf}: it must be a finite number of mm, 0 for none")
+    if abs(kerf) > WIDEST_KERF_MM:
+        raise InputError(
+            f"the kerf is {kerf:g} mm, wider than the cut of any tool: give the width of the cut in mm, such as "
+            "0.15 for a laser"
+        )
     if kerf == 0:
         return drawing
     sides = {CUT_OUTER: kerf / 2, CUT_INNER: -kerf / 2}

@@ -114,8 +114,8 @@ class EndFixture:
             )
         if self.number is None:
             object.__setattr__(self, "number", engravable(self.tab.name))
-        if abs(self._ground.z_axis @ self.tab.frame.y_axis) > LEVEL:
-            lean = np.degrees(np.arcsin(min(1.0, abs(float(self._ground.z_axis @ self.tab.frame.y_axis)))))
+        if abs(self.ground.z_axis @ self.tab.frame.y_axis) > LEVEL:
+            lean = np.degrees(np.arcsin(min(1.0, abs(float(self.ground.z_axis @ self.tab.frame.y_axis)))))
             raise InputError(
                 f"{who}: the plane of the strip leans {lean:.3g} degrees to the floor: leave the floor out, and "
                 "the block stands square to its tab"
@@ -167,7 +167,7 @@ class EndFixture:
         return self.tab.width + 2 * (self.clearance + self.wall)
 
     @cached_property
-    def _ground(self) -> Frame:
+    def ground(self) -> Frame:
         """The plane the block stands on; its z axis points to the block."""
         if self.floor is not None:
             return self.floor
@@ -190,10 +190,10 @@ class EndFixture:
     @cached_property
     def _up(self) -> tuple[FloatArray, FloatArray, float]:
         """In the profile's frame: unit vectors up and along the floor (2,), and the floor's height."""
-        n = self._ground.z_axis
+        n = self.ground.z_axis
         up = np.array([n @ self._profile.x_axis, n @ self._profile.y_axis])
         up = up / np.hypot(*up)
-        return up, np.array([up[1], -up[0]]), float((self._ground.origin - self._profile.origin) @ n)
+        return up, np.array([up[1], -up[0]]), float((self.ground.origin - self._profile.origin) @ n)
 
     @property
     def lowest(self) -> float:

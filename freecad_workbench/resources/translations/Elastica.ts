@@ -2519,6 +2519,22 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>the kerf is %1: it must be a finite number of mm, 0 for none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the kerf is %1 mm, wider than the cut of any tool: give the width of the cut in mm, such as 0.15 for a laser</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a kerf of %1 mm is too wide for a loop on %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with a kerf of %1 mm two cut loops meet at %2: move them apart there or use a smaller kerf</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>%1: %2 by %3 mm is larger than a sheet of %4 by %5 mm with a margin of %6 mm%7: use a larger sheet or make the part in pieces</source>
         <translation type="unfinished"></translation>
     </message>

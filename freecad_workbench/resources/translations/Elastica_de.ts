@@ -2531,6 +2531,22 @@
         <translation>jedes Stück passt auf die Platte</translation>
     </message>
     <message>
+        <source>the kerf is %1: it must be a finite number of mm, 0 for none</source>
+        <translation>die Schnittfuge ist %1: sie muss eine endliche Zahl in mm sein, 0 für keine</translation>
+    </message>
+    <message>
+        <source>the kerf is %1 mm, wider than the cut of any tool: give the width of the cut in mm, such as 0.15 for a laser</source>
+        <translation>die Schnittfuge ist %1 mm, breiter als der Schnitt jedes Werkzeugs: die Breite des Schnitts in mm angeben, etwa 0,15 für einen Laser</translation>
+    </message>
+    <message>
+        <source>a kerf of %1 mm is too wide for a loop on %2: %3</source>
+        <translation>eine Schnittfuge von %1 mm ist zu breit für eine Kontur auf %2: %3</translation>
+    </message>
+    <message>
+        <source>with a kerf of %1 mm two cut loops meet at %2: move them apart there or use a smaller kerf</source>
+        <translation>mit einer Schnittfuge von %1 mm treffen sich zwei Schnittkonturen bei %2: sie dort auseinanderrücken oder eine kleinere Schnittfuge nehmen</translation>
+    </message>
+    <message>
         <source>%1: %2 by %3 mm is larger than a sheet of %4 by %5 mm with a margin of %6 mm%7: use a larger sheet or make the part in pieces</source>
         <translation>%1: %2 mal %3 mm ist größer als eine Platte von %4 mal %5 mm mit einem Rand von %6 mm%7: eine größere Platte nehmen oder das Teil zerteilen</translation>
     </message>

@@ -2531,6 +2531,22 @@
         <translation>每个零件都放得进板材</translation>
     </message>
     <message>
+        <source>the kerf is %1: it must be a finite number of mm, 0 for none</source>
+        <translation>切缝为 %1：须为有限的毫米数，0 表示没有</translation>
+    </message>
+    <message>
+        <source>the kerf is %1 mm, wider than the cut of any tool: give the width of the cut in mm, such as 0.15 for a laser</source>
+        <translation>切缝为 %1 mm，比任何刀具的切缝都宽：请以毫米给出切缝宽，激光如 0.15</translation>
+    </message>
+    <message>
+        <source>a kerf of %1 mm is too wide for a loop on %2: %3</source>
+        <translation>切缝 %1 mm 对 %2 上的轮廓过宽：%3</translation>
+    </message>
+    <message>
+        <source>with a kerf of %1 mm two cut loops meet at %2: move them apart there or use a smaller kerf</source>
+        <translation>切缝为 %1 mm 时两条切割轮廓在 %2 相遇：把它们移开，或使用更小的切缝</translation>
+    </message>
+    <message>
         <source>%1: %2 by %3 mm is larger than a sheet of %4 by %5 mm with a margin of %6 mm%7: use a larger sheet or make the part in pieces</source>
         <translation>%1：%2 x %3 mm 大于 %4 x %5 mm 的板材（边距 %6 mm）%7：使用更大的板材，或把零件分段</translation>
     </message>

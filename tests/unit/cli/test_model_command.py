@@ -75,6 +75,12 @@ def test_a_model_becomes_one_folder(design, tmp_path):
     if "model/kit.step" in names:
         text = (out / "model" / "kit.step").read_text()
         assert all(f"'{name}'" in text for name in ("K1", "K2", "base", "fixture K1:1", "fixture K2:2"))
+    blocks = (
+        [f"parts/fixture-K{i}-{k}.stl" for i in (1, 2) for k in (1, 2)] if "model/kit.step" in names else []
+    )
+    assert sorted(name for name in names if name.endswith(".stl")) == blocks
+    told = f"{blocks[0]} to {blocks[-1]}, foot down" if blocks else "without STEP files they are left out"
+    assert f"4 blocks to print: {told}" in (out / "index.html").read_text()
 
 
 def test_the_same_design_gives_the_same_files(design, tmp_path):

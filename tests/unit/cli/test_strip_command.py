@@ -230,6 +230,11 @@ def test_folder_unknown_sheet_and_bad_numbers(drawn, tmp_path):
         (("strip", drawn, *good, "--kerf", "wide"), "kerf"),
         (("strip", drawn, *good, "--max-width", "-3"), "positive"),
         (("strip", drawn, *good, "--tab", "-3"), "tab"),
+        (
+            ("strip", drawn, *good, "--tab", "12", "--start-tab", "length = 8", "--end-tab", "length = 9"),
+            "--tab is of",
+        ),
+        (("strip", drawn, *good, "--kerf", "50"), "wider than the cut of any tool"),
         (("strip", drawn, *good, "--curve", "7"), "7"),
         (("strip", drawn, *good, "--dxf-version", "R99"), "R99"),
         (("strip", drawn, *good, "--tolerance", "0"), "tolerance"),

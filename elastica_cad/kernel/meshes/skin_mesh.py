@@ -11,7 +11,8 @@ from elastica_cad.fabrication.strip.strip_layers import Layer
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.kernel.occt import kernel, make_solid, sub_shapes
+from elastica_cad.kernel.meshes.face_triangles import face_triangles
+from elastica_cad.kernel.occt import make_solid
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
@@ -70,18 +71,11 @@ def skin_meshes(strip: Strip) -> tuple[SkinMesh, ...]:
 
 def _skin_mesh(layer: Layer, circle: Rod, radius: float, heights: tuple[float, float]) -> SkinMesh:
     """Meshed on a circle, where every point tells its place in the flat pattern."""
-    k = kernel()
     body = make_solid(BentSolid.wrapped(circle, layer.outline, layer.holes, heights=heights))
-    k.BRepMesh_IncrementalMesh(body, CHORD * circle.length, False, 1.0)
     places: list[FloatArray] = []
     normals, triangles = [], []
-    for face in map(k.as_face, sub_shapes(body, k.TopAbs_ShapeEnum.TopAbs_FACE)):
-        net = k.BRep_Tool.Triangulation_s(face, k.TopLoc_Location())
-        nodes = (net.Node(i) for i in range(1, net.NbNodes() + 1))
-        flat = _unrolled(np.array([(p.X(), p.Y(), p.Z()) for p in nodes]), radius)
-        corners = np.array([net.Triangle(i).Get() for i in range(1, net.NbTriangles() + 1)]) - 1
-        if face.Orientation() == k.TopAbs_Orientation.TopAbs_REVERSED:
-            corners = corners[:, ::-1]
+    for points, corners in face_triangles(body, chord=CHORD * circle.length, turn=1.0):
+        flat = _unrolled(points, radius)
         triangles.append(corners + sum(len(rows) for rows in places))
         places.append(flat)
         normals.append(_normals(flat, corners))

@@ -1,0 +1,1 @@
+"""Bodies as triangles, and the files that hold them."""
