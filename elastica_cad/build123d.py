@@ -1,6 +1,7 @@
 """Strips in build123d: sketch and part objects, and an operation on pending edges."""
 
 from collections.abc import Iterable, Sequence
+from contextlib import nullcontext
 from dataclasses import replace
 from os import PathLike
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias, Unpack, overload
@@ -483,7 +484,8 @@ def elastic_strip(
     max_width : float
         As in `StripOutline`.
     form : "flat", "bent" or "outline"
-        The strip as cut (`FlatStrip`), as bent (`BentStrip`), or its flat pattern (`StripOutline`).
+        The strip as cut (`FlatStrip`), as bent (`BentStrip`), or its flat pattern (`StripOutline`). Bent it stands
+        on the pending edges where these are, as locations put them there; flat it lies at each active location.
     mode : Mode
         How it joins the builder's part or sketch.
     **options
@@ -512,9 +514,12 @@ def elastic_strip(
             )
         context.pending_edges = bd.ShapeList()
         path = list(bd.Wire.combine(path)) if len(path) > 1 else path
-        strips: list[Any] = [
-            forms[form](chain, sheet, max_width=max_width, mode=mode, **options) for chain in path
-        ]
+        # pending edges are where the active locations put them, once for each
+        drawn = bd.LocationList([bd.Location()]) if form == "bent" else nullcontext()
+        with drawn:
+            strips: list[Any] = [
+                forms[form](chain, sheet, max_width=max_width, mode=mode, **options) for chain in path
+            ]
         made: Any = strips[0] if len(strips) == 1 else bd.ShapeList(strips)
     else:
         made = forms[form](path, sheet, max_width=max_width, mode=mode, **options)

@@ -139,6 +139,18 @@ class TestBuilderMode:
                 strip = FlatStrip(edge, SHEET, mode=bd.Mode.SUBTRACT, **OPTIONS)
         assert part.part.volume == pytest.approx(400 * 100 * 10 - 2 * strip.strip.area * 0.8, rel=1e-6)
 
+    def test_pending_edges_lie_where_locations_put_them(self, bent):
+        """Bent strips stand on them, one each; the locations are not applied again."""
+        places = (0, 0, 0), (0, 0, 90)
+        with bd.BuildPart() as part, bd.Locations(*places):
+            with bd.BuildLine():
+                bd.Spline(*POINTS)
+            strips = elastic_strip(sheet=SHEET, form="bent", **OPTIONS)
+        assert len(strips) == len(part.part.solids()) == 2
+        box, one = part.part.bounding_box(), bent.bounding_box()
+        assert pytest.approx(one.size.Z + 90, abs=1e-4) == box.size.Z
+        assert pytest.approx(one.max.Z + 90, abs=1e-4) == box.max.Z
+
     def test_private_mode(self, edge):
         with bd.BuildPart() as part:
             FlatStrip(edge, SHEET, mode=bd.Mode.PRIVATE, **OPTIONS)
