@@ -374,13 +374,12 @@ class Elastica(bd.BaseLineObject):
     length : float
         Of the strip, mm: more than the distance of its ends.
     angles : pair of float or None
-        Of the tangents at start and end, degrees; None leaves the strip free to turn there.
+        Of the tangents at start and end, degrees, whole turns not counted; None leaves the strip free to turn
+        there.
     stiffness : float, sequence or Profile
         Of a tapered strip: its widths at even stations, in any unit.
     gravity : Gravity, optional
         The strip's own weight, as `Sheet.gravity` gives it.
-    force : pair of float, optional
-        As in `bend`.
     side : {+1, -1}
         Bulge to the left or the right of the way from start to end.
     buckling : int
@@ -409,7 +408,6 @@ class Elastica(bd.BaseLineObject):
         angles: tuple[float | None, float | None] = (None, None),
         stiffness: "float | Sequence[float] | Profile" = 1.0,
         gravity: Gravity | None = None,
-        force: tuple[float, float] | None = None,
         side: int = 1,
         buckling: int = 1,
         mode: bd.Mode = bd.Mode.ADD,
@@ -421,7 +419,6 @@ class Elastica(bd.BaseLineObject):
             angles=angles_in_rad(angles),
             stiffness=stiffness,
             gravity=gravity,
-            force=force,
             side=side,
             mode=whole_number(buckling, "buckling", 1),
         )

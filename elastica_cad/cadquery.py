@@ -399,7 +399,6 @@ def elastica(
     angles: tuple[float | None, float | None] = (None, None),
     stiffness: "float | Sequence[float] | Profile" = 1.0,
     gravity: Gravity | None = None,
-    force: tuple[float, float] | None = None,
     side: int = 1,
     buckling: int = 1,
 ) -> cq.Edge:
@@ -412,9 +411,14 @@ def elastica(
     length : float
         Of the strip, mm: more than the distance of its ends.
     angles : pair of float or None
-        Of the tangents at start and end, degrees; None leaves the strip free to turn there.
-    stiffness, gravity, force, side
-        As in `elastica_between`, which also tells which of the many shapes it is.
+        Of the tangents at start and end, degrees, whole turns not counted; None leaves the strip free to turn
+        there.
+    stiffness : float, sequence or Profile
+        Of a tapered strip: its widths at even stations, in any unit.
+    gravity : Gravity, optional
+        The strip's own weight, as `Sheet.gravity` gives it.
+    side : {+1, -1}
+        Bulge to the left or the right of the way from start to end.
     buckling : int
         Buckling mode; above 1 the shape is unstable as a rule.
 
@@ -435,7 +439,6 @@ def elastica(
         angles=angles_in_rad(angles),
         stiffness=stiffness,
         gravity=gravity,
-        force=force,
         side=side,
         mode=whole_number(buckling, "buckling", 1),
     )

@@ -64,7 +64,6 @@ def elastica_between(
     angles: tuple[float | None, float | None] = (None, None),
     stiffness: "ArrayLike | Profile" = 1.0,
     gravity: Gravity | None = None,
-    force: ArrayLike | None = None,
     side: int = 1,
     mode: int = 1,
     samples: int = SAMPLES,
@@ -81,13 +80,11 @@ def elastica_between(
     length : float
         Of the strip, mm: more than the distance of its ends.
     angles : pair of float or None
-        Of the tangent at both ends, rad; None leaves the strip free to turn there.
+        Of the tangent at both ends, rad, whole turns not counted; None leaves the strip free to turn there.
     stiffness : float, (n,) array_like or Profile
         Of a tapered strip: stiffness at even stations, or over [0, length].
     gravity : Gravity, optional
         The strip's own weight.
-    force : (2,) array_like, optional
-        As in `bend`.
     side : {+1, -1}
         To which side of the way from start to end the strip bulges first, left or right.
     mode : int
@@ -128,8 +125,8 @@ def elastica_between(
     )
     bent = bend(rod, end=last, side=side, mode=mode)
     near, far = (None if angle is None else _nearest_turn(angle, along) for angle in (near, far))
-    if near is not None or far is not None or gravity is not None or force is not None:
-        bent = bend(bent, end=last, angles=(near, far), gravity=gravity, force=force, settle=mode == 1)
+    if near is not None or far is not None or gravity is not None:
+        bent = bend(bent, end=last, angles=(near, far), gravity=gravity, settle=mode == 1)
     return ElasticaBetween(bent, _side(bent), mode)
 
 

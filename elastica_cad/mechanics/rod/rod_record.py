@@ -343,8 +343,11 @@ def _profile_of(stiffness: "ArrayLike | Profile", length: float, samples: int | 
                 f"the stiffness profile is {stiffness.length:.6g} mm long, the rod {length:.6g} mm"
             )
         return stiffness, samples or DEFAULT_SAMPLES
-    values = np.atleast_1d(np.asarray(stiffness, dtype=float))
-    if values.ndim != 1 or not np.all(np.isfinite(values)) or np.any(values <= 0):
+    try:
+        values = np.atleast_1d(np.asarray(stiffness, dtype=float))
+    except (TypeError, ValueError):  # words, rows of different lengths
+        values = np.array([])
+    if not values.size or values.ndim != 1 or not np.all(np.isfinite(values)) or np.any(values <= 0):
         raise InputError("stiffness must be positive, finite numbers: one, or one a node")
     n = samples or (values.size if values.size > 1 else DEFAULT_SAMPLES)
     if values.size == 1:

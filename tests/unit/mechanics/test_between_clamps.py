@@ -85,6 +85,8 @@ def test_a_strip_of_even_width_is_drawn(angles):
         ({"angles": 45}, "angles must be two"),
         ({"angles": (10,)}, "angles must be two"),
         ({"angles": ("steep", 0)}, "angles must be two"),
+        ({"stiffness": "soft"}, "stiffness must be positive, finite numbers"),
+        ({"stiffness": []}, "stiffness must be positive, finite numbers"),
     ],
 )
 def test_what_is_no_point_length_or_pair_is_named(given, says):
