@@ -115,25 +115,32 @@ class _Made(StripBody):
         """The block that holds an end of the bent strip, in place; `sizes` as in `EndFixture`."""
         return EndFixture(self, end=end, mode=bd.Mode.PRIVATE, **sizes)
 
-    def mirror(self, mirror_plane: bd.Plane | None = None) -> Any:
-        """As `Shape.mirror`; the image knows its strip, which is turned over, and has its rigid joints."""
+    def _apply_transform(self, transformation: Any) -> Any:
+        """A shape mirrored, or made anew where it goes: joints are made there too, strips of images turned over."""
         body: Any = self
-        plane = mirror_plane or bd.Plane.XY
-        turn = occt.mirror_in(_frame(plane.location))
-        image = bd.Shape.mirror(body, plane)
-        image._made = self._made.mirrored()
+        image = bd.Shape._apply_transform(body, transformation)
+        if transformation.IsNegative():
+            image._made = self._made.mirrored()
         image.joints = {}
         for name, joint in getattr(self, "joints", {}).items():
             if isinstance(joint, bd.RigidJoint):
-                place = occt.moved_frame(_frame(joint.location), turn)
+                place = occt.moved_frame(_frame(joint.location), transformation)
                 bd.RigidJoint(name, image, bd.Location(occt.make_location(place)))
         return image
 
     def scale(self, *args: Any, **options: Any) -> bd.Part | bd.Sketch:
         """As `Shape.scale`: a plain body, as a strip of another size has other numbers."""
         body: Any = self
-        scaled = bd.Shape.scale(body, *args, **options).wrapped
-        plain = bd.Sketch(scaled) if isinstance(self, bd.Sketch) else bd.Part(scaled)
+        return self._plain(bd.Shape.scale(body, *args, **options))
+
+    def transform_geometry(self, t_matrix: bd.Matrix) -> bd.Part | bd.Sketch:
+        """As `Shape.transform_geometry`: a plain body, as what is stretched is no strip."""
+        body: Any = self
+        return self._plain(bd.Shape.transform_geometry(body, t_matrix))
+
+    def _plain(self, changed: bd.Shape) -> bd.Part | bd.Sketch:
+        body: Any = self
+        plain = bd.Sketch(changed.wrapped) if isinstance(self, bd.Sketch) else bd.Part(changed.wrapped)
         plain.label, plain.color = body.label, body.color
         return plain
 
@@ -210,13 +217,20 @@ class Slider(bd.LinearJoint):
         """The strip with its end `position` mm along the way."""
         travel = self.travel
         strip = replace(travel.strip, rod=travel.rod(position))
-        return BentStrip(strip, plane=travel.frame, mode=bd.Mode.PRIVATE)
+        return BentStrip(strip, plane=self._frame, mode=bd.Mode.PRIVATE)
 
     def write_glb(
         self, path: str | PathLike[str], *, frames: int = 25, seconds: float = 4.0, force: bool = False
     ) -> None:
         """Write the way there and back as an animation; a file that is there only with `force`."""
-        self.travel.write_glb(path, frames=frames, seconds=seconds, force=force)
+        moved = replace(self.travel, frame=self._frame)
+        moved.write_glb(path, frames=frames, seconds=seconds, force=force)
+
+    @property
+    def _frame(self) -> Frame:
+        """The plane of the strip where its body lies now: it may have been joined to others since."""
+        rib: Any = self.parent
+        return rib.frame if isinstance(rib, _Made) else self.travel.frame
 
 
 class StripOutline(_Made, bd.BaseSketchObject):

@@ -358,13 +358,6 @@ def moved_frame(frame: Frame, motion: Any) -> Frame:
     return Frame((at.X(), at.Y(), at.Z()), x, np.cross(z, x))
 
 
-def mirror_in(plane: Frame) -> Any:
-    """The gp_Trsf that mirrors in the xy plane of a frame."""
-    motion = kernel().gp_Trsf()
-    motion.SetMirror(plane_axes_of(plane).Ax2())
-    return motion
-
-
 def plane_axes_of(frame: Frame) -> Any:
     """The frame's origin, normal and x axis for the kernel."""
     return kernel().gp_Ax3(_pnt(frame.origin), _dir(frame.z_axis), _dir(frame.x_axis))

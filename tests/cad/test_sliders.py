@@ -131,6 +131,10 @@ def test_a_carriage_rides_in_build123d(arch_strip, tmp_path):
         assert (body.joints["end"].location.position - rides).length < 1e-6
         assert (body.joints["start"].location.position - rib.joints["start"].location.position).length < 1e-6
         assert body.volume == pytest.approx(rib.volume, rel=1e-4)
+    bd.RigidJoint("wall", (wall := bd.Pos(90, 0, 0) * bd.Box(5, 5, 5))).connect_to(rib.joints["start"])
+    joined = slider.bent(12.5).joints["start"].location.position
+    assert (joined - wall.joints["wall"].location.position).length < 1e-6
+    assert (joined - rib.joints["start"].location.position).length < 1e-6
     slider.write_glb(tmp_path / "rib.glb", frames=3)
     assert "arch" in frames_of(tmp_path / "rib.glb")
     with pytest.raises(InputError, match=r"\.bent\(\) first"):

@@ -85,11 +85,30 @@ class TestBuild123d:
             assert list(read.joints) == list(body.joints)
 
     def test_scaled_it_is_no_strip(self, rib):
+        import build123d as bd
+
         for body in (rib, rib.flat, rib.outline):
             larger = body.scale(2)
             assert larger.area == pytest.approx(4 * body.area, rel=1e-6)
             assert larger.label == "rib"
             assert not hasattr(larger, "strip")
+        stretched = rib.transform_geometry(bd.Matrix([[1, 0, 0, 0], [0, 2, 0, 0], [0, 0, 1, 0]]))
+        assert not hasattr(stretched, "strip")
+
+    def test_made_anew_elsewhere_its_other_bodies_follow(self, rib):
+        """`transformed` and `transform=True` make a shape anew instead of placing it."""
+        import build123d as bd
+
+        there = bd.Location((10, 20, 30), (0, 0, 30))
+        for moved in (
+            rib.transformed((0, 0, 30), (10, 20, 30)),
+            rib.rotate(bd.Axis.Z, 30, transform=True).translate((10, 20, 30), transform=True),
+        ):
+            placed = there * rib
+            for name, joint in placed.joints.items():
+                assert (moved.joints[name].location.position - joint.location.position).length < 1e-6
+            for body, other in ((moved, placed), (moved.bent(), placed), (moved.fixture(), placed.fixture())):
+                assert (body.center() - other.center()).length < 1e-4
 
 
 @pytest.mark.cadquery
