@@ -614,8 +614,9 @@ def model_compound(model: "Model", *, others: "Iterable[Holder]" = ()) -> bd.Com
     InputError
         Something else among `others`.
     """
-    from elastica_cad.fabrication.model.assembly import assembly_parts, shape_parts
+    from elastica_cad.fabrication.model.assembly import assembly_parts, require_model, shape_parts
 
+    require_model(model)
     parts = assembly_parts(model.placed, (*model.plates, *others))
     warn_of_missing_slots(model.placed)
     children = [

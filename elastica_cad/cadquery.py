@@ -518,9 +518,10 @@ def model_assembly(model: "Model", *, others: "Iterable[Holder]" = ()) -> cq.Ass
     InputError
         Something else among `others`.
     """
-    from elastica_cad.fabrication.model.assembly import assembly_parts, shape_parts
+    from elastica_cad.fabrication.model.assembly import assembly_parts, require_model, shape_parts
 
     assembly = cq.Assembly(name=model.name)
+    require_model(model)
     parts = assembly_parts(model.placed, (*model.plates, *others))
     warn_of_missing_slots(model.placed)
     for part, (body, *glued_on) in shape_parts(parts, _part_shapes):

@@ -6,6 +6,7 @@ from typing import TypeAlias
 
 import numpy as np
 
+from elastica_cad._values import is_number
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.loads.gravity import Gravity
@@ -68,12 +69,3 @@ def _direction(given: object) -> tuple[float, ...]:
             "numbers in the drawing or three in space, not all zero, such as (0, -1) or (0, 0, -1)"
         )
     return tuple(float(one) for one in row)
-
-
-def is_number(value: object) -> bool:
-    """A finite number?"""
-    return (
-        isinstance(value, float | int | np.number)
-        and not isinstance(value, bool)
-        and bool(np.isfinite(value))
-    )

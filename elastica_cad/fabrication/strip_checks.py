@@ -2,10 +2,9 @@
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from typing import Any
 
+from elastica_cad._values import is_number, several
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.asked_gravity import is_number
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.styles import Plain, Style
 from elastica_cad.fabrication.strip.tabs import Tab
@@ -61,16 +60,7 @@ def check_law(
 
 def masses_of(loads: object) -> tuple[PointMass, ...]:
     """Masses hung on a strip: one, or several."""
-    return several("loads", (loads,) if isinstance(loads, PointMass) else loads, PointMass, "PointMass")
-
-
-def several(name: str, values: object, record: type[Any], kind: str) -> tuple[Any, ...]:
-    """A tuple of records of one kind."""
-    found = tuple(values) if isinstance(values, Sequence) else (values,)
-    for one in found:
-        if not isinstance(one, record):
-            raise InputError(f"{name} hold {one!r}: give {kind} records")
-    return found
+    return several("loads", loads, PointMass, "PointMass")
 
 
 @contextmanager

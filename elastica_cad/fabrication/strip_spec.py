@@ -8,11 +8,11 @@ from typing import Any, cast
 import numpy as np
 
 from elastica_cad._equality import EqualByValue
+from elastica_cad._values import is_number, several
 from elastica_cad.errors import InputError, refuse_unknown
 from elastica_cad.fabrication.asked_gravity import (
     AskedGravity,
     hung_weight,
-    is_number,
     lightened,
     pull_in_plane,
 )
@@ -21,14 +21,13 @@ from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.styles import NO_WIDTH, PLAIN, Plain, Style, width_profile
+from elastica_cad.fabrication.strip.styles import NO_WIDTH, PLAIN, Plain, Style, require_style, width_profile
 from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.fabrication.strip_checks import (
     check_compensate,
     check_joint,
     check_law,
     masses_of,
-    several,
     told_in_python,
 )
 from elastica_cad.forming.fairing_request import smooth_curve
@@ -163,10 +162,7 @@ class StripSpec(EqualByValue):
             width = getattr(self, name)
             if width is not None and not (is_number(width) and width > 0):
                 raise InputError(f"{name} is {width!r}: it must be positive, in mm")
-        if not callable(getattr(self.style, "laid_out", None)):
-            raise InputError(
-                f"style is {self.style!r}: give Plain(), Perforated(width=...) or Laminated(width=..., backing=...)"
-            )
+        require_style(self.style)
         sized = bool(self.max_width or self.min_width)
         if self.law is not None:
             check_law(

@@ -248,7 +248,8 @@ class Keep:
     def __post_init__(self) -> None:
         for name in ("ends", "tangents"):
             value = getattr(self, name)
-            both = (value, value) if isinstance(value, (bool, np.bool_)) else tuple(value)
+            alone = isinstance(value, (bool, np.bool_))
+            both = (value, value) if alone else tuple(value) if isinstance(value, Iterable) else ()
             if len(both) != 2 or not all(isinstance(v, (bool, np.bool_)) for v in both):
                 raise InputError(f"keep {name}={value!r}: use True, False, or a pair for (start, end)")
             object.__setattr__(self, name, (bool(both[0]), bool(both[1])))

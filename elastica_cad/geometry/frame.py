@@ -45,9 +45,7 @@ class Frame:
         x_axis: ArrayLike = (1.0, 0.0, 0.0),
         y_axis: ArrayLike = (0.0, 1.0, 0.0),
     ) -> None:
-        rows = [np.array(v, dtype=float) for v in (origin, x_axis, y_axis)]
-        for name, row in zip(_PARTS, rows, strict=True):
-            _require_finite(name, row)
+        rows = [_row(name, v) for name, v in zip(_PARTS, (origin, x_axis, y_axis), strict=True)]
         sizes = [hypot(*row.tolist()) for row in rows[1:]]
         if min(sizes) == 0 or abs(rows[1] @ rows[2]) > 1e-9 * sizes[0] * sizes[1]:
             raise InputError("frame x_axis and y_axis must be two directions at right angles to each other")
@@ -113,6 +111,15 @@ class Frame:
         origin = self.point((x, y, z))
         _require_finite("origin", origin)
         return Frame.of_sound(origin, self.x_axis, self.y_axis)
+
+
+def _row(name: str, given: ArrayLike) -> FloatArray:
+    try:
+        row = np.array(given, dtype=float)
+    except (TypeError, ValueError):
+        raise InputError(f"frame {name} must be three finite numbers, got {given!r}") from None
+    _require_finite(name, row)
+    return row
 
 
 def _require_finite(name: str, row: FloatArray) -> None:

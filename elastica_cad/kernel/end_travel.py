@@ -8,6 +8,7 @@ from pathlib import Path as FilePath
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import is_number
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
 from elastica_cad.fabrication.model.assembly import layer_names
@@ -102,9 +103,10 @@ class Travel:
 
     def rod(self, position: float) -> Rod:
         """The shape with the end `position` mm along the way, found from the nearest station."""
-        share = position / self.length
+        share = position / self.length if is_number(position) else np.nan
         if not -1e-9 <= share <= 1 + 1e-9:
-            raise InputError(f"position is {position:g} mm: the travel goes from 0 to {self.length:.4g} mm")
+            told = f"{position:g}" if is_number(position) else repr(position)
+            raise InputError(f"position is {told} mm: the travel goes from 0 to {self.length:.4g} mm")
         near = self._stations[round(share * STATIONS)]
         return bend(near, end=self._rod.position[-1] + share * self._way)
 
@@ -137,8 +139,10 @@ class Travel:
             raise InputError(
                 f"{FilePath(path).name}: animations are written as binary glTF: name the file .glb"
             )
-        if not (np.isfinite(seconds) and seconds > 0):
-            raise InputError(f"an animation of {seconds} s shows nothing: give a positive number of seconds")
+        if not (is_number(seconds) and seconds > 0):
+            raise InputError(
+                f"an animation of {seconds!r} s shows nothing: give a positive number of seconds"
+            )
         rods = self.rods(frames)
         names = layer_names(self.strip.label or "strip", self.strip)
         moving = []

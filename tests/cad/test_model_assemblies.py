@@ -7,7 +7,7 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.holders.slotted_frame import slotted_frame
-from elastica_cad.fabrication.model.assembly import assembly_parts
+from elastica_cad.fabrication.model.assembly import assembly_parts, require_model
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.slots.slot import Slot
@@ -175,6 +175,8 @@ class TestWhatHoldsTheStrips:
     def test_something_else(self, crown):
         with pytest.raises(InputError, match="base plates, slotted frames and end fixtures, not by str"):
             step.model_shapes(crown, ["plate"])
+        with pytest.raises(InputError, match=r"a tuple is no model: give ec\.Model"):
+            require_model(crown.placed)
 
     def test_step(self, crown, holders, tmp_path, measure):
         from OCP.STEPControl import STEPControl_Reader

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import is_number
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.lettering import Text, engravable, text_strokes, text_width
 from elastica_cad.fabrication.drawings.stencil_strokes import stencil_strokes
@@ -94,15 +95,11 @@ class EndFixture:
         who = f"fixture {self.tab.name}"
         if self.tab.length <= 0:
             raise InputError(f"{who}: the strip has no tab there to hold; give it one, e.g. Tab(10)")
-        sizes = {
-            "clearance": self.clearance, "wall": self.wall - 1e-9, "foot": self.foot,
-            "foot height": self.foot_height - 1e-9, "screw": self.screw,
-        }  # fmt: skip
-        for name, value in sizes.items():
-            if not (np.isfinite(value) and value >= 0):
-                raise InputError(
-                    f"{who}: {name} is {getattr(self, name.replace(' ', '_'))}: it must be positive, in mm"
-                )
+        least = {"clearance": 0.0, "wall": 1e-9, "foot": 0.0, "foot height": 1e-9, "screw": 0.0}
+        for name, smallest in least.items():
+            value = getattr(self, name.replace(" ", "_"))
+            if not (is_number(value) and value >= smallest):
+                raise InputError(f"{who}: {name} is {value!r}: it must be positive, in mm")
         if self.wall < LEAST_WALL_MM:
             raise InputError(
                 f"{who}: a wall of {self.wall:g} mm is too thin to print: make it {LEAST_WALL_MM:g} mm or more"

@@ -1,9 +1,9 @@
 """What a workshop can make: least widths, the largest sheet it takes, the slots it accepts."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-import numpy as np
-
+from elastica_cad._values import is_number
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.material.sheet import Sheet
 
@@ -55,14 +55,14 @@ class Shop:
     def __post_init__(self) -> None:
         for name in ("least_width", "least_ligament", "least_bridge", "lap"):
             value = getattr(self, name)
-            if value is not None and not (np.isfinite(value) and value > 0):
+            if value is not None and not (is_number(value) and value > 0):
                 raise InputError(f"{name} is {value!r}: give a positive width in mm")
         if self.stock is None:
             return
-        sides = tuple(float(side) for side in self.stock)
-        if len(sides) != 2 or not all(np.isfinite(side) and side > 0 for side in sides):
+        sides = self.stock if isinstance(self.stock, Sequence) else ()
+        if len(sides) != 2 or not all(is_number(side) and side > 0 for side in sides):
             raise InputError(f"the stock is {self.stock!r}: give the two sides of the sheet in mm")
-        object.__setattr__(self, "stock", (max(sides), min(sides)))
+        object.__setattr__(self, "stock", (float(max(sides)), float(min(sides))))
 
     def width_for(self, sheet: Sheet | None) -> float:
         """Least width of strips, tabs and tongues of a sheet, mm."""

@@ -11,6 +11,7 @@ from elastica_cad.fabrication.holders.base_plate import BasePlate
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.ring_plate import Ring
 from elastica_cad.fabrication.holders.slotted_frame import Rib, SlottedFrame
+from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed, strip_names
 from elastica_cad.fabrication.solids.prisms import PrismSolid
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord, bent_sheets
@@ -61,6 +62,12 @@ def layer_names(name: str, strip: Strip) -> tuple[str, ...]:
 def bent_names(name: str, strip: Strip) -> tuple[str, ...]:
     """Names of its bodies when bent: those of its sheets, and of the lap that closes it."""
     return (*layer_names(name, strip), f"{name} lap")[: len(bent_sheets(strip))]
+
+
+def require_model(model: object) -> None:
+    """Refuse what is no `Model`."""
+    if not isinstance(model, Model):
+        raise InputError(f"a {type(model).__name__} is no model: give ec.Model([rib.placed, ...])")
 
 
 def assembly_parts(placed: Sequence[Placed], holders: Iterable[Holder] = ()) -> tuple[AssemblyPart, ...]:

@@ -7,6 +7,7 @@ from typing import Any
 
 from elastica_cad._notebook import html_table
 from elastica_cad._types import ArrayLike
+from elastica_cad._values import several
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.holders.base_plate import BasePlate, base_plate
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture, end_fixtures
@@ -57,7 +58,7 @@ class Model:
     plates: tuple[Ring, ...] = ()
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "placed", tuple(self.placed))
+        object.__setattr__(self, "placed", several("placed", self.placed, Placed, "Placed"))
         object.__setattr__(self, "reports", tuple(self.reports))
         printable(self.name, "the model's name")
         if not self.placed:

@@ -6,6 +6,7 @@ from typing import Literal
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import is_number
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
@@ -72,8 +73,8 @@ class Slot:
 
     def __post_init__(self) -> None:
         for name in ("at", "width", "lean", *(() if self.depth is None else ("depth",))):
-            if not np.isfinite(getattr(self, name)):
-                raise InputError(f"slot {name} is {getattr(self, name)}: it must be a finite number")
+            if not is_number(getattr(self, name)):
+                raise InputError(f"slot {name} is {getattr(self, name)!r}: it must be a finite number")
         here = f"slot at {self.at:.6g} mm"
         if self.width <= 0 or (self.depth is not None and self.depth <= 0):
             raise InputError(f"{here}: width and depth must be positive, in mm")

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import is_number
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication.strip.styles import (
     Backing,
@@ -65,10 +66,10 @@ class Laminated:
     def __post_init__(self) -> None:
         if isinstance(self.backing, str):
             object.__setattr__(self, "backing", Sheet.named(self.backing))
-        if not (np.isfinite(self.least_backing) and self.least_backing > 0):
-            raise InputError(f"least_backing is {self.least_backing}: it must be positive, in mm")
-        if not (np.isfinite(self.dots) and self.dots >= 0):
-            raise InputError(f"dots are {self.dots} mm across: give a diameter, 0 for none")
+        if not (is_number(self.least_backing) and self.least_backing > 0):
+            raise InputError(f"least_backing is {self.least_backing!r}: it must be positive, in mm")
+        if not (is_number(self.dots) and self.dots >= 0):
+            raise InputError(f"dots are {self.dots!r} mm across: give a diameter, 0 for none")
 
     def laid_out(
         self, rod: Rod, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None

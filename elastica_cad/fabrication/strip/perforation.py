@@ -6,6 +6,7 @@ from typing import Literal
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import is_number
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.strip.diamond_pattern import DiamondPattern
 from elastica_cad.fabrication.strip.styles import Layout, Width, refine_stations, stations_of, width_profile
@@ -76,16 +77,18 @@ class Perforated:
     def __post_init__(self) -> None:
         for name in ("columns", "rows"):
             count = getattr(self, name)
-            if count is not None and (count != int(count) or count < 1):
-                raise InputError(f"{name} is {count}: a perforated strip has a whole number of them, from 1")
-        if not 0 < self.hole_ratio < 1:
-            raise InputError(f"hole_ratio is {self.hole_ratio}: it must lie between 0 and 1")
+            if count is not None and not (is_number(count) and count == int(count) and count >= 1):
+                raise InputError(
+                    f"{name} is {count!r}: a perforated strip has a whole number of them, from 1"
+                )
+        if not (is_number(self.hole_ratio) and 0 < self.hole_ratio < 1):
+            raise InputError(f"hole_ratio is {self.hole_ratio!r}: it must lie between 0 and 1")
         for name in ("least_ligament", "least_hole"):
             value = getattr(self, name)
-            if not (np.isfinite(value) and value > 0):
-                raise InputError(f"{name} is {value}: it must be positive, in mm")
-        if not (np.isfinite(self.corner_radius) and self.corner_radius >= 0):
-            raise InputError(f"corner_radius is {self.corner_radius}: it must be 0 mm or more")
+            if not (is_number(value) and value > 0):
+                raise InputError(f"{name} is {value!r}: it must be positive, in mm")
+        if not (is_number(self.corner_radius) and self.corner_radius >= 0):
+            raise InputError(f"corner_radius is {self.corner_radius!r}: it must be 0 mm or more")
         if self.sides not in ("spline", "arc"):
             raise InputError(f'sides are "spline" or "arc", not {self.sides!r}')
 

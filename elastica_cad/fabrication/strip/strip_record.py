@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import is_number
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.holding.lap_joint import closes
@@ -30,6 +31,7 @@ from elastica_cad.fabrication.strip.styles import (
     Style,
     bend_stations,
     correct_layout,
+    require_style,
     stations_of,
 )
 from elastica_cad.fabrication.strip.tabs import Tab
@@ -118,11 +120,14 @@ class Strip:
     plates: "LapPlates | None" = None
 
     def __post_init__(self) -> None:
+        if not isinstance(self.rod, Rod):
+            raise InputError(f"the rod is a {type(self.rod).__name__}: give a Rod, as optimal_rod makes one")
         object.__setattr__(self, "sheet", Sheet.of(self.sheet))
+        require_style(self.style)
         for name in ("max_width", "min_width"):
             value = getattr(self, name)
-            if value is not None and not (np.isfinite(value) and value > 0):
-                raise InputError(f"{name} is {value}: it must be positive, in mm")
+            if value is not None and not (is_number(value) and value > 0):
+                raise InputError(f"{name} is {value!r}: it must be positive, in mm")
         printable(self.label, "the label")
         object.__setattr__(self, "creep", require_creep(self.creep))
         if self.is_closed:

@@ -197,6 +197,14 @@ class Plain:
         return Layout(sheet, width, material=width, bending_stiffness=factor * rigidity)
 
 
+def require_style(style: object) -> None:
+    """Refuse what lays out no strip."""
+    if not callable(getattr(style, "laid_out", None)):
+        raise InputError(
+            f"style is {style!r}: give Plain(), Perforated(width=...) or Laminated(width=..., backing=...)"
+        )
+
+
 def _within(
     width: Profile, rod: Rod, min_width: float | None, max_width: float | None, *, slack: float
 ) -> None:

@@ -6,6 +6,7 @@ from itertools import pairwise
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import is_number, several
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Line
@@ -28,6 +29,11 @@ class Hole:
     at: float
     diameter: float
     across: float = 0.0
+
+    def __post_init__(self) -> None:
+        for name in ("at", "diameter", "across"):
+            if not is_number(getattr(self, name)):
+                raise InputError(f"hole {name} is {getattr(self, name)!r}: it must be a finite number, in mm")
 
 
 @dataclass(frozen=True)
@@ -58,7 +64,7 @@ class TSlot:
 
     def __post_init__(self) -> None:
         sizes = (self.depth, self.screw, *self.nut, self.wall)
-        if len(self.nut) != 2 or not all(np.isfinite(v) and v > 0 for v in sizes):
+        if len(self.nut) != 2 or not all(is_number(v) and v > 0 for v in sizes):
             raise InputError("a T-slot needs positive sizes in mm: depth, screw, nut = (width, height), wall")
         if self.nut[0] <= self.screw:
             raise InputError(
@@ -117,8 +123,9 @@ class Tab:
     taper: float = 0.0
 
     def __post_init__(self) -> None:
-        if isinstance(self.holes, Hole):
-            object.__setattr__(self, "holes", (self.holes,))
+        object.__setattr__(self, "holes", several("holes", self.holes, Hole, "Hole"))
+        if not (self.t_slot is None or isinstance(self.t_slot, TSlot)):
+            raise InputError(f"t_slot is {self.t_slot!r}: give a TSlot record, or None")
         sizes = {
             "length": self.length,
             "corner radius": self.corner_radius,
@@ -126,10 +133,10 @@ class Tab:
             "taper": self.taper,
         }
         for name, value in sizes.items():
-            if not (np.isfinite(value) and value >= 0):
-                raise InputError(f"tab {name} is {value}: it must be 0 mm or more")
-        if self.width is not None and not (np.isfinite(self.width) and self.width > 0):
-            raise InputError(f"tab width is {self.width}: it must be positive, in mm")
+            if not (is_number(value) and value >= 0):
+                raise InputError(f"tab {name} is {value!r}: it must be 0 mm or more")
+        if self.width is not None and not (is_number(self.width) and self.width > 0):
+            raise InputError(f"tab width is {self.width!r}: it must be positive, in mm")
         if self.corner_radius and self.chamfer:
             raise InputError("a tab has either a corner radius or a chamfer, not both")
         if self.taper and (self.corner_radius or self.chamfer):

@@ -66,6 +66,8 @@ def write_drawing(
     MissingDependencyError
         DXF without ezdxf.
     """
+    if not isinstance(drawing, Drawing):
+        raise InputError(f"a {type(drawing).__name__} is no drawing: give what its .drawing() makes")
     suffix = Path(path).suffix.lower()
     check_target(path, force=force)
     if suffix not in DRAWING_SUFFIXES:

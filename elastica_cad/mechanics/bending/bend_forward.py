@@ -281,7 +281,10 @@ def _guess_state(guess: "Rod | ArrayLike", system: RodSystem) -> RodState:
         at = (np.arange(edges.size) + 0.5) / edges.size
         edges = np.interp((np.arange(n) + 0.5) / n, at, edges)
     else:
-        edges = np.asarray(guess, dtype=float)
+        try:
+            edges = np.asarray(guess, dtype=float)
+        except (TypeError, ValueError):
+            edges = np.array([])
         if edges.shape == (n + 1,):
             edges = (edges[:-1] + edges[1:]) / 2
         if edges.shape != (n,) or not np.all(np.isfinite(edges)):
@@ -315,7 +318,7 @@ def _end_angles(
     if angles is None:
         return found
     given = np.atleast_1d(np.asarray(angles, dtype=object))
-    if given.shape != (2,):
+    if given.shape != (2,) or not all(isinstance(v, float | int | np.number | None) for v in given):
         raise InputError(f"angles must be two numbers, rad, for start and end, got {angles!r}")
     for i, (value, support, name) in enumerate(zip(given, supports.ends, ("start", "end"), strict=True)):
         if value is None:
@@ -361,7 +364,10 @@ def _end_moments(moment: float | tuple[float, float] | None, supports: Supports,
             if free[k] and not before[k].angle:
                 own[k] = sign * present.moment[node]
         return own
-    given = np.asarray(moment, dtype=float)
+    try:
+        given = np.asarray(moment, dtype=float)
+    except (TypeError, ValueError):
+        given = np.array([])
     if given.shape == ():
         if free == [True, True]:
             raise InputError("both ends turn freely: give the moments of both, (start, end)")

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import is_number
 from elastica_cad.errors import InputError
 
 
@@ -34,11 +35,14 @@ class Gravity:
     direction: tuple[float, float] = (0.0, -1.0)
 
     def __post_init__(self) -> None:
-        if not (np.isfinite(self.length) and self.length > 0):
+        if not (is_number(self.length) and self.length > 0):
             raise InputError(
-                f"gravity length is {self.length}; it must be positive, in mm (200 gsm card: 96)"
+                f"gravity length is {self.length!r}; it must be positive, in mm (200 gsm card: 96)"
             )
-        d = np.asarray(self.direction, dtype=float)
+        try:
+            d = np.asarray(self.direction, dtype=float)
+        except (TypeError, ValueError):
+            d = np.array([])
         if d.shape != (2,) or not np.all(np.isfinite(d)) or not np.any(d):
             raise InputError(
                 f"gravity direction {self.direction!r} must be two numbers, not both zero, e.g. (0, -1)"

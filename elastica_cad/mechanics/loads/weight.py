@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import is_number
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.paths.profile import Profile
 
@@ -19,8 +20,8 @@ class PointMass:
     mass: float
 
     def __post_init__(self) -> None:
-        if not (np.isfinite(self.mass) and self.mass >= 0):
-            raise InputError(f"a point mass is {self.mass:g}: it can't be negative, in g")
+        if not (is_number(self.mass) and self.mass >= 0):
+            raise InputError(f"a point mass is {self.mass!r}: it can't be negative, in g")
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,8 +48,8 @@ class Weight:
         for name in ("alpha", "beta"):
             value = getattr(self, name)
             # a profile may dip below 0: alpha + beta K as the tangent of a laminate's law
-            if not isinstance(value, Profile) and not (np.isfinite(value) and value >= 0):
-                raise InputError(f"weight {name} is {value:g}: it can't be negative, in N/mm")
+            if not isinstance(value, Profile) and not (is_number(value) and value >= 0):
+                raise InputError(f"weight {name} is {value!r}: it can't be negative, in N/mm")
 
     def along(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
         """alpha and beta (n,) at arc lengths (n,), N/mm."""

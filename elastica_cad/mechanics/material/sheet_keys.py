@@ -79,6 +79,8 @@ def advise_key(key: str) -> str:
 
 def printable(text: str, where: str) -> str:
     """The text, unless it holds signs that break lines, steer a terminal or have no place in files."""
+    if not isinstance(text, str):
+        raise InputError(f"{where} is {text!r}: give a text")
     if not text.isprintable():
         odd = ", ".join(sorted({repr(sign) for sign in text if not sign.isprintable()}))
         raise InputError(f"{where} {text!r} holds {odd}: use signs that can be printed, in one line")

@@ -1,6 +1,6 @@
 """The verdict on a rest shape: does it stay, or does it snap away?"""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
 import numpy as np
@@ -48,12 +48,12 @@ class Stability:
 
     stable: bool
     margin: float
-    mode: FloatArray
+    mode: FloatArray = field(repr=False)
     negative: int
     conjugate_point: float | None
     started_from: Literal["start", "end"] | None
-    determinant_s: FloatArray
-    determinant: FloatArray
+    determinant_s: FloatArray = field(repr=False)
+    determinant: FloatArray = field(repr=False)
     borderline: bool
 
     @property

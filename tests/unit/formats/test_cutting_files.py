@@ -248,6 +248,11 @@ def test_empty_drawings_and_unknown_suffixes_are_refused(tmp_path):
     assert not list(tmp_path.iterdir())
 
 
+def test_a_curve_or_a_strip_is_no_drawing(tmp_path):
+    with pytest.raises(InputError, match=r"a PlaneCurve is no drawing: give what its \.drawing\(\) makes"):
+        write_drawing(PlaneCurve.arc((0, 0), 80, 0.3, 2.8), tmp_path / "arc.dxf")
+
+
 def test_without_ezdxf_one_sentence_says_so(monkeypatch, tmp_path):
     monkeypatch.setitem(sys.modules, "ezdxf", None)
     with pytest.raises(MissingDependencyError, match=r"writing DXF needs ezdxf: .*pip install ezdxf"):

@@ -51,6 +51,14 @@ def test_written_file_is_whole_and_not_overwritten(tmp_path):
     assert [p.name for p in tmp_path.iterdir()] == ["a.json"]
 
 
+def test_one_curve_is_written_as_a_row_of_one(tmp_path):
+    arch = PlaneCurve.arc((0, 0), 80, 0.3, 2.8)
+    (read,) = read_curves(write_curves(arch, tmp_path / "arch.json"))
+    assert read.length == arch.length
+    with pytest.raises(InputError, match="curves hold 3: give PlaneCurve records"):
+        write_curves(3, tmp_path / "three.json")
+
+
 def test_report_of_a_strip_holds_its_curve(read):
     report = {"schema": "elastica-report/1", "units": {"length": "mm"}, "curve": curve_record(CURVES[0])}
     (back,) = read(report)

@@ -25,6 +25,11 @@ def test_straight_rods_have_dependent_constraints():
         assert found.conjugate_point is None
 
 
+def test_it_is_shown_in_a_line():
+    """Without the hundreds of numbers of its mode and determinant."""
+    assert len(repr(stability(Rod.straight(100.0)))) < 200
+
+
 @pytest.mark.parametrize(("pressure", "negative"), [(39.0, 0), (40.0, 1), (85.0, 2), (160.0, 3)])
 def test_straight_strut_under_pressure(pressure, negative):
     """Clamped buckling loads 39.48, 80.76, 157.9 (pi^2 times 4, 8.18, 16)."""

@@ -1,0 +1,77 @@
+"""Texts where numbers belong, one number where records do: records say so when they are made, not numpy later on."""
+
+import numpy as np
+import pytest
+
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.holders.end_fixtures import EndFixture
+from elastica_cad.fabrication.makeability.shop import Shop
+from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.strip.lamination import Laminated
+from elastica_cad.fabrication.strip.perforation import Perforated
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip.tabs import Hole, Tab, TSlot
+from elastica_cad.forming.limits import Keep
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.weight import PointMass, Weight
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.rod.rod_record import Rod
+
+pytestmark = pytest.mark.core
+
+SHEET = Sheet.named("birch-plywood-0.8")
+ROD = Rod.straight(100.0, samples=21)
+STRIP = Strip(ROD, SHEET, max_width=20)
+
+SLIPS = {
+    "tab length is '10'": lambda: Tab("10"),
+    "tab width is '10'": lambda: Tab(10, width="10"),
+    "tab chamfer is": lambda: Tab(10, chamfer=(1, 2)),
+    "holes hold 3: give Hole records": lambda: Tab(10, holes=3),
+    "holes hold 'x'": lambda: Tab(10, holes="x"),
+    "hole diameter is '3.2'": lambda: Hole(5, "3.2"),
+    "t_slot is 12: give a TSlot record": lambda: Tab(20, t_slot=12),
+    "T-slot needs positive sizes": lambda: TSlot("12"),
+    "slot width is '3'": lambda: Slot(30, "3"),
+    "slot depth is": lambda: Slot(30, 3, (1, 2)),
+    "columns is '2'": lambda: Perforated(width=30, columns="2"),
+    "rows is inf": lambda: Perforated(width=30, rows=np.inf),
+    "hole_ratio is '0.8'": lambda: Perforated(width=30, hole_ratio="0.8"),
+    "least_hole is '1'": lambda: Perforated(width=30, least_hole="1"),
+    "least_backing is '1'": lambda: Laminated(20, SHEET, least_backing="1"),
+    "dots are '1'": lambda: Laminated(20, SHEET, dots="1"),
+    "least_width is '2'": lambda: Shop(least_width="2"),
+    "the stock is 300: give the two sides": lambda: Shop(stock=300),
+    r"the stock is \('a', 3\)": lambda: Shop(stock=("a", 3)),
+    "a point mass is '5'": lambda: PointMass(50, "5"),
+    "weight alpha is '1'": lambda: Weight("1"),
+    "gravity length is '96'": lambda: Gravity("96"),
+    "gravity direction 'down'": lambda: Gravity(96, "down"),
+    "max_width is '20'": lambda: Strip(ROD, SHEET, max_width="20"),
+    "the rod is a str: give a Rod": lambda: Strip("rod", SHEET, max_width=20),
+    "style is 'plain': give": lambda: Strip(ROD, SHEET, max_width=20, style="plain"),
+    "the label is 3: give a text": lambda: Strip(ROD, SHEET, max_width=20, label=3),
+    "wall is '4'": lambda: EndFixture.of(STRIP, "end", wall="4"),
+    "clearance is": lambda: EndFixture.of(STRIP, "end", clearance=(1, 2)),
+    "placed hold 3: give Placed records": lambda: Model(3),
+    "placed hold <Strip": lambda: Model([STRIP]),
+    "keep ends=3": lambda: Keep(ends=3),
+    "frame origin must be three finite numbers, got 'x'": lambda: Frame("x"),
+    "angles must be two numbers, rad": lambda: bend(ROD, end=(90, 0), angles=[1, "a"]),
+    "moment must be one number or two": lambda: bend(ROD, moment="x"),
+    "guess must be a Rod or": lambda: bend(ROD, end=(90, 0), guess="x"),
+}
+
+
+@pytest.mark.parametrize("says", SLIPS)
+def test_one_sentence(says):
+    with pytest.raises(InputError, match=says):
+        SLIPS[says]()
+
+
+def test_one_record_stands_for_a_row_of_it():
+    assert Tab(10, holes=Hole(5, 3)).holes == (Hole(5, 3),)
+    assert Tab(10, holes=[Hole(5, 3)]).holes == (Hole(5, 3),)
