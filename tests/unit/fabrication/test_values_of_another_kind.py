@@ -1,4 +1,4 @@
-"""Texts where numbers belong, one number where records do: records say so when they are made, not numpy later on."""
+"""Texts where numbers belong, one number where records do: records say so when they are made, not numpy later."""
 
 import numpy as np
 import pytest
