@@ -3,19 +3,18 @@
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
-from typing import TypeAlias
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray, IntArray
-from elastica_cad.fabrication.strip.flat_outline import pace
+from elastica_cad.fabrication.strip.flat_outline import paces
 from elastica_cad.fabrication.strip.styles import Layout
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.chords import chord_points
 from elastica_cad.geometry.paths.many_segments import points_of
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.geometry.paths.segments import Spline
+from elastica_cad.geometry.paths.segments import Segment, Spline
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.rod.rod_record import Rod
 
@@ -119,11 +118,30 @@ def cell_means(values: FloatArray, nodes: int) -> FloatArray:
     return np.concatenate([halves[:1], inner, halves[-1:]])
 
 
+class _Side(NamedTuple):
+    """A segment of a loop, the one after it, and the loop's number."""
+
+    segment: Segment
+    following: Segment
+    loop: int
+
+
 def _widths(loops: Sequence[Path], s: FloatArray) -> FloatArray:
     """Lengths (n,) inside loops of the lines across at `s`, summed: each loop's signed sum of its crossings' y."""
     order = np.argsort(s, kind="stable")
     at = s[order]
-    found = [*_even_crossings(loops, at), *_drawn_crossings(loops, at)]
+    sides = [
+        _Side(segment, following, k)
+        for k, loop in enumerate(loops)
+        for segment, following in pairwise((*loop.segments, loop.segments[0]))
+    ]
+    splines = [i for i, side in enumerate(sides) if isinstance(side.segment, Spline)]
+    motion = np.full((len(sides), 2), np.nan)
+    motion[splines] = paces([side.segment for side in sides if isinstance(side.segment, Spline)])
+    even = np.isfinite(motion[:, 0])
+    runs = [side for side, runs_evenly in zip(sides, even.tolist(), strict=True) if runs_evenly]
+    rest = [side for side, runs_evenly in zip(sides, even.tolist(), strict=True) if not runs_evenly]
+    found = [*_even_crossings(runs, motion[even], at), *_drawn_crossings(rest, at)]
     if not found:
         return np.zeros(s.shape)
     loop, station, y = (np.concatenate(part) for part in zip(*found, strict=True))
@@ -138,37 +156,31 @@ Crossings: TypeAlias = tuple[IntArray, IntArray, FloatArray]
 """Numbers (k,) of the loops, of the stations, and the signed y."""
 
 
-def _even_crossings(loops: Sequence[Path], at: FloatArray) -> Iterator[Crossings]:
-    """Of splines along which x runs evenly: exact."""
-    curves: list[PlaneCurve] = []
-    rows: list[tuple[float, float, float, float, int]] = []
-    for k, loop in enumerate(loops):
-        for segment, following in pairwise((*loop.segments, loop.segments[0])):
-            even = pace(segment) if isinstance(segment, Spline) else None
-            if even is not None and isinstance(segment, Spline):
-                curves.append(segment.curve)
-                rows.append((*even, float(segment.start[0]), float(following.start[0]), k))
-    if not rows:
+def _even_crossings(sides: Sequence[_Side], motion: FloatArray, at: FloatArray) -> Iterator[Crossings]:
+    """Of splines along which x runs evenly, with offset and speed (n, 2): exact."""
+    if not sides:
         return
-    offset, speed, x0, x1, owner = np.array(rows).T
+    curves = [side.segment.curve for side in sides if isinstance(side.segment, Spline)]
+    owner = np.array([side.loop for side in sides])
+    x0 = np.array([side.segment.start[0] for side in sides], dtype=float)
+    x1 = np.array([side.following.start[0] for side in sides], dtype=float)
     which, station = _met(at, x0, x1)
+    offset, speed = motion.T
     t = np.clip((at[station] - offset[which]) / speed[which], *np.array([c.domain for c in curves])[which].T)
     y = points_of(curves, which, t)[:, 1]
-    yield owner[which].astype(int), station, np.sign(x0 - x1)[which] * y
+    yield owner[which], station, np.sign(x0 - x1)[which] * y
 
 
-def _drawn_crossings(loops: Sequence[Path], at: FloatArray) -> Iterator[Crossings]:
+def _drawn_crossings(sides: Sequence[_Side], at: FloatArray) -> Iterator[Crossings]:
     """Of all other segments, by their chords."""
     starts: list[FloatArray] = []
     ends: list[FloatArray] = []
     owner: list[int] = []
-    for k, loop in enumerate(loops):
-        for segment, following in pairwise((*loop.segments, loop.segments[0])):
-            if not isinstance(segment, Spline) or pace(segment) is None:
-                points = chord_points(segment, CHORD_MM)[:-1]
-                starts.append(points)
-                ends += [points[1:], following.start[None]]
-                owner += [k] * len(points)
+    for side in sides:
+        points = chord_points(side.segment, CHORD_MM)[:-1]
+        starts.append(points)
+        ends += [points[1:], side.following.start[None]]
+        owner += [side.loop] * len(points)
     if not starts:
         return
     start, end = np.concatenate(starts), np.concatenate(ends)

@@ -11,7 +11,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.corner_rounding import round_all_corners
 from elastica_cad.fabrication.slots.slot import Slot, slot_cut
-from elastica_cad.fabrication.strip.flat_outline import Ends, close_chain, graph, greville
+from elastica_cad.fabrication.strip.flat_outline import Ends, close_chain, graphs, greville
 from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.geometry.paths.biarcs import as_arcs
 from elastica_cad.geometry.paths.path import JOIN, Path
@@ -103,7 +103,8 @@ class DiamondPattern:
         length = self.width.length
         low, high = self._margin(ends[0], 0.0), length - self._margin(ends[1], length)
         cuts = [slot_cut(slot, self.width, beyond=slot.width) for slot in slots]
-        clear = [loop for hole in self._holes for loop in self._clear(hole.within(low, high), cuts)]
+        rows = [row for whole in self._rows if (row := whole.within(low, high)) is not None]
+        clear = [loop for row in rows for j in range(row.across) for loop in self._clear(_Hole(row, j), cuts)]
         if self.corner_radius > 0:
             clear = round_all_corners(clear, self.corner_radius)
         if self.arcs is not None:
@@ -114,9 +115,9 @@ class DiamondPattern:
         held = tab.width is None or tab.width >= float(self.width(s))
         return 0.0 if held and tab.length > 0 else self.clearance
 
-    def _clear(self, hole: "_Hole | None", cuts: Sequence[Path]) -> list[Path]:
+    def _clear(self, hole: "_Hole", cuts: Sequence[Path]) -> list[Path]:
         """The loop of a hole, or what slots leave of it on both sides of them."""
-        left = [] if hole is None else [hole]
+        left = [hole]
         for cut in cuts:
             left = [part for one in left for part in self._beside(one, cut)]
         return [one.loop() for one in left]
@@ -140,18 +141,16 @@ class DiamondPattern:
         return min(near, back) >= self.clearance
 
     @cached_property
-    def _holes(self) -> list["_Hole"]:
+    def _rows(self) -> list["_Row"]:
         """Rows of full diamonds and of the ones in the gaps between them, in turn."""
-        holes = []
+        rows = []
         for i in range(2 * self.rows + 1):
             first, last = self.joints[max(i - 1, 0)], self.joints[min(i + 1, 2 * self.rows)]
             first += self.bridge / 2 if i > 1 else 0.0
             last -= self.bridge / 2 if i < 2 * self.rows - 1 else 0.0
             stretches = tuple(one for one in self._stretches if first < one.middle < last)
-            full = i % 2 == 1
-            across = self.columns if full else self.columns + 1
-            holes += [_Hole(stretches, self.columns, j, full) for j in range(across)]
-        return holes
+            rows.append(_Row(stretches, self.columns, full=i % 2 == 1))
+        return rows
 
     @cached_property
     def _stretches(self) -> list["_Stretch"]:
@@ -186,30 +185,56 @@ class DiamondPattern:
 
 
 @dataclass(frozen=True, eq=False)
-class _Hole:
-    """The j-th hole across over some stretches: a full diamond, or one in the gaps (0 and last: halves)."""
+class _Row:
+    """The holes side by side over some stretches: full diamonds, or those in the gaps (first and last: halves)."""
 
     stretches: tuple["_Stretch", ...]
     columns: int
-    j: int
     full: bool
+
+    @property
+    def across(self) -> int:
+        """Number of holes."""
+        return self.columns if self.full else self.columns + 1
 
     @property
     def length(self) -> float:
         """Along the strip, mm."""
         return float(self.stretches[-1].knots[-1] - self.stretches[0].knots[0])
 
+    def within(self, low: float, high: float) -> "_Row | None":
+        """The part between two stations; None where there is none."""
+        kept = tuple(part for one in self.stretches if (part := one.within(low, high)) is not None)
+        return replace(self, stretches=kept) if kept else None
+
+    @cached_property
+    def sides(self) -> list[list[tuple[Spline, Spline]]]:
+        """Of every stretch those of the holes: the lower from its start, the upper from its end."""
+        return [one.sides(self.columns, full=self.full) for one in self.stretches]
+
+
+@dataclass(frozen=True, eq=False)
+class _Hole:
+    """The j-th hole of a row."""
+
+    row: _Row
+    j: int
+
+    @property
+    def length(self) -> float:
+        """Along the strip, mm."""
+        return self.row.length
+
     def within(self, low: float, high: float) -> "_Hole | None":
         """The part between two stations; None where there is none."""
-        parts = (one.within(low, high) for one in self.stretches)
-        kept = tuple(one for one in parts if one is not None)
-        return replace(self, stretches=kept) if kept else None
+        row = self.row.within(low, high)
+        return None if row is None else _Hole(row, self.j)
 
     def loop(self) -> Path:
         """Anticlockwise."""
-        sides = [one.sides(self.columns, self.j, full=self.full) for one in self.stretches]
+        sides = [of_stretch[self.j] for of_stretch in self.row.sides]
         lower: list[Segment] = [side for side, _ in sides]
-        upper: list[Segment] = [side.reversed() for _, side in reversed(sides)]
+        upper: list[Segment] = [side for _, side in reversed(sides)]
         return Path(close_chain([*lower, *upper]), closed=True)
 
 
@@ -239,17 +264,18 @@ class _Stretch:
         basis = BSpline.design_matrix(sites, knots, 3).toarray()
         return _Stretch(knots, np.linalg.solve(basis, BSpline(self.knots, self.values, 3)(sites)))
 
-    def sides(self, columns: int, j: int, *, full: bool) -> tuple[Spline, Spline]:
-        """Lower and upper side of the j-th hole across."""
+    def sides(self, columns: int, *, full: bool) -> list[tuple[Spline, Spline]]:
+        """Of each hole across the lower side from its start, and the upper side from its end."""
         w, m, diamond = self.values.T
         t, pitch = m / (2 * columns + 2), (w - m) / columns
         gap = pitch - diamond
         step = 2 * t + pitch
+        j = np.arange(columns if full else columns + 1)[:, None]
         if full:
             center, half = -w / 2 + 2 * t + pitch / 2 + j * step, diamond / 2
             lower, upper = center - half, center + half
         else:
             center = -w / 2 + t + j * step
-            lower = center - (gap / 2 if j > 0 else 0.0)
-            upper = center + (gap / 2 if j < columns else 0.0)
-        return graph(self.knots, lower), graph(self.knots, upper)
+            lower = center - np.where(j > 0, gap / 2, 0.0)
+            upper = center + np.where(j < columns, gap / 2, 0.0)
+        return list(zip(graphs(self.knots, lower), graphs(self.knots, upper, backward=True), strict=True))

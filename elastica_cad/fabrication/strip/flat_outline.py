@@ -1,12 +1,12 @@
 """The rim of a flat part: two long sides from a width, and the tabs at both ends."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from math import dist
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
+from elastica_cad._types import BoolArray, FloatArray
 from elastica_cad.fabrication.strip.tabs import Hole, Tab
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
@@ -76,34 +76,61 @@ def add_register_holes(ends: Ends, diameter: float) -> Ends:
 
 
 def graph(knots: FloatArray, values: FloatArray, degree: int = 3, *, backward: bool = False) -> Spline:
-    """The spline function with these coefficients as a curve over x, from its start or from its end."""
-    points = np.column_stack([greville(knots, degree), values])
+    """The spline function with these coefficients (m,) as a curve over x, from its start or from its end."""
+    return graphs(knots, values[None], degree, backward=backward)[0]
+
+
+def graphs(knots: FloatArray, values: FloatArray, degree: int = 3, *, backward: bool = False) -> list[Spline]:
+    """The spline functions with these rows (n, m) of coefficients, each as `graph`."""
+    points = np.empty((*values.shape, 2))
+    points[..., 0], points[..., 1] = greville(knots, degree), values
     if backward:
-        knots, points = knots[0] + knots[-1] - knots[::-1], points[::-1]
-    # x rises with the parameter, so the curve stands still nowhere and needs no check
-    return Spline(PlaneCurve.of_sound(knots, points, degree, None))
+        knots, points = knots[0] + knots[-1] - knots[::-1], points[:, ::-1]
+    # x rises with the parameter, so the curves stand still nowhere and need no check
+    return [Spline(PlaneCurve.of_sound(knots, row, degree, None)) for row in points]
 
 
 def pace(segment: Segment) -> tuple[float, float] | None:
     """(offset, speed) where x = offset + speed * parameter along the whole segment, else None."""
     if isinstance(segment, Line):
         return float(segment.start[0]), float((segment.end[0] - segment.start[0]) / segment.length)
-    if not isinstance(segment, Spline):
+    if not isinstance(segment, Spline) or segment.curve.is_rational:
         return None
     curve = segment.curve
-    if curve.weights is not None and np.ptp(curve.weights) > 0:
-        return None
-    sites, x = greville(curve.knots, curve.degree), curve.control_points[:, 0]
-    speed = (x[-1] - x[0]) / (sites[-1] - sites[0])
-    offset = x[0] - speed * sites[0]
-    even = np.abs(offset + speed * sites - x).max() <= EVEN * max(1.0, float(np.abs(x).max()))
-    return (float(offset), float(speed)) if even and speed != 0 else None
+    offset, speed, even = _motion(curve.knots, curve.degree, curve.control_points[:, 0])
+    return (float(offset), float(speed)) if even else None
+
+
+def paces(splines: Sequence[Spline]) -> FloatArray:
+    """The `pace` (n, 2) of many splines, nan where there is none."""
+    found = np.full((len(splines), 2), np.nan)
+    alike: dict[tuple[int, int], list[int]] = {}
+    for i, spline in enumerate(splines):
+        curve = spline.curve
+        if not curve.is_rational:
+            alike.setdefault((curve.degree, curve.knots.size), []).append(i)
+    for (degree, _), rows in alike.items():
+        knots = np.array([splines[i].curve.knots for i in rows])
+        x = np.array([splines[i].curve.control_points[:, 0] for i in rows])
+        offset, speed, even = _motion(knots, degree, x)
+        found[rows] = np.where(even[:, None], np.column_stack([offset, speed]), np.nan)
+    return found
+
+
+def _motion(knots: FloatArray, degree: int, x: FloatArray) -> tuple[FloatArray, FloatArray, BoolArray]:
+    """Offset, speed and whether x runs evenly, of one spline or of as many as there are rows."""
+    sites = greville(knots, degree)
+    speed = (x[..., -1] - x[..., 0]) / (sites[..., -1] - sites[..., 0])
+    offset = x[..., 0] - speed * sites[..., 0]
+    stray = np.abs(offset[..., None] + speed[..., None] * sites - x).max(axis=-1)
+    even = (stray <= EVEN * np.maximum(1.0, np.abs(x).max(axis=-1))) & (speed != 0)
+    return offset, speed, even
 
 
 def greville(knots: FloatArray, degree: int) -> FloatArray:
-    """Greville abscissae (m,) of a knot vector."""
-    count = knots.size - degree - 1
-    total = sum((knots[i : i + count] for i in range(2, degree + 1)), start=knots[1 : count + 1])
+    """Greville abscissae (..., m) of knot vectors (..., m + degree + 1)."""
+    count = knots.shape[-1] - degree - 1
+    total = sum((knots[..., i : i + count] for i in range(2, degree + 1)), start=knots[..., 1 : count + 1])
     return np.asarray(total / degree, dtype=float)
 
 
