@@ -241,6 +241,11 @@ def test_a_stand_is_the_simplest_holder_that_takes_all_tabs(read):
         plates, sentence = design.kit.holders[0].made(design.model())
         assert [plate.name for plate in plates] == names
         assert sentence.endswith(said)
+    wave = "{x = 't', y = '40 * sin(t / 40)', t = [0, '80 * pi']}"  # one tab up, one down: a slot a plate
+    alone = read(HEAD + f"ends.length = 9\n[[strips]]\ncurve = {wave}\n[stand]\nsheet = 'hdf-1.5'\n")
+    blocks, sentence = alone.kit.holders[0].made(alone.model())
+    assert len(blocks) == 2
+    assert "held by a printed block at every end" in sentence
     bare = read(HEAD + f"ends.length = 0\n{arches}[stand]\nsheet = 'hdf-1.5'\n")
     (holder,), model = bare.kit.holders, bare.model()
     with pytest.raises(InputError, match="nothing can hold strips without tabs"):
