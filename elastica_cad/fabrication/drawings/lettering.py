@@ -13,6 +13,7 @@ from elastica_cad.geometry.paths.path import Path
 
 CAP_HEIGHT = 6.0  # of the alphabet as it is drawn, in its own units
 LABEL_MM = 5.0  # height of a strip's label, where there is room
+LABEL_SHARE = 0.4  # of the room across it, at most
 _GAP = 1.6  # between two letters, in the same units
 _QUARTER, _EIGHTH = float(np.tan(np.pi / 8)), float(np.tan(np.pi / 16))
 _BULGES = {"q": _QUARTER, "Q": -_QUARTER, "h": 1.0, "H": -1.0, "e": _EIGHTH, "E": -_EIGHTH}
@@ -134,7 +135,7 @@ def fit_label(
     >>> fit_label("A1", (50.0, 0.0), angle=0.0, room=100.0, across=5.0).height
     2.0
     """
-    height = min(LABEL_MM, 0.4 * across)
+    height = min(LABEL_MM, LABEL_SHARE * across)
     long = text_width(text, height)
     height *= min(1.0, 0.8 * room / long) if long > 0 else 1.0
     along, up = text_width(text, height) / 2, height / 2

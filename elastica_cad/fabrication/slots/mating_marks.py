@@ -1,4 +1,4 @@
-"""Mating marks: beside every slot the name of the strip that goes in, at the ends their numbers."""
+"""Mating marks: beside every slot the name of the strip that goes in, at the ends their numbers; the label."""
 
 from collections.abc import Iterator, Sequence
 from itertools import product
@@ -7,7 +7,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.drawings.drawing import ENGRAVE, MARK
-from elastica_cad.fabrication.drawings.lettering import Text, text_width
+from elastica_cad.fabrication.drawings.lettering import LABEL_MM, LABEL_SHARE, Text, fit_label, text_width
 from elastica_cad.fabrication.slots.slot import Slot, slot_rim
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.path_intersections import polylines_cross
@@ -21,6 +21,12 @@ NUMBER_PLACES_MM = (2.0, 4.0, 7.0, 11.0)
 
 CLEARANCE_MM = 0.5
 """Letters keep this far from every cut, so that no stroke is a notch."""
+
+LABEL_SHARES = (1.0, 0.7, 0.5, 0.35)
+"""Of the usual height of a label, tried in turn where cuts are in its way."""
+
+LABEL_STEP_MM = 2.0
+"""From one place of a label to the next that is tried."""
 
 FLAT_MM = 0.02
 """Flatness of the cuts as letters see them: little beside their clearance."""
@@ -68,9 +74,54 @@ def end_numbers(
     return tuple(numbers)
 
 
+def label_off_cuts(label: str, width: Profile, cuts: Sequence[Path]) -> Text:
+    """The label of a strip, along its middle line: as near to the middle as it lies off all cuts.
+
+    Smaller where it must be; in the middle where there is no such place.
+    """
+    length = width.length
+    if not cuts:
+        return fit_label(label, (length / 2, 0.0), angle=0.0, room=length, across=float(width(length / 2)))
+    lines = [_line(path) for path in cuts]
+    steps = LABEL_STEP_MM * np.arange(1, max(int(length / 2 / LABEL_STEP_MM), 1))
+    ways = [0.0, *(float(v) for step in steps for v in (step, -step))]
+
+    def text(off: float, share: float) -> Text:
+        x = length / 2 + off
+        across = share * min(float(width(x)), LABEL_MM / LABEL_SHARE)
+        return fit_label(label, (x, 0.0), angle=0.0, room=length, across=across)
+
+    tried = (text(off, share) for share in LABEL_SHARES for off in ways)
+    return next((one for one in tried if _clear(_box(one), width, (), lines)), text(0.0, 1.0))
+
+
+def label_on_tabs(label: str, tabs: Sequence[tuple[float, float, float]], cuts: Sequence[Path]) -> Text:
+    """The label across one of the `tabs`, each the x where it begins, where it ends, and its width, off all cuts.
+
+    Smaller or beside the middle where it must be; in the middle of the first where there is no such place.
+    """
+    lines = [_line(path) for path in cuts]
+
+    def text(tab: tuple[float, float, float], share: float, place: float, side: float) -> Text:
+        low, high, wide = tab
+        across = 2 * min(place, 1 - place) * (high - low)
+        center = (low + place * (high - low), side * wide / 4)
+        room = wide / 2 if side else wide
+        return fit_label(label, center, angle=np.pi / 2, room=room, across=share * across)
+
+    places = ((0.5, 0.0), (0.5, 1.0), (0.5, -1.0), (0.25, 0.0), (0.75, 0.0))
+    tried = (text(tab, share, *at) for share in LABEL_SHARES for tab in tabs for at in places)
+    return next((one for one in tried if _off(_box(one), (), lines)), text(tabs[0], 1.0, 0.5, 0.0))
+
+
 def _clear(box: FloatArray, width: Profile, boxes: Sequence[FloatArray], lines: Sequence[FloatArray]) -> bool:
     """Does a box lie on the free part, off other boxes and off lines?"""
-    if not _on_strip(box, width) or any(_meet(box, other) for other in boxes):
+    return _on_strip(box, width) and _off(box, boxes, lines)
+
+
+def _off(box: FloatArray, boxes: Sequence[FloatArray], lines: Sequence[FloatArray]) -> bool:
+    """Does a box lie off other boxes and off lines?"""
+    if any(_meet(box, other) for other in boxes):
         return False
     rim = np.concatenate([box, box[:1]])
     return not any(_within(line, box) or polylines_cross(rim, line) is not None for line in lines)

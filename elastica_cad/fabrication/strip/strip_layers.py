@@ -16,7 +16,7 @@ from elastica_cad.fabrication.drawings.drawing import (
     LayeredPath,
 )
 from elastica_cad.fabrication.drawings.lettering import Text, fit_label
-from elastica_cad.fabrication.slots.mating_marks import mating_marks
+from elastica_cad.fabrication.slots.mating_marks import label_off_cuts, label_on_tabs, mating_marks
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.slots.slotted_outline import cut_slots
 from elastica_cad.fabrication.strip.as_built import material_width
@@ -153,7 +153,8 @@ def draw_layers(
             *(LayeredPath(CUT_INNER, hole) for hole in layer.holes),
             LayeredPath(CUT_OUTER, layer.outline),
         )
-        texts = _label_texts(label, layout, width, ends) if label else ()
+        cuts = (layer.outline, *layer.holes) if slots or layout.pattern is not None else ()
+        texts = _label_texts(label, layout, width, ends, cuts) if label else ()
         if layout.stack is not None:
             texts = (_leaf_text(name, layer),)
         elif i == 0:
@@ -199,15 +200,18 @@ def _ticks(layout: Layout, width: Profile, lap: float) -> tuple[Path, ...]:
     return tuple(Path((Line((x, -y), (x, y)),), closed=False) for x, y in heights)
 
 
-def _label_texts(label: str, layout: Layout, width: Profile, ends: Ends) -> tuple[Text, ...]:
-    """The label: along the middle; where there are holes across the first tab, else the last, if there is any."""
+def _label_texts(
+    label: str, layout: Layout, width: Profile, ends: Ends, cuts: Sequence[Path]
+) -> tuple[Text, ...]:
+    """The label, off cuts: along the middle; where there are holes across a tab, the first if there is room."""
     if layout.pattern is None:
-        middle = width.length / 2
-        across = float(width(middle))
-        return (fit_label(label, (middle, 0.0), angle=0.0, room=width.length, across=across),)
-    first, last = (tab.length for tab in ends)
-    if not first and not last:
-        return ()
-    x, end = (-first / 2, 0.0) if first else (width.length + last / 2, width.length)
-    room = float(layout.width(end))
-    return (fit_label(label, (x, 0.0), angle=np.pi / 2, room=room, across=first or last),)
+        return (label_off_cuts(label, width, cuts),)
+    length = width.length
+    spans = ((-ends[0].length, 0.0), (length, length + ends[1].length))
+    tabs = [
+        (*span, float(width(end)))
+        for span, end in zip(spans, (0.0, length), strict=True)
+        if span[0] < span[1]
+    ]
+    near = [path for path in cuts if path.bounds[0, 0] < 0 or path.bounds[1, 0] > length]
+    return (label_on_tabs(label, tabs, near),) if tabs else ()

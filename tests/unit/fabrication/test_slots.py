@@ -2,12 +2,16 @@
 
 import numpy as np
 import pytest
-from shapely.geometry import Polygon
+from shapely.geometry import MultiLineString, Polygon
+from shapely.ops import unary_union
 
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER
+from elastica_cad.fabrication.drawings.lettering import text_strokes
 from elastica_cad.fabrication.slots.mating_marks import CLEARANCE_MM
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.solids.strip_solids import BentSolid
+from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import Hole, Tab
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
@@ -183,3 +187,24 @@ def test_bent_solids_have_the_slots():
     solid, whole = BentSolid.of(strip), BentSolid.of(arched())
     assert solid.boundary.is_closed
     assert len(solid.boundary.faces) > len(whole.boundary.faces) + 5
+
+
+@pytest.mark.parametrize("at", [50.0, 47.0, 53.5])
+def test_the_label_keeps_off_the_slots(at):
+    (drawing,) = straight(Slot(at=at, width=1.5, depth=14.0)).drawings()
+    left = Polygon(drawing.on(CUT_OUTER)[0].points(0.01))
+    (label,) = [text for text in drawing.texts if text.text == "A"]
+    assert label.height == 5.0
+    assert left.contains(MultiLineString([stroke.points(0.05) for stroke in text_strokes(label)]))
+    (plain,) = straight().drawings()
+    assert abs(label.position[0] - plain.texts[0].position[0]) < 8.0  # as near to the middle as it can lie
+
+
+def test_the_label_of_a_perforated_strip_keeps_off_the_holes_of_its_tabs():
+    held = (Tab(12, holes=(Hole(6, 3.2),)), Tab(12, holes=(Hole(6, 3.2),)))
+    strip = Strip(optimal_rod(ARCH), CARD, style=Perforated(width=30, columns=2), ends=held, label="ARCH 1")
+    (drawing,) = strip.drawings()
+    left = Polygon(drawing.on(CUT_OUTER)[0].points(0.01))
+    left = left.difference(unary_union([Polygon(hole.points(0.01)) for hole in drawing.on(CUT_INNER)]))
+    (label,) = drawing.texts
+    assert left.contains(MultiLineString([stroke.points(0.05) for stroke in text_strokes(label)]))
