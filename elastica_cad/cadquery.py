@@ -157,19 +157,33 @@ class _Made(StripBody, cq.Shape):
         plain.label = self.label
         return plain
 
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            """CadQuery makes what is rounded or hollowed an object of the same class: it is no strip any more."""
+            if "_made" in self.__dict__ or name.startswith("__"):
+                raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
+            raise AttributeError(
+                f"a body that was rounded, chamfered or hollowed has no {name}: ask the strip that it was made from"
+            )
+
     def __getstate__(self) -> tuple[Any, ...]:
         """What `copy`, `deepcopy` and `pickle` take along: the strip too."""
         kept = {k: v for k, v in self.__dict__.items() if k in KEPT}
-        return super().__getstate__(), kept | {"color": self.color.toTuple()}
+        if "color" in kept:
+            kept["color"] = self.color.toTuple()
+        return super().__getstate__(), kept
 
     def __setstate__(self, state: tuple[Any, ...]) -> None:
         shape, kept = state
         super().__setstate__(shape)
-        self.__dict__.update(kept | {"color": cq.Color(*kept["color"])})
+        self.__dict__.update(kept)
+        if "color" in kept:
+            self.color = cq.Color(*kept["color"])
 
     def _apply_transform(self, Tr: Any) -> Any:
         made = self._told(super()._apply_transform(Tr))
-        if isinstance(made, type(self)):
+        if isinstance(made, type(self)) and "_made" in self.__dict__:
             here, back = self.location(), made.location().inverse
             if Tr.IsNegative():
                 made._made = self._made.mirrored()
@@ -520,8 +534,8 @@ def model_assembly(model: "Model", *, others: "Iterable[Holder]" = ()) -> cq.Ass
     """
     from elastica_cad.fabrication.model.assembly import assembly_parts, require_model, shape_parts
 
-    assembly = cq.Assembly(name=model.name)
     require_model(model)
+    assembly = cq.Assembly(name=model.name)
     parts = assembly_parts(model.placed, (*model.plates, *others))
     warn_of_missing_slots(model.placed)
     for part, (body, *glued_on) in shape_parts(parts, _part_shapes):

@@ -189,10 +189,35 @@ class TestCadQuery:
             assert larger.label == "rib"
             assert not hasattr(larger, "strip")
 
+    def test_rounded_it_is_no_strip(self, rib):
+        """CadQuery gives it the same class: it is copied, pickled and mirrored like any solid."""
+        import cadquery as cq
+
+        flat = rib.flat
+        corner = cq.Workplane(obj=flat).edges("|Z and <X").vals()[:1]
+        for body in (rib.fillet(0.1, rib.Edges()[:1]), flat.chamfer(0.1, None, corner)):
+            for read in (
+                copy.copy(body),
+                pickle.loads(pickle.dumps(body)),
+                body.mirror("YZ"),
+                body.moved(x=1),
+            ):
+                assert read.Volume() == pytest.approx(body.Volume(), rel=1e-6)
+                assert not hasattr(read, "strip")
+            for ask in (
+                lambda body=body: body.strip,
+                lambda body=body: body.bent(),
+                lambda body=body: body.color,
+            ):
+                with pytest.raises(AttributeError, match="was rounded, chamfered or hollowed has no"):
+                    ask()
+        with pytest.raises(AttributeError, match="has no attribute 'widht'"):
+            _ = rib.widht
+
     def test_slips_are_told_in_a_sentence(self, rib):
         import cadquery as cq
 
-        from elastica_cad.cadquery import bent_strip, elastica, section_strips
+        from elastica_cad.cadquery import bent_strip, elastica, model_assembly, section_strips
 
         ball = cq.Workplane().sphere(60)
         slips = {
@@ -206,6 +231,7 @@ class TestCadQuery:
             "face, shell or solid, not int": lambda: section_strips(5, cq.Plane.XZ(), SHEET, max_width=9),
             "plane is 'XZ'": lambda: section_strips(ball, "XZ", SHEET, max_width=9),
             "angles must be two": lambda: elastica((0, 0), (10, 0), 50, angles=30),
+            "a list is no model": lambda: model_assembly([rib.placed]),
             "buckling is 0: it must be": lambda: elastica((0, 0), (10, 0), 50, buckling=0),
         }
         for says, slip in slips.items():
