@@ -310,13 +310,18 @@ class StripSpec(EqualByValue):
         if limits.sheet is None:
             limits = replace(limits, sheet=self.material)
         if self.law is None and isinstance(self.style, Plain) and self.max_width is not None:
-            least = max(self.min_width or 0.0, self.shop.width_for(self.material))
+            asked, least = self.min_width or 0.0, self.shop.width_for(self.material)
+            if asked > self.max_width:
+                raise InputError(
+                    f"min_width is {asked:g} mm, more than max_width, {self.max_width:g} mm: give the larger one "
+                    "as max_width"
+                )
             if least >= self.max_width:
                 raise InputError(
                     f"max_width is {self.max_width:g} mm, but {self.material.name} needs {least:.3g} mm at its "
                     "narrowest: widen the strip, take another sheet, or allow less with shop=Shop(least_width=...)"
                 )
-            ratio = self.max_width / least
+            ratio = self.max_width / max(asked, least)
             limits = replace(limits, ratio=ratio if limits.ratio is None else min(limits.ratio, ratio))
         return limits
 

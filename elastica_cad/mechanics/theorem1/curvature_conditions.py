@@ -87,7 +87,7 @@ def examine_curvature(
         check,
         realizable=not reasons,
         reasons=tuple(reasons),
-        warnings=(*begun, *_warn_of_widths(curve, jumps), *_warn_of_crossing(curve)),
+        warnings=(*begun, *_warn_of_widths(curve, jumps, flats), *_warn_of_crossing(curve)),
         curvature_touches=tuple(sorted([*touches, *gentle])),
     )
 
@@ -241,10 +241,22 @@ def _tell_touches(touches: Sequence[float]) -> Iterable[str]:
         )
 
 
-def _warn_of_widths(curve: PlaneCurve, jumps: Sequence[float]) -> Iterable[str]:
-    """Where the width will jump or kink with the curvature."""
+def _warn_of_widths(
+    curve: PlaneCurve, jumps: Sequence[float], flats: Sequence[CurvatureZero]
+) -> Iterable[str]:
+    """Where the width will jump or kink with the curvature; not where a straight part begins or ends, which no
+    strip takes: made fair, it would wave about its line.
+    """
     breaks = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
-    steps = [b.s for b in breaks if b.continuity == 1 and b.s not in jumps]
+    straight = [end for flat in flats for end in (flat.s, flat.s_end)]
+    if curve.seam is not None:  # start and end are one place
+        straight += [end - curve.length for end in straight]
+    near = AT_END_SHARE * curve.length
+    steps = [
+        b.s
+        for b in breaks
+        if b.continuity == 1 and b.s not in jumps and not any(abs(b.s - end) <= near for end in straight)
+    ]
     kinks = [b.s for b in breaks if b.continuity == 2]
     if steps:
         yield (

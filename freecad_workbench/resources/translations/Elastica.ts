@@ -2415,6 +2415,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>min_width is %1 mm, more than max_width, %2 mm: give the larger one as max_width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>max_width is %1 mm, but %2 needs %3 mm at its narrowest: widen the strip, take another sheet, or allow less with shop=Shop(least_width=...)</source>
         <translation type="unfinished"></translation>
     </message>

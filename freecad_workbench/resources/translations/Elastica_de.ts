@@ -2427,6 +2427,10 @@
         <translation>ein Laminat, das sein Gewicht trägt, muss aufrecht stehen und wiegen, was seine Platten wiegen: seine Ebene drehen oder die Schwerkraft weglassen</translation>
     </message>
     <message>
+        <source>min_width is %1 mm, more than max_width, %2 mm: give the larger one as max_width</source>
+        <translation>MinWidth ist %1 mm, mehr als MaxWidth mit %2 mm: das größere Maß als MaxWidth angeben</translation>
+    </message>
+    <message>
         <source>max_width is %1 mm, but %2 needs %3 mm at its narrowest: widen the strip, take another sheet, or allow less with shop=Shop(least_width=...)</source>
         <translation>MaxWidth ist %1 mm, aber %2 braucht an der schmalsten Stelle %3 mm: den Streifen breiter machen, anderes Material nehmen oder LeastWidth senken</translation>
     </message>

@@ -2427,6 +2427,10 @@
         <translation>承受自重的层压条必须竖立，且重量等于其板材：转动其平面，或去掉重力</translation>
     </message>
     <message>
+        <source>min_width is %1 mm, more than max_width, %2 mm: give the larger one as max_width</source>
+        <translation>MinWidth 为 %1 mm，大于 MaxWidth 的 %2 mm：请把较大的值填为 MaxWidth</translation>
+    </message>
+    <message>
         <source>max_width is %1 mm, but %2 needs %3 mm at its narrowest: widen the strip, take another sheet, or allow less with shop=Shop(least_width=...)</source>
         <translation>MaxWidth 为 %1 mm，但 %2 最窄处需要 %3 mm：加宽条带，换板材，或减小 LeastWidth</translation>
     </message>

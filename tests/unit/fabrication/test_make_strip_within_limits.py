@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from elastica_cad.errors import NotConvergedError
+from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest.nearest_rod import nearest_rod
@@ -26,6 +26,14 @@ def test_limits_allow_the_curve_to_move():
 
 def test_keep_alone_asks_for_the_nearest_rod_too():
     assert make_strip(ARCH, "card-200gsm", max_width=20, keep=Keep(ends=True)).rod.curve is not ARCH
+
+
+def test_both_widths_bound_the_ratio():
+    """Equal ones ask for an even strip; a least width above the largest is the user's, not the sheet's."""
+    even = make_strip(ARCH, "card-200gsm", max_width=20, min_width=20, limits=Limits())
+    assert even.width.extremes == pytest.approx((20, 20))
+    with pytest.raises(InputError, match="min_width is 25 mm, more than max_width, 20 mm"):
+        make_strip(ARCH, "card-200gsm", max_width=20, min_width=25, limits=Limits())
 
 
 def test_limits_that_no_rod_meets():

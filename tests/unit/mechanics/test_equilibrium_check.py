@@ -45,6 +45,14 @@ def chain(*arcs):
     return PlaneCurve(np.array([*knots, knots[-1]]), np.array(points), 2, np.array(weights))
 
 
+def with_line_before(*arcs):
+    """A line of 50 mm, then arcs."""
+    bent = chain(*arcs)
+    knots = np.concatenate(([0.0] * 3, bent.knots[1:] + 1.0))
+    points = np.vstack(([(-50.0, 0.0), (-25.0, 0.0)], bent.control_points))
+    return PlaneCurve(knots, points, 2, np.concatenate(([1.0, 1.0], bent.weights)))
+
+
 def double_spiral(winding):
     """One inflection with two arms that wind about it, as logarithmic spirals do."""
     t = np.linspace(-0.8, 1, 1201)
@@ -191,6 +199,14 @@ class TestNotRealizable:
         assert check.flats == (pytest.approx((0.0, 40.0), abs=1e-9),)
         assert "support the strip at 40 mm" in str(check)
         assert check_equilibrium(trim_curve(curve, 1.0, 2.0)).realizable
+
+    def test_where_a_straight_piece_ends_no_fair_curve_is_advised(self):
+        """Smoothed within 0.1 mm it waves about its line, and no strip takes it either."""
+        check = check_equilibrium(with_line_before((60, 1)))
+        assert "support the strip at 50 mm" in str(check)
+        assert "smooth" not in str(check)
+        further = check_equilibrium(with_line_before((60, 1), (30, 1)))
+        assert "The width of the strip steps at 110 mm" in str(further)
 
     def test_straight_piece_that_bends_too_gently_for_a_support(self):
         """kappa grows as the square of the distance: alone, the bent piece can't be had either."""
