@@ -4,10 +4,11 @@ import re
 from dataclasses import replace
 
 import FreeCAD as App
+import Part
 import pytest
 from freecad.elastica_wb.export.cutting_files import write_cutting_files
 from freecad.elastica_wb.features import baseplate, fixtures, flat, model, nest, strip
-from freecad.elastica_wb.features.pieces import pieces_of
+from freecad.elastica_wb.features.pieces import distinct, pieces_of
 from freecad.elastica_wb.shapes.part_shapes import make_solid
 
 ARCH = [(-75, 0), (-50, 60), (0, 95), (50, 60), (75, 0)]
@@ -148,6 +149,54 @@ def test_a_nest_and_its_files(document, standing, tmp_path):
     laid.SheetWidth = 100
     document.recompute()
     assert "Invalid" in laid.State
+
+
+def test_the_step_file_of_a_model_is_its_bodies(document, standing, tmp_path):
+    made = model.create(document, standing)
+    document.recompute()
+    standing[0].MaxWidth = 12  # FreeCAD has not recomputed it yet: the drawings are of the new width
+    write_cutting_files([made], tmp_path, kinds=("svg", "step"))
+    document.recompute()
+    written = Part.Shape()
+    written.read(str(tmp_path / "Model.step"))
+    assert len(written.Solids) == 2
+    for found, shown in zip(written.Solids, made.Shape.Solids, strict=True):
+        assert found.Volume == pytest.approx(shown.Volume, rel=1e-6)
+        assert found.CenterOfMass.distanceToPoint(shown.CenterOfMass) < 1e-3
+
+
+LABELS = [
+    ("A/B", "A-B"),
+    ("A", "A"),
+    ("A", "a"),
+    ("x:y" * 40, "x:y" * 40 + "z"),
+    ("..", "???"),
+    ("弧 1", "弧:1"),
+]
+
+
+@pytest.mark.parametrize("labels", LABELS)
+def test_each_part_has_files_of_its_own_whatever_its_label(document, standing, tmp_path, labels):
+    for obj, label in zip(standing, labels, strict=True):
+        obj.EngravedText = ""
+        obj.Label = label
+    document.recompute()
+    # FreeCAD numbers equal labels where it is not told that they may be equal
+    App.ParamGet("User parameter:BaseApp/Preferences/Document").SetBool("DuplicateLabels", True)
+    try:
+        standing[1].Label = labels[1]
+    finally:
+        App.ParamGet("User parameter:BaseApp/Preferences/Document").RemBool("DuplicateLabels")
+    files = write_cutting_files(standing, tmp_path, kinds=("svg", "step", "csv"))
+    names = [file.name for file in files]
+    assert len({name.casefold() for name in names}) == 5, names
+    assert sorted(path.name for path in tmp_path.rglob("*")) == sorted(names), "none in a folder of its own"
+    told = (tmp_path / "cut-list.csv").read_text(encoding="utf-8")
+    assert all(name in told for name in names if name.endswith(".svg"))
+
+
+def test_numbers_behind_names_take_no_name_that_is_there():
+    assert distinct(["A", "A", "A-2", "a", "B"]) == ["A", "A-3", "A-2", "a-4", "B"]
 
 
 def test_a_model_survives_saving(document, crossing, tmp_path):

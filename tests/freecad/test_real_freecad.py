@@ -233,6 +233,21 @@ def test_a_maker_at_work(tmp_path):
     assert found["export nowhere"] == "write the whole path of the folder, or press Browse"
 
 
+def test_a_project_that_grows_and_changes(tmp_path):
+    found = launching.run_window("growing.py", tmp_path)
+    assert found["tracebacks"] == 0
+    dragged, closed, first, *again = found["heights"]
+    assert dragged == closed == again[0] == again[1] > first + 5, "the drag is undone by the second step"
+    for volume, height, gap in found["undone"]:
+        assert volume == 0, "the flat part is that of the model"
+        assert abs(height) < 0.2, "the model is that of the strip"
+        assert gap < 1, "holders are where the strip ends"
+    assert found["member"] == "Up-to-date"
+    assert "Model.step" in found["exported"], "a flat part with slots is written with them"
+    assert found["rooms"] == pytest.approx(0, abs=1e-6)
+    assert found["model gone"] == [[False] * 2, [True] * 2, [False] * 2]
+
+
 def test_a_hostile_user(tmp_path):
     found = launching.run_window("hostile.py", tmp_path)
     assert found["trouble"] == []

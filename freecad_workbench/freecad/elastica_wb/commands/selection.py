@@ -103,9 +103,14 @@ def chosen_sketch() -> Any:
 
 
 def chosen_sources() -> list[Any]:
-    """The selected strips, models and base plates; where none is selected, all that is not part of another."""
-    found = [obj for obj in Gui.Selection.getSelection() if is_model(obj) or is_base_plate(obj)]
-    if not any(is_strip(obj) or is_flat(obj) for obj in Gui.Selection.getSelection()) and not found:
+    """The selected strips, models and base plates; where none is selected, all that is not part of another.
+
+    A flat part with the slots of a model stands for the model: its strip alone has none.
+    """
+    selected = Gui.Selection.getSelection()
+    meant = [obj.Model if is_flat(obj) and obj.Model is not None else obj for obj in selected]
+    found = list(dict.fromkeys(obj for obj in meant if is_model(obj) or is_base_plate(obj)))
+    if not any(is_strip(obj) or is_flat(obj) for obj in selected) and not found:
         found = [obj for obj in App.ActiveDocument.Objects if is_model(obj) or is_base_plate(obj)]
     return found or chosen_strips()
 

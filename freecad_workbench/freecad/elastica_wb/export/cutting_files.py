@@ -10,10 +10,10 @@ from pathlib import Path
 from typing import Any
 
 import FreeCAD as App
-from freecad.elastica_wb.curves.sketch_curves import drawn_curve, frame_of
+from freecad.elastica_wb.curves.sketch_curves import container, drawn_curve, frame_of
 from freecad.elastica_wb.export.plain_dxf import write_cut
-from freecad.elastica_wb.features.model import is_model, model_of
-from freecad.elastica_wb.features.pieces import pieces_of
+from freecad.elastica_wb.features.model import is_model, model_of, solids_of
+from freecad.elastica_wb.features.pieces import distinct, pieces_of
 from freecad.elastica_wb.features.strip import is_strip, strip_of
 from freecad.elastica_wb.host.progress import Step, go_on
 from freecad.elastica_wb.solving.strip_cache import bent_shape, flat_shape
@@ -22,6 +22,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
 from elastica_cad.fabrication.sheets.cut_list import cut_list
 from elastica_cad.fabrication.sheets.nesting import nest_pieces
+from elastica_cad.fabrication.sheets.pieces import file_word
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid, frame_beside
 from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.kernel.step_text import canonical_step
@@ -59,12 +60,15 @@ def write_cutting_files(
     kinds, pieces = list(kinds), pieces_of(sources)
     if not kinds:
         raise InputError("there is nothing to write: choose kinds of files")
-    drawings = {piece.file_stem: piece.drawing for piece in pieces}
+    # labels that differ may be the same word once it can stand in a file name
+    stems = distinct(piece.file_stem for piece in pieces)
+    drawings = {stem: piece.drawing for stem, piece in zip(stems, pieces, strict=True)}
     if "nest" in kinds:
         drawings |= {sheet.name: sheet for sheet in nest_pieces(pieces, sheet_size=sheet_size)}
     flat = [kind for kind in ("dxf", "svg") if kind in kinds]
     bodies = [obj for obj in sources if is_strip(obj) or is_model(obj)] if "step" in kinds else []
-    names = [f"{stem}.{kind}" for stem in drawings for kind in flat] + [f"{obj.Label}.step" for obj in bodies]
+    steps = [f"{word}.step" for word in distinct(file_word(obj.Label) for obj in bodies)]
+    names = [f"{stem}.{kind}" for stem in drawings for kind in flat] + steps
     names += ["cut-list.csv"] if "csv" in kinds else []
     options = {"kerf": kerf, "curves": curves, "tolerance": tolerance, "version": version}
     with write_together(folder, names, force=force) as workshop:
@@ -75,11 +79,12 @@ def write_cutting_files(
                 write_cut(named, workshop / f"{stem}.dxf", **options)
             if "svg" in kinds:
                 write_cut(named, workshop / f"{stem}.svg", **options)
-        for done, obj in enumerate(bodies, len(drawings)):
+        for done, (obj, name) in enumerate(zip(bodies, steps, strict=True), len(drawings)):
             go_on(step, done, "no file was written")
-            _write_step(obj, workshop / f"{obj.Label}.step")
+            _write_step(obj, workshop / name)
         if "csv" in kinds:
-            files = {piece.name: f"{piece.file_stem}.{flat[0] if flat else 'dxf'}" for piece in pieces}
+            kind = flat[0] if flat else "dxf"
+            files = {piece.name: f"{stem}.{kind}" for stem, piece in zip(stems, pieces, strict=True)}
             (workshop / "cut-list.csv").write_text(cut_list(pieces, files).csv, encoding="utf-8")
     return [Path(folder) / name for name in names]
 
@@ -114,10 +119,12 @@ def _lasting(path: Path) -> bytes:
 
 def _bodies(obj: Any) -> list[tuple[str, Any, App.Placement, Any]]:
     if is_model(obj):
+        # made anew: the shape of what FreeCAD has not recomputed yet is not that of the drawings
         model = model_of(obj)
+        solids = solids_of(model, obj.getGlobalPlacement() * container(obj).inverse())
         return [
-            (model.name_of(i), solid, obj.getGlobalPlacement(), strip.sheet)
-            for i, (strip, solid) in enumerate(zip(model.strips, obj.Shape.childShapes(), strict=True))
+            (model.name_of(i), solid, solid.Placement, strip.sheet)
+            for i, (strip, solid) in enumerate(zip(model.strips, solids, strict=True))
         ]
     strip, name = strip_of(obj), obj.EngravedText or obj.Label
     world = drawn_curve(obj.Curve, obj).world

@@ -54,13 +54,7 @@ class ModelFeature(Feature):
     def make(self, obj: Any) -> None:
         """Slot the strips and stand them in their places."""
         model = model_of(obj)
-        inner = container(obj).inverse()
-        solids = []
-        for placed in model.placed:
-            solid = bent_shape(placed.strip).copy(False)
-            solid.Placement = inner * placement_of(placed.frame)
-            solids.append(solid)
-        obj.Shape = Part.Compound(solids)
+        obj.Shape = Part.Compound(solids_of(model, container(obj).inverse()))
         put(obj, Joints=len(model.joints), Reports=[worded(report) for report in model.reports])
 
 
@@ -98,6 +92,16 @@ def model_of(obj: Any) -> Model:
             ("above", above),
         )
     return strips_model(obj.Strips, name=obj.Label, options=options)
+
+
+def solids_of(model: Model, place: App.Placement) -> list[Any]:
+    """The bent strips of a model, seen from a place."""
+    solids = []
+    for placed in model.placed:
+        solid = bent_shape(placed.strip).copy(False)
+        solid.Placement = place * placement_of(placed.frame)
+        solids.append(solid)
+    return solids
 
 
 def strips_model(strips: list[Any], *, name: str, options: tuple[tuple[str, Any], ...] = ()) -> Model:

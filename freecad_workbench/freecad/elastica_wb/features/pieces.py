@@ -35,13 +35,23 @@ def pieces_of(sources: Iterable[Any]) -> list[Piece]:
             pieces += _strip_pieces(obj)
     if not pieces:
         raise InputError("there is nothing to cut: select strips, models or base plates")
-    names = [piece.name for piece in pieces]
-    return [
-        replace(piece, name=f"{piece.name}-{names[:i].count(piece.name) + 1}")
-        if piece.name in names[:i]
-        else piece
-        for i, piece in enumerate(pieces)
-    ]
+    names = distinct(piece.name for piece in pieces)
+    return [replace(piece, name=name) for piece, name in zip(pieces, names, strict=True)]
+
+
+def distinct(names: Iterable[str]) -> list[str]:
+    """Names, with a number behind those that came before; file systems may not tell capitals from small letters."""
+    names = list(names)
+    first = {name.casefold(): i for i, name in reversed(list(enumerate(names)))}
+    taken, found = set(first), []
+    for i, name in enumerate(names):
+        number, told = 1, name
+        while first.get(name.casefold()) != i and told.casefold() in taken:
+            number += 1
+            told = f"{name}-{number}"
+        taken.add(told.casefold())
+        found.append(told)
+    return found
 
 
 def _strip_pieces(obj: Any) -> list[Piece]:

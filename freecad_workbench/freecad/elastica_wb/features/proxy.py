@@ -126,6 +126,18 @@ def keep_containers(document: Any) -> None:
                 obj.touch()  # it stood in the other place
 
 
+def keep_places(container: Any) -> None:
+    """A container moved: a feature in it whose sources stay behind is not where they ask for any more."""
+    for obj in container.Document.Objects:
+        ours = isinstance(getattr(obj, "Proxy", None), Feature) and CONTAINERS.name in obj.PropertiesList
+        if (
+            ours
+            and container in parents(obj)
+            and any(container not in parents(one) for one in _followed(obj))
+        ):
+            obj.touch()
+
+
 def _containers(obj: Any) -> list[Any]:
     own = [obj, *parents(obj)]
     found = [one for source in _followed(obj) for one in parents(source) if one not in own]

@@ -81,6 +81,15 @@ class ModelView(_View):
         """The strips that stand for themselves where they are not slotted."""
         return list(self.Object.Strips)
 
+    def onDelete(self, _provider: Any, _elements: Any) -> bool:
+        """Strips that the model hid stand for themselves again."""
+        for strip in self.Object.Strips:
+            if not any(
+                isinstance(_view_of(user), ModelView) for user in strip.InList if user is not self.Object
+            ):
+                strip.Visibility = True
+        return True
+
 
 class FixturesView(_View):
     """The printed blocks."""
@@ -116,6 +125,10 @@ class SectionView(_View):
     """The curves cut out of bodies."""
 
     icon_name = "Elastica_Section"
+
+
+def _view_of(obj: Any) -> Any:
+    return getattr(obj.ViewObject, "Proxy", None)
 
 
 KINDS = {

@@ -14,6 +14,7 @@ from freecad.elastica_wb.live.sketches import (
     edited_sketch,
     followers,
     is_curve,
+    is_feature,
     is_sketch,
     is_strip,
     recompute,
@@ -22,6 +23,8 @@ from freecad.elastica_wb.live.sketches import (
 )
 
 WORKBENCH = "ElasticaWorkbench"
+SEEN_ONLY = ("Visibility", "Label")
+"""Properties that nothing is made from."""
 _installed: list[Any] = []
 
 
@@ -85,7 +88,7 @@ class Changes:
 
     def __init__(self) -> None:
         self._pending = False
-        self._changed: set[tuple[str, str]] = set()
+        self._changed: dict[str, dict[str, set[str]]] = {}
 
     def slotCreatedObject(self, obj: Any) -> None:
         """A sketch made from this workbench has the overlay."""
@@ -95,9 +98,13 @@ class Changes:
     def slotChangedObject(self, obj: Any, name: str) -> None:
         """The mouse was released, or something else changed the sketch."""
         if obj.Document.Transacting:
-            self._changed.add((obj.Document.Name, obj.Name))
+            if name not in SEEN_ONLY:
+                names = self._changed.setdefault(obj.Document.Name, {})
+                names.setdefault(obj.Name, set()).add(name)
         elif name == "Group" and not obj.Document.Restoring:
-            _regrouped(obj.Document)
+            _contained("keep_containers", obj.Document)
+        elif name == "Placement" and obj.hasExtension("App::GeoFeatureGroupExtension"):
+            _contained("keep_places", obj)
         session = _session()
         if session is not None and obj is session.sketch and name == "Geometry":
             self._soon()
@@ -117,9 +124,9 @@ class Changes:
             _stop()
 
     def _after_undo(self, document: Any) -> None:
-        changed = {name for place, name in self._changed if place == document.Name}
+        changed = self._changed.get(document.Name, {})
         self._changed.clear()
-        ours = [obj for obj in document.Objects if is_strip(obj) or is_curve(obj)] if changed else []
+        ours = [obj for obj in document.Objects if is_feature(obj)] if changed else []
         if ours:
             QtCore.QTimer.singleShot(0, lambda: recompute(_stale(ours, changed)))
         if _session() is not None:
@@ -151,13 +158,13 @@ def _session() -> Any:
     return None if module is None else module.session()
 
 
-def _regrouped(document: Any) -> None:
-    """Something moved into a container, or out of one; without ever importing what no document has yet."""
+def _contained(work: str, subject: Any) -> None:
+    """Containers changed; without ever importing what no document has yet."""
     import sys
 
     module = sys.modules.get("freecad.elastica_wb.features.proxy")
     if module is not None:
-        module.keep_containers(document)
+        getattr(module, work)(subject)
 
 
 def _stop() -> None:
@@ -175,11 +182,32 @@ def _hide_failed(sketch: Any) -> None:
     hide_failed(followers(sketch))
 
 
-def _stale(ours: list[Any], changed: set[str]) -> list[Any]:
-    """Strips whose shape was not made from what they ask for now, and curves made from what is not as it was."""
+def _stale(ours: list[Any], changed: dict[str, set[str]]) -> list[Any]:
+    """What was not made from what it asks for now, and what is made from that.
+
+    Curves are made anew where what they follow is not as it was, and so is what failed before that.
+    """
     from freecad.elastica_wb.features.strip import is_stale
 
-    stale = [obj for obj in ours if lives(obj) and is_strip(obj) and is_stale(obj, changed)]
-    names = changed | {obj.Name for obj in stale}
-    curves = [obj for obj in ours if lives(obj) and is_curve(obj)]
-    return stale + [obj for obj in curves if any(source.Name in names for source in obj.OutList)]
+    ours = [obj for obj in ours if lives(obj)]
+    stale = [obj for obj in ours if is_strip(obj) and is_stale(obj, set(changed))]
+    names = {*changed, *(obj.Name for obj in stale)}
+    for obj in (one for one in ours if not is_strip(one)):
+        follows = any(source.Name in names for source in obj.OutList)
+        failed = "Invalid" in obj.State and (follows or obj.Name in changed)
+        if failed or (follows and is_curve(obj)) or _is_half_undone(obj, changed):
+            stale.append(obj)
+    users = {user for obj in stale for user in obj.InListRecursive}
+    return stale + [obj for obj in ours if obj in users and obj not in stale]
+
+
+def _is_half_undone(obj: Any, changed: dict[str, set[str]]) -> bool:
+    """Did a step bring back a shape without what it is made from, or that without the shape?
+
+    FreeCAD keeps what a closed sketch recomputes as a step of its own.
+    """
+    results = {entry.name for entry in obj.Proxy.properties if entry.result}
+    own = changed.get(obj.Name, set())
+    asked = own - results - {"Shape"}
+    followed = any(source.Name in changed for source in obj.OutList)
+    return bool(asked or followed) != ("Shape" in own)

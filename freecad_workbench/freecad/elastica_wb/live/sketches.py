@@ -15,7 +15,8 @@ from freecad.elastica_wb.host.qt import QtCore
 MEMORY = "ElasticaLive"
 """Property of a sketch that remembers whether it has the overlay."""
 
-STRIPS, CURVES = "freecad.elastica_wb.features.strip", "freecad.elastica_wb.features.curves"
+FEATURES = "freecad.elastica_wb.features."
+STRIPS, CURVES = f"{FEATURES}strip", f"{FEATURES}curves"
 AGAIN_MS = 20  # until a document that recomputes is asked again: its progress bar lets timers run
 
 listeners: list[Callable[[bool], None]] = []
@@ -78,3 +79,8 @@ def is_strip(obj: Any) -> bool:
 def is_curve(obj: Any) -> bool:
     """Is this object a curve that follows others? Asked in the same way."""
     return type(getattr(obj, "Proxy", None)).__module__ == CURVES
+
+
+def is_feature(obj: Any) -> bool:
+    """Is this object one of ours, of whatever kind? Asked in the same way."""
+    return type(getattr(obj, "Proxy", None)).__module__.startswith(FEATURES)
