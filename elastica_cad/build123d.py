@@ -25,6 +25,7 @@ from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.kernel import occt
 from elastica_cad.kernel.strip_body import BendOptions, MadeStrip, Point, StripBody
 from elastica_cad.kernel.strip_on_path import (
+    BlockOptions,
     End,
     FixtureOptions,
     StripOptions,
@@ -111,7 +112,7 @@ class _Made(StripBody):
         self._require_backing()
         return self.layers[1]
 
-    def fixture(self, end: End = "start", **sizes: Any) -> "EndFixture":
+    def fixture(self, end: End = "start", **sizes: Unpack[BlockOptions]) -> "EndFixture":
         """The block that holds an end of the bent strip, in place; `sizes` as in `EndFixture`."""
         return EndFixture(self, end=end, mode=bd.Mode.PRIVATE, **sizes)
 

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from os import PathLike
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypeVar, Unpack
+from typing import TYPE_CHECKING, Any, Literal, Self, TypeAlias, TypeVar, Unpack
 
 from elastica_cad.errors import InputError, how_to_install
 
@@ -26,6 +26,7 @@ from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.kernel import occt
 from elastica_cad.kernel.strip_body import BendOptions, MadeStrip, Point, StripBody
 from elastica_cad.kernel.strip_on_path import (
+    BlockOptions,
     End,
     FixtureOptions,
     StripOptions,
@@ -127,7 +128,7 @@ class _Made(StripBody, cq.Shape):
             made.add(solid, name=_called(solid.label, made), color=cq.Color(*sheet_color(sheet)))
         return made
 
-    def fixture(self, end: "End" = "start", **sizes: Any) -> "FixtureSolid":
+    def fixture(self, end: "End" = "start", **sizes: Unpack[BlockOptions]) -> "FixtureSolid":
         """The block that holds an end of the bent strip, in place; `sizes` as in `end_fixture`."""
         return end_fixture(self, end=end, **sizes)
 
@@ -135,21 +136,25 @@ class _Made(StripBody, cq.Shape):
         """As `Shape.moved`; a single copy still knows its strip."""
         return self._told(super().moved(*args, **options))
 
-    def located(self, loc: cq.Location) -> Any:
+    def located(self, loc: cq.Location) -> Self:
         """As `Shape.located`; the copy still knows its strip."""
-        return self._told(super().located(loc))
+        made: Self = self._told(super().located(loc))
+        return made
 
-    def copy(self, mesh: bool = False) -> Any:
+    def copy(self, mesh: bool = False) -> Self:
         """As `Shape.copy`; the copy still knows its strip."""
-        return self._told(super().copy(mesh))
+        made: Self = self._told(super().copy(mesh))
+        return made
 
-    def clean(self) -> Any:
+    def clean(self) -> Self:
         """As `Shape.clean`; what comes of it still knows its strip."""
-        return self._told(super().clean())
+        made: Self = self._told(super().clean())
+        return made
 
-    def mirror(self, mirrorPlane: Any = "XY", basePointVector: Any = (0, 0, 0)) -> Any:
+    def mirror(self, mirrorPlane: Any = "XY", basePointVector: Any = (0, 0, 0)) -> Self:
         """As `Shape.mirror`; the image still knows its strip, which is turned over."""
-        return super().mirror(mirrorPlane, basePointVector)
+        made: Self = super().mirror(mirrorPlane, basePointVector)
+        return made
 
     def scale(self, factor: float) -> cq.Shape:
         """As `Shape.scale`: a plain body, as a strip of another size has other numbers."""

@@ -70,14 +70,25 @@ class StripOptions(TypedDict, total=False):
     anyway: bool
 
 
-class FixtureOptions(StripOptions, total=False):
-    """The sizes of an end fixture too, mm; see `fabrication.EndFixture`."""
-
+class _FixtureSizes(TypedDict, total=False):
     clearance: float
     wall: float
     foot: float
     foot_height: float
     screw: float
+
+
+class FixtureOptions(StripOptions, _FixtureSizes, total=False):
+    """The sizes of an end fixture too, mm; see `fabrication.EndFixture`."""
+
+
+class BlockOptions(_FixtureSizes, total=False):
+    """What the fixture of a strip that is made takes: its sizes, mm, the plane of any library that it stands on,
+    and the number engraved on it; see `fabrication.EndFixture`.
+    """
+
+    floor: Any
+    number: str | None
 
 
 def make_strip_on(

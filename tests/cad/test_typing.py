@@ -9,7 +9,7 @@ FILE = ROOT / "tests" / "cad" / "typing" / "mistakes.py"
 
 
 def test_mypy_finds_the_mistakes_it_can():
-    """Two of the ten need the types of build123d itself, which mypy does not follow here."""
+    """Two of them need the types of build123d itself, which mypy does not follow here."""
     lines = FILE.read_text().splitlines()
     meant = {n for n, line in enumerate(lines, start=1) if line.endswith("# mistake")}
     command = [sys.executable, "-m", "mypy", "--no-error-summary", "--hide-error-context", str(FILE)]
