@@ -378,14 +378,14 @@ class EndFixture(_Made, bd.BasePartObject):
 
 
 class Elastica(bd.BaseLineObject):
-    """Line object: the curve that a strip of given length takes between two clamps.
+    """Line object: the curve that a strip of given length takes between two clamps, or from one to its free end.
 
     Which of its many shapes is stated by `branch`, and chosen by `side` and `buckling`.
 
     Parameters
     ----------
     start, end : point
-        In the plane of the workplane.
+        In the plane of the workplane; `end=None` leaves the end free, with the start clamped.
     length : float
         Of the strip, mm: more than the distance of its ends.
     angles : pair of float or None
@@ -395,6 +395,8 @@ class Elastica(bd.BaseLineObject):
         Of a tapered strip: its widths at even stations, in any unit.
     gravity : Gravity, optional
         The strip's own weight, as `Sheet.gravity` gives it.
+    force : pair of float, optional
+        At a free end, newtons over the strip's least bending stiffness in N mm2 (`Sheet.bending_stiffness`).
     side : {+1, -1}
         Bulge to the left or the right of the way from start to end.
     buckling : int
@@ -405,7 +407,7 @@ class Elastica(bd.BaseLineObject):
     Raises
     ------
     InputError
-        A length that does not reach, points off the plane.
+        A length that does not reach, points off the plane, a force at an end that is held.
 
     Examples
     --------
@@ -417,12 +419,13 @@ class Elastica(bd.BaseLineObject):
     def __init__(
         self,
         start: bd.VectorLike,
-        end: bd.VectorLike,
+        end: bd.VectorLike | None,
         length: float,
         *,
         angles: tuple[float | None, float | None] = (None, None),
         stiffness: "float | Sequence[float] | Profile" = 1.0,
         gravity: Gravity | None = None,
+        force: tuple[float, float] | None = None,
         side: int = 1,
         buckling: int = 1,
         mode: bd.Mode = bd.Mode.ADD,
@@ -434,6 +437,7 @@ class Elastica(bd.BaseLineObject):
             angles=angles_in_rad(angles),
             stiffness=stiffness,
             gravity=gravity,
+            force=force,
             side=side,
             mode=whole_number(buckling, "buckling", 1),
         )

@@ -412,21 +412,22 @@ def end_fixture(
 
 def elastica(
     start: cq.Vector | tuple[float, float],
-    end: cq.Vector | tuple[float, float],
+    end: cq.Vector | tuple[float, float] | None,
     length: float,
     *,
     angles: tuple[float | None, float | None] = (None, None),
     stiffness: "float | Sequence[float] | Profile" = 1.0,
     gravity: Gravity | None = None,
+    force: tuple[float, float] | None = None,
     side: int = 1,
     buckling: int = 1,
 ) -> cq.Edge:
-    """The curve that a strip of given length takes between two clamps, as an edge on the xy plane.
+    """The curve of a strip of given length between two clamps, or of one with a free end, as an edge in xy.
 
     Parameters
     ----------
     start, end : (x, y) or Vector
-        mm.
+        mm; `end=None` leaves the end free, with the start clamped.
     length : float
         Of the strip, mm: more than the distance of its ends.
     angles : pair of float or None
@@ -436,6 +437,8 @@ def elastica(
         Of a tapered strip: its widths at even stations, in any unit.
     gravity : Gravity, optional
         The strip's own weight, as `Sheet.gravity` gives it.
+    force : pair of float, optional
+        At a free end, newtons over the strip's least bending stiffness in N mm2 (`Sheet.bending_stiffness`).
     side : {+1, -1}
         Bulge to the left or the right of the way from start to end.
     buckling : int
@@ -444,7 +447,7 @@ def elastica(
     Raises
     ------
     InputError
-        A length that does not reach.
+        A length that does not reach, a force at an end that is held.
 
     Examples
     --------
@@ -458,6 +461,7 @@ def elastica(
         angles=angles_in_rad(angles),
         stiffness=stiffness,
         gravity=gravity,
+        force=force,
         side=side,
         mode=whole_number(buckling, "buckling", 1),
     )

@@ -36,6 +36,15 @@ class TestBuild123d:
         assert pytest.approx(0, abs=1e-6) == box.size.Y
         assert box.max.Z > 25
 
+    def test_a_force_bends_a_free_end_and_a_strip_stands_on_it(self):
+        from elastica_cad.build123d import BentStrip, Elastica
+
+        line = Elastica((0, 0), None, 200, angles=(0, None), force=(0, 1 / 200**2))
+        assert line.length == pytest.approx(200, abs=1e-3)
+        assert tuple(line @ 1)[:2] == pytest.approx((200 * (1 - 0.05643), 200 * 0.30172), abs=5e-3)
+        rib = BentStrip(line, "pom-0.5", max_width=12, compensate=False)
+        assert rib.volume == pytest.approx(0.5 * 12 * 220, rel=1e-4)
+
     def test_a_strip_of_even_width_takes_it(self):
         from elastica_cad.build123d import BentStrip, Elastica
 
@@ -74,3 +83,5 @@ def test_cadquery_edge():
     assert isinstance(edge, cq.Edge)
     assert edge.Length() == pytest.approx(220, abs=1e-3)
     assert bent_strip(edge, "card-200gsm", max_width=20).isValid()
+    free = elastica((0, 0), None, 200, angles=(0, None), force=(0, 1 / 200**2))
+    assert free.endPoint().toTuple()[:2] == pytest.approx((200 * (1 - 0.05643), 200 * 0.30172), abs=5e-3)

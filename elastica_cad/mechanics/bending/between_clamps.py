@@ -1,7 +1,9 @@
-"""The elastica between two clamps: a strip of given length whose ends are held at two places."""
+"""The elastica between two clamps, or from one to where weight and a force lead its free end."""
 
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
+from functools import partial
 from math import radians
 
 import numpy as np
@@ -12,25 +14,31 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.mechanics.loads.supports import End, Supports
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 SPANS = 90  # of the drawn spline: a strip of even width then comes out even to 5e-4, its length to 1e-9
 DEGREE = 5  # of the drawn spline
 OFF_PLANE = 1e-6  # mm: how far points may lie off the plane of the curve
+FIRST_LOAD, LAST_EVEN_LOAD, LOAD_GROWTH = (
+    0.25,
+    8.0,
+    1.3,
+)  # of force * length^2 / stiffness: a free strip buckles at 2.5
 SAMPLES = 10 * SPANS + 1  # nodes: their places are wrong by the square of their distance, 1e-6 of the length
 
 
 @dataclass(frozen=True, eq=False)
 class ElasticaBetween:
-    """A bent strip between two clamps, and which of the many it is.
+    """A bent strip between two clamps, or with a free end, and which of the many it is.
 
     Attributes
     ----------
     rod : Rod
         In balance; `force` and `moment` at its ends are what the clamps bear.
     side : int
-        +1 where its first bulge lies left of the way from start to end, -1 where right, 0 where it is straight.
+        +1 where its first bulge lies left of the way from start to end, -1 where right, 0 where it is straight; of
+        a free end where it lies, seen along the clamp.
     mode : int
         The buckling mode in which a straight strip was left; 1 is the stable one.
     """
@@ -52,31 +60,39 @@ class ElasticaBetween:
         return int(np.count_nonzero(np.diff(signs)))
 
     def __str__(self) -> str:
-        way = {1: "bulges to the left", -1: "bulges to the right", 0: "is straight"}[self.side]
+        if self.side == 0:
+            return "the strip is straight"
+        left = self.side > 0
+        if _is_free(self.rod):
+            way = "to the left" if left else "to the right"
+            return f"the strip's free end goes {way}, with {self.inflections} inflections (mode {self.mode})"
+        way = "bulges to the left" if left else "bulges to the right"
         return f"the strip {way} of its chord, with {self.inflections} inflections (mode {self.mode})"
 
 
 def elastica_between(
     start: ArrayLike,
-    end: ArrayLike,
+    end: ArrayLike | None,
     length: float,
     *,
     angles: tuple[float | None, float | None] = (None, None),
     stiffness: "ArrayLike | Profile" = 1.0,
     gravity: Gravity | None = None,
+    force: ArrayLike | None = None,
     side: int = 1,
     mode: int = 1,
     samples: int = SAMPLES,
 ) -> ElasticaBetween:
-    """The shape of a strip of given length between two points.
+    """The shape of a strip of given length between two points, or from a clamp to its free end.
 
     The strip is laid straight from the start towards the end, pushed to its end and then turned to the angles, so
-    that the branch of equilibria is the one by which hands would get there.
+    that the branch of equilibria is the one by which hands would get there. One with a free end is laid straight
+    along its clamp and then loaded, the force in steps.
 
     Parameters
     ----------
     start, end : (2,) array_like
-        mm.
+        mm; None for an end that is free, where the start is clamped.
     length : float
         Of the strip, mm: more than the distance of its ends.
     angles : pair of float or None
@@ -85,8 +101,11 @@ def elastica_between(
         Of a tapered strip: stiffness at even stations, or over [0, length].
     gravity : Gravity, optional
         The strip's own weight.
+    force : (2,) array_like, optional
+        At a free end, over the strip's least bending stiffness, 1/mm2 (F / B with F in N, B in N mm2).
     side : {+1, -1}
-        To which side of the way from start to end the strip bulges first, left or right.
+        To which side of the way from start to end the strip bulges first, left or right; where a free end goes
+        that is pushed straight at its clamp.
     mode : int
         Buckling mode; above 1 the shape is unstable as a rule.
     samples : int
@@ -95,7 +114,8 @@ def elastica_between(
     Raises
     ------
     InputError
-        A length that does not reach, ends at one place without angles.
+        A length that does not reach, ends at one place without angles, a force at an end that is held, a free
+        end without a clamp at the start.
     NotConvergedError
         As `bend`.
 
@@ -104,11 +124,33 @@ def elastica_between(
     >>> found = elastica_between((0, 0), (70, 0), 100.0, angles=(0.0, 0.0))
     >>> round(float(found.rod.position[:, 1].max()), 1), found.side, found.inflections
     (31.4, 1, 2)
+    >>> drooping = elastica_between((0, 0), None, 100.0, angles=(0.0, None), force=(0, -1 / 100.0**2))
+    >>> drooping.rod.position[-1].round(2).tolist()
+    [94.36, -30.17]
     """
-    first, last = _point(start, "start"), _point(end, "end")
-    near, far = _pair_of_angles(angles)
+    first, (near, far) = _point(start, "start"), _pair_of_angles(angles)
     if isinstance(length, bool) or not isinstance(length, float | int | np.number):
         raise InputError(f"length must be a number, mm, more than the distance of the ends, got {length!r}")
+    if side not in (1, -1):
+        raise InputError(f"side is {side!r}: give 1 for left of the way from start to end, -1 for right")
+    if end is None:
+        if not (np.isfinite(length) and length > 0):
+            raise InputError(f"length is {length}: it must be positive, in mm")
+        if near is None:
+            raise InputError(
+                "a strip whose end is free turns about its start: give the angle of a clamp there"
+            )
+        bent = _led_by_loads(
+            Rod.straight(
+                length, stiffness, samples=samples, start=first, angle=near, gravity=None,
+                supports=Supports("clamped", End(x=False, y=False, angle=far is not None)),
+            ),
+            far, gravity, force, side=side, mode=mode,
+        )  # fmt: skip
+        return ElasticaBetween(bent, _side(bent), mode)
+    if force is not None:
+        raise InputError("a force moves a free end, and this one is held: give None for the end, or no force")
+    last = _point(end, "end")
     chord = last - first
     distance = float(np.hypot(*chord))
     if not (np.isfinite(length) and length > distance > 0):
@@ -116,8 +158,6 @@ def elastica_between(
             f"a strip of {length:.6g} mm does not bend between ends {distance:.6g} mm apart: make it longer, and "
             "the ends two places"
         )
-    if side not in (1, -1):
-        raise InputError(f"side is {side!r}: give 1 for left of the way from start to end, -1 for right")
     along = float(np.arctan2(chord[1], chord[0]))
     supports = Supports(*("pinned" if angle is None else "clamped" for angle in (near, far)))
     rod = Rod.straight(
@@ -128,6 +168,47 @@ def elastica_between(
     if near is not None or far is not None or gravity is not None:
         bent = bend(bent, end=last, angles=(near, far), gravity=gravity, settle=mode == 1)
     return ElasticaBetween(bent, _side(bent), mode)
+
+
+def _led_by_loads(
+    rod: Rod,
+    far: float | None,
+    gravity: Gravity | None,
+    force: ArrayLike | None,
+    *,
+    side: int,
+    mode: int,
+) -> Rod:
+    """A straight rod with a free end under its loads: a great force is raised step by step."""
+    load = np.zeros(2) if force is None else _pair(force)
+    if load is None:
+        raise InputError(f"force must be two numbers, 1/mm2, got {force!r}")
+    angles = (None, None if far is None else _nearest_turn(far, float(rod.angle[0])))
+    bent = rod
+    for share in _load_shares(float(np.hypot(*load)) * rod.length**2):
+        # a push along the strip leaves it straight, which would settle on either side
+        settle = mode == 1 and bool(np.ptp(bent.angle) > 0)
+        step = partial(bend, bent, angles=angles, gravity=gravity, force=share * load, settle=settle)
+        found = step()
+        if _side(found) * _side(bent) < 0:
+            # where a straight strip would buckle the shape jumps: the one it grows into lies as far on this side
+            found = step(guess=2 * found.angle[0] - found.angle)
+        bent = found
+    if np.ptp(bent.angle) > 0:
+        return bent
+    with suppress(InputError):  # a push that buckles no straight rod
+        return bend(bent, angles=angles, gravity=gravity, force=load, side=side, mode=mode)
+    return bent
+
+
+def _load_shares(load: float) -> list[float]:
+    """Of a force times length^2 / stiffness, from small to whole: close together where slender strips buckle."""
+    steps = list(np.arange(FIRST_LOAD, min(load, LAST_EVEN_LOAD), FIRST_LOAD))
+    grown = LAST_EVEN_LOAD
+    while grown < load:
+        steps.append(grown)
+        grown *= LOAD_GROWTH
+    return [float(step) / load for step in steps] + [1.0]
 
 
 def _smooth_curve(rod: Rod) -> PlaneCurve:
@@ -150,17 +231,22 @@ def _smooth_curve(rod: Rod) -> PlaneCurve:
 
 
 def _point(point: object, name: str) -> FloatArray:
+    place = _pair(point)
+    if place is None:
+        raise InputError(f"{name} must be a point of the plane without z, two numbers, mm, got {point!r}")
+    return place
+
+
+def _pair(point: object) -> FloatArray | None:
     """Two numbers, or a point of a CAD library that has no z."""
     given = point.toTuple() if hasattr(point, "toTuple") else point
     try:
         place = np.array(list(given) if isinstance(given, Iterable) else (), dtype=float)
     except (TypeError, ValueError):
-        place = np.array([])
+        return None
     if place.shape == (3,) and abs(place[2]) <= OFF_PLANE:
         place = place[:2]
-    if place.shape != (2,) or not np.all(np.isfinite(place)):
-        raise InputError(f"{name} must be a point of the plane without z, two numbers, mm, got {given!r}")
-    return place
+    return place if place.shape == (2,) and np.all(np.isfinite(place)) else None
 
 
 def angles_in_rad(angles: object) -> tuple[float | None, float | None]:
@@ -186,10 +272,18 @@ def _nearest_turn(angle: float, near: float) -> float:
     return near + float(np.remainder(angle - near + np.pi, 2 * np.pi) - np.pi)
 
 
+def _is_free(rod: Rod) -> bool:
+    """May its end go anywhere?"""
+    return not (rod.supports.ends[1].x or rod.supports.ends[1].y)
+
+
 def _side(rod: Rod) -> int:
-    """Which side of its chord the rod leaves first."""
+    """Which side of its chord the rod leaves first; where a free end lies beside its clamp's direction."""
     off = rod.position - rod.position[0]
-    chord = off[-1] / np.hypot(*off[-1])
-    heights = off @ np.array([-chord[1], chord[0]])
+    if _is_free(rod):
+        along, off = np.array([np.cos(rod.angle[0]), np.sin(rod.angle[0])]), off[-1:]
+    else:
+        along = off[-1] / np.hypot(*off[-1])
+    heights = off @ np.array([-along[1], along[0]])
     far = np.flatnonzero(np.abs(heights) > 1e-6 * rod.length)
     return int(np.sign(heights[far[0]])) if far.size else 0

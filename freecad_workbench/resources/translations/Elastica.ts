@@ -1931,6 +1931,30 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>the strip is straight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the strip's free end goes %1, with %2 inflections (mode %3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to the left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a strip whose end is free turns about its start: give the angle of a clamp there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a force moves a free end, and this one is held: give None for the end, or no force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the strip %1 of its chord, with %2 inflections (mode %3)</source>
         <translation type="unfinished"></translation>
     </message>

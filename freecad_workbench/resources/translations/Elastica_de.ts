@@ -1943,6 +1943,30 @@
         <translation>wölbt sich links</translation>
     </message>
     <message>
+        <source>the strip is straight</source>
+        <translation>der Streifen ist gerade</translation>
+    </message>
+    <message>
+        <source>the strip's free end goes %1, with %2 inflections (mode %3)</source>
+        <translation>das freie Ende des Streifens geht %1, mit %2 Wendepunkten (Mode %3)</translation>
+    </message>
+    <message>
+        <source>to the left</source>
+        <translation>nach links</translation>
+    </message>
+    <message>
+        <source>to the right</source>
+        <translation>nach rechts</translation>
+    </message>
+    <message>
+        <source>a strip whose end is free turns about its start: give the angle of a clamp there</source>
+        <translation>ein Streifen mit freiem Ende dreht sich um seinen Anfang: dort den Winkel einer Einspannung angeben</translation>
+    </message>
+    <message>
+        <source>a force moves a free end, and this one is held: give None for the end, or no force</source>
+        <translation>eine Kraft bewegt ein freies Ende, und dieses ist gehalten: für das Ende None angeben, oder keine Kraft</translation>
+    </message>
+    <message>
         <source>the strip %1 of its chord, with %2 inflections (mode %3)</source>
         <translation>der Streifen %1 seiner Sehne, mit %2 Wendepunkten (Mode %3)</translation>
     </message>

@@ -1943,6 +1943,30 @@
         <translation>向弦的左侧拱起</translation>
     </message>
     <message>
+        <source>the strip is straight</source>
+        <translation>条带是直的</translation>
+    </message>
+    <message>
+        <source>the strip's free end goes %1, with %2 inflections (mode %3)</source>
+        <translation>条带的自由端%1，有 %2 个拐点（模态 %3）</translation>
+    </message>
+    <message>
+        <source>to the left</source>
+        <translation>偏向左侧</translation>
+    </message>
+    <message>
+        <source>to the right</source>
+        <translation>偏向右侧</translation>
+    </message>
+    <message>
+        <source>a strip whose end is free turns about its start: give the angle of a clamp there</source>
+        <translation>自由端的条带会绕其起点转动：请给出起点夹持的角度</translation>
+    </message>
+    <message>
+        <source>a force moves a free end, and this one is held: give None for the end, or no force</source>
+        <translation>力只移动自由端，而此端被固定：把端点设为 None，或不给力</translation>
+    </message>
+    <message>
         <source>the strip %1 of its chord, with %2 inflections (mode %3)</source>
         <translation>条带%1，有 %2 个拐点（模态 %3）</translation>
     </message>

@@ -93,3 +93,63 @@ def test_what_is_no_point_length_or_pair_is_named(given, says):
     asked = {"start": (0, 0), "end": (70, 0), "length": 100.0} | given
     with pytest.raises(InputError, match=says):
         elastica_between(**asked)
+
+
+class TestFreeEnd:
+    """A cantilever: Mattiasson's table (1981) of a dead load across it, Euler's load along it."""
+
+    @pytest.mark.parametrize(("load", "drop", "shortening"), [(1, 0.30172, 0.05643), (10, 0.81061, 0.55500)])
+    @pytest.mark.parametrize("turn", [0.0, 2.0])
+    def test_a_load_across(self, load, drop, shortening, turn):
+        along = np.array([np.cos(turn), np.sin(turn)])
+        across = np.array([-along[1], along[0]])
+        found = elastica_between((5, -3), None, 100.0, angles=(turn, None), force=load / 100.0**2 * across)
+        way = found.rod.position[-1] - (5, -3)
+        assert (way @ across, way @ along) == pytest.approx((100 * drop, 100 * (1 - shortening)), abs=2e-3)
+        assert found.side == 1
+        assert "free end goes to the left" in str(found)
+        assert found.curve.length == pytest.approx(100, rel=1e-8)
+
+    @pytest.mark.parametrize("side", [1, -1])
+    def test_a_push_buckles_beyond_eulers_load(self, side):
+        euler = np.pi**2 / 4 / 100.0**2
+        low, high = (
+            elastica_between((0, 0), None, 100.0, angles=(0.0, None), force=(-share * euler, 0), side=side)
+            for share in (0.99, 1.01)
+        )
+        assert low.side == 0
+        assert str(low) == "the strip is straight"
+        assert high.side == side
+        assert 100 - high.rod.position[-1, 0] == pytest.approx(
+            2.0, rel=0.1
+        )  # 2 L (P / P_euler - 1), first order
+
+    @pytest.mark.parametrize("share", [0.02, -0.02, 1e-3])
+    @pytest.mark.parametrize("push", [5e-4, 1e-2])
+    def test_a_slanted_push_leads_to_the_side_it_points_to(self, share, push):
+        force = np.array([-push, share * push])
+        found = elastica_between((0, 0), None, 100.0, angles=(0.0, None), force=force)
+        assert found.side == np.sign(share)
+        # moments about the clamp: what bends it there is the force times its arm
+        x, y = found.rod.position[-1]
+        assert found.rod.curvature[0] == pytest.approx(x * force[1] - y * force[0], rel=1e-3)
+
+    def test_weight_and_a_guided_end(self):
+        drooping = elastica_between((0, 0), None, 100.0, angles=(0.0, None), gravity=Gravity(60.0, (0, -1)))
+        assert drooping.rod.position[-1, 1] < -25
+        guided = elastica_between((0, 0), None, 100.0, angles=(0.0, 0.0), force=(0, -1e-3))
+        assert guided.rod.angle[-1] == pytest.approx(0.0, abs=1e-12)
+        assert guided.inflections == 1
+
+    @pytest.mark.parametrize(
+        ("end", "options", "says"),
+        [
+            (None, {}, "give the angle of a clamp there"),
+            (None, {"angles": (0, None), "force": "down"}, "force must be two numbers"),
+            (None, {"angles": (0, None), "force": (1, 2, 3)}, "force must be two numbers"),
+            ((60, 0), {"force": (0, 1e-4)}, "give None for the end, or no force"),
+        ],
+    )
+    def test_refused(self, end, options, says):
+        with pytest.raises(InputError, match=says):
+            elastica_between((0, 0), end, 100.0, **options)
