@@ -523,6 +523,10 @@ def elastic_strip(
     builder = bd.BuildSketch if form == "outline" else bd.BuildPart
     context = builder._get_context("elastic_strip")
     if path is None:
+        if isinstance(context, bd.BuildLine):
+            raise InputError(
+                "elastic_strip stands inside BuildLine: end that first, a strip follows its line"
+            )
         path = list(context.pending_edges) if context is not None else []
         if not path:
             raise InputError(

@@ -39,6 +39,13 @@ OF_STYLES = {
     "rows": "style=Perforated(width=..., rows=...)",
     "width": "max_width=..., or style=Perforated(width=...)",
 }
+NO_CURVES = {
+    "StripSpec": "the strip that its .make() makes",
+    "Placed": "its .strip",
+    "Rod": "ec.Strip(rod, sheet, max_width=...)",
+    "NearestRod": "ec.Strip(found.rod, sheet, max_width=...)",
+}
+"""Records that lead to a strip, and what of them a body is made of."""
 
 
 class StripOptions(TypedDict, total=False):
@@ -129,6 +136,9 @@ def make_strip_on(
             _warn_of(path)
             return MadeStrip(path, frame or Frame())
         return MadeStrip(path.strip, frame or path.frame, path.deviation)
+    given = type(path).__name__
+    if given in NO_CURVES:
+        raise InputError(f"a {given} is no curve: give {NO_CURVES[given]}")
     if sheet is None:
         raise InputError(
             'a curve needs a sheet to be cut from: give a Sheet or the name of one, like "mdf-3"'

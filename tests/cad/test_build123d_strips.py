@@ -164,6 +164,12 @@ class TestBadInput:
         with bd.BuildPart(), pytest.raises(InputError, match="there is no curve"):
             elastic_strip(sheet=SHEET, max_width=10)
 
+    def test_inside_the_line(self):
+        with bd.BuildPart(), bd.BuildLine():
+            bd.Spline(*POINTS)
+            with pytest.raises(InputError, match="stands inside BuildLine: end that first"):
+                elastic_strip(sheet=SHEET, max_width=10)
+
     def test_unknown_form(self, edge):
         with pytest.raises(InputError, match="flat, bent, outline"):
             elastic_strip(edge, sheet=SHEET, max_width=10, form="rolled")

@@ -12,6 +12,7 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.strip.tabs import Hole, Tab
+from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 
 CURVE = PlaneCurve.arc((60, 0), 50, -0.6, 0.9)
@@ -231,6 +232,11 @@ class TestCadQuery:
             "face, shell or solid, not int": lambda: section_strips(5, cq.Plane.XZ(), SHEET, max_width=9),
             "plane is 'XZ'": lambda: section_strips(ball, "XZ", SHEET, max_width=9),
             "angles must be two": lambda: elastica((0, 0), (10, 0), 50, angles=30),
+            r"a StripSpec is no curve: give the strip that its \.make\(\)": lambda: bent_strip(
+                StripSpec(CURVE, SHEET, max_width=12)
+            ),
+            r"a Rod is no curve: give ec\.Strip": lambda: bent_strip(rib.rod, SHEET, max_width=12),
+            r"a Placed is no curve: give its \.strip": lambda: bent_strip(rib.placed),
             "a list is no model": lambda: model_assembly([rib.placed]),
             "buckling is 0: it must be": lambda: elastica((0, 0), (10, 0), 50, buckling=0),
         }
