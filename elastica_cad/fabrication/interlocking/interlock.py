@@ -8,6 +8,7 @@ from typing import Literal
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import is_number
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.interlocking.alike_strips import cut_as_known
 from elastica_cad.fabrication.interlocking.ruled_intersection import PARALLEL_RAD
@@ -115,8 +116,8 @@ def interlock(
     """
     if fit not in ("exact", "paper"):
         raise InputError(f'fit is "exact" or "paper", not {fit!r}')
-    if not (np.isfinite(clearance) and clearance >= 0):
-        raise InputError(f"clearance is {clearance}: it must be 0 mm or more")
+    if not (is_number(clearance) and clearance >= 0):
+        raise InputError(f"clearance is {clearance!r}: it must be 0 mm or more")
     up = None if above is None else np.asarray(above, dtype=float)
     if up is not None and not (up.shape == (3,) and np.all(np.isfinite(up)) and np.any(up != 0)):
         raise InputError("above must be a direction of three numbers")

@@ -5,8 +5,10 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
+from elastica_cad.fabrication.interlocking.interlock import interlock
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.perforation import Perforated
@@ -58,6 +60,7 @@ SLIPS = {
     "clearance is": lambda: EndFixture.of(STRIP, "end", clearance=(1, 2)),
     "placed hold 3: give Placed records": lambda: Model(3),
     "placed hold <Strip": lambda: Model([STRIP]),
+    "clearance is '0.1': it must be 0 mm or more": lambda: interlock([Placed(STRIP)], clearance="0.1"),
     "keep ends=3": lambda: Keep(ends=3),
     "frame origin must be three finite numbers, got 'x'": lambda: Frame("x"),
     "angles must be two numbers, rad": lambda: bend(ROD, end=(90, 0), angles=[1, "a"]),
