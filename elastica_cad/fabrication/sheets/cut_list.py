@@ -179,7 +179,7 @@ def cut_list(pieces: Iterable[Piece], files: Mapping[str, str] | None = None) ->
 def _like(piece: Piece, seen: list[tuple[FlatShape, str]]) -> str:
     """The first piece of the same shape, among those seen; this one joins them where there is none."""
     outer = piece.drawing.on(CUT_OUTER)
-    if len(outer) != 1:
+    if len(outer) != 1 or piece.worked is not None:  # what the drawing shows does not tell them apart
         return ""
     shape = FlatShape((Layer(piece.sheet, outer[0], piece.drawing.on(CUT_INNER)),))
     first = next((name for other, name in seen if other.equals(shape)), "")

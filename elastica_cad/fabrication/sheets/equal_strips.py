@@ -14,10 +14,14 @@ from elastica_cad.fabrication.strip.strip_layers import Layer
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.point_distance import distances
+from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Segment, Spline
 
 CENTROID_MM = 0.02
 """Flatness of the loops whose centroids tell which way round parts may fit."""
+
+SAME_SIZE_MM, SIZE_STATIONS = 1e-3, 65
+"""Thickness or diameter, mm, that no plane or lathe tells apart, and at how many places strips are compared."""
 
 STEEPEST_SLOPE = 100.0
 """No long side rises more than this for each mm along the strip."""
@@ -64,7 +68,7 @@ def group_equal_strips(placed: Sequence[Placed]) -> tuple[EqualStrips, ...]:
     known: dict[int, list[int]] = {}  # one strip in several places need not be compared again
     for index, strip in enumerate(one.strip for one in placed):
         if id(strip) not in known:
-            shape = FlatShape(strip.layers)
+            shape = FlatShape.of(strip)
             alike = next(
                 (
                     members
@@ -86,7 +90,7 @@ def count_shapes(parts: Sequence[EqualStrips]) -> int:
     """How many shapes are cut for these parts, whatever is engraved on them."""
     found: list[FlatShape] = []
     for part in parts:
-        shape = FlatShape(part.strip.layers)
+        shape = FlatShape.of(part.strip)
         if not any(shape.equals(other) for other in found):
             found.append(shape)
     return len(found)
@@ -98,14 +102,35 @@ def _same_marks(a: Strip, b: Strip) -> bool:
     return a.label == b.label and mates[0] == mates[1]
 
 
+def _same_size(a: Profile | None, b: Profile | None) -> bool:
+    """Are both planed or turned alike, or neither?"""
+    if a is None or b is None:
+        return a is b
+    s = np.linspace(0.0, a.length, SIZE_STATIONS)
+    return abs(a.length - b.length) < SAME_SIZE_MM and bool(
+        np.abs(a(s) - b(np.minimum(s, b.length))).max() < SAME_SIZE_MM
+    )
+
+
 @dataclass(frozen=True, eq=False)
 class FlatShape:
-    """The cut loops of a part, of each of its layers, ready to be compared with many others."""
+    """The cut loops of a part, of each of its layers, ready to be compared with many others.
+
+    `size` is the thickness or diameter, along its free part, of one that is planed or turned.
+    """
 
     layers: tuple[Layer, ...]
+    size: Profile | None = None
+
+    @classmethod
+    def of(cls, strip: Strip) -> "FlatShape":
+        """That of a strip; leaves that are glued need no planing."""
+        return cls(strip.layers, strip.layout.size if strip.layout.stack is None else None)
 
     def equals(self, other: "FlatShape") -> bool:
         """Would one part serve for both, but for what is engraved? Sheets and all loops must be the same."""
+        if not _same_size(self.size, other.size):
+            return False
         if len(self.layers) != len(other.layers) or any(
             p.sheet != q.sheet or len(p.holes) != len(q.holes)
             for p, q in zip(self.layers, other.layers, strict=True)

@@ -15,6 +15,8 @@ from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, MARK
 from elastica_cad.fabrication.drawings.lettering import Text
 from elastica_cad.fabrication.sheets.equal_strips import EqualStrips
 from elastica_cad.fabrication.slots.mating_marks import end_numbers
+from elastica_cad.fabrication.strip.strip_layers import Layer
+from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.paths.many_segments import total_length
 from elastica_cad.mechanics.material.sheet import Sheet
 
@@ -33,6 +35,8 @@ class Piece:
         says.
     count : int
         How many are cut.
+    worked : float, optional
+        What one weighs, g, when it has been planed or turned; what is cut of the sheet unless told.
 
     Raises
     ------
@@ -52,6 +56,7 @@ class Piece:
     drawing: Drawing
     sheet: Sheet
     count: int = 1
+    worked: float | None = None
 
     def __post_init__(self) -> None:
         if not any(path.closed for path in self.drawing.on(CUT_OUTER)):
@@ -90,7 +95,9 @@ class Piece:
 
     @property
     def mass(self) -> float:
-        """Of one piece, g."""
+        """Of one piece as it is used, g."""
+        if self.worked is not None:
+            return self.worked
         return self.area * self.sheet.thickness * self.sheet.density * 1e-6
 
 
@@ -137,5 +144,15 @@ def strip_pieces(parts: Sequence[EqualStrips], *, numbered: bool = False) -> tup
                 lines = (*layer.holes, layer.outline, *drawing.on(MARK))
                 marks = end_numbers(strip.width, lines, drawing.texts)
             texts = (*drawing.texts, *marks)
-            pieces.append(Piece(called, replace(drawing, name=called, texts=texts), layer.sheet, part.count))
+            sheet, worked = _blank(strip, layer)
+            drawn = replace(drawing, name=called, texts=texts)
+            pieces.append(Piece(called, drawn, sheet, part.count, worked))
     return tuple(pieces)
+
+
+def _blank(strip: Strip, layer: Layer) -> tuple[Sheet, float | None]:
+    """What a layer is cut from; where it is planed or turned, as thick as it ever is, and what is left of it, g."""
+    layout = strip.layout
+    if layout.size is None or layout.stack is not None:
+        return layer.sheet, None
+    return layer.sheet.with_thickness(float(f"{layout.size.extremes[1]:.4g}")), strip.mass

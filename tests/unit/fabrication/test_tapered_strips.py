@@ -8,6 +8,8 @@ import pytest
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab
 from elastica_cad.fabrication.leaf_stack import LeafStack
+from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid, bent_sheets
 from elastica_cad.fabrication.strip.tabs import Hole, Tab
@@ -175,3 +177,26 @@ def test_a_tapered_strip_stays_in_its_plane_by_its_own_sizes(law):
     assert one == other
     assert one.decided
     assert make_strip(ARCH, GLASS, law=law).end_thicknesses[0] != 3.0
+
+
+@pytest.mark.parametrize("law", [THICKNESS, ROD, TUBE], ids=["thickness", "rod", "tube"])
+def test_the_cut_list_names_stock_of_which_it_can_be_worked(law):
+    strip = make_strip(ARCH, GLASS, law=law, label="T")
+    (row,) = Model([Placed(strip)]).cut_list().rows
+    assert row.thickness == pytest.approx(
+        4.0, rel=1e-3
+    )  # as thick as it ever is, not as the sheet that was named
+    assert row.sheet == "glass-4"
+    assert row.mass == pytest.approx(strip.mass)
+    assert "_4mm_" in row.file
+
+
+def test_tapers_that_differ_are_no_equal_parts():
+    lean = PlaneCurve.spline([(0, 0), (30, 150), (140, 160), (240, 100), (300, 0)])
+    first = make_strip(ARCH, GLASS, law=THICKNESS)
+    length = first.rod.length / make_strip(lean, GLASS, law=THICKNESS).rod.length
+    other = make_strip(lean.transformed(np.diag([length, length, 1.0])), GLASS, law=THICKNESS)
+    assert other.rod.length == pytest.approx(first.rod.length)  # one outline for both: a rectangle
+    assert Model([Placed(first), Placed(first, (0, 0, 50))]).cut_list().rows[0].count == 2
+    parts = Model([Placed(first), Placed(other, (0, 0, 50))]).parts
+    assert [part.count for part in parts] == [1, 1]
