@@ -195,12 +195,12 @@ class Slider(bd.LinearJoint):
 
     Examples
     --------
-    >>> rib = BentStrip(Elastica((0, 0), (80, 0), 100, angles=(0, 0)).edge(), "pom-0.5", max_width=10)
-    >>> slider = rib.slider(end=(60, 0))
+    >>> rib = BentStrip(Elastica((0, 0), (160, 0), 200, angles=(0, 0)).edge(), "pom-0.5", max_width=10)
+    >>> slider = rib.slider(end=(130, 0))
     >>> carriage = bd.Box(10, 20, 10)
     >>> slider.connect_to(bd.RigidJoint("foot", carriage), position=15)
     >>> round(carriage.center().X, 6), round(slider.bent(15).joints["end"].location.position.X, 6)
-    (65.0, 65.0)
+    (145.0, 145.0)
     """
 
     def __init__(self, rib: "_Made", end: Point) -> None:

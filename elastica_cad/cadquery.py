@@ -226,14 +226,14 @@ class Slider:
 
     Examples
     --------
-    >>> rib = bent_strip(elastica((0, 0), (80, 0), 100, angles=(0, 0)), "pom-0.5", max_width=10)
-    >>> slider = rib.slider(end=(60, 0))
+    >>> rib = bent_strip(elastica((0, 0), (160, 0), 200, angles=(0, 0)), "pom-0.5", max_width=10)
+    >>> slider = rib.slider(end=(130, 0))
     >>> lamp = cq.Assembly(slider.bent(15), name="rib")
     >>> lamp = lamp.add(cq.Workplane().box(10, 20, 10), name="carriage", loc=slider.place(15))
     >>> round(lamp.objects["carriage"].toCompound().Center().x, 6)
-    65.0
+    145.0
     >>> round(slider.bent(15).joints["end"].toTuple()[0][0], 6)
-    65.0
+    145.0
     """
 
     def __init__(self, rib: "_Made", end: Point) -> None:
