@@ -41,8 +41,12 @@ SPOKEN = [
     "forming/plane_sections/section_curves.py",
     "forming/plane_sections/section_lines.py",
     "forming/fairing_request.py",
+    "forming/rod_spec.py",
 ]
 """Where the core makes what a user of the workbench reads."""
+
+NO_SENTENCES = ("tests.py", "sentences.py")
+"""Tests, and what stands for parts of sentences."""
 
 PROGRAMMERS = re.compile(
     r"""\b(record|records|Rod\b|None|keywords|rad\b|executor|mappings?|optimal_laminate|bend\ needs|of\ bend
@@ -50,7 +54,7 @@ PROGRAMMERS = re.compile(
     |coefficients|wavelength|above\ must|places\ 0|path|E\ I|weight=|`weight`|label\ is|weight\ profile
     |all\ lengths\ in\ mm|false_turn|tolerance=|Sheet\ or|PropertiesList|bit\ mask|three\ numbers|finite
     |must\ be\ positive|must\ be\ 0\ mm\ or\ more|ec\.)|,\ got\ %|^%\d\ =\ %\d\ mm$|[{}<|]|\\
-    |%\ \(%2\ %\)|^no\ file\ was|points\ \(k|^mm\ of\ |^%1\ has\ %2\ lines$|Callable|^(%\d|mm|x
+    |%\ \(%2\ %\)|^no\ file\ was|points\ \(k|^mm\ of\ |^%1\ has\ %2\ lines$|Callable|^\w+\ =\ |^(%\d|mm|x
     |[^a-z])*$|color:""",
     re.VERBOSE,
 )
@@ -96,7 +100,7 @@ def spoken(path):
 def keys():
     places = [CORE / place for place in SPOKEN] + [WORKBENCH]
     files = [file for place in places for file in ([place] if place.suffix else sorted(place.rglob("*.py")))]
-    return {words for file in files if file.name != "tests.py" for words in spoken(file)}
+    return {words for file in files if file.name not in NO_SENTENCES for words in spoken(file)}
 
 
 def known(language):
@@ -210,6 +214,60 @@ def test_a_strip_that_breaks_says_so_in_german(document, sketch):
     said = " ".join([made.Verdict, *made.Reasons])
     assert "Streifen" in said
     assert not re.search(r"\b(the|strain|curve)\b", said), said
+
+
+REFUSED = [
+    {"Loads": ["at = 50, mass = 20"]},
+    {"Loads": ["at 50"], "Gravity": True},
+    {"Loads": ["at = 50, mass = -3"], "Gravity": True},
+    {"Style": "Laminated", "Follow": "Nearest", "Gravity": True, "GravityDirection": (0, -1, 0)},
+    {"Follow": "Nearest", "Gravity": True, "GravityDirection": (0, -1, 0), "Loads": ["at = 50, mass = 20"]},
+    {"Follow": "Nearest", "MostLength": 100},
+    {"Follow": "Nearest", "LeastWidth": 50, "MostWidth": 10},
+    {"Slots": ["at = 5000, width = 1"]},
+    {"Law": "junk"},
+    {"Law": "E = 4"},
+    {"WeightLaw": "junk"},
+    {"StartTabKeys": "length = -4"},
+    {"Thickness": 0},
+    {"Samples": 1},
+    {"Creep": -1},
+    {"Style": "Laminated", "OuterWidth": 0},
+]
+ENGLISH = re.compile(r"\b(the|it|and|values|give|leave|such|must|make|use|one|keep|deeper|positive|is)\b")
+
+
+@pytest.mark.usefixtures("german")
+@pytest.mark.parametrize("asked", REFUSED, ids=" ".join)
+def test_refused_properties_are_told_in_german(document, sketch, asked):
+    from freecad.elastica_wb.features import strip
+
+    made = strip.create(document, sketch)
+    for name, value in asked.items():
+        setattr(made, name, value)
+    document.recompute()
+    assert "Invalid" in made.State
+    assert not ENGLISH.search(" ".join(made.Reasons)), made.Reasons
+
+
+def test_a_line_that_cannot_be_read_is_told_what_its_property_takes(document, sketch):
+    from freecad.elastica_wb.features import strip
+    from freecad.elastica_wb.features.strip_request import KEEP_OUT_LINE, MASS_LINE, TAB_LINE, WEIGHT_LINE
+
+    made = strip.create(document, sketch)
+    made.Gravity, made.GravityDirection = True, (0, -1, 0)
+    for name, line in (("Loads", MASS_LINE), ("WeightLaw", WEIGHT_LINE), ("StartTabKeys", TAB_LINE)):
+        good = [line] if name == "Loads" else line
+        setattr(made, name, ["junk"] if name == "Loads" else "junk")
+        document.recompute()
+        assert line in made.Reasons[0], "its own example"
+        setattr(made, name, good)
+        document.recompute()
+        assert not any("cannot be read" in reason for reason in made.Reasons), "what it tells is good"
+        setattr(made, name, [] if name == "Loads" else "")
+    made.Gravity, made.Follow, made.KeepOut = False, "Nearest", ["junk"]
+    document.recompute()
+    assert KEEP_OUT_LINE in made.Reasons[0]
 
 
 @pytest.mark.usefixtures("german")

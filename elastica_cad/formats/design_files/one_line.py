@@ -43,6 +43,12 @@ def parse_line(
         return reader(table)
 
 
-def parse_lines(lines: Sequence[str], where: str, reader: Callable[[Table], T]) -> tuple[T, ...]:
+def parse_lines(
+    lines: Sequence[str],
+    where: str,
+    reader: Callable[[Table], T],
+    *,
+    example: str = "at = 40, side = 'lower'",
+) -> tuple[T, ...]:
     """What every line tells that is not empty."""
-    return tuple(parse_line(line, where, reader) for line in lines if line.strip())
+    return tuple(parse_line(line, where, reader, example=example) for line in lines if line.strip())

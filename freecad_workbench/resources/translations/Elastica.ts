@@ -1855,6 +1855,66 @@
 <context>
     <name>ElasticaSentences</name>
     <message>
+        <source>loads hang where gravity pulls in the plane of the curve: give gravity=True or a direction in that plane, or leave loads out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a laminate that carries its weight follows its curve exactly, from flat sheets: leave out limits, keep and natural_curvature, or gravity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>samples are of a strip that follows its curve exactly: leave limits and keep out, or samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a strip with loads hung on it follows its curve exactly: leave limits and keep out, or the loads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 cannot be read: write keys and values, such as %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a point mass is %1: it can't be negative, in g</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least%1 is %2 mm and Most%3 is %4 mm: give both, the least above 0 and not above the most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sheet %1: thickness is %2; it must be positive, in mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>samples is %1: it must be a whole number, %2 or more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>creep is %1: it must be 0 or more; plywood indoors has %2 (Eurocode 5)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the width of the base is %1: it must be positive, in mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>deeper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shallower or narrower</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is %2: use one of %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tab length is %1: it must be 0 mm or more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>glued leaves go in steps, so no stack follows a drawn curve exactly: give limits or keep, such as keep=Keep(), or call nearest_rod, and the nearest stack is found</source>
         <translation type="unfinished"></translation>
     </message>

@@ -1859,6 +1859,66 @@
 <context>
     <name>ElasticaSentences</name>
     <message>
+        <source>loads hang where gravity pulls in the plane of the curve: give gravity=True or a direction in that plane, or leave loads out</source>
+        <translation>Lasten hängen, wo die Schwerkraft in der Ebene der Kurve zieht: Gravity setzen, mit GravityDirection in dieser Ebene, oder die Lasten weglassen</translation>
+    </message>
+    <message>
+        <source>a laminate that carries its weight follows its curve exactly, from flat sheets: leave out limits, keep and natural_curvature, or gravity</source>
+        <translation>ein Laminat, das sein Gewicht trägt, folgt seiner Kurve genau, aus flachen Platten: Follow auf Exactly und NaturalCurvature auf 0 setzen, oder die Schwerkraft weglassen</translation>
+    </message>
+    <message>
+        <source>samples are of a strip that follows its curve exactly: leave limits and keep out, or samples</source>
+        <translation>Stützstellen (Samples) hat ein Streifen, der seiner Kurve genau folgt: Follow auf Exactly setzen, oder Samples weglassen</translation>
+    </message>
+    <message>
+        <source>a strip with loads hung on it follows its curve exactly: leave limits and keep out, or the loads</source>
+        <translation>ein Streifen, an dem Lasten hängen, folgt seiner Kurve genau: Follow auf Exactly setzen, oder die Lasten weglassen</translation>
+    </message>
+    <message>
+        <source>%1: %2 cannot be read: write keys and values, such as %3</source>
+        <translation>%1: %2 ist nicht zu lesen: Schlüssel und Werte schreiben, wie %3</translation>
+    </message>
+    <message>
+        <source>a point mass is %1: it can't be negative, in g</source>
+        <translation>eine Punktmasse ist %1: sie kann nicht negativ sein, in g</translation>
+    </message>
+    <message>
+        <source>Least%1 is %2 mm and Most%3 is %4 mm: give both, the least above 0 and not above the most</source>
+        <translation>Least%1 ist %2 mm und Most%3 ist %4 mm: beide angeben, das kleinste über 0 und nicht über dem größten</translation>
+    </message>
+    <message>
+        <source>sheet %1: thickness is %2; it must be positive, in mm</source>
+        <translation>Platte %1: die Dicke ist %2; sie muss positiv sein, in mm</translation>
+    </message>
+    <message>
+        <source>samples is %1: it must be a whole number, %2 or more</source>
+        <translation>Samples ist %1: es muss eine ganze Zahl ab %2 sein</translation>
+    </message>
+    <message>
+        <source>creep is %1: it must be 0 or more; plywood indoors has %2 (Eurocode 5)</source>
+        <translation>Creep ist %1: es muss 0 oder mehr sein; Sperrholz in Innenräumen hat %2 (Eurocode 5)</translation>
+    </message>
+    <message>
+        <source>the width of the base is %1: it must be positive, in mm</source>
+        <translation>die Breite der Grundlage ist %1: sie muss positiv sein, in mm</translation>
+    </message>
+    <message>
+        <source>deeper</source>
+        <translation>tiefer</translation>
+    </message>
+    <message>
+        <source>shallower or narrower</source>
+        <translation>flacher oder schmaler</translation>
+    </message>
+    <message>
+        <source>%1 is %2: use one of %3</source>
+        <translation>%1 ist %2: eines von diesen nehmen: %3</translation>
+    </message>
+    <message>
+        <source>tab length is %1: it must be 0 mm or more</source>
+        <translation>die Länge der Lasche ist %1: sie muss 0 mm oder mehr sein</translation>
+    </message>
+    <message>
         <source>glued leaves go in steps, so no stack follows a drawn curve exactly: give limits or keep, such as keep=Keep(), or call nearest_rod, and the nearest stack is found</source>
         <translation>Geklebte Blätter gehen in Stufen, darum folgt kein Stapel einer gezeichneten Kurve genau: Gib Grenzen oder was bleiben soll (wie keep=Keep()) an, oder rufe nearest_rod auf, dann wird der nächste Stapel gefunden</translation>
     </message>

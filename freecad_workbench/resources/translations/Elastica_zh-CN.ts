@@ -1859,6 +1859,66 @@
 <context>
     <name>ElasticaSentences</name>
     <message>
+        <source>loads hang where gravity pulls in the plane of the curve: give gravity=True or a direction in that plane, or leave loads out</source>
+        <translation>载荷只在重力作用于曲线平面内时起作用：请设置 Gravity，并使 GravityDirection 位于该平面内，或去掉载荷</translation>
+    </message>
+    <message>
+        <source>a laminate that carries its weight follows its curve exactly, from flat sheets: leave out limits, keep and natural_curvature, or gravity</source>
+        <translation>承受自重的层压条精确贴合其曲线，且由平板制成：请将 Follow 设为 Exactly、NaturalCurvature 设为 0，或去掉重力</translation>
+    </message>
+    <message>
+        <source>samples are of a strip that follows its curve exactly: leave limits and keep out, or samples</source>
+        <translation>采样点（Samples）只用于精确贴合曲线的条带：请将 Follow 设为 Exactly，或去掉 Samples</translation>
+    </message>
+    <message>
+        <source>a strip with loads hung on it follows its curve exactly: leave limits and keep out, or the loads</source>
+        <translation>挂有载荷的条带精确贴合其曲线：请将 Follow 设为 Exactly，或去掉载荷</translation>
+    </message>
+    <message>
+        <source>%1: %2 cannot be read: write keys and values, such as %3</source>
+        <translation>%1：无法读取 %2：请写成键和值，例如 %3</translation>
+    </message>
+    <message>
+        <source>a point mass is %1: it can't be negative, in g</source>
+        <translation>一个质点的质量为 %1：不能为负，单位 g</translation>
+    </message>
+    <message>
+        <source>Least%1 is %2 mm and Most%3 is %4 mm: give both, the least above 0 and not above the most</source>
+        <translation>Least%1 为 %2 mm，Most%3 为 %4 mm：请两个都给出，最小值须大于 0 且不大于最大值</translation>
+    </message>
+    <message>
+        <source>sheet %1: thickness is %2; it must be positive, in mm</source>
+        <translation>板材 %1：厚度为 %2；必须为正，单位 mm</translation>
+    </message>
+    <message>
+        <source>samples is %1: it must be a whole number, %2 or more</source>
+        <translation>Samples 为 %1：必须是不小于 %2 的整数</translation>
+    </message>
+    <message>
+        <source>creep is %1: it must be 0 or more; plywood indoors has %2 (Eurocode 5)</source>
+        <translation>Creep 为 %1：必须不小于 0；室内胶合板为 %2（Eurocode 5）</translation>
+    </message>
+    <message>
+        <source>the width of the base is %1: it must be positive, in mm</source>
+        <translation>基层宽度为 %1：必须为正，单位 mm</translation>
+    </message>
+    <message>
+        <source>deeper</source>
+        <translation>更深</translation>
+    </message>
+    <message>
+        <source>shallower or narrower</source>
+        <translation>更浅或更窄</translation>
+    </message>
+    <message>
+        <source>%1 is %2: use one of %3</source>
+        <translation>%1 为 %2：请使用 %3 之一</translation>
+    </message>
+    <message>
+        <source>tab length is %1: it must be 0 mm or more</source>
+        <translation>端片长度为 %1：必须不小于 0 mm</translation>
+    </message>
+    <message>
         <source>glued leaves go in steps, so no stack follows a drawn curve exactly: give limits or keep, such as keep=Keep(), or call nearest_rod, and the nearest stack is found</source>
         <translation>胶合叶片的刚度成阶梯变化，因此没有叠层能精确贴合所画曲线：请给出限制或保持条件（如 keep=Keep()），或调用 nearest_rod，即可找到最接近的叠层</translation>
     </message>

@@ -39,6 +39,9 @@ from elastica_cad.mechanics.material.sheet import Sheet
 
 LONGEST_MM, THINNEST_MM = 1e6, 1e-3  # a kilometre; thinner than any foil
 MOST_SAMPLES = 20000  # a second's work
+MASS_LINE, WEIGHT_LINE = "at = 90, mass = 3", "alpha = 1, own = true"
+KEEP_OUT_LINE, BOUNDS_LINE = "point = [0, 0], normal = [0, 1]", "lower = 1, upper = [2, 3, 2]"
+TAB_LINE = "length = 12, chamfer = 2"
 LENGTHS = tuple(p.name for p in PROPERTIES if p.kind == "Length" and not p.result)
 
 
@@ -161,15 +164,11 @@ def _natural_curvature(obj: Any) -> NaturalCurvature:
 
 def _loads(obj: Any) -> tuple[PointMass, ...] | Weight:
     if obj.WeightLaw:
-        return parse_line(f"loads = {{{obj.WeightLaw}}}", "WeightLaw", read_loads)
-    return parse_lines(obj.Loads, "Loads", read_mass)
+        return parse_line(f"loads = {{{obj.WeightLaw}}}", "WeightLaw", read_loads, example=WEIGHT_LINE)
+    return parse_lines(obj.Loads, "Loads", read_mass, example=MASS_LINE)
 
 
 def _limits(obj: Any, sheet: Sheet) -> Limits:
-    lengths, widths = (
-        (obj.LeastLength.Value, obj.MostLength.Value),
-        (obj.LeastWidth.Value, obj.MostWidth.Value),
-    )
     bounds = obj.StiffnessBounds
     return Limits(
         ratio=obj.RatioLimit or None,
@@ -177,11 +176,26 @@ def _limits(obj: Any, sheet: Sheet) -> Limits:
         curvature=obj.CurvatureLimit or None,
         sheet=sheet if obj.LimitStrain else None,
         strain=obj.StrainLimit / 100 or None if obj.LimitStrain else None,
-        length=lengths if lengths[1] else None,
-        width=widths if widths[1] else None,
-        keep_out=parse_lines(obj.KeepOut, "KeepOut", read_keep_out),
-        stiffness_bounds=parse_line(bounds, "StiffnessBounds", read_stiffness_bounds) if bounds else None,
+        length=_range(obj, "Length"),
+        width=_range(obj, "Width"),
+        keep_out=parse_lines(obj.KeepOut, "KeepOut", read_keep_out, example=KEEP_OUT_LINE),
+        stiffness_bounds=parse_line(bounds, "StiffnessBounds", read_stiffness_bounds, example=BOUNDS_LINE)
+        if bounds
+        else None,
     )
+
+
+def _range(obj: Any, kind: str) -> tuple[float, float] | None:
+    """Least and most, mm; none where there is no most."""
+    least, most = getattr(obj, f"Least{kind}").Value, getattr(obj, f"Most{kind}").Value
+    if not most:
+        return None
+    if not 0 < least <= most:
+        raise InputError(
+            f"Least{kind} is {least:g} mm and Most{kind} is {most:g} mm: give both, the least above 0 and not "
+            "above the most"
+        )
+    return least, most
 
 
 def _keep(obj: Any) -> Keep:
@@ -201,7 +215,9 @@ def _ends(obj: Any) -> tuple[Tab, Tab]:
     for side in ("Start", "End"):
         keys = getattr(obj, f"{side}TabKeys")
         length = getattr(obj, f"{side}Tab").Value
-        tabs.append(parse_line(keys, f"{side}TabKeys", read_tab) if keys else _tab(obj, length))
+        tabs.append(
+            parse_line(keys, f"{side}TabKeys", read_tab, example=TAB_LINE) if keys else _tab(obj, length)
+        )
     return tabs[0], tabs[1]
 
 

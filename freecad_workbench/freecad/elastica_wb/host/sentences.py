@@ -34,6 +34,15 @@ TYPED = (  # what the core's sentences tell those who type to write, and where t
     (re.compile(r"\bmax_width\b"), "MaxWidth"),
     (re.compile(r"\bmin_width\b"), "MinWidth"),
     (re.compile(r"\bhole_ratio\b"), "HoleRatio"),
+    (
+        re.compile(r"\bgive gravity=True or a direction in that plane"),
+        "set Gravity, with GravityDirection in that plane",
+    ),
+    (
+        re.compile(r"\bleave out limits, keep and natural_curvature, or gravity"),
+        "set Follow to Exactly and NaturalCurvature to 0, or leave gravity out",
+    ),
+    (re.compile(r"\bleave limits and keep out\b"), "set Follow to Exactly"),
 )
 
 
