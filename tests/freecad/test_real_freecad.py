@@ -246,6 +246,14 @@ def test_a_project_that_grows_and_changes(tmp_path):
     assert "Model.step" in found["exported"], "a flat part with slots is written with them"
     assert found["rooms"] == pytest.approx(0, abs=1e-6)
     assert found["model gone"] == [[False] * 2, [True] * 2, [False] * 2]
+    halves, strips, states = found["halved"]
+    assert halves == strips == 10
+    assert states == "{('Up-to-date',)}", "halves of a closed section are not joined again"
+    *narrow, long = found["in error"]
+    assert all("mm wide" in said for said in narrow), narrow
+    assert "sheet" in long
+    assert found["left behind"] == 0
+    assert found["other in sight"]
 
 
 def test_a_hostile_user(tmp_path):

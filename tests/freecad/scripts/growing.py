@@ -152,6 +152,75 @@ def rooms(document):
     return box.Center.z + 100
 
 
+def cancel():
+    scroll_to(dialog_button("Cancel"))
+    click(dialog_button("Cancel"))
+    until(lambda: not Gui.Control.activeDialog())
+
+
+def in_error():
+    """A strip that cannot be made: what is to be made from it says why, and leaves nothing behind."""
+    from freecad.elastica_wb.host import telling
+
+    document = App.newDocument("Error")
+    document.UndoMode = 1
+    for name, points in (("Arch", ARCH), ("Across", ACROSS)):
+        open_panel("Elastica_Strip", sketch(document, points, name=name))
+        ok()
+    narrow = document.Strip
+    narrow.MaxWidth = 2
+    document.recompute()
+    before = len(document.Objects)
+    open_panel("Elastica_Fixtures", narrow)
+    scroll_to(dialog_button("Ok"))
+    click(dialog_button("Ok"))
+    until(lambda: not Gui.Control.activeDialog() or "wide" in panel().form.message.text(), 10)
+    found = [panel().form.message.text() if Gui.Control.activeDialog() else "closed"]
+    cancel() if Gui.Control.activeDialog() else None
+    choose(narrow)
+    press("Elastica_Nest")
+    until(told, 10)
+    found.append(told())
+    for box in telling._told:
+        box.close()
+    open_panel("Elastica_Interlock", narrow, document.Strip001)
+    found.append(panel().form.message.text())
+    answers["other in sight"] = document.Strip001.Visibility
+    cancel()
+    answers["left behind"] = len(document.Objects) - before
+    document.Strip001.StartTab = 700  # longer than the sheet
+    document.recompute()
+    choose(document.Strip001)
+    press("Elastica_Nest")
+    until(told, 10)
+    found.append(told())
+    App.closeDocument(document.Name)
+    return found
+
+
+def halved():
+    """Closed sections of a ball in halves: the halves meet, and each is a strip of its own."""
+    document = App.newDocument("Ball")
+    document.UndoMode = 1
+    ball = document.addObject("Part::Sphere", "Ball")
+    ball.Radius = 60
+    document.recompute()
+    open_panel("Elastica_Section", ball)
+    field = panel().form.Closed
+    scroll_to(field)
+    click(field)
+    keys("End", "Return")
+    until(lambda: document.Section.Closed == "above and below")
+    at_rest()
+    ok()
+    open_panel("Elastica_Strip", document.Section)
+    ok()
+    strips = [obj for obj in document.Objects if hasattr(obj, "StrainUse")]
+    found = [len(document.Section.Shape.Edges), len(strips), {tuple(obj.State) for obj in strips}]
+    App.closeDocument(document.Name)
+    return found
+
+
 def model_gone(document):
     """The strips that it hid are in sight again; undo hides them."""
     pair = [document.Strip, document.Strip001]
@@ -171,6 +240,8 @@ def work():
     answers["exported"] = exported(document)
     answers["rooms"] = rooms(document)
     answers["model gone"] = model_gone(document)
+    answers["halved"] = halved()
+    answers["in error"] = in_error()
     answers["tracebacks"] = report().count("Traceback")
 
 

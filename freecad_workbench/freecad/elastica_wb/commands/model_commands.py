@@ -7,9 +7,13 @@ import FreeCAD as App
 from freecad.elastica_wb.commands.command import Command, answers, show_panel, undo_step
 from freecad.elastica_wb.commands.selection import chosen_sources, chosen_strips
 from freecad.elastica_wb.features import flat, model, nest
+from freecad.elastica_wb.host.refusal import why_not_made
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
+from freecad.elastica_wb.host.telling import tell
 from freecad.elastica_wb.panels.feature_panels import panel_of
 from freecad.elastica_wb.panels.fixtures import FixturesPanel
+
+from elastica_cad.errors import InputError
 
 
 class InterlockCommand(Command):
@@ -34,8 +38,8 @@ class InterlockCommand(Command):
         for part in flat.flats_of(strips):
             part.Model = made
         App.ActiveDocument.recompute()
-        for strip in strips:  # they stay in sight where there is nothing in their place
-            strip.Visibility = "Invalid" in made.State
+        for strip in strips if not why_not_made(made) else ():  # else there is nothing in their place
+            strip.Visibility = False
         show_panel(panel_of, made)
 
 
@@ -76,6 +80,9 @@ class NestCommand(Command):
         """Make the nest in front of everything."""
         document = App.ActiveDocument
         sources = chosen_sources()
+        failed = [said for said in map(why_not_made, sources) if said]
+        if failed:
+            raise InputError("; ".join(failed))
         with undo_step(document, self.text):
             made = nest.create(document, sources)
             boxes = [
@@ -84,3 +91,5 @@ class NestCommand(Command):
             lowest = min((box.YMin for box in boxes if box.isValid()), default=0.0)
             made.Placement.Base = App.Vector(0, lowest - made.SheetHeight.Value - 50.0, 0)
             document.recompute()
+        if "Invalid" in made.State:  # it stays: other sheets may take the parts
+            tell(made.getStatusString())

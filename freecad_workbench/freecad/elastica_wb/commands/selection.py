@@ -10,6 +10,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from freecad.elastica_wb.curves.sketch_curves import is_sketch
 from freecad.elastica_wb.features.baseplate import is_base_plate
+from freecad.elastica_wb.features.curves import is_section
 from freecad.elastica_wb.features.flat import is_flat
 from freecad.elastica_wb.features.model import is_model
 from freecad.elastica_wb.features.strip import is_strip
@@ -52,7 +53,9 @@ def chosen_curves() -> list[tuple[Any, tuple[str, ...]]]:
 
 
 def _chains(source: Any, names: Sequence[str]) -> list[tuple[str, ...]]:
-    """Names of edges, those together that touch each other."""
+    """Names of edges, those together that touch each other; sections are curves that were divided on purpose."""
+    if is_section(source):
+        return [(name,) for name in names]
     chains: list[tuple[list[str], list[Any]]] = []
     for name in names:
         places = [vertex.Point for vertex in source.Shape.getElement(name).Vertexes]

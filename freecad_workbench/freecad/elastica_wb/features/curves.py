@@ -181,6 +181,11 @@ def section(document: Any, sources: list[Any], path: tuple[Any, tuple[str, ...]]
     return obj
 
 
+def is_section(obj: Any) -> bool:
+    """Is this object a family of sections, each edge a curve of its own?"""
+    return isinstance(getattr(obj, "Proxy", None), SectionFeature)
+
+
 def moved(rest: Rod, change: dict[str, float], guess: Rod | None = None) -> Rod:
     """The rest shape after the ends were displaced (mm) and turned (degrees), as named in `MOVES`."""
     start = rest.position[0] + (change["StartX"], change["StartY"])

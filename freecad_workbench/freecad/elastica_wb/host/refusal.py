@@ -88,3 +88,14 @@ def explained(error: Exception) -> ElasticaError:
         f"FreeCAD's kernel cannot make this shape ({str(error).strip() or type(error).__name__}): change the "
         "curve, the widths or the holes"
     )
+
+
+def why_not_made(obj: Any) -> str:
+    """What is wrong with an object, or with what it is made from; empty where nothing is.
+
+    FreeCAD leaves out what is made from something that failed, and that has no state of its own then.
+    """
+    if "Invalid" in obj.State:
+        return str(obj.getStatusString())
+    failed = next((one for one in obj.OutListRecursive if "Invalid" in one.State), None)
+    return "" if failed is None else f"{failed.Label}: {failed.getStatusString()}"

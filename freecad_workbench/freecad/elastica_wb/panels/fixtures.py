@@ -7,6 +7,7 @@ from typing import Any
 
 from freecad.elastica_wb.features import baseplate, fixtures
 from freecad.elastica_wb.host import preferences
+from freecad.elastica_wb.host.refusal import why_not_made
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import sheet_list
 from freecad.elastica_wb.panels.panel import Panel
@@ -52,9 +53,8 @@ class FixturesPanel(Panel):
         if not made:
             raise InputError(translate("Elastica", "tick what is to be made"))
         self.document.recompute()
-        failed = [obj for obj in made if "Invalid" in obj.State]
+        failed = list(dict.fromkeys(filter(None, map(why_not_made, made))))
         if failed:
-            said = "; ".join(obj.getStatusString() for obj in failed)
             for obj in made:
                 self.document.removeObject(obj.Name)
-            raise InputError(said)
+            raise InputError("; ".join(failed))

@@ -13,7 +13,7 @@ import FreeCADGui as Gui
 from freecad.elastica_wb.features.strip import could_follow_another
 from freecad.elastica_wb.host.property_table import Property
 from freecad.elastica_wb.host.qt import QtCore, QtWidgets
-from freecad.elastica_wb.host.refusal import FAILURES, explained
+from freecad.elastica_wb.host.refusal import FAILURES, explained, why_not_made
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.panels.panel import Panel
@@ -205,7 +205,7 @@ class PropertyPanel(Panel):
             counts = layout.applies[name](obj) if name in layout.applies else True
             for widget in widgets:
                 widget.setVisible(counts)
-        failed = "Invalid" in obj.State
+        failed = bool(why_not_made(obj))
         told = () if failed else layout.told(obj)
         rows = "".join(f"<tr><td>{name}&nbsp;&nbsp;</td><td><b>{value}</b></td></tr>" for name, value in told)
         self.form.numbers.setText(worded(f"<table>{rows}</table>") if rows else "")
@@ -228,9 +228,7 @@ class PropertyPanel(Panel):
         obj = self.object
         if hasattr(obj, "Verdict"):
             return "\n".join([obj.Verdict, *obj.Reasons])
-        if "Invalid" in obj.State:
-            return str(obj.getStatusString())
-        return "\n".join(getattr(obj, "Reports", []))
+        return why_not_made(obj) or "\n".join(getattr(obj, "Reports", []))
 
     def _lives(self) -> bool:
         return all(self.is_there(subject) for subject in self.subjects)
