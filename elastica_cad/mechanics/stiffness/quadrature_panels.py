@@ -20,6 +20,10 @@ RESOLVED = 1e-11  # of the function: last coefficients below it are rounding
 NOISE = 1e-6  # of the function: last coefficients below it that a split hardly lowers are rounding too
 
 DENSE_PARTS = 24
+NARROWEST_SHARE = 1e-7  # of the domain: no panel is cut further
+ROUGH_AT_ZERO = (
+    2  # continuity of a curve whose knots part panels however near to a zero of its curvature they lie
+)
 """Of each panel, at whose places bounds are first watched."""
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(ORDER)
@@ -229,8 +233,12 @@ def cut_into_panels(
     low, high = curve.domain
     close = 1e-10 * (high - low)
     fixed = np.array([low, *sorted(z for z in zeros if low + close < z < high - close), high])
-    kinks = (*(b.t for b in curve.breaks), *(t for t, _, _ in excess.kinks))
+    kinks = (*(b.t for b in curve.breaks if b.continuity <= ROUGH_AT_ZERO), *(t for t, _, _ in excess.kinks))
     others = [t for t in (*kinks, *cuts) if np.abs(fixed - t).min() > close]
+    # beside a zero a narrow panel would hold nothing but rounding
+    near = NARROWEST_SHARE * (high - low)
+    smooth = (b.t for b in curve.breaks if b.continuity > ROUGH_AT_ZERO)
+    others += [t for t in smooth if np.abs(fixed - t).min() > near]
     edges = np.unique(np.concatenate([fixed, others]))
     edges = edges[np.concatenate([[True], np.diff(edges) > close])]
     flags = np.array([any(abs(z - e) <= close for z in zeros) for e in edges])
@@ -242,7 +250,7 @@ def cut_into_panels(
         parts = _parts(tail, tolerance)
         # where cutting no longer helps, the rest is rounding noise
         settled = (tail <= tolerance) | ((tail < NOISE) & (tail > 0.3 * cut.tail))
-        settled |= cut.right - cut.left < 1e-7 * (high - low)
+        settled |= cut.right - cut.left < NARROWEST_SHARE * (high - low)
         if sum(len(nodes.t) for nodes in done) + cut.left.size + parts[~settled].sum() > MAX_PANELS:
             settled[:] = True
         done.append(found.chosen(settled))

@@ -11,7 +11,9 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.stiffness.moment_conditions import BalancedStiffness
 from elastica_cad.mechanics.stiffness.quadrature_panels import (
+    NARROWEST_SHARE,
     NODES,
+    ROUGH_AT_ZERO,
     SLOPES,
     PanelFunction,
     legendre_basis,
@@ -21,6 +23,9 @@ from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
 
 TOLERANCE = 1e-6
 """Error of the stiffness profile, relative to its largest value; its extremes are exact."""
+
+SAME_PLACE_SHARE = 1e-9
+"""Of the length: a knot nearer to a zero of the curvature is there."""
 
 STEP_LENGTH = 1e-5
 """A step of the stiffness is spread over this part of the length, so that the outline stays one edge."""
@@ -53,7 +58,8 @@ def stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale
     breaks: list[tuple[float, int]] = []
     steps: list[float] = []
     for s, order in (*balance.kinks, *((knot.s, knot.continuity - 2) for knot in curve.breaks)):
-        at_zero = zeros.size > 0 and np.abs(zeros - s).min() < 1e-9 * length
+        near = NARROWEST_SHARE if order > ROUGH_AT_ZERO - 2 else SAME_PLACE_SHARE
+        at_zero = zeros.size > 0 and np.abs(zeros - s).min() < near * length
         if order - int(at_zero) >= 0:
             breaks.append((s, order - int(at_zero)))
         elif not steps or np.abs(np.array(steps) - s).min() > STEP_LENGTH * length:

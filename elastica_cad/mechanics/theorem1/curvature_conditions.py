@@ -19,7 +19,7 @@ from elastica_cad.mechanics.theorem1.closed_curves import begin_at, flattest_pla
 from elastica_cad.mechanics.theorem1.corners import require_bendable
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, figure, listed, places, shown_on
 
-AT_END_SHARE = 1e-7
+AT_END_SHARE = 1e-6
 """A zero of the curvature nearer to an end than this, in lengths of the curve, is the end's."""
 
 SEAM_SHARE = 0.01
@@ -109,7 +109,7 @@ def _begun_clear(excess: ExcessCurvature, largest: float) -> tuple[ExcessCurvatu
 
 
 def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tuple[CurvatureZero, ...]:
-    """Zeros of kappa - kappa_0, those next to an end put there; a pinned end may keep a trace."""
+    """Zeros of kappa - kappa_0, those next to an end put there, also from beyond; a pinned end may keep a trace."""
     curve = excess.curve
     low, high = curve.domain
     length, near = curve.length, AT_END_SHARE * curve.length
@@ -124,10 +124,13 @@ def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tu
     for is_end, support in enumerate(supports.ends):
         t = high if is_end else low
         kappa = float(excess.at(np.array(t)))
+        slope = float(excess.slope_at(np.array(t)))
         pinned = not support.angle and abs(kappa) <= PINNED_SHARE * largest
-        if bool(is_end) in ends or (pinned and not any(z.t <= t <= z.t_end for z in found)):
-            slope = int(np.sign(excess.slope_at(np.array(t))))
-            sign = (0, slope) if not is_end else (-slope, 0)
+        # a zero that lies as near beyond the end
+        beyond = 0 < abs(kappa) <= near * abs(slope)
+        if bool(is_end) in ends or ((pinned or beyond) and not any(z.t <= t <= z.t_end for z in found)):
+            way = int(np.sign(slope))
+            sign = (0, way) if not is_end else (-way, 0)
             s = length if is_end else 0.0
             found.append(CurvatureZero(s, t, "end", s, t, *sign))
     return tuple(sorted(found, key=lambda z: z.s))
