@@ -11,6 +11,7 @@ from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.rocking_tabs import holder_plays, rocking_tabs
 from elastica_cad.fabrication.holders.tab_seats import hold_each
 from elastica_cad.fabrication.holding.held_shape import HeldShape
+from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.makeability.splices import Splice, joined_within, spliced
 from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults, find_strip_faults
 from elastica_cad.fabrication.model.assembly import Holder
@@ -19,6 +20,7 @@ from elastica_cad.fabrication.placed_strip import distinct_names
 from elastica_cad.fabrication.sheets.cut_list import CutList, cut_list
 from elastica_cad.fabrication.sheets.nesting import NestedSheet, nest_pieces
 from elastica_cad.fabrication.sheets.pieces import Piece, strip_pieces
+from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.design_files.kit_spec import KitSpec, Nesting
 from elastica_cad.formats.design_files.strip_table import StripEntry
 from elastica_cad.formats.reports.model_report import report_model
@@ -109,7 +111,10 @@ def kit_of(
 def _joined(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> Model:
     """The model whose strips have the plates that join them, clear of the slots that neighbours cut."""
     asked = {entry.label: entry.spec.shop for entry in entries}
-    known = {id(strip): joined_within(strip, asked.get(strip.label, spec.shop)) for strip in model.strips}
+    known = {
+        id(strip): joined_within(strip, _for_nests(strip, asked.get(strip.label, spec.shop), spec))
+        for strip in model.strips
+    }
     if all(known[id(strip)] is strip for strip in model.strips):
         return model
     return model.with_strips([known[id(strip)] for strip in model.strips])
@@ -119,10 +124,24 @@ def _spliced(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> dict
     """Strips that are longer than the stock, by name, where the shop joins pieces."""
     asked = {entry.label: entry.spec.shop for entry in entries}
     found = {
-        part.name: spliced(part.strip.labelled(part.name), asked.get(part.strip.label, spec.shop))
+        part.name: spliced(
+            part.strip.labelled(part.name),
+            _for_nests(part.strip, asked.get(part.strip.label, spec.shop), spec),
+        )
         for part in model.parts
     }
     return {name: splice for name, splice in found.items() if splice is not None}
+
+
+def _for_nests(strip: Strip, shop: Shop, spec: KitSpec) -> Shop:
+    """The shop, whose stock is what the margins of a nested sheet leave where that is less."""
+    if shop.lap is None:
+        return shop
+    kerf = spec.cutting.kerf
+    lost = 2 * spec.nesting.margin + abs(strip.sheet.kerf or 0.0 if kerf is None else kerf)
+    long, short = (side - lost for side in sorted(spec.nesting.sheet_size, reverse=True))
+    first, second = shop.stock_for(strip.sheet)
+    return replace(shop, stock=(min(first, long), min(second, short)))
 
 
 def _cut(strips: Sequence[Piece], joined: Mapping[str, Splice]) -> tuple[Piece, ...]:

@@ -1,5 +1,6 @@
 """`elastica model` as a user meets it: one folder of files, messages, exit codes."""
 
+import csv
 import json
 import re
 from urllib.parse import unquote
@@ -365,3 +366,21 @@ def test_what_twelve_ribs_share_is_told_once(tmp_path):
     assert told.exit_code == 0, told.output
     (note,) = (line for line in told.stderr.splitlines() if "made fair" in line)
     assert note.startswith("Note: R1 (and 11 more): The curvature jumped where pieces meet: made fair, 0.4")
+
+
+def test_pieces_of_a_long_strip_leave_the_margin_of_the_sheet(tmp_path):
+    """The stock is the sheet that parts are laid on, as one would write it; pieces of 600 mm were refused there."""
+    path = tmp_path / "long.toml"
+    path.write_text(
+        'schema = 1\nname = "long"\nsheet = "birch-plywood-0.8"\nmax_width = 24\n'
+        "shop = { stock = [600, 400], lap = 40 }\nnest = { sheet_size = [600, 400], margin = 3 }\n"
+        '[[strips]]\nlabel = "A"\n'
+        'curve.ellipse = { semi_axes = [399.4, 399.4], start = "0.1", end = "pi - 0.1" }\n'
+    )
+    out = tmp_path / "out"
+    result = run("model", path, "-o", out, "--no-step", "--no-pictures", "--no-effects")
+    assert result.exit_code == 0, result.output
+    with (out / "long-cut-list.csv").open() as file:
+        lengths = [float(row["length_mm"]) for row in csv.DictReader(file)]
+    assert 1194 < sum(length for length in lengths if length > 100) < 1196
+    assert max(lengths) <= 594
