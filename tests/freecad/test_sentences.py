@@ -183,6 +183,10 @@ def test_a_sentence_is_known_by_its_key(monkeypatch):
         thin
     )
     assert user_units.worded("margin 96.5.") == "margin 96,5."
+    # what is to be typed keeps its points
+    blank = "stations = [0, 300.5], curvatures = [0, 0.01], 12.5 mm"
+    assert user_units.worded(blank) == "stations = [0, 300.5], curvatures = [0, 0.01], 12,5 mm"
+    assert user_units.worded("at = 12.5, width = 1.2") == "at = 12.5, width = 1.2"
     assert user_units.worded(
         "elasto-gravity length 98.16 +- 0.75 mm\nreadings 96.99, 98.62 mm\nE 2782 +- 63 MPa"
     ) == ("elasto-gravitative Länge 98,16 +- 0,75 mm\nMesswerte 96,99; 98,62 mm\nE 2782 +- 63 MPa")

@@ -17,6 +17,8 @@ LIST = rf"\(?{NUMBER}\)?(?:{BETWEEN}\(?{NUMBER}\)?)*"
 # 1/mm, mm2 and N/mm2 are no lengths; 0.8mm in the name of a file is not followed by one either
 LENGTHS = re.compile(rf"(?<![\w./])({LIST})( |&nbsp;)mm(?![\w²/^*])")
 DECIMAL = re.compile(r"(?<![\w./-])(-?\d+)\.(\d+)(?![\w/]|\.\w)")
+TYPED = re.compile(r"(\[[^\]]*\]|= -?\d+(?:\.\d+)?)")
+"""What a property is written in, with points whatever the language: [0, 0.01], smooth = 0.1."""
 
 
 @dataclass(frozen=True)
@@ -43,8 +45,14 @@ def worded(sentence: str, unit: Unit | None = None) -> str:
 
     if unit.size != 1.0:
         sentence = LENGTHS.sub(convert, sentence)
-    if point != ".":
-        # a list of numbers is told apart by semicolons where commas stand in the numbers
-        sentence = re.sub(r"(?<=\d), (?=-?\d+\.\d|-?\d+[,)])", "; ", sentence)
-        sentence = DECIMAL.sub(rf"\g<1>{point}\g<2>", sentence)
-    return sentence
+    if point == ".":
+        return sentence
+    parts = TYPED.split(sentence)
+    parts[::2] = [_with_point(part, point) for part in parts[::2]]
+    return "".join(parts)
+
+
+def _with_point(words: str, point: str) -> str:
+    # a list of numbers is told apart by semicolons where commas stand in the numbers
+    words = re.sub(r"(?<=\d), (?=-?\d+\.\d|-?\d+[,)])", "; ", words)
+    return DECIMAL.sub(rf"\g<1>{point}\g<2>", words)
