@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 from math import isfinite
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -30,8 +30,8 @@ def several(name: str, values: object, record: type[Any], kind: str) -> tuple[An
     InputError
         Something else among them.
     """
-    alone = isinstance(values, record | str) or not isinstance(values, Iterable)
-    found: tuple[Any, ...] = (values,) if alone else tuple(values)  # type: ignore[arg-type]
+    many = isinstance(values, Iterable) and not isinstance(values, record | str)
+    found: tuple[Any, ...] = tuple(cast("Iterable[Any]", values)) if many else (values,)
     for one in found:
         if not isinstance(one, record):
             raise InputError(f"{name} hold {one!r}: give {kind} records")

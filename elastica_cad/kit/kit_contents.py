@@ -18,7 +18,7 @@ from elastica_cad.fabrication.model.assembly import Holder
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import distinct_names
 from elastica_cad.fabrication.sheets.cut_list import CutList, cut_list
-from elastica_cad.fabrication.sheets.nesting import NestedSheet, nest_pieces
+from elastica_cad.fabrication.sheets.nesting import NestedSheet, nest_pieces, widened_by
 from elastica_cad.fabrication.sheets.pieces import Piece, strip_pieces
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.formats.design_files.kit_spec import KitSpec, Nesting
@@ -137,8 +137,7 @@ def _for_nests(strip: Strip, shop: Shop, spec: KitSpec) -> Shop:
     """The shop, whose stock is what the margins of a nested sheet leave where that is less."""
     if shop.lap is None:
         return shop
-    kerf = spec.cutting.kerf
-    lost = 2 * spec.nesting.margin + abs(strip.sheet.kerf or 0.0 if kerf is None else kerf)
+    lost = 2 * spec.nesting.margin + widened_by(strip.sheet, spec.cutting.kerf)
     long, short = (side - lost for side in sorted(spec.nesting.sheet_size, reverse=True))
     first, second = shop.stock_for(strip.sheet)
     return replace(shop, stock=(min(first, long), min(second, short)))

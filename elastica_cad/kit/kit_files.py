@@ -1,7 +1,6 @@
 """A kit written into one folder: all files together, or none."""
 
 import json
-from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache, partial
@@ -15,7 +14,7 @@ from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.sheets.nesting import NestedSheet
-from elastica_cad.fabrication.sheets.pieces import file_word
+from elastica_cad.fabrication.sheets.pieces import distinct, file_word
 from elastica_cad.files import save
 from elastica_cad.formats.design_files.kit_spec import Cutting, KitSpec, Nesting
 from elastica_cad.formats.file_access.file_transaction import write_together
@@ -290,13 +289,12 @@ def _assemblies(kit: Kit, stem: str) -> dict[str, tuple[str, Writer]]:
 
 def _blocks(kit: Kit) -> dict[str, tuple[str, Writer]]:
     """Each block to print, as it stands on the printer's bed."""
-    used, files = Counter[str](), dict[str, tuple[str, Writer]]()
-    for block in _printed(kit):
-        stem = file_word(block.label)
-        used[stem.casefold()] += 1
-        again = f"-{count}" if (count := used[stem.casefold()]) > 1 else ""
-        files[f"{PARTS}/{stem}{again}.stl"] = ("block to print", partial(_write_block, block))
-    return files
+    blocks = _printed(kit)
+    stems = distinct(file_word(block.label) for block in blocks)
+    return {
+        f"{PARTS}/{stem}.stl": ("block to print", partial(_write_block, block))
+        for stem, block in zip(stems, blocks, strict=True)
+    }
 
 
 def _printed(kit: Kit) -> list[EndFixture]:

@@ -8,8 +8,10 @@ import Part
 import pytest
 from freecad.elastica_wb.export.cutting_files import write_cutting_files
 from freecad.elastica_wb.features import baseplate, fixtures, flat, model, nest, strip
-from freecad.elastica_wb.features.pieces import distinct, pieces_of
+from freecad.elastica_wb.features.pieces import pieces_of
 from freecad.elastica_wb.shapes.part_shapes import make_solid
+
+from elastica_cad.fabrication.sheets.pieces import distinct
 
 ARCH = [(-75, 0), (-50, 60), (0, 95), (50, 60), (75, 0)]
 

@@ -88,9 +88,8 @@ def _plates_apart(placed: Sequence[Placed], sheet: Sheet, gate: Mapping[str, Any
     plates = facing_plates(placed, sheet, **gate)
     for plate in plates:
         centers = np.array([slot.corners.mean(axis=0) for slot in plate.slots])
-        spreads = np.linalg.svd(
-            centers - centers.mean(axis=0), compute_uv=False
-        )  # one only, of a single slot
+        # one only, of a single slot
+        spreads = np.linalg.svd(centers - centers.mean(axis=0), compute_uv=False)
         if len(plate.slots) < 3 or spreads[1] < LEAST_SPREAD * spreads[0]:
             raise InputError(f"{plate.name}: the slots lie in a row, so that the plate would tip")
     return plates

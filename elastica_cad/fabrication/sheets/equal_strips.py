@@ -124,8 +124,8 @@ class FlatShape:
 
     @classmethod
     def of(cls, strip: Strip) -> "FlatShape":
-        """That of a strip; leaves that are glued need no planing."""
-        return cls(strip.layers, strip.layout.size if strip.layout.stack is None else None)
+        """That of a strip."""
+        return cls(strip.layers, strip.layout.worked_size)
 
     def equals(self, other: "FlatShape") -> bool:
         """Would one part serve for both, but for what is engraved? Sheets and all loops must be the same."""

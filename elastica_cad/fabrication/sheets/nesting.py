@@ -140,9 +140,14 @@ def nest_pieces(
         groups.setdefault(piece.sheet, []).append(piece)
     drawings: list[NestedSheet] = []
     for sheet, group in groups.items():
-        grown = max(sheet.kerf if kerf is None else kerf, 0.0)
-        drawings += _nested_group(sheet, group, (width, height), margin + grown, name)
+        apart = margin + widened_by(sheet, kerf)
+        drawings += _nested_group(sheet, group, (width, height), apart, name)
     return tuple(drawings)
+
+
+def widened_by(sheet: Sheet, kerf: float | None) -> float:
+    """How much wider a piece is as the tool runs, mm; a `kerf` of None is the sheet's own."""
+    return max(sheet.kerf if kerf is None else kerf, 0.0)
 
 
 def _nested_group(

@@ -2,7 +2,7 @@
 
 import re
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import count
@@ -121,6 +121,27 @@ def file_word(text: str) -> str:
     return _DEVICE.sub(r"\1_", word)
 
 
+def distinct(names: Iterable[str]) -> list[str]:
+    """Names, with a number behind those that came before; file systems may not tell capitals from small letters.
+
+    Examples
+    --------
+    >>> distinct(["A", "B", "a"])
+    ['A', 'B', 'a-2']
+    """
+    names = list(names)
+    first = {name.casefold(): i for i, name in reversed(list(enumerate(names)))}
+    taken, found = set(first), []
+    for i, name in enumerate(names):
+        number, told = 1, name
+        while first.get(name.casefold()) != i and told.casefold() in taken:
+            number += 1
+            told = f"{name}-{number}"
+        taken.add(told.casefold())
+        found.append(told)
+    return found
+
+
 def strip_pieces(parts: Sequence[EqualStrips], *, numbered: bool = False) -> tuple[Piece, ...]:
     """Each group of equal strips as a piece with its count; each layer of a laminate is one.
 
@@ -152,7 +173,7 @@ def strip_pieces(parts: Sequence[EqualStrips], *, numbered: bool = False) -> tup
 
 def _blank(strip: Strip, layer: Layer) -> tuple[Sheet, float | None]:
     """What a layer is cut from; where it is planed or turned, as thick as it ever is, and what is left of it, g."""
-    layout = strip.layout
-    if layout.size is None or layout.stack is not None:
+    size = strip.layout.worked_size
+    if size is None:
         return layer.sheet, None
-    return layer.sheet.with_thickness(float(f"{layout.size.extremes[1]:.4g}")), strip.mass
+    return layer.sheet.with_thickness(float(f"{size.extremes[1]:.4g}")), strip.mass

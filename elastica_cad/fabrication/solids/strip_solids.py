@@ -88,7 +88,7 @@ class FlatSolid:
     def layers(cls, strip: Strip, frame: Frame | None = None) -> tuple["FlatSolid | RoundSolid", ...]:
         """Every sheet of the strip as glued flat, one on the other; the base has the joints."""
         frame = frame or Frame()
-        if strip.layout.size is not None and strip.layout.stack is None:
+        if strip.layout.worked_size is not None:
             return (_tapered_solid(strip, frame, bent=False),)
         thick = centred_thickness(strip)
         middle = frame.shifted(z=thick / 2)
@@ -227,7 +227,7 @@ class BentSolid:
         A strip that is tapered in thickness is its side view, extruded by its width; a rod is round. Of a closed
         strip the lap is a body of its own, on the inside, where it is glued.
         """
-        if strip.layout.size is not None and strip.layout.stack is None:
+        if strip.layout.worked_size is not None:
             return (_tapered_solid(strip, frame or Frame(), bent=True),)
         return tuple(cls._layers(strip, frame))
 

@@ -104,7 +104,7 @@ class DiamondPattern:
         low, high = self._margin(ends[0], 0.0), length - self._margin(ends[1], length)
         cuts = [slot_cut(slot, self.width, beyond=slot.width) for slot in slots]
         rows = [row for whole in self._rows if (row := whole.within(low, high)) is not None]
-        clear = [loop for row in rows for j in range(row.across) for loop in self._clear(_Hole(row, j), cuts)]
+        clear = [loop for row in rows for j in range(row.across) for loop in self._clear(row, j, cuts)]
         if self.corner_radius > 0:
             clear = round_all_corners(clear, self.corner_radius)
         if self.arcs is not None:
@@ -115,18 +115,19 @@ class DiamondPattern:
         held = tab.width is None or tab.width >= float(self.width(s))
         return 0.0 if held and tab.length > 0 else self.clearance
 
-    def _clear(self, hole: "_Hole", cuts: Sequence[Path]) -> list[Path]:
-        """The loop of a hole, or what slots leave of it on both sides of them."""
-        left = [hole]
+    def _clear(self, row: "_Row", j: int, cuts: Sequence[Path]) -> list[Path]:
+        """The loop of the j-th hole of a row, or what slots leave of it on both sides of them."""
+        left = [row]
         for cut in cuts:
-            left = [part for one in left for part in self._beside(one, cut)]
-        return [one.loop() for one in left]
+            left = [part for one in left for part in self._beside(one, j, cut)]
+        return [one.loop(j) for one in left]
 
-    def _beside(self, hole: "_Hole", cut: Path) -> list["_Hole"]:
-        if self._apart(hole.loop(), cut):
-            return [hole]
+    def _beside(self, row: "_Row", j: int, cut: Path) -> list["_Row"]:
+        """The row where the slot leaves its j-th hole alone, else its parts on both sides."""
+        if self._apart(row.loop(j), cut):
+            return [row]
         (low, _), (high, _) = cut.bounds
-        sides = hole.within(-np.inf, low - self.clearance), hole.within(high + self.clearance, np.inf)
+        sides = row.within(-np.inf, low - self.clearance), row.within(high + self.clearance, np.inf)
         return [side for side in sides if side is not None and side.length > 2 * self.clearance]
 
     def _apart(self, loop: Path, cut: Path) -> bool:
@@ -210,29 +211,11 @@ class _Row:
     @cached_property
     def sides(self) -> list[list[tuple[Spline, Spline]]]:
         """Of every stretch those of the holes: the lower from its start, the upper from its end."""
-        return [one.sides(self.columns, full=self.full) for one in self.stretches]
+        return [one.sides(self.columns, self.across, full=self.full) for one in self.stretches]
 
-
-@dataclass(frozen=True, eq=False)
-class _Hole:
-    """The j-th hole of a row."""
-
-    row: _Row
-    j: int
-
-    @property
-    def length(self) -> float:
-        """Along the strip, mm."""
-        return self.row.length
-
-    def within(self, low: float, high: float) -> "_Hole | None":
-        """The part between two stations; None where there is none."""
-        row = self.row.within(low, high)
-        return None if row is None else _Hole(row, self.j)
-
-    def loop(self) -> Path:
-        """Anticlockwise."""
-        sides = [of_stretch[self.j] for of_stretch in self.row.sides]
+    def loop(self, j: int) -> Path:
+        """The j-th hole, anticlockwise."""
+        sides = [of_stretch[j] for of_stretch in self.sides]
         lower: list[Segment] = [side for side, _ in sides]
         upper: list[Segment] = [side for _, side in reversed(sides)]
         return Path(close_chain([*lower, *upper]), closed=True)
@@ -264,13 +247,13 @@ class _Stretch:
         basis = BSpline.design_matrix(sites, knots, 3).toarray()
         return _Stretch(knots, np.linalg.solve(basis, BSpline(self.knots, self.values, 3)(sites)))
 
-    def sides(self, columns: int, *, full: bool) -> list[tuple[Spline, Spline]]:
-        """Of each hole across the lower side from its start, and the upper side from its end."""
+    def sides(self, columns: int, across: int, *, full: bool) -> list[tuple[Spline, Spline]]:
+        """Of each of the holes `across` the lower side from its start, and the upper side from its end."""
         w, m, diamond = self.values.T
         t, pitch = m / (2 * columns + 2), (w - m) / columns
         gap = pitch - diamond
         step = 2 * t + pitch
-        j = np.arange(columns if full else columns + 1)[:, None]
+        j = np.arange(across)[:, None]
         if full:
             center, half = -w / 2 + 2 * t + pitch / 2 + j * step, diamond / 2
             lower, upper = center - half, center + half

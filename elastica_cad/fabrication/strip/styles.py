@@ -120,6 +120,11 @@ class Layout:
         """The glued leaves that it is cut as; None for one piece."""
         return None if self.section is None else self.section.stack
 
+    @property
+    def worked_size(self) -> Profile | None:
+        """The thickness or diameter, mm, to which it is planed or turned; None for what is cut, and for leaves."""
+        return self.size if self.stack is None else None
+
     def hole_paths(self, ends: Ends, slots: Sequence[Slot] = ()) -> tuple[Path, ...]:
         """Closed loops cut out of the free part, clear of the slots."""
         return () if self.pattern is None else self.pattern.paths(ends, slots)

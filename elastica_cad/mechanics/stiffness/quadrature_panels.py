@@ -19,11 +19,12 @@ MAX_PANELS = 4000  # of one curve: more mean a function that cannot be resolved
 RESOLVED = 1e-11  # of the function: last coefficients below it are rounding
 NOISE = 1e-6  # of the function: last coefficients below it that a split hardly lowers are rounding too
 
-DENSE_PARTS = 24
 NARROWEST_SHARE = 1e-7  # of the domain: no panel is cut further
-ROUGH_AT_ZERO = (
-    2  # continuity of a curve whose knots part panels however near to a zero of its curvature they lie
-)
+
+ROUGH_AT_ZERO = 2
+"""Continuity of a curve up to which a knot parts panels however near to a zero of the curvature it lies."""
+
+DENSE_PARTS = 24
 """Of each panel, at whose places bounds are first watched."""
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(ORDER)
@@ -233,12 +234,11 @@ def cut_into_panels(
     low, high = curve.domain
     close = 1e-10 * (high - low)
     fixed = np.array([low, *sorted(z for z in zeros if low + close < z < high - close), high])
-    kinks = (*(b.t for b in curve.breaks if b.continuity <= ROUGH_AT_ZERO), *(t for t, _, _ in excess.kinks))
-    others = [t for t in (*kinks, *cuts) if np.abs(fixed - t).min() > close]
     # beside a zero a narrow panel would hold nothing but rounding
-    near = NARROWEST_SHARE * (high - low)
-    smooth = (b.t for b in curve.breaks if b.continuity > ROUGH_AT_ZERO)
-    others += [t for t in smooth if np.abs(fixed - t).min() > near]
+    narrow = NARROWEST_SHARE * (high - low)
+    knots = ((b.t, close if b.continuity <= ROUGH_AT_ZERO else narrow) for b in curve.breaks)
+    kinks = ((t, close) for t in (*(t for t, _, _ in excess.kinks), *cuts))
+    others = [t for t, apart in (*knots, *kinks) if np.abs(fixed - t).min() > apart]
     edges = np.unique(np.concatenate([fixed, others]))
     edges = edges[np.concatenate([[True], np.diff(edges) > close])]
     flags = np.array([any(abs(z - e) <= close for z in zeros) for e in edges])

@@ -13,7 +13,7 @@ import FreeCAD as App
 from freecad.elastica_wb.curves.sketch_curves import container, drawn_curve, frame_of
 from freecad.elastica_wb.export.plain_dxf import write_cut
 from freecad.elastica_wb.features.model import is_model, model_of, solids_of
-from freecad.elastica_wb.features.pieces import distinct, pieces_of
+from freecad.elastica_wb.features.pieces import pieces_of
 from freecad.elastica_wb.features.strip import is_strip, strip_of
 from freecad.elastica_wb.host.progress import Step, go_on
 from freecad.elastica_wb.solving.strip_cache import bent_shape, flat_shape
@@ -22,7 +22,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
 from elastica_cad.fabrication.sheets.cut_list import cut_list
 from elastica_cad.fabrication.sheets.nesting import nest_pieces
-from elastica_cad.fabrication.sheets.pieces import file_word
+from elastica_cad.fabrication.sheets.pieces import distinct, file_word
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid, frame_beside
 from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.kernel.step_text import canonical_step

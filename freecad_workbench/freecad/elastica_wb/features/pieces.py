@@ -12,7 +12,7 @@ from freecad.elastica_wb.features.model import is_model, model_of
 from freecad.elastica_wb.features.strip import is_strip, strip_of
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.sheets.pieces import Piece
+from elastica_cad.fabrication.sheets.pieces import Piece, distinct
 
 
 def pieces_of(sources: Iterable[Any]) -> list[Piece]:
@@ -37,21 +37,6 @@ def pieces_of(sources: Iterable[Any]) -> list[Piece]:
         raise InputError("there is nothing to cut: select strips, models or base plates")
     names = distinct(piece.name for piece in pieces)
     return [replace(piece, name=name) for piece, name in zip(pieces, names, strict=True)]
-
-
-def distinct(names: Iterable[str]) -> list[str]:
-    """Names, with a number behind those that came before; file systems may not tell capitals from small letters."""
-    names = list(names)
-    first = {name.casefold(): i for i, name in reversed(list(enumerate(names)))}
-    taken, found = set(first), []
-    for i, name in enumerate(names):
-        number, told = 1, name
-        while first.get(name.casefold()) != i and told.casefold() in taken:
-            number += 1
-            told = f"{name}-{number}"
-        taken.add(told.casefold())
-        found.append(told)
-    return found
 
 
 def _strip_pieces(obj: Any) -> list[Piece]:
