@@ -1,7 +1,7 @@
 """The one family of errors: every message says what is wrong, where (mm), and what to do."""
 
 import sys
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from reprlib import Repr
 
@@ -75,3 +75,17 @@ def refuse_unknown(asked: Iterable[str], known: Iterable[str], what: str) -> Non
             near = get_close_matches(name, names, n=1)
             hint = f"did you mean {near[0]}?" if near else f"there are {', '.join(names)}"
             raise UnknownOptionError(f"{name} is no option of {what}: {hint}")
+
+
+def refuse_options_unlike(asked: Iterable[str], function: Callable[..., object], what: str) -> None:
+    """Refuse the first name that is no keyword of the function that the options go to.
+
+    Raises
+    ------
+    UnknownOptionError
+        There is one.
+    """
+    from inspect import signature
+
+    known = [name for name, one in signature(function).parameters.items() if one.kind is one.KEYWORD_ONLY]
+    refuse_unknown(asked, known, what)

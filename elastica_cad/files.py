@@ -6,7 +6,7 @@ Readers and writers are imported when a file of their kind is met: a command rea
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
+from elastica_cad.errors import InputError, MissingDependencyError, how_to_install, refuse_options_unlike
 from elastica_cad.formats.curve_files.chains import FIT_TOLERANCE, JOIN_TOLERANCE
 from elastica_cad.formats.curve_files.drawn_file import CurveList, DrawnFile
 from elastica_cad.formats.file_access.source_file import look_up_unit, name_source, require_file
@@ -173,4 +173,5 @@ def save(drawing: "Drawing", path: str | Path, **options: Any) -> Path:
     """
     from elastica_cad.formats.drawing_files.write_drawing import write_drawing
 
+    refuse_options_unlike(options, write_drawing, "a drawing's file")
     return write_drawing(drawing, path, **options)

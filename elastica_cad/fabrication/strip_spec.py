@@ -362,6 +362,7 @@ class StripSpec(EqualByValue):
 
     def changed(self, **fields: Any) -> "StripSpec":
         """The request with other values of some fields."""
+        refuse_unknown(fields, {one.name for one in fields_of(self)}, "a strip")
         return replace(self, **fields)
 
     @property

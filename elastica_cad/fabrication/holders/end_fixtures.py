@@ -1,7 +1,7 @@
 """End fixtures: printed blocks that hold a tab at its place, angle and orientation in space."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from typing import Any
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, refuse_unknown
 from elastica_cad.fabrication.drawings.lettering import Text, engravable, text_strokes, text_width
 from elastica_cad.fabrication.drawings.stencil_strokes import stencil_strokes
 from elastica_cad.fabrication.holders.placed_tab import ENDS, End, PlacedTab, place_tabs
@@ -308,6 +308,7 @@ def end_fixtures(
     Without `floor`, blocks whose strips stand upright share a horizontal floor that just touches the lowest of
     them; the others stand square to their tabs.
     """
+    refuse_unknown(sizes, {one.name for one in fields(EndFixture)} - {"tab", "floor", "number"}, "a fixture")
     of_tabs = [(one.strip, end) for one in placed for end in ends]
     held = [(tab, *of) for tab, of in zip(place_tabs(placed, ends), of_tabs, strict=True) if tab.length > 0]
     if floor is not None:

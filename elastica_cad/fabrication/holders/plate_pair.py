@@ -7,7 +7,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, refuse_options_unlike
 from elastica_cad.fabrication.holders.base_plate import (
     BasePlate,
     TabSlot,
@@ -71,6 +71,7 @@ def plate_pair(
     """
     sheet = Sheet.of(sheet)
     require_gap(gap)
+    refuse_options_unlike(options, base_plate, "a pair of plates")
     upper = base_plate(placed, sheet, frame=frame, **options)
 
     def lower(slots: Sequence[TabSlot], ground: Frame) -> BasePlate:
@@ -116,6 +117,7 @@ def ring_pair(
         A tab too short for the second ring, with the length it needs; and as `ring_plate`.
     """
     require_gap(gap)
+    refuse_options_unlike(options, ring_plate, "a pair of rings")
     first = ring_plate(tabs, sheet, name=name, **options)
     if first.seats:
         return (first,)

@@ -8,7 +8,7 @@ from typing import Any
 from elastica_cad._notebook import html_table
 from elastica_cad._types import ArrayLike
 from elastica_cad._values import several
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, refuse_options_unlike
 from elastica_cad.fabrication.holders.base_plate import BasePlate, base_plate
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture, end_fixtures
 from elastica_cad.fabrication.holders.ring_plate import Ring
@@ -111,6 +111,7 @@ class Model:
 
         Options are those of `fabrication.interlock`: clearance, fit, relief, pairs, above; so are the errors.
         """
+        refuse_options_unlike(options, interlock, "interlock")
         found = interlock(self.placed, **options)
         return replace(
             self,
@@ -130,10 +131,12 @@ class Model:
 
     def base_plate(self, sheet: Sheet | str, **options: Any) -> BasePlate:
         """One slotted plate for all tabs that stand on it; options: see `fabrication.base_plate`."""
+        refuse_options_unlike(options, base_plate, "a base plate")
         return base_plate(self.placed, sheet, **options)
 
     def slotted_frame(self, sheet: Sheet | str, **options: Any) -> SlottedFrame:
         """Rails for the tabs of both ends, joined by ribs; options: see `fabrication.slotted_frame`."""
+        refuse_options_unlike(options, slotted_frame, "a slotted frame")
         return slotted_frame(self.placed, sheet, **options)
 
     def nest(self, *, others: Iterable[Piece] = (), **options: Any) -> tuple[NestedSheet, ...]:
@@ -141,6 +144,7 @@ class Model:
 
         Options are those of `fabrication.nest_pieces`: sheet_size, margin, kerf, name.
         """
+        refuse_options_unlike(options, nest_pieces, "a nest")
         return nest_pieces((*self.pieces, *others), **{"name": f"{self.name}-nest", **options})
 
     def cut_list(self, others: Iterable[Piece] = ()) -> CutList:
@@ -160,6 +164,7 @@ class Model:
 
         Options: axis (3,), point (3,) and step, rad; about z, one full turn in all, unless given.
         """
+        refuse_options_unlike(options, rotate, "a rotated model")
         return self._arranged(rotate(self.placed, count, **options))
 
     def repeated(self, count: int, step: ArrayLike) -> "Model":

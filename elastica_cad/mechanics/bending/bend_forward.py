@@ -20,6 +20,7 @@ from elastica_cad.mechanics.rod.rod_system import RodState, RodSystem
 
 Keep = Literal["keep"]
 
+ROUNDED_SHARE = 1e-12  # of a force: what the cosine of a right angle leaves of it
 COARSE_DEG = 60.0  # between neighbouring edges, above which a shape is rough to the eye
 
 
@@ -337,7 +338,8 @@ def _end_force(force: ArrayLike | None, supports: Supports, present: Rod) -> Flo
     """Dead force at the ends that are free along x and along y."""
     both = np.array(supports.transmits_force)
     if force is not None:
-        given = _pair(force, np.zeros(2), "force")
+        pair = _pair(force, np.zeros(2), "force")
+        given = np.where(np.abs(pair) <= ROUNDED_SHARE * np.hypot(*pair), 0.0, pair)
         if np.any(both & (given != 0)):
             axis = "xy"[int(np.argmax(both & (given != 0)))]
             raise InputError(

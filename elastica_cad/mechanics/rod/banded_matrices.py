@@ -15,6 +15,11 @@ _SMOOTH = 10  # polynomials among which a lowest mode is sought first
 _ROUGH = 40  # edges, below which ten polynomials are no smooth modes
 _REFINEMENTS = 8  # Rayleigh quotients: each triples the digits
 _UNTHREADED = 5000  # entries, up to which BLAS starts no threads
+_EPS = float(np.finfo(float).eps)
+_SINGULAR, _ASIDE = (
+    16 * _EPS,
+    64 * _EPS,
+)  # of a matrix: an eigenvalue that is rounding, and a step clear of it
 
 
 def solve_tridiagonal(diagonal: FloatArray, off: FloatArray, right: FloatArray) -> FloatArray:
@@ -109,10 +114,15 @@ def constrained_inertia(diagonal: FloatArray, off: FloatArray, rows: FloatArray,
 
 
 def _inertia(diagonal: FloatArray, off: FloatArray, basis: FloatArray, shift: float) -> int:
-    negative = count_negative(diagonal, off, shift)
     if basis.shape[0] == 0:
-        return negative
+        return count_negative(diagonal, off, shift)
     solved = solve_tridiagonal(diagonal - shift, off, basis.T).T
+    reach = _reach(diagonal, off)
+    if not np.abs(solved).max() * _SINGULAR * reach < 1:
+        # an unbent rod between hinges turns freely but for its ends: count and solution must see one sign there
+        shift -= _ASIDE * reach
+        solved = solve_tridiagonal(diagonal - shift, off, basis.T).T
+    negative = count_negative(diagonal, off, shift)
     schur = np.array([_along(solved, row) for row in basis])
     positive = int(np.count_nonzero(np.linalg.eigvalsh((schur + schur.T) / 2) > 0))
     return negative + positive - int(basis.shape[0])

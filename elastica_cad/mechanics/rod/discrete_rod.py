@@ -12,7 +12,12 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.rod.banded_matrices import constrained_inertia, lowest_constrained, small_solution
+from elastica_cad.mechanics.rod.banded_matrices import (
+    RANK_TOLERANCE,
+    constrained_inertia,
+    lowest_constrained,
+    small_solution,
+)
 
 
 def tangents(angles: FloatArray) -> FloatArray:
@@ -217,10 +222,14 @@ class DiscreteRod:
     def constraint_rows(self) -> FloatArray:
         """Rows C (p, n), mm, of d(gamma_l - gamma_0) = C d(alpha), for the coordinates held at both ends.
 
-        C = l_i (-sin alpha_i, cos alpha_i).
+        C = l_i (-sin alpha_i, cos alpha_i). Along a straight rod nothing changes to first order: what rounding
+        of the angles leaves there is no row.
         """
         sides = (-1, self.tangents[:, 1]), (1, self.tangents[:, 0])
-        rows = [sign * self.edge_length * side for sign, side in (sides[i] for i in self.held)]
+        rows = [
+            sign * self.edge_length * (side if np.abs(side).max() > RANK_TOLERANCE else np.zeros_like(side))
+            for sign, side in (sides[i] for i in self.held)
+        ]
         return np.array(rows).reshape(len(rows), self.angles.size)
 
     @cached_property

@@ -28,6 +28,8 @@ from elastica_cad.mechanics.stiffness.stiffness_smoothing import least_variation
 _ENDS_BASIS = legendre_basis(np.array([-1.0, 1.0]))
 _SLOPES_AT_NODES = VANDER @ SLOPES
 
+_ROUNDING = 16 * float(np.finfo(float).eps)  # of the terms of a sum: three factors and a series
+
 BOUNDED = 1e-7
 """Relative excess over its bounds that a smooth stiffness may have: the accuracy of its linear program."""
 
@@ -126,10 +128,12 @@ def _continuous_ratio(
         y, ratio = answer
         rows, offset = family.extremes(y)
         values = rows @ y + offset
+        rounded = np.zeros(len(values))
         if np.array_equal(y, before):  # what is beyond its bounds still is so by the solver's own tolerance
             tolerance = BOUNDED
+            rounded = _ROUNDING * (np.abs(rows) @ np.abs(y))  # or because large terms cancel
         before = y
-        low, high = values < 1 - tolerance, values > ratio * (1 + tolerance)
+        low, high = values < 1 - tolerance - rounded, values > ratio * (1 + tolerance) + rounded
         if not (low.any() or high.any()):
             return y, float(max(values.max() / min(1.0, values.min()), ratio))
     raise unsettled(ratio)

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.holders.plate_pair import plate_pair, ring_pair
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.sheets.equal_strips import count_shapes
@@ -210,3 +211,37 @@ def test_tables_are_written_as_text():
         wanted = np.column_stack(list(record.table().values()))
         assert np.abs(read - wanted).max() <= 1e-8 * np.abs(wanted).max()
     assert csv_text({"x_mm": [0.0, 3.0], "y_mm": [1e-16, np.inf]}) == "x_mm,y_mm\n0,0\n3,inf\n"
+
+
+@pytest.mark.parametrize(
+    ("asked", "message"),
+    [
+        (
+            lambda model: model.interlock(clearence=0.1),
+            "clearence is no option of interlock: did you mean clearance",
+        ),
+        (
+            lambda model: model.base_plate("mdf-3", boarder=9),
+            "boarder is no option of a base plate: did you mean border",
+        ),
+        (
+            lambda model: model.slotted_frame("mdf-3", rib=2),
+            "rib is no option of a slotted frame: did you mean ribs",
+        ),
+        (lambda model: model.nest(kerv=0.1), "kerv is no option of a nest: did you mean kerf"),
+        (
+            lambda model: model.rotated(3, axes=(0, 0, 1)),
+            "axes is no option of a rotated model: did you mean axis",
+        ),
+        (lambda model: model.fixtures(wal=3), "wal is no option of a fixture: did you mean wall"),
+        (
+            lambda model: plate_pair(model.placed, "mdf-3", boarder=9),
+            "boarder is no option of a pair of plates",
+        ),
+        (lambda model: ring_pair((), (), "mdf-3", boarder=9), "boarder is no option of a pair of rings"),
+    ],
+)
+def test_options_that_nothing_takes_are_named_with_the_nearest(asked, message):
+    with pytest.raises(InputError, match=message) as told:
+        asked(Model([Placed(strip())]))
+    assert isinstance(told.value, TypeError)

@@ -52,6 +52,17 @@ def test_dead_force_at_the_end_is_minus_lambda_there_and_is_kept():
     assert start.position[0, 1] < -0.4
 
 
+def test_what_a_right_angle_leaves_of_a_force_is_none():
+    """Pulled along the slider's way, by the cosine and sine of that way."""
+    rod = Rod.straight(100.0, samples=101, supports=Supports("clamped", "slide-y"))
+    way = np.array([np.cos(np.pi / 2), np.sin(np.pi / 2)]) * 1e-4
+    pulled = bend(rod, end=(90.0, 0.0), force=way)
+    assert way[0] != 0
+    assert pulled.position == pytest.approx(bend(rod, end=(90.0, 0.0), force=(0.0, 1e-4)).position)
+    with pytest.raises(InputError, match="a force along x does nothing"):
+        bend(rod, end=(90.0, 0.0), force=(1e-9, 1e-4))
+
+
 def test_ends_angles_and_residual():
     rod = bend(
         Rod.straight(100.0, [1.0, 3.0], samples=101), start=(5.0, 6.0), end=(60.0, 40.0), angles=(0.2, 1.0)

@@ -338,3 +338,12 @@ def test_line_record():
     line = InflectionLine((1.0, 2.0), (0.0, 1.0))
     assert line.distance(np.array([[1.0, 9.0], [0.0, 0.0]])).tolist() == [0.0, 1.0]
     assert line.a + line.b @ np.array([1.0, 5.0]) == 0.0
+
+
+@pytest.mark.parametrize("weight", [1e-2, 1e-3, 1e-4])
+def test_light_control_points_make_no_inflection_of_a_clamped_end(weight):
+    """A hull that turns one way has no inflection; its curve turns sharply just behind its ends."""
+    curve = PlaneCurve([0] * 4 + [1] * 4, [(0, 0), (30, 60), (70, 60), (100, 0)], 3, [1, weight, weight, 1])
+    check = check_equilibrium(curve)
+    assert check.zeros == ()
+    assert check.realizable

@@ -30,6 +30,32 @@ def test_it_is_shown_in_a_line():
     assert len(repr(stability(Rod.straight(100.0)))) < 200
 
 
+@pytest.mark.parametrize("angle", [0.0, np.pi / 2, -np.pi / 2, np.pi, 2 * np.pi])
+def test_a_straight_rod_whose_end_slides_across_it_sways(angle):
+    """A margin of pi^2, whatever rounding leaves of the cosine of a right angle: held in both it would be four."""
+    across = "slide-y" if abs(np.cos(angle)) > 0.5 else "slide-x"
+    along = np.array([np.cos(angle), np.sin(angle)])
+    rod = Rod.straight(100.0, angle=angle, start=(50.0, 70.0), supports=Supports("clamped", across))
+    found = stability(rod)
+    assert found.margin == pytest.approx(np.pi**2, rel=1e-5)
+    assert found.stable
+    pushed = bend(rod, end=rod.position[0] + 70.0 * along)
+    assert stability(pushed).stable
+    swayed = np.hypot(*(pushed.position[-1] - pushed.position[0] - 70.0 * along))
+    assert swayed == pytest.approx(62.86, abs=0.01)
+
+
+@pytest.mark.parametrize("taper", [1.0, np.linspace(1.0, 3.0, 201)])
+def test_a_straight_rod_between_hinges_rests(taper):
+    """Its turn as a whole costs nothing, and its ends do not allow it: 9.87 for an even one."""
+    rod = Rod.straight(100.0, taper, angle=0.4, supports=Supports("pinned", "pinned"))
+    found = stability(rod)
+    assert found.stable
+    assert found.negative == 0
+    if np.ndim(taper) == 0:
+        assert found.margin == pytest.approx(np.pi**2, rel=1e-4)
+
+
 @pytest.mark.parametrize(("pressure", "negative"), [(39.0, 0), (40.0, 1), (85.0, 2), (160.0, 3)])
 def test_straight_strut_under_pressure(pressure, negative):
     """Clamped buckling loads 39.48, 80.76, 157.9 (pi^2 times 4, 8.18, 16)."""
