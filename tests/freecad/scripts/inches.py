@@ -74,6 +74,8 @@ def work():
     scroll_to(box)
     answers["shown"] = box.text()
     strip = document.getObject("Strip")
+    typed_into(box, answers["shown"], lambda: strip.MaxWidth.Value != 30)
+    answers["typed as shown"] = strip.MaxWidth.Value
     typed = []
     for words in ("0.75 in", "2 cm", "1/2 in"):
         before = strip.MaxWidth.Value
@@ -124,7 +126,17 @@ def work():
     at_rest()
     answers["cut list"] = panel().form.message.text()
     answers["kerf"] = panel().value("kerf")
+    typed_into(panel().form.kerf, "0.15 mm", lambda: panel().value("kerf") != 0.2)
+    answers["kerf typed"] = panel().value("kerf")
     answers["version"] = panel().form.version.currentText()
+    scroll_to(dialog_button("Cancel"))
+    click(dialog_button("Cancel"))
+    until(lambda: not Gui.Control.activeDialog())
+    press("Elastica_Bend")
+    until(lambda: Gui.Control.activeDialog() and panel().form.EndX.isVisible())
+    typed_into(panel().form.EndX, "120 mm", lambda: panel().value("EndX") != 0)
+    answers["bent by"] = panel().value("EndX")
+    scroll_to(dialog_button("Cancel"))
     click(dialog_button("Cancel"))
     until(lambda: not Gui.Control.activeDialog())
     Gui.ActiveDocument.setEdit(drawn.Name)

@@ -3,6 +3,7 @@
 
 """Widgets of panels: their values, what they send, FreeCAD's boxes for quantities, no change by a passing wheel."""
 
+from contextlib import suppress
 from functools import cache
 from typing import Any
 
@@ -17,6 +18,7 @@ TRIES = 10
 
 _aside: list[Any] = []
 
+UNTYPED = ("", "\t", "\r", "\x1b")  # keys that change no text: arrows, Tab, Enter, Escape
 EXACT, SHOWN = "exactValue", "shownValue"  # what was set, and what the box made of it
 UNITS = {"App::PropertyLength": "mm", "App::PropertyDistance": "mm", "App::PropertyAngle": "deg"}
 
@@ -106,12 +108,14 @@ def signal_of(widget: Any) -> Any:
 
 
 def calm(form: Any) -> None:
-    """Boxes and lists leave the wheel to the panel until they are clicked."""
-    keeper = _Wheel(form)
+    """Boxes and lists leave the wheel to the panel until they are clicked, and boxes take what is typed."""
+    keeper = _Keeper(form)
     for kind in (QtWidgets.QAbstractSpinBox, QtWidgets.QComboBox):
         for widget in form.findChildren(kind):
             widget.setFocusPolicy(QtCore.Qt.StrongFocus)
             widget.installEventFilter(keeper)
+            if _is_quantity(widget):
+                _widen(widget)
             if isinstance(widget, QtWidgets.QAbstractSpinBox):
                 widget.setKeyboardTracking(False)
                 widget.setMinimumWidth(NARROWEST_PX)
@@ -144,12 +148,36 @@ def _is_quantity(widget: Any) -> bool:
     return str(widget.metaObject().className()) in ("Gui::QuantitySpinBox", "Gui::PrefQuantitySpinBox")
 
 
-class _Wheel(QtCore.QObject):
-    """Lets the wheel through to the scroll area of a panel."""
+def _widen(box: Any) -> None:
+    """Take every length while it is typed; what is too large is refused where it is used.
+
+    FreeCAD's box leaves out a key that makes it too large: the m of 0.15 mm, as 0.15 m, and takes 0.15 in.
+    """
+    if box.property("minimum") < 0:
+        box.setProperty("minimum", -LARGEST)
+    box.setProperty("maximum", LARGEST)
+
+
+class _Keeper(QtCore.QObject):
+    """Lets the wheel through to the scroll area of a panel, and takes what is typed for what is meant."""
 
     def eventFilter(self, widget: Any, event: Any) -> bool:
-        """A wheel over a widget that has no focus is not for it."""
-        if event.type() == QtCore.QEvent.Wheel and not widget.hasFocus():
+        """A wheel over a widget that has no focus is not for it; a typed number is as exact as it is typed."""
+        kind = event.type()
+        if kind == QtCore.QEvent.Wheel and not widget.hasFocus():
             event.ignore()
             return True
+        if kind == QtCore.QEvent.KeyPress and event.text() not in UNTYPED and _is_quantity(widget):
+            widget.setProperty(EXACT, None)
+        elif kind == QtCore.QEvent.FocusOut and _is_quantity(widget) and widget.property(EXACT) is None:
+            QtCore.QTimer.singleShot(0, lambda: _settle(widget))  # when the box has read what was typed
         return False
+
+
+def _settle(box: Any) -> None:
+    """What was typed is meant: also where the box told nobody, as it showed the same before, rounded."""
+    with suppress(RuntimeError):  # the panel was closed
+        shown = float(box.property("rawValue"))
+        box.setProperty(EXACT, shown)
+        box.setProperty(SHOWN, shown)
+        signal_of(box).emit(shown)
