@@ -2,6 +2,7 @@
 
 import shutil
 import sys
+from dataclasses import replace
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -15,6 +16,7 @@ from freecad.elastica_wb.curves.sketch_curves import curve_into, drawn_curve, sk
 from freecad.elastica_wb.export.cutting_files import KINDS, write_cutting_files
 from freecad.elastica_wb.features import flat, strip
 from freecad.elastica_wb.features.pieces import pieces_of
+from freecad.elastica_wb.features.proxy import keep_sheets
 from freecad.elastica_wb.host import sheet_store as library
 from freecad.elastica_wb.live.sketch_drag import Dragged
 from freecad.elastica_wb.shapes.part_shapes import make_edge, make_wire
@@ -353,6 +355,33 @@ def test_a_sheet_of_the_users_own(document, sketch, tmp_path: Path):
         assert strip.strip_of(loaded).sheet.youngs_modulus == 4000
     finally:
         App.closeDocument(again.Name)
+
+
+def test_the_numbers_of_a_sheet_that_was_changed(document, sketch):
+    """What strips are made with is what the document keeps, and what was measured of one sheet stays."""
+    old = Sheet("my-board", thickness=1.1, youngs_modulus=4000, density=700, max_strain=0.02)
+    feature, measured = (strip.create(document, sketch) for _ in range(2))
+    library.save_own_sheets([old])
+    try:
+        keep_sheets()
+        for one in (feature, measured):
+            assert "my-board" in one.getEnumerationsOfProperty("Sheet"), "it can be chosen at once"
+            assert one.Sheet == "birch-plywood-0.8"
+            one.Sheet = "my-board"
+        measured.Thickness = 1.05
+        document.recompute()
+        mass = feature.Mass
+        library.save_own_sheets([replace(old, density=1400, thickness=1.2)])
+        keep_sheets()
+        assert feature.Thickness.Value == 1.2
+        assert measured.Thickness.Value == 1.05
+        assert feature.Mass == pytest.approx(mass * 2 * 1.2 / 1.1, rel=1e-6)
+    finally:
+        library.save_own_sheets([])
+    for one in (feature, measured):
+        one.touch()
+    document.recompute()
+    assert strip.strip_of(feature).sheet.density == 1400, "as where the document goes"
 
 
 def test_gravity_falls_in_space(document, sketch):

@@ -7,10 +7,11 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
 from typing import Any, ClassVar
 
+import FreeCAD as App
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.property_table import Property, ensure, put
 from freecad.elastica_wb.host.refusal import FAILURES, RefusalError, explained, raising, refused
-from freecad.elastica_wb.host.sheet_store import sheet_called, sheet_list
+from freecad.elastica_wb.host.sheet_store import sheet_called, sheet_from_text, sheet_list
 from freecad.elastica_wb.host.view_providers import dress
 
 from elastica_cad.errors import ElasticaError, InputError
@@ -22,6 +23,9 @@ CONTAINERS = Property(
 
 FOLLOWED = ("Curve", "Sources", "Strips")
 """Properties that name what a feature is made from."""
+
+TOLD = ("Reasons", "Reports")
+"""Properties with sentences."""
 
 
 class Feature:
@@ -64,12 +68,39 @@ class Feature:
                 if name == "Sheet" and "Thickness" in obj.PropertiesList:
                     put(obj, Thickness=sheet.thickness)
 
+    def keep_sheets(self, obj: Any) -> None:
+        """Offer the sheets of today; what is made of one that has changed is to be made anew."""
+        measured = {name: getattr(obj, name) for name in ("Thickness",) if name in obj.PropertiesList}
+        kept = {name: getattr(obj, name) for name in self.sheets.values()}
+        for name in self.sheets:
+            chosen = getattr(obj, name)
+            choices = list(dict.fromkeys([*sheet_list(), chosen]))
+            if choices != obj.getEnumerationsOfProperty(name):
+                setattr(obj, name, choices)
+                setattr(obj, name, chosen)
+        put(obj, **{name: getattr(value, "Value", value) for name, value in (kept | measured).items()})
+        for name, numbers in self.sheets.items():
+            with suppress(InputError):
+                old = sheet_from_text(getattr(obj, name), kept[numbers])
+                new = sheet_called(old.name, kept[numbers])
+                if new != old:
+                    obj.touch()
+                if name == "Sheet" and measured and obj.Thickness.Value == old.thickness:
+                    put(obj, Thickness=new.thickness)  # it was the sheet's own
+
+    def _keep_numbers(self, obj: Any) -> None:
+        """The document keeps the numbers that its shapes are made with."""
+        for name, numbers in self.sheets.items():
+            with suppress(InputError):
+                put(obj, **{numbers: sheet_called(getattr(obj, name), getattr(obj, numbers)).toml()})
+
     @property
     def execute(self) -> Callable[[Any], None]:
         """What FreeCAD calls in a recompute: it fails with a sentence and keeps the last good shape."""
         return raising(self._made_or_refused)
 
     def _made_or_refused(self, obj: Any) -> RefusalError | None:
+        self._keep_numbers(obj)
         try:
             self.make(obj)
         except FAILURES as error:
@@ -126,6 +157,16 @@ def keep_containers(document: Any) -> None:
                 obj.touch()  # it stood in the other place
 
 
+def keep_sheets() -> None:
+    """The user's sheets are others: open documents offer them, and what is made of a changed one follows."""
+    for document in App.listDocuments().values():
+        ours = [obj for obj in document.Objects if isinstance(getattr(obj, "Proxy", None), Feature)]
+        for obj in ours:
+            obj.Proxy.keep_sheets(obj)
+        if ours:
+            document.recompute()
+
+
 def keep_places(container: Any) -> None:
     """A container moved: a feature in it whose sources stay behind is not where they ask for any more."""
     for obj in container.Document.Objects:
@@ -136,6 +177,18 @@ def keep_places(container: Any) -> None:
             and any(container not in parents(one) for one in _followed(obj))
         ):
             obj.touch()
+
+
+def telling(obj: Any, name: str) -> list[Any]:
+    """An object and the features made from it, as far as their sentences speak of this name."""
+    ours = (one for one in (obj, *obj.InListRecursive) if isinstance(getattr(one, "Proxy", None), Feature))
+    return [one for one in ours if any(name in words for words in _told(one))]
+
+
+def _told(obj: Any) -> Iterator[str]:
+    for name in [one for one in TOLD if one in obj.PropertiesList]:
+        yield from getattr(obj, name)
+    yield str(obj.getStatusString())
 
 
 def _containers(obj: Any) -> list[Any]:

@@ -40,9 +40,17 @@ def _read(path: Path, *_state: int) -> dict[str, Sheet]:
 
 
 def save_own_sheets(sheets: Iterable[Sheet]) -> None:
-    """Write the user's sheets, all of them."""
+    """Write the user's sheets, all of them.
+
+    Raises
+    ------
+    InputError
+        The file cannot be written, or what it holds cannot be read and would be lost.
+    """
     text = "\n".join(sheet.toml() for sheet in sheets)
     path = own_sheets_file()
+    if path.exists():
+        load_sheets(path)
     if not text:
         path.unlink(missing_ok=True)
         return

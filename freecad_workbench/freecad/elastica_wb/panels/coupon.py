@@ -5,6 +5,7 @@
 
 from typing import Any
 
+from freecad.elastica_wb.features.proxy import keep_sheets
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sentences import decimal_point
@@ -95,6 +96,7 @@ class CouponPanel(Panel):
             name, max_strain=base.max_strain, kerf=base.kerf, grain=base.grain, kind=base.kind
         )
         save_own_sheets((own_sheets() | {name: sheet}).values())
+        keep_sheets()
         return name
 
 

@@ -3,8 +3,10 @@
 
 """The panel of the sheet library: the built-in sheets with their sources, and the user's own."""
 
+from dataclasses import replace
 from typing import Any
 
+from freecad.elastica_wb.features.proxy import keep_sheets
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import own_sheets, save_own_sheets, sheet_called, sheet_list
 from freecad.elastica_wb.panels.panel import Panel
@@ -43,6 +45,7 @@ class SheetsPanel(Panel):
         self.form.source.setPlainText(sheet.source)
         for field in NUMBERS:
             set_value(getattr(self.form, field), getattr(sheet, field))
+        self.filled = {field: self.value(field) for field in NUMBERS}
         self.tell(
             f"{translate('Elastica', 'least radius')} {sheet.least_radius:.4g} mm, "
             f"{translate('Elastica', 'elasto-gravity length')} {sheet.elasto_gravity_length:.4g} mm"
@@ -67,16 +70,22 @@ class SheetsPanel(Panel):
 
     def sheet(self) -> Sheet:
         """The sheet that the widgets describe."""
-        numbers = {field: self.value(field) for field in NUMBERS}
-        if numbers["poisson_ratio"] == self.seen.poisson_ratio:  # as nominal as it was
-            numbers["poisson_ratio"] = self.seen.poisson_ratio
-        source = " ".join(self.form.source.toPlainText().split())
-        return Sheet(self.form.name.text().strip(), source=source, **numbers)
+        # boxes round: what was not changed is as exact as it was, and a nominal number stays one
+        typed = {field: self.value(field) for field in NUMBERS if self.value(field) != self.filled[field]}
+        # what is found in practice about another number says nothing of this one
+        ranges = {f"{field}_range": None for field in typed if hasattr(self.seen, f"{field}_range")}
+        name, source = self.form.name.text().strip(), " ".join(self.form.source.toPlainText().split())
+        return replace(self.seen, name=name, source=source, **typed, **ranges)
 
     def finished(self) -> None:
         """Write the user's sheets."""
-        if self.own != self.before:
-            save_own_sheets(self.own.values())
+        changed = {name: sheet for name, sheet in self.own.items() if self.before.get(name) != sheet}
+        removed = self.before.keys() - self.own.keys()
+        if changed or removed:
+            # those that another window has kept meanwhile stay
+            now = own_sheets() | changed
+            save_own_sheets(sheet for name, sheet in now.items() if name not in removed)
+            keep_sheets()
 
     def _list(self, chosen: str = "") -> None:
         self.form.sheets.clear()
