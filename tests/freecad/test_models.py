@@ -233,3 +233,30 @@ def test_flat_parts_get_the_slots_of_their_model(document, crossing):
     part.Model = model.create(document, crossing[1:])
     document.recompute()
     assert "does not belong" in part.getStatusString()
+
+
+def test_holders_of_links_and_arrays(document, crossing):
+    link = document.addObject("App::Link", "Link")
+    link.LinkedObject = crossing[0]
+    link.ElementCount = 3
+    for i, one in enumerate(link.ElementList):
+        one.Placement.Base.z = 100.0 * i
+    room = document.addObject("App::Part", "Room")
+    room.addObject(link)
+    room.Placement = App.Placement(App.Vector(9, 8, 7), App.Rotation(App.Vector(1, 2, 3), 77))
+    document.recompute()
+    all_of_them = fixtures.create(document, [link])
+    second = fixtures.create(document, [link.ElementList[1]])
+    document.recompute()
+    assert len(all_of_them.Shape.Solids) == 6
+    strips = Part.getShape(link).Solids
+    gaps = [min(one.distToShape(block)[0] for one in strips) for block in all_of_them.Shape.Solids]
+    assert gaps == pytest.approx([0] * 6, abs=1e-3)
+    assert len(second.Shape.Solids) == 2
+    link.Scale = 2
+    document.recompute()
+    assert "set its Scale to 1" in all_of_them.getStatusString()
+    link.Scale = 1
+    other = model.create(document, [crossing[1], link])
+    document.recompute()
+    assert "a model is made of strips" in other.getStatusString()

@@ -182,6 +182,7 @@ def test_in_inches(tmp_path):
     assert found["preferences"] == ["R2000", pytest.approx(0.2)]
     assert "1.18" in found["shown"]
     assert found["typed"] == pytest.approx([19.05, 20, 12.7], abs=0.13), "1.1 keeps two digits of an inch"
+    assert found["typed as shown"] == pytest.approx(float(found["shown"].split()[0]) * 25.4)
     assert found["looked at"] == 0.8
     assert found["stepped"] > 12.7
     assert " in" in found["numbers"]
@@ -191,6 +192,8 @@ def test_in_inches(tmp_path):
     assert found["elsewhere"] == pytest.approx(33.0, abs=0.13), "FreeCAD's box shows two digits of an inch"
     assert " in, birch" in found["cut list"]
     assert found["kerf"] == pytest.approx(0.2)
+    assert found["kerf typed"] == pytest.approx(0.15), "no key may be lost: 0.15 in would cut all askew"
+    assert found["bent by"] == pytest.approx(120)
     assert found["version"] == "R2000"
     assert "in wide" in found["advice"]
 
@@ -230,7 +233,12 @@ def test_a_maker_at_work(tmp_path):
     assert found["export again"].endswith(
         "exists already: choose another folder, or tick the box that overwrites"
     )
-    assert found["export nowhere"] == "write the whole path of the folder, or press Browse"
+    assert (
+        found["export nowhere"]
+        == found["export to nobody"]
+        == "write the whole path of the folder, or press Browse"
+    )
+    assert found["export too far"].endswith("File name too long; choose another folder")
 
 
 def test_a_project_that_grows_and_changes(tmp_path):
@@ -377,3 +385,22 @@ def test_a_curve_of_given_length_between_clamps(tmp_path):
     assert found["with poles"][0] > 5
     assert found["poles go"][2][:2] == [1, pytest.approx(found["with poles"][1], rel=1e-4)]
     assert found["closed with its document"]
+
+
+def test_a_workshop_that_measures_links_and_renames(tmp_path):
+    found = launching.run_window("workshop.py", tmp_path)
+    assert not found["grey for a link"]
+    assert found["strip of a link"] == ["Up-to-date", pytest.approx(0, abs=1e-6)]
+    assert found["offered"], "a sheet that was just measured can be chosen"
+    assert found["grain"] == "along", "parts are not laid across the grain of a sheet that was measured"
+    assert found["follows"] == [0.95, "Up-to-date"]
+    assert found["as thick as"] == pytest.approx(1, rel=1e-3)
+    assert found["kept in the document"]
+    assert found["made with"]
+    assert "elastica-sheets.toml" in found["refused"]
+    assert found["not lost"]
+    for place in ("blocks", "blocks moved"):
+        assert found[place] == pytest.approx([0, 0], abs=1e-3), "they hold the link, not what it shows"
+    assert found["told"] == "Cone"
+    assert found["told then"] == ["Hat", "Hat"]
+    assert found["told at last"] == ["Cone", "Cone"]

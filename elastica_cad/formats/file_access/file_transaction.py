@@ -47,13 +47,13 @@ def write_together(
     'done'
     """
     target, names = Path(os.path.realpath(os.fspath(folder))), list(names)
-    if target.exists() and not target.is_dir():
-        raise InputError(f"{folder} is a file, not a folder: choose another folder for the files")
-    if target.is_dir():
-        _check(target, names, force=force)
-    ground = next(parent for parent in (target, *target.parents) if parent.is_dir())
-    workshop = ground / f".elastica-{token_hex(8)}"
-    try:
+    try:  # a folder that may not be looked into, or a name that no disk takes, is found here already
+        if target.exists() and not target.is_dir():
+            raise InputError(f"{folder} is a file, not a folder: choose another folder for the files")
+        if target.is_dir():
+            _check(target, names, force=force)
+        ground = next(parent for parent in (target, *target.parents) if parent.is_dir())
+        workshop = ground / f".elastica-{token_hex(8)}"
         remove_left_behind(ground, ".elastica-*")
         try:
             workshop.mkdir()

@@ -2943,6 +2943,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>%1 is scaled, and a strip of another size bends otherwise: set its Scale to 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>%1 is no strip: a model is made of strips</source>
         <translation type="unfinished"></translation>
     </message>

@@ -2955,6 +2955,10 @@
         <translation>das Modell hat keine Streifen: in der Eigenschaft Strips welche wählen</translation>
     </message>
     <message>
+        <source>%1 is scaled, and a strip of another size bends otherwise: set its Scale to 1</source>
+        <translation>%1 ist skaliert, und ein Streifen anderer Größe biegt sich anders: Scale auf 1 setzen</translation>
+    </message>
+    <message>
         <source>%1 is no strip: a model is made of strips</source>
         <translation>%1 ist kein Streifen: ein Modell besteht aus Streifen</translation>
     </message>

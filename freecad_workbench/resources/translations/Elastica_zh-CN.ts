@@ -2955,6 +2955,10 @@
         <translation>模型没有条带：请在属性 Strips 中选择</translation>
     </message>
     <message>
+        <source>%1 is scaled, and a strip of another size bends otherwise: set its Scale to 1</source>
+        <translation>%1 已缩放，而尺寸不同的条带弯曲方式不同：将其 Scale 设为 1</translation>
+    </message>
+    <message>
         <source>%1 is no strip: a model is made of strips</source>
         <translation>%1 不是条带：模型由条带组成</translation>
     </message>

@@ -196,13 +196,15 @@ def crossing():
 
 
 def export():
-    """Twice into one folder, then to a path that begins nowhere."""
+    """Twice into one folder, then to paths that begin nowhere, or that no disk takes."""
     document = begun("Export")
     open_panel("Elastica_Strip", sketch(document, ARCH))
     button()
     folder = OUT / "cut"
     folder.mkdir()
-    for name, words in (("first", str(folder)), ("again", str(folder)), ("nowhere", "cut")):
+    folders = {"first": str(folder), "again": str(folder), "nowhere": "cut"}
+    folders |= {"to nobody": "~nobody-of-that-name/cut", "too far": f"/tmp/{'far' * 100}"}
+    for name, words in folders.items():
         from freecad.elastica_wb.host import telling
 
         telling._told.clear()

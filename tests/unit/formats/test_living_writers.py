@@ -96,3 +96,9 @@ def test_what_came_first_is_not_overwritten(tmp_path):
         both()
     assert (tmp_path / "a.txt").read_text() == "other"
     assert hidden(tmp_path) == []
+
+
+def test_a_folder_that_no_disk_takes_is_refused(tmp_path):
+    folder = write_together(tmp_path / ("far" * 100), ["a.txt"])
+    with pytest.raises(InputError, match="choose another folder"), folder:
+        pass

@@ -59,7 +59,7 @@ class FixturesCommand(Command):
 
     def run(self) -> None:
         """Open the panel."""
-        show_panel(FixturesPanel, chosen_sources())
+        show_panel(FixturesPanel, chosen_sources(in_place=True))
 
 
 class NestCommand(Command):

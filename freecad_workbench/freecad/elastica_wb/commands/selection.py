@@ -8,7 +8,7 @@ from typing import Any
 
 import FreeCAD as App
 import FreeCADGui as Gui
-from freecad.elastica_wb.curves.sketch_curves import is_sketch
+from freecad.elastica_wb.curves.sketch_curves import is_sketch, linked
 from freecad.elastica_wb.features.baseplate import is_base_plate
 from freecad.elastica_wb.features.curves import is_section
 from freecad.elastica_wb.features.flat import is_flat
@@ -74,7 +74,8 @@ def is_curve_chosen() -> bool:
     return any(
         is_sketch(choice.Object)
         or any(name.startswith("Edge") for name in choice.SubElementNames)
-        or (choice.Object.isDerivedFrom("Part::Feature") and _may_be_open(choice.Object.Shape))
+        or is_sketch(linked(choice.Object))
+        or (linked(choice.Object).isDerivedFrom("Part::Feature") and _may_be_open(choice.Object.Shape))
         for choice in Gui.Selection.getSelectionEx()
     )
 
@@ -105,21 +106,24 @@ def chosen_sketch() -> Any:
     return source
 
 
-def chosen_sources() -> list[Any]:
+def chosen_sources(*, in_place: bool = False) -> list[Any]:
     """The selected strips, models and base plates; where none is selected, all that is not part of another.
 
-    A flat part with the slots of a model stands for the model: its strip alone has none.
+    A flat part with the slots of a model stands for the model: its strip alone has none. What is held `in_place` is
+    held where its link stands.
     """
-    selected = Gui.Selection.getSelection()
-    meant = [obj.Model if is_flat(obj) and obj.Model is not None else obj for obj in selected]
-    found = list(dict.fromkeys(obj for obj in meant if is_model(obj) or is_base_plate(obj)))
-    if not any(is_strip(obj) or is_flat(obj) for obj in selected) and not found:
+    selected = [(obj, linked(obj)) for obj in Gui.Selection.getSelection()]
+    meant = [one.Model if is_flat(one) and one.Model is not None else one for _, one in selected]
+    found = list(dict.fromkeys(one for one in meant if is_model(one) or is_base_plate(one)))
+    if not any(is_strip(one) or is_flat(one) for _, one in selected) and not found:
         found = [obj for obj in App.ActiveDocument.Objects if is_model(obj) or is_base_plate(obj)]
-    return found or chosen_strips()
+    return found or chosen_strips(in_place=in_place)
 
 
-def chosen_strips(*, least: int = 1) -> list[Any]:
+def chosen_strips(*, least: int = 1, in_place: bool = False) -> list[Any]:
     """The selected strips, through their flat parts and links too; the only strip of a document by itself.
+
+    With `in_place` a link to a strip stands for itself.
 
     Raises
     ------
@@ -128,10 +132,11 @@ def chosen_strips(*, least: int = 1) -> list[Any]:
     """
     found: list[Any] = []
     for obj in Gui.Selection.getSelection():
-        source = obj.LinkedObject if obj.TypeId == "App::Link" else obj
+        source = linked(obj)
         strip = source.Strip if is_flat(source) else source
-        if is_strip(strip) and strip not in found:
-            found.append(strip)
+        if is_strip(strip):
+            found.append(obj if in_place and strip is source else strip)
+    found = list(dict.fromkeys(found))
     everything = [obj for obj in App.ActiveDocument.Objects if is_strip(obj)]
     if not found and least == 1 and len(everything) == 1:
         found = everything

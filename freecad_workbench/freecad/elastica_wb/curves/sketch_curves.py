@@ -19,6 +19,7 @@ MOST_DRAGGED = 24
 """Poles that a hand can still drag; more are hidden, as FreeCAD 1.1's solver moves curves of so many circles."""
 
 SKETCH = "Sketcher::SketchObject"
+LINK = "App::Link"
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,6 +80,12 @@ def is_blank(sketch: Any) -> bool:
 def is_sketch(source: Any) -> bool:
     """Is this object a sketch?"""
     return bool(source.isDerivedFrom(SKETCH))
+
+
+def linked(obj: Any) -> Any:
+    """What a link, or one of an array of links, shows; everything else is itself, and so is a broken link."""
+    shown = obj.LinkedObject if obj.TypeId.startswith(LINK) else None
+    return obj if shown is None else linked(shown)
 
 
 def frame_of(placement: App.Placement) -> Frame:

@@ -88,6 +88,7 @@ class Changes:
 
     def __init__(self) -> None:
         self._pending = False
+        self._called: dict[tuple[str, str], str] = {}
         self._changed: dict[str, dict[str, set[str]]] = {}
 
     def slotCreatedObject(self, obj: Any) -> None:
@@ -95,8 +96,15 @@ class Changes:
         if is_sketch(obj) and not obj.Document.Restoring and not obj.Document.Transacting and _here():
             remember(obj, True)
 
+    def slotBeforeChangeObject(self, obj: Any, name: str) -> None:
+        """An object is about to be renamed."""
+        if name == "Label" and not obj.Document.Restoring:
+            self._called[obj.Document.Name, obj.Name] = obj.Label
+
     def slotChangedObject(self, obj: Any, name: str) -> None:
         """The mouse was released, or something else changed the sketch."""
+        if name == "Label":
+            _renamed(obj, self._called.pop((obj.Document.Name, obj.Name), ""))
         if obj.Document.Transacting:
             if name not in SEEN_ONLY:
                 names = self._changed.setdefault(obj.Document.Name, {})
@@ -159,12 +167,25 @@ def _session() -> Any:
 
 
 def _contained(work: str, subject: Any) -> None:
-    """Containers changed; without ever importing what no document has yet."""
-    import sys
-
-    module = sys.modules.get("freecad.elastica_wb.features.proxy")
+    """Containers changed."""
+    module = _proxies()
     if module is not None:
         getattr(module, work)(subject)
+
+
+def _renamed(obj: Any, old: str) -> None:
+    """Sentences that speak of an object under its old name are told anew."""
+    module = _proxies()
+    told = module.telling(obj, old) if module is not None and old not in ("", obj.Label) else []
+    if told:
+        QtCore.QTimer.singleShot(0, lambda: recompute(told))
+
+
+def _proxies() -> Any:
+    """What features share; without ever importing what no document has yet."""
+    import sys
+
+    return sys.modules.get("freecad.elastica_wb.features.proxy")
 
 
 def _stop() -> None:

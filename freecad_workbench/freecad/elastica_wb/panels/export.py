@@ -3,6 +3,7 @@
 
 """The panel of the export: which files, how written, where to."""
 
+import os
 import re
 from importlib.util import find_spec
 from pathlib import Path
@@ -92,7 +93,9 @@ class ExportPanel(Panel):
             self.browse()
         if not self.form.folder.text().strip():
             raise InputError(translate("Elastica", "choose a folder for the files"))
-        folder = Path(self.form.folder.text().strip()).expanduser()
+        folder = Path(
+            os.path.expanduser(self.form.folder.text().strip())
+        )  # the home of nobody stays as it is
         if not folder.is_absolute():  # FreeCAD runs in a folder that nobody knows
             raise InputError(translate("Elastica", "write the whole path of the folder, or press Browse"))
         with progress("Writing files", len(self.pieces) + len(self.strips)) as go_on:
@@ -116,7 +119,7 @@ class ExportPanel(Panel):
 def _usual_folder(document: Any) -> str:
     """Where files went the last time; else beside the document; else the user is asked."""
     last = preferences.get("ExportFolder")
-    if last and Path(last).is_dir():
+    if last and os.path.isdir(last):  # False too where nobody may look
         return str(last)
     return str(Path(document.FileName).parent) if document.FileName else ""
 
