@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from elastica_cad._types import FloatArray
 from elastica_cad.mechanics.rod.banded_matrices import lowest_constrained, solve_bordered
 from elastica_cad.mechanics.rod.rod_system import Residual, RodState, RodSystem, Step
 
@@ -14,6 +15,7 @@ SMALL_TURN_RAD = 0.02  # steps that turn no edge further may pass a crossing of 
 SADDLE_PUSH_RAD = (
     0.05  # along an unstable mode in each step of descent: well beyond rounding, well below a turn
 )
+ASTRAY_RAD = float(np.pi)  # of an edge: no way down is as long as that in one step
 NEAR_REST_RAD = 1e-2  # a descent that turns no edge further has come to where Newton's method converges
 CONVERGED_RAD = 1e-9  # a Newton step whose square, the next one, is below rounding
 LEAST_STEP = 1e-7  # of the way: a fold is then met to a share no drawing shows
@@ -174,16 +176,26 @@ def relax(state: RodState, *, most: int = 300) -> RodState | None:
     start = _place_ends(state)
     if start is None:
         return None
-    state, system = start, start.system
+    found = _come_to_rest(start, most, np.inf)
+    # beside a kink, which a material that hardens makes a thousand times as stiff, Newton's steps go astray
+    return _come_to_rest(start, most, ASTRAY_RAD) if found is None else found
+
+
+def _come_to_rest(state: RodState, most: int, astray: float) -> RodState | None:
+    """The descent, with steps that turn no edge by more than `astray`, before they are shortened."""
+    system = state.system
+    softest = 1e-3 * system.edge_length / system.length**2
     for _ in range(most):
         rod, residual = state.discrete, state.residual
         (diagonal, off), rows, inertia = rod.hessian, rod.constraint_rows, rod.unstable_modes
         convex, push = diagonal, np.zeros_like(state.angles)
         if inertia:
             values, vectors = lowest_constrained(diagonal, off, rows)
-            convex = diagonal + 2 * abs(values[0]) + 1e-3 * system.edge_length / system.length**2
+            convex = diagonal + 2 * abs(values[0]) + softest
             push = vectors[0] / np.abs(vectors[0]).max()
-        step = Step(*solve_bordered(convex, off, rows, right=-residual.imbalance, below=-residual.miss))
+        step, lift = _downhill(convex, off, rows, residual), softest
+        while _turned(step) > astray:
+            step, lift = _downhill(convex + lift, off, rows, residual), 10 * lift
         turned = _turned(step)
         if not np.isfinite(turned):
             return None
@@ -200,6 +212,10 @@ def relax(state: RodState, *, most: int = 300) -> RodState | None:
             return None
         state = descended
     return None
+
+
+def _downhill(diagonal: FloatArray, off: FloatArray, rows: FloatArray, residual: Residual) -> Step:
+    return Step(*solve_bordered(diagonal, off, rows, right=-residual.imbalance, below=-residual.miss))
 
 
 def _descend(state: RodState, step: Step, factor: float) -> RodState | None:

@@ -4,10 +4,12 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.bending.bend_forward import bend, bend_path
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
+from elastica_cad.mechanics.material.moment_curvature import PolynomialLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import stability
 
@@ -136,6 +138,19 @@ def test_snap_is_told():
     assert stability(turned).stable
     assert "snaps" in turned.warnings[0]
     assert turned.position[100, 1] < 0
+
+
+def test_a_hardening_rod_snaps_on_any_number_of_nodes():
+    """The jump begins with a kink at a clamp, all the stiffer the finer the nodes."""
+    law = PolynomialLaw(0.085, 0.1, curvature_scale=0.05)
+    profile = Profile.interpolate([0.0, 31.187, 62.374], [1.463, 1.188, 2.576])
+    margins = []
+    for samples in (151, 301):
+        rod = Rod.straight(62.374, profile, samples=samples, law=law)
+        rod = bend(rod, end=(50.85, 2.56), angles=(0.1184, 0.9364), side=1)
+        assert "the rod snaps 99" in rod.warnings[0]
+        margins.append(stability(rod).margin)
+    assert margins[0] == pytest.approx(margins[1], rel=1e-3)
 
 
 def test_path_gives_a_family_with_reactions():
