@@ -8,28 +8,28 @@ from contextlib import contextmanager
 from functools import cache
 from importlib import import_module
 from threading import Lock
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
 from elastica_cad.fabrication.drawings.drawing import SHEET, Drawing
 from elastica_cad.formats.drawing_files.curve_style import EXACT, check_curve_style, shape_path
 from elastica_cad.formats.drawing_files.layers import LayerChoice, LayerStyle, style_layers
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Segment, Spline
 from elastica_cad.geometry.paths.trim import trim_segment
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing as Document
-    from ezdxf.entities.dxfgfx import DXFGraphic
-    from ezdxf.entities.dxfgroups import DXFGroup
-    from ezdxf.layouts.layout import Modelspace
 
 R12 = "AC1009"
 DXF_VERSIONS = ("R12", "R2000", "R2004", "R2007", "R2010", "R2013", "R2018")
 
 _TRUE_COLOR = DXF_VERSIONS[2:]
+_CLOSED, _RATIONAL, _PLANAR = 1, 4, 8  # flags of a SPLINE
 _OPTIONS = Lock()
 
 
@@ -80,78 +80,138 @@ def encode_dxf(
     bounds = drawing.bounds
     with _plain_ezdxf():
         document = _new_document(version, styles, drawing.layers, bounds)
-        _Writer(document, curves, tolerance).draw(drawing, styles)
+        writer = _Writer(document, curves, tolerance)
+        writer.draw(drawing, styles)
         _sort_classes(document)
         stream = io.StringIO()
         if version == "R12":
             stream.write("999\nall lengths in mm\n")
         document.write(stream)
-        return document.encode(stream.getvalue())
+        return document.encode(writer.within(stream.getvalue()))
 
 
 class _Writer:
-    """Turns paths into entities of one document."""
+    """Turns paths into the text of entities under numbers of one document.
+
+    ezdxf makes all that is around them; made by it one by one they would take eight times as long.
+    """
 
     def __init__(self, document: "Document", curves: str, tolerance: float) -> None:
         self.document = document
-        self.space: Modelspace = document.modelspace()
+        self.old = document.dxfversion == R12
+        self.owner = document.modelspace().layout_key
+        self.number = document.entitydb.next_handle
         self.curves = curves
         self.tolerance = tolerance
-        self.loops = 0
+        self.entities: list[str] = []
+        self.groups: list[tuple[str, list[str]]] = []
 
     def draw(self, drawing: Drawing, styles: Mapping[str, LayerStyle]) -> None:
         for item in drawing.strokes:
-            self.path(item.path, {"layer": styles[item.layer].name})
+            self.path(item.path, styles[item.layer].name)
 
-    def path(self, path: Path, attributes: dict[str, Any]) -> None:
+    def path(self, path: Path, layer: str) -> None:
         path = shape_path(path, self.curves, self.tolerance)
         first = path.segments[0]
         alone = len(path.segments) == 1
         if alone and isinstance(first, Arc) and first.is_circle:
-            self.space.add_circle(tuple(first.center), first.radius, dxfattribs=attributes)
-        elif not (path.has_splines or (path.closed and self.document.dxfversion == R12)):
-            self._polyline(path, attributes)
+            self._add("CIRCLE", layer, self.number(), self._round(first))
+        elif not (path.has_splines or (path.closed and self.old)):
+            self._polyline(path, layer)
         else:
-            chain = [self._entity(segment, attributes, path.closed and alone) for segment in path.segments]
-            if not alone and self.document.dxfversion != R12:
-                self.loops += 1
-                self._bind(f"LOOP_{self.loops}", chain)
+            numbers = [self.number() for _ in path.segments]
+            group = "" if alone or self.old else self._group(numbers)
+            for segment, number in zip(path.segments, numbers, strict=True):
+                self._segment(segment, layer, number, group, path.closed and alone)
 
-    def _bind(self, name: str, chain: Sequence["DXFGraphic"]) -> None:
-        """A GROUP of entities: what `groups.new` does, which compares the name with that of every group before."""
-        groups = self.document.groups.object_dict
-        attributes = {"description": "", "unnamed": 0, "selectable": 1, "owner": groups.dxf.handle}
-        group = self.document.objects.add_dxf_object_with_reactor("GROUP", attributes)
-        groups.add(name, group)
-        cast("DXFGroup", group).extend(chain)
+    def within(self, text: str) -> str:
+        """The text of the document, with its entities and groups."""
+        head, section, tail = text.partition("  0\nSECTION\n  2\nENTITIES\n")
+        if self.groups:
+            first = self.groups[0][0]
+            before, _, after = tail.partition(_name_of_group(1, first))
+            names = [_name_of_group(k, number) for k, (number, _) in enumerate(self.groups, 1)]
+            # the empty first one shows how all are written
+            begin = after.index(f"  0\nGROUP\n  5\n{first}\n")
+            end = after.index("\n  0\n", begin) + 1
+            empty = after[begin:end].partition(first)
+            filled = [
+                "".join((empty[0], number, empty[2], *[f"340\n{member}\n" for member in members]))
+                for number, members in self.groups
+            ]
+            tail = "".join((before, *names, after[:begin], *filled, after[end:]))
+        return "".join((head, section, *self.entities, tail))
 
-    def _polyline(self, path: Path, attributes: dict[str, Any]) -> None:
+    def _group(self, members: list[str]) -> str:
+        """The number of a new group that binds a loop; ezdxf makes the first."""
+        number = self.number() if self.groups else str(self.document.groups.new("LOOP_1").dxf.handle)
+        self.groups.append((number, members))
+        return number
+
+    def _add(self, kind: str, layer: str, number: str, rest: str, group: str = "") -> None:
+        bound = f"102\n{{ACAD_REACTORS\n330\n{group}\n102\n}}\n" if group else ""
+        owned = "" if self.old else f"{bound}330\n{self.owner}\n100\nAcDbEntity\n"
+        self.entities.append(f"  0\n{kind}\n  5\n{number}\n{owned}  8\n{layer}\n{rest}")
+
+    def _class(self, name: str) -> str:
+        return "" if self.old else f"100\nAcDb{name}\n"
+
+    def _polyline(self, path: Path, layer: str) -> None:
         segments = [piece for segment in path.segments for piece in _up_to_half_turns(segment)]
-        rows = [(*segment.start, segment.bulge if isinstance(segment, Arc) else 0.0) for segment in segments]
-        if not path.closed:
-            rows.append((*path.end, 0.0))
-        add = self.space.add_polyline2d if self.document.dxfversion == R12 else self.space.add_lwpolyline
-        add(rows, format="xyb", close=path.closed, dxfattribs=attributes)
+        ends = [segment.start for segment in segments] + ([] if path.closed else [path.end])
+        bulges = [segment.bulge if isinstance(segment, Arc) else 0.0 for segment in segments] + [0.0]
+        rows = [
+            (_place(10, end, flat=not self.old), f" 42\n{bulge}\n" if bulge else "")
+            for end, bulge in zip(ends, map(float, bulges), strict=False)
+        ]
+        number = self.number()
+        if not self.old:
+            count = f" 90\n{len(rows)}\n 70\n{int(path.closed)}\n"
+            places = "".join([place + bulge for place, bulge in rows])
+            self._add("LWPOLYLINE", layer, number, f"{self._class('Polyline')}{count}{places}")
+            return
+        last = self.number()
+        self._add("POLYLINE", layer, number, f" 66\n1\n{_place(10, (0.0, 0.0))} 70\n0\n")
+        for place, bulge in rows:
+            self._add("VERTEX", layer, self.number(), f"{place}{bulge} 70\n0\n")
+        self._add("SEQEND", layer, last, "")
 
-    def _entity(self, segment: Segment, attributes: dict[str, Any], closed: bool) -> "DXFGraphic":
+    def _segment(self, segment: Segment, layer: str, number: str, group: str, closed: bool) -> None:
         if isinstance(segment, Spline):
-            curve = segment.curve
-            entity = self.space.add_spline(degree=curve.degree, dxfattribs=attributes)
-            entity.control_points = np.column_stack(
-                [curve.control_points, np.zeros(len(curve.control_points))]
-            )
-            entity.knots = curve.knots
-            if curve.weights is not None:
-                entity.weights = curve.weights
-            entity.dxf.flags = entity.PLANAR | (entity.RATIONAL if curve.is_rational else 0)
-            entity.closed = closed
-            return entity
-        if isinstance(segment, Arc):
-            first, last = np.degrees(sorted([segment.start_angle, segment.end_angle]))
-            return self.space.add_arc(
-                tuple(segment.center), segment.radius, first, last, dxfattribs=attributes
-            )
-        return self.space.add_line(tuple(segment.start), tuple(segment.end), dxfattribs=attributes)
+            self._add("SPLINE", layer, number, _spline_text(segment.curve, closed=closed), group)
+        elif isinstance(segment, Arc):
+            first, last = np.degrees(sorted([segment.start_angle, segment.end_angle])).tolist()
+            angles = f"{self._class('Arc')} 50\n{first}\n 51\n{last}\n"
+            self._add("ARC", layer, number, self._round(segment) + angles, group)
+        else:
+            ends = _place(10, segment.start) + _place(11, segment.end)
+            self._add("LINE", layer, number, self._class("Line") + ends, group)
+
+    def _round(self, arc: Arc) -> str:
+        return f"{self._class('Circle')}{_place(10, arc.center)} 40\n{float(arc.radius)}\n"
+
+
+def _name_of_group(count: int, number: str) -> str:
+    return f"  3\nLOOP_{count}\n350\n{number}\n"
+
+
+def _place(code: int, point: Sequence[float] | FloatArray, *, flat: bool = False) -> str:
+    x, y = map(float, point)
+    return f" {code}\n{x}\n {code + 10}\n{y}\n" + ("" if flat else f" {code + 20}\n0.0\n")
+
+
+def _spline_text(curve: PlaneCurve, *, closed: bool) -> str:
+    weights = [] if curve.weights is None else curve.weights.tolist()
+    flags = _PLANAR | (_RATIONAL if curve.is_rational else 0) | (_CLOSED if closed else 0)
+    counts = f" 72\n{curve.knots.size}\n 73\n{len(curve.control_points)}\n 74\n0\n"
+    return "".join(
+        [
+            f"100\nAcDbSpline\n 70\n{flags}\n 71\n{curve.degree}\n{counts}",
+            *[f" 40\n{knot}\n" for knot in curve.knots.tolist()],
+            *[f" 41\n{weight}\n" for weight in weights],
+            *[f" 10\n{x}\n 20\n{y}\n 30\n0.0\n" for x, y in curve.control_points.tolist()],
+        ]
+    )
 
 
 def _up_to_half_turns(segment: Segment) -> list[Segment]:

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from itertools import pairwise
+from operator import is_
 
 import numpy as np
 
@@ -43,7 +44,8 @@ def as_cubics(path: Path, tolerance: float = 0.02, *, rational: bool = True) -> 
     3
     """
     tolerance = require_tolerance_mm(tolerance)
-    return Path([_as_cubic(segment, tolerance, rational) for segment in path.segments], path.closed)
+    cubics = [_as_cubic(segment, tolerance, rational) for segment in path.segments]
+    return path if all(map(is_, cubics, path.segments)) else Path(cubics, path.closed)
 
 
 def _as_cubic(segment: Segment, tolerance: float, rational: bool) -> Segment:
@@ -51,7 +53,8 @@ def _as_cubic(segment: Segment, tolerance: float, rational: bool) -> Segment:
         return segment
     curve = segment.curve
     if curve.degree <= 3 and (rational or not curve.is_rational):
-        return Spline(clamp_ends(curve))
+        clamped = clamp_ends(curve)
+        return segment if clamped is curve else Spline(clamped)
 
     def motion(t: FloatArray, derivative: int, left: bool) -> FloatArray:
         return curve.evaluate(t, derivative, left=left)
