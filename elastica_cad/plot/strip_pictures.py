@@ -11,7 +11,7 @@ from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.many_segments import polylines
+from elastica_cad.geometry.paths.many_segments import areas, polylines
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.rod.rod_record import Rod
@@ -185,10 +185,14 @@ def paint_flat(axes: Axes, strip: Strip, shift: tuple[float, float] = (0.0, 0.0)
 
     for layer in strip.layers:
         # what runs against the outline is left out of the filling
-        holes = [hole if hole.area < 0 else hole.reversed() for hole in layer.holes]
+        clockwise = areas(layer.holes) < 0
+        holes = [
+            hole if right else hole.reversed() for hole, right in zip(layer.holes, clockwise, strict=True)
+        ]
         lines = _lines([layer.outline, *holes])
         loops = [Outline(line + shift, closed=True) for line in lines]
-        axes.add_patch(
+        # `add_patch` would look at every piece of every hole for limits that are set afterwards
+        axes.add_artist(
             PathPatch(
                 Outline.make_compound_path(*loops),
                 facecolor=sheet_color(layer.sheet),

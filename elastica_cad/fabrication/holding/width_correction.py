@@ -4,6 +4,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.holding.lap_joint import closes
+from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
 from elastica_cad.mechanics.rod.banded_matrices import solve_tridiagonal
 from elastica_cad.mechanics.rod.rod_record import Rod
 
@@ -13,15 +14,13 @@ SIZE = 1e-2  # the same of the coefficients themselves: of many changes that ser
 
 def width_basis(s: FloatArray, *, closed: bool = False) -> FloatArray:
     """Cubic B-splines (n, m) at even stations s (n,) of a strip; of a closed one both ends share theirs."""
-    from scipy.interpolate import BSpline
-
     pieces = round(1 / SPACING_SHARE)
     knots = np.concatenate([np.zeros(3), np.linspace(0.0, s[-1], pieces + 1), np.full(3, s[-1])])
     one = np.eye(pieces + 3)
     if closed:
         one[0, -1] = 1.0
         one = one[:, 1:]
-    return np.asarray(BSpline(knots, one, 3)(s))
+    return np.asarray(bezier_spans(knots, 3).basis(s) @ one)
 
 
 def correct_widths(
@@ -58,8 +57,6 @@ def correct_widths(
     largest : float
         No coefficient goes beyond it.
     """
-    from scipy.optimize import lsq_linear
-
     rod, n = made.discrete, made.s.size
     diagonal, off = rod.hessian
     moment = made.moment[:, None] * basis
@@ -87,6 +84,8 @@ def correct_widths(
     wanted = np.concatenate([-left, np.zeros(len(one)), -scale * whole @ kept])
     step = np.linalg.lstsq(system, wanted, rcond=None)[0]
     if np.abs(kept + step).max() > largest:
+        from scipy.optimize import lsq_linear
+
         bounds = (-largest - kept, largest - kept)
         step = lsq_linear(system, wanted, bounds, method="bvls").x
     return np.asarray(kept + step)

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
-from elastica_cad.geometry.paths.many_segments import polylines
+from elastica_cad.geometry.near_pairs import near_pairs
+from elastica_cad.geometry.paths.many_segments import areas, polylines
 from elastica_cad.geometry.paths.path import Path
 
 SAMPLES_PER_WIDTH = 12  # points along a cut in each least width: a width is found to a percent
@@ -49,10 +50,8 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
     >>> [place.width for place in find_thin_places([plate], [hole], 2.0)]
     [1.0]
     """
-    from scipy.spatial import cKDTree
-
     points, normals, _ = _sampled(outlines, holes, least, COARSE)
-    i, j = cKDTree(points).query_pairs(least * (1 + 1 / COARSE), output_type="ndarray").reshape(-1, 2).T
+    i, j = near_pairs(points, least * (1 + 1 / COARSE))
     i, j = np.stack([i, j])[:, np.einsum("ij,ij->i", normals[i], normals[j]) < OPPOSED]
     across = points[j] - points[i]
     # the walls of a slot face each other, too, but there is no material between them
@@ -62,10 +61,7 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
     if not np.any(between):
         return ()
     points, normals, loop = _sampled(outlines, holes, least, SAMPLES_PER_WIDTH)
-    pairs = cKDTree(points).query_pairs(least * (1 - 1e-9), output_type="ndarray")
-    if not len(pairs):
-        return ()
-    i, j = pairs.T
+    i, j = near_pairs(points, least * (1 - 1e-9))
     across = points[j] - points[i]
     width = np.hypot(across[:, 0], across[:, 1])
     with np.errstate(invalid="ignore", divide="ignore"):
@@ -78,8 +74,8 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
     from scipy.sparse.csgraph import connected_components
 
     middle = (points[i] + points[j]) / 2
-    near = cKDTree(middle).query_pairs(least, output_type="ndarray")
-    links = coo_matrix((np.ones(len(near), dtype=bool), near.T), shape=(width.size, width.size))
+    near = near_pairs(middle, least)
+    links = coo_matrix((np.ones(near.shape[1], dtype=bool), near), shape=(width.size, width.size))
     group = connected_components(links, directed=False)[1]
     order = np.argsort(width, kind="stable")
     thinnest = order[np.unique(group[order], return_index=True)[1]]
@@ -101,7 +97,8 @@ def _sampled(
     loops: list[IntArray] = []
     sided = [*((path, True) for path in outlines), *((path, False) for path in holes)]
     # the material on the left
-    runs = [path if (path.area > 0) == outer else path.reversed() for path, outer in sided]
+    ways = areas([path for path, _ in sided]) > 0
+    runs = [path if way == outer else path.reversed() for (path, outer), way in zip(sided, ways, strict=True)]
     for line in polylines(runs, FLAT_SHARE * least):
         sides = np.roll(line, -1, axis=0) - line
         long = np.hypot(sides[:, 0], sides[:, 1])

@@ -1,5 +1,6 @@
 """The pattern of a perforated strip: diamonds between ligaments of equal width that run along the strip."""
 
+from bisect import bisect_left, bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -19,10 +20,14 @@ from elastica_cad.geometry.paths.path_intersections import polylines_cross
 from elastica_cad.geometry.paths.point_distance import distances
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Segment, Spline
-from elastica_cad.geometry.polynomials.fit_function import adaptive_spline
+from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
+from elastica_cad.geometry.polynomials.fit_function import adaptive_spline, fit_spans
 
 FIT_MM = 2e-5
 """Largest error of width, material and full diamond along the strip: of the sums of ligaments some 1e-4 mm."""
+
+FIT_ROUNDING = 1e-12
+"""Relative error of the widths that are fitted."""
 
 INSET = 1e-9
 """Share of a stretch by which its spline is fitted inside it, on this side of jumps."""
@@ -100,16 +105,41 @@ class DiamondPattern:
 
     def paths(self, ends: Ends, slots: Sequence[Slot] = ()) -> tuple[Path, ...]:
         """The holes as closed anticlockwise loops in the order of the strip, clear of tabs and slots."""
-        length = self.width.length
-        low, high = self._margin(ends[0], 0.0), length - self._margin(ends[1], length)
         cuts = [slot_cut(slot, self.width, beyond=slot.width) for slot in slots]
-        rows = [row for whole in self._rows if (row := whole.within(low, high)) is not None]
-        clear = [loop for row in rows for j in range(row.across) for loop in self._clear(row, j, cuts)]
+        clear = [
+            loop
+            for row in self._rows_within(ends)
+            for j in range(row.across)
+            for loop in self._clear(row, j, cuts)
+        ]
         if self.corner_radius > 0:
             clear = round_all_corners(clear, self.corner_radius)
         if self.arcs is not None:
             clear = [as_arcs(loop, self.arcs) for loop in clear]
         return tuple(clear)
+
+    @property
+    def is_sharp(self) -> bool:
+        """Are its holes cut as they are reckoned, with neither rounded corners nor arcs?"""
+        return self.corner_radius == 0 and self.arcs is None
+
+    def width_cut(self, ends: Ends, s: FloatArray) -> FloatArray:
+        """Summed width (n,), mm, of sharp holes at stations `s` (n,): what a line across their loops meets."""
+        order = np.argsort(s, kind="stable")
+        at, cut = s[order], np.zeros(s.size)
+        for row in self._rows_within(ends):
+            for one in row.stretches:
+                first, last = np.searchsorted(at, one.knots[[0, -1]])
+                w, m, diamond = (bezier_spans(one.knots, 3).basis(at[first:last]) @ one.values).T
+                full = self.columns * diamond
+                cut[order[first:last]] += full if row.full else w - m - full
+        return cut
+
+    def _rows_within(self, ends: Ends) -> list["_Row"]:
+        """What the tabs leave of the rows."""
+        length = self.width.length
+        low, high = self._margin(ends[0], 0.0), length - self._margin(ends[1], length)
+        return [row for whole in self._rows if (row := whole.within(low, high)) is not None]
 
     def _margin(self, tab: Tab, s: float) -> float:
         held = tab.width is None or tab.width >= float(self.width(s))
@@ -144,13 +174,13 @@ class DiamondPattern:
     @cached_property
     def _rows(self) -> list["_Row"]:
         """Rows of full diamonds and of the ones in the gaps between them, in turn."""
-        rows = []
+        rows, middles = [], [one.middle for one in self._stretches]
         for i in range(2 * self.rows + 1):
             first, last = self.joints[max(i - 1, 0)], self.joints[min(i + 1, 2 * self.rows)]
             first += self.bridge / 2 if i > 1 else 0.0
             last -= self.bridge / 2 if i < 2 * self.rows - 1 else 0.0
-            stretches = tuple(one for one in self._stretches if first < one.middle < last)
-            rows.append(_Row(stretches, self.columns, full=i % 2 == 1))
+            stretches = self._stretches[bisect_right(middles, first) : bisect_left(middles, last)]
+            rows.append(_Row(tuple(stretches), self.columns, full=i % 2 == 1))
         return rows
 
     @cached_property
@@ -162,15 +192,24 @@ class DiamondPattern:
         tips = np.concatenate([inner - self.bridge / 2, inner + self.bridge / 2])
         cuts = np.unique(np.concatenate([self.joints[[0, -1]], tips, jumps]))
         rough = [(s, continuity) for s, continuity in breaks if continuity < 2]
+        low, high = cuts[:-1], cuts[1:]
+        inset = INSET * (high - low)
+        single, enough = fit_spans(
+            self._values, low + inset, high - inset, degree=3, tolerance=FIT_MM, rounding=FIT_ROUNDING
+        )
+        enough &= ~np.array([any(a < s < b for s, _ in rough) for a, b in pairwise(cuts.tolist())])
+        starts = self._values(np.where(np.isin(low, jumps), low + inset, low))
+        ends = self._values(np.where(np.isin(high, jumps), high - inset, high))
         found = []
-        for a, b in pairwise(cuts.tolist()):
-            inside = (a + INSET * (b - a), b - INSET * (b - a))
-            knots, values = adaptive_spline(
-                self._values, inside, degree=3, tolerance=FIT_MM, breaks=rough, rounding=1e-12
-            )
-            knots[:4], knots[-4:] = a, b
-            for row, s, beside in ((0, a, inside[0]), (-1, b, inside[1])):
-                values[row] = self._values(np.array([beside if np.any(jumps == s) else s]))[0]
+        for i, (a, b) in enumerate(pairwise(cuts.tolist())):
+            knots, values = np.repeat([a, b], 4), single[i]
+            if not enough[i]:
+                inside = (a + inset[i], b - inset[i])
+                knots, values = adaptive_spline(
+                    self._values, inside, degree=3, tolerance=FIT_MM, breaks=rough, rounding=FIT_ROUNDING
+                )
+                knots[:4], knots[-4:] = a, b
+            values[0], values[-1] = starts[i], ends[i]
             found.append(_Stretch(knots, values))
         return found
 
@@ -239,13 +278,12 @@ class _Stretch:
             return None
         if (a, b) == (self.knots[0], self.knots[-1]):
             return self
-        from scipy.interpolate import BSpline
-
         inner = self.knots[(self.knots > a) & (self.knots < b)]
         knots = np.concatenate([np.repeat(a, 4), inner, np.repeat(b, 4)])
         sites = np.clip(greville(knots, 3), a, b)  # a mean of equal knots may be off by rounding
-        basis = BSpline.design_matrix(sites, knots, 3).toarray()
-        return _Stretch(knots, np.linalg.solve(basis, BSpline(self.knots, self.values, 3)(sites)))
+        values = bezier_spans(self.knots, 3).basis(sites) @ self.values
+        solved = np.linalg.solve(bezier_spans(knots, 3).basis(sites), values)
+        return _Stretch(knots, np.asarray(solved, dtype=float))
 
     def sides(self, columns: int, across: int, *, full: bool) -> list[tuple[Spline, Spline]]:
         """Of each of the holes `across` the lower side from its start, and the upper side from its end."""

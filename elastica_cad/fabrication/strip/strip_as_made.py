@@ -1,6 +1,6 @@
 """A strip as it is made: all that changes its stiffness, and the shape that it takes in its holders."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -12,10 +12,11 @@ from elastica_cad.fabrication.holding.held_shape import HeldShape, Seats, straye
 from elastica_cad.fabrication.holding.lap_joint import LapJoint, closes
 from elastica_cad.fabrication.holding.rest_in_seats import rest_in_seats
 from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip.as_built import rod_as_built
-from elastica_cad.fabrication.strip.flat_outline import Ends, fix_tab_widths
+from elastica_cad.fabrication.strip.as_built import material_width, rod_as_built
+from elastica_cad.fabrication.strip.diamond_pattern import DiamondPattern
+from elastica_cad.fabrication.strip.flat_outline import Ends, end_holes, fix_tab_widths, flat_rim
 from elastica_cad.fabrication.strip.made_stiffness import LapPlates, stiffness_shares, with_shares
-from elastica_cad.fabrication.strip.strip_layers import Layer, cut_layers
+from elastica_cad.fabrication.strip.strip_layers import Layer
 from elastica_cad.fabrication.strip.styles import Layout
 from elastica_cad.mechanics.bending.bend_forward import resample
 from elastica_cad.mechanics.rod.rod_record import Rod
@@ -61,27 +62,26 @@ class StripAsMade:
         layout: Layout,
         ends: Ends,
         slots: Sequence[Slot],
-        plates: LapPlates | None = None,
-        whole: Sequence[Layer] | None = None,
+        plates: LapPlates | None,
+        whole: Callable[[], Sequence[Layer]],
     ) -> "StripAsMade":
         """What a rod becomes when its layout is cut with tabs and slots, and joined of pieces by plates.
 
-        `whole` are its layers without slots, where they are known.
+        `whole` gives its layers without slots, where they are needed.
         """
         design = rod if rod.s.size <= HELD_NODES else resample(rod, HELD_NODES)
         widths = np.array([tab.width for tab in fix_tab_widths(layout.width, ends)])
         first, last = layout.stiffness(widths, None if layout.backing is None else widths).tolist()
         if layout.section is not None and layout.size is not None:
             first, last = layout.section.bending_stiffness(layout.size([0.0, rod.length])).tolist()
-        whole = whole or cut_layers(layout, ends, (), name="strip")
         shares = stiffness_shares(design, layout, slots, (ends[0].width, ends[1].width))
         if plates is not None:
-            shares["plates"] = plates.stiffening(design.s, layout, whole)
+            shares["plates"] = plates.stiffening(design.s, layout, whole())
         return cls(
             design,
             layout.bending_stiffness,
             (first, last),
-            rod_as_built(design, layout, [layer.material for layer in whole]),
+            rod_as_built(design, layout, _widths_left(layout, ends, whole)),
             shares,
             layout.pattern is not None or layout.backing is not None,
             LapJoint.of(design, layout.material(design.s), ends[1].length, float(widths[1]))
@@ -147,6 +147,17 @@ class StripAsMade:
                 bent, _ = rest_in_seats(self.design, self.design, one, self.tab_ratios())
                 shapes[f"{end}: {seat.name}"] = bent
         return {cause: strayed(self.design, shape) for cause, shape in shapes.items()}
+
+
+def _widths_left(
+    layout: Layout, ends: Ends, whole: Callable[[], Sequence[Layer]]
+) -> list[Callable[[FloatArray], FloatArray]]:
+    """Of each layer the width (n,), mm, left at stations (n,); sharp holes are reckoned without their loops."""
+    pattern = layout.pattern
+    if layout.backing is not None or not (isinstance(pattern, DiamondPattern) and pattern.is_sharp):
+        return [layer.material for layer in whole()]
+    rim, holes = flat_rim(layout.width, ends), end_holes(layout.width, ends)
+    return [lambda s: material_width(rim, holes, s) - pattern.width_cut(ends, s)]
 
 
 def _lapped(made: Rod, lap: LapJoint) -> Rod:

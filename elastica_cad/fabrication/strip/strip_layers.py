@@ -28,6 +28,7 @@ from elastica_cad.fabrication.strip.flat_outline import (
     flat_rim,
 )
 from elastica_cad.fabrication.strip.styles import Layout
+from elastica_cad.geometry.paths.many_segments import areas
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Line
@@ -77,7 +78,7 @@ class Layer:
     @cached_property
     def area(self) -> float:
         """mm2."""
-        return abs(self.outline.area) - sum(abs(hole.area) for hole in self.holes)
+        return abs(self.outline.area) - float(np.abs(areas(self.holes)).sum())
 
     @property
     def mass(self) -> float:

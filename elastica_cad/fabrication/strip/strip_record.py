@@ -360,7 +360,9 @@ class Strip:
         """The strip with all that changes its stiffness, to be held: see `held`."""
         from elastica_cad.fabrication.strip.strip_as_made import StripAsMade
 
-        whole = None if self.slots else self.layers
+        def whole() -> tuple[Layer, ...]:
+            return cut_layers(self.layout, self.ends, (), name="strip") if self.slots else self.layers
+
         return StripAsMade.of(self.rod, self.layout, self.ends, self.slots, self.plates, whole)
 
     def held(self, start: TabSeat | None = None, end: TabSeat | None = None) -> "HeldShape":

@@ -116,13 +116,16 @@ class _Sheet:
         return [f"A{radius} {radius} 0 0 {flag} {self._points(end)}" for end in ends]
 
     def _bezier(self, spline: Spline) -> list[str]:
-        letter = {2: "Q", 3: "C"}[spline.curve.degree]
-        pieces = [points[:, :2] / points[:, 2:] for _, _, points in spline.curve.bezier_pieces()]
-        return [letter + self._points(*points[1:]) for points in pieces]
+        curve = spline.curve
+        letter = {2: "Q", 3: "C"}[curve.degree]
+        if curve.knots.size == 2 * curve.degree + 2:  # clamped and of one piece, as sides of holes are
+            return [letter + self._points(curve.control_points[1:])]
+        pieces = [points[1:, :2] / points[1:, 2:] for _, _, points in curve.bezier_pieces()]
+        return [letter + self._points(points) for points in pieces]
 
-    def _points(self, *points: FloatArray) -> str:
-        placed = [(np.asarray(p) - self.origin) * (1, -1) for p in points]
-        return " ".join(f"{_number(x)},{_number(y)}" for x, y in placed)
+    def _points(self, points: FloatArray) -> str:
+        placed = (points.reshape(-1, 2) - self.origin) * (1, -1)
+        return " ".join([f"{_number(x)},{_number(y)}" for x, y in placed.tolist()])
 
 
 def _number(value: float) -> str:

@@ -79,6 +79,31 @@ def total_length(paths: Sequence[Path]) -> float:
     return total + sum(float(table.lengths.sum()) for _, table in _tables([spline.curve for spline in plain]))
 
 
+def areas(paths: Sequence[Path]) -> FloatArray:
+    """The signed areas (n,) of closed paths, mm2: see `Path.area`.
+
+    Examples
+    --------
+    >>> areas([Path.rectangle(4.0, 3.0), Path.rectangle(1.0, 1.0).reversed()]).tolist()
+    [12.0, -1.0]
+    """
+    splines = [spline for spline in _splines(paths) if not spline.curve.is_rational]
+    if len(splines) < FEW:
+        return np.array([path.area for path in paths], dtype=float)
+    total, owner = np.zeros(len(paths)), []
+    for k, path in enumerate(paths):
+        for segment in path.segments:
+            if isinstance(segment, Spline) and not segment.curve.is_rational:
+                owner.append(k)
+            else:
+                total[k] += segment.swept_area(path.start)
+    starts = np.array([path.start for path in paths])
+    for rows, table in _tables([spline.curve for spline in splines]):
+        of_path = np.array(owner)[rows]
+        np.add.at(total, of_path, table.swept_areas(starts[of_path]))
+    return total
+
+
 def polylines(paths: Sequence[Path], tolerance: float) -> list[FloatArray]:
     """The points (n, 2) of each path whose polyline stays within `tolerance` mm of it: see `Path.points`.
 

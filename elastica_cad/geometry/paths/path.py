@@ -144,6 +144,11 @@ class Path:
         """[[x_min, y_min], [x_max, y_max]], mm, exact."""
         ends = np.array([point for segment in self.segments for point in (segment.start, segment.end)])
         low, high = ends.min(axis=0), ends.max(axis=0)
+        hulls = [s.curve.control_points for s in self.segments if isinstance(s, Spline)]
+        if len(hulls) == len(self.segments):  # of splines alone, as most holes: asked all together
+            points = np.concatenate(hulls)
+            if np.all(points >= low) and np.all(points <= high):
+                return np.array([low, high])
         for segment in self.segments:
             if isinstance(segment, Line):
                 continue

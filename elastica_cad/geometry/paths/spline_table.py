@@ -105,6 +105,7 @@ class SplineTable:
     def swept_areas(self, origin: FloatArray) -> FloatArray:
         """Signed areas (n,) swept by the rays from `origin` to curves without weights, mm2, to rounding error.
 
+        `origin` is one place (2,), or that of each curve (n, 2).
         x y' - y x' is of degree 2 p - 1 at most, so p nodes of Gauss a span are exact.
         """
         x, weight = gauss_rule(self.degree)
@@ -114,6 +115,7 @@ class SplineTable:
         u = (start[:, None] - first[:, None] + half[:, None] * (1 + x)) / size[:, None]
         which = np.repeat(row, x.size)
         point, velocity = self.motion(which, u.ravel())
+        origin = origin[which] if origin.ndim > 1 else origin
         shares = ((half / size)[:, None] * weight).ravel() * swept(point - origin, velocity)
         return np.asarray(0.5 * np.bincount(which, shares, minlength=len(self.curves)), dtype=float)
 

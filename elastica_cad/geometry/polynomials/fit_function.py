@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from elastica_cad._compiled_scipy import lapack
-from elastica_cad._types import FloatArray, IntArray
+from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.polynomials.bezier_pieces import Spans, bezier_spans
 from elastica_cad.geometry.polynomials.gauss_rule import gauss_rule
@@ -87,6 +87,30 @@ def adaptive_spline(
         bad = _with_wide_neighbours(bad, np.diff(edges))
         parts = _parts(error[bad] / accepted, degree)
         edges, samples = _refined(function, edges, samples, bad, parts=parts, places=places)
+
+
+def fit_spans(
+    function: Callable[[FloatArray], FloatArray],
+    low: FloatArray,
+    high: FloatArray,
+    *,
+    degree: int,
+    tolerance: float,
+    rounding: float = 1e-13,
+) -> tuple[FloatArray, BoolArray]:
+    """Coefficients (p, degree + 1, q) of one polynomial on each domain from low to high (p,), at one go.
+
+    They are those of `adaptive_spline` where it takes no knots inside: there the second array (p,) is true.
+    """
+    sites, weight = gauss_rule(degree + 3)
+    places = np.concatenate([(1 + sites) / 2, _PROBES])
+    samples = _sampled(function, low, high, places)
+    basis = bezier_spans(np.repeat([0.0, 1.0], degree + 1), degree).bernstein(places)
+    inner, probing = basis[: sites.size], basis[sites.size :]
+    weighted = (weight[:, None] * inner).T
+    coefficients = np.linalg.solve(weighted @ inner, weighted) @ samples[:, : sites.size]
+    error = np.abs(probing @ coefficients - samples[:, sites.size :]).max(axis=(1, 2))
+    return coefficients, error <= np.maximum(tolerance, rounding * np.abs(samples).max(axis=(1, 2)))
 
 
 def _break_orders(breaks: Sequence[tuple[float, int]], domain: tuple[float, float]) -> dict[float, int]:

@@ -12,6 +12,7 @@ from elastica_cad.fabrication.drawings.corner_rounding import round_corners
 from elastica_cad.fabrication.drawings.kerf import compensate_kerf
 from elastica_cad.fabrication.drawings.lettering import text_strokes
 from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.strip.as_built import material_width
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.tabs import Hole
 from elastica_cad.mechanics.material.plain_section import PerforatedSection
@@ -62,6 +63,24 @@ def test_ligaments_sum_up_to_the_stiffness(rod, style):
     assert np.abs(relative - 1).max() < 0.03
     assert strip.layers[0].material(s) == pytest.approx(ligament_sum(strip, s), abs=1e-3)
     assert not strip.layout.warnings
+
+
+@pytest.mark.parametrize(
+    "ends",
+    [
+        (ec.Tab(8.0), ec.Tab(8.0)),
+        (ec.Tab(8.0, width=9.0), ec.Tab(0.0)),
+        (ec.Tab(9.0, holes=(Hole(4.0, 3.0),)), ec.Tab(5.0)),
+    ],
+)
+def test_what_sharp_holes_leave_is_reckoned_as_their_loops_leave_it(rod, ends):
+    knots = np.concatenate([np.repeat(at * rod.length, 4) for at in (0.0, 0.4, 1.0)])
+    for width in (wavy, ec.Profile(knots, np.repeat([30.0, 36.0], 4))):
+        strip = ec.Strip(rod, CARD, style=Perforated(width=width, columns=3, rows=8), ends=ends)
+        (layer,), s = strip.layers, (np.arange(STATIONS) + 0.5) * rod.length / STATIONS
+        left = material_width(layer.outline, (), s) - strip.layout.pattern.width_cut(strip.ends, s)
+        assert left == pytest.approx(layer.material(s), abs=1e-9)
+        assert left == pytest.approx(ligament_sum(strip, s), abs=1e-3)
 
 
 def test_sharp_holes_leave_the_exact_sum_even_at_the_tips(rod):

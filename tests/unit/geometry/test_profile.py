@@ -5,6 +5,7 @@ from scipy.interpolate import BSpline
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.geometry.polynomials.fit_function import adaptive_spline, fit_spans
 
 pytestmark = pytest.mark.core
 
@@ -221,3 +222,17 @@ def test_where_a_function_is_not_finite_is_told():
     with np.errstate(invalid="ignore"), pytest.raises(InputError, match="not finite at") as told:
         Profile.fit(lambda s: np.sqrt(299.9 - s), 300.0)
     assert float(str(told.value).split()[-1]) > 299.9
+
+
+def test_polynomials_side_by_side_are_those_of_adaptive_splines():
+    def both(s):
+        return np.column_stack([bump(s), np.cos(s / 9)])
+
+    edges = np.linspace(0.0, 300.0, 31)
+    found, enough = fit_spans(both, edges[:-1], edges[1:], degree=3, tolerance=2e-4)
+    for k, pieces in enumerate(found):
+        knots, coefficients = adaptive_spline(both, (edges[k], edges[k + 1]), degree=3, tolerance=2e-4)
+        assert enough[k] == (knots.size == 8)
+        if enough[k]:
+            assert pieces == pytest.approx(coefficients, abs=1e-12)
+    assert 0 < enough.sum() < len(found)

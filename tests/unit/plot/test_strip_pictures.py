@@ -5,6 +5,7 @@ from itertools import combinations
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from elastica_cad import plot
 from elastica_cad.errors import InputError
@@ -97,14 +98,19 @@ def test_png_is_written_whole_and_the_same(tmp_path):
         plot.save_figure(plot.strip(made("arch")), tmp_path / "c.png", resolution=0)
 
 
+@pytest.mark.parametrize("page", ["white", "#33669980"])
 @pytest.mark.parametrize("draw", [plot.strip_sheet, lambda strip: plot.drawing(strip.drawing())])
-def test_a_png_is_what_savefig_writes(draw, tmp_path):
+def test_a_png_shows_what_savefig_shows(draw, page, tmp_path):
     """Laid out and drawn at one go; the figure stays as it was, for whoever draws on."""
     figure, same = draw(made("S")), draw(made("S"))
+    for one in (figure, same):
+        one.set_facecolor(page)
     canvas, resolution = figure.canvas, figure.dpi
     plot.save_figure(figure, tmp_path / "ours.png", resolution=120)
     same.savefig(tmp_path / "theirs.png", dpi=120, metadata={"Software": None})
-    assert (tmp_path / "ours.png").read_bytes() == (tmp_path / "theirs.png").read_bytes()
+    ours, theirs = (Image.open(tmp_path / name) for name in ("ours.png", "theirs.png"))
+    assert ours.convert("RGBA").tobytes() == theirs.tobytes()
+    assert ours.info["dpi"] == theirs.info["dpi"]
     assert (figure.canvas, figure.dpi) == (canvas, resolution)
 
 
