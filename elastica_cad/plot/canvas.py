@@ -17,6 +17,9 @@ WIDTH_INCHES = 9.0
 NOTEBOOK_DPI = 90.0
 """A page as wide as a notebook's column."""
 
+COMPRESSION = 3
+"""Of PNG files: beyond, they take half as long again to write and are a twentieth smaller."""
+
 INK = "#1f2430"
 
 
@@ -36,13 +39,19 @@ def save_figure(
 
 
 def _png(figure: Figure, resolution: float) -> bytes:
-    """What `savefig` writes: it would go through the whole figure once more, to lay it out before it is drawn."""
+    """What `savefig` shows: it would go through the whole figure once more, to lay it out before it is drawn."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from PIL import Image
 
     stream, canvas, before = BytesIO(), figure.canvas, figure.dpi
     figure.dpi = resolution
     try:
-        FigureCanvasAgg(figure).print_png(stream, metadata={"Software": None})
+        drawn = FigureCanvasAgg(figure)
+        drawn.draw()
+        page = Image.fromarray(np.asarray(drawn.buffer_rgba()))
+        if page.getextrema()[-1] == (255, 255):  # opaque all over
+            page = page.convert("RGB")
+        page.save(stream, format="png", dpi=(resolution, resolution), compress_level=COMPRESSION)
     finally:
         figure.dpi = before
         figure.set_canvas(canvas)
