@@ -202,9 +202,9 @@ def _by_active_sets(program: QuadraticProgram, start: _Binding | None) -> Quadra
     for guess in range(_MOST_GUESSES if start is None else _MOST_GUESSES_NEAR):
         free = ~(bound.low | bound.high)
         x, y = np.where(bound.low, lower, np.where(bound.high, upper, 0.0)), bound.broken * price
-        inner, count = A[np.ix_(bound.met, free)], int(free.sum())
+        inner, count = A[bound.met][:, free], int(free.sum())
         system = np.zeros((count + inner.shape[0],) * 2)
-        system[:count, :count] = H[np.ix_(free, free)]
+        system[:count, :count] = H[free][:, free]
         system[count:, :count] = inner
         right = np.concatenate([-(g + H @ x - y @ A)[free], (r - A @ x)[bound.met]])
         if not right.size:

@@ -29,4 +29,5 @@ def test_distances_are_those_of_the_nearest_point(curve, reach):
 def test_points_of_a_curve_lie_on_it():
     assert distances(Spline(WAVE), WAVE.sample(500).position).max() < 1e-12
     assert distances(Spline(WAVE), np.zeros((0, 2))).shape == (0,)
-    assert largest_deviation(WAVE, WAVE.transformed(np.eye(3))) < 1e-12
+    assert largest_deviation(WAVE, WAVE.reversed()) < 1e-12
+    assert largest_deviation(WAVE, WAVE.transformed(np.eye(3))) == 0.0
