@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
-from elastica_cad.geometry.near_pairs import near_pairs
+from elastica_cad.fabrication.makeability.near_pairs import near_pairs
 from elastica_cad.geometry.paths.many_segments import areas, polylines
 from elastica_cad.geometry.paths.path import Path
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.makeability.near_pairs import near_pairs
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.makeability.thin_places import find_thin_places
 from elastica_cad.fabrication.makeability.uncuttable_parts import (
@@ -114,3 +115,14 @@ def test_a_sheet_has_limits_of_its_own():
 def test_limits_that_make_no_sense(limits):
     with pytest.raises(InputError):
         Shop(**limits)
+
+
+@pytest.mark.parametrize(("count", "reach"), [(1, 1.0), (2, 9.0), (400, 0.05), (300, 0.7), (400, 1e-6)])
+def test_near_pairs_are_all_that_are_near(count, reach):
+    rng = np.random.default_rng(count)
+    points = rng.uniform(-2.0, 1.0, (count, 2)) * (1.0, 0.3)
+    points[: count // 4] = points[count // 4 : 2 * (count // 4)]  # some lie on each other
+    i, j = np.triu_indices(count, 1)
+    near = np.hypot(*(points[i] - points[j]).T) <= reach
+    found = near_pairs(points, reach)
+    assert sorted(map(tuple, found.T.tolist())) == list(zip(i[near].tolist(), j[near].tolist(), strict=True))

@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.near_pairs import near_pairs
 from elastica_cad.geometry.paths.many_segments import areas, points_of, polylines, total_length
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Line, Spline
@@ -63,14 +62,3 @@ def test_areas_are_those_of_each_path(paths):
     assert len(closed) > 16
     assert areas(closed) == pytest.approx(alone, rel=1e-12)
     assert areas(closed[:1]).tolist() == [closed[0].area]
-
-
-@pytest.mark.parametrize(("count", "reach"), [(1, 1.0), (2, 9.0), (400, 0.05), (300, 0.7), (400, 1e-6)])
-def test_near_pairs_are_all_that_are_near(count, reach):
-    rng = np.random.default_rng(count)
-    points = rng.uniform(-2.0, 1.0, (count, 2)) * (1.0, 0.3)
-    points[: count // 4] = points[count // 4 : 2 * (count // 4)]  # some lie on each other
-    i, j = np.triu_indices(count, 1)
-    near = np.hypot(*(points[i] - points[j]).T) <= reach
-    found = near_pairs(points, reach)
-    assert sorted(map(tuple, found.T.tolist())) == list(zip(i[near].tolist(), j[near].tolist(), strict=True))
