@@ -180,6 +180,13 @@ def test_broken_meshes_are_reported_and_cut(document):
         chosen_bodies([document.addObject("Mesh::Feature", "Empty")])
 
 
+def test_a_mesh_with_a_place_that_is_none(document):
+    spoiled = document.addObject("Mesh::Feature", "Spoiled")
+    spoiled.Mesh = Mesh.Mesh([(0.0, 0.0, 0.0), (90.0, 0.0, 0.0), (0.0, 90.0, float("nan"))])
+    with pytest.raises(InputError, match=r"a coordinate is nan mm.*export it anew"):
+        curves.section(document, [spoiled])
+
+
 def test_planes_that_miss_and_a_stop(document, shell, ball):
     sections = cut(shell, Family("about an axis", 4, "Z", through=(500, 0, 0)))
     curves, remarks = curves_of(sections)

@@ -2947,6 +2947,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>a curve is %1 mm large; %2 to %3 mm are read: check the unit (--unit), or leave it out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a coordinate is %1 mm; they must be finite and at most %2 mm: check the unit, or export it anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>%1 is no strip: a model is made of strips</source>
         <translation type="unfinished"></translation>
     </message>

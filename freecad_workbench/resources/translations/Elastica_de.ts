@@ -2959,6 +2959,14 @@
         <translation>%1 ist skaliert, und ein Streifen anderer Größe biegt sich anders: Scale auf 1 setzen</translation>
     </message>
     <message>
+        <source>a curve is %1 mm large; %2 to %3 mm are read: check the unit (--unit), or leave it out</source>
+        <translation>eine Kurve ist %1 mm groß; %2 bis %3 mm werden gelesen: die Einheit prüfen oder sie weglassen</translation>
+    </message>
+    <message>
+        <source>a coordinate is %1 mm; they must be finite and at most %2 mm: check the unit, or export it anew</source>
+        <translation>eine Koordinate ist %1 mm; sie müssen endlich und höchstens %2 mm sein: die Einheit prüfen oder neu exportieren</translation>
+    </message>
+    <message>
         <source>%1 is no strip: a model is made of strips</source>
         <translation>%1 ist kein Streifen: ein Modell besteht aus Streifen</translation>
     </message>

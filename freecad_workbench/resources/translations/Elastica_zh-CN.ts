@@ -2959,6 +2959,14 @@
         <translation>%1 已缩放，而尺寸不同的条带弯曲方式不同：将其 Scale 设为 1</translation>
     </message>
     <message>
+        <source>a curve is %1 mm large; %2 to %3 mm are read: check the unit (--unit), or leave it out</source>
+        <translation>曲线尺寸为 %1 mm；可读取 %2 到 %3 mm：请检查单位，或将其去掉</translation>
+    </message>
+    <message>
+        <source>a coordinate is %1 mm; they must be finite and at most %2 mm: check the unit, or export it anew</source>
+        <translation>某个坐标为 %1 mm；坐标必须有限且不超过 %2 mm：请检查单位，或重新导出</translation>
+    </message>
+    <message>
         <source>%1 is no strip: a model is made of strips</source>
         <translation>%1 不是条带：模型由条带组成</translation>
     </message>

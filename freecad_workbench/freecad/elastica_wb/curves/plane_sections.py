@@ -19,6 +19,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.chains import join_runs
 from elastica_cad.formats.curve_files.edges import Edge
+from elastica_cad.formats.curve_files.number_gate import check_places
 from elastica_cad.forming.plane_sections.cutting_planes import parallel_planes, planes_along, radial_planes
 from elastica_cad.forming.plane_sections.mesh_sections import mesh_sections
 from elastica_cad.forming.plane_sections.section_curves import SectionCurve, section_curves
@@ -242,7 +243,7 @@ def _state(source: Any) -> tuple[float, ...]:
 def _arrays(document: str, name: str, *_state: float) -> tuple[FloatArray, Any]:
     """Vertices and triangles as arrays: FreeCAD gives them one by one, which takes a second for a million."""
     points, faces = App.getDocument(document).getObject(name).Mesh.Topology
-    vertices = np.array([tuple(p) for p in points]).reshape(-1, 3)
+    vertices = check_places(np.array([tuple(p) for p in points]).reshape(-1, 3))
     return vertices, np.array(faces, dtype=int).reshape(-1, 3)
 
 
