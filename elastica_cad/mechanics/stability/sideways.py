@@ -27,7 +27,8 @@ MOST_RIBBON_NUMBER = 80.0
 RIBBON_SLENDERNESS = 6.0
 """Length over width below which a strip is a plate."""
 
-_SIGN_SHARE = 1e-9  # of the stiffest entry: a margin smaller than that times it is rounding
+_POLE_SHARE = 64 * float(np.finfo(float).eps)  # of the stiffest entry: error of an eigenvalue
+_SIGN_SHARE = 1e-9  # of the way between the two lowest: a margin nearer to one of them is that one
 
 
 @dataclass(frozen=True)
@@ -299,8 +300,10 @@ def _lowest(lower: FloatArray, row: FloatArray | None) -> float:
         return float(row @ solved)
 
     gap = second - first
-    low, high = first + _SIGN_SHARE * gap, second - _SIGN_SHARE * gap
-    if gap <= 0 or along(low) >= 0:  # the lowest mode keeps the row already
+    # clear of both poles, which are known to rounding of the stiffest entry
+    clear = max(_SIGN_SHARE * gap, _POLE_SHARE * float(np.abs(lower).max()))
+    low, high = first + clear, second - clear
+    if low >= high or along(low) >= 0:  # the lowest mode keeps the row already
         return first
     if along(high) <= 0:
         return second

@@ -1,16 +1,18 @@
 """Moment rows under the conditions that inflections and supports make, and the best stiffness they leave."""
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import NoReturn
 
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
+from elastica_cad.errors import NotConvergedError
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.stiffness.moment_rows import MomentRows
-from elastica_cad.mechanics.stiffness.quadrature_panels import PanelFunction, Panels
+from elastica_cad.mechanics.stiffness.quadrature_panels import PanelFunction, Panels, legendre_basis
 from elastica_cad.mechanics.stiffness.stiffness_family import (
     StiffnessFamily,
     find_violations,
@@ -30,6 +32,9 @@ WIDEST_RATIO = 1e10
 
 RANK_SHARE = 1e-7
 """Conditions that depend on each other to this accuracy count as dependent."""
+
+
+_ENDS = legendre_basis(np.array([-1.0, 1.0]))
 
 
 @dataclass(frozen=True, eq=False)
@@ -142,15 +147,26 @@ class ConditionedRows:
         return None if self.nodes is None else self.panels.locate(self.nodes)
 
     def steadied(self, state: FloatArray) -> FloatArray:
-        """A constant moment instead of `state` where that is as good: on arcs the program has many optima."""
+        """Of many optima one that no turn of the drawing changes.
+
+        On arcs a constant moment; the smoothest stiffness where a step of the curvature alone decides the ratio.
+        """
         if self.check.zeros:
             return state
         table = PanelFunction.through(self.rows.stiffness)
         rows = table.dense if self.places is None else table.at(*self.places)
         K, steady = rows @ state, np.abs(rows[:, 0])
-        if steady.max() * K.min() > (1 + NO_GAIN_SHARE) * K.max() * steady.min():
+        if steady.max() * K.min() <= (1 + NO_GAIN_SHARE) * K.max() * steady.min():
+            return np.array([np.sign(rows[0, 0]), 0.0, 0.0])
+        beside = table.combined(state).in_every_panel(_ENDS)
+        after, before = beside[1:, 0], beside[:-1, 1]
+        steps = np.maximum(after / before, before / after)
+        if self.places is not None or not steps.size or steps.max() < (1 - NO_GAIN_SHARE) * K.max() / K.min():
             return state
-        return np.array([np.sign(rows[0, 0]), 0.0, 0.0])
+        numbers = self.homogeneous(3)
+        with suppress(NotConvergedError):  # any optimum will do
+            return numbers.basis @ smoothest(numbers.family, float(steps.max()) * (1 + NO_GAIN_SHARE))
+        return state
 
     def least(self, numbers: StateFamily, *, smooth: bool = True) -> FloatArray:
         """The state (m,) at the curve's end of the least ratio, smoothed where inflections leave a choice."""

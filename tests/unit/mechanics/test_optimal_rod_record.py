@@ -364,3 +364,16 @@ def test_where_the_moment_acts_against_the_curvature_is_told(peak, end):
     given = [float(number) for number in re.findall(r"\d+\.?\d*", stretches)]
     assert given == pytest.approx(edges.tolist(), abs=0.5)
     assert "-" not in stretches
+
+
+def test_a_turned_drawing_gives_the_same_strip_where_a_step_of_the_curvature_decides():
+    """The step alone makes a ratio of 5, whatever the moment: of these strips one is taken, however it is drawn."""
+    knots, weights = [0, 0, 0, 0.5, 1, 1, 1], [1.149, 0.2406, 0.5931, 0.2995]
+    points = np.array([(151.461, 25.412), (172.261, 80.962), (66.593, 57.153), (3.727, 4.13)])
+    rods = []
+    for turn in np.linspace(0.0, 6.0, 7):
+        c, s = np.cos(turn), np.sin(turn)
+        rods.append(optimal_rod(PlaneCurve(knots, points @ [[c, s], [-s, c]], 2, weights)))
+    assert rods[0].shape.breaks[0].continuity == 1
+    for rod in rods[1:]:
+        assert rod.stiffness == pytest.approx(rods[0].stiffness, rel=1e-6)
