@@ -16,6 +16,9 @@ from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 LARGEST_SMOOTH = 1000.0
 """mm."""
 
+LITTLE_BEND_SHARE = 0.05
+"""Of the largest curvature."""
+
 SEEN = 1e-3
 """Moves of more than so many mm are told."""
 
@@ -117,7 +120,7 @@ def smooth_curve(
         pen tool whose curvature jumps is moved (see `choose_tolerance`), and only where it can be bent afterwards
         if it could before.
     supports : Supports, optional
-        What holds the ends.
+        What holds the ends. Those that are free to turn and drawn with little bend come out unbent.
 
     Raises
     ------
@@ -132,13 +135,14 @@ def smooth_curve(
     (0.0, 1.63)
     """
     smooth = check_smooth(smooth)
+    unbent = _unbent_ends(curve, supports)
     if smooth is not None:
-        return _with(curve, _faired(curve, smooth) if smooth > 0 else None, supports)
+        return _with(curve, _faired(curve, smooth, unbent) if smooth > 0 else None, supports)
     tolerance = choose_tolerance(curve)
     if tolerance == 0:
         return _with(curve, None, supports)
     try:
-        fairing: Fairing | None = fair_curve(curve, tolerance)
+        fairing: Fairing | None = fair_curve(curve, tolerance, unbent)
     except InputError:
         return _with(curve, None, supports)
     if fairing and _can_be_bent(curve, supports) and not _can_be_bent(fairing.curve, supports):
@@ -146,11 +150,21 @@ def smooth_curve(
     return _with(curve, fairing, supports)
 
 
-def _faired(curve: PlaneCurve, smooth: float) -> Fairing:
+def _unbent_ends(curve: PlaneCurve, supports: Supports | None) -> tuple[bool, bool]:
+    """Which ends are free to turn and drawn with little bend: no strip is bent there, so they mean none."""
+    if supports is None or all(end.angle for end in supports.ends):
+        return False, False
+    bent = np.abs(curve.curvature_at(np.array(curve.domain)))
+    little = bent <= LITTLE_BEND_SHARE * np.abs(curve.survey.curvature).max()
+    start, end = (bool(few and not one.angle) for few, one in zip(little, supports.ends, strict=True))
+    return start, end
+
+
+def _faired(curve: PlaneCurve, smooth: float, unbent: tuple[bool, bool]) -> Fairing:
     """Fair within so many mm, slight corners rounded."""
     rounded, moved = round_corners(curve, smooth)
     require_bendable(rounded)
-    fairing = fair_curve(rounded, smooth - moved)
+    fairing = fair_curve(rounded, smooth - moved, unbent)
     return replace(fairing, moved=fairing.moved + moved, tolerance=smooth)
 
 

@@ -7,12 +7,22 @@ from elastica_cad.files import read_drawing
 from elastica_cad.forming.fairing_request import smooth_curve
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 from tests.validation.test_every_number_of_decimals import smooth_path, written
 
 pytest.importorskip("svgelements")
+
+PINNED = Supports("pinned", "pinned")
+
+
+def bent_between_pins(rng):
+    """A strip of varying stiffness between two ends that turn freely."""
+    length = rng.uniform(120, 900)
+    stiffness = Profile.interpolate(np.linspace(0, length, 6), np.exp(rng.uniform(-0.4, 0.4, 6)))
+    return bend(Rod.straight(length, stiffness, supports=PINNED), end=(rng.uniform(0.45, 0.97) * length, 0.0))
 
 
 def bent_strip(rng):
@@ -47,3 +57,28 @@ def test_bent_strips_drawn_again_are_strips(tmp_path, pieces, decimals):
         again = optimal_rod(curve)
         assert again.length == pytest.approx(rod.length, rel=0.02)
         assert again.residual < 1e-8
+
+
+@pytest.mark.parametrize(("pieces", "decimals", "refused"), [(5, 3, 5), (8, 3, 1), (12, 2, 0), (16, 3, 0)])
+def test_strips_between_pins_drawn_again_are_strips(tmp_path, pieces, decimals, refused):
+    """A pen leaves some bend in their ends, and evening out the curvature would leave more."""
+    rng = np.random.default_rng(5)
+    rods = [bent_between_pins(rng) for _ in range(30)]
+    path = tmp_path / "drawn.svg"
+    written(
+        path,
+        decimals,
+        "mm",
+        relative=False,
+        curves={str(k): as_cubics(rod, pieces) for k, rod in enumerate(rods)},
+    )
+    found = []
+    for rod, one in zip(rods, read_drawing(path), strict=True):
+        smoothing = smooth_curve(one.curve, supports=PINNED)
+        assert smoothing.moved <= 0.1
+        if check_equilibrium(smoothing.curve, PINNED).realizable:
+            again = optimal_rod(smoothing.curve, supports=PINNED)
+            assert again.residual < 1e-8
+            found.append(again.ratio / (rod.stiffness.max() / rod.stiffness.min()))
+    assert len(found) >= len(rods) - refused
+    assert np.median(found) == pytest.approx(1.0, abs=0.1)

@@ -168,7 +168,7 @@ class CurvatureAt:
     """The curvature at given parameters `t` (k,) is `curvature`, 1/mm; `size`, mm, makes a length of it."""
 
     t: FloatArray
-    curvature: float
+    curvature: float | FloatArray
     size: float
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:

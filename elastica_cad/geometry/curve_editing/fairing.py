@@ -4,9 +4,9 @@ The fair curve c is the spline of degree 4 with simple knots that minimises
 
     integral of (n . (c - drawn))^2 ds + l^6 integral of (d kappa / ds)^2 ds,
 
-its ends and end tangents as drawn, with the largest length l for which it stays within the tolerance; of a closed
-curve it is periodic. The slope of the curvature is linearised about the curve of the round before; all systems are
-banded, that of a closed curve in a circle.
+its ends and end tangents as drawn (and ends without curvature where that is asked for), with the largest length l
+for which it stays within the tolerance; of a closed curve it is periodic. The slope of the curvature is linearised
+about the curve of the round before; all systems are banded, that of a closed curve in a circle.
 """
 
 from dataclasses import dataclass
@@ -84,10 +84,15 @@ def usual_tolerance(curve: PlaneCurve) -> float:
     return min(USUAL, USUAL_SHARE * curve.length)
 
 
-def fair_curve(curve: PlaneCurve, tolerance: float) -> Fairing:
+def fair_curve(curve: PlaneCurve, tolerance: float, unbent: tuple[bool, bool] = (False, False)) -> Fairing:
     """The curve with its curvature evened out as far as `tolerance` (mm) allows, ends and end tangents kept.
 
     A closed curve is as fair where it closes as elsewhere, and nothing of it is kept.
+
+    Parameters
+    ----------
+    unbent : (bool, bool)
+        Is the curvature to vanish at the start, at the end?
 
     Raises
     ------
@@ -113,7 +118,7 @@ def fair_curve(curve: PlaneCurve, tolerance: float) -> Fairing:
     spans = int(np.clip(4 * len(curve.breaks), _FEWEST, _MOST // 4))
     best: Fairing | None = None
     while spans <= _MOST:
-        found, length = _fitted(curve, tolerance, spans)
+        found, length = _fitted(curve, tolerance, spans, unbent)
         if found is not None:
             if best is None or found.moved <= tolerance:
                 best = found
@@ -128,9 +133,11 @@ def fair_curve(curve: PlaneCurve, tolerance: float) -> Fairing:
     return best
 
 
-def _fitted(curve: PlaneCurve, tolerance: float, spans: int) -> tuple[Fairing | None, float]:
+def _fitted(
+    curve: PlaneCurve, tolerance: float, spans: int, unbent: tuple[bool, bool]
+) -> tuple[Fairing | None, float]:
     """The fairest spline of so many spans within the tolerance, if any, and its length of evening out."""
-    problem = (_PeriodicProblem if curve.is_closed else _Problem)(curve, spans)
+    problem = (_PeriodicProblem if curve.is_closed else _Problem)(curve, spans, unbent)
     points = problem.start()
     within: FloatArray | None = None
     reached = 0.0
@@ -161,7 +168,7 @@ def _fitted(curve: PlaneCurve, tolerance: float, spans: int) -> tuple[Fairing | 
 class _Problem:
     """Rows and targets of the least squares problem for one number of spans, over interleaved x and y."""
 
-    def __init__(self, curve: PlaneCurve, spans: int) -> None:
+    def __init__(self, curve: PlaneCurve, spans: int, unbent: tuple[bool, bool]) -> None:
         length = curve.length
         edges = np.linspace(0.0, length, spans + 1)
         self.width = length / spans
@@ -178,7 +185,7 @@ class _Problem:
         first = np.repeat(self.spans.first, _EACH)
         self.columns = 2 * first[:, None] + np.arange(2 * (DEGREE + 1))
         self.support = first[:, None] + np.arange(DEGREE + 1)
-        self.held = self._held_points(curve)
+        self.held, self.count_held = self._held_points(curve, unbent)
         normal, slide = self._rows(self.across, 0), self._rows(self.along, 0)
         bands, right = self._normal_equations(normal, (self.data * self.across).sum(axis=1))
         slide_bands, slide_right = self._normal_equations(slide, (self.data * self.along).sum(axis=1))
@@ -187,14 +194,19 @@ class _Problem:
     def _knots_of(self, edges: FloatArray) -> FloatArray:
         return np.concatenate([np.full(DEGREE, edges[0]), edges, np.full(DEGREE, edges[-1])])
 
-    def _held_points(self, curve: PlaneCurve) -> FloatArray:
-        """Control points that keep ends and end tangents; 0 for all that are sought."""
+    def _held_points(
+        self, curve: PlaneCurve, unbent: tuple[bool, bool]
+    ) -> tuple[FloatArray, tuple[int, int]]:
+        """Control points that keep ends and end tangents, 0 for all that are sought; how many at each end."""
         ends = curve.at(np.array([0.0, curve.length]))
         step = self.width / DEGREE * np.column_stack([np.cos(ends.angle), np.sin(ends.angle)])
         held = np.zeros((self.spans.count, 2))
-        held[[0, -1]] = ends.position
-        held[1], held[-2] = ends.position[0] + step[0], ends.position[1] - step[1]
-        return held
+        count = 3 if unbent[0] else 2, 3 if unbent[1] else 2
+        # a straight line of even speed has its control points there
+        reach = np.array([0.0, 1.0, 3.0])[:, None]
+        held[: count[0]] = (ends.position[0] + reach * step[0])[: count[0]]
+        held[-count[1] :] = (ends.position[1] - reach * step[1])[: count[1]][::-1]
+        return held, count
 
     def _rows(self, direction: FloatArray, derivative: int) -> FloatArray:
         """Rows (n, 10) that take control points to direction . c^(derivative) at the sites."""
@@ -248,11 +260,13 @@ class _Problem:
 
         bands = self.data_part[0] + weight * slope[0]
         right = self.data_part[1] + weight * slope[1] - _times(bands, self.held.ravel())
-        inner = bands[:, 4:-4].copy()
+        first, last = self.count_held
+        sought = slice(2 * first, right.size - 2 * last)
+        inner = bands[:, sought].copy()
         for below in range(1, len(inner)):
             inner[below, -below:] = 0.0
         points = self.held.copy().ravel()
-        points[4:-4] = solveh_banded(inner, right[4:-4], lower=True, check_finite=False)
+        points[sought] = solveh_banded(inner, right[sought], lower=True, check_finite=False)
         return points.reshape(-1, 2)
 
     def off(self, points: FloatArray) -> float:
@@ -267,8 +281,12 @@ class _PeriodicProblem(_Problem):
         beyond = self.width * np.arange(1, DEGREE + 1)
         return np.concatenate([edges[0] - beyond[::-1], edges, edges[-1] + beyond])
 
-    def _held_points(self, curve: PlaneCurve) -> FloatArray:  # noqa: ARG002
-        return np.zeros((self.spans.count, 2))
+    def _held_points(
+        self,
+        curve: PlaneCurve,  # noqa: ARG002
+        unbent: tuple[bool, bool],  # noqa: ARG002
+    ) -> tuple[FloatArray, tuple[int, int]]:
+        return np.zeros((self.spans.count, 2)), (0, 0)
 
     def solved(self, slope: tuple[FloatArray, FloatArray], weight: float) -> FloatArray:
         """Control points (m, 2) of least squares of distance and slope."""

@@ -2,11 +2,12 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import NoReturn
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
@@ -105,13 +106,17 @@ class WeightedPanels:
         panels = self.panels
         rows = moment_rows(panels, LineLoad(-np.asarray(self.gravity.direction), own, dead, points))
         if not np.all(np.isfinite(rows.stiffness)):
-            reason = (
-                "The weight is far too much for the stiffness (a gravity length of "
-                f"{self.gravity.length:.4g} mm on a curve of {self.check.length:.4g} mm): use a lighter or "
-                "stiffer sheet, or look at the units (200 gsm card: 96 mm)."
-            )
-            raise NotRealizable(replace(self.check, realizable=False, reasons=(reason,)))
+            self.refuse()
         return ConditionedRows(self.check, self.supports, panels, rows, self.nodes)
+
+    def refuse(self) -> NoReturn:
+        """Raise `NotRealizable`: the moment grows along the curve beyond what numbers can tell."""
+        reason = (
+            "The weight is far too much for the stiffness (a gravity length of "
+            f"{self.gravity.length:.4g} mm on a curve of {self.check.length:.4g} mm): use a lighter or "
+            "stiffer sheet, or look at the units (200 gsm card: 96 mm)."
+        )
+        raise NotRealizable(replace(self.check, realizable=False, reasons=(reason,)))
 
 
 def point_weights(panels: Panels, masses: Sequence[PointMass], supports: Supports) -> FloatArray:
@@ -142,11 +147,17 @@ def _least_compliance(load: WeightedPanels, weight: Weight) -> float:
     heavy = problem.ratio(numbers)
     if heavy is None:
         problem.refuse(numbers.family)
-    tau = float((numbers.basis @ heavy[0])[3])
     if light is None or heavy[1] < light[1] * (1 - NO_GAIN_SHARE):
-        return tau
-    rows, _ = numbers.family.dense
-    return largest_number(rows, numbers.basis[3], light[1] * (1 + SMOOTHING_SHARE))
+        tau = float((numbers.basis @ heavy[0])[3])
+    else:
+        rows, _ = numbers.family.dense
+        try:
+            tau = largest_number(rows, numbers.basis[3], light[1] * (1 + SMOOTHING_SHARE))
+        except NotConvergedError:
+            load.refuse()
+    if tau <= 0:  # rounding, of rows that grow beyond their digits
+        load.refuse()
+    return tau
 
 
 def _searched_compliance(load: WeightedPanels, weight: Weight) -> float:

@@ -27,10 +27,14 @@ from elastica_cad.mechanics.stiffness.optimal_balance import balance_with_weight
 from elastica_cad.mechanics.stiffness.quadrature_panels import values_at
 from elastica_cad.mechanics.stiffness.section_balance import balance_with_section
 from elastica_cad.mechanics.stiffness.stiffness_profile import stiffness_profile
-from elastica_cad.mechanics.theorem1.curvature_conditions import AT_END_SHARE, examine_curvature
+from elastica_cad.mechanics.theorem1.curvature_conditions import AT_END_SHARE
 from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
 from elastica_cad.mechanics.theorem1.inflection_line import InflectionLine
+from elastica_cad.mechanics.theorem1.unbent_ends import examine_unbent
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable, figure
+
+TOLD_MOVE_MM = 1e-3
+"""Nobody sees or cuts less."""
 
 _LAW_SAMPLES = 2001  # along the curve, where a law is asked for its moments
 
@@ -76,8 +80,9 @@ def optimal_rod(
         the rod carries the section's own weight and the masses of `weight`. Then the program is not linear and
         the ratio is a local optimum: see `balance_with_section`.
     tolerance : float
-        Inflections this near to one line, in lengths of the curve, are moved onto it; `Rod.moved` tells how
-        far the curve moved, and `Rod.shape` is the moved curve.
+        Inflections this near to one line, in lengths of the curve, are moved onto it, and ends that are free to
+        turn and bent by next to nothing are unbent; `Rod.moved` tells how far the curve moved, and `Rod.shape` is
+        the moved curve.
 
     Returns
     -------
@@ -111,7 +116,7 @@ def optimal_rod(
     if gravity is None:
         check = check_equilibrium(curve, supports, natural_curvature, tolerance=tolerance)
     else:
-        check = examine_curvature(curve, supports, natural_curvature)
+        check = examine_unbent(curve, supports, natural_curvature, tolerance)
     if gravity is not None and not check.any_stiffness:
         _require_load_at_free_end(check, supports, weight)
     if not check.realizable:
@@ -292,9 +297,12 @@ def _bent_rod(problem: _Problem, balance: BalancedStiffness) -> Rod:
     residual = float(np.abs(K * effective - moment).max() / size)
     warnings = list(check.warnings)
     if check.moved:
-        warnings.append(
-            f"The curve was moved by at most {check.moved:.3g} mm to bring its inflections onto one line."
+        to = (
+            "bring its inflections onto one line"
+            if problem.gravity is None
+            else "take the last bend out of its ends"
         )
+        warnings.append(f"The curve was moved by at most {check.moved:.3g} mm to {to}.")
     if problem.gravity is None and check.zeros and np.hypot(*b[0]) > 0:
         check = replace(check, line=_moment_line(moment[0], b[0], nodes.position[0]))
     weight = balance.weight

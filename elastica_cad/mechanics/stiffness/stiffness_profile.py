@@ -24,6 +24,12 @@ from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
 TOLERANCE = 1e-6
 """Error of the stiffness profile, relative to its largest value; its extremes are exact."""
 
+WORST_TOLERANCE = 0.01
+"""The same where rounding has spoilt the stiffness, as much weight and an inflection beside an end do."""
+
+NOISE_TIMES = 4
+"""The fit errs by this many times what rounding has made of the stiffness under much weight."""
+
 SAME_PLACE_SHARE = 1e-9
 """Of the length: a knot nearer to a zero of the curvature is there."""
 
@@ -79,7 +85,8 @@ def stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale
                 values[inside] = np.interp(s[inside], foot, K(foot))
         return values
 
-    tolerance = TOLERANCE * K.largest
+    noise = NOISE_TIMES * K.noise([*steps, *(s for s, _ in balance.kinks)])
+    tolerance = min(max(TOLERANCE * K.largest, noise), WORST_TOLERANCE * K.largest)
     knots = K.knots([s for s, _ in breaks], SPARE * tolerance)
     fitted = Profile.fit(stiffness, length, breaks=breaks, knots=knots, tolerance=tolerance)
     for i, foot in enumerate(feet):
@@ -109,6 +116,14 @@ class _AlongArc:
     def largest(self) -> float:
         """The largest of K, nearly."""
         return float(self.series.in_every_panel(_CELL_ENDS).max())
+
+    def noise(self, steps: Sequence[float]) -> float:
+        """Largest jump of K between panels, but for its steps: rounding that grows along under much weight."""
+        at_ends = self.series.in_every_panel(legendre_basis(np.array([-1.0, 1.0])))
+        jumps = np.abs(at_ends[1:, 0] - at_ends[:-1, 1])
+        inner = self.edges[1:-1]
+        is_step = np.isclose(inner[:, None], np.array(steps), rtol=0, atol=SAME_PLACE_SHARE * self.edges[-1])
+        return float(jumps[~is_step.any(axis=1)].max(initial=0.0))
 
     def knots(self, breaks: Sequence[float], tolerance: float) -> FloatArray:
         """Knots between the breaks with which a cubic spline errs by `tolerance` everywhere.

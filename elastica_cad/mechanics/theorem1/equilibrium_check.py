@@ -4,8 +4,8 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads.arguments import require_supports, require_tolerance
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
 from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.theorem1.curvature_conditions import examine_curvature
 from elastica_cad.mechanics.theorem1.line_conditions import check_line
+from elastica_cad.mechanics.theorem1.unbent_ends import examine_unbent
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
 
 
@@ -33,7 +33,7 @@ def check_equilibrium(
         kappa_0, 1/mm, or that of a blank bent beforehand.
     tolerance : float
         Inflections that lie this near to one line, in lengths of the curve, are moved onto it (`moved`,
-        `curve`).
+        `curve`); and so is the curve where an end that is free to turn is bent by next to nothing.
 
     Raises
     ------
@@ -53,7 +53,7 @@ def check_equilibrium(
     """
     require_tolerance(tolerance)
     supports = require_supports(supports)
-    check = examine_curvature(curve, supports, natural_curvature)
+    check = examine_unbent(curve, supports, natural_curvature, tolerance)
     if check.any_stiffness or not check.zeros:
         return check
     return check_line(check, supports, natural_curvature, tolerance)

@@ -1,7 +1,6 @@
 """Theorem 1 where it asks for a line: one that meets the curve in its inflections alone, or why there is none."""
 
 from collections.abc import Sequence
-from contextlib import suppress
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -16,6 +15,7 @@ from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature, Natural
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.theorem1.curvature_conditions import AT_END_SHARE, examine_curvature
 from elastica_cad.mechanics.theorem1.inflection_line import InflectionLine
+from elastica_cad.mechanics.theorem1.unbent_ends import ends_keep_bend, largest_move
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, count, figure, listed, places
 
 _SAME_PLACE_SHARE = 1e-6
@@ -28,7 +28,6 @@ realizable, and whether it is inside is then a question of rounding."""
 _TANGENT_RAD = 1e-6
 """Sine of the angle between line and curve below which they count as tangent."""
 
-UNBENT_SHARE = 1e-12  # of the largest curvature: an end with less is not bent
 _AT_ZERO_SHARE = 1e-4  # nearer to a zero of the curvature, in lengths, K is a quotient of two small numbers
 _TURNS = 67  # of a line about the only inflection, tried
 
@@ -75,23 +74,12 @@ def check_line(
         return _refused(check, reason)
     normal = None if force_x and force_y else np.array([1.0, 0.0] if force_y else [0.0, 1.0])
     if len(check.zeros) == 1 and normal is None:
-        return _with_one_zero(check, supports, natural_curvature)
+        return _with_one_zero(check, natural_curvature)
     return _with_line(check, normal, supports, natural_curvature, tolerance)
 
 
-def _with_one_zero(
-    check: EquilibriumCheck, supports: Supports, natural_curvature: NaturalCurvature
-) -> EquilibriumCheck:
+def _with_one_zero(check: EquilibriumCheck, natural_curvature: NaturalCurvature) -> EquilibriumCheck:
     """One zero, any direction: is there a line through it that meets the curve nowhere else?"""
-    if _end_keeps_bend(check, natural_curvature) and not isinstance(natural_curvature, RestCurvature):
-        # any line through the end will do
-        x, y = _positions(check)[0].tolist()
-        line = InflectionLine((x, y), (1.0, 0.0))
-        with suppress(NotConvergedError):
-            moved = _projected(check.curve, check.zeros, line, natural_curvature)
-            again = examine_curvature(moved, supports, natural_curvature)
-            if len(again.zeros) == 1:
-                check = replace(again, moved=_largest_move(check.curve, moved))
     zero = check.zeros[0]
     found = find_separating_line(check.curve, zero, zero.after or -zero.before)
     checked = replace(check, line=found.line, off_line=((zero.s, 0.0),))
@@ -121,20 +109,22 @@ def _with_line(
     largest = float(np.abs(distance).max())
     if largest > tolerance * check.length:
         return _refused(check, _off_line_reason(check, normal, tolerance * check.length))
-    if (largest > 1e-10 * check.length or _end_keeps_bend(check, natural_curvature)) and check.realizable:
+    if (largest > 1e-10 * check.length or ends_keep_bend(check, natural_curvature)) and check.realizable:
         # what moves inflections would open a closed curve
         if isinstance(natural_curvature, RestCurvature) or check.curve.is_closed:
             return _refused(check, _off_line_reason(check, normal, 0.0))
         try:
             moved = _projected(check.curve, check.zeros, line, natural_curvature)
             again = examine_curvature(moved, supports, natural_curvature)
-            if _end_keeps_bend(again, natural_curvature):
+            if ends_keep_bend(again, natural_curvature):
                 # an inflection came to lie at an end
                 moved = _projected(moved, again.zeros, line, natural_curvature)
                 again = examine_curvature(moved, supports, natural_curvature)
         except NotConvergedError:
             return _refused(check, _off_line_reason(check, normal, 0.0))
-        check = replace(again, line=line, off_line=off_line, moved=_largest_move(check.curve, moved))
+        check = replace(
+            again, line=line, off_line=off_line, moved=check.moved + largest_move(check.curve, moved)
+        )
     meetings = _line_meetings(check.curve, line, check.zeros)
     if not meetings:
         return _off_the_border(check, natural_curvature)
@@ -166,15 +156,6 @@ def _projected(
     from elastica_cad.mechanics.theorem1.project_inflections import project_inflections
 
     return project_inflections(curve, zeros, line, natural_curvature)
-
-
-def _end_keeps_bend(check: EquilibriumCheck, natural_curvature: NaturalCurvature) -> bool:
-    """Is an inflection at an end off it by more than rounding? The stiffness beside it would be noise."""
-    excess = ExcessCurvature(check.curve, natural_curvature)
-    ends = np.array([z.t for z in check.zeros if z.kind == "end"])
-    if not ends.size:
-        return False
-    return bool(np.abs(excess.at(ends)).max() > UNBENT_SHARE * np.abs(excess.survey).max())
 
 
 def _off_the_border(
@@ -311,12 +292,6 @@ def find_separating_line(curve: PlaneCurve, zero: CurvatureZero, curvature_sign:
 
 def _positions(check: EquilibriumCheck) -> FloatArray:
     return np.asarray(check.curve.evaluate(np.array([z.t for z in check.zeros])))
-
-
-def _largest_move(before: PlaneCurve, after: PlaneCurve) -> float:
-    """Largest distance of points of the same parameter, mm."""
-    t = np.linspace(*before.domain, 1001)
-    return float(np.hypot(*np.moveaxis(np.asarray(after.evaluate(t)) - before.evaluate(t), -1, 0)).max())
 
 
 def _kind_of(normal: FloatArray | None) -> str:

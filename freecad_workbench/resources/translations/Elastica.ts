@@ -2215,6 +2215,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The curve was moved by at most %1 mm to take the last bend out of its ends.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The weight is far too much for the stiffness (a gravity length of %1 mm on a curve of %2 mm): use a lighter or stiffer sheet, or look at the units (200 gsm card: 96 mm).</source>
         <translation type="unfinished"></translation>
     </message>

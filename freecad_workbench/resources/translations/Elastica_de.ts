@@ -2227,6 +2227,10 @@
         <translation>Die Kurve wurde um höchstens %1 mm bewegt, um ihre Wendepunkte auf eine Gerade zu bringen.</translation>
     </message>
     <message>
+        <source>The curve was moved by at most %1 mm to take the last bend out of its ends.</source>
+        <translation>Die Kurve wurde um höchstens %1 mm bewegt, damit ihre Enden gar nicht mehr gebogen sind.</translation>
+    </message>
+    <message>
         <source>The weight is far too much for the stiffness (a gravity length of %1 mm on a curve of %2 mm): use a lighter or stiffer sheet, or look at the units (200 gsm card: 96 mm).</source>
         <translation>Das Gewicht ist viel zu groß für die Steifigkeit (eine Schwerelänge von %1 mm bei einer Kurve von %2 mm): leichteres oder steiferes Material nehmen oder die Einheiten prüfen (Karton 200 g/m²: 96 mm).</translation>
     </message>

@@ -2227,6 +2227,10 @@
         <translation>曲线最多移动了 %1 mm，使其拐点位于一条直线上。</translation>
     </message>
     <message>
+        <source>The curve was moved by at most %1 mm to take the last bend out of its ends.</source>
+        <translation>曲线最多移动了 %1 mm，使其两端完全不再弯曲。</translation>
+    </message>
+    <message>
         <source>The weight is far too much for the stiffness (a gravity length of %1 mm on a curve of %2 mm): use a lighter or stiffer sheet, or look at the units (200 gsm card: 96 mm).</source>
         <translation>重量相对刚度过大（重力长度 %1 mm，曲线 %2 mm）：使用更轻或更硬的板材，或检查单位（200 g/m² 卡纸：96 mm）。</translation>
     </message>

@@ -329,3 +329,26 @@ def test_what_tapers_is_told_in_words_numbers_and_picture(law, quantity, words, 
     picture = strip_sheet(ec.make_strip(curve, pom, law=of))
     assert "3.00" in [text.get_text() for text in picture.axes[2].texts]
     assert re.search(words, picture.get_suptitle())
+
+
+def test_a_pen_curve_between_pins(tmp_path):
+    """A half wave as a drawing program saves it, with three decimals, between ends that are free to turn."""
+    length, height, pieces = 300.0, 80.0, 8
+    t = np.linspace(0, 1, pieces + 1)
+    place = np.column_stack([length * t, height * (1 - np.sin(np.pi * t))])
+    handle = np.column_stack([np.full(t.size, length), -height * np.pi * np.cos(np.pi * t)]) / pieces / 3
+    cubics = np.stack([place[:-1] + handle[:-1], place[1:] - handle[1:], place[1:]], axis=1)
+    path = f"M{place[0, 0]:.3f},{place[0, 1]:.3f} C " + " ".join(
+        f"{x:.3f},{y:.3f}" for x, y in cubics.reshape(-1, 2)
+    )
+    (tmp_path / "wave.svg").write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" width="300mm" height="80mm" viewBox="0 0 300 80">'
+        f'<path d="{path}"/></svg>'
+    )
+    options = ("--start", "pinned", "--end", "pinned", "--sheet", "birch-plywood-0.8", "--max-width", "40")
+    for more in ((), ("--gravity",)):
+        done = elastica("strip", "wave.svg", *options, *more, "--force", "-o", "out", cwd=tmp_path)
+        assert done.returncode == 0, done.stderr
+        report = json.loads((tmp_path / "out" / "wave.json").read_text())
+        # (1 + (pi h / L)^2)^(3/2) of the half wave
+        assert report["ratio"] == pytest.approx((1 + (np.pi * height / length) ** 2) ** 1.5, rel=0.1)
