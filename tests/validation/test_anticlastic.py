@@ -145,3 +145,17 @@ def test_a_laminate_that_curls_is_softer_one_way():
     (inward, outward) = (laminate_factor(12.0, 6.0, sign * 0.02, section)[0] for sign in (1, -1))
     assert inward < 0.92
     assert outward > 1.05
+
+
+@pytest.mark.parametrize("width", [3.0, 30.0, 400.0])
+@pytest.mark.parametrize("share", [0.0, 0.3, 0.97, 1.0])
+@pytest.mark.parametrize("thickness", [(0.2, 0.2), (0.2, 3.0), (3.0, 0.2)])
+def test_laminates_are_as_their_section_says_where_they_are_straight(width, share, thickness):
+    """In inflections, and beside them. Without nu nothing curls; with it the limit is that of a slight bend."""
+    straight = np.array([0.0, 1e-12, 1e-9]) / width**2
+    alike = LaminatedSection(*(ply(t, 0.0) for t in thickness))
+    assert laminate_factor(width, share * width, straight, alike) == pytest.approx(1.0, abs=2e-3)
+    curling = LaminatedSection(*(ply(t, nu) for t, nu in zip(thickness, (0.3, 0.1), strict=True)))
+    factor = laminate_factor(width, share * width, straight, curling)
+    slight = laminate_factor(width, share * width, 1e-4 * thickness[0] / width**2, curling)
+    assert factor == pytest.approx(slight[0], abs=1e-3)

@@ -9,11 +9,8 @@ from elastica_cad.mechanics.material.sheet import Sheet
 PIECES = 8
 """Of half the backing and of the border beside it: the factor is then right to 1e-4."""
 
-LEAST_SHARE = 1e-3
+LEAST_SHARE = 2e-3
 """Of the width: no border and no backing is counted as narrower."""
-
-STRAIGHT = 1e-7
-"""Of the thickness: a curvature that is smaller counts as this large."""
 
 
 def laminate_factor(
@@ -51,30 +48,28 @@ def laminate_factor(
         np.atleast_1d(value).astype(float)
         for value in np.broadcast_arrays(base_width, backing_width, curvature)
     )
-    kappa = np.where(
-        np.abs(kappa) * section.thickness > STRAIGHT, kappa, np.copysign(STRAIGHT / section.thickness, kappa)
-    )
     b2 = np.clip(b2, LEAST_SHARE * b1, (1 - LEAST_SHARE) * b1)
     h1, h2 = section.base.thickness, section.backing.thickness
     base, backing = (section.base, -h1 / 2, h1 / 2), (section.backing, h1 / 2, h1 / 2 + h2)
     share = np.linspace(0.0, 1.0, PIECES + 1)
     edges = np.hstack([b2[:, None] * share, b2[:, None] + (b1 - b2)[:, None] * share[1:]]) / 2
-    unknowns = 2 * edges.shape[1]
+    # w / kappa and its slopes, which stay finite where kappa vanishes, and eps_0 / kappa
+    unknowns = 2 * edges.shape[1] + 1
     H, f = np.zeros((b1.size, unknowns, unknowns)), np.zeros((b1.size, unknowns))
     elements = []
     for e in range(2 * PIECES):
         form = _energy([base, backing] if e < PIECES else [base])
         w, curl, weight = _hermite(edges[:, e + 1] - edges[:, e])
-        curl = curl / kappa[:, None, None]
-        both, own = np.concatenate([w, curl], axis=2), slice(2 * e, 2 * e + 4)
+        w = np.concatenate([w * kappa[:, None, None], np.ones_like(w[:, :1])], axis=1)
+        curl = np.concatenate([curl, np.zeros_like(curl[:, :1])], axis=1)
+        both, own = np.concatenate([w, curl], axis=2), np.append(np.arange(2 * e, 2 * e + 4), unknowns - 1)
         twice = np.tile(weight, 2)
         quadratic = np.einsum("nig,njg,ng->nij", both * np.repeat([form[0, 0], form[2, 2]], 4), both, twice)
         mixed = form[0, 2] * np.einsum("nig,njg,ng->nij", w, curl, weight)
-        H[:, own, own] += quadratic + mixed + np.swapaxes(mixed, 1, 2)
+        H[:, own[:, None], own] += quadratic + mixed + np.swapaxes(mixed, 1, 2)
         f[:, own] += np.einsum("nig,ng->ni", form[0, 1] * w + form[1, 2] * curl, weight)
         elements.append((form, w, curl, weight, own))
-    # the slope in the middle is none; a shift of the whole takes the place of eps_0
-    free = np.delete(np.arange(unknowns), 1)
+    free = np.arange(2, unknowns)  # deflection and slope in the middle are none
     deflection = np.zeros_like(f)
     deflection[:, free] = -np.linalg.solve(H[:, free[:, None], free], f[:, free, None])[..., 0]
     moment = np.zeros(b1.size)
