@@ -296,13 +296,14 @@ def _bent_rod(problem: _Problem, balance: BalancedStiffness) -> Rod:
     effective = change if problem.law is None else problem.law.effective_curvature(change)
     residual = float(np.abs(K * effective - moment).max() / size)
     warnings = list(check.warnings)
-    if check.moved:
-        to = (
-            "bring its inflections onto one line"
-            if problem.gravity is None
-            else "take the last bend out of its ends"
+    if check.moved > TOLD_MOVE_MM and problem.gravity is None:
+        warnings.append(
+            f"The curve was moved by at most {check.moved:.3g} mm to bring its inflections onto one line."
         )
-        warnings.append(f"The curve was moved by at most {check.moved:.3g} mm to {to}.")
+    elif check.moved > TOLD_MOVE_MM:
+        warnings.append(
+            f"The curve was moved by at most {check.moved:.3g} mm to take the last bend out of its ends."
+        )
     if problem.gravity is None and check.zeros and np.hypot(*b[0]) > 0:
         check = replace(check, line=_moment_line(moment[0], b[0], nodes.position[0]))
     weight = balance.weight
