@@ -11,7 +11,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text, text_width
-from elastica_cad.fabrication.holders.placed_tab import ENDS, End, PlacedTab, place_tabs
+from elastica_cad.fabrication.holders.placed_tab import ENDS, End, PlacedTab, tabs_to_hold
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.makeability.uncuttable_parts import (
     accept_faults,
@@ -221,7 +221,7 @@ def base_plate(
             raise InputError(f"{name}: {what} is {value}: it must be 0 mm or more")
     if shape not in ("hull", "rectangle", "ring"):
         raise InputError(f'{name}: the outline is "hull", "rectangle" or "ring", not {shape!r}')
-    standing = [tab for tab in place_tabs(placed, ends) if _stands_in(tab, ground)]
+    standing = [tab for tab in tabs_to_hold(placed, ends) if _stands_in(tab, ground)]
     if not standing:
         raise InputError(
             f"{name}: no tab of the model goes through the plate: move the plate to where the strips end, or give "

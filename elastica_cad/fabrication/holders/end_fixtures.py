@@ -12,7 +12,7 @@ from elastica_cad._values import is_number
 from elastica_cad.errors import InputError, refuse_unknown
 from elastica_cad.fabrication.drawings.lettering import Text, engravable, text_strokes, text_width
 from elastica_cad.fabrication.drawings.stencil_strokes import stencil_strokes
-from elastica_cad.fabrication.holders.placed_tab import ENDS, End, PlacedTab, place_tabs
+from elastica_cad.fabrication.holders.placed_tab import ENDS, End, PlacedTab, require_holdable, tabs_to_hold
 from elastica_cad.fabrication.holding.rest_in_seats import lean_against
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.placed_strip import Placed
@@ -141,6 +141,7 @@ class EndFixture:
         """
         if end not in ENDS:
             raise InputError(f'a strip has the ends "start" and "end", not {end!r}')
+        require_holdable(strip)
         return cls(PlacedTab.of(strip, end, frame), floor, number=number, **sizes).leaning(strip, end)
 
     def leaning(self, strip: Strip, end: End) -> "EndFixture":
@@ -310,7 +311,7 @@ def end_fixtures(
     """
     refuse_unknown(sizes, {one.name for one in fields(EndFixture)} - {"tab", "floor", "number"}, "a fixture")
     of_tabs = [(one.strip, end) for one in placed for end in ends]
-    held = [(tab, *of) for tab, of in zip(place_tabs(placed, ends), of_tabs, strict=True) if tab.length > 0]
+    held = [(tab, *of) for tab, of in zip(tabs_to_hold(placed, ends), of_tabs, strict=True) if tab.length > 0]
     if floor is not None:
         grounds: list[Frame | None] = [floor] * len(held)
     else:

@@ -14,7 +14,7 @@ from elastica_cad.fabrication.holders.base_plate import (
     plate_with,
     tab_slot,
 )
-from elastica_cad.fabrication.holders.placed_tab import ENDS, End, PlacedTab, place_tabs
+from elastica_cad.fabrication.holders.placed_tab import ENDS, End, PlacedTab, tabs_to_hold
 from elastica_cad.fabrication.holders.plate_pair import add_second, require_gap
 from elastica_cad.fabrication.holders.ring_plate import PLAY_MM
 from elastica_cad.fabrication.makeability.shop import Shop
@@ -92,7 +92,7 @@ def end_plates(
     sizes |= {"shop": shop, "anyway": anyway}
     found: list[BasePlate] = []
     for group, called in zip(groups, names, strict=True):
-        plate = _plate(place_tabs(placed, group), sheet, called, **sizes)
+        plate = _plate(tabs_to_hold(placed, group), sheet, called, **sizes)
         found += [plate] if gap is None else _pair_plate(placed, plate, gap=gap, **sizes)
     return tuple(found)
 
@@ -126,7 +126,7 @@ def facing_plates(
         As `end_plates`.
     """
     sheet = Sheet.of(sheet)
-    tabs = place_tabs(placed)
+    tabs = tabs_to_hold(placed)
     outs = np.array([tab.frame.x_axis for tab in tabs])
     _, _, axes = np.linalg.svd(outs)
     way = outs @ axes[0] > 0

@@ -17,6 +17,11 @@ End = Literal["start", "end"]
 ENDS: tuple[End, End] = ("start", "end")
 
 
+def tab_name(strip: str, end: End) -> str:
+    """Number of the part that is the tab at an end of a strip: the way its label reads."""
+    return f"{strip}:{1 if end == 'start' else 2}"
+
+
 @dataclass(frozen=True, eq=False)
 class PlacedTab:
     """A tab in space.
@@ -50,11 +55,6 @@ class PlacedTab:
     ) -> "PlacedTab":
         """The tab at the start or the end of a strip whose curve is drawn in `frame`."""
         place = frame or Frame()
-        if strip.layout.stack is not None:
-            raise InputError(
-                "a stack of leaves lies on one side of its curve, where none of our holders is: hold its ends in "
-                "clamps"
-            )
         k, way = (0, -1.0) if end == "start" else (-1, 1.0)
         alpha = float(strip.rod.angle[k])
         out = way * place.direction([np.cos(alpha), np.sin(alpha)])
@@ -67,7 +67,7 @@ class PlacedTab:
             tab.width or own,
             strip.end_thicknesses[k],
             tab.holes,
-            f"{called}:{1 if end == 'start' else 2}",
+            tab_name(called, end),
             tab.t_slot,
         )
 
@@ -90,3 +90,19 @@ def place_tabs(placed: Sequence[Placed], ends: Sequence[End] = ENDS) -> list[Pla
         for one, name in zip(placed, strip_names(placed), strict=True)
         for end in ends
     ]
+
+
+def tabs_to_hold(placed: Sequence[Placed], ends: Sequence[End] = ENDS) -> list[PlacedTab]:
+    """The same, for holders to be made; refuses strips that none of ours fits."""
+    for one, name in zip(placed, strip_names(placed), strict=True):
+        require_holdable(one.strip, name)
+    return place_tabs(placed, ends)
+
+
+def require_holdable(strip: Strip, name: str | None = None) -> None:
+    """Refuse a strip whose ends fit none of our holders."""
+    if strip.layout.stack is not None:
+        raise InputError(
+            f"{name or strip.label or 'strip'}: a stack of leaves lies on one side of its curve, where none of "
+            "our holders is: hold its ends in clamps, and name the other strips as those that are held"
+        )

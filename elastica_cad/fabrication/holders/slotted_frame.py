@@ -13,7 +13,7 @@ from elastica_cad.fabrication.drawings.drawing import CUT_OUTER, ENGRAVE, Drawin
 from elastica_cad.fabrication.drawings.lettering import Text, text_width
 from elastica_cad.fabrication.holders.base_plate import BasePlate, TabSlot, plate_with
 from elastica_cad.fabrication.holders.end_plates import tab_plane, through_slots
-from elastica_cad.fabrication.holders.placed_tab import ENDS, End, place_tabs
+from elastica_cad.fabrication.holders.placed_tab import ENDS, End, tabs_to_hold
 from elastica_cad.fabrication.holders.plate_pair import lean_pair, require_gap
 from elastica_cad.fabrication.holders.ring_plate import PLAY_MM
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
@@ -242,7 +242,7 @@ class _RailPlan:
     ) -> "_RailPlan":
         """The plane that the tabs of one end go through, or one so far behind it, with their slots."""
         name = f"rail-{end}{'-outer' if behind else ''}"
-        tabs = place_tabs(placed, [end])
+        tabs = tabs_to_hold(placed, [end])
         frame = tab_plane(tabs, name).shifted(z=-behind)
         slots = through_slots(tabs, frame, sheet, play=play, clearance=clearance, name=name)
         return cls(name, frame, slots)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from elastica_cad.fabrication.holders.base_plate import BasePlate
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
-from elastica_cad.fabrication.holders.placed_tab import ENDS, PlacedTab
+from elastica_cad.fabrication.holders.placed_tab import ENDS, tab_name
 from elastica_cad.fabrication.holders.ring_plate import Ring
 from elastica_cad.fabrication.holders.slotted_frame import SlottedFrame
 from elastica_cad.fabrication.model.assembly import Holder
@@ -60,9 +60,8 @@ def list_assembly_steps(model: Model, holders: Iterable[Holder] = ()) -> tuple[A
             places[tab].append(place)
     parts = {member: part.name for part in model.parts for member in part.members}
     steps = []
-    for i, one in enumerate(model.placed):
-        tabs = [PlacedTab.of(one.strip, end, one.frame, name=model.name_of(i)).name for end in ENDS]
-        first, last = (" and ".join(places[name]) or FREE for name in tabs)
+    for i in range(len(model.placed)):
+        first, last = (" and ".join(places[tab_name(model.name_of(i), end)]) or FREE for end in ENDS)
         before = [min(j.members) for j in model.joints if max(j.members) == i]
         mates = tuple(dict.fromkeys(model.single_name_of(k) for k in before))
         steps.append(AssemblyStep(i + 1, model.single_name_of(i), parts[i], (first, last), mates))

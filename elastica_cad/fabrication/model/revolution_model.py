@@ -8,7 +8,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.holders.base_plate import FLATTEST_RAD
-from elastica_cad.fabrication.holders.placed_tab import ENDS, place_tabs
+from elastica_cad.fabrication.holders.placed_tab import ENDS, tabs_to_hold
 from elastica_cad.fabrication.holders.plate_pair import ring_pair
 from elastica_cad.fabrication.holders.ring_plate import PLAY_MM, Ring, ring_plate, slot_reach
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
@@ -175,7 +175,7 @@ class _Asked:
         options: dict[str, Any] = {"middle": middle, "shop": self.shop, "anyway": self.anyway}
         plates: list[Ring] = []
         for end in ENDS:
-            tabs, called = place_tabs(placed, [end]), f"ring-{end}"
+            tabs, called = tabs_to_hold(placed, [end]), f"ring-{end}"
             if self.gap is None:
                 plates.append(ring_plate(tabs, self.rings, name=called, **options))
             else:

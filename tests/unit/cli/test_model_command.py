@@ -384,3 +384,38 @@ def test_pieces_of_a_long_strip_leave_the_margin_of_the_sheet(tmp_path):
         lengths = [float(row["length_mm"]) for row in csv.DictReader(file)]
     assert 1194 < sum(length for length in lengths if length > 100) < 1196
     assert max(lengths) <= 594
+
+
+LEAVES = """
+schema = 1
+name = "mast"
+sheet = "gfrp-1"
+
+[[strips]]
+label = "BAT"
+law = { kind = "thickness", limits = [1, 4], width = 20 }
+curve = { spline = [[0, 0], [60, 50], [150, 70], [240, 50], [300, 0]] }
+
+[[strips]]
+label = "LEAF"
+law = { kind = "leaves", leaves = 4, width = 20 }
+origin = [0, 60, 0]
+curve = { spline = [[0, 0], [60, 50], [150, 70], [240, 50], [300, 0]] }
+limits = { ratio = 10 }
+"""
+
+
+def test_glued_leaves_beside_strips_that_are_held(tmp_path):
+    path = tmp_path / "mast.toml"
+    path.write_text(LEAVES + '[fixtures]\nstrips = ["BAT"]\n')
+    done = run("model", path, "-o", tmp_path / "kit", "--no-step")
+    assert done.exit_code == 0, done.output
+    parts = {file.name for file in (tmp_path / "kit" / "parts").iterdir()}
+    assert {"fixture-BAT-1.stl", "fixture-BAT-2.stl", "LEAF_gfrp-1_1mm_x1.dxf"} <= parts
+    report = json.loads((tmp_path / "kit" / "mast.json").read_text())
+    assert [one["label"] for one in report["strips"]] == ["BAT", "LEAF"]
+    path.write_text(LEAVES + "[fixtures]\n")
+    done = run("model", path, "-o", tmp_path / "all", "--no-step")
+    assert done.exit_code == 2
+    assert "LEAF: a stack of leaves" in done.output
+    assert not (tmp_path / "all").exists()
