@@ -80,6 +80,7 @@ def _meant(excess: ExcessCurvature, check: EquilibriumCheck, supports: Supports)
 def _unbent(excess: ExcessCurvature, ends: FloatArray) -> PlaneCurve:
     # loaded for the few curves that need it
     from elastica_cad.geometry.curve_editing.control_point_constraints import (
+        Constraint,
         CurvatureAt,
         EndPositions,
         EndTangents,
@@ -88,6 +89,6 @@ def _unbent(excess: ExcessCurvature, ends: FloatArray) -> PlaneCurve:
     )
 
     curve = excess.curve
-    wanted = CurvatureAt(ends, excess.rest_at(ends), curve.length)
-    kept = [EndPositions.of(curve), EndTangents.of(curve), SmoothJoints.of(curve)]
-    return least_norm_newton(curve, [wanted, *kept], tolerance=1e-12)[0]
+    constraints: list[Constraint] = [CurvatureAt(ends, excess.rest_at(ends), curve.length)]
+    constraints += [EndPositions.of(curve), EndTangents.of(curve), SmoothJoints.of(curve)]
+    return least_norm_newton(curve, constraints, tolerance=1e-12)[0]
