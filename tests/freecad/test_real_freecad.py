@@ -404,3 +404,19 @@ def test_a_workshop_that_measures_links_and_renames(tmp_path):
     assert found["told"] == "Cone"
     assert found["told then"] == ["Hat", "Hat"]
     assert found["told at last"] == ["Cone", "Cone"]
+
+
+def test_macros_do_what_the_hand_did(tmp_path):
+    """The recorder is on while buttons are pressed and boxes filled; the macro is played in a new document."""
+    found = launching.run_window("macro.py", tmp_path)
+    assert (
+        "freecad.elastica_wb.make_strip(App.ActiveDocument.getObject('Sketch'), (), flat_part=False)"
+        in found["recorded"]
+    )
+    assert ".MaxWidth = 25.0" in found["recorded"]
+    assert found["played"] == found["by hand"]
+    assert [one[:2] for one in found["played"]["objects"][-2:]] == [
+        ["Fixtures", "Part::FeaturePython"],
+        ["Nest", "Part::FeaturePython"],
+    ]
+    assert found["played"]["strips"][1][3] == "Perforated"

@@ -14,20 +14,21 @@ from inside import (
     QtWidgets,
     answers,
     at_rest,
+    begun,
+    button,
     choose,
     click,
     dialog_button,
     fit,
     keys,
+    open_panel,
     panel,
     picture,
-    press,
     run,
-    scroll_to,
     sketch,
     told,
     trigger,
-    type_into,
+    typed,
     until,
     wait,
     window,
@@ -39,36 +40,6 @@ ACROSS = [(5, -40), (12, 0), (15, 50), (12, 100), (5, 140)]
 def report():
     view = Gui.getMainWindow().findChild(QtWidgets.QTextEdit, "Report view")
     return view.toPlainText() if view is not None else ""
-
-
-def begun(name):
-    document = App.newDocument(name)
-    document.UndoMode = 1
-    Gui.activateWorkbench("ElasticaWorkbench")
-    return document
-
-
-def open_panel(command, *things):
-    choose(*things)
-    press(command)
-    until(lambda: Gui.Control.activeDialog() and panel().form.isVisible())
-    at_rest()
-
-
-def button(kind="Ok"):
-    """Press it, though the panel was scrolled down."""
-    boxes = Gui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox)
-    wanted = [box.button(getattr(QtWidgets.QDialogButtonBox, kind)) for box in boxes if box.isVisible()]
-    scroll_to(next(one for one in wanted if one is not None))
-    click(dialog_button(kind))
-    until(lambda: not Gui.Control.activeDialog(), 10)
-
-
-def typed(name, words):
-    field = getattr(panel().form, name)
-    scroll_to(field)
-    type_into(field, words)
-    at_rest()
 
 
 def boxes():

@@ -313,6 +313,39 @@ def panel():
     return Panel.opened
 
 
+def begun(name):
+    """A new document that keeps its steps, with our workbench."""
+    document = App.newDocument(name)
+    document.UndoMode = 1
+    Gui.activateWorkbench("ElasticaWorkbench")
+    return document
+
+
+def open_panel(command, *things):
+    """The panel of a command, by its button."""
+    choose(*things)
+    press(command)
+    until(lambda: Gui.Control.activeDialog() and panel().form.isVisible())
+    at_rest()
+
+
+def button(kind="Ok"):
+    """Press it, though the panel was scrolled down."""
+    boxes = Gui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox)
+    wanted = [box.button(getattr(QtWidgets.QDialogButtonBox, kind)) for box in boxes if box.isVisible()]
+    scroll_to(next(one for one in wanted if one is not None))
+    click(dialog_button(kind))
+    until(lambda: not Gui.Control.activeDialog(), 10)
+
+
+def typed(name, words):
+    """Words into a field of the open panel."""
+    field = getattr(panel().form, name)
+    scroll_to(field)
+    type_into(field, words)
+    at_rest()
+
+
 def told():
     """What a window of the workbench says."""
     from freecad.elastica_wb.host import telling

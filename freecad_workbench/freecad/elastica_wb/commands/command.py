@@ -14,6 +14,7 @@ from freecad.elastica_wb.host.resources import icon
 from freecad.elastica_wb.host.telling import tell
 from freecad.elastica_wb.live.sketches import edited_sketch
 from freecad.elastica_wb.panels.feature_panels import panel_of
+from freecad.elastica_wb.panels.recording import recorded
 
 from elastica_cad.errors import ElasticaError
 
@@ -80,7 +81,7 @@ def edit_new(step: str, make: Callable[..., Any], *arguments: Any) -> None:
     if edited_sketch() is not None:
         Gui.ActiveDocument.resetEdit()
     App.ActiveDocument.openTransaction(step)
-    made = make(App.ActiveDocument, *arguments)
+    made = recorded(make, App.ActiveDocument, *arguments)
     App.ActiveDocument.recompute()
     show_panel(panel_of, made)
 

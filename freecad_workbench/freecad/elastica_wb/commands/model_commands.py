@@ -12,6 +12,7 @@ from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.host.telling import tell
 from freecad.elastica_wb.panels.feature_panels import panel_of
 from freecad.elastica_wb.panels.fixtures import FixturesPanel
+from freecad.elastica_wb.panels.recording import record_value, recorded
 
 from elastica_cad.errors import InputError
 
@@ -34,12 +35,12 @@ class InterlockCommand(Command):
         """Make the model, hide the single strips behind it, open the panel."""
         strips = chosen_strips(least=2)
         App.ActiveDocument.openTransaction(self.text)
-        made = model.create(App.ActiveDocument, strips)
+        made = recorded(model.create, App.ActiveDocument, strips)
         for part in flat.flats_of(strips):
-            part.Model = made
+            record_value(part, "Model", made)
         App.ActiveDocument.recompute()
         for strip in strips if not why_not_made(made) else ():  # else there is nothing in their place
-            strip.Visibility = False
+            record_value(strip, "Visibility", False)
         show_panel(panel_of, made)
 
 
@@ -84,12 +85,7 @@ class NestCommand(Command):
         if failed:
             raise InputError("; ".join(failed))
         with undo_step(document, self.text):
-            made = nest.create(document, sources)
-            boxes = [
-                obj.Shape.BoundBox for obj in document.Objects if hasattr(obj, "Shape") and obj is not made
-            ]
-            lowest = min((box.YMin for box in boxes if box.isValid()), default=0.0)
-            made.Placement.Base = App.Vector(0, lowest - made.SheetHeight.Value - 50.0, 0)
+            made = recorded(nest.create, document, sources)
             document.recompute()
         if "Invalid" in made.State:  # it stays: other sheets may take the parts
             tell(made.getStatusString())

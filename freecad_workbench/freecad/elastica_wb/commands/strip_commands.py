@@ -3,19 +3,23 @@
 
 """Commands about strips: make them, change their style, bend them, vary them."""
 
+from typing import Any
+
 import FreeCAD as App
 import FreeCADGui as Gui
+from freecad.elastica_wb import make_strip
 from freecad.elastica_wb.commands.command import Command, answers, show_panel
 from freecad.elastica_wb.commands.selection import (
     chosen_curves,
     chosen_strips,
     is_curve_chosen,
 )
-from freecad.elastica_wb.features import flat, strip
+from freecad.elastica_wb.features import flat
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.live.sketches import edited_sketch
 from freecad.elastica_wb.panels.bend import BendPanel
 from freecad.elastica_wb.panels.feature_panels import panel_of
+from freecad.elastica_wb.panels.recording import record_recompute, record_value, recorded
 from freecad.elastica_wb.panels.tolerance import TolerancePanel
 
 
@@ -52,13 +56,17 @@ class StripCommand(Command):
         if edited_sketch() is not None:
             Gui.ActiveDocument.resetEdit()
         document.openTransaction("Strip from sketch")
-        made = [strip.create(document, source, edges) for source, edges in curves]
-        document.recompute()
+        made = [recorded(make_strip, source, edges, flat_part=False) for source, edges in curves]
         for one in made:
-            flat.create(document, one).recompute()  # the next one lies beside it
+            _add_flat(one)
         for source, _ in curves:
             source.Visibility = True
         show_panel(panel_of, made[-1])
+
+
+def _add_flat(one: Any, layer: str = "Base") -> None:
+    recorded(flat.create, one.Document, one, layer)
+    record_recompute(one.Document)  # the next one lies beside it
 
 
 class PerforateCommand(OnStrips):
@@ -76,7 +84,7 @@ class PerforateCommand(OnStrips):
         strips = chosen_strips()
         App.ActiveDocument.openTransaction(self.text)
         for chosen in strips:
-            chosen.Style = "Perforated"
+            record_value(chosen, "Style", "Perforated")
         App.ActiveDocument.recompute()
         show_panel(panel_of, strips[-1])
 
@@ -96,11 +104,11 @@ class LaminateCommand(OnStrips):
         strips = chosen_strips()
         App.ActiveDocument.openTransaction(self.text)
         for chosen in strips:
-            chosen.Style = "Laminated"
+            record_value(chosen, "Style", "Laminated")
         App.ActiveDocument.recompute()
         for chosen in strips:
             if not any(part.Layer == "Backing" for part in flat.flats_of([chosen])):
-                flat.create(App.ActiveDocument, chosen, "Backing").recompute()  # the next one lies beside it
+                _add_flat(chosen, "Backing")
         show_panel(panel_of, strips[-1])
 
 

@@ -14,6 +14,7 @@ from freecad.elastica_wb.shapes.part_shapes import make_wire
 
 from elastica_cad.fabrication.sheets.nesting import nest_pieces
 
+SPACE_MM = 50.0  # between a nest and what stood before it
 SHEET_GAP_MM = 30.0  # mm between sheets
 
 
@@ -43,7 +44,10 @@ class NestFeature(Feature):
 
 
 def create(document: Any, sources: list[Any]) -> Any:
-    """A nest of strips, models and base plates; recompute the document to see it."""
+    """A nest of strips, models and base plates in front of everything; recompute the document to see it."""
+    boxes = [one.Shape.BoundBox for one in document.Objects if hasattr(one, "Shape")]
+    lowest = min((box.YMin for box in boxes if box.isValid()), default=0.0)
     obj = added(document, "Nest", NestFeature)
     obj.Sources = sources
+    obj.Placement.Base.y = lowest - obj.SheetHeight.Value - SPACE_MM
     return obj

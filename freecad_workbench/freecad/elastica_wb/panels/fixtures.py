@@ -11,6 +11,7 @@ from freecad.elastica_wb.host.refusal import why_not_made
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import sheet_list
 from freecad.elastica_wb.panels.panel import Panel
+from freecad.elastica_wb.panels.recording import record_value, recorded
 from freecad.elastica_wb.panels.widgets.fields import set_value
 
 from elastica_cad.errors import InputError
@@ -34,21 +35,16 @@ class FixturesPanel(Panel):
         """Make them; what cannot be made says why and keeps the panel open."""
         form, made = self.form, []
         if form.blocks.isChecked():
-            blocks = fixtures.create(self.document, self.sources)
-            blocks.Clearance, blocks.Wall = self.value("clearance"), self.value("wall")
-            blocks.Foot, blocks.Screw = self.value("foot"), self.value("screw")
+            blocks = recorded(fixtures.create, self.document, self.sources)
+            for name in ("Clearance", "Wall", "Foot", "Screw"):
+                record_value(blocks, name, self.value(name.lower()))
             made.append(blocks)
         if form.plate.isChecked():
-            plate = baseplate.create(self.document, self.sources)
-            plate.Sheet = form.sheet.currentText()
-            place = plate.Placement
-            place.Base.z = self.value("plateHeight")
-            plate.Placement = place
-            plate.Play, plate.Clearance, plate.Border = (
-                self.value("play"),
-                self.value("slot"),
-                self.value("border"),
-            )
+            plate = recorded(baseplate.create, self.document, self.sources)
+            record_value(plate, "Sheet", form.sheet.currentText())
+            record_value(plate, "Placement.Base.z", self.value("plateHeight"))
+            for name, field in (("Play", "play"), ("Clearance", "slot"), ("Border", "border")):
+                record_value(plate, name, self.value(field))
             made.append(plate)
         if not made:
             raise InputError(translate("Elastica", "tick what is to be made"))

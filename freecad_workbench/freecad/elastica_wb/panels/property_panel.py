@@ -17,6 +17,7 @@ from freecad.elastica_wb.host.refusal import FAILURES, explained, why_not_made
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.panels.panel import Panel
+from freecad.elastica_wb.panels.recording import record_recompute, record_value
 from freecad.elastica_wb.panels.widgets.fields import (
     field_for,
     put_away,
@@ -76,6 +77,7 @@ class PropertyPanel(Panel):
         self.fields: dict[str, Any] = {}
         self.rows: dict[str, tuple[Any, Any]] = {}
         self._touched: dict[str, None] = {}
+        self._changed: dict[str, None] = {}
         self._writing = False
         super().__init__(obj.Document, [obj])
         for name, widget in self.fields.items():
@@ -141,6 +143,7 @@ class PropertyPanel(Panel):
                 value = value_of(self.fields[name])
                 if _plain(getattr(self.object, name)) != value:
                     setattr(self.object, name, value)
+                    self._changed[name] = None
         finally:
             self._touched.clear()
             self._writing = False
@@ -148,8 +151,13 @@ class PropertyPanel(Panel):
         self._show()
 
     def finished(self) -> None:
-        """Nothing may wait."""
+        """Nothing may wait; macros get the last of many values."""
         self.now()
+        bound = {path for path, *_ in self.object.ExpressionEngine}
+        for name in [name for name in self._changed if name not in bound]:
+            record_value(self.object, name, _plain(getattr(self.object, name)))
+        if self._changed:
+            record_recompute(self.document)
 
     def closed(self) -> None:
         """Watch the document no longer; boxes that are bound to an object must not outlive it."""
