@@ -17,7 +17,7 @@ from freecad.elastica_wb.host.refusal import FAILURES, explained, why_not_made
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.panels.panel import Panel
-from freecad.elastica_wb.panels.recording import record_recompute, record_value
+from freecad.elastica_wb.panels.recording import record_recompute, record_value, recorded
 from freecad.elastica_wb.panels.widgets.fields import (
     field_for,
     put_away,
@@ -151,13 +151,18 @@ class PropertyPanel(Panel):
         self._show()
 
     def finished(self) -> None:
-        """Nothing may wait; macros get the last of many values."""
+        """Nothing may wait."""
         self.now()
-        bound = {path for path, *_ in self.object.ExpressionEngine}
-        for name in [name for name in self._changed if name not in bound]:
-            record_value(self.object, name, _plain(getattr(self.object, name)))
+        self._record()
+
+    def _record(self) -> None:
+        """Macros get the last of many values."""
         if self._changed:
+            bound = {path for path, *_ in self.object.ExpressionEngine}
+            for name in [name for name in self._changed if name not in bound]:
+                record_value(self.object, name, _plain(getattr(self.object, name)))
             record_recompute(self.document)
+        self._changed.clear()
 
     def closed(self) -> None:
         """Watch the document no longer; boxes that are bound to an object must not outlive it."""
@@ -248,9 +253,10 @@ class PropertyPanel(Panel):
 
     def _replace(self, work: Callable[[Any], None]) -> None:
         self.now()
+        self._record()
         self.closed()
         try:
-            work(self.object)
+            recorded(work, self.object)
         except FAILURES as error:
             App.Console.PrintError(f"Elastica: {explained(error)}\n")
             self.reject()
