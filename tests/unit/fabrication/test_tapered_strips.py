@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.holders.placed_tab import PlacedTab
+from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.leaf_stack import LeafStack
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
@@ -163,7 +163,7 @@ def test_leaves_only_come_near():
     with pytest.raises(InputError, match="the strip is not of leaves"):
         LeafStack(make_strip(ARCH, GLASS, law=THICKNESS))
     with pytest.raises(InputError, match="hold its ends in clamps"):
-        PlacedTab.of(make_strip(ARCH, LEAF, law=LEAVES, keep=Keep()), "start")
+        EndFixture.of(make_strip(ARCH, LEAF, law=LEAVES, keep=Keep()), "start")
 
 
 @pytest.mark.parametrize("law", [THICKNESS, ROD, TUBE], ids=["thickness", "rod", "tube"])
