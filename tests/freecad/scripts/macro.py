@@ -72,7 +72,8 @@ def work():
     choose(strips[1])
     open_panel("Elastica_Perforate", strips[1])
     button()
-    trigger("Std_MacroStopRecord")
+    stop = "Std_MacroStopRecord"  # one command begins and ends it since FreeCAD 0.21
+    trigger(stop if stop in Gui.listCommands() else "Std_DlgMacroRecord")
     answers["by hand"] = found(document)
     text = (OUT / "made_by_hand.FCMacro").read_text(encoding="utf-8")
     answers["recorded"] = text
