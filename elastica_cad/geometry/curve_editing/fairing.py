@@ -15,6 +15,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
+from elastica_cad.geometry.curves.curve_records import CurveSamples
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.polynomials.bezier_pieces import bezier_spans
 
@@ -169,6 +170,7 @@ class _Problem:
     """Rows and targets of the least squares problem for one number of spans, over interleaved x and y."""
 
     def __init__(self, curve: PlaneCurve, spans: int, unbent: tuple[bool, bool]) -> None:
+        self.unbent = unbent
         length = curve.length
         edges = np.linspace(0.0, length, spans + 1)
         self.width = length / spans
@@ -185,7 +187,7 @@ class _Problem:
         first = np.repeat(self.spans.first, _EACH)
         self.columns = 2 * first[:, None] + np.arange(2 * (DEGREE + 1))
         self.support = first[:, None] + np.arange(DEGREE + 1)
-        self.held, self.count_held = self._held_points(curve, unbent)
+        self.held, self.count_held = self._held_points(curve.at(np.array([0.0, length])))
         normal, slide = self._rows(self.across, 0), self._rows(self.along, 0)
         bands, right = self._normal_equations(normal, (self.data * self.across).sum(axis=1))
         slide_bands, slide_right = self._normal_equations(slide, (self.data * self.along).sum(axis=1))
@@ -194,14 +196,11 @@ class _Problem:
     def _knots_of(self, edges: FloatArray) -> FloatArray:
         return np.concatenate([np.full(DEGREE, edges[0]), edges, np.full(DEGREE, edges[-1])])
 
-    def _held_points(
-        self, curve: PlaneCurve, unbent: tuple[bool, bool]
-    ) -> tuple[FloatArray, tuple[int, int]]:
+    def _held_points(self, ends: CurveSamples) -> tuple[FloatArray, tuple[int, int]]:
         """Control points that keep ends and end tangents, 0 for all that are sought; how many at each end."""
-        ends = curve.at(np.array([0.0, curve.length]))
         step = self.width / DEGREE * np.column_stack([np.cos(ends.angle), np.sin(ends.angle)])
         held = np.zeros((self.spans.count, 2))
-        count = 3 if unbent[0] else 2, 3 if unbent[1] else 2
+        count = 3 if self.unbent[0] else 2, 3 if self.unbent[1] else 2
         # a straight line of even speed has its control points there
         reach = np.array([0.0, 1.0, 3.0])[:, None]
         held[: count[0]] = (ends.position[0] + reach * step[0])[: count[0]]
@@ -281,11 +280,7 @@ class _PeriodicProblem(_Problem):
         beyond = self.width * np.arange(1, DEGREE + 1)
         return np.concatenate([edges[0] - beyond[::-1], edges, edges[-1] + beyond])
 
-    def _held_points(
-        self,
-        curve: PlaneCurve,  # noqa: ARG002
-        unbent: tuple[bool, bool],  # noqa: ARG002
-    ) -> tuple[FloatArray, tuple[int, int]]:
+    def _held_points(self, ends: CurveSamples) -> tuple[FloatArray, tuple[int, int]]:  # noqa: ARG002
         return np.zeros((self.spans.count, 2)), (0, 0)
 
     def solved(self, slope: tuple[FloatArray, FloatArray], weight: float) -> FloatArray:

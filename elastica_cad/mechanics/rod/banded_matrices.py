@@ -16,10 +16,8 @@ _ROUGH = 40  # edges, below which ten polynomials are no smooth modes
 _REFINEMENTS = 8  # Rayleigh quotients: each triples the digits
 _UNTHREADED = 5000  # entries, up to which BLAS starts no threads
 _EPS = float(np.finfo(float).eps)
-_SINGULAR, _ASIDE = (
-    16 * _EPS,
-    64 * _EPS,
-)  # of a matrix: an eigenvalue that is rounding, and a step clear of it
+_SINGULAR = 16 * _EPS  # of a matrix: an eigenvalue that is rounding
+_ASIDE = 64 * _EPS  # of it too: a step clear of that
 
 
 def solve_tridiagonal(diagonal: FloatArray, off: FloatArray, right: FloatArray) -> FloatArray:

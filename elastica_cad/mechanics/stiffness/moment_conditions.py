@@ -12,7 +12,7 @@ from elastica_cad.errors import NotConvergedError
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.stiffness.moment_rows import MomentRows
-from elastica_cad.mechanics.stiffness.quadrature_panels import PanelFunction, Panels, legendre_basis
+from elastica_cad.mechanics.stiffness.quadrature_panels import PanelFunction, Panels
 from elastica_cad.mechanics.stiffness.stiffness_family import (
     StiffnessFamily,
     find_violations,
@@ -32,9 +32,6 @@ WIDEST_RATIO = 1e10
 
 RANK_SHARE = 1e-7
 """Conditions that depend on each other to this accuracy count as dependent."""
-
-
-_ENDS = legendre_basis(np.array([-1.0, 1.0]))
 
 
 @dataclass(frozen=True, eq=False)
@@ -158,8 +155,7 @@ class ConditionedRows:
         K, steady = rows @ state, np.abs(rows[:, 0])
         if steady.max() * K.min() <= (1 + NO_GAIN_SHARE) * K.max() * steady.min():
             return np.array([np.sign(rows[0, 0]), 0.0, 0.0])
-        beside = table.combined(state).in_every_panel(_ENDS)
-        after, before = beside[1:, 0], beside[:-1, 1]
+        before, after = table.combined(state).where_panels_meet
         steps = np.maximum(after / before, before / after)
         if self.places is not None or not steps.size or steps.max() < (1 - NO_GAIN_SHARE) * K.max() / K.min():
             return state

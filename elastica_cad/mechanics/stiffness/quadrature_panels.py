@@ -149,6 +149,12 @@ class PanelFunction:
         return np.asarray(np.einsum("ij,nj...->ni...", VANDER, self.coefficients))
 
     @property
+    def where_panels_meet(self) -> tuple[FloatArray, FloatArray]:
+        """Values (N - 1, ...) before and after the places where panels meet."""
+        at_ends = self.in_every_panel(_ENDS_BASIS)
+        return at_ends[:-1, 1], at_ends[1:, 0]
+
+    @property
     def dense(self) -> FloatArray:
         """Values (n, ...) at `Panels.dense_places`."""
         values = self.in_every_panel(_DENSE_BASIS)
@@ -203,6 +209,7 @@ def _lobatto(parts: int) -> FloatArray:
 
 _DENSE = _lobatto(DENSE_PARTS)
 _DENSE_BASIS = legendre_basis(_DENSE)
+_ENDS_BASIS = legendre_basis(np.array([-1.0, 1.0]))
 
 
 def cut_into_panels(

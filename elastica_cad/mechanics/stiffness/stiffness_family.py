@@ -21,11 +21,9 @@ from elastica_cad.mechanics.stiffness.quadrature_panels import (
     WEIGHTS,
     PanelFunction,
     Panels,
-    legendre_basis,
 )
 from elastica_cad.mechanics.stiffness.stiffness_smoothing import least_variation
 
-_ENDS_BASIS = legendre_basis(np.array([-1.0, 1.0]))
 _SLOPES_AT_NODES = VANDER @ SLOPES
 
 _ROUNDING = 16 * float(np.finfo(float).eps)  # of the terms of a sum: three factors and a series
@@ -150,9 +148,8 @@ def smoothest(family: StiffnessFamily, ratio: float) -> FloatArray:
     slope = np.einsum("ij,njm->nim", _SLOPES_AT_NODES, columns) / panels.stretch[..., None]
     slopes = PanelFunction.through(slope)
     bend = np.einsum("ij,njm->nim", _SLOPES_AT_NODES, slopes.coefficients) * WEIGHTS[:, None]
-    at_ends = slopes.in_every_panel(_ENDS_BASIS)
-    jumps = at_ends[1:, 0] - at_ends[:-1, 1]
-    bends = np.concatenate([bend.reshape(count * order, -1), jumps])
+    before, after = slopes.where_panels_meet
+    bends = np.concatenate([bend.reshape(count * order, -1), after - before])
     d = family.freedom
     bend_offset = bends[:, d] if family.offset is not None else np.zeros(len(bends))
     rows, offset = family.dense

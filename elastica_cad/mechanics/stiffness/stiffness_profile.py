@@ -119,11 +119,10 @@ class _AlongArc:
 
     def noise(self, steps: Sequence[float]) -> float:
         """Largest jump of K between panels, but for its steps: rounding that grows along under much weight."""
-        at_ends = self.series.in_every_panel(legendre_basis(np.array([-1.0, 1.0])))
-        jumps = np.abs(at_ends[1:, 0] - at_ends[:-1, 1])
-        inner = self.edges[1:-1]
-        is_step = np.isclose(inner[:, None], np.array(steps), rtol=0, atol=SAME_PLACE_SHARE * self.edges[-1])
-        return float(jumps[~is_step.any(axis=1)].max(initial=0.0))
+        before, after = self.series.where_panels_meet
+        # over as much of the length as a step is spread over: of steps nearer to each other one is kept
+        apart = np.abs(self.edges[1:-1, None] - np.array(steps)) > STEP_LENGTH * self.edges[-1]
+        return float(np.abs(after - before)[apart.all(axis=1)].max(initial=0.0))
 
     def knots(self, breaks: Sequence[float], tolerance: float) -> FloatArray:
         """Knots between the breaks with which a cubic spline errs by `tolerance` everywhere.

@@ -35,9 +35,8 @@ the stiffness would exceed that of other places by some ten thousand times."""
 FAINT_SHARE = 1e-7
 """Curvature in a dip, relative to the largest, that counts as none: as for the slope, whose square it goes with."""
 
-_ALL_BUT_UNBENT_SHARE = (
-    1e-3  # of the largest curvature: a zero beyond an end that is bent more is no zero of it
-)
+ALL_BUT_UNBENT_SHARE = 1e-3
+"""Of the largest curvature: a zero beyond an end that is bent more is no zero of it."""
 
 _DIP_SHARE = 0.01  # of the largest curvature: deeper dips are looked at closely
 
@@ -131,7 +130,7 @@ def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tu
         slope = float(excess.slope_at(np.array(t)))
         pinned = not support.angle and abs(kappa) <= PINNED_SHARE * largest
         # a zero that lies as near beyond the end
-        beyond = 0 < abs(kappa) <= min(near * abs(slope), _ALL_BUT_UNBENT_SHARE * largest)
+        beyond = 0 < abs(kappa) <= min(near * abs(slope), ALL_BUT_UNBENT_SHARE * largest)
         if bool(is_end) in ends or ((pinned or beyond) and not any(z.t <= t <= z.t_end for z in found)):
             way = int(np.sign(slope))
             sign = (0, way) if not is_end else (-way, 0)
