@@ -330,7 +330,8 @@ def open_panel(command, *things):
 
 
 def button(kind="Ok"):
-    """Press it, though the panel was scrolled down."""
+    """Press it when nothing is put off any more, though the panel was scrolled down."""
+    at_rest()
     boxes = Gui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox)
     wanted = [box.button(getattr(QtWidgets.QDialogButtonBox, kind)) for box in boxes if box.isVisible()]
     scroll_to(next(one for one in wanted if one is not None))

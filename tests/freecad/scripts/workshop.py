@@ -13,9 +13,9 @@ from inside import (
     QtWidgets,
     answers,
     at_rest,
+    button,
     choose,
     click,
-    dialog_button,
     fill,
     is_grey,
     keys,
@@ -28,7 +28,7 @@ from inside import (
     sketch,
     tree_row,
     trigger,
-    type_into,
+    typed,
     until,
     window,
 )
@@ -37,19 +37,6 @@ from inside import (
 def shown():
     """Wait for a panel of ours."""
     until(lambda: Gui.Control.activeDialog() and panel().form.isVisible())
-    at_rest()
-
-
-def button(kind="Ok"):
-    at_rest()
-    scroll_to(dialog_button(kind))
-    click(dialog_button(kind))
-    until(lambda: not Gui.Control.activeDialog(), 5)
-
-
-def typed(name, words):
-    scroll_to(getattr(panel().form, name))
-    type_into(getattr(panel().form, name), words)
     at_rest()
 
 
