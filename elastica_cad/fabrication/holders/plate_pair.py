@@ -201,8 +201,7 @@ def lean_pair(placed: Sequence[Placed], plates: tuple[Plate, Plate]) -> tuple[Pl
                     ratio = one.strip.as_made.tab_ratios(loaded)[index]
                     alike = what_leans(loaded, index, seats[key], ratio)
                     if alike not in known:
-                        near = before[key].touching if key in before else None
-                        known[alike] = lean_against(loaded, index, seats[key], ratio, near)
+                        known[alike] = lean_against(loaded, index, seats[key], ratio, before.get(key))
                     moves[key] = known[alike]
         first, second = (
             replace(plate, slots=tuple(_moved(slot, plate, moves) for slot in plate.slots))

@@ -27,6 +27,7 @@ PRICE = 100.0  # of a mm of overlap, over the forces that are there: far above a
 SEATING_STEPS = 3
 SEATING = 1e4  # times as stiff are the ends while tabs bend into their seats
 LEAN_STEPS = 6  # at most: contacts change little after the first
+SHORTENING = (1.0, 0.1, 0.01, 0.01, 0.01, 0.01)  # stiffness of an end over its load / length, step by step
 LEAN_SHARE = 1e-7  # of the length: what a step moves when the contacts have been found
 ALIKE_DIGITS = 11  # of loads and lengths that are one: rounding of strips made alike in different places
 TAB_PIECES = 16  # of a tab that bends: its turn at the mouth is then right to half a percent
@@ -104,10 +105,15 @@ def rest_in_seats(
 
 @dataclass(frozen=True)
 class Lean:
-    """How a holder is shifted, mm, and turned, rad, to the left; `touching` is the last step, with what touches."""
+    """How a holder is shifted, mm, and turned, rad, to the left.
+
+    `tab` are the angles of the tab's pieces at rest times the strip's length, mm, `touching` is the last step, with
+    what touches.
+    """
 
     shift: float
     turn: float
+    tab: FloatArray | None = None
     touching: QuadraticSolution | None = None
 
 
@@ -116,7 +122,7 @@ def lean_against(
     index: int,
     seat: TabSeat,
     tab_stiffness: float = np.inf,
-    near: QuadraticSolution | None = None,
+    near: Lean | None = None,
 ) -> Lean:
     """How a holder is shifted and turned so that the loaded tab lies as designed.
 
@@ -132,27 +138,32 @@ def lean_against(
         The holder where it was designed.
     tab_stiffness : float
         E I of the tab over the rod's B; a stiff tab unless given.
-    near : QuadraticSolution, optional
-        What touched in a seat like this one: changes the time only.
+    near : Lean, optional
+        Found in a seat like this one: changes the time only.
     """
     shift = turn = 0.0
+    tab, touching = (None, None) if near is None else (near.tab, near.touching)
     for _ in range(LEAN_STEPS):
         end = _SeatedEnd(index, seat.moved(shift, turn), tab_stiffness)
         problem = _Held(design, design, (end,))
         load = np.abs(problem.reactions(design)).max()
         if load == 0:
             break
-        q, soft = np.zeros(problem.unknowns), load / design.length * np.eye(2)
-        for _ in range(LEAN_STEPS):
-            near = problem.step(q, design, soft, near)
-            q = q + near.x
-            if np.abs(near.x).max() <= LEAN_SHARE * design.length:
+        q = np.zeros(problem.unknowns)
+        if tab is not None:
+            q[2:] = tab
+        # the strip's load does not change here: what is stiff in its place keeps the first steps short
+        for stiffness in SHORTENING if tab is None else SHORTENING[-LEAN_STEPS // 2 :]:
+            touching = problem.step(q, design, stiffness * load / design.length * np.eye(2), touching)
+            q = q + touching.x
+            if np.abs(touching.x).max() <= LEAN_SHARE * design.length:
                 break
+        tab = q[2:]
         moved, turned = problem.pose(q)
         shift, turn = shift - moved, turn - end.way * turned
         if abs(moved) + abs(turned) * design.length <= LEAN_SHARE * design.length:
             break
-    return Lean(shift, turn, near)
+    return Lean(shift, turn, tab, touching)
 
 
 def what_leans(

@@ -178,7 +178,7 @@ class _Binding:
     def of(cls, solution: QuadraticSolution, program: QuadraticProgram) -> "_Binding":
         """What binds in a solution of a program like this one."""
         y, least = solution.row_multipliers, _BINDS * float(np.abs(program.gradient).max())
-        broken = np.where(np.abs(y) > _AT_PRICE * program.price, np.sign(y), 0.0)
+        broken = _broken(program, y, _AT_PRICE)
         met = (~program.one_sided | (y > least)) & (broken == 0)
         return cls(solution.lower_multipliers > least, solution.upper_multipliers > least, met, broken)
 
@@ -186,6 +186,12 @@ class _Binding:
         """In how many places."""
         pairs = ((self.low, other.low), (self.high, other.high), (self.met, other.met))
         return sum(int(np.count_nonzero(a != b)) for a, b in (*pairs, (self.broken, other.broken)))
+
+
+def _broken(program: QuadraticProgram, y: FloatArray, share: float) -> FloatArray:
+    """The sign (m,) of multipliers beyond this share of their row's price: only equalities are passed upwards."""
+    most = share * program.price
+    return np.where(y > most, 1.0, np.where(~program.one_sided & (y < -most), -1.0, 0.0))
 
 
 def _by_active_sets(program: QuadraticProgram, start: _Binding | None) -> QuadraticSolution | None:
@@ -215,7 +221,7 @@ def _by_active_sets(program: QuadraticProgram, start: _Binding | None) -> Quadra
             return None
         x[free], y[bound.met] = solution[:count], -solution[count:]
         pull, gap = H @ x + g - y @ A, A @ x - r
-        beyond = np.where(np.abs(y) > price, np.sign(y), 0.0)
+        beyond = _broken(program, y, 1.0)
         broken = np.where(bound.met, beyond, np.where(bound.broken * gap < 0, bound.broken, 0.0))
         following = _Binding(
             (bound.low & (pull > 0)) | (free & (x < lower)),

@@ -207,10 +207,22 @@ def test_ends_loaded_alike_lean_alike_and_are_reckoned_once(rod, monkeypatch):
     assert what_leans(first, 1, seat, 0.5) == what_leans(second, 1, seat, 0.5)
     one, alike = (lean_against(rod, 1, seat, 0.5) for rod in (first, second))
     assert (one.shift, one.turn) == pytest.approx((alike.shift, alike.turn), abs=1e-6)
-    again = lean_against(first, 1, seat, 0.5, one.touching)  # what touched before changes the time only
-    assert (again.shift, again.turn) == pytest.approx((one.shift, one.turn), abs=1e-12)
+    again = lean_against(first, 1, seat, 0.5, one)  # what was found before changes the time only
+    assert (again.shift, again.turn) == pytest.approx((one.shift, one.turn), abs=1e-7 * rod.length)
     for changed in ((other, 1, seat, 0.5), (first, 0, seat, 0.5), (first, 1, seat, 0.6)):
         assert what_leans(*changed) != what_leans(first, 1, seat, 0.5)
+
+
+@pytest.mark.parametrize("play", [0.1, 0.3, 0.5, 0.65])
+@pytest.mark.parametrize("stiffness", [0.3, 0.9, 2.0])
+def test_a_seat_that_leans_leaves_the_loaded_tab_as_designed(play, stiffness):
+    bow = optimal_rod(PlaneCurve.ellipse((0, 0), (75.0, 60.0), 0.0, -0.5, np.pi + 0.5), samples=201)
+    seat = TabSeat.pocket(length=13, thickness=0.25, play=play)
+    for index in (0, 1):
+        lean = lean_against(bow, index, seat, stiffness)
+        left = lean_against(bow, index, seat.moved(lean.shift, lean.turn), stiffness)
+        assert abs(left.shift) < 1e-4
+        assert abs(left.turn) < 1e-5
 
 
 def test_a_tab_too_short_for_the_lower_plate_is_refused_with_its_length(strip):

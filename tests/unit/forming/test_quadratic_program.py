@@ -68,6 +68,18 @@ def test_conditions_of_optimality(seed):
     assert np.all(met | at_price)
 
 
+@pytest.mark.parametrize("price", [0.1, 1.0, 10.0])
+def test_inequalities_never_pull_whatever_the_guess(price):
+    for seed in range(60):
+        q, other = program(seed, m=8, price=price), program(1000 + seed, m=8, price=price)
+        for near in (None, solve_quadratic(other)):
+            s = solve_quadratic(q, near=near)
+            y, gap = s.row_multipliers, q.rows @ s.x - q.right
+            assert y[q.one_sided].min(initial=0.0) > -1e-6
+            assert np.all(y[gap < -1e-5] == pytest.approx(price, rel=1e-5))
+            assert np.all(np.abs(y[(gap > 1e-5) & q.one_sided]) < 1e-6)
+
+
 def test_a_row_that_cannot_be_met_is_broken_at_its_price():
     one = np.ones(1)
     q = QuadraticProgram(np.eye(1), 0 * one, -one, one, np.eye(1), 3 * one, 0.5 * one, one > 2)
