@@ -410,14 +410,19 @@ def test_a_workshop_that_measures_links_and_renames(tmp_path):
 def test_macros_do_what_the_hand_did(tmp_path):
     """The recorder is on while buttons are pressed and boxes filled; the macro is played in a new document."""
     found = launching.run_window("macro.py", tmp_path)
+    for name in ("made", "minds", "reshaped"):
+        assert found[name]["played"] == found[name]["by hand"], found[name]["recorded"]
+    made, minds, reshaped = (found[name]["played"] for name in ("made", "minds", "reshaped"))
+    text = found["made"]["recorded"]
     assert (
-        "freecad.elastica_wb.make_strip(App.ActiveDocument.getObject('Sketch'), (), flat_part=False)"
-        in found["recorded"]
+        "freecad.elastica_wb.make_strip(App.ActiveDocument.getObject('Sketch'), (), flat_part=False)" in text
     )
-    assert ".MaxWidth = 25.0" in found["recorded"]
-    assert found["played"] == found["by hand"]
-    assert [one[:2] for one in found["played"]["objects"][-2:]] == [
-        ["Fixtures", "Part::FeaturePython"],
-        ["Nest", "Part::FeaturePython"],
-    ]
-    assert found["played"]["strips"][1][3] == "Perforated"
+    assert ".MaxWidth = 25.0" in text
+    assert [one[0] for one in made["objects"][-2:]] == ["Fixtures", "Nest"]
+    assert made["strips"][1][3] == "Perforated"
+    assert [one[4:] for one in minds["strips"]] == [["Nearest", "Sketch"], ["Exactly", "Low"]]
+    assert [one[3] for one in minds["strips"]] == ["Plain", "Plain"], "what Cancel took back"
+    assert "give the strips tabs" in found["refused"]
+    assert [one[0] for one in minds["objects"]].count("Fixtures") == 1
+    assert {"Bent", "Coupon"} <= {one[0] for one in reshaped["objects"]}
+    assert len(reshaped["steps"]) == 5, "as many steps to undo as by hand"

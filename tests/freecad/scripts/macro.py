@@ -1,4 +1,4 @@
-"""A macro is recorded while strips, holders and a nest are made by hand, and played in another document."""
+"""Macros are recorded while buttons are pressed and boxes filled by hand, and played in other documents."""
 
 import sys
 from pathlib import Path
@@ -13,21 +13,42 @@ from inside import (
     Dialog,
     QtWidgets,
     answers,
+    at_rest,
     begun,
     button,
     choose,
     click,
+    dialog_button,
+    fit,
+    live_at_rest,
     open_panel,
+    panel,
     press,
     run,
+    scroll_to,
     sketch,
     trigger,
     typed,
     until,
+    wait,
     window,
 )
 
 WIDE = [(x + 200, y) for x, y in ARCH]
+FLAT = [(x + 400, 0.8 * y) for x, y in ARCH]
+BAD = [(0, 0), (40, 60), (80, -60), (120, 25), (160, 30), (180, 0)]
+
+STEPS = (
+    "Strip from sketch",
+    "End fixtures and base plate",
+    "Nest on sheets",
+    "Perforate",
+    "Bend forward",
+    "Projective edit",
+    "Use the nearest curve",
+    "Coupon and calibrate",
+)
+"""Ours: FreeCAD adds some of its own where a sketch is closed."""
 
 
 def begin(box):
@@ -36,55 +57,150 @@ def begin(box):
     folder.setText(f"{OUT}/")
     name.setText("made_by_hand")
     click(box.findChild(QtWidgets.QPushButton, "buttonStart"))
+    replace = QtWidgets.QApplication.activeModalWidget()
+    assert replace is None, replace
 
 
-def drawn(document):
-    return sketch(document, ARCH), sketch(document, WIDE, name="Wide")
+def strips_of(document):
+    return [one for one in document.Objects if hasattr(one, "StrainUse")]
 
 
 def found(document):
     document.recompute()
-    strips = [one for one in document.Objects if hasattr(one, "StrainUse")]
+    nest = document.getObject("Nest")
     return {
-        "objects": [[one.Name, one.TypeId, one.State] for one in document.Objects],
-        "strips": [[one.MaxWidth.Value, one.Sheet, round(one.Mass, 9), one.Style] for one in strips],
-        "nest": list(document.getObject("Nest").Placement.Base),
-        "volumes": [round(one.Shape.Volume, 6) for one in document.Objects if hasattr(one, "Shape")],
+        "objects": [[one.Name, one.TypeId, "Invalid" in one.State] for one in document.Objects],
+        "strips": [
+            [one.MaxWidth.Value, one.Sheet, round(one.Mass, 9), one.Style, one.Follow, one.Curve[0].Name]
+            for one in strips_of(document)
+        ],
+        "nest": nest and list(nest.Placement.Base),
+        "volumes": [
+            round(one.Shape.Volume, 6)
+            for one in document.Objects
+            if hasattr(one, "Shape") and one.Shape.Solids
+        ],
+        "lengths": [
+            round(one.Shape.Length, 6)
+            for one in document.Objects
+            if hasattr(one, "Shape") and one.Shape.Edges
+        ],
+        "steps": [name for name in document.UndoNames if name in STEPS],
     }
+
+
+def recorded(name, draw, by_hand):
+    """Work by hand with the recorder on, then play what it wrote where the same sketches are drawn."""
+    document = begun(f"{name}ByHand")
+    draw(document)
+    document.clearUndos()
+    recorder = Dialog(begin)
+    trigger("Std_DlgMacroRecord")
+    until(lambda: recorder.done)
+    by_hand(document)
+    stop = "Std_MacroStopRecord"  # one command begins and ends it since FreeCAD 0.21
+    trigger(stop if stop in Gui.listCommands() else "Std_DlgMacroRecord")
+    file = OUT / "made_by_hand.FCMacro"
+    text = file.read_text(encoding="utf-8")
+    file.unlink()
+    again = begun(f"{name}Played")
+    draw(again)
+    again.clearUndos()
+    App.setActiveDocument(again.Name)
+    names = {"FreeCAD": App, "App": App, "FreeCADGui": Gui, "Gui": Gui, "__name__": "__main__"}
+    exec(compile(text, "made_by_hand.FCMacro", "exec"), names)  # as FreeCAD does after a new start
+    until(lambda: not Gui.Control.activeDialog(), 5)
+    answers[name] = {"recorded": text, "by hand": found(document), "played": found(again)}
+
+
+def make_and_hold(document):
+    open_panel("Elastica_Strip", *document.Objects)
+    typed("MaxWidth", "25 mm")
+    button()
+    first, second = strips_of(document)
+    open_panel("Elastica_Fixtures", first)
+    button()
+    choose(first, second)
+    press("Elastica_Nest")
+    until(lambda: document.getObject("Nest") is not None)
+    choose(second)
+    open_panel("Elastica_Perforate", second)
+    button()
+
+
+def change_ones_mind(document):
+    """The nearest curve, another curve, Cancel, and holders that cannot be made."""
+    bad, wide, low = document.Objects
+    open_panel("Elastica_Strip", wide)
+    button("Cancel")
+    open_panel("Elastica_Strip", bad)
+    until(panel().form.useNearest.isVisible)
+    click(panel().form.useNearest)
+    until(lambda: panel().object.Follow == "Nearest")
+    button()
+    (first,) = strips_of(document)
+    open_panel("Elastica_Strip", wide)
+    scroll_to(panel().form.pick)
+    click(panel().form.pick)
+    until(panel().form.pick.isChecked)
+    choose(low)
+    until(lambda: panel().object.Curve[0] is low)
+    for name in ("StartTab", "EndTab"):
+        typed(name, "0 mm")
+    button()
+    _, second = strips_of(document)
+    open_panel("Elastica_Fixtures", second)
+    click(dialog_button())
+    until(lambda: "give the strips tabs" in panel().form.message.text())
+    answers["refused"] = panel().form.message.text()
+    button("Cancel")
+    open_panel("Elastica_Perforate", second)
+    button("Cancel")
+    open_panel("Elastica_Fixtures", first)
+    button()
+
+
+def reshape(document):
+    """A strip bent further, a curve pulled, a refused curve replaced while its sketch is open, a coupon."""
+    from freecad.elastica_wb.live import session as live
+
+    good, bad = document.Objects
+    open_panel("Elastica_Projective", good)
+    typed("y3", "90 mm")
+    button()
+    open_panel("Elastica_Strip", good)
+    button()
+    (made,) = strips_of(document)
+    open_panel("Elastica_Bend", made)
+    typed("EndX", "5 mm")
+    button()
+    Gui.ActiveDocument.setEdit(bad.Name)
+    until(lambda: live.session() is not None and live.session().card.button.isVisible())
+    fit()
+    refused = bad.Geometry[0].NbPoles
+    click(live.session().card.button)
+    until(lambda: bad.Geometry[0].NbPoles != refused)
+    live_at_rest()
+    Gui.ActiveDocument.resetEdit()
+    wait(200)
+    choose()
+    open_panel("Elastica_Coupon")
+    scroll_to(panel().form.make)
+    click(panel().form.make)
+    until(lambda: document.getObject("Coupon") is not None)
+    at_rest()
+    button()
 
 
 def work():
     window()
-    document = begun("ByHand")
-    sketches = drawn(document)
-    recorder = Dialog(begin)
-    trigger("Std_DlgMacroRecord")
-    until(lambda: recorder.done)
-    open_panel("Elastica_Strip", *sketches)
-    typed("MaxWidth", "25 mm")
-    button()
-    strips = [one for one in document.Objects if hasattr(one, "StrainUse")]
-    open_panel("Elastica_Fixtures", strips[0])
-    button()
-    choose(*strips)
-    press("Elastica_Nest")
-    until(lambda: document.getObject("Nest") is not None)
-    choose(strips[1])
-    open_panel("Elastica_Perforate", strips[1])
-    button()
-    stop = "Std_MacroStopRecord"  # one command begins and ends it since FreeCAD 0.21
-    trigger(stop if stop in Gui.listCommands() else "Std_DlgMacroRecord")
-    answers["by hand"] = found(document)
-    text = (OUT / "made_by_hand.FCMacro").read_text(encoding="utf-8")
-    answers["recorded"] = text
-    again = begun("Played")
-    drawn(again)
-    App.setActiveDocument(again.Name)
-    import __main__
-
-    exec(compile(text, "made_by_hand.FCMacro", "exec"), vars(__main__))  # as FreeCAD plays macros
-    until(lambda: not Gui.Control.activeDialog(), 5)
-    answers["played"] = found(again)
+    recorded("made", lambda one: (sketch(one, ARCH), sketch(one, WIDE, name="Wide")), make_and_hold)
+    recorded(
+        "minds",
+        lambda one: (sketch(one, BAD), sketch(one, WIDE, name="Wide"), sketch(one, FLAT, name="Low")),
+        change_ones_mind,
+    )
+    recorded("reshaped", lambda one: (sketch(one, ARCH), sketch(one, BAD, name="Bad")), reshape)
 
 
 run(work)

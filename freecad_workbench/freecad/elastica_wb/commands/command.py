@@ -14,7 +14,13 @@ from freecad.elastica_wb.host.resources import icon
 from freecad.elastica_wb.host.telling import tell
 from freecad.elastica_wb.live.sketches import edited_sketch
 from freecad.elastica_wb.panels.feature_panels import panel_of
-from freecad.elastica_wb.panels.recording import recorded
+from freecad.elastica_wb.recording import (
+    record_abort,
+    record_end_of_step,
+    record_recompute,
+    record_step,
+    recorded,
+)
 
 from elastica_cad.errors import ElasticaError
 
@@ -54,7 +60,7 @@ class Command:
             self.run()
         except FAILURES as error:
             if App.getActiveTransaction() != step:
-                App.closeActiveTransaction(True)
+                record_abort()
             tell(str(explained(error)))
 
     def run(self) -> None:
@@ -80,21 +86,19 @@ def edit_new(step: str, make: Callable[..., Any], *arguments: Any) -> None:
     """Make a feature in the open document and edit it: one undo step until OK."""
     if edited_sketch() is not None:
         Gui.ActiveDocument.resetEdit()
-    App.ActiveDocument.openTransaction(step)
+    record_step(App.ActiveDocument, step)
     made = recorded(make, App.ActiveDocument, *arguments)
-    App.ActiveDocument.recompute()
+    record_recompute(App.ActiveDocument)
     show_panel(panel_of, made)
 
 
 @contextmanager
 def undo_step(document: Any, name: str) -> Iterator[None]:
     """Everything inside is one step of the undo history, or after an error none."""
-    document.openTransaction(name)
+    record_step(document, name)
     try:
         yield
     except BaseException:
-        document.abortTransaction()
-        App.closeActiveTransaction(True)
+        record_end_of_step(document, abort=True)
         raise
-    document.commitTransaction()
-    App.closeActiveTransaction(False)
+    record_end_of_step(document)

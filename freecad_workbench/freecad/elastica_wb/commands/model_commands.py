@@ -12,7 +12,7 @@ from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.host.telling import tell
 from freecad.elastica_wb.panels.feature_panels import panel_of
 from freecad.elastica_wb.panels.fixtures import FixturesPanel
-from freecad.elastica_wb.panels.recording import record_value, recorded
+from freecad.elastica_wb.recording import record_recompute, record_step, record_value, recorded
 
 from elastica_cad.errors import InputError
 
@@ -34,11 +34,11 @@ class InterlockCommand(Command):
     def run(self) -> None:
         """Make the model, hide the single strips behind it, open the panel."""
         strips = chosen_strips(least=2)
-        App.ActiveDocument.openTransaction(self.text)
+        record_step(App.ActiveDocument, self.text)
         made = recorded(model.create, App.ActiveDocument, strips)
         for part in flat.flats_of(strips):
             record_value(part, "Model", made)
-        App.ActiveDocument.recompute()
+        record_recompute(App.ActiveDocument)
         for strip in strips if not why_not_made(made) else ():  # else there is nothing in their place
             record_value(strip, "Visibility", False)
         show_panel(panel_of, made)
@@ -86,6 +86,6 @@ class NestCommand(Command):
             raise InputError("; ".join(failed))
         with undo_step(document, self.text):
             made = recorded(nest.create, document, sources)
-            document.recompute()
+            record_recompute(document)
         if "Invalid" in made.State:  # it stays: other sheets may take the parts
             tell(made.getStatusString())

@@ -19,8 +19,8 @@ from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.live.sketches import edited_sketch
 from freecad.elastica_wb.panels.bend import BendPanel
 from freecad.elastica_wb.panels.feature_panels import panel_of
-from freecad.elastica_wb.panels.recording import record_recompute, record_value, recorded
 from freecad.elastica_wb.panels.tolerance import TolerancePanel
+from freecad.elastica_wb.recording import record_recompute, record_step, record_value, recorded
 
 
 class OnStrips(Command):
@@ -55,7 +55,7 @@ class StripCommand(Command):
         document = App.ActiveDocument
         if edited_sketch() is not None:
             Gui.ActiveDocument.resetEdit()
-        document.openTransaction("Strip from sketch")
+        record_step(document, "Strip from sketch")
         made = [recorded(make_strip, source, edges, flat_part=False) for source, edges in curves]
         for one in made:
             _add_flat(one)
@@ -82,10 +82,10 @@ class PerforateCommand(OnStrips):
     def run(self) -> None:
         """Change the style, then the panel to choose widths and holes."""
         strips = chosen_strips()
-        App.ActiveDocument.openTransaction(self.text)
+        record_step(App.ActiveDocument, self.text)
         for chosen in strips:
             record_value(chosen, "Style", "Perforated")
-        App.ActiveDocument.recompute()
+        record_recompute(App.ActiveDocument)
         show_panel(panel_of, strips[-1])
 
 
@@ -102,10 +102,10 @@ class LaminateCommand(OnStrips):
     def run(self) -> None:
         """Change the style, add the flat part of the backing, then the panel."""
         strips = chosen_strips()
-        App.ActiveDocument.openTransaction(self.text)
+        record_step(App.ActiveDocument, self.text)
         for chosen in strips:
             record_value(chosen, "Style", "Laminated")
-        App.ActiveDocument.recompute()
+        record_recompute(App.ActiveDocument)
         for chosen in strips:
             if not any(part.Layer == "Backing" for part in flat.flats_of([chosen])):
                 _add_flat(chosen, "Backing")

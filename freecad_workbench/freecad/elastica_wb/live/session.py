@@ -25,6 +25,7 @@ from freecad.elastica_wb.live.overlay import Overlay
 from freecad.elastica_wb.live.sketch_drag import Dragged
 from freecad.elastica_wb.live.verdict import Answer, Verdict, refusal_answer, strip_answer
 from freecad.elastica_wb.live.verdict_card import VerdictCard
+from freecad.elastica_wb.recording import record_call, record_end_of_step, record_step, recorded
 from freecad.elastica_wb.solving.strip_cache import find_nearest_now, solve_strip
 from pivy import coin
 
@@ -90,11 +91,10 @@ class Session:
         if self.near is None:
             return
         document, near = self.sketch.Document, self.near
-        document.openTransaction(translate("Elastica", "Use the nearest curve"))
-        curve_into(self.sketch, near.curve)
-        self.sketch.solve()  # it moves points: a part of the step
-        document.commitTransaction()
-        App.closeActiveTransaction(False)
+        record_step(document, translate("Elastica", "Use the nearest curve"))
+        recorded(curve_into, self.sketch, near.curve)
+        record_call(self.sketch, "solve")  # it moves points: a part of the step
+        record_end_of_step(document)
         self.refresh()
 
     def _attach(self) -> None:

@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 from freecad.elastica_wb.features.curves import MOVES, bent, largest_move, moved
 from freecad.elastica_wb.features.strip import strip_of
-from freecad.elastica_wb.host.property_table import put
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.panels.panel import Panel, active_view, placement_of_strip
 from freecad.elastica_wb.panels.widgets.fields import set_value
 from freecad.elastica_wb.preview.preview_lines import Preview
+from freecad.elastica_wb.recording import record_value, recorded
 
 from elastica_cad.errors import ElasticaError
 from elastica_cad.fabrication.strip.strip_sideways import strip_sideways
@@ -87,9 +87,11 @@ class BendPanel(Panel):
             return
         self.changed()
         if self.feature is None:
-            bent(self.document, self.object, **moves)
-        else:
-            put(self.feature, **moves)
+            recorded(bent, self.document, self.object, **moves)
+            return
+        for name, value in moves.items():
+            if getattr(self.feature, name).Value != value:
+                record_value(self.feature, name, value)
 
     def closed(self) -> None:
         """Take the preview off the view."""

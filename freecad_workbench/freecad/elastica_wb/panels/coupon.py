@@ -12,6 +12,7 @@ from freecad.elastica_wb.host.sentences import decimal_point
 from freecad.elastica_wb.host.sheet_store import own_sheets, save_own_sheets, sheet_called, sheet_list
 from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.widgets.file_dialogs import ask_file, save_drawing
+from freecad.elastica_wb.recording import recorded
 from freecad.elastica_wb.shapes.part_shapes import make_solid
 
 from elastica_cad.errors import InputError
@@ -58,12 +59,7 @@ class CouponPanel(Panel):
 
     def make(self, *_: Any) -> None:
         """The coupon as a flat body."""
-        drawing = coupon_drawing(sheet_called(self.form.sheet.currentText()))
-        sheet = sheet_called(self.form.sheet.currentText())
-        (outline,) = drawing.on(CUT_OUTER)
-        body = self.document.addObject("Part::Feature", "Coupon")
-        body.Label = drawing.name
-        body.Shape = make_solid(FlatSolid(outline, (), sheet.thickness))
+        recorded(add_coupon, self.document, self.form.sheet.currentText())
 
     def write(self, *_: Any) -> None:
         """Its cutting file."""
@@ -98,6 +94,17 @@ class CouponPanel(Panel):
         save_own_sheets((own_sheets() | {name: sheet}).values())
         keep_sheets()
         return name
+
+
+def add_coupon(document: Any, sheet_name: str) -> Any:
+    """The coupon of a sheet as a flat body."""
+    sheet = sheet_called(sheet_name)
+    drawing = coupon_drawing(sheet)
+    (outline,) = drawing.on(CUT_OUTER)
+    body = document.addObject("Part::Feature", "Coupon")
+    body.Label = drawing.name
+    body.Shape = make_solid(FlatSolid(outline, (), sheet.thickness))
+    return body
 
 
 def readings_of(text: str) -> tuple[list[float], list[float]]:

@@ -11,8 +11,8 @@ from freecad.elastica_wb.host.refusal import why_not_made
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import sheet_list
 from freecad.elastica_wb.panels.panel import Panel
-from freecad.elastica_wb.panels.recording import record_value, recorded
 from freecad.elastica_wb.panels.widgets.fields import set_value
+from freecad.elastica_wb.recording import record_call, record_value, recorded
 
 from elastica_cad.errors import InputError
 
@@ -52,5 +52,5 @@ class FixturesPanel(Panel):
         failed = list(dict.fromkeys(filter(None, map(why_not_made, made))))
         if failed:
             for obj in made:
-                self.document.removeObject(obj.Name)
+                record_call(self.document, "removeObject", obj.Name)
             raise InputError("; ".join(failed))

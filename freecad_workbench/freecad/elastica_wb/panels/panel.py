@@ -16,6 +16,7 @@ from freecad.elastica_wb.host.resources import icon, load_panel, quantities_of, 
 from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.live import session as live
 from freecad.elastica_wb.panels.widgets.fields import calm, set_value, signal_of, value_of
+from freecad.elastica_wb.recording import record_end_of_step, record_recompute, record_step
 
 from elastica_cad.errors import InputError
 
@@ -47,7 +48,7 @@ class Panel:
         self._timer.timeout.connect(self._safely_changed)
         # what was done before without a step of its own, in the console say, is no part of this one
         if self.step and not (document.HasPendingTransaction and App.getActiveTransaction()):
-            document.openTransaction(self.step)
+            record_step(document, self.step)
 
     def make_form(self) -> Any:
         """The widgets; what the panel tells stands on top, where it is seen without scrolling."""
@@ -71,10 +72,8 @@ class Panel:
             self.tell(str(explained(error)))
             return False
         if self.document is not None:
-            self.document.recompute()
-            # a document that was not changed leaves the step open in FreeCAD, for changes of others to fall into
-            self.document.commitTransaction()
-            App.closeActiveTransaction(False)
+            record_recompute(self.document)
+            record_end_of_step(self.document)
         self._close()
         return True
 
@@ -82,9 +81,8 @@ class Panel:
         """Cancel: everything as it was."""
         self._timer.stop()
         if self.document is not None and document_lives(self.document):
-            self.document.abortTransaction()
-            App.closeActiveTransaction(True)
-            self.document.recompute()
+            record_end_of_step(self.document, abort=True)
+            record_recompute(self.document)
         self._close()
         return True
 

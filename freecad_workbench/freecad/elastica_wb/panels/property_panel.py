@@ -17,7 +17,6 @@ from freecad.elastica_wb.host.refusal import FAILURES, explained, why_not_made
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.user_units import worded
 from freecad.elastica_wb.panels.panel import Panel
-from freecad.elastica_wb.panels.recording import record_recompute, record_value, recorded
 from freecad.elastica_wb.panels.widgets.fields import (
     field_for,
     put_away,
@@ -26,6 +25,7 @@ from freecad.elastica_wb.panels.widgets.fields import (
     signal_of,
     value_of,
 )
+from freecad.elastica_wb.recording import record_value, recorded
 
 Told = tuple[tuple[str, str], ...]
 
@@ -161,7 +161,6 @@ class PropertyPanel(Panel):
             bound = {path for path, *_ in self.object.ExpressionEngine}
             for name in [name for name in self._changed if name not in bound]:
                 record_value(self.object, name, _plain(getattr(self.object, name)))
-            record_recompute(self.document)
         self._changed.clear()
 
     def closed(self) -> None:
@@ -196,6 +195,7 @@ class PropertyPanel(Panel):
             return
         edges = [element] if element.startswith("Edge") and "Sketch" not in source.TypeId else []
         setattr(self.object, self.layout.source, (source, edges))
+        self._changed[self.layout.source] = None
         self._stop_picking()
         self.document.recompute()
         self._show()
@@ -248,6 +248,7 @@ class PropertyPanel(Panel):
 
     def _use_nearest(self, *_: Any) -> None:
         self.object.Follow = "Nearest"
+        self._changed["Follow"] = None
         self.document.recompute()
         self._show()
 

@@ -19,6 +19,7 @@ from freecad.elastica_wb.live.sketches import edited_sketch
 from freecad.elastica_wb.panels.widgets.length_card import LengthCard
 from freecad.elastica_wb.preview.handles import Place
 from freecad.elastica_wb.preview.preview_lines import Preview
+from freecad.elastica_wb.recording import record_call, record_end_of_step, record_step, recorded
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import ElasticaError
@@ -116,11 +117,10 @@ class BetweenClamps:
         if self.found is None:
             return
         document = self.sketch.Document
-        document.openTransaction(translate("Elastica_Between", "Curve of given length"))
-        self.number = replace_curve(self.sketch, self.number, self.found.curve)
-        self.sketch.solve()  # it moves points: a part of the step
-        document.commitTransaction()
-        App.closeActiveTransaction(False)
+        record_step(document, translate("Elastica_Between", "Curve of given length"))
+        self.number = recorded(replace_curve, self.sketch, self.number, self.found.curve)
+        record_call(self.sketch, "solve")  # it moves points: a part of the step
+        record_end_of_step(document)
 
     def _places(self) -> FloatArray:
         reach = REACH * float(np.hypot(*(self.ends[1] - self.ends[0])))

@@ -16,6 +16,7 @@ from freecad.elastica_wb.live.verdict import quick_answer, sentence_of, strip_an
 from freecad.elastica_wb.panels.panel import Panel, active_view
 from freecad.elastica_wb.panels.widgets.fields import set_value
 from freecad.elastica_wb.preview.preview_lines import Preview
+from freecad.elastica_wb.recording import recorded
 from freecad.elastica_wb.solving.strip_cache import solve_strip
 
 from elastica_cad._types import FloatArray
@@ -95,7 +96,7 @@ class ProjectivePanel(Panel):
         self._typed()
         self.pull()
         if self.curve is not self.drawn:
-            curve_into(self.sketch, evened(self.curve))
+            recorded(curve_into, self.sketch, evened(self.curve))
 
     def closed(self) -> None:
         """Take the preview off the view."""

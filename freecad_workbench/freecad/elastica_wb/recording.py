@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""What a macro records of our work: calls, values and steps that can be played again."""
+
+from collections.abc import Callable
+from typing import Any
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
+import __main__
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+
+MADE = "elastica_made"
+"""Name, in macros and in the console, of what was made last."""
+
+
+def recorded(make: Callable[..., Any], *arguments: Any, **options: Any) -> Any:
+    """What a function of a module makes, asked for in a line that a macro keeps."""
+    modules = [make.__module__, *(["elastica_cad"] if any(map(_is_curve, arguments)) else [])]
+    for module in modules:  # Gui.addModule tells a macro of what was not loaded before only
+        Gui.doCommand(f"import {module}")
+    given = [*map(_written, arguments), *(f"{name}={_written(value)}" for name, value in options.items())]
+    Gui.doCommand(f"{MADE} = {make.__module__}.{make.__name__}({', '.join(given)})")
+    return getattr(__main__, MADE)
+
+
+def record_value(obj: Any, name: str, value: Any) -> None:
+    """Set a property in a line that a macro keeps."""
+    Gui.doCommand(f"{_written(obj)}.{name} = {_written(value)}")
+
+
+def record_call(obj: Any, method: str, *arguments: Any) -> None:
+    """Call a method of a document or of an object in a line that a macro keeps."""
+    Gui.doCommand(f"{_written(obj)}.{method}({', '.join(map(_written, arguments))})")
+
+
+def record_recompute(document: Any) -> None:
+    """Recompute in a line that a macro keeps."""
+    record_call(document, "recompute")
+
+
+def record_step(document: Any, name: str) -> None:
+    """Begin an undo step in a line that a macro keeps: what Cancel takes back is taken back there too."""
+    record_call(document, "openTransaction", name)
+
+
+def record_end_of_step(document: Any, *, abort: bool = False) -> None:
+    """End an undo step, or take everything in it back, in lines that a macro keeps."""
+    record_call(document, "abortTransaction" if abort else "commitTransaction")
+    # a document that was not changed leaves the step open in FreeCAD, for changes of others to fall into
+    Gui.doCommand(f"App.closeActiveTransaction({abort})")
+
+
+def record_abort() -> None:
+    """Take back what the open step holds, in a line that a macro keeps."""
+    Gui.doCommand("App.closeActiveTransaction(True)")
+
+
+def _written(value: Any) -> str:
+    """An expression that a macro understands."""
+    if isinstance(value, App.Document):
+        return "App.ActiveDocument" if value is App.ActiveDocument else f"App.getDocument({value.Name!r})"
+    if isinstance(value, App.DocumentObject):
+        return f"{_written(value.Document)}.getObject({value.Name!r})"
+    if _is_curve(value):
+        weights = None if value.weights is None else value.weights.tolist()
+        numbers = (value.knots.tolist(), value.control_points.tolist(), value.degree, weights)
+        return f"elastica_cad.PlaneCurve{numbers!r}"
+    if isinstance(value, list):
+        return f"[{', '.join(map(_written, value))}]"
+    if isinstance(value, tuple):
+        return f"({''.join(f'{_written(item)}, ' for item in value)})"
+    return repr(value)
+
+
+def _is_curve(value: Any) -> bool:
+    return isinstance(value, PlaneCurve)
