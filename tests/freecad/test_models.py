@@ -11,6 +11,7 @@ from freecad.elastica_wb.features import baseplate, fixtures, flat, model, nest,
 from freecad.elastica_wb.features.pieces import pieces_of
 from freecad.elastica_wb.shapes.part_shapes import make_solid
 
+from elastica_cad.errors import InputError
 from elastica_cad.fabrication.sheets.pieces import distinct
 
 ARCH = [(-75, 0), (-50, 60), (0, 95), (50, 60), (75, 0)]
@@ -260,3 +261,98 @@ def test_holders_of_links_and_arrays(document, crossing):
     other = model.create(document, [crossing[1], link])
     document.recompute()
     assert "a model is made of strips" in other.getStatusString()
+
+
+def test_links_containers_and_flat_parts_are_counted(document, standing):
+    first, second = standing
+    second.Quantity = 2
+    lying = flat.create(document, first)
+    link = document.addObject("App::Link", "Link")
+    link.LinkedObject = first
+    again = document.addObject("App::Link", "Again")
+    again.LinkedObject = link
+    spread = document.addObject("App::Link", "Spread")
+    spread.LinkedObject = lying
+    spread.ElementCount = 6
+    document.recompute()
+    counts = {piece.name: piece.count for piece in pieces_of([first, second, again, link])}
+    assert counts == {"A": 3, "B": 2}
+    assert [piece.count for piece in pieces_of([first, lying])] == [1], "the same piece, bent and flat"
+    assert [piece.count for piece in pieces_of([first, spread])] == [6]
+    link.Scale = 2
+    with pytest.raises(InputError, match="set its Scale to 1"):
+        pieces_of([link])
+
+
+def test_models_and_plates_are_counted_where_they_are_linked(document, standing, tmp_path):
+    made = model.create(document, standing, interlock=False)
+    part = document.addObject("App::Part", "House")
+    plate = baseplate.create(document, [made])
+    part.addObject(plate)
+    link = document.addObject("App::Link", "Link")
+    link.LinkedObject = made
+    link.ElementCount = 2
+    houses = document.addObject("App::Link", "Houses")
+    houses.LinkedObject = part
+    document.recompute()
+    counts = [(piece.name, piece.count) for piece in pieces_of([made, link, plate, houses])]
+    assert counts == [("A", 3), ("B", 3), (plate.Label, 2)]
+    files = write_cutting_files([made, link], tmp_path, kinds=("step", "svg"))
+    assert [file.name for file in files if file.suffix == ".step"] == ["Model.step"]
+    assert "A_birch-plywood-0.8_0.8mm_x3.svg" in {file.name for file in files}
+
+
+@pytest.mark.parametrize("kind", ["Link", "array", "Part"])
+def test_holders_stand_where_models_are_shown(document, standing, kind):
+    """Blocks and a plate of what shows a model are those of the model, moved as FreeCAD moves what is shown."""
+    made = model.create(document, standing, interlock=False)
+    document.recompute()
+    first = fixtures.create(document, [made])
+    document.recompute()
+    at_home = sorted(tuple(block.CenterOfMass) for block in first.Shape.Solids)
+    shown = document.addObject("App::Part" if kind == "Part" else "App::Link", "Shown")
+    if kind == "Part":
+        for one in (made, *standing, *(strip_made.Curve[0] for strip_made in standing)):
+            shown.addObject(one)
+    else:
+        shown.LinkedObject = made
+    places = [App.Placement()]
+    if kind == "array":
+        shown.ElementCount = 3
+        places = [App.Placement(App.Vector(0, 200.0 * i, 0), App.Rotation()) for i in range(3)]
+        for one, place in zip(shown.ElementList, places, strict=True):
+            one.Placement = place
+    shown.Placement = App.Placement(App.Vector(400, 30, 12), App.Rotation(App.Vector(0, 0, 1), 25))
+    room = document.addObject("App::Part", "Room")
+    room.addObject(shown)
+    room.Placement.Base = App.Vector(7, 8, 9)
+    document.recompute()
+    blocks = fixtures.create(document, [shown])
+    plate = baseplate.create(document, [shown])
+    plate.Placement.Base.z = 5  # in the room that they all stand in
+    document.recompute()
+    assert blocks.State == plate.State == ["Up-to-date"], blocks.getStatusString() + plate.getStatusString()
+    expected = [shown.Placement * place * App.Vector(*one) for place in places for one in at_home]
+    for block in blocks.Shape.Solids:
+        assert min((block.CenterOfMass - one).Length for one in expected) < 1e-4
+    assert len(blocks.Shape.Solids) == len(expected)
+    assert max(len(face.Wires) for face in plate.Shape.Faces) == 1 + len(expected), "a slot for every tab"
+
+
+def test_several_models_are_held(document, standing):
+    first, second = (model.create(document, [one], interlock=False) for one in standing)
+    document.recompute()
+    blocks = fixtures.create(document, [first, second])
+    document.recompute()
+    assert len(blocks.Shape.Solids) == 4
+
+
+def test_a_model_that_was_moved_is_held_where_it_stands(document, standing):
+    made = model.create(document, standing, interlock=False)
+    made.Placement.Base = App.Vector(0, 0, 300)
+    document.recompute()
+    blocks = fixtures.create(document, [made])
+    document.recompute()
+    box, held = made.Shape.BoundBox, blocks.Shape.BoundBox
+    assert box.ZMin > 250
+    assert held.ZMin < box.ZMin < held.ZMax < box.ZMax

@@ -341,7 +341,8 @@ def test_what_a_hand_does(tmp_path):
         assert "Elastica_Bend" in found[f"menu in the {place}"]
         assert "Elastica_Export" in found[f"menu in the {place}"]
         assert found[f"panel from the {place}"] == "Bend forward"
-    assert found["bend of a link"] == found["export of an array"] == "Strip"
+    assert found["bend of a link"] == "Strip"
+    assert found["export of an array"] == [3]
     assert found["array"] == [3, "Up-to-date"]
     assert found["picked"] == ["Other", "Other", False]
     assert found["picked, undone"]
@@ -426,3 +427,20 @@ def test_macros_do_what_the_hand_did(tmp_path):
     assert [one[0] for one in minds["objects"]].count("Fixtures") == 1
     assert {"Bent", "Coupon"} <= {one[0] for one in reshaped["objects"]}
     assert len(reshaped["steps"]) == 5, "as many steps to undo as by hand"
+
+
+def test_arrays_and_clones_are_cut_as_often_as_they_stand(tmp_path):
+    found = launching.run_window("copies.py", tmp_path)
+    assert found["grey for an array"] == [False] * 4
+    assert found["array"] == found["everything"] == found["array with its base"] == {"Strip": 6}
+    assert found["laid"] == [6, 2]
+    assert found["one of an array"] == {"Strip": 1}
+    assert found["array of shapes"] == {"Strip": 3}
+    assert found["clones"] == [{"Strip": 1}, {"Strip": 3}]
+    assert found["flat parts"] == [{"Strip": 5}, {"Strip": 5}]
+    for name in ("held", "shapes held", "clone held"):
+        assert found[name] == [True, True, True], (
+            f"{name}: blocks for every tab, at the tabs, with room for them"
+        )
+    assert found["opened again"] == [{"Strip": 2}, {"Strip": 3}, {"Strip": 1}]
+    assert "set its Scale to 1" in found["scaled"]

@@ -164,7 +164,7 @@ def links(document, strip):
     choose(link)
     press("Elastica_Export")
     until(is_open)
-    answers["export of an array"] = panel().strips[0].Name
+    answers["export of an array"] = [piece.count for piece in panel().pieces]
     cancel()
     document.removeObject(link.Name)
 

@@ -60,7 +60,7 @@ class FixturesCommand(Command):
 
     def run(self) -> None:
         """Open the panel."""
-        show_panel(FixturesPanel, chosen_sources(in_place=True))
+        show_panel(FixturesPanel, chosen_sources())
 
 
 class NestCommand(Command):

@@ -3,16 +3,17 @@
 
 """What is selected, and which sketch is open."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import FreeCAD as App
 import FreeCADGui as Gui
+from freecad.elastica_wb.curves.copies import contents, not_repeated, originals
 from freecad.elastica_wb.curves.sketch_curves import is_sketch, linked
 from freecad.elastica_wb.features.baseplate import is_base_plate
 from freecad.elastica_wb.features.curves import is_section
 from freecad.elastica_wb.features.flat import is_flat
-from freecad.elastica_wb.features.model import is_model
+from freecad.elastica_wb.features.pieces import cut_for, is_cut
 from freecad.elastica_wb.features.strip import is_strip
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.live.sketches import edited_sketch, followers
@@ -106,37 +107,55 @@ def chosen_sketch() -> Any:
     return source
 
 
-def chosen_sources(*, in_place: bool = False) -> list[Any]:
-    """The selected strips, models and base plates; where none is selected, all that is not part of another.
+def chosen_sources() -> list[Any]:
+    """The selected strips, models and base plates, and what shows them; where none is selected, the document's.
 
-    A flat part with the slots of a model stands for the model: its strip alone has none. What is held `in_place` is
-    held where its link stands.
+    A flat part with the slots of a model stands for the model: its strip alone has none. Links, arrays and clones
+    stand for themselves, with all that they show; containers stand for what is in them.
+
+    Raises
+    ------
+    InputError
+        Nothing of that kind; nothing is selected, and it is not clear which strips are meant.
     """
-    selected = [(obj, linked(obj)) for obj in Gui.Selection.getSelection()]
-    meant = [one.Model if is_flat(one) and one.Model is not None else one for _, one in selected]
-    found = list(dict.fromkeys(one for one in meant if is_model(one) or is_base_plate(one)))
-    if not any(is_strip(one) or is_flat(one) for _, one in selected) and not found:
-        found = [obj for obj in App.ActiveDocument.Objects if is_model(obj) or is_base_plate(obj)]
-    return found or chosen_strips(in_place=in_place)
+    found = _sources(one for obj in Gui.Selection.getSelection() for one in contents(obj))
+    return found or _all_sources() or chosen_strips()
 
 
-def chosen_strips(*, least: int = 1, in_place: bool = False) -> list[Any]:
-    """The selected strips, through their flat parts and links too; the only strip of a document by itself.
+def _sources(objects: Iterable[Any]) -> list[Any]:
+    """What among objects is cut or shows what is cut, each once."""
+    meant = dict.fromkeys(filter(None, map(cut_for, objects)))
+    return not_repeated(one for one in meant if any(is_cut(cut_for(own)) for own in originals(one)))
 
-    With `in_place` a link to a strip stands for itself.
+
+def _all_sources() -> list[Any]:
+    """The models and base plates of the document with the strips that stand on these; else its only strip."""
+    found = _sources(
+        obj for obj in App.ActiveDocument.Objects if contents(obj) == [obj] and not _is_element(obj)
+    )
+    made = [one for one in found if not all(is_strip(cut_for(own)) for own in originals(one))]
+    if made:
+        held = [one for plate in made if is_base_plate(plate) for one in plate.Sources]
+        return list(dict.fromkeys([*made, *held]))
+    strips = {cut_for(own) for one in found for own in originals(one)}
+    return found if len(strips) == 1 else []
+
+
+def _is_element(obj: Any) -> bool:
+    return bool(obj.TypeId == "App::LinkElement")
+
+
+def chosen_strips(*, least: int = 1) -> list[Any]:
+    """The selected strips, through their flat parts and all that shows them; the only one of a document by itself.
 
     Raises
     ------
     InputError
         Fewer than `least` of them.
     """
-    found: list[Any] = []
-    for obj in Gui.Selection.getSelection():
-        source = linked(obj)
-        strip = source.Strip if is_flat(source) else source
-        if is_strip(strip):
-            found.append(obj if in_place and strip is source else strip)
-    found = list(dict.fromkeys(found))
+    shown = [own for obj in Gui.Selection.getSelection() for own in originals(obj)]
+    strips = [one.Strip if is_flat(one) else one for one in shown]
+    found = list(dict.fromkeys(one for one in strips if is_strip(one)))
     everything = [obj for obj in App.ActiveDocument.Objects if is_strip(obj)]
     if not found and least == 1 and len(everything) == 1:
         found = everything

@@ -12,9 +12,10 @@ from typing import Any
 import FreeCAD as App
 from freecad.elastica_wb.curves.sketch_curves import container, drawn_curve, frame_of
 from freecad.elastica_wb.export.plain_dxf import write_cut
+from freecad.elastica_wb.features.baseplate import is_base_plate
 from freecad.elastica_wb.features.model import is_model, model_of, solids_of
-from freecad.elastica_wb.features.pieces import pieces_of
-from freecad.elastica_wb.features.strip import is_strip, strip_of
+from freecad.elastica_wb.features.pieces import counted, pieces_of
+from freecad.elastica_wb.features.strip import strip_of
 from freecad.elastica_wb.host.progress import Step, go_on
 from freecad.elastica_wb.solving.strip_cache import bent_shape, flat_shape
 
@@ -66,7 +67,7 @@ def write_cutting_files(
     if "nest" in kinds:
         drawings |= {sheet.name: sheet for sheet in nest_pieces(pieces, sheet_size=sheet_size)}
     flat = [kind for kind in ("dxf", "svg") if kind in kinds]
-    bodies = [obj for obj in sources if is_strip(obj) or is_model(obj)] if "step" in kinds else []
+    bodies = [obj for obj in counted(sources) if not is_base_plate(obj)] if "step" in kinds else []
     steps = [f"{word}.step" for word in distinct(file_word(obj.Label) for obj in bodies)]
     names = [f"{stem}.{kind}" for stem in drawings for kind in flat] + steps
     names += ["cut-list.csv"] if "csv" in kinds else []

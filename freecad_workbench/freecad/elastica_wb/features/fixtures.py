@@ -7,8 +7,9 @@ from collections.abc import Iterable
 from typing import Any
 
 import Part
+from freecad.elastica_wb.curves.copies import not_repeated
 from freecad.elastica_wb.curves.sketch_curves import container
-from freecad.elastica_wb.features.model import is_model, model_of, strips_model
+from freecad.elastica_wb.features.model import strips_model
 from freecad.elastica_wb.features.proxy import CONTAINERS, Feature, added
 from freecad.elastica_wb.host.progress import in_steps
 from freecad.elastica_wb.host.property_table import Property, put
@@ -72,6 +73,5 @@ def tell_plays(obj: Any, model: Model, holders: Iterable[object]) -> None:
 
 
 def source_model(sources: list[Any]) -> Model:
-    """The one model among the sources, or one made of the strips there."""
-    models = [obj for obj in sources if is_model(obj)]
-    return model_of(models[0]) if models else strips_model(sources, name="strips")
+    """One model of all strips and models among the sources, each where it stands."""
+    return strips_model(not_repeated(sources), name="strips")

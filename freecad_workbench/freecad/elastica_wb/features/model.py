@@ -9,14 +9,8 @@ from typing import Any
 import FreeCAD as App
 import numpy as np
 import Part
-from freecad.elastica_wb.curves.sketch_curves import (
-    LINK,
-    container,
-    drawn_curve,
-    frame_of,
-    linked,
-    placement_of,
-)
+from freecad.elastica_wb.curves.copies import copies
+from freecad.elastica_wb.curves.sketch_curves import container, drawn_curve, frame_of, placement_of
 from freecad.elastica_wb.features.proxy import CONTAINERS, Feature, added
 from freecad.elastica_wb.features.strip import is_strip, strip_of
 from freecad.elastica_wb.host import preferences
@@ -116,37 +110,26 @@ def solids_of(model: Model, place: App.Placement) -> list[Any]:
 
 
 def strips_model(strips: list[Any], *, name: str, options: tuple[tuple[str, Any], ...] = ()) -> Model:
-    """Strips of a document, or links to them, in their places, slotted where options are given."""
+    """Strips and models of a document, or what shows them, in their places; slotted where options are given."""
     if not strips:
         raise InputError("the model has no strips: choose some in the property Strips")
-    places = [
-        (_labelled(strip_of(strip), strip.EngravedText or obj.Label), _numbers(world))
-        for obj in strips
-        for strip, world in _standing(obj)
-    ]
+    places = [(strip, _numbers(world)) for obj in strips for strip, world in _standing(obj)]
     return in_background("Putting the model together", _model, tuple(places), name, options)
 
 
-def _standing(obj: Any) -> Iterator[tuple[Any, App.Placement]]:
-    """A strip and where its curve lies in the document; of a link what it shows, of an array all of them."""
-    if is_strip(obj):
-        yield obj, drawn_curve(obj.Curve, obj).world
-        return
-    strip = linked(obj)
-    if not is_strip(strip):
+def _standing(obj: Any) -> Iterator[tuple[Strip, App.Placement]]:
+    """The strips that an object shows, each with the place of its curve in the document."""
+    shown = list(copies(obj))
+    if not any(is_strip(one) or is_model(one) for one, _ in shown):
         raise InputError(f"{obj.Label} is no strip: a model is made of strips")
-    if obj.TypeId != LINK:  # one of an array
-        array = next(user for user in obj.InList if user.TypeId == LINK and obj in user.ElementList)
-        yield strip, list(_standing(array))[array.ElementList.index(obj)][1]
-        return
-    if obj.ScaleVector * obj.Scale != App.Vector(1, 1, 1):
-        raise InputError(
-            f"{obj.Label} is scaled, and a strip of another size bends otherwise: set its Scale to 1"
-        )
-    own = strip.Placement if obj.LinkTransform else App.Placement()
-    elements = [one.Placement for one in obj.ElementList] or obj.PlacementList or [App.Placement()]
-    for place in elements:
-        yield strip, container(obj) * obj.Placement * place * own
+    for one, place in shown:
+        if is_strip(one):
+            world = drawn_curve(one.Curve, one).world if one is obj else place
+            yield _labelled(strip_of(one), one.EngravedText or obj.Label), world
+        elif is_model(one):
+            moved = place * container(one).inverse()
+            for placed in model_of(one).placed:
+                yield placed.strip, moved * placement_of(placed.frame)
 
 
 @growing_cache

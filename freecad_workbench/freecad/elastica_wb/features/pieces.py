@@ -3,11 +3,14 @@
 
 """What must be cut for features: a piece with its drawing for every sheet of a strip, every plate, every part."""
 
+from collections import Counter
 from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
+from freecad.elastica_wb.curves.copies import copies, not_repeated
 from freecad.elastica_wb.features.baseplate import is_base_plate, plate_of
+from freecad.elastica_wb.features.flat import is_flat
 from freecad.elastica_wb.features.model import is_model, model_of
 from freecad.elastica_wb.features.strip import is_strip, strip_of
 
@@ -16,30 +19,55 @@ from elastica_cad.fabrication.sheets.pieces import Piece, distinct
 
 
 def pieces_of(sources: Iterable[Any]) -> list[Piece]:
-    """What must be cut for strips, models and base plates; strips of a model that is there too count once.
+    """What must be cut for strips, models and base plates, as often as they, their links, arrays and clones stand.
+
+    Strips of a model that is there too count once, so does what an array repeats, and a strip with its flat part.
 
     Raises
     ------
     InputError
         None of these among the sources, or one of them in error.
     """
-    sources = list(sources)
-    in_models = [strip for model in sources if is_model(model) for strip in model.Strips]
-    pieces: list[Piece] = []
-    for obj in sources:
-        if is_model(obj):
-            pieces += model_of(obj).pieces
-        elif is_base_plate(obj):
-            pieces.append(replace(plate_of(obj).piece, name=obj.Label))
-        elif is_strip(obj) and obj not in in_models:
-            pieces += _strip_pieces(obj)
+    pieces = [
+        replace(piece, count=count * piece.count)
+        for obj, count in counted(sources).items()
+        for piece in _pieces(obj)
+    ]
     if not pieces:
         raise InputError("there is nothing to cut: select strips, models or base plates")
     names = distinct(piece.name for piece in pieces)
     return [replace(piece, name=name) for piece, name in zip(pieces, names, strict=True)]
 
 
-def _strip_pieces(obj: Any) -> list[Piece]:
+def counted(sources: Iterable[Any]) -> dict[Any, int]:
+    """How often each strip, model and base plate stands among the sources; not where nothing of it is cut."""
+    standing: Counter[Any] = Counter()
+    lying: Counter[Any] = Counter()
+    for obj in not_repeated(sources):
+        for original, _ in copies(obj):
+            (lying if is_flat(original) else standing)[original] += 1
+    found = {obj: count for obj, count in standing.items() if is_cut(obj)}
+    for flat, count in lying.items():
+        obj = cut_for(flat)
+        found[obj] = max(count, found.get(obj, 0))
+    return found
+
+
+def cut_for(obj: Any) -> Any:
+    """What is cut for an object: a flat part stands for its strip, or for the model whose slots it has."""
+    return (obj.Model or obj.Strip) if is_flat(obj) else obj
+
+
+def is_cut(obj: Any) -> bool:
+    """Is it a strip, a model or a base plate?"""
+    return is_strip(obj) or is_model(obj) or is_base_plate(obj)
+
+
+def _pieces(obj: Any) -> Iterable[Piece]:
+    if is_model(obj):
+        return model_of(obj).pieces
+    if is_base_plate(obj):
+        return [replace(plate_of(obj).piece, name=obj.Label)]
     strip, name = strip_of(obj), obj.EngravedText or obj.Label
     names = [layer.called(name) for layer in strip.layers]
     return [

@@ -1,0 +1,133 @@
+"""Arrays and clones of Draft, made of strips and flat parts, go to the cutter by the buttons."""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+import Draft
+import FreeCAD as App
+from inside import (
+    ARCH,
+    OUT,
+    answers,
+    at_rest,
+    begun,
+    button,
+    choose,
+    fit,
+    is_grey,
+    open_panel,
+    panel,
+    picture,
+    press,
+    run,
+    sketch,
+    told,
+    typed,
+    until,
+    window,
+)
+
+STEP = App.Vector(0, 60, 0)
+
+
+def array(base, count=6, **options):
+    made = Draft.make_ortho_array(base, App.Vector(), STEP, App.Vector(), 1, count, 1, **options)
+    base.Document.recompute()
+    return made
+
+
+def exported(*things):
+    """How often each piece is cut, as the panel of the export says."""
+    open_panel("Elastica_Export", *things)
+    counts = {piece.name: piece.count for piece in panel().pieces}
+    button("Cancel")
+    return counts
+
+
+def outlines(nest):
+    return sum(100 < wire.BoundBox.XLength < 500 for wire in nest.Shape.Wires)
+
+
+def nested(document, *things):
+    before = set(document.Objects)
+    choose(*things)
+    press("Elastica_Nest")
+    until(lambda: set(document.Objects) - before)
+    (made,) = set(document.Objects) - before
+    return made
+
+
+def held(document, shown, tabs):
+    """Blocks of what shows strips: one for each tab, each about corners of a strip, with room for it."""
+    before = set(document.Objects)
+    open_panel("Elastica_Fixtures", shown)
+    button()
+    (blocks,) = set(document.Objects) - before
+    solids = shown.Shape.Solids
+    corners = [corner.Point for corner in shown.Shape.Vertexes]
+    about = [any(map(block.BoundBox.isInside, corners)) for block in blocks.Shape.Solids]
+    shared = sum(one.common(blocks.Shape).Volume for one in solids)
+    document.removeObject(blocks.Name)
+    return [len(about) == tabs, all(about), shared < 1e-2]
+
+
+def work():
+    window()
+    document = begun("Copies")
+    drawn = sketch(document, ARCH)
+    drawn.Placement = App.Placement(App.Vector(0, -100, 0), App.Rotation(App.Vector(1, 0, 0), 90))
+    document.recompute()
+    open_panel("Elastica_Strip", drawn)
+    typed("MaxWidth", "20 mm")
+    button()
+    strip, flat = document.getObject("Strip"), document.getObject("Flat")
+    row = array(strip)
+    choose(row)
+    answers["grey for an array"] = [
+        is_grey(f"Elastica_{name}") for name in ("Export", "Nest", "Fixtures", "Bend")
+    ]
+    answers["array"] = exported(row)
+    answers["everything"] = exported()
+    answers["array with its base"] = exported(strip, row)
+    nest = nested(document, row)
+    laid = [outlines(nest)]
+    row.NumberY = 2
+    document.recompute()
+    answers["laid"] = [*laid, outlines(nest)]
+    row.ExpandArray = True
+    document.recompute()
+    answers["one of an array"] = exported(row.ElementList[1])
+    answers["held"] = held(document, row, 4)
+    shapes = array(strip, 3, use_link=False)
+    shapes.Placement = App.Placement(App.Vector(300, 0, 5), App.Rotation(App.Vector(0, 0, 1), 30))
+    document.recompute()
+    answers["array of shapes"] = exported(shapes)
+    answers["shapes held"] = held(document, shapes, 6)
+    clone = Draft.make_clone(strip)
+    clone.Placement = App.Placement(App.Vector(0, 300, 5), App.Rotation(App.Vector(1, 0, 0), 90))
+    both = Draft.make_clone([strip, flat])
+    document.recompute()
+    answers["clones"] = [exported(clone), exported(strip, clone, both)]
+    answers["clone held"] = held(document, clone, 2)
+    lying = array(flat, 5)
+    answers["flat parts"] = [exported(lying), exported(strip, lying)]
+    fit("Isometric")
+    picture("copies.png")
+    file = str(OUT / "copies.FCStd")
+    document.saveAs(file)
+    names = [one.Name for one in (row, shapes, clone)]
+    App.closeDocument(document.Name)
+    again = App.openDocument(file)
+    answers["opened again"] = [exported(again.getObject(name)) for name in names]
+    clone = again.getObject(names[2])
+    clone.Scale = App.Vector(2, 2, 2)
+    again.recompute()
+    choose(clone)
+    press("Elastica_Export")
+    at_rest()
+    answers["scaled"] = told()
+
+
+run(work)
