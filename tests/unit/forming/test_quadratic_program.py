@@ -80,6 +80,20 @@ def test_inequalities_never_pull_whatever_the_guess(price):
             assert np.all(np.abs(y[(gap > 1e-5) & q.one_sided]) < 1e-6)
 
 
+def test_a_program_in_which_predictor_and_corrector_go_round_in_circles_is_solved():
+    H = np.array([[3.07600762, -1.80433267], [-1.80433267, 1.47025114]])
+    one = np.ones(2)
+    q = QuadraticProgram(
+        H, np.array([51.6268293, -6.31941361]), -0.42615301 * one, 6.29029932 * one,
+        np.array([[-0.20562681, -0.12936378]]), np.array([-0.2691701]), np.array([1.10023347]), np.array([True]),
+    )  # fmt: skip
+    s = solve_quadratic(q)
+    assert s.converged
+    other = minimize(lambda x: cost(q, x), np.zeros(2), method="Nelder-Mead", bounds=[*zip(q.lower, q.upper, strict=True)],
+                     options={"xatol": 1e-9, "fatol": 1e-12})  # fmt: skip
+    assert s.x == pytest.approx(other.x, abs=1e-5)
+
+
 def test_a_row_that_cannot_be_met_is_broken_at_its_price():
     one = np.ones(1)
     q = QuadraticProgram(np.eye(1), 0 * one, -one, one, np.eye(1), 3 * one, 0.5 * one, one > 2)
