@@ -17,6 +17,9 @@ from elastica_cad.mechanics.stiffness.section_balance import TangentWeight
 SAME_SCALE = 1e-5
 """Relative difference of scales below which the weight is that of the sections that are made."""
 
+FULL_STRAIN = 1 - 2e-5
+"""Share of the strain that sizes grow to: nodes and fitted sizes miss the largest one by less."""
+
 
 @dataclass(frozen=True, eq=False)
 class SectionScale:
@@ -35,8 +38,10 @@ class SectionScale:
     ratio: float
 
     @classmethod
-    def of(cls, law: BoundedLaw, limits: Limits) -> "SectionScale":
-        """The largest scale; where another limit allows a smaller ratio, of the largest sections.
+    def of(cls, law: BoundedLaw, limits: Limits, *, heavy: bool) -> "SectionScale":
+        """Where another limit allows a smaller ratio, of the largest sections if they are `heavy`, or the smallest.
+
+        A rod without weight takes the same shape in any size, and the smallest bear the sharpest bend.
 
         Raises
         ------
@@ -55,7 +60,27 @@ class SectionScale:
                     f"{law.quantity} limits {least:g} and {largest:g} mm are too close: widen them"
                 )
             ratio = min(ratio, most / low)
+            if not heavy:
+                return cls(law, low, ratio)
         return cls(law, most / ratio, ratio)
+
+    def grown(self, stiffness: FloatArray, bend: FloatArray, limits: Limits) -> Self:
+        """As large as its limits and the strain let nodal K (n,) be, bent by kappa - kappa_0 (n,), 1/mm."""
+        from scipy.optimize import brentq
+
+        least, most = (
+            pick(self.law.bending_stiffness(np.full(stiffness.size, limit)) / stiffness)
+            for pick, limit in zip((np.max, np.min), self.law.limits, strict=True)
+        )
+
+        def room(log_scale: float) -> float:
+            share = replace(self, scale=float(np.exp(log_scale))).strain(stiffness, limits.strain)
+            return FULL_STRAIN - float(np.max(share * np.abs(bend)))
+
+        low, high = np.log(min(least, self.scale)), np.log(max(most, self.scale))
+        if limits.sheet is None or room(high) >= 0:
+            return replace(self, scale=float(np.exp(high)))
+        return replace(self, scale=float(np.exp(brentq(room, low, high)))) if room(low) > 0 else self
 
     def settled(self, bend: FloatArray, stiffness: FloatArray) -> Self:
         """Scaled so that nodal K (n,), bent by kappa - kappa_0 (n,), comes up to the largest section.

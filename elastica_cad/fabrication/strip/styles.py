@@ -240,10 +240,13 @@ def _of_section(rod: Rod, section: BoundedLaw, sheet: Sheet) -> Layout:
     limit = largest if np.isfinite(largest) else least
     scales = section.bent(rod.bend_at(s)).bending_stiffness(np.full(s.size, limit)) / profile(s)
     B = float(scales.min() if np.isfinite(largest) else scales.max())
-    # a heavy rod is in balance under the weight of its own sizes; a light one may be as large as its limits let it
+    # a heavy rod is in balance under the weight of its own sizes; a light one may be as large as its limits let it,
+    # which of its thickness the strain that it was found within is too
     solved = rod.bending_stiffness
-    if solved is not None and (rod.gravity is not None or abs(B / solved - 1) < SAME_SCALE):
-        B = solved
+    if solved is not None:
+        bounded = not section.follows_bend and solved < B
+        if rod.gravity is not None or bounded or abs(B / solved - 1) < SAME_SCALE:
+            B = solved
     size = Profile.fit(
         lambda s: section.bent(_bend_between_steps(rod, s)).parameter(B * profile(s)), rod.length,
         breaks=profile.breaks, knots=profile.knots, tolerance=SIZE_SHARE * limit,

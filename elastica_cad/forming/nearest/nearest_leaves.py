@@ -54,7 +54,7 @@ def find_leaves(
     for _ in range(_STRICTER):
         if laid is not None and not _broken_by(laid, limits):
             break
-        near = find_rod(curve, strict, keep, law.relaxed, gravity=gravity, again=again, **asked)
+        near = find_rod(curve, strict, keep, law.relaxed, gravity=gravity, again=again, grown=False, **asked)
         steps += near.iterations
         laid = lay_leaves(near.rod, law, tangents=keep.both_tangents)
         strict = _stricter(strict, _broken_by(laid, limits))

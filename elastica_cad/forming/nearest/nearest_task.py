@@ -126,7 +126,7 @@ class NearestTask:
                 np.linspace(0, 1, samples), np.linspace(0, 1, target.curvature.size), target.curvature
             )
             bent -= _nodal_rest(natural_curvature, samples, target.size)
-            scale = SectionScale.of(section.bent(bent / target.size), limits)
+            scale = SectionScale.of(section.bent(bent / target.size), limits, heavy=gravity is not None)
             limits = replace(limits, ratio=scale.ratio)
         for region in limits.keep_out:
             ends = zip(("start", "end"), keep.both_ends, target.position[[0, -1]], strict=True)
@@ -159,6 +159,13 @@ class NearestTask:
         bend = mapped.moments / mapped.stiffness / self.target.size
         section = self.section.settled(bend, mapped.stiffness)
         return self if section is self.section else replace(self, section=section)
+
+    def grown(self, mapped: MappedRod) -> "NearestTask":
+        """The task with sizes as large as the limits let a rod be that was found without weight."""
+        if self.section is None or self.is_scaled_freely or self.gravity is not None:
+            return self
+        bend = mapped.moments / mapped.stiffness / self.target.size
+        return replace(self, section=self.section.grown(mapped.stiffness, bend, self.limits))
 
     @property
     def rest(self) -> float | FloatArray:

@@ -24,6 +24,7 @@ from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
+from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
 RodOutcome: TypeAlias = Outcome[MappedRod]
@@ -64,8 +65,12 @@ def find_rod(
     natural_curvature: NaturalCurvature,
     again: Callable[..., NearestRod],
     start: NearestRod | None = None,
+    grown: bool = True,
 ) -> NearestRod:
-    """The answer to `nearest_rod` for sections of any size; `again` is what asks anew within other limits."""
+    """The answer to `nearest_rod` for sections of any size; `again` is what asks anew within other limits.
+
+    With `grown`, sizes without weight are as large as the limits let them be.
+    """
     if not (start is None or isinstance(start, NearestRod)):
         raise InputError(
             f"start is {start!r}: give the record that nearest_rod gave for a like curve, or None"
@@ -83,16 +88,20 @@ def find_rod(
         steps += found.steps
     task, problem, outcome = replace(task, section=found.task.section), found.problem, found.best
     target = task.target
+
+    def rod_of(point: MappedRod) -> Rod:
+        return (task.grown(point) if grown else task).rod_of(point)
+
     deviation = measure_deviation(target, outcome.point.position) * target.size
     distance = outcome.objective if measure == "max" else float(np.sqrt(2 * outcome.objective))
     return NearestRod(
-        found=task.rod_of(outcome.point), target=curve, deviation=deviation,
+        found=rod_of(outcome.point), target=curve, deviation=deviation,
         status=judge_search(outcome.violation, deviation, target, outcome.settled),
         mean_deviation=_mean_distance(task, outcome) * target.size,
         binding=list_bindings(task, problem, outcome, measure), violation=outcome.violation, iterations=steps,
         limits=task.limits, keep=task.keep, measure=measure,
         distance=distance * target.size,
-        ties=tuple(task.rod_of(tie.point) for tie in found.ties),
+        ties=tuple(rod_of(tie.point) for tie in found.ties),
         ended=found.ended,
         advise=advise,
         again=partial(

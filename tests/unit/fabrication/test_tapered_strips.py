@@ -30,6 +30,7 @@ ARCH = PlaneCurve.spline([(0, 0), (60, 120), (140, 160), (240, 120), (300, 0)])
 THICKNESS = ThicknessLaw(GLASS, 1.0, 4.0, width=20.0)
 ROD = RoundLaw(GLASS, 1.0, 4.0)
 TUBE = RoundLaw(GLASS, 1.0, 4.0, bore=0.6)
+PLY = Sheet.named("birch-plywood-3")
 
 
 @pytest.mark.parametrize("law", [THICKNESS, ROD, TUBE], ids=["thickness", "rod", "tube"])
@@ -200,3 +201,20 @@ def test_tapers_that_differ_are_no_equal_parts():
     assert Model([Placed(first), Placed(first, (0, 0, 50))]).cut_list().rows[0].count == 2
     parts = Model([Placed(first), Placed(other, (0, 0, 50))]).parts
     assert [part.count for part in parts] == [1, 1]
+
+
+@pytest.mark.parametrize("ratio", [None, 3.0], ids=["any ratio", "a least ratio of the law"])
+@pytest.mark.parametrize(
+    "law", [ThicknessLaw(PLY, 1.0, 3.0, width=20.0), RoundLaw(PLY, 1.0, 3.0)], ids=["strip", "rod"]
+)
+def test_a_near_taper_is_as_thick_as_its_strain_lets_it_be(law, ratio):
+    made = make_strip(ARCH, PLY, law=law, limits=Limits(ratio=ratio))
+    s = np.linspace(0.0, made.rod.length, 2001)
+    size, bend = made.layout.size(s), np.abs(made.rod.bend_at(s))
+    # at the smallest size the drawn curve itself keeps within the strain, at the largest it does not
+    sharpest = np.abs(ARCH.sample(2001).curvature).max()
+    assert 0.5 * 1.0 * sharpest < PLY.max_strain < 0.5 * 3.0 * bend.max()
+    assert np.abs(made.rod.position - ARCH.sample(made.rod.s.size).position).max() < 1e-3
+    assert (0.5 * size * bend).max() == pytest.approx(PLY.max_strain, rel=1e-4)
+    assert made.max_strain <= PLY.max_strain
+    assert not any("strain" in text for text in made.warnings)
