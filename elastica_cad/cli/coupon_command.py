@@ -1,5 +1,6 @@
 """`elastica coupon`: a strip to cut, hang and measure, and what the measurement says of the sheet."""
 
+import shlex
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -108,10 +109,16 @@ def coupon(
     answer({"sheet": known, "measured": None})
     wrote([output / file for file in names])
     free = coupon_overhang(known) if overhang is None else overhang
-    typed = (
-        f"--sheet {sheet}"
-        if sheet
-        else f"--thickness {thickness:g} --density {density:g} --name {known.name}"
+    given = {
+        "sheet": sheet,
+        "thickness": thickness,
+        "density": density,
+        "name": name if sheet else known.name,
+    }
+    typed = " ".join(
+        f"--{option} {shlex.quote(value) if isinstance(value, str) else f'{value:g}'}"
+        for option, value in given.items()
+        if value is not None
     )
     say(f"next: cut it, hang {free:g} mm of it over an edge, read the droop of its end in mm, and")
     say(f"  {name_program()} coupon {typed} --measured {free:g} DROOP")
@@ -133,8 +140,8 @@ def _known(sheet: str | None, thickness: float | None, density: float | None, na
             max_strain=GUESSED_STRAIN,
         )
     found = Sheet.named(sheet)
-    if thickness is not None:
-        found = replace(found, thickness=thickness, thickness_range=None)
+    if thickness is not None:  # it is still that material, by its name
+        found = replace(found.with_thickness(thickness), name=found.name)
     return found if density is None else replace(found, density=density, density_range=None)
 
 

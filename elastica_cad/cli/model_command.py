@@ -14,7 +14,7 @@ from elastica_cad.formats.curve_files.drawn_file import CurveList
 from elastica_cad.formats.design_files.design_file import read_design
 from elastica_cad.geometry.paths.point_distance import largest_deviation
 from elastica_cad.kit.kit_contents import Kit, kit_of
-from elastica_cad.kit.kit_files import kit_report, left_out, write_kit
+from elastica_cad.kit.kit_files import kit_report, left_behind, left_out, write_kit
 
 MOST_SAID = 6
 """Notes that are printed; the report holds all."""
@@ -123,6 +123,12 @@ def _tell(kit: Kit, output: Path, *, step: bool, pictures: bool) -> None:
         warn(f"Note: {len(said) - most} more in {kit.model.name}.json, or with -v")
     for text in left_out(step=step, pictures=pictures):
         say(text)
+    if old := left_behind(kit, output):
+        several = f"{len(old)} files that are" if old[1:] else "a file that is"
+        warn(
+            f"Warning: {output} holds {several} no part of this model, {old[0]}{' and others' if old[1:] else ''}, "
+            "left by an earlier run: delete them before you cut, or choose an empty folder"
+        )
     say(f"wrote {len(kit.files)} files to {output}")
 
 

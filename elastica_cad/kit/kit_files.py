@@ -25,6 +25,9 @@ from elastica_cad.mechanics.material.sheet import Sheet
 PARTS, SHEETS, MODEL = "parts", "sheets", "model"
 """Folders of a kit; the start page, lists and the report lie beside them."""
 
+CUT_FROM = (".dxf", ".svg", ".stl")
+"""Kinds of files that workshops make parts of."""
+
 
 @dataclass(frozen=True)
 class SavedKit:
@@ -94,6 +97,16 @@ def write_kit(
             write(workshop / name)
             if done is not None:
                 done(name, len(kit.files))
+
+
+def left_behind(kit: Kit, folder: str | Path) -> tuple[str, ...]:
+    """Files among the parts and sheets in a folder that are none of the kit written there: an earlier run's."""
+    return tuple(
+        name
+        for place in (PARTS, SHEETS)
+        for name in sorted(f"{place}/{path.name}" for path in Path(folder, place).glob("*.*"))
+        if name not in kit.files and Path(name).suffix in CUT_FROM
+    )
 
 
 def save_model(

@@ -64,6 +64,20 @@ def test_coupons_refuse_in_words(arguments, message):
     assert message in result.stderr
 
 
+def test_what_is_typed_next_keeps_what_was_measured(tmp_path, monkeypatch):
+    """E goes with the square of the thickness: a caliper's 0.95 mm that was left out made it 41 % too large."""
+    monkeypatch.chdir(tmp_path)
+    begun = run("coupon", "--sheet", "birch-plywood-0.8", "--thickness", 0.95, "--density", 610)
+    (typed,) = (line.strip() for line in begun.output.splitlines() if "--measured" in line)
+    droop = float(ec.mechanics.cantilever_droop(400.0, 420.0))
+    assert run(*typed.replace("DROOP", f"{droop:.4f}").split()[1:]).exit_code == 0
+    sheet = ec.Sheet.named("my-birch-plywood-0.8.toml")
+    assert (sheet.thickness, sheet.density) == (0.95, 610)
+    assert sheet.youngs_modulus == pytest.approx(12 * 610e-9 * 9.80665 * 420.0**3 / 0.95**2, rel=1e-3)
+    listed = ec.Sheet.named("birch-plywood-0.8").with_thickness(0.95)  # thicker plywood bears less strain
+    assert sheet.max_strain == listed.max_strain < ec.Sheet.named("birch-plywood-0.8").max_strain
+
+
 def test_from_an_unknown_board_to_a_sheet_that_every_command_takes(tmp_path, monkeypatch):
     """No list has it: a coupon, a reading, a file; then all commands take it, and by name from the library."""
     library = tmp_path / "library"

@@ -93,6 +93,22 @@ def test_the_same_design_gives_the_same_files(design, tmp_path):
         assert path.read_bytes() == (tmp_path / "two" / path.relative_to(tmp_path / "one")).read_bytes()
 
 
+def test_parts_of_an_earlier_run_are_told(design, tmp_path):
+    """A folder goes to the workshop as it is: what the design no longer has must not be cut."""
+    quick, out = ("--no-step", "--no-pictures", "--no-effects"), tmp_path / "out"
+    assert "earlier run" not in run("model", design, "-o", out, *quick).output
+    assert "earlier run" not in run("model", design, "-o", out, *quick, "--force").output
+    design.write_text(DESIGN.replace("count = 2", "count = 1"))
+    fewer = run("model", design, "-o", out, *quick, "--force")
+    assert fewer.exit_code == 0, fewer.output
+    left = sorted(path.name for path in (out / "parts").iterdir() if path.name.startswith("K2_"))
+    assert len(left) == 2
+    assert f"holds 2 files that are no part of this model, parts/{left[0]} and others" in fewer.stderr
+    for name in left:
+        (out / "parts" / name).unlink()
+    assert "earlier run" not in run("model", design, "-o", out, *quick, "--force").output
+
+
 def test_nothing_is_left_of_a_model_that_fails(design, tmp_path):
     out = tmp_path / "out"
     design.write_text(DESIGN.replace("max_width = 24", "max_width = 24\nnest.sheet_size = [300, 200]"))
