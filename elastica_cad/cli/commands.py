@@ -11,7 +11,7 @@ import numpy as np
 from elastica_cad.cli.asking.lengths import UNITS, Length
 from elastica_cad.cli.running.budget import USUAL_MIB, USUAL_S, OutOfBudgetError, spend
 from elastica_cad.cli.running.typed_command import TYPED, say_with_cure
-from elastica_cad.cli.running.voice import voice
+from elastica_cad.cli.running.voice import voice, warn
 from elastica_cad.cli.running.watching import remake_on_change
 from elastica_cad.errors import ElasticaError, InputError, NotMetError
 from elastica_cad.formats.curve_files.number_gate import LARGEST_NUMBER, LARGEST_SIZE
@@ -32,6 +32,10 @@ COMMANDS = {
 """Module and function of each command, imported when it is asked for."""
 
 NOT_REALIZABLE, BAD_INPUT = 1, 2
+
+MM_IN_KEYS = ("law", "loads", "keep_out", "start_tab", "end_tab", "slots")
+PER_MM = ("max_curvature", "natural_curvature")
+"""Options that `--units` does not reach: keys as in a design file, and curvatures."""
 
 TOLD: dict[type[ElasticaError], tuple[str, int]] = {
     NotRealizable: ("Not realizable", NOT_REALIZABLE),
@@ -151,18 +155,18 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
 
     def behind(**chosen: Any) -> None:
         watched = chosen.pop("watch", False)
-        chosen.pop("units")
+        in_mm = [] if chosen.pop("units") == "mm" else _told_in_mm()
         budget = chosen.pop("seconds"), chosen.pop("memory")
         _refuse_odd_numbers(chosen)
         if not huge:
             _refuse_huge_numbers(chosen)
         if not watched:
-            _once(run, chosen, budget)
+            _once(run, chosen, budget, in_mm)
             return
 
         def make() -> None:
             try:
-                _once(run, chosen, budget)
+                _once(run, chosen, budget, in_mm)
             except click.exceptions.Exit:
                 pass
             except ElasticaError as problem:
@@ -219,9 +223,30 @@ def _speaking(*names: str, help: str) -> click.Option:
     )
 
 
-def _once(run: Any, chosen: dict[str, Any], budget: tuple[float, float]) -> None:
+def _told_in_mm() -> list[str]:
+    """Of the options that were typed, those that `--units` does not reach, in sentences."""
+    context = click.get_current_context()
+    sentences = {
+        MM_IN_KEYS: 'lengths are mm, as in design files; 5 inches are "5*inch"',
+        PER_MM: "in 1/mm, of which 1/inch is 0.03937",
+    }
+    told = []
+    for names, sentence in sentences.items():
+        typed = [
+            option.opts[0]
+            for option in context.command.params
+            if option.name in names
+            and context.get_parameter_source(option.name) is click.core.ParameterSource.COMMANDLINE
+        ]
+        told += [f"Note: {' and '.join(typed)}: {sentence}, whatever --units says"] if typed else []
+    return told
+
+
+def _once(run: Any, chosen: dict[str, Any], budget: tuple[float, float], in_mm: list[str]) -> None:
     """The command's own work within its budget, and its record at the end, whatever its exit code."""
     voice().begin()
+    for told in in_mm:
+        warn(told)
     try:
         with spend(*budget):
             run(**chosen)
