@@ -18,7 +18,7 @@ SAME_SCALE = 1e-5
 """Relative difference of scales below which the weight is that of the sections that are made."""
 
 FULL_STRAIN = 1 - 2e-5
-"""Share of the strain that sizes grow to: nodes and fitted sizes miss the largest one by less."""
+"""Share of a strain limit that is sought: nodes and fitted sizes miss the largest strain by less than the rest."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,12 +75,25 @@ class SectionScale:
 
         def room(log_scale: float) -> float:
             share = replace(self, scale=float(np.exp(log_scale))).strain(stiffness, limits.strain)
-            return FULL_STRAIN - float(np.max(share * np.abs(bend)))
+            return 1.0 - float(np.max(share * np.abs(bend)))
 
         low, high = np.log(min(least, self.scale)), np.log(max(most, self.scale))
         if limits.sheet is None or room(high) >= 0:
             return replace(self, scale=float(np.exp(high)))
         return replace(self, scale=float(np.exp(brentq(room, low, high)))) if room(low) > 0 else self
+
+    def bearing(self, bend: FloatArray, limits: Limits) -> Self | None:
+        """The largest smaller sections, in the same ratio, that all bear a bend (n,), 1/mm; None where none do.
+
+        The thickest may bear too little while thinner ones take the curve.
+        """
+        least, largest = self.law.limits
+        if limits.sheet is None or not (least > 0 and np.isfinite(largest)):
+            return None
+        low = float(np.max(self.law.bending_stiffness(least)))
+        even = replace(self, scale=low).grown(np.ones(bend.size), bend, limits)
+        scale = max(low, even.scale / self.ratio)
+        return replace(self, scale=scale) if scale < self.scale * (1 - SAME_SCALE) else None
 
     def settled(self, bend: FloatArray, stiffness: FloatArray) -> Self:
         """Scaled so that nodal K (n,), bent by kappa - kappa_0 (n,), comes up to the largest section.
@@ -113,6 +126,7 @@ class SectionScale:
         return replace(scaled, weight=Weight(alpha, Profile.interpolate(rod.s, tangent.slope * EI.min())))
 
     def strain(self, stiffness: FloatArray, limit: float | None) -> FloatArray:
-        """Share (n,) of what the skin bears that a curvature of 1/mm takes, of K (n,)."""
+        """Share (n,) of what the skin is let bear that a curvature of 1/mm takes, of K (n,)."""
         layers = self.law.strains(np.ones(stiffness.size), self.law.parameter(self.scale * stiffness))
-        return np.asarray(np.max([layer.strain / (limit or layer.limit) for layer in layers], axis=0))
+        shares = [layer.strain / (FULL_STRAIN * (limit or layer.limit)) for layer in layers]
+        return np.asarray(np.max(shares, axis=0))

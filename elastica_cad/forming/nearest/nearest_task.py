@@ -160,6 +160,16 @@ class NearestTask:
         section = self.section.settled(bend, mapped.stiffness)
         return self if section is self.section else replace(self, section=section)
 
+    @property
+    def in_smaller_sections(self) -> "NearestTask | None":
+        """The task with sections that all bear the target's own bend; None where that makes no difference."""
+        if self.section is None or self.is_scaled_freely or self.gravity is None:
+            return None
+        nodes = np.linspace(0, 1, self.nodes)
+        bent = np.interp(nodes, np.linspace(0, 1, self.target.curvature.size), self.target.curvature)
+        section = self.section.bearing((bent - self.rest) / self.target.size, self.limits)
+        return None if section is None else replace(self, section=section)
+
     def grown(self, mapped: MappedRod) -> "NearestTask":
         """The task with sizes as large as the limits let a rod be that was found without weight."""
         if self.section is None or self.is_scaled_freely or self.gravity is not None:

@@ -80,6 +80,11 @@ def find_rod(
     )
     found = _search(task, measure, None if start is None else start.ended)
     steps = found.steps
+    smaller = task.in_smaller_sections
+    if smaller is not None and (found.best.violation > MET or found.off > _FOLLOWED):
+        other = _search(smaller, measure)
+        steps += other.steps
+        found = min(found, other, key=lambda search: _rank(search.best))
     for _ in range(_RESCALINGS):
         settled = found.task.settled(found.best.point)
         if settled is found.task:

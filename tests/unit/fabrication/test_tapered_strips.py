@@ -203,18 +203,20 @@ def test_tapers_that_differ_are_no_equal_parts():
     assert [part.count for part in parts] == [1, 1]
 
 
-@pytest.mark.parametrize("ratio", [None, 3.0], ids=["any ratio", "a least ratio of the law"])
+@pytest.mark.parametrize("ratio", [None, 3.0, 8.0])
+@pytest.mark.parametrize("gravity", [None, True], ids=["light", "heavy"])
 @pytest.mark.parametrize(
     "law", [ThicknessLaw(PLY, 1.0, 3.0, width=20.0), RoundLaw(PLY, 1.0, 3.0)], ids=["strip", "rod"]
 )
-def test_a_near_taper_is_as_thick_as_its_strain_lets_it_be(law, ratio):
-    made = make_strip(ARCH, PLY, law=law, limits=Limits(ratio=ratio))
+def test_a_near_taper_bears_its_bend(law, gravity, ratio):
+    """The thinnest section bears the sharpest bend of the arch, the thickest does not: in between lies a taper."""
+    made = make_strip(ARCH, PLY, law=law, gravity=gravity, limits=Limits(ratio=ratio))
     s = np.linspace(0.0, made.rod.length, 2001)
     size, bend = made.layout.size(s), np.abs(made.rod.bend_at(s))
-    # at the smallest size the drawn curve itself keeps within the strain, at the largest it does not
     sharpest = np.abs(ARCH.sample(2001).curvature).max()
-    assert 0.5 * 1.0 * sharpest < PLY.max_strain < 0.5 * 3.0 * bend.max()
+    assert 0.5 * 1.0 * sharpest < PLY.max_strain < 0.5 * 3.0 * sharpest
     assert np.abs(made.rod.position - ARCH.sample(made.rod.s.size).position).max() < 1e-3
-    assert (0.5 * size * bend).max() == pytest.approx(PLY.max_strain, rel=1e-4)
-    assert made.max_strain <= PLY.max_strain
+    assert (0.5 * size * bend).max() <= PLY.max_strain * (1 + 1e-4)
     assert not any("strain" in text for text in made.warnings)
+    if gravity is None:  # it may be of any size: the thickest that bears the bend
+        assert (0.5 * size * bend).max() == pytest.approx(PLY.max_strain, rel=1e-4)
