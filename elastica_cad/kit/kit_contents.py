@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any, TypeAlias
 
 from elastica_cad.errors import NotConvergedError
+from elastica_cad.fabrication.holders.crowded_blocks import crowded_blocks
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.rocking_tabs import holder_plays, rocking_tabs
 from elastica_cad.fabrication.holders.tab_seats import hold_each
@@ -100,6 +101,7 @@ def kit_of(
         nests += _nest(cut, asked.nesting, spec, f"{model.name}-{asked.name}-nest")
         pieces, holders = (*pieces, *cut), [*holders, *made]
         told += [sentence] if sentence else []
+    told += crowded_blocks([one for one in holders if isinstance(one, EndFixture)])
     held, notes = _held(model, (*model.plates, *holders)) if effects else ({}, ())
     told += [text for plate in (*model.plates, *holders) for text in getattr(plate, "warnings", ())]
     told += [*(f"{name}: {splice}" for name, splice in joined.items()), *notes]

@@ -1,0 +1,78 @@
+"""Blocks that would stand in each other are told: by the distance of arches, by linear programs in any place."""
+
+from itertools import combinations
+
+import numpy as np
+import pytest
+from scipy.optimize import linprog
+
+from elastica_cad.fabrication.holders.crowded_blocks import crowded_blocks
+from elastica_cad.fabrication.holders.end_fixtures import end_fixtures
+from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.strip_spec import make_strip
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+
+pytestmark = pytest.mark.core
+
+ARCH = PlaneCurve.arc((0, 0), 60, 3.1, 0.04)
+
+
+def strip(label):
+    return make_strip(ARCH, "birch-plywood-0.8", max_width=20, label=label)
+
+
+@pytest.mark.parametrize(("share", "count"), [(1.001, 0), (0.95, 2)])
+def test_arches_side_by_side_are_as_near_as_their_blocks_are_wide(share, count):
+    (block, *_) = end_fixtures([Placed(strip("A"), (0, 0, 0), (1, 0, 0), (0, 0, 1))])
+    apart = share * block.across
+    placed = [Placed(strip(name), (0, i * apart, 0), (1, 0, 0), (0, 0, 1)) for i, name in enumerate("AB")]
+    told = crowded_blocks(end_fixtures(placed))
+    assert len(told) == (count > 0)
+    if told:
+        assert told[0].startswith(
+            "the printed blocks of A:1 and B:1 (and 1 more pair) would stand in each other"
+        )
+
+
+def hulls(block):
+    """Corners of the convex parts of a block, in space."""
+    for part in block.solid.added:
+        flat = np.array([[*segment.start, 0.0] for segment in part.outline.segments])
+        yield np.concatenate(
+            [part.frame.point(flat + np.array([0.0, 0.0, z])) for z in (0.0, part.thickness)]
+        )
+
+
+def share_a_point(first, second):
+    """Is some point a mean of the corners of either?"""
+    n, m = len(first), len(second)
+    equal = np.vstack(
+        [np.hstack([first.T, -second.T]), np.repeat([[1, 0], [0, 1]], [n, m], axis=1).reshape(2, n + m)]
+    )
+    found = linprog(np.zeros(n + m), A_eq=equal, b_eq=[0, 0, 0, 1, 1], bounds=(0, None))
+    return found.status == 0
+
+
+def test_blocks_anywhere_in_space():
+    rng = np.random.default_rng(3)
+    made = strip("A")
+    found = []
+    for _ in range(60):
+        turned = [np.linalg.qr(rng.normal(size=(3, 3)))[0][:2] for _ in range(2)]
+        # both begin within a few centimetres
+        starts = [ARCH.sample(2).position[0] @ axes for axes in turned]
+        places = (-starts[0], rng.normal(size=3) * 15 - starts[1])
+        placed = [
+            Placed(made, tuple(place), tuple(x), tuple(y))
+            for place, (x, y) in zip(places, turned, strict=True)
+        ]
+        blocks = end_fixtures(placed, ends=("start",))
+        expected = any(
+            share_a_point(a, b)
+            for one, two in combinations(blocks, 2)
+            for a in hulls(one)
+            for b in hulls(two)
+        )
+        found.append(expected)
+        assert bool(crowded_blocks(blocks)) == expected
+    assert 5 < sum(found) < 55
