@@ -1,5 +1,6 @@
 """Strips among other things of a document: containers, links, expressions, copies, files of earlier versions."""
 
+import math
 import shutil
 import sys
 from dataclasses import replace
@@ -163,6 +164,25 @@ def test_edges_and_chains(document):
     assert in_document(feature).isInside(place, 1e-6, True)
     with pytest.raises(InputError, match="no Edge7"):
         drawn_curve((wire, ("Edge7",)))
+
+
+def test_the_outline_of_a_face(document):
+    """Draft makes a face of a closed curve unless told otherwise: its outline is the curve."""
+    ring = document.addObject("Part::Feature", "Ring")
+    circle = Part.makeCircle(60, App.Vector(10, 20, 30))
+    ring.Shape = Part.Face(Part.Wire(circle))
+    made = strip.create(document, ring)
+    document.recompute()
+    assert made.State == ["Up-to-date"], made.getStatusString()
+    assert made.Length.Value == pytest.approx(120 * math.pi, rel=1e-9)
+    hole = Part.Wire(Part.makeCircle(20, App.Vector(10, 20, 30)))
+    ring.Shape = Part.Face([Part.Wire(circle), hole])
+    document.recompute()
+    assert "choose the ones that the strip is to follow" in made.getStatusString()
+    ring.Shape = Part.makeCylinder(60, 20).Faces[0]
+    made.touch()
+    document.recompute()
+    assert "choose the ones that the strip is to follow" in made.getStatusString()
 
 
 def test_a_chain_in_a_sketch(document):

@@ -115,6 +115,10 @@ def work():
     answers["flat parts"] = [exported(lying), exported(strip, lying)]
     fit("Isometric")
     picture("copies.png")
+    closed = Draft.make_circle(60, App.Placement(App.Vector(0, -400, 0), App.Rotation()), face=True)
+    document.recompute()
+    choose(closed)
+    answers["grey for a face"] = is_grey("Elastica_Strip")
     file = str(OUT / "copies.FCStd")
     document.saveAs(file)
     names = [one.Name for one in (row, shapes, clone)]

@@ -9,7 +9,7 @@ from typing import Any
 import FreeCAD as App
 import FreeCADGui as Gui
 from freecad.elastica_wb.curves.copies import contents, not_repeated, originals
-from freecad.elastica_wb.curves.sketch_curves import is_sketch, linked
+from freecad.elastica_wb.curves.sketch_curves import is_outline, is_sketch, linked
 from freecad.elastica_wb.features.baseplate import is_base_plate
 from freecad.elastica_wb.features.curves import is_section
 from freecad.elastica_wb.features.flat import is_flat
@@ -39,7 +39,7 @@ def chosen_curves() -> list[tuple[Any, tuple[str, ...]]]:
             found.append((choice.Object, ()))
         elif edges:
             found += [(choice.Object, chain) for chain in _chains(choice.Object, edges)]
-        elif hasattr(choice.Object, "Shape") and not choice.Object.Shape.Faces and choice.Object.Shape.Edges:
+        elif hasattr(choice.Object, "Shape") and _has_curves(choice.Object.Shape):
             chains = _chains(choice.Object, [f"Edge{i + 1}" for i in range(len(choice.Object.Shape.Edges))])
             found += (
                 [(choice.Object, chain) for chain in chains] if len(chains) > 1 else [(choice.Object, ())]
@@ -68,6 +68,10 @@ def _chains(source: Any, names: Sequence[str]) -> list[tuple[str, ...]]:
     return [tuple(chain) for chain, _ in chains]
 
 
+def _has_curves(shape: Any) -> bool:
+    return bool(shape.Edges) and (not shape.Faces or is_outline(shape))
+
+
 def is_curve_chosen() -> bool:
     """Could `chosen_curves` answer? A quick look, without shapes."""
     if edited_sketch() is not None or _only_sketch() is not None:
@@ -82,7 +86,9 @@ def is_curve_chosen() -> bool:
 
 
 def _may_be_open(shape: Any) -> bool:
-    return not shape.isNull() and shape.ShapeType in OPEN
+    return not shape.isNull() and (
+        shape.ShapeType in OPEN or (shape.ShapeType == "Face" and is_outline(shape))
+    )
 
 
 def _only_sketch() -> Any:

@@ -112,7 +112,7 @@ def _edges(source: Any, names: list[str]) -> list[Part.Edge]:
     if shape.isNull():
         raise InputError(f"{source.Label} has no shape: choose a sketch, an edge or a wire")
     if not names:
-        if shape.Faces:
+        if shape.Faces and not is_outline(shape):
             raise InputError(f"{source.Label} has many edges: choose the ones that the strip is to follow")
         return list(shape.Edges)
     found = []
@@ -123,6 +123,12 @@ def _edges(source: Any, names: list[str]) -> list[Part.Edge]:
             raise InputError(f"{source.Label} has no {name} any more: choose the curve anew") from error
         found.extend(element.Edges)
     return found
+
+
+def is_outline(shape: Any) -> bool:
+    """Is it one plane face without holes, as Draft makes of a closed curve? Then its outline is meant."""
+    faces = shape.Faces
+    return len(faces) == 1 and len(shape.Wires) == 1 and faces[0].Surface.TypeId == "Part::GeomPlane"
 
 
 def container(obj: Any) -> App.Placement:
