@@ -6,6 +6,8 @@ from dataclasses import replace
 import FreeCAD as App
 import Part
 import pytest
+from freecad.elastica_wb.curves.copies import originals
+from freecad.elastica_wb.curves.sketch_curves import linked
 from freecad.elastica_wb.export.cutting_files import write_cutting_files
 from freecad.elastica_wb.features import baseplate, fixtures, flat, model, nest, strip
 from freecad.elastica_wb.features.pieces import pieces_of
@@ -356,3 +358,37 @@ def test_a_model_that_was_moved_is_held_where_it_stands(document, standing):
     box, held = made.Shape.BoundBox, blocks.Shape.BoundBox
     assert box.ZMin > 250
     assert held.ZMin < box.ZMin < held.ZMax < box.ZMax
+
+
+@pytest.mark.parametrize(
+    ("labels", "engraved"), [(("Träger/1", "Größe"), ["Trager/1", "Grosse"]), (("拱", "桥"), None)]
+)
+def test_labels_that_cannot_be_engraved(document, standing, tmp_path, labels, engraved):
+    """Users of other languages name things as they like: a model of them is cut, held and exported."""
+    for one, label in zip(standing, labels, strict=True):
+        one.EngravedText, one.Label = "", label
+    made = model.create(document, standing)
+    blocks = fixtures.create(document, [made])
+    plate = baseplate.create(document, [made])
+    plate.Label = "Plättchen"
+    sheets = nest.create(document, [made, plate])
+    document.recompute()
+    for one in (made, blocks, plate, sheets):
+        assert one.State == ["Up-to-date"], one.getStatusString()
+    names = engraved or [one.Name for one in standing]
+    assert [piece.name for piece in pieces_of([made])] == names
+    assert len(write_cutting_files([made, plate], tmp_path, kinds=("svg", "csv", "step"))) == 5
+
+
+def test_a_link_to_a_strip_inside_a_container(document, standing):
+    room = document.addObject("App::Part", "Room")
+    room.addObjects([standing[0].Curve[0], standing[0]])
+    link = document.addObject("App::Link", "Link")
+    link.setLink(room, f"{standing[0].Name}.")
+    group = document.addObject("App::LinkGroup", "Group")
+    group.ElementList = [link]
+    document.recompute()
+    assert linked(link) is standing[0]
+    assert linked(group) is group
+    assert originals(group) == [standing[0]]
+    assert [piece.count for piece in pieces_of([link, standing[0]])] == [2]

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 import FreeCAD as App
-from freecad.elastica_wb.curves.sketch_curves import LINK, container
+from freecad.elastica_wb.curves.sketch_curves import container, link_target
 
 from elastica_cad.errors import InputError
 
@@ -85,7 +85,7 @@ def _parts(obj: Any) -> list[Standing] | None:
     if obj.TypeId == "App::LinkGroup":
         return [(one, _own(one)) for one in obj.ElementList]
     is_array = _is_draft(obj, "Array")
-    shown = obj.Base if is_array else obj.LinkedObject if obj.TypeId.startswith(LINK) else None
+    shown = obj.Base if is_array else link_target(obj)
     if shown is None:
         return None
     if is_array and not hasattr(obj, "PlacementList"):  # it keeps shapes only

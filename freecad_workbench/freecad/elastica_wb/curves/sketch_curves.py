@@ -84,8 +84,14 @@ def is_sketch(source: Any) -> bool:
 
 def linked(obj: Any) -> Any:
     """What a link, or one of an array of links, shows; everything else is itself, and so is a broken link."""
-    shown = obj.LinkedObject if obj.TypeId.startswith(LINK) else None
+    shown = link_target(obj)
     return obj if shown is None else linked(shown)
+
+
+def link_target(obj: Any) -> Any:
+    """What a link points at, be it inside a container; None for everything else, and for a broken link."""
+    shown = getattr(obj, "LinkedObject", None) if obj.TypeId.startswith(LINK) else None
+    return obj.getLinkedObject(False) if isinstance(shown, tuple) else shown
 
 
 def frame_of(placement: App.Placement) -> Frame:

@@ -21,6 +21,7 @@ from freecad.elastica_wb.solving.growing_cache import growing_cache
 from freecad.elastica_wb.solving.strip_cache import bent_shape
 
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.lettering import engravable
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -125,7 +126,7 @@ def _standing(obj: Any) -> Iterator[tuple[Strip, App.Placement]]:
     for one, place in shown:
         if is_strip(one):
             world = drawn_curve(one.Curve, one).world if one is obj else place
-            yield _labelled(strip_of(one), one.EngravedText or obj.Label), world
+            yield _labelled(strip_of(one), one.EngravedText or _called(obj)), world
         elif is_model(one):
             moved = place * container(one).inverse()
             for placed in model_of(one).placed:
@@ -139,6 +140,12 @@ def _model(
     placed = [Placed(strip, *np.array(numbers).reshape(3, 3)) for strip, numbers in places]
     model = Model(tuple(placed), name=name)
     return model.interlock(**dict(options)) if options else model
+
+
+def _called(obj: Any) -> str:
+    """What is engraved unless told otherwise: an object's label, or its name where no letter of that can be."""
+    label = engravable(obj.Label)
+    return label if any(map(str.isalnum, label)) else str(obj.Name)
 
 
 @growing_cache
