@@ -89,8 +89,13 @@ def test_a_program_in_which_predictor_and_corrector_go_round_in_circles_is_solve
     )  # fmt: skip
     s = solve_quadratic(q)
     assert s.converged
-    other = minimize(lambda x: cost(q, x), np.zeros(2), method="Nelder-Mead", bounds=[*zip(q.lower, q.upper, strict=True)],
-                     options={"xatol": 1e-9, "fatol": 1e-12})  # fmt: skip
+    other = minimize(
+        lambda x: cost(q, x),
+        np.zeros(2),
+        method="Nelder-Mead",
+        bounds=[*zip(q.lower, q.upper, strict=True)],
+        options={"xatol": 1e-9, "fatol": 1e-12},
+    )
     assert s.x == pytest.approx(other.x, abs=1e-5)
 
 
