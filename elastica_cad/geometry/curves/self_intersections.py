@@ -121,7 +121,7 @@ def _polished(
     n = len(pairs)
     met = np.linalg.norm(p[n:] - p[:n], axis=1) <= 1e-5 * small
     speed = np.linalg.norm(v, axis=1)
-    moved = np.abs(pairs - start).max(axis=1) * np.maximum(speed[:n], speed[n:])
+    moved = (np.abs(pairs - start) * np.column_stack([speed[:n], speed[n:]])).max(axis=1)
     apart = (pairs[:, 1] - pairs[:, 0]) * np.minimum(speed[:n], speed[n:])
     return np.asarray(pairs[met & (moved <= 10 * small) & (apart > 1e-3 * small)])
 

@@ -14,6 +14,16 @@ def test_a_loop_crosses_once():
     assert 0 < first < second < curve.length
 
 
+@pytest.mark.parametrize("slower", [30.0, 1e3, 1e5])
+def test_a_loop_whose_halves_are_drawn_at_unlike_speeds_crosses_once(slower):
+    whole = PlaneCurve.spline([(0, 0), (100, 100), (-50, 100), (50, 0)], degree=3)
+    first_half = [(0, 0), (50, 50), (37.5, 75), (25, 75)]  # halves of de Casteljau: the same loop
+    second_half = [(12.5, 75), (0, 50), (50, 0)]
+    knots = [0, 0, 0, 0, 1, 1, 1, *[1 + slower] * 4]
+    halves = PlaneCurve(knots, first_half + second_half, 3)
+    np.testing.assert_allclose(halves.self_intersections(), whole.self_intersections(), atol=1e-7)
+
+
 def test_a_lissajous_figure_crosses_where_it_must():
     curve = PlaneCurve.fit_function(
         lambda v: np.column_stack([np.sin(3 * v), np.sin(4 * v)]), 0.1, 0.1 + 2 * np.pi, tolerance=1e-8
