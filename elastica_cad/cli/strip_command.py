@@ -107,7 +107,7 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
             written = write_strip(kit, chosen["output"], force=chosen["force"], kept=asked.path)
             _tell(kit, written)
             reports.append(kit.report)
-            wrong += chosen["strict"] and kit.strip.max_strain > kit.strip.sheet.max_strain
+            wrong += chosen["strict"] and any(layer.exceeded for layer in kit.strip.strains)
         except ElasticaError as problem:
             if len(curves) == 1 and not chosen["every"]:
                 raise
@@ -163,7 +163,7 @@ def _tell(kit: StripKit, written: Iterable[Path]) -> None:
     say(f"{made.label or 'strip'}: {rod.length:.2f} mm long, {made.breadth()}, "
                f"stiffness ratio {rod.ratio:.4g}, {made.mass_told}")  # fmt: skip
     say(f"largest strain {100 * made.max_strain:.2f} % at {made.max_strain_at:.1f} mm "
-               f"({made.sheet.name} bears {100 * made.sheet.max_strain:.2f} %)")  # fmt: skip
+               f"({made.most_strained.name} bears {100 * made.strain_limit:.2f} %)")  # fmt: skip
     if near is not None:
         from elastica_cad.forming.nearest.advice import advise
 

@@ -290,6 +290,10 @@ class StripSpec(EqualByValue):
         if law is None and felt is not None and self.makes_up_for_curl:
             law = self._width_law
             share = (self.material.elasto_gravity_length / felt.length) ** 3
+        if law is None and felt is None and isinstance(self.style, Laminated):
+            changes = self.limits is not None or self.keep is not None
+            widths = {"max_width": self.max_width, "min_width": self.min_width}
+            return self.style.bounded(self.material, **widths) if changes else None
         if law is None:
             return None
         sheet = getattr(law, "sheet", None)
@@ -346,6 +350,8 @@ class StripSpec(EqualByValue):
         rod = accepted_rod(self.rod_spec.solve() if found is None else found)
         if self.makes_up_for_curl and rod.section is None:
             rod = replace(rod, section=self._width_law)
+        if isinstance(self.style, Laminated):  # which makes the section itself, as stiff as the rod was found
+            rod = replace(rod, section=None)
         notes = self.rod_spec.smoothing.notes
         made = Strip(
             replace(rod, warnings=(*rod.warnings, *notes)) if notes else rod,

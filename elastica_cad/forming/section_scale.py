@@ -39,9 +39,10 @@ class SectionScale:
 
     @classmethod
     def of(cls, law: BoundedLaw, limits: Limits, *, heavy: bool) -> "SectionScale":
-        """Where another limit allows a smaller ratio, of the largest sections if they are `heavy`, or the smallest.
+        """Where another limit allows a smaller ratio, of the largest sections; if light, of those that bear most.
 
-        A rod without weight takes the same shape in any size, and the smallest bear the sharpest bend.
+        A rod without weight takes the same shape in any size. Thin strips bear a sharper bend than thick ones,
+        laminates where the backing is as wide as the base.
 
         Raises
         ------
@@ -60,7 +61,8 @@ class SectionScale:
                     f"{law.quantity} limits {least:g} and {largest:g} mm are too close: widen them"
                 )
             ratio = min(ratio, most / low)
-            if not heavy:
+            ends = cls(law, low, ratio).strain(np.array([1.0, most / low]), limits.strain)
+            if not heavy and ends[0] < ends[1]:
                 return cls(law, low, ratio)
         return cls(law, most / ratio, ratio)
 

@@ -17,7 +17,7 @@ from elastica_cad.fabrication.strip.styles import (
 )
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.polynomials.fit_function import adaptive_spline
-from elastica_cad.mechanics.material.laminated_section import LaminatedSection
+from elastica_cad.mechanics.material.laminated_section import BoundedBacking, LaminatedSection
 from elastica_cad.mechanics.material.section_limits import ScaleRange
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
@@ -102,6 +102,19 @@ class Laminated:
                 "optimal_laminate, or see how far it strays (deviation_as_built)",
             )
         return Layout(sheet, base, base, scale, backing=backing, dots=self.dots, warnings=told)
+
+    def bounded(
+        self, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
+    ) -> BoundedBacking | None:
+        """What stiffness it can have, and what that bears; None of a base whose width varies."""
+        if not is_number(self.width):
+            return None
+        width = float(self.width)  # type: ignore[arg-type]
+        least, most = max(self.least_backing, min_width or 0.0), min(width, max_width or width)
+        if least >= most:  # refused where it is laid out
+            return None
+        section = LaminatedSection(sheet, self.backing)
+        return BoundedBacking(section, np.asarray(width), (least, most))
 
     def _scale(
         self, rod: Rod, section: LaminatedSection, base: Profile, least: float, most: float | None

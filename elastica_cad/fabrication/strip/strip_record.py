@@ -247,28 +247,28 @@ class Strip:
     @property
     def max_strain(self) -> float:
         """Largest strain of the skin (dimensionless): of the layer that comes nearest to its limit."""
-        return self._strained[0].largest
+        return self.most_strained.largest
 
     @property
     def max_strain_at(self) -> float:
         """Arc length of the largest strain, mm."""
-        layer, s = self._strained
-        return float(s[layer.station])
+        return float(self._bend[0][self.most_strained.station])
 
     @property
     def strain_limit(self) -> float:
         """What the sheet of that layer bears."""
-        return self._strained[0].limit
+        return self.most_strained.limit
+
+    @property
+    def most_strained(self) -> LayerStrain:
+        """The layer that comes nearest to what its sheet bears."""
+        return max(self.strains, key=lambda layer: layer.largest / layer.limit)
 
     @cached_property
     def strains(self) -> tuple[LayerStrain, ...]:
         """Skin strain of each layer at stations along the strip, with the limit of its sheet."""
         s, bend = self._bend
         return self.layout.strains(s, bend)
-
-    @property
-    def _strained(self) -> tuple[LayerStrain, FloatArray]:
-        return max(self.strains, key=lambda layer: layer.largest / layer.limit), self._bend[0]
 
     @cached_property
     def _bend(self) -> tuple[FloatArray, FloatArray]:
@@ -291,7 +291,7 @@ class Strip:
         )
         if self.layout.size is not None:
             return found
-        creeps = warn_of_creep(self.creep, self._strained[0], lambda: self.crept) if self.creep else ()
+        creeps = warn_of_creep(self.creep, self.most_strained, lambda: self.crept) if self.creep else ()
         return (*found, *warn_of_plywood(self.layers, self.strains, s, bend), *creeps)
 
     @cached_property

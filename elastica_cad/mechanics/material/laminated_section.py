@@ -307,6 +307,43 @@ class BackingLaw:
         )
 
 
+@dataclass(frozen=True, eq=False)
+class BoundedBacking(BackingLaw):
+    """The same on a base of one width, the backing within limits: what `nearest_rod` takes as `section`.
+
+    Attributes
+    ----------
+    limits : (float, float)
+        Least and largest width of the backing, mm.
+    """
+
+    limits: tuple[float, float]
+
+    @property
+    def quantity(self) -> str:
+        """The backing."""
+        return "backing"
+
+    @property
+    def follows_bend(self) -> bool:
+        """No: bending does not change it."""
+        return False
+
+    @property
+    def stack(self) -> None:
+        """None: both layers go all the way."""
+        return
+
+    def bent(self, curvature: ArrayLike) -> "BoundedBacking":  # noqa: ARG002 - see `follows_bend`
+        """The law itself: bending does not change it."""
+        return self
+
+    def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
+        """Backing widths (n,), mm, that give the E I (n,), N mm2, or come nearest within the limits."""
+        least, most = self.bending_stiffness(np.array(self.limits))
+        return np.clip(super().parameter(np.clip(bending_stiffness, least, most)), *self.limits)
+
+
 def stack_stiffness(layers: Sequence[tuple[Sheet, ArrayLike]]) -> FloatArray:
     """E I (n,), N mm2, of sheets of given widths (n,), mm, glued one on another, about their common neutral axis.
 

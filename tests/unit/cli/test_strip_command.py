@@ -136,6 +136,19 @@ def test_strain_warns_and_strict_makes_it_an_exit_code(tmp_path):
     assert elastica(*arguments, "--force", "--strict").returncode == 1
 
 
+def test_the_layer_that_is_strained_most_is_told_and_is_strict(tmp_path):
+    """Of two sheets the thicker one bears less: 0.8 % is within the base's 0.87 %, beyond the backing's 0.74 %."""
+    arch = np.array([(0, 0), (30, 120), (150, 190), (270, 120), (300, 0)]) * 1.36
+    path = tmp_path / "arch.json"
+    path.write_text(curves_json([ec.PlaneCurve.spline(arch, degree=3)]))
+    style = ("--style", "laminated", "--outer-width", 28, "--backing", "birch-plywood-1.5")
+    made = elastica("strip", path, "--sheet", "birch-plywood-0.8", *style, "--strict", "-o", tmp_path / "out")
+    assert made.returncode == 1
+    told = re.search(r"^largest strain (\S+) % at \S+ mm \((\S+) bears (\S+) %\)$", made.stdout, re.MULTILINE)
+    assert told[2] == "birch-plywood-1.5"
+    assert float(told[3]) < float(told[1]) < 100 * ec.Sheet.named("birch-plywood-0.8").max_strain
+
+
 def test_kerf_widens_the_part_by_the_kerf_in_all(drawn, tmp_path):
     import ezdxf
     from ezdxf import bbox

@@ -18,6 +18,8 @@ from elastica_cad.mechanics.stiffness.optimal_laminate import optimal_laminate
 
 CARD = ec.Sheet.named("card-200gsm")
 THICK = ec.Sheet("card-400", 0.4, 2.5 * CARD.youngs_modulus, density=900.0, max_strain=0.006)
+PLY = ec.Sheet.named("birch-plywood-0.8")
+BOW = ec.PlaneCurve.spline([(0, 0), (21, 64), (106, 99), (191, 64), (212, 0)])
 ARCH = ec.PlaneCurve.spline([(0, 0), (40, 90), (110, 100), (190, 70), (220, 0)])
 
 
@@ -224,3 +226,29 @@ def test_a_backing_may_be_named():
     assert Laminated(width=20.0, backing="pom-0.5").backing == ec.Sheet.named("pom-0.5")
     with pytest.raises(InputError, match=r"unknown sheet 'pon-0\.5'"):
         Laminated(width=20.0, backing="pon-0.5")
+
+
+@pytest.mark.parametrize("backing", [PLY, PLY.with_thickness(1.5)], ids=["as thick", "thicker"])
+@pytest.mark.parametrize("ratio", [None, 1.5])
+def test_a_near_laminate_bears_its_bend_in_both_layers(backing, ratio):
+    """Alone the base bears the drawn arch; glued on, both layers are bent about an axis further off."""
+    sharpest = np.abs(BOW.sample(2001).curvature).max()
+    assert PLY.thickness / 2 * sharpest < PLY.max_strain < (PLY.thickness + backing.thickness) / 2 * sharpest
+    asked = {"style": Laminated(width=28.0, backing=backing), "limits": ec.Limits(ratio=ratio)}
+    strip = ec.make_strip(BOW, PLY, **asked)
+    s = np.linspace(0.0, strip.rod.length, 1001)
+    h1, h2, w1, w2 = PLY.thickness, backing.thickness, strip.width(s), strip.layout.backing.width(s)
+    A1, A2 = w1 * h1 * PLY.youngs_modulus, w2 * h2 * backing.youngs_modulus
+    axis = (A1 * h1 / 2 + A2 * (h1 + h2 / 2)) / (A1 + A2)
+    bend = np.abs(strip.rod.bend_at(s))
+    assert (axis * bend).max() < PLY.max_strain * (1 + 1e-3)
+    assert ((h1 + h2 - axis) * bend).max() < backing.max_strain * (1 + 1e-3)
+    assert not any(layer.exceeded for layer in strip.strains)
+    assert max(layer.largest / layer.limit for layer in strip.strains) > 0.99
+    assert strip.held_deviation < 5e-3 * strip.rod.length  # borders curl
+
+
+def test_a_laminate_near_a_gentle_curve_follows_it():
+    gentle = ec.make_strip(ARCH, CARD, style=Laminated(width=22.0, backing=CARD), limits=ec.Limits(ratio=4.0))
+    assert np.abs(gentle.rod.position - ARCH.sample(gentle.rod.s.size).position).max() < 1e-3
+    assert gentle.layout.backing.width.extremes[1] == pytest.approx(22.0, rel=1e-4)
