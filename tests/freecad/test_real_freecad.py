@@ -420,9 +420,9 @@ def test_macros_do_what_the_hand_did(tmp_path):
     )
     assert ".MaxWidth = 25.0" in text
     assert [one[0] for one in made["objects"][-2:]] == ["Fixtures", "Nest"]
-    assert made["strips"][1][3] == "Perforated"
+    assert made["strips"][1][:3] == [25, 25, "Perforated"], "as wide as it was made before"
     assert [one[4:] for one in minds["strips"]] == [["Nearest", "Sketch"], ["Exactly", "Low"]]
-    assert [one[3] for one in minds["strips"]] == ["Plain", "Plain"], "what Cancel took back"
+    assert [one[2] for one in minds["strips"]] == ["Plain", "Plain"], "what Cancel took back"
     assert "give the strips tabs" in found["refused"]
     assert [one[0] for one in minds["objects"]].count("Fixtures") == 1
     assert {"Bent", "Coupon"} <= {one[0] for one in reshaped["objects"]}

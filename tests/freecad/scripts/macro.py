@@ -71,7 +71,7 @@ def found(document):
     return {
         "objects": [[one.Name, one.TypeId, "Invalid" in one.State] for one in document.Objects],
         "strips": [
-            [one.MaxWidth.Value, one.Sheet, round(one.Mass, 9), one.Style, one.Follow, one.Curve[0].Name]
+            [one.MaxWidth.Value, one.OuterWidth.Value, one.Style, one.Sheet, one.Follow, one.Curve[0].Name]
             for one in strips_of(document)
         ],
         "nest": nest and list(nest.Placement.Base),

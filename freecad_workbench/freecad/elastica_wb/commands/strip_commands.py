@@ -15,6 +15,7 @@ from freecad.elastica_wb.commands.selection import (
     is_curve_chosen,
 )
 from freecad.elastica_wb.features import flat
+from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.live.sketches import edited_sketch
 from freecad.elastica_wb.panels.bend import BendPanel
@@ -69,6 +70,17 @@ def _add_flat(one: Any, layer: str = "Base") -> None:
     record_recompute(one.Document)  # the next one lies beside it
 
 
+def _even_out(strip: Any, style: str) -> None:
+    """A strip of even width, as wide as the plain one was where no outer width of its own was asked for."""
+    if (
+        strip.Style == "Plain"
+        and strip.MaxWidth.Value
+        and strip.OuterWidth.Value == preferences.get("MaxWidth")
+    ):
+        record_value(strip, "OuterWidth", strip.MaxWidth.Value)
+    record_value(strip, "Style", style)
+
+
 class PerforateCommand(OnStrips):
     """The strip keeps one width; holes make it as soft as it must be."""
 
@@ -84,7 +96,7 @@ class PerforateCommand(OnStrips):
         strips = chosen_strips()
         record_step(App.ActiveDocument, self.text)
         for chosen in strips:
-            record_value(chosen, "Style", "Perforated")
+            _even_out(chosen, "Perforated")
         record_recompute(App.ActiveDocument)
         show_panel(panel_of, strips[-1])
 
@@ -104,7 +116,7 @@ class LaminateCommand(OnStrips):
         strips = chosen_strips()
         record_step(App.ActiveDocument, self.text)
         for chosen in strips:
-            record_value(chosen, "Style", "Laminated")
+            _even_out(chosen, "Laminated")
         record_recompute(App.ActiveDocument)
         for chosen in strips:
             if not any(part.Layer == "Backing" for part in flat.flats_of([chosen])):
