@@ -13,7 +13,13 @@ import numpy as np
 
 from elastica_cad._types import BoolArray, FloatArray
 from elastica_cad.geometry.curves.tangent_angle import hodograph
-from elastica_cad.geometry.polynomials.bernstein import divide_out_end_root, product, roots, value_and_slope
+from elastica_cad.geometry.polynomials.bernstein import (
+    divide_out_end_root,
+    product,
+    roots,
+    subdivide,
+    value_and_slope,
+)
 
 ZeroKind: TypeAlias = Literal["crossing", "touch", "end", "jump", "flat"]
 
@@ -32,6 +38,9 @@ _FLAT = 1e-7
 """A function that stays below this share of its size between two places vanishes there."""
 
 _MOST_CUTS = 12  # of a span in halves: what is not followed then is rounding
+
+_UNEVEN = 1.5
+"""Weights of a piece that differ by more would have their twelfth powers drown a level's zeros in rounding."""
 
 _SITES = np.cos(np.pi * (np.arange(_DEGREE + 1) + 0.5) / (_DEGREE + 1))
 _TO_CHEBYSHEV = np.linalg.inv(np.polynomial.chebyshev.chebvander(_SITES, _DEGREE))
@@ -89,7 +98,8 @@ def curvature_level_places(
     Zeros of the polynomial kappa^2 - level^2 (times |h|^6) at which kappa has the sign of the level.
     """
     size = _extent(bezier)
-    bezier, level = _unit_sized(bezier), level * size
+    bezier, edges, smooth = _evenly_weighted(_unit_sized(bezier), edges, smooth)
+    level *= size
     degree = bezier.shape[1] - 1
     numerator, noise = _curvature_numerator(bezier)
     weight = bezier[..., 2]
@@ -158,9 +168,35 @@ def function_zero_places(
     starts, values = starts[order], values[order]
     flat = np.abs(values).max(axis=1) <= _FLAT * size
     noise = np.full(starts.size, _FOLLOWED_NOISE * size)
+    joined = _smooth_between(starts, edges, smooth)
+    return _places(_Pieces(values @ _TO_BERNSTEIN.T, noise, flat, joined), np.append(starts, edges[-1]))
+
+
+def _smooth_between(starts: FloatArray, edges: FloatArray, smooth: BoolArray) -> BoolArray:
+    """Where pieces cut at `starts` (k,) meet smoothly (k - 1,): `smooth` at the inner `edges`, else everywhere."""
     joined = np.ones(starts.size - 1, dtype=bool)
     joined[np.searchsorted(starts, edges[1:-1]) - 1] = smooth
-    return _places(_Pieces(values @ _TO_BERNSTEIN.T, noise, flat, joined), np.append(starts, edges[-1]))
+    return joined
+
+
+def _evenly_weighted(
+    bezier: FloatArray, edges: FloatArray, smooth: BoolArray
+) -> tuple[FloatArray, FloatArray, BoolArray]:
+    """The pieces halved until the weights of each are about alike, its largest 1; with their edges and joints."""
+    low, high = edges[:-1], edges[1:]
+    for _ in range(_MOST_CUTS):
+        uneven = bezier[..., 2].max(axis=1) > _UNEVEN * bezier[..., 2].min(axis=1)
+        if not uneven.any():
+            break
+        halves = [np.swapaxes(half, 1, 2) for half in subdivide(np.swapaxes(bezier[uneven], 1, 2))]
+        middle = (low[uneven] + high[uneven]) / 2
+        starts = np.concatenate([low[~uneven], low[uneven], middle])
+        order = np.argsort(starts)
+        bezier = np.concatenate([bezier[~uneven], *halves])[order]
+        high = np.concatenate([high[~uneven], middle, high[uneven]])[order]
+        low = starts[order]
+    bezier = bezier / bezier[..., 2].max(axis=1)[:, None, None]
+    return bezier, np.append(low, edges[-1]), _smooth_between(low, edges, smooth)
 
 
 def _straight_pieces(bezier: FloatArray) -> BoolArray:

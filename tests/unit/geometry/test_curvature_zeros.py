@@ -253,3 +253,17 @@ def test_line_crossings_of_a_circle_are_exact():
     found = line_crossings(circle, -4.0, (1.0, 0.0))
     points = circle.evaluate(np.array([c.t for c in found]))
     np.testing.assert_allclose(points, [(4, 6), (4, -2)], atol=1e-12)
+
+
+@pytest.mark.parametrize("uneven", [3.0, 30.0, 300.0])
+def test_weights_that_leave_the_shape_leave_the_places_of_a_curvature(uneven):
+    points = [(0, 0), (30, 40), (70, -30), (90, 50), (130, 40), (140, -10)]
+    plain = PlaneCurve.spline(points, degree=5)
+    # weights in geometric progression only change the parameter
+    weighted = PlaneCurve(plain.knots, plain.control_points, 5, uneven ** (np.arange(6) / 5))
+    sampled = plain.sample(2001).curvature
+    for level in np.quantile(sampled, [0.1234, 0.3456, 0.6543, 0.9012]).tolist():
+        found, expected = weighted.curvature_equals(level), plain.curvature_equals(level)
+        assert [z.kind for z in found] == [z.kind for z in expected]
+        assert len(expected) == np.count_nonzero(np.diff(np.sign(sampled - level)))
+        np.testing.assert_allclose([z.s for z in found], [z.s for z in expected], atol=1e-7)
