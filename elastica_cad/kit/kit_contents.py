@@ -101,7 +101,7 @@ def kit_of(
         nests += _nest(cut, asked.nesting, spec, f"{model.name}-{asked.name}-nest")
         pieces, holders = (*pieces, *cut), [*holders, *made]
         told += [sentence] if sentence else []
-    told += crowded_blocks([one for one in holders if isinstance(one, EndFixture)])
+    told += crowded_blocks([one for one in holders if isinstance(one, EndFixture)], model.placed)
     held, notes = _held(model, (*model.plates, *holders)) if effects else ({}, ())
     told += [text for plate in (*model.plates, *holders) for text in getattr(plate, "warnings", ())]
     told += [*(f"{name}: {splice}" for name, splice in joined.items()), *notes]

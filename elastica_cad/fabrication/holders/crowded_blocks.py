@@ -1,4 +1,4 @@
-"""Printed blocks of a model that would stand in each other."""
+"""Printed blocks of a model that would stand in each other, or in the way of a strip."""
 
 from collections.abc import Sequence
 from itertools import combinations
@@ -7,48 +7,104 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
+from elastica_cad.fabrication.placed_strip import Placed, strip_names
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 
 TOUCHING_MM = 0.1
 """Blocks may reach so far into each other: a file takes it off."""
 
+STATIONS, ACROSS = 401, (-0.95, -0.5, 0.0, 0.5, 0.95)
+"""Along a strip and, in half widths, across it: the points that are looked for in blocks."""
 
-def crowded_blocks(blocks: Sequence[EndFixture]) -> tuple[str, ...]:
-    """A sentence that names the first two blocks that would stand in each other, and how many more pairs do.
+LEVEL = 1e-6
+"""Rounding of places, mm, and of directions."""
+
+
+def crowded_blocks(blocks: Sequence[EndFixture], placed: Sequence[Placed]) -> tuple[str, ...]:
+    """Sentences that name the first two blocks that would stand in each other, and the first strip in one's way.
 
     Examples
     --------
-    >>> crowded_blocks([])
+    >>> crowded_blocks([], [])
     ()
     """
     prisms = [[_Prism(solid) for solid in block.solid.added] for block in blocks]
     pairs = [
-        (first.tab.name, second.tab.name)
+        f"{first.tab.name} and {second.tab.name}"
         for (first, its), (second, others) in combinations(zip(blocks, prisms, strict=True), 2)
         if any(one.overlaps(other) for one in its for other in others)
     ]
-    if not pairs:
-        return ()
-    others = len(pairs) - 1
-    more = f" (and {others} more {'pair' if others == 1 else 'pairs'})" if others else ""
-    return (
-        f"the printed blocks of {pairs[0][0]} and {pairs[0][1]}{more} would stand in each other: end these strips "
-        "farther apart, make wall and foot smaller, or hold fewer of the ends by blocks (strips, ends)",
-    )
+    strips = [_surface(one) for one in placed]
+    crossed = [
+        f"{name} would run through the printed block of {block.tab.name}"
+        for name, one, points in zip(strip_names(placed), placed, strips, strict=True)
+        for block, its in zip(blocks, prisms, strict=True)
+        if not _holds(block, one) and any(part.hold(points) for part in its)
+    ]
+    told = []
+    if pairs:
+        told.append(
+            f"the printed blocks of {pairs[0]}{_more(pairs, 'pair')} would stand in each other: end these strips "
+            "farther apart, make wall and foot smaller, or hold fewer of the ends by blocks (strips, ends)"
+        )
+    if crossed:
+        told.append(
+            f"{crossed[0]}{_more(crossed, 'place')}: end them farther apart, or hold fewer of the ends by blocks "
+            "(strips, ends)"
+        )
+    return tuple(told)
+
+
+def _more(found: Sequence[str], what: str) -> str:
+    others = len(found) - 1
+    return f" (and {others} more {what}{'' if others == 1 else 's'})" if others else ""
+
+
+def _surface(placed: Placed) -> FloatArray:
+    """Points (n, 3) of the free part."""
+    rod, frame = placed.strip.rod, placed.frame
+    s = np.linspace(0.0, rod.length, STATIONS)
+    middle = np.column_stack([np.interp(s, rod.s, x) for x in rod.position.T])
+    half = placed.strip.width(s)[:, None] / 2 * np.array(ACROSS)
+    return np.asarray((frame.point(middle)[:, None] + half[..., None] * frame.z_axis).reshape(-1, 3))
+
+
+def _holds(block: EndFixture, placed: Placed) -> bool:
+    """Is it a tab of this strip that the block holds?"""
+    rod, tab = placed.strip.rod, block.tab.frame
+    for end, sign in ((0, -1.0), (-1, 1.0)):
+        out = sign * np.array([np.cos(rod.angle[end]), np.sin(rod.angle[end])])
+        near = np.linalg.norm(placed.frame.point(rod.position[end]) - tab.origin) < max(
+            LEVEL, block.tab.thickness
+        )
+        if near and placed.frame.direction(out) @ tab.x_axis > 1 - 1e-3:
+            return True
+    return False
 
 
 class _Prism:
-    """The corners (n, 3) of a convex prism in space, and the directions of its edges and of its faces."""
+    """The corners (n, 3) of a convex prism in space, the directions of its edges and faces, a point of each face.
+
+    Its outline runs anticlockwise, so that sides look outward.
+    """
 
     def __init__(self, solid: FlatSolid) -> None:
         plane = np.array([segment.start for segment in solid.outline.segments])
         flat = np.column_stack([plane, np.zeros(len(plane))])
         up = solid.frame.z_axis
         lower = solid.frame.point(flat)
+        self.faces: FloatArray = np.concatenate([lower, lower[:1] + solid.thickness * up, lower[:1]])
         self.corners: FloatArray = np.concatenate([lower, lower + solid.thickness * up])
         sides = np.roll(lower, -1, axis=0) - lower
         self.edges: FloatArray = np.concatenate([sides, up[None]])
         self.normals: FloatArray = np.concatenate([np.cross(sides, up), up[None]])
+        outward = np.concatenate([self.normals, -up[None]])
+        self.outward: FloatArray = outward / np.linalg.norm(outward, axis=1)[:, None]
+
+    def hold(self, points: FloatArray) -> bool:
+        """Does any of the points (n, 3) lie inside, and not at the skin?"""
+        depth = ((self.faces - points[:, None]) * self.outward).sum(axis=2).min(axis=1)
+        return float(depth.max()) > TOUCHING_MM
 
     def overlaps(self, other: "_Prism") -> bool:
         """Is there no plane between the two? It would be along a face of one, or along an edge of each."""

@@ -26,7 +26,7 @@ def test_arches_side_by_side_are_as_near_as_their_blocks_are_wide(share, count):
     (block, *_) = end_fixtures([Placed(strip("A"), (0, 0, 0), (1, 0, 0), (0, 0, 1))])
     apart = share * block.across
     placed = [Placed(strip(name), (0, i * apart, 0), (1, 0, 0), (0, 0, 1)) for i, name in enumerate("AB")]
-    told = crowded_blocks(end_fixtures(placed))
+    told = crowded_blocks(end_fixtures(placed), placed)
     assert len(told) == (count > 0)
     if told:
         assert told[0].startswith(
@@ -74,5 +74,28 @@ def test_blocks_anywhere_in_space():
             for b in hulls(two)
         )
         found.append(expected)
-        assert bool(crowded_blocks(blocks)) == expected
+        assert bool(crowded_blocks(blocks, [])) == expected
     assert 5 < sum(found) < 55
+
+
+def test_halves_of_a_ring_run_through_each_others_blocks():
+    halves = [
+        make_strip(
+            PlaneCurve.arc((0, 0), 60, start, start + np.pi), "birch-plywood-0.8", max_width=20, label=name
+        )
+        for name, start in (("A", 0.0), ("B", np.pi))
+    ]
+    apart = [Placed(half, (0, 0, 60 * i), (1, 0, 0), (0, 1, 0)) for i, half in enumerate(halves)]
+    assert crowded_blocks(end_fixtures(apart), apart) == ()
+    ring = [Placed(half, (0, 0, 0), (1, 0, 0), (0, 1, 0)) for half in halves]
+    blocks = end_fixtures(ring)
+    (told,) = crowded_blocks(blocks, ring)
+    assert told.startswith(
+        "A would run through the printed block of B:1 (and 3 more places): end them farther apart"
+    )
+    # 10 mm of the other half lie where the tab is to be
+    for block, other in zip(blocks, (1, 1, 0, 0), strict=True):
+        points = np.column_stack([halves[other].rod.position, np.zeros(halves[other].rod.s.size)])
+        inside = block.tab.frame.local(points)
+        near = (np.abs(inside[:, 2]) < 2) & (inside[:, 0] > 0) & (inside[:, 0] < block.tab.length)
+        assert np.ptp(inside[near, 0]) > 0.8 * block.tab.length
