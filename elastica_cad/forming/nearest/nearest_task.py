@@ -70,6 +70,8 @@ class NearestTask:
         What K is made of, where its weight or strain is not that of a plain strip.
     natural_curvature : float or RestCurvature
         1/mm before bending.
+    grows : bool
+        Are sizes without weight made as large as the limits let them be, once the rod is found?
     """
 
     curve: PlaneCurve
@@ -84,6 +86,7 @@ class NearestTask:
     line: tuple[FloatArray, FloatArray] | None = None
     section: SectionScale | None = None
     natural_curvature: NaturalCurvature = 0.0
+    grows: bool = True
 
     @classmethod
     def of(
@@ -149,6 +152,19 @@ class NearestTask:
         """Does K tell shares only? Of a law whose limits settle its scale, whatever the bend, each K is a size."""
         return self.section is None or self.section.law.follows_bend
 
+    @property
+    def is_light(self) -> bool:
+        """Is it a law of sizes without weight, which settles its scale afterwards?"""
+        return self.grows and self.gravity is None and not self.is_scaled_freely
+
+    def within_ratio(self, ratio: float) -> "NearestTask":
+        """The task with this limit to the ratio; a light one in the sizes that then bear most."""
+        limits = replace(self.limits, ratio=ratio)
+        section = self.section
+        if section is not None and self.is_light:
+            section = SectionScale.of(section.law, limits, heavy=False)
+        return replace(self, limits=limits, section=section)
+
     def settled(self, mapped: MappedRod) -> "NearestTask":
         """The task with widths as large as their limit lets a rod be that was found; itself where they were.
 
@@ -172,7 +188,7 @@ class NearestTask:
 
     def grown(self, mapped: MappedRod) -> "NearestTask":
         """The task with sizes as large as the limits let a rod be that was found without weight."""
-        if self.section is None or self.is_scaled_freely or self.gravity is not None:
+        if self.section is None or not self.is_light:
             return self
         bend = mapped.moments / mapped.stiffness / self.target.size
         return replace(self, section=self.section.grown(mapped.stiffness, bend, self.limits))

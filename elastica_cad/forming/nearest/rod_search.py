@@ -78,6 +78,7 @@ def find_rod(
     task = NearestTask.of(
         curve, limits, keep, gravity, supports, weights, samples, coefficients, section, natural_curvature
     )
+    task = replace(task, grows=grown)
     found = _search(task, measure, None if start is None else start.ended)
     steps = found.steps
     smaller = task.in_smaller_sections
@@ -95,7 +96,7 @@ def find_rod(
     target = task.target
 
     def rod_of(point: MappedRod) -> Rod:
-        return (task.grown(point) if grown else task).rod_of(point)
+        return task.grown(point).rod_of(point)
 
     deviation = measure_deviation(target, outcome.point.position) * target.size
     distance = outcome.objective if measure == "max" else float(np.sqrt(2 * outcome.objective))
@@ -189,7 +190,8 @@ def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) ->
 def _told(measure: Measure, so_far: Search, found: Sequence[RodOutcome]) -> Search:
     """The search with a leaner rod that is as near as its best, or with the outcomes `found` elsewhere that are."""
     task, problem, best, _, steps, _ = so_far
-    if task.is_scaled_freely and _mean_distance(task, best) < _FOLLOWED * task.target.diagonal:
+    free = task.is_scaled_freely or task.is_light
+    if free and _mean_distance(task, best) < _FOLLOWED * task.target.diagonal:
         lean = _leaner(task, measure, best)
         if lean is not None:
             tight, problem, best = lean
@@ -205,7 +207,7 @@ def _leaner(
     The distance does not see the ratio: on a wish that can be met exactly it would stay as the search left it.
     """
     K = best.point.stiffness
-    law = None if task.section is None else task.section.law
+    law = None if task.section is None or task.is_light else task.section.law
     try:
         rod = optimal_rod(task.curve, task.gravity, task.supports, task.natural_curvature, section=law)
     except ElasticaError:
@@ -213,8 +215,8 @@ def _leaner(
     least = rod.ratio * _SPLINE_STIFFNESS
     if best.violation > MET or least >= float(K.max() / K.min()):
         return None
-    tight = replace(task, limits=replace(task.limits, ratio=least))
     try:
+        tight = task.within_ratio(least)
         problem = pose_problem(tight, measure)
     except InputError:  # the stiffness is bounded elsewhere too
         return None
