@@ -252,3 +252,4 @@ def test_a_laminate_near_a_gentle_curve_follows_it():
     gentle = ec.make_strip(ARCH, CARD, style=Laminated(width=22.0, backing=CARD), limits=ec.Limits(ratio=4.0))
     assert np.abs(gentle.rod.position - ARCH.sample(gentle.rod.s.size).position).max() < 1e-3
     assert gentle.layout.backing.width.extremes[1] == pytest.approx(22.0, rel=1e-4)
+    assert gentle.rod.ratio == pytest.approx(ec.optimal_rod(ARCH).ratio, rel=0.01)
