@@ -9,7 +9,7 @@ from typing import Any
 import FreeCAD as App
 import FreeCADGui as Gui
 from freecad.elastica_wb.curves.copies import contents, not_repeated, originals
-from freecad.elastica_wb.curves.sketch_curves import is_outline, is_sketch, linked
+from freecad.elastica_wb.curves.sketch_curves import LINK, is_outline, is_sketch, linked
 from freecad.elastica_wb.features.baseplate import is_base_plate
 from freecad.elastica_wb.features.curves import is_section
 from freecad.elastica_wb.features.flat import is_flat
@@ -136,9 +136,8 @@ def _sources(objects: Iterable[Any]) -> list[Any]:
 
 def _all_sources() -> list[Any]:
     """The models and base plates of the document with the strips that stand on these; else its only strip."""
-    found = _sources(
-        obj for obj in App.ActiveDocument.Objects if contents(obj) == [obj] and not _is_element(obj)
-    )
+    objects = App.ActiveDocument.Objects
+    found = _sources(obj for obj in objects if _may_show(obj) and contents(obj) == [obj])
     made = [one for one in found if not all(is_strip(cut_for(own)) for own in originals(one))]
     if made:
         held = [one for plate in made if is_base_plate(plate) for one in plate.Sources]
@@ -147,8 +146,9 @@ def _all_sources() -> list[Any]:
     return found if len(strips) == 1 else []
 
 
-def _is_element(obj: Any) -> bool:
-    return bool(obj.TypeId == "App::LinkElement")
+def _may_show(obj: Any) -> bool:
+    """Could what is cut be seen in it? A quick look: ours and Draft's are made in Python, links are not."""
+    return obj.TypeId in (LINK, "App::LinkGroup") or hasattr(obj, "Proxy")
 
 
 def chosen_strips(*, least: int = 1) -> list[Any]:
