@@ -53,18 +53,20 @@ def strip(strip: Strip) -> Figure:
 
 def drawing(drawing: Drawing) -> Figure:
     """A drawing in the colours of its layers."""
+    from matplotlib.collections import LineCollection
+
     low, high = drawing.bounds
     size = np.maximum(high - low, 1e-9)
     figure = new_figure(float(np.clip(WIDTH_INCHES * size[1] / size[0], 1.6, 11.0)) + 0.8)
     axes = figure.subplots()
-    shown: list[str] = []
     lines = _lines([item.path for item in drawing.strokes])
-    for item, line in zip(drawing.strokes, lines, strict=True):
-        label = None if item.layer in shown else item.layer
-        shown.append(item.layer)
-        x, y = line.T
+    for layer in dict.fromkeys(item.layer for item in drawing.strokes):
+        strokes = [line for item, line in zip(drawing.strokes, lines, strict=True) if item.layer == layer]
         # on whole pixels, dots of letters would shrink to nothing
-        axes.plot(x, y, color=LAYER_COLORS[item.layer], linewidth=0.9, label=label, snap=False)
+        axes.add_collection(
+            LineCollection(strokes, colors=LAYER_COLORS[layer], linewidths=0.9, label=layer, snap=False)
+        )
+    axes.autoscale_view()
     _plain_axes(axes, f"{drawing.name}: {size[0]:.1f} by {size[1]:.1f} mm")
     _legend_above(axes)
     return figure

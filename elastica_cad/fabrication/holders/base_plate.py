@@ -106,7 +106,7 @@ class BasePlate:
     opening: Path | None = None
     glued: bool = False
 
-    @property
+    @cached_property
     def _inner(self) -> tuple[Path, ...]:
         """All loops that are cut out."""
         return (*(slot.path for slot in self.slots), *(() if self.opening is None else (self.opening,)))

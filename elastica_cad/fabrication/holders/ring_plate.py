@@ -85,7 +85,7 @@ class Ring:
     def _middle(self) -> tuple[Path, ...]:
         return (Path.circle((0.0, 0.0), self.radii[0]),) if self.radii[0] else ()
 
-    @property
+    @cached_property
     def _inner(self) -> tuple[Path, ...]:
         return (*(slot.path for slot in self.slots), *self.holes, *self._middle)
 
