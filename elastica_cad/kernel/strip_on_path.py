@@ -3,13 +3,13 @@
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import fields
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypedDict
+from typing import TYPE_CHECKING, Any, TypedDict
 
 from elastica_cad.errors import InputError, UnknownOptionError, refuse_unknown
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.styles import Style
-from elastica_cad.fabrication.strip.tabs import Tab
+from elastica_cad.fabrication.strip.tabs import StripEnd, Tab
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.drawn_edges import plane_curve
@@ -28,8 +28,6 @@ if TYPE_CHECKING:
     from elastica_cad.fabrication.strip_spec import StripSpec
     from elastica_cad.forming.limits import Keep, Limits
     from elastica_cad.forming.plane_sections.section_curves import SectionCurve
-
-End: TypeAlias = Literal["start", "end"]
 
 KEPT_REQUESTS = 64  # requests whose strips are kept: a few models' worth
 FIXTURE_SIZES = ("clearance", "wall", "foot", "foot_height", "screw")
@@ -162,7 +160,7 @@ def make_fixture_on(
     path: Any,
     sheet: Sheet | str | None = None,
     *,
-    end: End = "start",
+    end: StripEnd = "start",
     floor: Any = None,
     number: str | None = None,
     **asked: Any,

@@ -11,7 +11,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.fabrication.drawings.lettering import Text, text_width
-from elastica_cad.fabrication.holders.placed_tab import ENDS, End, PlacedTab, tabs_to_hold
+from elastica_cad.fabrication.holders.placed_tab import PlacedTab, tabs_to_hold
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.makeability.uncuttable_parts import (
     accept_faults,
@@ -23,6 +23,7 @@ from elastica_cad.fabrication.sheets.pieces import Piece
 from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
 from elastica_cad.fabrication.solids.prisms import convex_corners
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
+from elastica_cad.fabrication.strip.tabs import ENDS, StripEnd
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.offset import offset_path
 from elastica_cad.geometry.paths.path import Path
@@ -167,7 +168,7 @@ def base_plate(
     slot_width: float | None = None,
     border: float = 12.0,
     shape: Shape = "hull",
-    ends: Sequence[End] = ENDS,
+    ends: Sequence[StripEnd] = ENDS,
     name: str = "base",
     shop: Shop | None = None,
     anyway: bool = False,

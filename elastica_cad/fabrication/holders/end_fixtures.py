@@ -12,13 +12,14 @@ from elastica_cad._values import is_number
 from elastica_cad.errors import InputError, refuse_unknown
 from elastica_cad.fabrication.drawings.lettering import Text, engravable, text_strokes, text_width
 from elastica_cad.fabrication.drawings.stencil_strokes import stencil_strokes
-from elastica_cad.fabrication.holders.placed_tab import ENDS, End, PlacedTab, require_holdable, tabs_to_hold
+from elastica_cad.fabrication.holders.placed_tab import PlacedTab, require_holdable, tabs_to_hold
 from elastica_cad.fabrication.holding.rest_in_seats import lean_against
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.solids.prisms import PrismSolid, RoundGroove, convex_corners
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip.tabs import ENDS, StripEnd
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 
@@ -127,7 +128,7 @@ class EndFixture:
     def of(
         cls,
         strip: Strip,
-        end: End = "start",
+        end: StripEnd = "start",
         frame: Frame | None = None,
         *,
         floor: Frame | None = None,
@@ -144,7 +145,7 @@ class EndFixture:
         require_holdable(strip)
         return cls(PlacedTab.of(strip, end, frame), floor, number=number, **sizes).leaning(strip, end)
 
-    def leaning(self, strip: Strip, end: End) -> "EndFixture":
+    def leaning(self, strip: Strip, end: StripEnd) -> "EndFixture":
         """The fixture with its pocket leaned against what an end of the strip does to it.
 
         The walls that the tab is pressed against touch it where it is straight and in place; how far it then
@@ -302,7 +303,7 @@ def engraved(strokes: Sequence[Path], height: float, side: Frame) -> list[RoundG
 
 
 def end_fixtures(
-    placed: Sequence[Placed], *, floor: Frame | None = None, ends: Sequence[End] = ENDS, **sizes: Any
+    placed: Sequence[Placed], *, floor: Frame | None = None, ends: Sequence[StripEnd] = ENDS, **sizes: Any
 ) -> tuple[EndFixture, ...]:
     """Blocks for these ends of every strip that has tabs; sizes as in `EndFixture`.
 

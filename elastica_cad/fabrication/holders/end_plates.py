@@ -14,12 +14,13 @@ from elastica_cad.fabrication.holders.base_plate import (
     plate_with,
     tab_slot,
 )
-from elastica_cad.fabrication.holders.placed_tab import ENDS, End, PlacedTab, tabs_to_hold
+from elastica_cad.fabrication.holders.placed_tab import PlacedTab, tabs_to_hold
 from elastica_cad.fabrication.holders.plate_pair import add_second, require_gap
 from elastica_cad.fabrication.holders.ring_plate import PLAY_MM
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
+from elastica_cad.fabrication.strip.tabs import ENDS, StripEnd
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.material.sheet import Sheet
 
@@ -31,7 +32,7 @@ def end_plates(
     placed: Sequence[Placed],
     sheet: Sheet | str,
     *,
-    ends: Sequence[End] = ENDS,
+    ends: Sequence[StripEnd] = ENDS,
     together: bool = False,
     border: float = 8.0,
     play: float = PLAY_MM,

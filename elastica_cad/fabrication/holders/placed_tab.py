@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 
@@ -10,14 +9,11 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.placed_strip import Placed, strip_names
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.tabs import Hole, TSlot
+from elastica_cad.fabrication.strip.tabs import ENDS, Hole, StripEnd, TSlot
 from elastica_cad.geometry.frame import Frame
 
-End = Literal["start", "end"]
-ENDS: tuple[End, End] = ("start", "end")
 
-
-def tab_name(strip: str, end: End) -> str:
+def tab_name(strip: str, end: StripEnd) -> str:
     """Number of the part that is the tab at an end of a strip: the way its label reads."""
     return f"{strip}:{1 if end == 'start' else 2}"
 
@@ -51,7 +47,7 @@ class PlacedTab:
 
     @classmethod
     def of(
-        cls, strip: Strip, end: End, frame: Frame | None = None, *, name: str | None = None
+        cls, strip: Strip, end: StripEnd, frame: Frame | None = None, *, name: str | None = None
     ) -> "PlacedTab":
         """The tab at the start or the end of a strip whose curve is drawn in `frame`."""
         place = frame or Frame()
@@ -83,7 +79,7 @@ class PlacedTab:
         return self.frame.point(corners)
 
 
-def place_tabs(placed: Sequence[Placed], ends: Sequence[End] = ENDS) -> list[PlacedTab]:
+def place_tabs(placed: Sequence[Placed], ends: Sequence[StripEnd] = ENDS) -> list[PlacedTab]:
     """The tabs of all strips at these ends, strip by strip, called like the strips."""
     return [
         PlacedTab.of(one.strip, end, one.frame, name=name)
@@ -92,7 +88,7 @@ def place_tabs(placed: Sequence[Placed], ends: Sequence[End] = ENDS) -> list[Pla
     ]
 
 
-def tabs_to_hold(placed: Sequence[Placed], ends: Sequence[End] = ENDS) -> list[PlacedTab]:
+def tabs_to_hold(placed: Sequence[Placed], ends: Sequence[StripEnd] = ENDS) -> list[PlacedTab]:
     """The same, for holders to be made; refuses strips that none of ours fits."""
     for one, name in zip(placed, strip_names(placed), strict=True):
         require_holdable(one.strip, name)

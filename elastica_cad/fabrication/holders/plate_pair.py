@@ -15,12 +15,13 @@ from elastica_cad.fabrication.holders.base_plate import (
     plate_with,
     tab_slot,
 )
-from elastica_cad.fabrication.holders.placed_tab import ENDS, PlacedTab
+from elastica_cad.fabrication.holders.placed_tab import PlacedTab
 from elastica_cad.fabrication.holders.ring_plate import Ring, ring_around, ring_plate
 from elastica_cad.fabrication.holders.tab_seats import slot_walls, tab_key, tab_seats
 from elastica_cad.fabrication.holding.rest_in_seats import Lean, lean_against, what_leans
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
+from elastica_cad.fabrication.strip.tabs import ENDS
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.material.sheet import Sheet
 

@@ -8,12 +8,13 @@ import numpy as np
 
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication.holders.base_plate import BasePlate, TabSlot
-from elastica_cad.fabrication.holders.placed_tab import ENDS, End, PlacedTab
+from elastica_cad.fabrication.holders.placed_tab import PlacedTab
 from elastica_cad.fabrication.holders.plate_pair import Plate, add_second, needed_length
 from elastica_cad.fabrication.holders.ring_plate import Ring
 from elastica_cad.fabrication.holders.tab_seats import plates_of, seat_of, tab_key, tab_seats
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.placed_strip import Placed, distinct_names
+from elastica_cad.fabrication.strip.tabs import ENDS, StripEnd
 from elastica_cad.geometry.frame import Frame
 
 ROCKING_RAD = np.radians(3.0)
@@ -72,9 +73,9 @@ def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
 
 def _by_holder(
     placed: Sequence[Placed], holders: Iterable[object]
-) -> dict[str, list[tuple[Placed, End, TabSeat]]]:
+) -> dict[str, list[tuple[Placed, StripEnd, TabSeat]]]:
     """Strips, ends and seats by what holds them."""
-    seats, found = tab_seats(holders), dict[str, list[tuple[Placed, End, TabSeat]]]()
+    seats, found = tab_seats(holders), dict[str, list[tuple[Placed, StripEnd, TabSeat]]]()
     for one in placed:
         for end in ENDS:
             seat = seat_of(seats, one, end)
@@ -92,7 +93,7 @@ def _shape(one: Placed, seats: dict[tuple[float, ...], TabSeat]) -> str:
     return f"the strip strays {strayed:.2g} mm so, {100 * strayed / one.strip.rod.length:.2g} % of its length"
 
 
-def _cure(one: Placed, end: End, holders: Sequence[object]) -> str:
+def _cure(one: Placed, end: StripEnd, holders: Sequence[object]) -> str:
     """Two plates in place of the one that holds a tab, bent forward, or what else there is."""
     others = "end fixtures or feet (feet = 10) glued at its angle"
     for gap in TRIED_GAPS_MM:
@@ -106,7 +107,9 @@ def _cure(one: Placed, end: End, holders: Sequence[object]) -> str:
     return f"use {others}"
 
 
-def _with_pair(one: Placed, end: End, holders: Sequence[object], gap: float) -> tuple[float, float] | None:
+def _with_pair(
+    one: Placed, end: StripEnd, holders: Sequence[object], gap: float
+) -> tuple[float, float] | None:
     """Length of the tabs and how far the strip strays, mm, with a second plate behind its own; None: no cure."""
     keys = {tab_key(PlacedTab.of(one.strip, which, one.frame)): which for which in ENDS}
     mine = [(plate, slot, keys[tab_key(slot.tab)]) for plate in plates_of(holders) for slot in plate.slots

@@ -13,7 +13,7 @@ from elastica_cad.fabrication.drawings.drawing import CUT_OUTER, ENGRAVE, Drawin
 from elastica_cad.fabrication.drawings.lettering import Text, text_width
 from elastica_cad.fabrication.holders.base_plate import BasePlate, TabSlot, plate_with
 from elastica_cad.fabrication.holders.end_plates import tab_plane, through_slots
-from elastica_cad.fabrication.holders.placed_tab import ENDS, End, tabs_to_hold
+from elastica_cad.fabrication.holders.placed_tab import tabs_to_hold
 from elastica_cad.fabrication.holders.plate_pair import lean_pair, require_gap
 from elastica_cad.fabrication.holders.ring_plate import PLAY_MM
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
@@ -23,6 +23,7 @@ from elastica_cad.fabrication.sheets.pieces import Piece
 from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
 from elastica_cad.fabrication.solids.prisms import convex_corners
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
+from elastica_cad.fabrication.strip.tabs import ENDS, StripEnd
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.path_intersections import self_crossing
@@ -233,7 +234,7 @@ class _RailPlan:
     def of(
         cls,
         placed: Sequence[Placed],
-        end: End,
+        end: StripEnd,
         sheet: Sheet,
         *,
         play: float,

@@ -9,11 +9,12 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.fabrication.holders.base_plate import BasePlate, TabSlot
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
-from elastica_cad.fabrication.holders.placed_tab import ENDS, End, PlacedTab
+from elastica_cad.fabrication.holders.placed_tab import PlacedTab
 from elastica_cad.fabrication.holders.ring_plate import Ring
 from elastica_cad.fabrication.holding.held_shape import HeldShape
 from elastica_cad.fabrication.holding.tab_seat import WALL_PLACES, TabSeat
 from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.strip.tabs import ENDS, StripEnd
 
 Slotted: TypeAlias = BasePlate | Ring
 Key: TypeAlias = tuple[float, ...]
@@ -130,6 +131,6 @@ def tab_key(tab: PlacedTab) -> Key:
     return tuple(np.round([*tab.frame.origin, *tab.frame.x_axis], 6).tolist())
 
 
-def seat_of(seats: Mapping[Key, TabSeat], one: Placed, end: End) -> TabSeat | None:
+def seat_of(seats: Mapping[Key, TabSeat], one: Placed, end: StripEnd) -> TabSeat | None:
     """What holds an end of a placed strip."""
     return seats.get(tab_key(PlacedTab.of(one.strip, end, one.frame)))

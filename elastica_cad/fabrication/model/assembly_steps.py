@@ -6,11 +6,12 @@ from dataclasses import dataclass
 
 from elastica_cad.fabrication.holders.base_plate import BasePlate
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
-from elastica_cad.fabrication.holders.placed_tab import ENDS, tab_name
+from elastica_cad.fabrication.holders.placed_tab import tab_name
 from elastica_cad.fabrication.holders.ring_plate import Ring
 from elastica_cad.fabrication.holders.slotted_frame import SlottedFrame
 from elastica_cad.fabrication.model.assembly import Holder
 from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.strip.tabs import ENDS
 
 FREE = "free"
 

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, replace
 from itertools import pairwise
+from typing import Literal, TypeAlias
 
 import numpy as np
 
@@ -10,6 +11,9 @@ from elastica_cad._values import is_number, several
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Line
+
+StripEnd: TypeAlias = Literal["start", "end"]
+ENDS: tuple[StripEnd, StripEnd] = ("start", "end")
 
 
 @dataclass(frozen=True)

@@ -1,62 +1,30 @@
-"""Strips in build123d: sketch and part objects, and an operation on pending edges."""
+"""Strips as sketch and part objects: flat, bent, in place, with sliding ends and with the blocks that hold them."""
 
 from collections.abc import Iterable, Sequence
-from contextlib import nullcontext
 from dataclasses import replace
 from os import PathLike
-from typing import TYPE_CHECKING, Any, Literal, TypeAlias, Unpack, overload
+from typing import Any, TypeAlias, Unpack
 
-from elastica_cad.errors import InputError, how_to_install
+import build123d as bd
 
-try:
-    import build123d as bd
-except ImportError as error:
-    raise ImportError(f"elastica_cad.build123d needs build123d: {how_to_install('build123d')}") from error
-
+from elastica_cad.build123d.native_shapes import add_joints, make_solids, read_frame
+from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.sheet_colors import FIXTURE_COLOR, sheet_color
-from elastica_cad.fabrication.solids.prisms import PrismSolid
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord, FlatSolid
 from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip.tabs import StripEnd
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.kernel import occt
 from elastica_cad.kernel.strip_body import BendOptions, MadeStrip, Point, StripBody
 from elastica_cad.kernel.strip_on_path import (
     BlockOptions,
-    End,
     FixtureOptions,
     StripOptions,
     make_fixture_on,
     make_strip_on,
-    section_requests,
 )
-from elastica_cad.kernel.strip_warnings import StripWarning, warn_of_missing_slots
-from elastica_cad.mechanics.bending.between_clamps import angles_in_rad, elastica_between
-from elastica_cad.mechanics.loads.arguments import whole_number
-from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.material.sheet import Sheet
-
-if TYPE_CHECKING:
-    from elastica_cad.fabrication.model.assembly import AssemblyPart, Holder
-    from elastica_cad.fabrication.model.strip_model import Model
-    from elastica_cad.forming.plane_sections.section_spec import SectionSpec
-
-__all__ = [
-    "BentStrip",
-    "Elastica",
-    "EndFixture",
-    "FlatStrip",
-    "PlacedStrip",
-    "Slider",
-    "StripOutline",
-    "StripWarning",
-    "elastic_strip",
-    "model_compound",
-    "section_strips",
-]
 
 Drawn: TypeAlias = bd.Edge | bd.Wire | PlaneCurve | Strip | StripBody | Iterable[bd.Edge]
 """A curve that is drawn, or a strip that was made before: then there is nothing to solve."""
@@ -70,7 +38,7 @@ class _Made(StripBody):
 
     def _start(self) -> Frame | None:
         joints: dict[str, bd.Joint] = getattr(self, "joints", {})
-        return _frame(joints["start"].location) if "start" in joints else None
+        return read_frame(joints["start"].location) if "start" in joints else None
 
     @property
     def flat(self) -> "FlatStrip":
@@ -112,7 +80,7 @@ class _Made(StripBody):
         self._require_backing()
         return self.layers[1]
 
-    def fixture(self, end: End = "start", **sizes: Unpack[BlockOptions]) -> "EndFixture":
+    def fixture(self, end: StripEnd = "start", **sizes: Unpack[BlockOptions]) -> "EndFixture":
         """The block that holds an end of the bent strip, in place; `sizes` as in `EndFixture`."""
         return EndFixture(self, end=end, mode=bd.Mode.PRIVATE, **sizes)
 
@@ -125,7 +93,7 @@ class _Made(StripBody):
         image.joints = {}
         for name, joint in getattr(self, "joints", {}).items():
             if isinstance(joint, bd.RigidJoint):
-                place = occt.moved_frame(_frame(joint.location), transformation)
+                place = occt.moved_frame(read_frame(joint.location), transformation)
                 bd.RigidJoint(name, image, bd.Location(occt.make_location(place)))
         return image
 
@@ -195,6 +163,7 @@ class Slider(bd.LinearJoint):
 
     Examples
     --------
+    >>> from elastica_cad.build123d import Elastica
     >>> rib = BentStrip(Elastica((0, 0), (160, 0), 200, angles=(0, 0)).edge(), "pom-0.5", max_width=10)
     >>> slider = rib.slider(end=(130, 0))
     >>> carriage = bd.Box(10, 20, 10)
@@ -359,7 +328,7 @@ class EndFixture(_Made, bd.BasePartObject):
         sheet: Sheet | str | None = None,
         *,
         max_width: float | None = None,
-        end: End = "start",
+        end: StripEnd = "start",
         floor: bd.Plane | None = None,
         number: str | None = None,
         rotation: bd.RotationLike = (0, 0, 0),
@@ -371,311 +340,25 @@ class EndFixture(_Made, bd.BasePartObject):
             path, sheet, max_width=max_width, end=end, floor=floor, number=number, **options
         )
         solid = bd.Solid(occt.make_solid(block.solid))
-        _join(solid, block.solid)
+        add_joints(solid, block.solid)
         super().__init__(solid, rotation, align, mode)
         self._made = made
         self.label, self.color = block.label, bd.Color(*FIXTURE_COLOR)
-
-
-class Elastica(bd.BaseLineObject):
-    """Line object: the curve that a strip of given length takes between two clamps, or from one to its free end.
-
-    Which of its many shapes is stated by `branch`, and chosen by `side` and `buckling`.
-
-    Parameters
-    ----------
-    start, end : point
-        In the plane of the workplane; `end=None` leaves the end free, with the start clamped.
-    length : float
-        Of the strip, mm: more than the distance of its ends.
-    angles : pair of float or None
-        Of the tangents at start and end, degrees, whole turns not counted; None leaves the strip free to turn
-        there.
-    stiffness : float, sequence or Profile
-        Of a tapered strip: its widths at even stations, in any unit.
-    gravity : Gravity, optional
-        The strip's own weight, as `Sheet.gravity` gives it.
-    force : pair of float, optional
-        At a free end, newtons over the strip's least bending stiffness in N mm2 (`Sheet.bending_stiffness`).
-    side : {+1, -1}
-        Bulge to the left or the right of the way from start to end.
-    buckling : int
-        Buckling mode; above 1 the shape is unstable as a rule.
-    mode : Mode
-        How it joins the builder's line.
-
-    Raises
-    ------
-    InputError
-        A length that does not reach, points off the plane, a force at an end that is held.
-
-    Examples
-    --------
-    >>> line = Elastica((0, 0), (70, 0), 100, angles=(0, 0))
-    >>> round(line.length, 3), str(line.branch)
-    (100.0, 'the strip bulges to the left of its chord, with 2 inflections (mode 1)')
-    """
-
-    def __init__(
-        self,
-        start: bd.VectorLike,
-        end: bd.VectorLike | None,
-        length: float,
-        *,
-        angles: tuple[float | None, float | None] = (None, None),
-        stiffness: "float | Sequence[float] | Profile" = 1.0,
-        gravity: Gravity | None = None,
-        force: tuple[float, float] | None = None,
-        side: int = 1,
-        buckling: int = 1,
-        mode: bd.Mode = bd.Mode.ADD,
-    ) -> None:
-        self.branch = elastica_between(
-            start,
-            end,
-            length,
-            angles=angles_in_rad(angles),
-            stiffness=stiffness,
-            gravity=gravity,
-            force=force,
-            side=side,
-            mode=whole_number(buckling, "buckling", 1),
-        )
-        wire = occt.make_wire(Path([Spline(self.branch.curve)]))
-        super().__init__(bd.Wire(wire), mode)
-
-
-@overload
-def elastic_strip(
-    path: Drawn | None = None,
-    *,
-    sheet: Sheet | str | None = None,
-    max_width: float | None = None,
-    form: Literal["flat"] = "flat",
-    mode: bd.Mode = bd.Mode.ADD,
-    **options: Unpack[StripOptions],
-) -> FlatStrip: ...
-
-
-@overload
-def elastic_strip(
-    path: Drawn | None = None,
-    *,
-    sheet: Sheet | str | None = None,
-    max_width: float | None = None,
-    form: Literal["bent"],
-    mode: bd.Mode = bd.Mode.ADD,
-    **options: Unpack[StripOptions],
-) -> BentStrip: ...
-
-
-@overload
-def elastic_strip(
-    path: Drawn | None = None,
-    *,
-    sheet: Sheet | str | None = None,
-    max_width: float | None = None,
-    form: Literal["outline"],
-    mode: bd.Mode = bd.Mode.ADD,
-    **options: Unpack[StripOptions],
-) -> StripOutline: ...
-
-
-def elastic_strip(
-    path: Drawn | None = None,
-    *,
-    sheet: Sheet | str | None = None,
-    max_width: float | None = None,
-    form: Literal["flat", "bent", "outline"] = "flat",
-    mode: bd.Mode = bd.Mode.ADD,
-    **options: Unpack[StripOptions],
-) -> FlatStrip | BentStrip | StripOutline:
-    """Operation: the strip of a curve, of the builder's pending edges unless `path` is given.
-
-    Parameters
-    ----------
-    path : Edge, Wire, edges or PlaneCurve, optional
-    sheet : Sheet or str
-        The material, or the name of a built-in one.
-    max_width : float
-        As in `StripOutline`.
-    form : "flat", "bent" or "outline"
-        The strip as cut (`FlatStrip`), as bent (`BentStrip`), or its flat pattern (`StripOutline`). Bent it stands
-        on the pending edges where these are, as locations put them there; flat it lies at each active location.
-    mode : Mode
-        How it joins the builder's part or sketch.
-    **options
-        All others of `StripOutline`.
-
-    Returns
-    -------
-    FlatStrip, BentStrip or StripOutline
-        Where pending edges make several chains a `ShapeList` of them, one a chain.
-
-    Raises
-    ------
-    InputError
-        No path and no pending edges, an unknown form, and as `StripOutline`.
-    """
-    forms: dict[str, Any] = {"flat": FlatStrip, "bent": BentStrip, "outline": StripOutline}
-    if form not in forms:
-        raise InputError(f"form {form!r} is not known: choose one of {', '.join(forms)}")
-    builder = bd.BuildSketch if form == "outline" else bd.BuildPart
-    context = builder._get_context("elastic_strip")
-    if path is None:
-        if isinstance(context, bd.BuildLine):
-            raise InputError(
-                "elastic_strip stands inside BuildLine: end that first, a strip follows its line"
-            )
-        path = list(context.pending_edges) if context is not None else []
-        if not path:
-            raise InputError(
-                "there is no curve: give a path, or draw one with BuildLine in the builder first"
-            )
-        context.pending_edges = bd.ShapeList()
-        path = list(bd.Wire.combine(path)) if len(path) > 1 else path
-        # pending edges are where the active locations put them, once for each
-        drawn = bd.LocationList([bd.Location()]) if form == "bent" else nullcontext()
-        with drawn:
-            strips: list[Any] = [
-                forms[form](chain, sheet, max_width=max_width, mode=mode, **options) for chain in path
-            ]
-        made: Any = strips[0] if len(strips) == 1 else bd.ShapeList(strips)
-    else:
-        made = forms[form](path, sheet, max_width=max_width, mode=mode, **options)
-    found: FlatStrip | BentStrip | StripOutline = made
-    return found
-
-
-def section_strips(
-    body: bd.Shape,
-    planes: "bd.Plane | Frame | Iterable[bd.Plane | Frame] | SectionSpec",
-    sheet: Sheet | str,
-    *,
-    max_width: float | None = None,
-    half: bool = False,
-    **options: Unpack[StripOptions],
-) -> "bd.ShapeList[BentStrip]":
-    """The strips that follow the lines in which planes cut a face or a body.
-
-    Parameters
-    ----------
-    body : Face, Shell or Solid
-    planes : Plane, planes, or SectionSpec
-        A `SectionSpec` also splits closed lines, keeps the longest and smooths.
-    sheet, max_width, **options
-        As in `StripOutline`; most sections bend within `limits` only.
-    half : bool
-        Only what lies on the side to which a plane's x axis points.
-
-    Returns
-    -------
-    ShapeList of BentStrip
-        Standing in the section's plane, with its z axis to the strip's upper edge; called by `label` and a number.
-
-    Raises
-    ------
-    InputError
-        No section that a strip could follow, and as `StripOutline`.
-
-    Warns
-    -----
-    StripWarning
-        Of lines that are left out.
-
-    Examples
-    --------
-    >>> dome = bd.Sphere(60, arc_size1=20)
-    >>> planes = [bd.Plane.XZ.offset(y) for y in (-20, 0, 20)]
-    >>> ribs = section_strips(dome.faces().sort_by(bd.Axis.Z)[-1], planes, "card-200gsm", max_width=8)
-    >>> len(ribs)
-    3
-    """
-    return bd.ShapeList(
-        BentStrip(curve, sheet, max_width=max_width, mode=bd.Mode.PRIVATE, **placed)
-        for curve, placed in section_requests(body, planes, options, half=half)
-    )
 
 
 class PlacedStrip(_Made, bd.Part):
     """A bent strip of a model, in its place; `strip`, `rod`, `check`, `warnings` tell about it."""
 
 
-def model_compound(model: "Model", *, others: "Iterable[Holder]" = ()) -> bd.Compound:
-    """The bent strips of a model as an assembly: a compound whose children are called like the parts.
-
-    Equal strips share one body. Every child has the joints of `BentStrip` and knows its `strip`; the sheets of a
-    laminate are its children.
-
-    Parameters
-    ----------
-    model : Model
-    others : iterable of BasePlate, SlottedFrame and EndFixture, optional
-        What holds the strips, as further children: plates and blocks, these with their joint "tab".
-
-    Returns
-    -------
-    Compound
-        Called like the model, with one `PlacedStrip` a strip.
-
-    Raises
-    ------
-    InputError
-        Something else among `others`.
-    """
-    from elastica_cad.fabrication.model.assembly import assembly_parts, require_model, shape_parts
-
-    require_model(model)
-    parts = assembly_parts(model.placed, (*model.plates, *others))
-    warn_of_missing_slots(model.placed)
-    children = [
-        _child(part, solids) for part, solids in shape_parts(parts, lambda part: _solids(part.solids))
-    ]
-    return bd.Compound(label=model.name, children=children)
-
-
-def _child(part: "AssemblyPart", solids: list[bd.Solid]) -> bd.Part:
-    """A part of an assembly in its place; of a strip one that knows it."""
-    child: Any = bd.Part(solids[0].wrapped)
-    if part.strip is not None:
-        child = PlacedStrip(bd.Compound(solids).wrapped)
-        base: Any = part.solids[0]
-        child._made = MadeStrip(part.strip, Frame(), home=base.joints["start"])
-        if len(solids) > 1:
-            # new wrappers: equal strips share shapes, but a child has one parent
-            layers = [bd.Solid(solid.wrapped) for solid in solids]
-            for layer, name, color in zip(layers, part.names, part.colors, strict=True):
-                layer.label, layer.color = name, bd.Color(*color)
-            child.children = layers
-    _join(child, part.solids[0])
-    child.label, child.color = part.name, bd.Color(*part.colors[0])
-    child.location = bd.Location(occt.make_location(part.frame))
-    return child
-
-
 def _jointed(records: Sequence[BodyRecord]) -> bd.Solid | bd.Part:
     """The sheets of a strip with the joints of its base."""
-    solids = _solids(records)
+    solids = make_solids(records)
     body = solids[0] if len(solids) == 1 else bd.Part(bd.Compound(solids).wrapped)
-    _join(body, records[0])
+    add_joints(body, records[0])
     return body
-
-
-def _solids(records: Sequence[BodyRecord | PrismSolid]) -> list[bd.Solid]:
-    return [bd.Solid(occt.make_solid(record)) for record in records]
-
-
-def _join(shape: Any, record: BodyRecord | PrismSolid) -> None:
-    for name, frame in record.joints.items():
-        bd.RigidJoint(name, shape, bd.Location(occt.make_location(frame)))
 
 
 def _dress(shape: Any, made: MadeStrip) -> None:
     shape._made = made
     shape.label = made.strip.label or "strip"
     shape.color = bd.Color(*sheet_color(made.strip.sheet))
-
-
-def _frame(location: bd.Location) -> Frame:
-    plane = bd.Plane(location)
-    return Frame(tuple(plane.origin), tuple(plane.x_dir), tuple(plane.y_dir))

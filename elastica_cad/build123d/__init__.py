@@ -1,0 +1,37 @@
+"""Strips in build123d: sketch and part objects, and an operation on pending edges."""
+
+from importlib import import_module
+
+from elastica_cad.errors import how_to_install
+
+try:
+    import_module("build123d")
+except ImportError as error:
+    raise ImportError(f"elastica_cad.build123d needs build123d: {how_to_install('build123d')}") from error
+
+from elastica_cad.build123d.elastica_line import Elastica
+from elastica_cad.build123d.model_compound import model_compound
+from elastica_cad.build123d.strip_bodies import (
+    BentStrip,
+    EndFixture,
+    FlatStrip,
+    PlacedStrip,
+    Slider,
+    StripOutline,
+)
+from elastica_cad.build123d.strip_operations import elastic_strip, section_strips
+from elastica_cad.kernel.strip_warnings import StripWarning
+
+__all__ = [
+    "BentStrip",
+    "Elastica",
+    "EndFixture",
+    "FlatStrip",
+    "PlacedStrip",
+    "Slider",
+    "StripOutline",
+    "StripWarning",
+    "elastic_strip",
+    "model_compound",
+    "section_strips",
+]

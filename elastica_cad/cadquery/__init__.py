@@ -1,0 +1,43 @@
+"""Strips in CadQuery: free functions, and methods of Workplane and Sketch after `register()`."""
+
+from importlib import import_module
+
+from elastica_cad.errors import how_to_install
+
+try:
+    import_module("cadquery")
+except ImportError as error:
+    raise ImportError(f"elastica_cad.cadquery needs CadQuery: {how_to_install('cadquery')}") from error
+
+from elastica_cad.cadquery.curves_and_sections import elastica, section_strips
+from elastica_cad.cadquery.model_assembly import model_assembly
+from elastica_cad.cadquery.strip_bodies import (
+    FixtureSolid,
+    Slider,
+    StripCompound,
+    StripFace,
+    StripSolid,
+    bent_strip,
+    end_fixture,
+    flat_strip,
+    strip_outline,
+)
+from elastica_cad.cadquery.workplane_methods import register
+from elastica_cad.kernel.strip_warnings import StripWarning
+
+__all__ = [
+    "FixtureSolid",
+    "Slider",
+    "StripCompound",
+    "StripFace",
+    "StripSolid",
+    "StripWarning",
+    "bent_strip",
+    "elastica",
+    "end_fixture",
+    "flat_strip",
+    "model_assembly",
+    "register",
+    "section_strips",
+    "strip_outline",
+]

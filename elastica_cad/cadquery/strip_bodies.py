@@ -1,0 +1,406 @@
+"""Strips as faces, solids and compounds of CadQuery, the functions that make them, and blocks that hold them."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+from os import PathLike
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, Self, TypeAlias, TypeVar, Unpack
+
+import cadquery as cq
+
+from elastica_cad.cadquery.native_places import free_name, make_location, plain_name, read_frame
+from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
+from elastica_cad.fabrication.solids.prisms import PrismSolid
+from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord, FlatSolid, bent_sheets
+from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.fabrication.strip.tabs import ENDS, StripEnd
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.kernel import occt
+from elastica_cad.kernel.strip_body import BendOptions, MadeStrip, Point, StripBody
+from elastica_cad.kernel.strip_on_path import (
+    BlockOptions,
+    FixtureOptions,
+    StripOptions,
+    make_fixture_on,
+    make_strip_on,
+)
+from elastica_cad.mechanics.material.sheet import Sheet
+
+Drawn: TypeAlias = cq.Edge | cq.Wire | cq.Workplane | PlaneCurve | Strip | StripBody | Iterable[cq.Edge]
+"""A curve that is drawn, or a strip that was made before: then there is nothing to solve."""
+
+KEPT = ("_made", "_joints", "label", "color")
+
+
+class _Made(StripBody, cq.Shape):
+    """The strip behind a shape, which copies, moved and turned ones keep. Its properties make the other bodies."""
+
+    _joints: Mapping[str, cq.Location] = MappingProxyType({})
+    color: cq.Color
+
+    def _start(self) -> Frame | None:
+        return read_frame(self.location() * self._joints["start"]) if "start" in self._joints else None
+
+    @property
+    def flat(self) -> "StripSolid | StripCompound":
+        """The strip as cut, on the xy plane."""
+        return flat_strip(self)
+
+    @property
+    def outline(self) -> "StripFace":
+        """The flat pattern as a face."""
+        return strip_outline(self)
+
+    def bent(self, **moved: Unpack[BendOptions]) -> "StripSolid | StripCompound":
+        """The strip bent, with its ends led to `start` and `end` where given: points in space, or two numbers in
+        the `frame` of the body, mm; `angles` (rad in that frame) and all others as in `mechanics.bend`.
+        """
+        if not moved:
+            return bent_strip(self)
+        return bent_strip(self._bent_anew(moved), plane=self.frame)
+
+    def slider(self, end: Point) -> "Slider":
+        """The travel of the strip's end to a point in space, or two numbers in its `frame`, mm."""
+        return Slider(self, end)
+
+    @property
+    def backing(self) -> cq.Solid:
+        """The bent backing of a laminated strip."""
+        self._require_backing()
+        return self.layers[1]
+
+    @property
+    def layers(self) -> tuple[cq.Solid, ...]:
+        """The sheets of the bent strip, the base first, with labels."""
+        found = []
+        for shape, name, _ in self._layers():
+            solid: cq.Solid = cq.Solid(shape)
+            solid.label = name
+            found.append(solid)
+        return tuple(found)
+
+    @property
+    def assembly(self) -> cq.Assembly:
+        """The sheets of the bent strip as children of one assembly, with names and colours."""
+        made = cq.Assembly(name=plain_name(self.strip.label or "strip"))
+        for solid, sheet in zip(self.layers, bent_sheets(self.strip), strict=True):
+            made.add(solid, name=free_name(solid.label, made), color=cq.Color(*sheet_color(sheet)))
+        return made
+
+    def fixture(self, end: "StripEnd" = "start", **sizes: Unpack[BlockOptions]) -> "FixtureSolid":
+        """The block that holds an end of the bent strip, in place; `sizes` as in `end_fixture`."""
+        return end_fixture(self, end=end, **sizes)
+
+    def moved(self, *args: Any, **options: Any) -> Any:
+        """As `Shape.moved`; a single copy still knows its strip."""
+        return self._told(super().moved(*args, **options))
+
+    def located(self, loc: cq.Location) -> Self:
+        """As `Shape.located`; the copy still knows its strip."""
+        made: Self = self._told(super().located(loc))
+        return made
+
+    def copy(self, mesh: bool = False) -> Self:
+        """As `Shape.copy`; the copy still knows its strip."""
+        made: Self = self._told(super().copy(mesh))
+        return made
+
+    def clean(self) -> Self:
+        """As `Shape.clean`; what comes of it still knows its strip."""
+        made: Self = self._told(super().clean())
+        return made
+
+    def mirror(self, mirrorPlane: Any = "XY", basePointVector: Any = (0, 0, 0)) -> Self:
+        """As `Shape.mirror`; the image still knows its strip, which is turned over."""
+        made: Self = super().mirror(mirrorPlane, basePointVector)
+        return made
+
+    def scale(self, factor: float) -> cq.Shape:
+        """As `Shape.scale`: a plain body, as a strip of another size has other numbers."""
+        plain = cq.Shape.cast(super().scale(factor).wrapped)
+        plain.label = self.label
+        return plain
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            """CadQuery makes what is rounded or hollowed an object of the same class: it is no strip any more."""
+            if "_made" in self.__dict__ or name.startswith("__"):
+                raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
+            raise AttributeError(
+                f"a body that was rounded, chamfered or hollowed has no {name}: ask the strip that it was made from"
+            )
+
+    def __getstate__(self) -> tuple[Any, ...]:
+        """What `copy`, `deepcopy` and `pickle` take along: the strip too."""
+        kept = {k: v for k, v in self.__dict__.items() if k in KEPT}
+        if "color" in kept:
+            kept["color"] = self.color.toTuple()
+        return super().__getstate__(), kept
+
+    def __setstate__(self, state: tuple[Any, ...]) -> None:
+        shape, kept = state
+        super().__setstate__(shape)
+        self.__dict__.update(kept)
+        if "color" in kept:
+            self.color = cq.Color(*kept["color"])
+
+    def _apply_transform(self, Tr: Any) -> Any:
+        made = self._told(super()._apply_transform(Tr))
+        if isinstance(made, type(self)) and "_made" in self.__dict__:
+            here, back = self.location(), made.location().inverse
+            if Tr.IsNegative():
+                made._made = self._made.mirrored()
+            made._joints = {
+                name: back * make_location(occt.moved_frame(read_frame(here * at), Tr))
+                for name, at in self._joints.items()
+            }
+        return made
+
+    def _told(self, copy: Any) -> Any:
+        if isinstance(copy, type(self)):
+            copy.__dict__.update({k: v for k, v in self.__dict__.items() if k in KEPT})
+        return copy
+
+
+class Slider:
+    """A strip's end on its way, straight and with its direction held, to another point.
+
+    Parameters
+    ----------
+    rib : StripSolid or StripCompound
+        A bent strip.
+    end : point, or (2,) array_like
+        Where the end goes: a point in space, or two numbers in the rib's `frame`, mm.
+
+    Attributes
+    ----------
+    travel : Travel
+        The shapes on the way, and how long it is.
+
+    Raises
+    ------
+    InputError
+        A body that is not bent, a point that the strip does not reach.
+
+    Examples
+    --------
+    >>> rib = bent_strip(elastica((0, 0), (160, 0), 200, angles=(0, 0)), "pom-0.5", max_width=10)
+    >>> slider = rib.slider(end=(130, 0))
+    >>> lamp = cq.Assembly(slider.bent(15), name="rib")
+    >>> lamp = lamp.add(cq.Workplane().box(10, 20, 10), name="carriage", loc=slider.place(15))
+    >>> round(lamp.objects["carriage"].toCompound().Center().x, 6)
+    145.0
+    >>> round(slider.bent(15).joints["end"].toTuple()[0][0], 6)
+    145.0
+    """
+
+    def __init__(self, rib: "_Made", end: Point) -> None:
+        if rib._made.home is None:
+            raise InputError("the end of a strip slides when it is bent: take its body .bent() first")
+        from elastica_cad.kernel.end_travel import Travel
+
+        self.travel = Travel(rib.strip, rib.frame, rib._in_plane(end, "end"))
+
+    def place(self, position: float) -> cq.Location:
+        """Where the end is `position` mm along the way: x along it, z across the strip."""
+        return make_location(self.travel.place) * cq.Location((position, 0, 0))
+
+    def bent(self, position: float) -> "StripSolid | StripCompound":
+        """The strip with its end `position` mm along the way."""
+        travel = self.travel
+        return bent_strip(replace(travel.strip, rod=travel.rod(position)), plane=travel.frame)
+
+    def constrain(self, assembly: cq.Assembly, name: str, position: float) -> cq.Assembly:
+        """Hold a child, or a tagged face of it ("carriage?foot"), on the way for `solve()`, square to it."""
+        at, turn = self.place(position).toTuple()
+        child, _, _ = name.partition("?")
+        return assembly.constrain(name, "FixedPoint", at).constrain(child, "FixedRotation", turn)
+
+    def write_glb(
+        self, path: str | PathLike[str], *, frames: int = 25, seconds: float = 4.0, force: bool = False
+    ) -> None:
+        """Write the way there and back as an animation; a file that is there only with `force`."""
+        self.travel.write_glb(path, frames=frames, seconds=seconds, force=force)
+
+
+class StripFace(_Made, cq.Face):
+    """The flat pattern of a strip; `strip`, `rod`, `check`, `warnings` tell about it."""
+
+
+class _Jointed(_Made):
+    @property
+    def joints(self) -> Mapping[str, cq.Location]:
+        """Places to join other parts to.
+
+        Of a strip "start" and "end" of the free part and "hole1", "hole2", ...: half way through the thickness, z
+        off the strip, x along it (outward at the ends). Of a fixture "tab", which lies on the strip's start or end.
+        """
+        here = self.location()
+        # a dict of this name would be taken for build123d's joints by viewers that show both libraries
+        return MappingProxyType({name: here * place for name, place in self._joints.items()})
+
+
+class _Ended(_Jointed):
+    def end_face(self, end: StripEnd) -> cq.Face:
+        """The plane face that closes the strip at one end."""
+        if end not in ENDS:
+            raise InputError(f'a strip has the ends "start" and "end", not {end!r}')
+        tab = self.strip.ends[0 if end == "start" else 1].length
+        if self.strip.is_closed and self._made.home is not None:  # bent, its lap is another body
+            tab = 0.0
+        tip = cq.Vector(*(self.joints[end] * cq.Location((tab, 0, 0))).toTuple()[0])
+        return min(self.Faces(), key=lambda face: (face.Center() - tip).Length)
+
+
+class StripSolid(_Ended, cq.Solid):
+    """A strip, flat or bent; `strip`, `rod`, `check`, `warnings` tell about it."""
+
+
+class StripCompound(_Ended, cq.Compound):
+    """The sheets of a laminated strip, flat or bent; otherwise as `StripSolid`."""
+
+
+class FixtureSolid(_Jointed, cq.Solid):
+    """A block that holds one end of a strip; `strip`, `rod`, `check`, `warnings` tell about the strip."""
+
+
+S = TypeVar("S", bound=_Made)
+
+
+def strip_outline(
+    path: Drawn,
+    sheet: Sheet | str | None = None,
+    *,
+    max_width: float | None = None,
+    **options: Unpack[StripOptions],
+) -> StripFace:
+    """The flat pattern of the strip that bends into a curve, on the xy plane.
+
+    The x axis runs along the strip from the start of its free part, y = 0 is the centre line.
+
+    Parameters
+    ----------
+    path : Edge, Wire, Workplane, edges that follow each other, or PlaneCurve
+        The curve that the strip is to take.
+    sheet : Sheet or str
+        The material, or the name of a built-in one.
+    max_width : float
+        The largest width of the free part, mm; or give `min_width`, the least.
+    **options
+        All other fields of `StripSpec`: min_width, style, limits, keep, gravity, loads, supports,
+        natural_curvature, samples, ends, slots, label; and of a `PlaneCurve` its `frame` in space.
+
+    Raises
+    ------
+    NotRealizable
+        No strip takes the curve and neither limits nor keep allow it to change.
+    InputError
+        A path that is not one open, plane, smooth curve; numbers that make no strip.
+
+    Examples
+    --------
+    >>> arch = cq.Edge.makeSpline([cq.Vector(0, 0), cq.Vector(60, 50), cq.Vector(120, 0)])
+    >>> strip_outline(arch, "card-200gsm", max_width=20).geomType()
+    'PLANE'
+    """
+    made = make_strip_of(path, sheet, max_width=max_width, **options)
+    return dress(StripFace(made.face), {}, made)
+
+
+def flat_strip(
+    path: Drawn,
+    sheet: Sheet | str | None = None,
+    *,
+    max_width: float | None = None,
+    **options: Unpack[StripOptions],
+) -> StripSolid | StripCompound:
+    """The strip as cut, from z = 0 upward; parameters, errors and axes as in `strip_outline`."""
+    made = make_strip_of(path, sheet, max_width=max_width, **options)
+    return make_body(FlatSolid.layers(made.strip), made)
+
+
+def bent_strip(
+    path: Drawn,
+    sheet: Sheet | str | None = None,
+    *,
+    max_width: float | None = None,
+    **options: Unpack[StripOptions],
+) -> StripSolid | StripCompound:
+    """The strip bent, standing on the drawn curve with half its thickness to either side.
+
+    Parameters and errors as in `strip_outline`.
+    """
+    made = make_strip_of(path, sheet, max_width=max_width, **options)
+    return make_body(BentSolid.layers(made.strip, made.frame), made)
+
+
+def end_fixture(
+    path: Drawn,
+    sheet: Sheet | str | None = None,
+    *,
+    max_width: float | None = None,
+    end: StripEnd = "start",
+    floor: cq.Plane | None = None,
+    number: str | None = None,
+    **options: Unpack[FixtureOptions],
+) -> FixtureSolid:
+    """The block that holds one end of the bent strip, in place beside `bent_strip` of the same path.
+
+    Parameters
+    ----------
+    path, sheet, max_width, **options
+        As in `strip_outline`.
+    end : "start" or "end"
+    floor : Plane, optional
+        What the block stands on; without it on a plane square to the tab.
+    clearance, wall, foot, foot_height, screw, number
+        As in `fabrication.EndFixture`, mm.
+
+    Raises
+    ------
+    InputError
+        No tab at that end, sizes that do not fit, a floor not square to the curve's plane; and as `strip_outline`.
+    """
+    edges, drawn_on = _drawn(path)
+    made, block = make_fixture_on(
+        edges, sheet, max_width=max_width, end=end, floor=floor, number=number, **drawn_on, **options
+    )
+    return dress(FixtureSolid(occt.make_solid(block.solid)), block.solid.joints, made)
+
+
+def _drawn(path: Drawn) -> tuple[Any, dict[str, Any]]:
+    """What was drawn, and of a Workplane the plane it was drawn on."""
+    if not isinstance(path, cq.Workplane):
+        return path, {}
+    return [*path.ctx.pendingEdges, *path.ctx.pendingWires] or path.vals(), {"workplane": path.plane}
+
+
+def make_strip_of(path: Drawn, sheet: Sheet | str | None, **options: Any) -> MadeStrip:
+    """The strip of what was drawn; of a Workplane in the plane that it was drawn on."""
+    edges, drawn_on = _drawn(path)
+    return make_strip_on(edges, sheet, **(drawn_on | options))
+
+
+def make_body(records: Sequence[BodyRecord | PrismSolid], made: MadeStrip) -> StripSolid | StripCompound:
+    """The body of a strip, of several sheets a compound, which knows its strip."""
+    solids = [occt.make_solid(record) for record in records]
+    shape: StripSolid | StripCompound
+    if len(solids) == 1:
+        shape = StripSolid(solids[0])
+    else:
+        shape = StripCompound(cq.Compound.makeCompound([cq.Solid(solid) for solid in solids]).wrapped)
+    if isinstance(records[0], BentSolid):
+        made = replace(made, home=records[0].joints["start"])
+    return dress(shape, records[0].joints, made)
+
+
+def dress(shape: S, joints: Mapping[str, Frame], made: MadeStrip) -> S:
+    """A shape with its strip, joints, name and colour."""
+    shape._made = made
+    shape._joints = {name: make_location(frame) for name, frame in joints.items()}
+    shape.label = made.strip.label or "strip"
+    shape.color = cq.Color(*sheet_color(made.strip.sheet))
+    return shape
