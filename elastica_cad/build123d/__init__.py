@@ -11,7 +11,7 @@ except ImportError as error:
 
 from elastica_cad.build123d.elastica_line import Elastica
 from elastica_cad.build123d.model_compound import model_compound
-from elastica_cad.build123d.strip_bodies import (
+from elastica_cad.build123d.strip_objects import (
     BentStrip,
     EndFixture,
     FlatStrip,

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from elastica_cad.fabrication.model.strip_model import Model
 
 from elastica_cad.build123d.native_shapes import add_joints, make_solids
-from elastica_cad.build123d.strip_bodies import PlacedStrip
+from elastica_cad.build123d.strip_objects import PlacedStrip
 
 
 def model_compound(model: "Model", *, others: "Iterable[Holder]" = ()) -> bd.Compound:

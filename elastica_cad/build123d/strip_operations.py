@@ -17,7 +17,7 @@ from elastica_cad.mechanics.material.sheet import Sheet
 if TYPE_CHECKING:
     from elastica_cad.forming.plane_sections.section_spec import SectionSpec
 
-from elastica_cad.build123d.strip_bodies import BentStrip, Drawn, FlatStrip, StripOutline
+from elastica_cad.build123d.strip_objects import BentStrip, Drawn, FlatStrip, StripOutline
 
 
 @overload

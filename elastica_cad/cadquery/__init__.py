@@ -11,7 +11,7 @@ except ImportError as error:
 
 from elastica_cad.cadquery.curves_and_sections import elastica, section_strips
 from elastica_cad.cadquery.model_assembly import model_assembly
-from elastica_cad.cadquery.strip_bodies import (
+from elastica_cad.cadquery.strip_shapes import (
     FixtureSolid,
     Slider,
     StripCompound,

@@ -22,7 +22,7 @@ from elastica_cad.mechanics.material.sheet import Sheet
 if TYPE_CHECKING:
     from elastica_cad.forming.plane_sections.section_spec import SectionSpec
 
-from elastica_cad.cadquery.strip_bodies import StripCompound, StripSolid, bent_strip
+from elastica_cad.cadquery.strip_shapes import StripCompound, StripSolid, bent_strip
 
 
 def elastica(

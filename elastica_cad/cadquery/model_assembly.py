@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from elastica_cad.fabrication.model.strip_model import Model
 
 from elastica_cad.cadquery.native_places import free_name, make_location
-from elastica_cad.cadquery.strip_bodies import StripSolid, dress
+from elastica_cad.cadquery.strip_shapes import StripSolid, dress
 
 
 def model_assembly(model: "Model", *, others: "Iterable[Holder]" = ()) -> cq.Assembly:

@@ -5,7 +5,7 @@ from typing import Any, Literal, TypeAlias, Unpack
 
 import cadquery as cq
 
-from elastica_cad.cadquery.strip_bodies import (
+from elastica_cad.cadquery.strip_shapes import (
     StripCompound,
     StripSolid,
     make_body,

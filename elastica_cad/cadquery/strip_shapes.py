@@ -187,6 +187,7 @@ class Slider:
 
     Examples
     --------
+    >>> from elastica_cad.cadquery import elastica
     >>> rib = bent_strip(elastica((0, 0), (160, 0), 200, angles=(0, 0)), "pom-0.5", max_width=10)
     >>> slider = rib.slider(end=(130, 0))
     >>> lamp = cq.Assembly(slider.bent(15), name="rib")
