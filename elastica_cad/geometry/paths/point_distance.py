@@ -14,6 +14,8 @@ _BLOCK = 4096
 
 _NEWTON_STEPS = 6
 _SETTLED = 1e-12  # of the domain: the distance changes with the square of such a step
+_UNSETTLED = 1e-7  # of the domain, after Newton's last step: it goes round in circles
+_SEARCHES = 20  # each leaves a quarter of the span, or less
 _TABLES = 256  # splines of late: parts are compared loop by loop, and each loop with several others
 
 
@@ -57,14 +59,18 @@ def _to_arc(p: FloatArray, arc: Arc) -> FloatArray:
 
 
 def _to_spline(p: FloatArray, spline: Spline) -> FloatArray:
-    """Nearest chord, then Newton on <gamma - p, gamma'> = 0, kept only where it comes nearer."""
+    """Nearest chords, then Newton on <gamma - p, gamma'> = 0, kept only where it comes nearer."""
     u, q = _table(spline)
     chord, where = _to_chords(p, q[:-1], q[1:])
-    i = np.argmin(chord, axis=1)
-    rows = np.arange(len(p))
+    # the nearest chord, and those of other branches that may be nearer but for what chords leave out
+    close = chord <= chord.min(axis=1, keepdims=True) + 2 * _chord_tolerance(spline)
+    close[:, 1:] &= chord[:, 1:] < chord[:, :-1]
+    close[:, :-1] &= chord[:, :-1] <= chord[:, 1:]
+    rows, i = np.nonzero(close)
     t = spline.parameter(u[i] + where[rows, i] * np.diff(u)[i])
     curve, (t0, t1) = spline.curve, spline.curve.domain
-    best = np.full(len(p), np.inf)
+    count, p = len(p), p[rows]
+    best = np.full(rows.size, np.inf)
     for _ in range(_NEWTON_STEPS + 1):
         position, d1, d2 = curve.derivatives(t, 2)
         off = position - p
@@ -74,11 +80,39 @@ def _to_spline(p: FloatArray, spline: Spline) -> FloatArray:
         before, t = t, np.clip(t - step, t0, t1)
         if np.abs(t - before).max(initial=0.0) <= _SETTLED * (t1 - t0):
             break
-    return np.asarray(best, dtype=float)
+    low, high = spans = spline.parameter(np.stack([u[i], u[i + 1]]))
+    strayed = (np.abs(t - (low + high) / 2) > high - low) | (np.abs(t - before) > _UNSETTLED * (t1 - t0))
+    strayed |= best > chord[rows, i] + _chord_tolerance(spline)
+    if strayed.any():
+        best[strayed] = np.minimum(best[strayed], _searched(p[strayed], curve, *spans[:, strayed]))
+    least = np.full(count, np.inf)
+    np.minimum.at(least, rows, best)
+    return least
+
+
+def _searched(p: FloatArray, curve: PlaneCurve, low: FloatArray, high: FloatArray) -> FloatArray:
+    """Least distances (n,) of points from spans low to high of a curve, by ever finer samples.
+
+    For spans that are run through so unevenly that Newton's method strays from where their chords say.
+    """
+    rows, least = np.arange(len(p)), np.full(len(p), np.inf)
+    for _ in range(_SEARCHES):
+        t = low[:, None] + (high - low)[:, None] * np.linspace(0.0, 1.0, 9)
+        off = curve.evaluate(np.clip(t, *curve.domain)) - p[:, None, :]
+        gap = np.hypot(off[..., 0], off[..., 1])
+        k = gap.argmin(axis=1)
+        least = np.minimum(least, gap[rows, k])
+        low, high = t[rows, np.maximum(k - 1, 0)], t[rows, np.minimum(k + 1, 8)]
+    return least
+
+
+def _chord_tolerance(spline: Spline) -> float:
+    """How far chords may leave a spline, mm, for Newton's method to begin from them."""
+    return 1e-3 * max(1.0, spline.length / 100)
 
 
 @lru_cache(maxsize=_TABLES)
 def _table(spline: Spline) -> tuple[FloatArray, FloatArray]:
     """Parameters and points of chords close enough for Newton's method to begin from."""
-    u = chord_parameters(spline, 1e-3 * max(1.0, spline.length / 100))
+    u = chord_parameters(spline, _chord_tolerance(spline))
     return u, spline.at(u)

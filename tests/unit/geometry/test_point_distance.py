@@ -31,3 +31,34 @@ def test_points_of_a_curve_lie_on_it():
     assert distances(Spline(WAVE), np.zeros((0, 2))).shape == (0,)
     assert largest_deviation(WAVE, WAVE.reversed()) < 1e-12
     assert largest_deviation(WAVE, WAVE.transformed(np.eye(3))) == 0.0
+
+
+@pytest.mark.parametrize("heavy", [100.0, 300.0])
+def test_distances_do_not_hang_on_how_fast_a_curve_is_run_through(heavy):
+    points = np.random.default_rng(8).normal((20, 10), 15, size=(400, 2))
+    sharp = PlaneCurve([0, 0, 0, 1, 1, 1], [(0, 0), (20, 30), (40, 0)], 2, [1.0, heavy, 1.0])
+    dense = sharp.evaluate(sharp.parameter(np.linspace(0, sharp.length, 100_001)))
+    nearest = np.array([np.hypot(*(dense - point).T).min() for point in points])
+    found = distances(Spline(sharp), points)
+    assert np.all(found <= nearest + 1e-6)
+    assert np.all(nearest <= found + 1e-3)
+
+
+@pytest.mark.parametrize(
+    ("points", "place"),
+    [
+        (
+            [(-1700, -700), (2400, 700), (-400, 2700), (1700, 3000), (-100, -1000), (-1500, 2500)],
+            (792.5195014258, 876.3754669579),
+        ),
+        (
+            [(-1100, -200), (2600, 2800), (-2600, -2500), (1600, -1600), (3000, 500), (-1100, 2200)],
+            (360.3375943054, -873.8470765389),
+        ),
+    ],
+)
+def test_of_two_branches_about_as_far_the_nearer_one_is_taken(points, place):
+    curve = PlaneCurve.spline(points, degree=3)
+    dense = curve.evaluate(np.linspace(*curve.domain, 400_001))
+    nearest = np.hypot(*(dense - np.array(place)).T).min()
+    assert distances(Spline(curve), [place])[0] == pytest.approx(nearest, abs=1e-6)
