@@ -443,5 +443,6 @@ def test_arrays_and_clones_are_cut_as_often_as_they_stand(tmp_path):
         assert found[name] == [True, True, True], (
             f"{name}: blocks for every tab, at the tabs, with room for them"
         )
+    assert found["held by a plate"] == 2, "blocks for what stands on a plate"
     assert found["opened again"] == [{"Strip": 2}, {"Strip": 3}, {"Strip": 1}]
     assert "set its Scale to 1" in found["scaled"]

@@ -15,6 +15,7 @@ from inside import (
     begun,
     button,
     choose,
+    fill,
     fit,
     is_grey,
     open_panel,
@@ -106,11 +107,19 @@ def work():
     answers["array of shapes"] = exported(shapes)
     answers["shapes held"] = held(document, shapes, 6)
     clone = Draft.make_clone(strip)
-    clone.Placement = App.Placement(App.Vector(0, 300, 5), App.Rotation(App.Vector(1, 0, 0), 90))
+    clone.Placement = App.Placement(App.Vector(0, 300, 305), App.Rotation(App.Vector(1, 0, 0), 90))
     both = Draft.make_clone([strip, flat])
     document.recompute()
     answers["clones"] = [exported(clone), exported(strip, clone, both)]
     answers["clone held"] = held(document, clone, 2)
+    open_panel("Elastica_Fixtures", clone)
+    fill(panel(), blocks=False, plate=True)
+    typed("plateHeight", "303 mm")
+    button()
+    plate = document.getObject("BasePlate")
+    open_panel("Elastica_Fixtures", plate)
+    button()
+    answers["held by a plate"] = len(document.getObject("Fixtures").Shape.Solids)
     lying = array(flat, 5)
     answers["flat parts"] = [exported(lying), exported(strip, lying)]
     fit("Isometric")

@@ -25,8 +25,12 @@ class FixturesPanel(Panel):
     step = "End fixtures and base plate"
 
     def __init__(self, sources: list[Any]) -> None:
+        """What is to be held; base plates alone stand for the strips on them."""
         super().__init__(sources[0].Document, sources)
-        self.sources = [obj for obj in sources if not baseplate.is_base_plate(obj)]
+        held = [one for obj in sources if baseplate.is_base_plate(obj) for one in obj.Sources]
+        self.sources = [obj for obj in sources if not baseplate.is_base_plate(obj)] or list(
+            dict.fromkeys(held)
+        )
         self.form.sheet.addItems(sheet_list())
         self.form.sheet.setCurrentText(preferences.default_sheet())
         set_value(self.form.slot, preferences.get("Clearance"))
