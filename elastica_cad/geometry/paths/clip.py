@@ -17,7 +17,7 @@ def clip_across(path: Path, low: float, high: float) -> Path:
     Raises
     ------
     InputError
-        A line that meets the path more or less often than twice, so that there is not one part.
+        A line that meets the path more or less often than twice, so that there is not one part, or none.
 
     Examples
     --------
@@ -25,6 +25,11 @@ def clip_across(path: Path, low: float, high: float) -> Path:
     200.0
     """
     runs = _runs_between(path, low, high)
+    if not runs:
+        raise InputError(
+            f"nothing of the path lies between x = {low:g} and {high:g} mm: give places from "
+            f"{path.bounds[0, 0]:g} to {path.bounds[1, 0]:g} mm"
+        )
     if len(runs) > 1 and _meets(runs[-1][-1], runs[0][0]):
         runs[0] = runs.pop() + runs[0]
     chain: list[Segment] = []

@@ -3,7 +3,7 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.clip import trim_across
+from elastica_cad.geometry.paths.clip import clip_across, trim_across
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.path_intersections import self_crossing
 from elastica_cad.geometry.paths.segments import Arc, Line, Spline
@@ -208,3 +208,9 @@ def test_a_path_is_cut_where_two_of_its_curves_meet():
 def test_bad_input_is_one_sentence(make, message):
     with pytest.raises(InputError, match=message):
         make()
+
+
+@pytest.mark.parametrize("ends", [(50.0, 60.0), (-20.0, -10.0)])
+def test_lines_beside_a_path_leave_no_part_of_it(ends):
+    with pytest.raises(InputError, match=r"nothing of the path .* from 0 to 40 mm"):
+        clip_across(Path.rectangle(40, 10), *ends)
