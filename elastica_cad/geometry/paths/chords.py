@@ -59,10 +59,9 @@ def _spline_chords(segment: Spline, tolerance: float) -> tuple[FloatArray, Float
 
 def chord_errors(begins: FloatArray, ends: FloatArray, probes: FloatArray) -> FloatArray:
     """Largest distance (n,) of the probes (n, k, 2) of each span from the chord between its ends (n, 2)."""
-    chord = ends - begins
-    size = np.hypot(chord[:, 0], chord[:, 1])
-    off = probes - begins[:, None, :]
-    cross = np.abs(chord[:, None, 0] * off[..., 1] - chord[:, None, 1] * off[..., 0])
-    straight = np.divide(cross, size[:, None], out=np.full_like(cross, np.inf), where=size[:, None] > 0)
-    error = np.where(size[:, None] > 0, straight, np.hypot(off[..., 0], off[..., 1]))
-    return np.asarray(error.max(axis=1), dtype=float)
+    chord, off = ends - begins, probes - begins[:, None, :]
+    size = (chord**2).sum(axis=1)[:, None]
+    # beyond an end of the chord that end is nearest: hairpins reach out there
+    along = np.divide((off * chord[:, None]).sum(axis=2), size, out=np.zeros(off.shape[:2]), where=size > 0)
+    away = off - np.clip(along, 0.0, 1.0)[..., None] * chord[:, None]
+    return np.asarray(np.hypot(away[..., 0], away[..., 1]).max(axis=1), dtype=float)

@@ -214,3 +214,26 @@ def test_bad_input_is_one_sentence(make, message):
 def test_lines_beside_a_path_leave_no_part_of_it(ends):
     with pytest.raises(InputError, match=r"nothing of the path .* from 0 to 40 mm"):
         clip_across(Path.rectangle(40, 10), *ends)
+
+
+@pytest.mark.parametrize("tolerance", [0.1, 0.01])
+def test_chords_follow_hairpins_and_other_sharp_splines(tolerance):
+    """A hairpin reaches far beyond the chord of its ends, which lies on the line of that chord all the way."""
+    ways = [np.array([(0, 0), (12, 0), (12, 1e-4), (1, 0)], dtype=float)]
+    rng = np.random.default_rng(4)
+    ways += [30 * rng.normal(size=(int(rng.integers(5, 11)), 2)) for _ in range(60)]
+    for points in ways:
+        curve = PlaneCurve.spline(points, 3)
+        chords = np.array(Path([Spline(curve)]).points(tolerance))
+        drawn = curve.evaluate(np.linspace(*curve.domain, 4001))
+        assert point_polyline_distances(drawn, chords).max() < 1.05 * tolerance
+
+
+def point_polyline_distances(points, corners):
+    """Distance of each point from the nearest chord, by brute force."""
+    begins, ways = corners[:-1], np.diff(corners, axis=0)
+    best = np.full(len(points), np.inf)
+    for begin, way in zip(begins, ways, strict=True):
+        along = np.clip((points - begin) @ way / max(way @ way, 1e-300), 0, 1)
+        best = np.minimum(best, np.hypot(*(points - begin - along[:, None] * way).T))
+    return best
