@@ -277,7 +277,12 @@ def test_a_hostile_user(tmp_path):
     assert found["pasted into Pasted"] == [[["Up-to-date"], True]] * 2
     *curves, corner, polygon, point, space = found["draft"]
     assert curves == [""] * 4
-    for said, words in ((corner, "corner"), (polygon, "many edges"), (point, "no curve"), (space, "plane")):
+    for said, words in (
+        (corner, "corner"),
+        (polygon, "corner of 72 degrees"),
+        (point, "no curve"),
+        (space, "plane"),
+    ):
         assert words in said
     assert found["kerf of a new panel"] == pytest.approx(0.3)
     assert found["sheet of a new panel"] == "birch-plywood-0.8"
