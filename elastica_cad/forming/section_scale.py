@@ -61,9 +61,11 @@ class SectionScale:
                     f"{law.quantity} limits {least:g} and {largest:g} mm are too close: widen them"
                 )
             ratio = min(ratio, most / low)
-            ends = cls(law, low, ratio).strain(np.array([1.0, most / low]), limits.strain)
-            if not heavy and ends[0] < ends[1]:
-                return cls(law, low, ratio)
+            # what a law that follows the bend bears is no question of its size alone: its scale is settled later
+            if not (heavy or law.follows_bend):
+                thin, thick = cls(law, low, ratio).strain(np.array([1.0, most / low]), limits.strain)
+                if thin < thick:
+                    return cls(law, low, ratio)
         return cls(law, most / ratio, ratio)
 
     def grown(self, stiffness: FloatArray, bend: FloatArray, limits: Limits) -> Self:
