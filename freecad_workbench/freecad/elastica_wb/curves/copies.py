@@ -88,7 +88,7 @@ def _parts(obj: Any) -> list[Standing] | None:
     shown = obj.Base if is_array else link_target(obj)
     if shown is None:
         return None
-    if is_array and not hasattr(obj, "PlacementList"):  # it keeps shapes only
+    if is_array and not hasattr(obj, "LinkTransform"):  # it keeps shapes only
         inner = obj.Placement.inverse()
         return [(shown, inner * one.Placement) for one in obj.Shape.childShapes()]
     own = shown.Placement if obj.LinkTransform else App.Placement()
