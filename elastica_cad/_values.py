@@ -2,14 +2,14 @@
 
 from collections.abc import Iterable
 from math import isfinite
-from typing import Any, cast
+from typing import Any, TypeGuard, cast
 
 import numpy as np
 
 from elastica_cad.errors import InputError
 
 
-def is_number(value: object) -> bool:
+def is_number(value: object) -> TypeGuard[float]:
     """A finite number? Texts, truth values and rows of numbers are none.
 
     Examples

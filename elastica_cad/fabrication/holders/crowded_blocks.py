@@ -7,17 +7,17 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
+from elastica_cad.fabrication.holders.placed_tab import PlacedTab
+from elastica_cad.fabrication.holders.tab_seats import tab_key
 from elastica_cad.fabrication.placed_strip import Placed, strip_names
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
+from elastica_cad.fabrication.strip.tabs import ENDS
 
 TOUCHING_MM = 0.1
 """Blocks may reach so far into each other: a file takes it off."""
 
 STATIONS, ACROSS = 401, (-0.95, -0.5, 0.0, 0.5, 0.95)
 """Along a strip and, in half widths, across it: the points that are looked for in blocks."""
-
-LEVEL = 1e-6
-"""Rounding of places, mm, and of directions."""
 
 
 def crowded_blocks(blocks: Sequence[EndFixture], placed: Sequence[Placed]) -> tuple[str, ...]:
@@ -35,11 +35,12 @@ def crowded_blocks(blocks: Sequence[EndFixture], placed: Sequence[Placed]) -> tu
         if any(one.overlaps(other) for one in its for other in others)
     ]
     strips = [_surface(one) for one in placed]
+    tabs = [{tab_key(PlacedTab.of(one.strip, end, one.frame)) for end in ENDS} for one in placed]
     crossed = [
         f"{name} would run through the printed block of {block.tab.name}"
-        for name, one, points in zip(strip_names(placed), placed, strips, strict=True)
+        for name, own, points in zip(strip_names(placed), tabs, strips, strict=True)
         for block, its in zip(blocks, prisms, strict=True)
-        if not _holds(block, one) and any(part.hold(points) for part in its)
+        if tab_key(block.tab) not in own and any(part.hold(points) for part in its)
     ]
     told = []
     if pairs:
@@ -67,19 +68,6 @@ def _surface(placed: Placed) -> FloatArray:
     middle = np.column_stack([np.interp(s, rod.s, x) for x in rod.position.T])
     half = placed.strip.width(s)[:, None] / 2 * np.array(ACROSS)
     return np.asarray((frame.point(middle)[:, None] + half[..., None] * frame.z_axis).reshape(-1, 3))
-
-
-def _holds(block: EndFixture, placed: Placed) -> bool:
-    """Is it a tab of this strip that the block holds?"""
-    rod, tab = placed.strip.rod, block.tab.frame
-    for end, sign in ((0, -1.0), (-1, 1.0)):
-        out = sign * np.array([np.cos(rod.angle[end]), np.sin(rod.angle[end])])
-        near = np.linalg.norm(placed.frame.point(rod.position[end]) - tab.origin) < max(
-            LEVEL, block.tab.thickness
-        )
-        if near and placed.frame.direction(out) @ tab.x_axis > 1 - 1e-3:
-            return True
-    return False
 
 
 class _Prism:

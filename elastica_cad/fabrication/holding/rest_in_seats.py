@@ -153,7 +153,7 @@ def lean_against(
         if tab is not None:
             q[2:] = tab
         # the strip's load does not change here: what is stiff in its place keeps the first steps short
-        for stiffness in SHORTENING if tab is None else SHORTENING[-LEAN_STEPS // 2 :]:
+        for stiffness in SHORTENING if tab is None else SHORTENING[3:]:
             touching = problem.step(q, design, stiffness * load / design.length * np.eye(2), touching)
             q = q + touching.x
             if np.abs(touching.x).max() <= LEAN_SHARE * design.length:

@@ -109,7 +109,7 @@ class Laminated:
         """What stiffness it can have, and what that bears; None of a base whose width varies."""
         if not is_number(self.width):
             return None
-        width = float(self.width)  # type: ignore[arg-type]
+        width = float(self.width)
         least, most = max(self.least_backing, min_width or 0.0), min(width, max_width or width)
         if least >= most:  # refused where it is laid out
             return None

@@ -125,11 +125,8 @@ class NearestTask:
         limits, keep = limits or Limits(), keep or Keep()
         scale = None
         if section is not None:
-            bent = np.interp(
-                np.linspace(0, 1, samples), np.linspace(0, 1, target.curvature.size), target.curvature
-            )
-            bent -= _nodal_rest(natural_curvature, samples, target.size)
-            scale = SectionScale.of(section.bent(bent / target.size), limits, heavy=gravity is not None)
+            bent = _nodal_bend(target, natural_curvature, samples)
+            scale = SectionScale.of(section.bent(bent), limits, heavy=gravity is not None)
             limits = replace(limits, ratio=scale.ratio)
         for region in limits.keep_out:
             ends = zip(("start", "end"), keep.both_ends, target.position[[0, -1]], strict=True)
@@ -181,9 +178,8 @@ class NearestTask:
         """The task with sections that all bear the target's own bend; None where that makes no difference."""
         if self.section is None or self.is_scaled_freely or self.gravity is None:
             return None
-        nodes = np.linspace(0, 1, self.nodes)
-        bent = np.interp(nodes, np.linspace(0, 1, self.target.curvature.size), self.target.curvature)
-        section = self.section.bearing((bent - self.rest) / self.target.size, self.limits)
+        bent = _nodal_bend(self.target, self.natural_curvature, self.nodes)
+        section = self.section.bearing(bent, self.limits)
         return None if section is None else replace(self, section=section)
 
     def grown(self, mapped: MappedRod) -> "NearestTask":
@@ -242,6 +238,12 @@ class NearestTask:
         shares = self.weights.copy()
         shares[[0, -1]] /= 2
         return np.asarray(shares / shares.sum())
+
+
+def _nodal_bend(target: TargetCurve, rest: NaturalCurvature, nodes: int) -> FloatArray:
+    """kappa - kappa_0 (nodes,) of the target itself, 1/mm."""
+    kappa = np.interp(np.linspace(0, 1, nodes), np.linspace(0, 1, target.curvature.size), target.curvature)
+    return np.asarray((kappa - _nodal_rest(rest, nodes, target.size)) / target.size)
 
 
 def _nodal_rest(rest: NaturalCurvature, nodes: int, size: float) -> float | FloatArray:

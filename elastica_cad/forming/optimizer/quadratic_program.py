@@ -17,9 +17,7 @@ _BACKOFF = 0.995  # of the way to the nearest bound, which interior points do no
 _MOST_GUESSES = 5  # of what binds, before interior points take over
 _MOST_GUESSES_NEAR = 12  # the same from the solution of a program like this one
 _GUESS_AT = 1e-2  # of the gradient: from here interior points tell what binds
-_CYCLING = (
-    20  # after as many factorisations the corrector may go round in circles: one in a thousand programs
-)
+_CYCLING = 20  # factorisations after which the corrector may go round in circles, as in one of a thousand
 _CENTERED = 0.3  # of mu: what steps aim at from there on, without a corrector
 _BINDS = 1e-7  # of the gradient: bounds and rows with a larger multiplier bind
 _AT_PRICE = 1 - 1e-6  # of a row's price: a row with a larger multiplier is broken
