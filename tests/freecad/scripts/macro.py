@@ -1,5 +1,6 @@
 """Macros are recorded while buttons are pressed and boxes filled by hand, and played in other documents."""
 
+import re
 import sys
 from pathlib import Path
 
@@ -107,6 +108,8 @@ def recorded(name, draw, by_hand):
     draw(again)
     again.clearUndos()
     App.setActiveDocument(again.Name)
+    # FreeCAD 1.1 names the document in a line of its own where a sketch is opened: which constraints are seen
+    text = re.sub(r"App\.getDocument\('\w+'\)(.*\.setVisibility\()", r"App.ActiveDocument\1", text)
     names = {"FreeCAD": App, "App": App, "FreeCADGui": Gui, "Gui": Gui, "__name__": "__main__"}
     exec(compile(text, "made_by_hand.FCMacro", "exec"), names)  # as FreeCAD does after a new start
     until(lambda: not Gui.Control.activeDialog(), 5)
