@@ -3,15 +3,18 @@
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.nearest.nearest_rod import nearest_rod
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
+from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.material.tapered_sections import RoundLaw
 from elastica_cad.mechanics.stability.stability_verdict import stability
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.mechanics.theorem1.verdict import NotRealizable
 from tests.section_designs import LAWS, Design, designs, errors, judged, laminates, perforated
 
 pytestmark = pytest.mark.core
@@ -138,3 +141,30 @@ def test_a_straight_rod_hangs_with_its_own_section():
     rod = optimal_rod(line, Gravity(1.0), section=section)
     newtons = 300 * section.weight_per_length(8.0)
     assert np.abs(np.diff(rod.force[[0, -1], 1])) * rod.bending_stiffness == pytest.approx(newtons)
+
+
+ACRYLIC = Sheet("acrylic", 3.0, 3200.0, density=1190.0, max_strain=0.01)
+
+
+@pytest.mark.parametrize(("diameter", "grams"), [(4.0, 14.4), (6.0, 90.0)])
+def test_a_mass_near_the_most_a_rod_bears_is_borne(diameter, grams):
+    """Weight and size settle the more slowly the nearer the mass is to the one for which they never do."""
+    section = RoundLaw(ACRYLIC, diameter / 10, diameter)
+    hung = Weight(masses=(PointMass(0.65 * WAVE.length, grams),), own=True)
+    rod = optimal_rod(WAVE, Gravity(1.0), section=section, weight=hung)
+    sizes = section.parameter(rod.bending_stiffness * rod.stiffness)
+    assert sizes.max() == pytest.approx(diameter, rel=1e-3)
+    own = ACRYLIC.density * 9.80665e-9 * np.pi * sizes**2 / 4 * rod.node_lengths
+    newtons = -rod.nodal_load[:, 1].sum() * rod.bending_stiffness
+    assert newtons == pytest.approx(own.sum() + grams * 9.80665e-3, rel=1e-6)
+    bent = bend(rod)
+    assert np.hypot(*(bent.position - rod.position).T).max() < 1e-3 * rod.length
+
+
+@pytest.mark.parametrize("grams", [30.0, 100.0, 265.0, 550.0])
+def test_a_mass_that_no_rod_of_the_section_bears_is_told_as_too_heavy(grams):
+    """Not as the status of a library in which the numbers have run off."""
+    hung = Weight(masses=(PointMass(0.65 * WAVE.length, grams),), own=True)
+    told = r"too heavy for this curve; use|use a lighter or stiffer sheet|hold more at the ends"
+    with pytest.raises((NotConvergedError, NotRealizable), match=told):
+        optimal_rod(WAVE, Gravity(1.0), section=RoundLaw(ACRYLIC, 0.4, 4.0), weight=hung)

@@ -107,6 +107,14 @@ def minimax_ratio(
     raise unsettled(ratio)
 
 
+def _stopped() -> NotConvergedError:
+    """The error of a library that comes to no answer, as where the stiffest place is 1e8 times the softest."""
+    return NotConvergedError(
+        "the linear program for the stiffness ratio comes to no answer: stiff and soft places would be too far "
+        "apart; use a lighter or stiffer sheet, support the strip, or change the curve"
+    )
+
+
 def start_rows(count: int) -> list[int]:
     """Which of so many samples to start with."""
     return (np.arange(_START_ROWS) * (count - 1) // (_START_ROWS - 1)).tolist()
@@ -268,7 +276,7 @@ class _HighsProgram:
             return np.array(self.highs.getSolution().col_value)
         if status in _local.infeasible:
             return None
-        raise NotConvergedError(f"HiGHS stopped on the stiffness program with status {status}")
+        raise _stopped()
 
 
 class _ScipyProgram:
@@ -297,4 +305,4 @@ class _ScipyProgram:
             return np.asarray(result.x, dtype=float)
         if result.status == 2:
             return None
-        raise NotConvergedError(f"the linear program for the stiffness ratio stopped: {result.message}")
+        raise _stopped()

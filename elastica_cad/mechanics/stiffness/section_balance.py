@@ -36,6 +36,15 @@ TANGENT_STEP = 1e-4
 FIT_SHARE = 1e-5
 """By how much, relatively, E I may leave its limits."""
 
+HOPELESS_SHARE = 1e-4
+"""Of the E I of the least section: rounds that ask for less, and ever less, do not come back within the limits."""
+
+LONGEST_JUMP = float(np.log(4.0))
+"""In the logarithm of the scale: further off a sequence's limit is a guess."""
+
+SLOWEST_RATE = 0.99
+"""Of a sequence's steps from one to the next, above which they tell of no limit."""
+
 
 def balance_with_section(
     check: EquilibriumCheck,
@@ -112,26 +121,37 @@ def _settled(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffness:
     for _ in range(MOST_ROUNDS):
         tangent = TangentWeight.of(law, EI)
         problem = load.carrying(tangent.slope, tangent.fixed, points)
-        state = problem.least(problem.at_compliance(1 / scale))
+        try:
+            state = problem.least(problem.at_compliance(1 / scale))
+        except NotConvergedError as error:  # without weight there was an answer
+            raise _unsettled(law, change) from error
         balance = problem.balance(state)
         found = scale * balance.stiffness.nodal
-        change, EI = float(np.abs(found / EI - 1).max()), found
         asked, scale = scale, _scale(law, balance.stiffness)
-        if change < SETTLED_SHARE and abs(scale / asked - 1) < SETTLED_SHARE:
+        change, EI = max(float(np.abs(found / EI - 1).max()), abs(scale / asked - 1)), found
+        if change < SETTLED_SHARE:
             weight = _weight(load, tangent, asked, masses)
             return replace(balance, bending_stiffness=asked, weight=weight)
+        if _spare(law, EI) < HOPELESS_SHARE:
+            break
         history.append(np.log(scale))
         if len(history) == 3:
             scale = float(np.exp(extrapolated(*history)))
             history.clear()
-    raise NotConvergedError(
+    raise _unsettled(law, change)
+
+
+def _unsettled(law: BoundedLaw, change: float) -> NotConvergedError:
+    return NotConvergedError(
         f"weight and {law.quantity} do not settle (the stiffness still moves by {change:.2g}): the rod is too "
         "heavy for this curve; use a stiffer or lighter material, or support it"
     )
 
 
 def extrapolated(first: float, second: float, third: float) -> float:
-    """Aitken's limit of a sequence that closes in by the same factor each time; else the last one.
+    """Aitken's limit of a sequence of logarithms that closes in by the same factor each time; else the last one.
+
+    A far limit is gone towards only.
 
     Examples
     --------
@@ -139,9 +159,10 @@ def extrapolated(first: float, second: float, third: float) -> float:
     (2.0, 3.0)
     """
     step, before = third - second, second - first
-    if before == 0 or not -0.9 < step / before < 0.9:
+    if before == 0 or not -0.9 < step / before < SLOWEST_RATE:
         return third
-    return third + step**2 / (before - step)
+    jump = step**2 / (before - step)
+    return third + float(np.clip(jump, -LONGEST_JUMP, LONGEST_JUMP))
 
 
 def _deciding(law: BoundedLaw) -> float:
@@ -172,7 +193,7 @@ def _within_limits(balance: BalancedStiffness, section: BoundedLaw) -> BalancedS
     law = section.bent(balance.panels.curvature)
     EI = (balance.bending_stiffness or 1.0) * balance.stiffness.nodal
     least, largest = section.limits
-    if least > 0 and float((EI / law.bending_stiffness(least)).min()) < 1 - FIT_SHARE:
+    if _spare(law, EI) < 1 - FIT_SHARE:
         asked = law.parameter(EI)
         s = float(balance.panels.s.flat[int(asked.argmin())])
         raise InputError(
@@ -181,3 +202,9 @@ def _within_limits(balance: BalancedStiffness, section: BoundedLaw) -> BalancedS
             "keep and the curve may change"
         )
     return balance
+
+
+def _spare(law: BoundedLaw, bending_stiffness: FloatArray) -> float:
+    """The least E I (N, p), N mm2, over that of the least section there."""
+    least, _ = law.limits
+    return float((bending_stiffness / law.bending_stiffness(least)).min()) if least > 0 else np.inf

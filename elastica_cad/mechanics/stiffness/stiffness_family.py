@@ -133,6 +133,8 @@ def _continuous_ratio(
         before = y
         low, high = values < 1 - tolerance - rounded, values > ratio * (1 + tolerance) + rounded
         if not (low.any() or high.any()):
+            if values.min() <= 0:  # all that would be positive drowns in rounding
+                return None
             return y, float(max(values.max() / min(1.0, values.min()), ratio))
     raise unsettled(ratio)
 
