@@ -4,6 +4,7 @@ import json
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_bvp
 from scipy.optimize import root
 
 from elastica_cad.errors import InputError
@@ -117,6 +118,45 @@ def test_let_go_it_keeps_a_share_of_its_bend():
     let_go = creep(rod, 0.8).released()
     assert np.allclose(let_go.curvature[1:-1], 0.8 / 1.8 / 100, rtol=1e-4)
     assert np.abs(let_go.moment).max() < 1e-9
+
+
+def test_what_is_kept_is_a_share_of_the_bend_that_it_sagged_to():
+    """Dashpots that have come to rest hold the bend of the shape then, not of the first one."""
+    angles = aged("free", None, (1e12,))[0]
+    reached = np.diff(angles) / (LENGTH / EDGES)
+    cantilever = bend(
+        Rod.straight(LENGTH, K, gravity=HEAVY, supports=Supports(end="free")), guess=np.zeros(EDGES + 1)
+    )
+    let_go = creep(cantilever, PHI).released()
+    assert np.allclose(let_go.curvature[1:-1], PHI / (1 + PHI) * reached, atol=1e-6 * np.abs(reached).max())
+
+
+def test_a_force_and_a_moment_on_a_free_end_go_on_pulling():
+    free = Rod.straight(LENGTH, supports=Supports(end="free"), samples=1001)
+    turned = creep(bend(free, moment=2e-3), PHI)
+    assert np.allclose(turned.later.curvature, (1 + PHI) * 2e-3, rtol=1e-9)  # a circle, by its closed form
+    assert np.allclose(turned.later.moment * turned.force_share, 2e-3, rtol=1e-9)
+    force = -1e-5
+    pulled = creep(bend(free, force=(0.0, force)), PHI)
+
+    def slopes(s, y):
+        return np.array([y[1], -(1 + PHI) * force * LENGTH**2 * np.cos(y[0])])
+
+    found = solve_bvp(
+        slopes, lambda a, b: np.array([a[0], b[1]]), np.linspace(0, 1, 51), np.zeros((2, 51)), tol=1e-9
+    )
+    assert pulled.later.angle[1:-1] == pytest.approx(found.sol(pulled.later.s / LENGTH)[0][1:-1], abs=1e-5)
+    assert pulled.end_forces[1] == pytest.approx([0.0, -force], abs=1e-12)
+
+
+def test_an_arch_that_falls_through_as_it_creeps_says_so():
+    low = bend(Rod.straight(300.0, samples=201), end=(285.0, 0.0), side=1)
+    found = creep(bend(low, gravity=Gravity(83.0)), 1.0)
+    assert found.rod.position[:, 1].max() > 30
+    assert found.later.position[:, 1].min() < -30
+    assert found.stability.stable
+    assert not found.stays
+    assert "no longer stays: it snaps over" in str(found)
 
 
 def test_hung_masses_weigh_the_same_on_a_softer_strip():

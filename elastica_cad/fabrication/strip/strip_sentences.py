@@ -102,7 +102,7 @@ def warn_of_creep(factor: float, strained: LayerStrain, crept: Callable[[], Cree
     except NotConvergedError as problem:
         yield str(problem)
         return
-    if later is not None and not later.stability.stable:
+    if later is not None and not later.stays:
         yield (
             f"with a creep factor of {factor:g} it will not stay in the long run: it snaps into another "
             "shape; use a stiffer sheet or support it"

@@ -134,6 +134,11 @@ def bend(
     return replace(snapped.rod(wanted), warnings=(warning, *_too_coarse(snapped)))
 
 
+def has_snapped(rod: Rod) -> bool:
+    """Did `bend` find this shape beyond the end of its branch, where it came to rest after a jump?"""
+    return any(warning.startswith("the rod snaps ") for warning in rod.warnings)
+
+
 def _too_coarse(state: RodState) -> tuple[str, ...]:
     turn = float(np.degrees(np.abs(np.diff(state.angles)).max()))
     if turn < COARSE_DEG:

@@ -6,10 +6,11 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.bending.bend_forward import bend, has_snapped, system_of
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN, Stability, stability
+from elastica_cad.mechanics.studies.imperfection import feels_modulus
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,7 +44,7 @@ class Creep:
 
     @property
     def sag(self) -> float:
-        """How far the shape moves, mm; 0 without weight."""
+        """How far the shape moves, mm; 0 without weight, dead force and dead moment."""
         return float(np.hypot(*(self.later.position - self.rod.position).T).max())
 
     @property
@@ -52,20 +53,25 @@ class Creep:
         return np.asarray(self.later.force[[0, -1]] * self.force_share)
 
     @property
+    def stays(self) -> bool:
+        """Does it creep without a jump, to a shape that stays?"""
+        return not has_snapped(self.later) and self.stability.stable
+
+    @property
     def stability(self) -> Stability:
         """Of the shape in the long run."""
         return stability(self.later)
 
     def released(self) -> Rod:
-        """The strip just after its ends are let go, weight left out, its start where it was."""
-        bent = np.asarray(self.rod.curvature) - self.rod.natural_curvature
-        start = self.rod.position[0]
+        """The strip just after its ends are let go in the long run, weight left out, its start where it was."""
+        rod = self.later  # what has crept is a share of the bend that it has come to
+        start = rod.position[0]
         free = Rod.straight(
-            self.rod.length, self.rod.profile, samples=self.rod.s.size, start=(float(start[0]), float(start[1])),
-            angle=float(self.rod.angle[0]), supports=Supports(end="free"),
+            rod.length, rod.profile, samples=rod.s.size, start=(float(start[0]), float(start[1])),
+            angle=float(rod.angle[0]), supports=Supports(end="free"),
         )  # fmt: skip
-        kept = self.rod.natural_curvature + self.kept_share * bent
-        turned = self.rod.angle[0] + self.kept_share * (np.asarray(self.rod.angle) - self.rod.angle[0])
+        kept = rod.natural_curvature + self.kept_share * (np.asarray(rod.curvature) - rod.natural_curvature)
+        turned = rod.angle[0] + self.kept_share * (np.asarray(rod.angle) - rod.angle[0])
         return bend(replace(free, natural_curvature=kept), guess=turned)
 
     def __str__(self) -> str:
@@ -77,8 +83,8 @@ class Creep:
             f"{100 * self.kept_share:.0f} % of its bend at first."
         )
         after = self.stability
-        if not after.stable:
-            said += " Then it no longer stays: it snaps over under its weight. Take a stiffer sheet or support it."
+        if not self.stays:
+            said += " Then it no longer stays: it snaps over under its load. Take a stiffer sheet or support it."
         elif after.margin < SAFE_MARGIN <= stability(self.rod).margin:
             said += f" Its margin falls to {after.margin:.3g} (low)."
         return said
@@ -87,10 +93,10 @@ class Creep:
 def creep(rod: Rod, factor: float) -> Creep:
     """A rod at once and after creep has run out, held the same all the time.
 
-    The elastic modulus becomes E / (1 + phi) while weights stay (the effective modulus of a permanent load). That
-    is the limit at long times of a standard linear solid, whatever happened before; so the shape in the long run
-    is exact for one. Without weight nothing moves at any time, and forces fall with the relaxation modulus. How
-    long it takes is not told: that needs a creep law of the sheet.
+    The elastic modulus becomes E / (1 + phi) while weights, and the forces and moments on free ends, stay (the
+    effective modulus of a permanent load). That is the limit at long times of a standard linear solid, whatever
+    happened before; so the shape in the long run is exact for one. Without loads nothing moves at any time, and
+    forces fall with the relaxation modulus. How long it takes is not told: that needs a creep law of the sheet.
 
     Parameters
     ----------
@@ -120,13 +126,17 @@ def creep(rod: Rod, factor: float) -> Creep:
         raise InputError(f"creep needs a Rod, as optimal_rod or bend makes one, not {type(rod).__name__}")
     phi = require_creep(factor)
     first = later = rod
-    if phi > 0 and rod.gravity is not None:
+    if phi > 0 and feels_modulus(rod):
         first = bend(rod, guess=rod.angle)  # on the nodes of the other one, so that their difference is creep
+        loads = system_of(rod, rod)
+        force, moment = (1 + phi) * loads.force, (1 + phi) * loads.moments
         try:
-            later = bend(_softened(first, 1 + phi), guess=rod.angle)
+            later = bend(
+                _softened(first, 1 + phi), force=force, moment=(moment[0], moment[1]), guess=rod.angle
+            )
         except NotConvergedError as problem:
             raise NotConvergedError(
-                f"with a creep factor of {phi:g} no shape is left near the first: it collapses under its weight; "
+                f"with a creep factor of {phi:g} no shape is left near the first: it collapses under its load; "
                 "take a stiffer sheet or support it"
             ) from problem
     return Creep(phi, first, later, exact=rod.law is None)
@@ -149,8 +159,7 @@ def require_creep(factor: object) -> float:
 
 def _softened(rod: Rod, times: float) -> Rod:
     """The rod with its modulus divided, its weight kept."""
-    assert rod.gravity is not None
-    softer = replace(rod, gravity=rod.gravity.scaled(times))
+    softer = rod if rod.gravity is None else replace(rod, gravity=rod.gravity.scaled(times))
     if rod.bending_stiffness is None:
         return softer
     return replace(softer, bending_stiffness=rod.bending_stiffness / times)

@@ -6,9 +6,12 @@ import numpy as np
 
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.mechanics.bending.bend_forward import bend
+from elastica_cad.mechanics.bending.bend_forward import bend, system_of
 from elastica_cad.mechanics.material.moment_curvature import PlasticLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
+
+ROUNDED_SHARE = 1e-9
+"""Of a rod's forces and moments: what is left of them at an end that bears none."""
 
 
 @dataclass(frozen=True)
@@ -20,7 +23,8 @@ class Imperfection:
     stiffness_range : float
         m in K -> 1 + (K - 1) m: the ratio of stiffness is smaller or larger than intended.
     youngs_modulus, density, thickness : float
-        Factors on those of the sheet; with weight they act through E h^2 / rho.
+        Factors on those of the sheet; with weight they act through E h^2 / rho, with a force or moment on a free
+        end through E h^3.
     start_angle, end_angle : float
         Added to the angles that the supports hold, rad.
     yield_curvature : float
@@ -75,7 +79,18 @@ def perturb_rod(rod: Rod, imperfection: Imperfection, *, max_width: float | None
         float(angle) + delta if hold else None
         for angle, delta, hold in zip(rod.angle[[0, -1]], (v.start_angle, v.end_angle), held, strict=True)
     )
-    return bend(changed, angles=(angles[0], angles[1]))
+    loads = system_of(rod, rod)
+    softer = 1 / (v.youngs_modulus * v.thickness**3 * B)  # loads on free ends are newtons: they stay
+    force, moment = softer * loads.force, softer * loads.moments
+    return bend(changed, angles=(angles[0], angles[1]), force=force, moment=(moment[0], moment[1]))
+
+
+def feels_modulus(rod: Rod) -> bool:
+    """Does the shape hang on the sheet's modulus? Only where something pulls that is no support."""
+    loads = system_of(rod, rod)
+    pulls = np.abs(loads.force).max() > ROUNDED_SHARE * np.abs(rod.force).max()
+    turns = np.abs(loads.moments).max() > ROUNDED_SHARE * np.abs(rod.moment).max()
+    return bool(pulls or turns or np.any(loads.load))
 
 
 def least_width(rod: Rod, max_width: float | None, loss: float) -> float:

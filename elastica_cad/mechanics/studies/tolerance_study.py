@@ -10,9 +10,10 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.mechanics.bending.bend_forward import has_snapped
 from elastica_cad.mechanics.material.sheet import Range, Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.studies.imperfection import Imperfection, least_width, perturb_rod
+from elastica_cad.mechanics.studies.imperfection import Imperfection, feels_modulus, least_width, perturb_rod
 
 _CHUNK = 16  # bends that one task of an executor does
 
@@ -300,12 +301,13 @@ def _run(
 
 def _reduced(rod: Rod, v: Imperfection) -> Imperfection:
     """The imperfection without what this rod cannot feel."""
-    if rod.gravity is None:
+    loaded = feels_modulus(rod)
+    if not loaded:
         v = replace(v, youngs_modulus=1.0, density=1.0)
     largest = float(np.abs(rod.curvature - rod.natural_curvature).max())
     if largest <= v.yield_curvature / v.thickness:
         v = replace(v, yield_curvature=np.inf)
-        if rod.gravity is None:
+        if not loaded:
             v = replace(v, thickness=1.0)
     a, b = rod.supports.ends
     return replace(
@@ -325,7 +327,7 @@ def _outcomes(rod: Rod, imperfections: Sequence[Imperfection], max_width: float 
             found.append(_Outcome(None, False))
         else:
             deviation = float(np.hypot(*(bent.position - rod.position).T).max())
-            found.append(_Outcome(deviation, bent.warnings != rod.warnings))
+            found.append(_Outcome(deviation, has_snapped(bent)))
     return found
 
 

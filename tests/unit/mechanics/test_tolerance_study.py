@@ -8,12 +8,15 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 from elastica_cad.mechanics.studies import tolerance_study as tolerance
 from elastica_cad.mechanics.studies.imperfection import Imperfection, perturb_rod
 from elastica_cad.mechanics.studies.tolerance_study import ToleranceRanges, tolerance_study
@@ -134,6 +137,28 @@ def test_worst_of_a_cause_holds_its_extremes(arch):
     assert study["stiffness range"].samples == 7
     assert study["end angles"].worst == study["weight"].worst == study["thickness"].worst == 0.0
     assert study["combined"].worst == pytest.approx(study["stiffness range"].percentile_95, rel=0.5)
+
+
+def test_a_moment_on_a_free_end_bends_a_softer_strip_more():
+    """To a circle of curvature m / (E t^3), wherever the ranges put E and t."""
+    circle = bend(Rod.straight(100.0, supports=Supports(end="free"), samples=201), moment=0.01)
+    ranges = ToleranceRanges(youngs_modulus=(0.8, 1.0), thickness=(0.9, 1.0))
+    study = tolerance_study(circle, ranges=ranges, samples=3)
+    for name, soft in (("weight", 0.8), ("thickness", 0.9**3)):
+        rolled = bend(circle, moment=0.01 / soft)
+        assert np.allclose(rolled.curvature, 0.01 / soft, rtol=1e-9)
+        assert study[name].worst == pytest.approx(deviation(rolled, circle), rel=1e-6)
+    thin = perturb_rod(circle, Imperfection(width_loss=2.0), max_width=10.0)
+    assert np.allclose(thin.curvature, 0.01 / 0.8, rtol=1e-9)
+
+
+def test_a_design_with_a_warning_of_its_own_does_not_snap():
+    kinked = PlaneCurve.spline([(0, 0), (120, 180), (270, 210), (420, -30), (570, 30), (690, 180)], degree=3)
+    rod = optimal_rod(kinked, samples=101)
+    assert rod.warnings
+    study = tolerance_study(rod, ranges=ToleranceRanges(angle=(-0.01, 0.01)), samples=3)
+    assert study["end angles"].worst > 0
+    assert study["end angles"].snapped == study["combined"].snapped == 0
 
 
 def test_ranges_of_a_sheet():
