@@ -84,7 +84,9 @@ class Creep:
         )
         after = self.stability
         if not self.stays:
-            said += " Then it no longer stays: it snaps over under its load. Take a stiffer sheet or support it."
+            said += (
+                " Then it no longer stays: it snaps over under its load. Take a stiffer sheet or support it."
+            )
         elif after.margin < SAFE_MARGIN <= stability(self.rod).margin:
             said += f" Its margin falls to {after.margin:.3g} (low)."
         return said
