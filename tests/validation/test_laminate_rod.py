@@ -52,6 +52,24 @@ def test_weight_matters_and_so_does_the_true_law():
     assert np.abs(heavy.rod.stiffness / weightless.rod.stiffness - 1).max() > 0.02
 
 
+@pytest.mark.parametrize("size", [1270.0, 1280.0, 1290.0])
+def test_a_search_that_asks_for_more_than_two_layers_on_its_way_comes_to_a_laminate(size):
+    """A heavy arch of soft card: the scale is extrapolated past what two full layers have, and comes back."""
+    points = size * np.array([(0, 0), (0.1, 0.35), (0.5, 0.5), (0.9, 0.3), (1, 0)])
+    thin, thick = (Sheet("soft", h, 1000.0, density=700.0, max_strain=0.02) for h in (0.5, 1.0))
+    laminate = optimal_laminate(
+        PlaneCurve.spline(points, degree=4), LaminatedSection(thin, thick), 20.0, direction=(0, -1)
+    )
+    assert laminate.backing_width.max() == pytest.approx(20.0, rel=1e-4)
+    rod, A1, A2 = laminate.rod, 500.0 * laminate.base_width, 1000.0 * laminate.backing_width
+    EI = (A1 * 0.25 + A2) / 12 + 0.75**2 * A1 * A2 / (A1 + A2)
+    assert rod.bending_stiffness * rod.stiffness == pytest.approx(EI, rel=1e-6)
+    newtons = 700 * 9.80665e-9 * rod.node_lengths * (0.5 * laminate.base_width + laminate.backing_width)
+    assert -rod.nodal_load[:, 1] * rod.bending_stiffness == pytest.approx(newtons, rel=5e-4)
+    bent = bend(rod)
+    assert np.hypot(*(bent.position - rod.position).T).max() < 1e-4 * rod.length
+
+
 def test_a_hung_mass_is_carried():
     mass = (PointMass(60.0, 3.0),)
     laminate = optimal_laminate(arch(), SECTION, 20.0, direction=(0, -1), masses=mass)

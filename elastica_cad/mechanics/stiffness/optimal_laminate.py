@@ -133,12 +133,15 @@ def optimal_laminate(
     scale = _scale(section, widths, _stiffness(rod, everywhere), least_backing)
     if gravity is None:
         return built(rod, scale, 1)
+    base = _along(base_width, stations)
+    bounds = section.bending_stiffness(base, 0.0 * base), section.bending_stiffness(base, base)
     history: list[float] = []
     change, least = np.inf, 1.0  # a smoothed stiffness may have a least value above the 1 that was asked for
     for rounds in range(2, _MOST_ROUNDS):
         asked = scale / least
-        K = least * _stiffness(rod, stations)
-        weight = section.weight(stations, _along(base_width, stations), K, asked)
+        # an extrapolated scale may ask for more than two full layers somewhere, or for less than the base
+        EI = np.clip(scale * _stiffness(rod, stations), *bounds)
+        weight = section.weight(stations, base, EI / asked, asked)
         loaded = Weight(weight.alpha, weight.beta, masses)
         found = optimal_rod(curve, gravity, supports, samples=samples, weight=loaded, bending_stiffness=asked)
         change = float(np.abs(found.stiffness / rod.stiffness - 1).max())
