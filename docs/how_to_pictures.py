@@ -65,10 +65,9 @@ def drawn(page: str, made: str, place: Path) -> Image.Image:
 def looked_at(file: Path, picture: Path) -> Image.Image:
     """The curves of a file as they lie there, in mm."""
     import elastica_cad as ec
-    from elastica_cad.plot.canvas import new_figure, save_figure
+    from elastica_cad.plot.canvas import Panel, new_page, save_figure
 
-    figure = new_figure(4.0)
-    axes = figure.subplots()
+    figure, (axes,) = new_page([Panel(3.4, below=0.5, left=0.6)])
     for curve in ec.read_curves(file) if file.suffix == ".csv" else ():
         points = curve.sample(400).position
         axes.plot(points[:, 0], points[:, 1], color="black")

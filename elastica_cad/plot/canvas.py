@@ -1,8 +1,9 @@
 """Figures without a display, and PNG files of them."""
 
+from collections.abc import Sequence
 from io import BytesIO
 from os import PathLike
-from typing import Any, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -10,6 +11,7 @@ from elastica_cad.errors import InputError, MissingDependencyError, how_to_insta
 from elastica_cad.formats.file_access.atomic_write import write_atomically
 
 Figure: TypeAlias = Any
+Axes: TypeAlias = Any
 
 WIDTH_INCHES = 9.0
 """Of all figures: a page in landscape."""
@@ -21,6 +23,24 @@ COMPRESSION = 3
 """Of PNG files: beyond, they take half as long again to write and are a twentieth smaller."""
 
 INK = "#1f2430"
+
+TITLE_POINTS = 11
+
+TITLE_INCHES, TITLE_LINE_INCHES = 0.1, 0.19
+"""Above and below a page's title, and each of its lines."""
+
+
+class Panel(NamedTuple):
+    """How tall one drawing of a page is, and the room around it, inches.
+
+    `above` holds a title and a legend; `below`, `left` and `right` the numbers and the name of an axis.
+    """
+
+    height: float
+    above: float = 0.08
+    below: float = 0.08
+    left: float = 0.08
+    right: float = 0.08
 
 
 def save_figure(
@@ -39,7 +59,7 @@ def save_figure(
 
 
 def _png(figure: Figure, resolution: float) -> bytes:
-    """What `savefig` shows: it would go through the whole figure once more, to lay it out before it is drawn."""
+    """What `savefig` shows; that would go through the whole figure once more before it is drawn."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from PIL import Image
 
@@ -58,8 +78,11 @@ def _png(figure: Figure, resolution: float) -> bytes:
     return stream.getvalue()
 
 
-def new_figure(height: float) -> Figure:
-    """An empty figure `WIDTH_INCHES` wide and `height` tall, inches."""
+def new_page(panels: Sequence[Panel], title: str = "") -> tuple[Figure, list[Axes]]:
+    """A figure `WIDTH_INCHES` wide with axes one above the other.
+
+    The room of texts is reckoned: matplotlib's layouts measure every text first, which takes as long as drawing it.
+    """
     try:
         from matplotlib.figure import Figure as MatplotlibFigure
     except ImportError as error:
@@ -73,4 +96,17 @@ def new_figure(height: float) -> Figure:
             self.savefig(stream, format="png", dpi=NOTEBOOK_DPI)
             return stream.getvalue()
 
-    return Page(figsize=(WIDTH_INCHES, height), layout="constrained")
+    headed = 2 * TITLE_INCHES + TITLE_LINE_INCHES * (title.count("\n") + 1) if title else 0.0
+    height = headed + sum(one.above + one.height + one.below for one in panels)
+    figure = Page(figsize=(WIDTH_INCHES, height))
+    if title:
+        top = 1 - TITLE_INCHES / height
+        figure.suptitle(title, y=top, va="top", fontsize=TITLE_POINTS, color=INK)
+    stacked, low = [], height - headed
+    for one in panels:
+        low -= one.above + one.height
+        wide = WIDTH_INCHES - one.left - one.right
+        place = (one.left / WIDTH_INCHES, low / height, wide / WIDTH_INCHES, one.height / height)
+        stacked.append(figure.add_axes(place))
+        low -= one.below
+    return figure, stacked

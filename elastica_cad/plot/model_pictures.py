@@ -17,10 +17,10 @@ from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.sheets.equal_strips import EqualStrips
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Figure, new_figure
+from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page
 from elastica_cad.plot.holder_pictures import holder_patches, level_plates
 from elastica_cad.plot.slabs import trapezoids
-from elastica_cad.plot.strip_pictures import Axes, paint_flat
+from elastica_cad.plot.strip_pictures import paint_flat
 
 FLAT_SHARE = 5e-4
 """Of a strip's length: how closely polygons follow its loops."""
@@ -141,19 +141,16 @@ def _seen(
     size = np.maximum(np.ptp(plane.reshape(-1, 2), axis=0), 1e-9)
     tall = float(np.clip(WIDTH_INCHES * size[1] / size[0], 2.0, 9.0 if flat is None else 6.0))
     below = 0.0 if flat is None else WIDTH_INCHES * _flat_height(*flat) / (1.04 * flat[1])
-    figure = new_figure(tall + below + 0.6)
-    if flat is None:
-        axes = figure.subplots()
-    else:
-        axes, lower = figure.subplots(2, 1, height_ratios=[tall, below])
-        _draw_flats(lower, *flat)
+    extent = " by ".join(f"{d:.0f}" for d in np.ptp(patches.reshape(-1, 3), axis=0))
+    headed = f"{title}, {extent} mm" if title else f"{extent} mm"
+    figure, (axes, *lower) = new_page([Panel(tall), *([] if flat is None else [Panel(below)])], headed)
+    if flat is not None:
+        _draw_flats(lower[0], *flat)
     tints = colors[order]
     axes.add_collection(PolyCollection(plane[order], facecolors=tints, edgecolors=tints, linewidths=0.6))
     axes.autoscale_view()
     axes.set_aspect("equal")
     axes.set_axis_off()
-    extent = " by ".join(f"{d:.0f}" for d in np.ptp(patches.reshape(-1, 3), axis=0))
-    figure.suptitle(f"{title}, {extent} mm" if title else f"{extent} mm", fontsize=11, color=INK)
     return figure
 
 

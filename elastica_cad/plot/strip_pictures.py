@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from textwrap import fill
-from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -15,9 +14,7 @@ from elastica_cad.geometry.paths.many_segments import areas, polylines
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Figure, new_figure
-
-Axes: TypeAlias = Any
+from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page
 
 COMB, LINE, FAINT, WISH = "#2f6db3", "#c2452d", "#8a8f98", "#e0962b"
 LAYER_COLORS = {
@@ -27,6 +24,15 @@ LAYER_COLORS = {
     "MARK": "#3a8f4d",
     "SHEET": "#8a8f98",
 }
+NUMBERED = Panel(5.2, above=0.54, below=0.52, left=0.8, right=0.15)
+"""A drawing with both its axes, a title, and a legend below that."""
+
+STIFFNESS = NUMBERED._replace(height=1.6, above=0.32)
+"""K along the strip, under a title."""
+
+WIDE = WIDTH_INCHES - NUMBERED.left - NUMBERED.right
+"""Of the axes of these pages, inches."""
+
 SMOOTH_MM = 0.02
 """How closely polylines follow splines in pictures: less than a printed dot."""
 
@@ -36,9 +42,7 @@ def rod(rod: Rod, *, wish: PlaneCurve | None = None) -> Figure:
 
     `wish` is drawn beside it where the rod is the nearest one to a curve that was asked for.
     """
-    tall = _curve_height(rod, wish)
-    figure = new_figure(tall + 2.4)
-    above, below = figure.subplots(2, 1, height_ratios=[tall, 2.2])
+    figure, (above, below) = new_page([_curve_panel(rod, wish), STIFFNESS])
     _draw_curve(above, rod, wish)
     _draw_stiffness(below, rod)
     return figure
@@ -46,8 +50,8 @@ def rod(rod: Rod, *, wish: PlaneCurve | None = None) -> Figure:
 
 def strip(strip: Strip) -> Figure:
     """The flat strip with its dimensions."""
-    figure = new_figure(_flat_height(strip) + 0.4)
-    _draw_flat(figure.subplots(), strip)
+    figure, (axes,) = new_page([_flat_panel(strip)])
+    _draw_flat(axes, strip)
     return figure
 
 
@@ -57,8 +61,9 @@ def drawing(drawing: Drawing) -> Figure:
 
     low, high = drawing.bounds
     size = np.maximum(high - low, 1e-9)
-    figure = new_figure(float(np.clip(WIDTH_INCHES * size[1] / size[0], 1.6, 11.0)) + 0.8)
-    axes = figure.subplots()
+    figure, (axes,) = new_page(
+        [NUMBERED._replace(height=float(np.clip(WIDE * size[1] / size[0], 1.6, 11.0)))]
+    )
     lines = _lines([item.path for item in drawing.strokes])
     for layer in dict.fromkeys(item.layer for item in drawing.strokes):
         strokes = [line for item, line in zip(drawing.strokes, lines, strict=True) if item.layer == layer]
@@ -81,14 +86,12 @@ def strip_sheet(strip: Strip, *, wish: PlaneCurve | None = None) -> Figure:
     wish : PlaneCurve, optional
         The curve that was asked for, where the rod is the nearest one that can be made.
     """
-    tall, flat = _curve_height(strip.rod, wish), _flat_height(strip)
-    figure = new_figure(tall + flat + 3.3)
-    axes = figure.subplots(3, 1, height_ratios=[tall, 2.2, flat])
     sheet = strip.sheet
     size = strip.breadth() if strip.tapered else f"{sheet.thickness:g} mm thick"
     facts = f"{sheet.name}, {size}, {strip.mass_told}"
     strain = f"largest strain {100 * strip.max_strain:.2f} %, {100 * strip.strain_limit:.2f} % allowed"
-    figure.suptitle(f"{fill(strip.label or 'Strip', 90)}\n{facts}; {strain}", fontsize=11, color=INK)
+    title = f"{fill(strip.label or 'Strip', 90)}\n{facts}; {strain}"
+    figure, axes = new_page([_curve_panel(strip.rod, wish), STIFFNESS, _flat_panel(strip)], title)
     _draw_curve(axes[0], strip.rod, wish)
     _draw_stiffness(axes[1], strip.rod)
     _draw_flat(axes[2], strip)
@@ -150,7 +153,7 @@ def _draw_stiffness(axes: Axes, rod: Rod) -> None:
     axes.set_ylim(0, 1.12 * K.max())
     axes.set_xlabel("arc length from the start of the free part (mm)")
     axes.set_ylabel("stiffness K")
-    axes.set_title(f"Stiffness: largest over smallest {rod.ratio:.3f}", fontsize=10, loc="left", color=INK)
+    _entitle(axes, f"Stiffness: largest over smallest {rod.ratio:.3f}")
     axes.grid(visible=True, color="#e3e5e8", linewidth=0.6)
     _quiet(axes)
 
@@ -177,7 +180,7 @@ def _draw_flat(axes: Axes, strip: Strip) -> None:
     for side in axes.spines.values():
         side.set_visible(False)
     called = "widths" if called == "width" else called
-    axes.set_title(f"Flat: {strip.breadth()}, {called} in mm below", fontsize=10, loc="left", color=INK)
+    _entitle(axes, f"Flat: {strip.breadth()}, {called} in mm below")
 
 
 def paint_flat(axes: Axes, strip: Strip, shift: tuple[float, float] = (0.0, 0.0)) -> None:
@@ -269,15 +272,16 @@ def _comb_scale(rod: Rod) -> float:
     return 0.16 * extent / largest if largest > 0 else 0.0
 
 
-def _curve_height(rod: Rod, wish: PlaneCurve | None) -> float:
+def _curve_panel(rod: Rod, wish: PlaneCurve | None) -> Panel:
     points = rod.position if wish is None else np.concatenate([rod.position, wish.sample(200).position])
     width, height = np.ptp(points, axis=0) + 0.35 * float(np.ptp(points, axis=0).max())
-    return float(np.clip(WIDTH_INCHES * height / width, 2.4, 6.5))
+    return NUMBERED._replace(height=float(np.clip(WIDE * height / width, 2.2, 5.2)))
 
 
-def _flat_height(strip: Strip) -> float:
+def _flat_panel(strip: Strip) -> Panel:
     (left, bottom), (right, top) = strip.outline.bounds
-    return float(np.clip(WIDTH_INCHES * ((top - bottom) / (right - left) + 0.13), 1.5, 5.0))
+    tall = float(np.clip(WIDE * ((top - bottom) / (right - left) + 0.13), 1.2, 4.5))
+    return STIFFNESS._replace(height=tall, below=0.08)
 
 
 def _lines(paths: Sequence[Path]) -> list[FloatArray]:
@@ -291,8 +295,13 @@ def _plain_axes(axes: Axes, title: str) -> None:
     axes.set_aspect("equal")
     axes.set_xlabel("x (mm)")
     axes.set_ylabel("y (mm)")
-    axes.set_title(title, fontsize=10, loc="left", color=INK, pad=22)
+    _entitle(axes, title, pad=22)
     _quiet(axes)
+
+
+def _entitle(axes: Axes, title: str, pad: float = 6.0) -> None:
+    """Above the axes, at a place that needs no look at what else is drawn."""
+    axes.set_title(title, fontsize=10, loc="left", color=INK, pad=pad, y=1.0)
 
 
 def _quiet(axes: Axes) -> None:

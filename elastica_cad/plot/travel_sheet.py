@@ -3,16 +3,17 @@
 import numpy as np
 
 from elastica_cad.fabrication.travel import Travel
-from elastica_cad.plot.canvas import INK, Figure, new_figure
+from elastica_cad.plot.canvas import INK, Figure, Panel, new_page
 
 FIRST, LAST, UNSTABLE = "#a9c6e8", "#1d4f8c", "#c2452d"  # shapes from first to last; what snaps away
+SHAPES = Panel(3.2, above=0.3, below=0.52, left=0.8, right=0.8)
+COSTS = SHAPES._replace(height=2.4)  # force on one side, energy on the other
 FORCE, ENERGY = "#1d4f8c", "#e0962b"
 
 
 def travel(moved: Travel) -> Figure:
     """All shapes of a travel above, force along the way and bending energy below."""
-    figure = new_figure(7.0)
-    above, below = figure.subplots(2, 1, height_ratios=[3.4, 2.6])
+    figure, (above, below) = new_page([SHAPES, COSTS])
     steps = len(moved.rods)
     colors = _blend(FIRST, LAST, steps)
     for k, rod in enumerate(moved.rods):
@@ -20,7 +21,7 @@ def travel(moved: Travel) -> Figure:
         above.plot(*rod.position.T, color=color, linewidth=1.6 if k in (0, steps - 1) else 0.9)
     above.set_aspect("equal", adjustable="datalim")
     snapping = "" if moved.stable.all() else "; red: unstable, it snaps away"
-    above.set_title(f"{steps} shapes, the last one darkest{snapping}", fontsize=9, color=INK)
+    above.set_title(f"{steps} shapes, the last one darkest{snapping}", fontsize=9, color=INK, y=1.0)
     above.set_xlabel("x, mm")
     above.set_ylabel("y, mm")
     below.plot(moved.travel, moved.force_along, color=FORCE, marker=".", label="force along the way, N")
@@ -40,6 +41,7 @@ def travel(moved: Travel) -> Figure:
         f"safety {moved.safety[worst]:.2g}",
         fontsize=9,
         color=INK,
+        y=1.0,
     )
     return figure
 
