@@ -10,6 +10,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import matplotlib as mpl
+import numpy as np
 from PIL import Image
 
 mpl.use("agg")
@@ -67,10 +68,11 @@ def looked_at(file: Path, picture: Path) -> Image.Image:
     import elastica_cad as ec
     from elastica_cad.plot.canvas import Panel, new_page, save_figure
 
-    figure, (axes,) = new_page([Panel(3.4, below=0.5, left=0.6)])
-    for curve in ec.read_curves(file) if file.suffix == ".csv" else ():
-        points = curve.sample(400).position
-        axes.plot(points[:, 0], points[:, 1], color="black")
+    lines = (
+        [(curve.sample(400).position, "black") for curve in ec.read_curves(file)]
+        if file.suffix == ".csv"
+        else []
+    )
     if file.suffix == ".dxf":
         import ezdxf
         from ezdxf.path import make_path
@@ -79,9 +81,11 @@ def looked_at(file: Path, picture: Path) -> Image.Image:
         for entity in ezdxf.readfile(file).modelspace():
             if entity.dxftype() not in ("TEXT", "MTEXT", "INSERT"):
                 points = [(p.x, p.y) for p in make_path(entity).flattening(0.05)]
-                axes.plot(
-                    *zip(*points, strict=True), color=colours.get(entity.dxf.layer, "black"), linewidth=1
-                )
+                lines.append((np.array(points), colours.get(entity.dxf.layer, "black")))
+    width, height = 1.1 * np.ptp(np.concatenate([points for points, _ in lines]), axis=0)
+    figure, (axes,) = new_page([Panel(min(max(8.0 * height / width, 0.5), 6.0), below=0.5, left=0.6)])
+    for points, colour in lines:
+        axes.plot(*points.T, color=colour, linewidth=1)
     axes.set_aspect("equal")
     axes.set_xlabel("mm")
     save_figure(figure, picture)

@@ -33,6 +33,9 @@ STIFFNESS = NUMBERED._replace(height=1.6, above=0.32)
 WIDE = WIDTH_INCHES - NUMBERED.left - NUMBERED.right
 """Of the axes of these pages, inches."""
 
+COMB_SHARE = 0.16
+"""Of the curve's extent: the longest tooth of its comb."""
+
 SMOOTH_MM = 0.02
 """How closely polylines follow splines in pictures: less than a printed dot."""
 
@@ -103,9 +106,7 @@ def strip_sheet(strip: Strip, *, wish: PlaneCurve | None = None) -> Figure:
 
 
 def _draw_curve(axes: Axes, rod: Rod, wish: PlaneCurve | None) -> None:
-    position, kappa = rod.position, rod.curvature
-    normal = np.column_stack([-np.sin(rod.angle), np.cos(rod.angle)])
-    tips = position - kappa[:, None] * normal * _comb_scale(rod)
+    position, tips = rod.position, _comb_tips(rod)
     step = max(1, len(position) // 100)
     teeth = np.stack([position, tips, np.full_like(tips, np.nan)], axis=1)[::step].reshape(-1, 2)
     axes.plot(*teeth.T, color=COMB, linewidth=0.5, alpha=0.6)
@@ -138,8 +139,7 @@ def _draw_curve(axes: Axes, rod: Rod, wish: PlaneCurve | None) -> None:
 
 def _widen(axes: Axes) -> None:
     """Give a curve that is nearly straight some room across, for its axis to be read."""
-    size, middle = axes.dataLim.size, axes.dataLim.min + axes.dataLim.size / 2
-    least = 0.55 * np.maximum(size, 0.3 * size.max())
+    least, middle = _widened(axes.dataLim.size) / 2, axes.dataLim.min + axes.dataLim.size / 2
     axes.set_xlim(middle[0] - least[0], middle[0] + least[0])
     axes.set_ylim(middle[1] - least[1], middle[1] + least[1])
 
@@ -265,17 +265,24 @@ def _clipped(
     )
 
 
-def _comb_scale(rod: Rod) -> float:
-    """mm drawn for 1/mm of curvature."""
+def _comb_tips(rod: Rod) -> FloatArray:
+    """Ends (n, 2) of the teeth of the curvature comb."""
     largest = float(np.abs(rod.curvature).max())
     extent = float(np.ptp(rod.position, axis=0).max())
-    return 0.16 * extent / largest if largest > 0 else 0.0
+    scale = COMB_SHARE * extent / largest if largest > 0 else 0.0
+    normal = np.column_stack([-np.sin(rod.angle), np.cos(rod.angle)])
+    return np.asarray(rod.position - scale * rod.curvature[:, None] * normal)
 
 
 def _curve_panel(rod: Rod, wish: PlaneCurve | None) -> Panel:
-    points = rod.position if wish is None else np.concatenate([rod.position, wish.sample(200).position])
-    width, height = np.ptp(points, axis=0) + 0.35 * float(np.ptp(points, axis=0).max())
+    points = [rod.position, _comb_tips(rod), *([] if wish is None else [wish.sample(200).position])]
+    width, height = _widened(np.ptp(np.concatenate(points), axis=0))
     return NUMBERED._replace(height=float(np.clip(WIDE * height / width, 2.2, 5.2)))
+
+
+def _widened(size: FloatArray) -> FloatArray:
+    """Width and height shown of so large a drawing: the axis of a nearly straight curve can be read."""
+    return np.asarray(1.1 * np.maximum(size, 0.3 * size.max()))
 
 
 def _flat_panel(strip: Strip) -> Panel:

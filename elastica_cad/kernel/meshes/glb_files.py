@@ -26,7 +26,9 @@ def write_glb(
     """
     k = kernel()
     for part in parts:
-        k.BRepMesh_IncrementalMesh(getattr(part.shape, "wrapped", part.shape), CHORD_MM, False, TURN_RAD, True)
+        k.BRepMesh_IncrementalMesh(
+            getattr(part.shape, "wrapped", part.shape), CHORD_MM, False, TURN_RAD, True
+        )
     document = make_document(parts, name=name)
     with TemporaryDirectory(prefix="elastica-") as folder:
         file = Path(folder, "model.glb")
