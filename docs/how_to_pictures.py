@@ -82,8 +82,12 @@ def looked_at(file: Path, picture: Path) -> Image.Image:
             if entity.dxftype() not in ("TEXT", "MTEXT", "INSERT"):
                 points = [(p.x, p.y) for p in make_path(entity).flattening(0.05)]
                 lines.append((np.array(points), colours.get(entity.dxf.layer, "black")))
-    width, height = 1.1 * np.ptp(np.concatenate([points for points, _ in lines]), axis=0)
-    figure, (axes,) = new_page([Panel(min(max(8.0 * height / width, 0.5), 6.0), below=0.5, left=0.6)])
+    every = np.concatenate([points for points, _ in lines])
+    middle, size = every.min(axis=0) + np.ptp(every, axis=0) / 2, np.ptp(every, axis=0)
+    width, height = 1.1 * np.maximum(size, 0.05 * size.max())  # the numbers of a batten's axis need room
+    figure, (axes,) = new_page([Panel(min(8.0 * height / width, 6.0), below=0.5, left=0.6)])
+    axes.set_xlim(middle[0] - width / 2, middle[0] + width / 2)
+    axes.set_ylim(middle[1] - height / 2, middle[1] + height / 2)
     for points, colour in lines:
         axes.plot(*points.T, color=colour, linewidth=1)
     axes.set_aspect("equal")
