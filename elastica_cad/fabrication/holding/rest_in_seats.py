@@ -23,7 +23,9 @@ STEP_RAD = 0.15  # largest turn of an end in one step
 DIFFERENCE_SHARE = 1e-5  # of the length: step of the finite differences of reactions
 SETTLED_SHARE = 1e-9  # of the length: steps below it end the search
 LEAST_SHARE = 1e-6  # of the largest eigenvalue: a direction that is softer counts as this stiff
-PRICE = 100.0  # of a mm of overlap, over the forces that are there: far above any contact's multiplier
+PRICE = 100.0  # of a mm of overlap, over the forces that are there: far above most contacts' multipliers
+DEARER = 10.0  # times as much, where a tab that is wedged in pays it
+OVERLAP_SHARE = 1e-7  # of the length: overlaps below it are rounding
 SEATING_STEPS = 3
 SEATING = 1e4  # times as stiff are the ends while tabs bend into their seats
 LEAN_STEPS = 6  # at most: contacts change little after the first
@@ -84,15 +86,17 @@ def rest_in_seats(
     for _ in range(SEATING_STEPS):
         q = q + problem.step(q, rod, SEATING * stiffness).x
     rod = problem.bent(q, rod)
-    step = np.zeros(q.size)
+    step, price = np.zeros(q.size), PRICE
     for _ in range(MOST_STEPS):
         if np.abs(step).max() > RENEWED_SHARE * design.length:
             stiffness = problem.end_stiffness(q, rod)
-        step = problem.step(q, rod, stiffness).x
+        step = problem.step(q, rod, stiffness, price=price).x
         q = q + step
         rod = problem.bent(q, rod)
         if np.abs(step).max() <= SETTLED_SHARE * design.length:
-            break
+            if problem.walls(q)[1].min() >= -OVERLAP_SHARE * design.length:
+                break
+            price *= DEARER
     else:
         raise NotConvergedError(
             "the strip finds no rest in its holders: give them less play, or hold the tabs with screws or glue"
@@ -272,8 +276,29 @@ class _Held:
         values = np.maximum(np.abs(values), LEAST_SHARE * np.abs(values).max())
         return np.asarray(vectors @ np.diag(values) @ vectors.T)
 
+    def walls(self, q: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Slopes (k, n) by q and gaps (k,), mm, between tabs and the edges of their holders; negative overlaps."""
+        length, rows, room = self.design.length, [], []
+        for at, (one, part) in zip(self._begins, self.parts(q), strict=True):
+            pose = self.pose(part)
+            block = np.zeros((len(one.seat.left) + len(one.seat.right), q.size))
+            block[:, at : at + 2] = one.seat.slopes(*pose, one.way) / (1.0, length)
+            gaps = one.seat.gaps(*pose, one.way)
+            if one.pieces:
+                block[:, self._tab(at, one)] = one.sideways / length
+                gaps = gaps + one.sideways @ part[2:] / length
+            rows.append(block)
+            room.append(gaps)
+        return np.concatenate(rows), np.concatenate(room)
+
     def step(
-        self, q: FloatArray, rod: Rod, end_stiffness: FloatArray, near: QuadraticSolution | None = None
+        self,
+        q: FloatArray,
+        rod: Rod,
+        end_stiffness: FloatArray,
+        near: QuadraticSolution | None = None,
+        *,
+        price: float = PRICE,
     ) -> QuadraticSolution:
         """The next step of sequential quadratic programming; `near` is the one before, for what touches."""
         length, poses = self.design.length, self.poses
@@ -281,28 +306,24 @@ class _Held:
         g, H = np.zeros(q.size), np.zeros((q.size, q.size))
         g[poses] = self.reactions(rod)
         H[np.ix_(poses, poses)] = end_stiffness
-        rows, room = [], []
         for at, (one, part) in zip(self._begins, self.parts(q), strict=True):
-            pose, tab = self.pose(part), slice(at + 2, at + 2 + one.pieces)
-            block = np.zeros((len(one.seat.left) + len(one.seat.right), q.size))
-            block[:, at : at + 2] = one.seat.slopes(*pose, one.way) / (1.0, length)
-            gaps = one.seat.gaps(*pose, one.way)
             if one.pieces:
-                block[:, tab] = one.sideways / length
-                gaps = gaps + block[:, tab] @ part[2:]
+                tab = self._tab(at, one)
                 H[tab, tab] = one.bending / length**2
                 g[tab] = H[tab, tab] @ part[2:]
-            rows.append(block)
-            room.append(gaps)
-        A, gaps = np.concatenate(rows), np.concatenate(room)
+        A, gaps = self.walls(q)
         bound = np.full(q.size, STEP_RAD * length)
         bound[poses[::2]] = STEP_SHARE * length
-        price = PRICE * (np.abs(g).max() / scale + bound.max())
+        each = price * (np.abs(g).max() / scale + bound.max())
         program = QuadraticProgram(
-            H / scale, g / scale, -bound, bound, A, -gaps, np.full(gaps.size, price),
+            H / scale, g / scale, -bound, bound, A, -gaps, np.full(gaps.size, each),
             np.ones(gaps.size, dtype=bool),
         )  # fmt: skip
         return solve_quadratic(program, near=near)
+
+    def _tab(self, at: int, one: _SeatedEnd) -> slice:
+        """Where in q the angles of a tab's pieces are."""
+        return slice(at + 2, at + 2 + one.pieces)
 
     @property
     def _begins(self) -> list[int]:

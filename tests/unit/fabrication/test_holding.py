@@ -28,8 +28,10 @@ from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.forming.revolution.meridian import meridian, meridian_through
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.material.anticlastic import anticlastic_factor
 from elastica_cad.mechanics.material.sheet import Sheet, sheet_names
+from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
 pytestmark = pytest.mark.core
@@ -98,6 +100,22 @@ def test_no_neighbouring_pose_has_less_energy(rod):
             tried += 1
             assert gradient @ step > -1e-12
     assert tried > 20
+
+
+def test_a_tab_wedged_between_one_edge_and_two_overlaps_none():
+    """It turns far until its thickness wedges, which its walls bear by forces far above the strip's own."""
+    bow = bend(Rod.straight(400.0, samples=41), end=(180.0, 0.0), angles=(0.4, -1.2), side=1)
+    seat = TabSeat([(25.0, 0.7)], [(0.4, -0.7), (25.0, -0.74)], 1.38)
+    found, (_, end) = rest_in_seats(bow, bow, (None, seat))
+    assert abs(end.turn) > 0.2
+    gaps = seat.gaps(end.shift, end.turn, 1)
+    assert gaps.min() > -1e-7 * bow.length
+    # pushes of the two edges that it lies against, and nothing else, balance force and moment
+    left = np.array([-np.sin(bow.angle[-1]), np.cos(bow.angle[-1])])
+    gradient = np.array([-found.force[-1] @ left, found.moment[-1]])
+    touching = seat.slopes(end.shift, end.turn, 1)[gaps < 1e-6 * bow.length]
+    assert len(touching) == 2
+    assert np.linalg.solve(touching.T, gradient).min() > 0
 
 
 def test_play_moves_the_shape_and_a_leaning_pocket_makes_up_for_it(strip):
