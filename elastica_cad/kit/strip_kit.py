@@ -12,6 +12,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.makeability.splices import spliced
 from elastica_cad.fabrication.slots.mating_marks import end_numbers
+from elastica_cad.fabrication.slots.text_room import Cuts
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import save
@@ -108,7 +109,7 @@ class StripKit:
         strip, joined = self.strip, spliced(self.strip, self.spec.shop)
         drawings = strip.drawings() if joined is None else joined.drawings
         if any(self.joints) and joined is None:
-            base, cuts = drawings[0], (*strip.holes, strip.outline)
+            base, cuts = drawings[0], Cuts(strip.holes, outline=strip.outline)
             marks = end_numbers(strip.width, cuts, base.texts, self.joints)
             drawings = (replace(base, texts=(*base.texts, *marks)), *drawings[1:])
         return drawings

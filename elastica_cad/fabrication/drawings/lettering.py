@@ -87,6 +87,20 @@ def text_width(text: str, height: float) -> float:
     return (sum(widths) + _GAP * max(0, len(widths) - 1)) * height / CAP_HEIGHT
 
 
+def text_span(text: str, height: float) -> tuple[float, float]:
+    """How far (mm) the strokes of a text reach over its base line: the lowest is below 0 for letters like g.
+
+    Examples
+    --------
+    >>> text_span("H", 6.0), text_span("g", 6.0)
+    ((0.0, 6.0), (-2.0, 6.0))
+    """
+    spans = [_span(c) for c in text]
+    low = min([0.0, *(below for below, _ in spans)])
+    high = max([CAP_HEIGHT, *(above for _, above in spans)])
+    return low * height / CAP_HEIGHT, high * height / CAP_HEIGHT
+
+
 def text_strokes(text: Text) -> tuple[Path, ...]:
     """The strokes of a text as open paths of lines and arcs, mm.
 
@@ -156,6 +170,16 @@ def _glyphs() -> dict[str, tuple[float, str]]:
 @lru_cache(maxsize=256)
 def _glyph(character: str) -> tuple[Path, ...]:
     return tuple(_strokes(_glyphs()[character][1]))
+
+
+@lru_cache(maxsize=256)
+def _span(character: str) -> tuple[float, float]:
+    """Least and largest height of a letter's strokes over the base line, in the alphabet's units."""
+    bounds = [stroke.bounds[:, 1] for stroke in _glyph(character)]
+    if not bounds:
+        return 0.0, 0.0
+    low, high = np.array(bounds).T
+    return float(low.min()), float(high.max())
 
 
 def _strokes(code: str) -> Iterator[Path]:

@@ -15,6 +15,7 @@ from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, MARK
 from elastica_cad.fabrication.drawings.lettering import Text
 from elastica_cad.fabrication.sheets.equal_strips import EqualStrips
 from elastica_cad.fabrication.slots.mating_marks import end_numbers
+from elastica_cad.fabrication.slots.text_room import Cuts
 from elastica_cad.fabrication.strip.strip_layers import Layer
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.paths.many_segments import total_length
@@ -162,8 +163,8 @@ def strip_pieces(parts: Sequence[EqualStrips], *, numbered: bool = False) -> tup
             called = layer.called(name)
             marks: tuple[Text, ...] = ()
             if numbered and i == 0:
-                lines = (*layer.holes, layer.outline, *drawing.on(MARK))
-                marks = end_numbers(strip.width, lines, drawing.texts)
+                cuts = Cuts(layer.holes, drawing.on(MARK), outline=layer.outline)
+                marks = end_numbers(strip.width, cuts, drawing.texts)
             texts = (*drawing.texts, *marks)
             sheet, worked = _blank(strip, layer)
             drawn = replace(drawing, name=called, texts=texts)

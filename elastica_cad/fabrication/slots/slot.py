@@ -14,6 +14,9 @@ from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline, left_of
 from elastica_cad.geometry.polynomials.spline_function import SplineFunction, spline_through
 
+RELIEF_CHORDS = 8
+"""Of a round inner end where only what lies near is asked."""
+
 STRAIGHT_MM = 1e-7
 """Sides that bend less than this are lines: a tenth of what drawings tell apart."""
 
@@ -152,7 +155,7 @@ def slot_cut(slot: Slot, width: Profile, *, beyond: float) -> Path:
 
 
 def slot_rim(slot: Slot, width: Profile, *, beyond: float) -> FloatArray:
-    """Points (2 k + 2, 2) of a polyline near `slot_cut`, without the relief: quick to make."""
+    """Points (n, 2) of a polyline near `slot_cut`: quick to make."""
     points, widths = slot.center_line(width)
     tangents = np.gradient(points, axis=0)
     normals = _left_of(tangents)
@@ -162,7 +165,11 @@ def slot_rim(slot: Slot, width: Profile, *, beyond: float) -> FloatArray:
         for row, last in ((points, onward[None]), (widths, widths[-1:]), (normals, normals[-1:]))
     )
     off = widths[:, None] / 2 * normals
-    return np.concatenate([(points - off)[::-1], points + off])
+    turn = np.pi * np.arange(1, RELIEF_CHORDS)[:, None] / RELIEF_CHORDS
+    back = np.array([-normals[0, 1], normals[0, 0]])  # beyond the inner end
+    end = points[0] + widths[0] / 2 * (np.sin(turn) * back - np.cos(turn) * normals[0])
+    round_end = end if slot.relief == "round" else end[:0]
+    return np.concatenate([(points - off)[::-1], round_end, points + off])
 
 
 def _left_of(tangents: FloatArray) -> FloatArray:

@@ -16,7 +16,7 @@ from elastica_cad.fabrication.strip.flat_outline import Ends, close_chain, graph
 from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.geometry.paths.biarcs import as_arcs
 from elastica_cad.geometry.paths.path import JOIN, Path
-from elastica_cad.geometry.paths.path_intersections import polylines_cross
+from elastica_cad.geometry.paths.path_intersections import encloses, polylines_cross
 from elastica_cad.geometry.paths.point_distance import distances
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.geometry.paths.segments import Segment, Spline
@@ -166,6 +166,8 @@ class DiamondPattern:
             return True
         points, line = loop.points(CLEAR_OF_SLOTS_MM), cut.points(CLEAR_OF_SLOTS_MM)
         if polylines_cross(np.concatenate([points, points[:1]]), line) is not None:
+            return False
+        if encloses(line, points[0]):
             return False
         near = min(float(distances(segment, points).min()) for segment in cut.segments)
         back = min(float(distances(segment, line).min()) for segment in loop.segments)

@@ -64,13 +64,13 @@ def fix_tab_widths(width: Profile, ends: Ends) -> Ends:
     return replace(start, width=start.width or first), replace(end, width=end.width or last)
 
 
-def add_register_holes(ends: Ends, diameter: float) -> Ends:
-    """The tabs with a hole in the middle of each that has none and is long enough for it."""
+def add_register_holes(width: Profile, ends: Ends, diameter: float) -> Ends:
+    """The tabs with a hole in the middle of each that has none and is long and wide enough for it."""
     start, end = (
         tab
-        if tab.holes or tab.length < 2 * diameter
+        if tab.holes or tab.length < 2 * diameter or tab.depth_at(tab.length / 2, 0.0, wide) < diameter
         else replace(tab, holes=(Hole(tab.length / 2, diameter),))
-        for tab in ends
+        for tab, wide in zip(ends, _end_widths(width), strict=True)
     )
     return start, end
 

@@ -19,6 +19,7 @@ from elastica_cad.fabrication.drawings.lettering import Text, fit_label
 from elastica_cad.fabrication.slots.mating_marks import label_off_cuts, label_on_tabs, mating_marks
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.slots.slotted_outline import cut_slots
+from elastica_cad.fabrication.slots.text_room import Cuts
 from elastica_cad.fabrication.strip.as_built import material_width
 from elastica_cad.fabrication.strip.flat_outline import (
     Ends,
@@ -102,7 +103,7 @@ def cut_layers(layout: Layout, ends: Ends, slots: Sequence[Slot], *, name: str) 
     if layout.stack is not None:
         return _cut_leaves(layout.stack, width.length, ends)
     # the layers of a laminate are aligned by holes in their tabs
-    ends_held = add_register_holes(ends, layout.dots) if layout.dots else ends
+    ends_held = add_register_holes(width, ends, layout.dots) if layout.dots else ends
     holes = (*end_holes(width, ends_held), *layout.hole_paths(ends, slots))
     outline = cut_slots(flat_rim(width, ends), holes, slots, width, name=name)
     base = Layer(layout.sheet, outline, holes)
@@ -146,7 +147,7 @@ def draw_layers(
     drawn = []
     for i, layer in enumerate(layers):
         width = layout.width if i == 0 or layout.backing is None else layout.backing.width
-        marks = (*_ticks(layout, width, lap), *(() if i else layout.guides))
+        marks = (*_ticks(layout, width, ends, lap), *(() if i else layout.guides))
         if layout.stack is not None:
             marks = _leaf_marks(layer, layers)
         paths = (
@@ -154,12 +155,11 @@ def draw_layers(
             *(LayeredPath(CUT_INNER, hole) for hole in layer.holes),
             LayeredPath(CUT_OUTER, layer.outline),
         )
-        cuts = (layer.outline, *layer.holes) if slots or layout.pattern is not None else ()
-        texts = _label_texts(label, layout, width, ends, cuts) if label else ()
+        texts = _label_texts(label, layout, width, ends, layer, slotted=bool(slots)) if label else ()
         if layout.stack is not None:
             texts = (_leaf_text(name, layer),)
         elif i == 0:
-            texts += mating_marks(slots, layout.width, (*marks, *layer.holes), texts)
+            texts += mating_marks(slots, layout.width, layer.holes, marks, texts)
         drawn.append(Drawing(name=layer.called(name), paths=paths, texts=texts))
     return tuple(drawn)
 
@@ -191,28 +191,31 @@ def _reaches(slot: Slot, outer: Profile, inner: Profile) -> bool:
     return bool(abs(points[0, 1]) < float(inner(np.clip(points[0, 0], 0.0, inner.length))) / 2)
 
 
-def _ticks(layout: Layout, width: Profile, lap: float) -> tuple[Path, ...]:
-    """Marks across where the free part ends, and the lap; not along the flat ends of the first and last holes."""
+def _ticks(layout: Layout, width: Profile, ends: Ends, lap: float) -> tuple[Path, ...]:
+    """Marks across where tabs begin, and the lap; not along the flat ends of the first and last holes."""
     if layout.pattern is not None:
         return ()
-    # of a closed strip the start is an edge itself
-    places = (lap, width.length) if lap else (0.0, width.length)
-    heights = [(x, TICK_SHARE * float(width(x))) for x in places]
-    return tuple(Path((Line((x, -y), (x, y)),), closed=False) for x, y in heights)
+    starts = ((0.0, ends[0]), (width.length, ends[1]))
+    heights = [(x, min(float(width(x)), tab.width or np.inf)) for x, tab in starts if tab.length > 0]
+    if lap:
+        heights.insert(0, (lap, float(width(lap))))
+    return tuple(
+        Path((Line((x, -TICK_SHARE * wide), (x, TICK_SHARE * wide)),), closed=False) for x, wide in heights
+    )
 
 
 def _label_texts(
-    label: str, layout: Layout, width: Profile, ends: Ends, cuts: Sequence[Path]
+    label: str, layout: Layout, width: Profile, ends: Ends, layer: Layer, *, slotted: bool
 ) -> tuple[Text, ...]:
     """The label, off cuts: along the middle; where there are holes across a tab, the first if there is room."""
     if layout.pattern is None:
-        return (label_off_cuts(label, width, cuts),)
+        return (label_off_cuts(label, width, Cuts(outline=layer.outline if slotted else None)),)
     length = width.length
     spans = ((-ends[0].length, 0.0), (length, length + ends[1].length))
     tabs = [
-        (*span, float(width(end)))
-        for span, end in zip(spans, (0.0, length), strict=True)
+        (*span, tab.width or float(width(end)))
+        for span, end, tab in zip(spans, (0.0, length), ends, strict=True)
         if span[0] < span[1]
     ]
-    near = [path for path in cuts if path.bounds[0, 0] < 0 or path.bounds[1, 0] > length]
-    return (label_on_tabs(label, tabs, near),) if tabs else ()
+    near = [hole for hole in layer.holes if hole.bounds[0, 0] < 0 or hole.bounds[1, 0] > length]
+    return (label_on_tabs(label, tabs, Cuts(near, outline=layer.outline)),) if tabs else ()

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, replace
 from itertools import pairwise
+from math import hypot, sqrt
 from typing import Literal, TypeAlias
 
 import numpy as np
@@ -207,11 +208,21 @@ class Tab:
         side = self.t_slot.side(self.length)
         return [ends[0], *side, *((x, -y) for x, y in reversed(side)), ends[1]]
 
+    def depth_at(self, at: float, across: float, width: float) -> float:
+        """Least distance, mm, of a place in the tab from its sides and outer corners; `width` as in `corners`."""
+        x, y, w = at, abs(across), self.width or width
+        near, far = self.length - self.corner_radius, w / 2 - self.corner_radius
+        if self.corner_radius and x > near and y > far:
+            return self.corner_radius - hypot(x - near, y - far)
+        side = ((w / 2 - y) * self.length - self.taper * x) / hypot(self.length, self.taper)
+        corner = (self.length - x + w / 2 - y - self.chamfer) / sqrt(2.0) if self.chamfer else side
+        return min(side, corner)
+
     def hole_paths(self, width: float) -> tuple[Path, ...]:
         """The holes as closed circles in the tab's frame; `width` as in `corners`."""
         w = self.width or width
         for hole in self.holes:
-            if abs(hole.across) + hole.diameter / 2 >= w / 2:
+            if self.depth_at(hole.at, hole.across, w) <= hole.diameter / 2:
                 raise InputError(
                     f"a {hole.diameter:g} mm hole {hole.across:g} mm off the centre line breaks the edge of a "
                     f"{w:.4g} mm wide tab: make it smaller or the tab wider"

@@ -65,6 +65,14 @@ def polylines_cross(p: FloatArray, q: FloatArray) -> FloatArray | None:
     return _first_crossing(p, q, *_candidate_pairs(p, q))
 
 
+def encloses(loop: FloatArray, point: FloatArray) -> bool:
+    """Does the polyline through (n, 2), closed from its last point to its first, run about a point (2,)?"""
+    (x0, y0), (x1, y1) = (loop - point).T, (np.roll(loop, -1, axis=0) - point).T
+    rises = (y0 > 0) != (y1 > 0)
+    x = x0[rises] - y0[rises] * (x1[rises] - x0[rises]) / (y1[rises] - y0[rises])
+    return bool(np.count_nonzero(x > 0) % 2)
+
+
 def self_crossing(p: FloatArray, *, closed: bool) -> FloatArray | None:
     """A point (2,) where the polyline through p (n, 2) meets itself, or None.
 

@@ -304,3 +304,14 @@ def test_ligaments_that_lean_too_far_are_told_with_their_angle(rod, rows):
     assert bool(told) == (max(leans) > 30)
     if told:
         assert float(re.search(r"lean (\d+) degrees", told[0])[1]) == pytest.approx(max(leans), abs=2)
+
+
+@pytest.mark.parametrize("side", ["upper", "lower"])
+def test_a_slot_wider_than_holes_are_long_leaves_none_in_its_throat(side):
+    style = Perforated(width=40.0, columns=4, rows=30)
+    slot = ec.Slot(100.0, width=16.0, depth=20.0, side=side)
+    made = ec.Strip(ec.Rod.straight(200.0, [1, 2, 1]), CARD, style=style, slots=(slot,))
+    rim = shapely.Polygon(made.outline.points(1e-3))
+    assert len(made.holes) > 250
+    for hole in made.holes:
+        assert rim.contains(shapely.Polygon(hole.points(1e-3)))
