@@ -23,7 +23,11 @@ demo: $(VENV)/demo-installed
 docs: $(VENV)/docs-installed
 	$(BIN)/python docs/build.py $(OUT)/manual
 
-test: lint test-core test-freecad test-kernels test-programs
+# Programs are installed first, by one apt at a time; then parts of one process each keep two cores busy.
+test: lint
+	tests/freecad/setup.sh
+	tests/programs/setup.sh
+	$(MAKE) --keep-going --jobs=2 test-freecad test-core test-kernels test-programs
 	$(BIN)/python -m pytest -n 2 --ignore=tests/freecad --ignore=tests/benchmarks --ignore=tests/programs
 
 lint: $(VENV)/test-installed
