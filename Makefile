@@ -23,7 +23,8 @@ demo: $(VENV)/demo-installed
 docs: $(VENV)/docs-installed
 	$(BIN)/python docs/build.py $(OUT)/manual
 
-# Programs are installed first, by one apt at a time; then parts of one process each keep two cores busy.
+# Programs are installed first, by one apt at a time; then two processes of one thread each keep two cores busy.
+test: export OPENBLAS_NUM_THREADS = 1
 test: lint
 	tests/freecad/setup.sh
 	tests/programs/setup.sh
