@@ -106,10 +106,10 @@ def make_wire(path: Path, frame: Frame | None = None) -> Shape:
 
 
 def make_face(outline: Path, holes: Sequence[Path] = (), frame: Frame | None = None) -> Shape:
-    """A plane TopoDS_Face with holes; its normal is the frame's z axis."""
+    """A plane TopoDS_Face with holes; its normal is the frame's z axis, and its v runs along x: `trace_turn`."""
     k, frame = kernel(), frame or Frame()
     builder, face = k.BRep_Builder(), k.TopoDS_Face()
-    builder.MakeFace(face, _surface(PlaneSurface(frame)), CONFUSION)
+    builder.MakeFace(face, _surface(PlaneSurface(frame.quarter_turned())), CONFUSION)
     builder.Add(face, make_wire(outline if outline.area > 0 else outline.reversed(), frame))
     for hole in holes:
         builder.Add(face, make_wire(hole.reversed() if hole.area > 0 else hole, frame))
@@ -126,7 +126,7 @@ def make_solid(record: BodyRecord | PrismSolid | RoundGroove) -> Shape:
         return _only_solid(_with_few_faces(_combined(whole, holes, k.BOPAlgo_Operation.BOPAlgo_CUT)))
     if isinstance(record, RoundGroove):
         return _groove(record)
-    if isinstance(record, FlatSolid):
+    if isinstance(record, FlatSolid) and record.is_prism:
         face = make_face(record.outline, record.holes, record.frame)
         return k.BRepPrimAPI_MakePrism(face, k.gp_Vec(*(record.frame.z_axis * record.thickness))).Shape()
     builder, solid = k.BRep_Builder(), k.TopoDS_Solid()

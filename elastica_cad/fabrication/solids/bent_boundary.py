@@ -95,7 +95,7 @@ class BoundaryMaker:
         up = self.heights[level]
         surface: Surface
         if isinstance(shape, Frame):
-            surface = PlaneSurface(shape.shifted(z=up))
+            surface = PlaneSurface(shape.shifted(z=up).quarter_turned())
         else:
             low, high = np.array([_across(piece.segment) for loop in region.loops for piece in loop]).T
             surface = shape.surface(float(low.min()), float(high.max()), up)
@@ -139,9 +139,7 @@ class BoundaryMaker:
                 return PlaneSurface(Frame(frame.origin, frame.x_axis, side * frame.y_axis))
             if not (isinstance(low.curve, SpaceCurve) and isinstance(high.curve, SpaceCurve)):
                 raise TypeError("edges of a bent face are splines")
-            h = self.heights[1] - self.heights[0]
-            points = np.stack([low.curve.control_points, high.curve.control_points], axis=1)
-            return SpaceSurface((low.curve.knots, np.array([0.0, 0.0, h, h])), points, (low.curve.degree, 1))
+            return self._ruled(low.curve, high.curve)
         if straight:
             a, b = self.vertices[low.start], self.vertices[low.end]
             return PlaneSurface(Frame(a, b - a, self.vertices[high.start] - a))
@@ -150,7 +148,21 @@ class BoundaryMaker:
         if isinstance(segment, Arc):
             base = shape.shifted(float(segment.center[0]), float(segment.center[1]), up)
             return CylinderSurface(base, segment.radius)
-        return ExtrudedSurface(PlacedSegment(segment, shape.shifted(z=up)))
+        placed = PlacedSegment(segment, shape.shifted(z=up))
+        if not isinstance(segment, Spline) or segment.curve.is_rational:
+            return ExtrudedSurface(placed)
+        curve, rise = segment.curve, (self.heights[1] - up) * shape.z_axis
+        points = placed.frame.point(curve.control_points)
+        low_side, high_side = (
+            SpaceCurve(curve.knots, rows, curve.degree) for rows in (points, points + rise)
+        )
+        return self._ruled(low_side, high_side)
+
+    def _ruled(self, low: SpaceCurve, high: SpaceCurve) -> SpaceSurface:
+        """Straight across between two splines over the same knots."""
+        h = self.heights[1] - self.heights[0]
+        points = np.stack([low.control_points, high.control_points], axis=1)
+        return SpaceSurface((low.knots, np.array([0.0, 0.0, h, h])), points, (low.degree, 1))
 
     def _post(self, corner: int, shape: Map) -> int:
         """The straight edge through the thickness at a corner."""

@@ -25,12 +25,16 @@ from elastica_cad.fabrication.strip.tabs import Tab
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.clip import clip_across
 from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.segments import Spline
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.material.tapered_sections import RoundLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 
 JOINT_GAP_MM = 0.01
 """Between the ends of a closed strip: far above the tolerance of kernels, far below what a saw takes."""
+
+MOST_SPANS = 8
+"""Of a spline that is extruded: OpenCASCADE measures its wall by one rule, off by tenths from some 20 spans on."""
 
 BESIDE_MM = 20.0  # between the flat and the bent strip of a file
 
@@ -115,6 +119,22 @@ class FlatSolid:
     def volume(self) -> float:
         """mm3."""
         return self.area * self.thickness
+
+    @property
+    def is_prism(self) -> bool:
+        """May a kernel extrude its face? Where a loop has a spline of many spans, walls made so are misread."""
+        segments = (segment for loop in (self.outline, *self.holes) for segment in loop.segments)
+        return all(
+            segment.curve.is_rational or np.unique(segment.curve.knots).size <= MOST_SPANS + 1
+            for segment in segments
+            if isinstance(segment, Spline)
+        )
+
+    @cached_property
+    def boundary(self) -> Boundary:
+        """The closed skin: planes, cylinders, and a ruled B-spline face along each spline of its loops."""
+        pattern = cut_across(self.outline, self.holes, ())
+        return BoundaryMaker(pattern.points, (self.frame,), (0.0, self.thickness)).solid(pattern.regions)
 
 
 def _tapered_solid(strip: Strip, frame: Frame, *, bent: bool) -> "FlatSolid | RoundSolid":

@@ -75,7 +75,7 @@ def make_solid(record: BodyRecord | PrismSolid | RoundGroove) -> Part.Shape:
         return (whole.cut(holes) if holes else whole).removeSplitter()
     if isinstance(record, RoundGroove):
         return _groove(record)
-    if isinstance(record, FlatSolid):
+    if isinstance(record, FlatSolid) and record.is_prism:
         face = make_face(record.outline, record.holes, record.frame)
         return face.extrude(_vector(record.frame.z_axis * record.thickness))
     return _read(brep_bytes(record.boundary))
