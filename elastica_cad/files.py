@@ -3,6 +3,7 @@
 Readers and writers are imported when a file of their kind is met: a command reads one.
 """
 
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -145,6 +146,15 @@ def read_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.
         raise _no_kernel(path) from error
     with name_source(path):
         return shape_surface(read_step_shape(path), look_up_unit(unit or "mm") * scale)
+
+
+def step_trouble() -> str:
+    """Why no STEP can be written here, and the command that installs what it needs; "" where it can."""
+    if find_spec("OCP") is None:
+        return how_to_install("build123d")
+    from elastica_cad.kernel.occt import kernel_trouble
+
+    return kernel_trouble()
 
 
 def _no_kernel(path: Path) -> MissingDependencyError:

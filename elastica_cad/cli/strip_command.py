@@ -26,6 +26,7 @@ from elastica_cad.errors import ElasticaError, InputError, NotConvergedError, ho
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
 from elastica_cad.fabrication.makeability.makeable_strip import compensate_within
 from elastica_cad.fabrication.strip_spec import StripSpec
+from elastica_cad.files import step_trouble
 from elastica_cad.formats.design_files.kit_spec import Cutting
 from elastica_cad.kit.strip_kit import StripFiles, StripKit, write_strip
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
@@ -191,9 +192,10 @@ def _tell(kit: StripKit, written: Iterable[Path]) -> None:
         if near is not None and warning == near.status.value:
             continue  # told with the distance
         warn(f"Warning: {warning}")
-    for kind, package in (("png", "matplotlib"), ("step", "build123d")):
-        if kind not in kit.files:
-            say(f"no .{kind}: it needs {package} ({how_to_install(package)})")
+    if "png" not in kit.files:
+        say(f"no .png: it needs matplotlib ({how_to_install('matplotlib')})")
+    if "step" not in kit.files:
+        say(f"no .step: it needs build123d ({step_trouble()})")
     wrote(written)
     for joint, end in zip(kit.joints, ("starts", "ends"), strict=True):
         if joint:

@@ -65,10 +65,12 @@ def kernel() -> SimpleNamespace:
     """
     try:
         import OCP
-    except ImportError as error:
+    except ModuleNotFoundError as error:
         raise MissingDependencyError(
             f"solids and STEP need OpenCASCADE: {how_to_install('build123d')} (or cadquery)"
         ) from error
+    except ImportError as error:
+        raise _unsound(error) from error
     version = str(getattr(OCP, "__version__", "?"))
     arrays = ARRAYS.get(version.split(".", maxsplit=1)[0])
     if arrays is None:
@@ -77,15 +79,55 @@ def kernel() -> SimpleNamespace:
             "install a build123d or cadquery release that brings one of these"
         )
     names: dict[str, Any] = {}
-    for module in MODULES:
-        names |= {k: v for k, v in vars(import_module(f"OCP.{module}")).items() if not k.startswith("_")}
     called = ("Points", "Points2d", "Grid", "Reals", "Integers", "Remarks")
-    for name, place in zip(called, arrays.split(), strict=True):
-        module, own = place.split(".")
-        names[name] = getattr(import_module(f"OCP.{module}"), own)
+    try:
+        for module in MODULES:
+            names |= {k: v for k, v in vars(import_module(f"OCP.{module}")).items() if not k.startswith("_")}
+        for name, place in zip(called, arrays.split(), strict=True):
+            module, own = place.split(".")
+            names[name] = getattr(import_module(f"OCP.{module}"), own)
+    except (ImportError, AttributeError) as error:
+        raise _unsound(error) from error
     names["as_edge"] = getattr(names["TopoDS"], "Edge_s", None) or names["TopoDS"].Edge
     names["as_face"] = getattr(names["TopoDS"], "Face_s", None) or names["TopoDS"].Face
     return SimpleNamespace(**names)
+
+
+def kernel_trouble() -> str:
+    """Why no body can be made here, and what to install; "" where OpenCASCADE works."""
+    try:
+        kernel()
+    except MissingDependencyError as error:
+        return str(error)
+    return ""
+
+
+def _unsound(error: Exception) -> MissingDependencyError:
+    """OCP that is there and cannot be used: two releases in one place, or a library of the system missing."""
+    reason = f"OpenCASCADE (OCP) is installed but cannot be loaded ({error})"
+    brought = {
+        name: version
+        for name in ("cadquery-ocp", "cadquery-ocp-novtk")
+        if (version := _installed_version(name)) is not None
+    }
+    if len({version.split(".", maxsplit=1)[0] for version in brought.values()}) > 1:
+        both = " and ".join(f"{name} {version}" for name, version in brought.items())
+        return MissingDependencyError(
+            f"{reason}: {both} lie in one environment, where each writes over the other; make an environment for "
+            "build123d and one for CadQuery, or one with build123d==0.12.* and cadquery==2.8.*"
+        )
+    return MissingDependencyError(
+        f"{reason}: install what it names, or another release of build123d or cadquery"
+    )
+
+
+def _installed_version(package: str) -> str | None:
+    from importlib.metadata import PackageNotFoundError, version
+
+    try:
+        return version(package)
+    except PackageNotFoundError:
+        return None
 
 
 def make_wire(path: Path, frame: Frame | None = None) -> Shape:

@@ -15,7 +15,7 @@ from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.sheets.nesting import NestedSheet
 from elastica_cad.fabrication.sheets.pieces import distinct, file_word
-from elastica_cad.files import save
+from elastica_cad.files import save, step_trouble
 from elastica_cad.formats.design_files.kit_spec import Cutting, KitSpec, Nesting
 from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.formats.reports.start_page import compose_start_page
@@ -58,16 +58,11 @@ class SavedKit:
 
 def left_out(*, step: bool = True, pictures: bool = True, paper: bool = False) -> tuple[str, ...]:
     """What of the bodies, the pictures and the print on paper cannot be written here, and which package would."""
-    wanted = (
-        (pictures, "matplotlib", "matplotlib", "pictures"),
-        (paper, "matplotlib", "matplotlib", "PDF"),
-        (step, "OCP", "build123d", "STEP"),
-    )
-    return tuple(
-        f"no {kind}: {how_to_install(package)}"
-        for asked, module, package, kind in wanted
-        if asked and find_spec(module) is None
-    )
+    drawn = ((pictures, "pictures"), (paper, "PDF"))
+    missing = find_spec("matplotlib") is None
+    told = [f"no {kind}: {how_to_install('matplotlib')}" for asked, kind in drawn if asked and missing]
+    trouble = step_trouble() if step else ""
+    return (*told, *([f"no STEP: {trouble}"] if trouble else []))
 
 
 def write_kit(
@@ -90,7 +85,7 @@ def write_kit(
     InputError
         Files that exist, without `force`.
     """
-    step, pictures = step and find_spec("OCP") is not None, pictures and find_spec("matplotlib") is not None
+    step, pictures = step and not step_trouble(), pictures and find_spec("matplotlib") is not None
     _plan(kit, step=step, pictures=pictures, parts=parts)
     with write_together(folder, kit.files, force=force) as workshop:
         for name, (_, write) in kit.files.items():

@@ -15,7 +15,7 @@ from elastica_cad.fabrication.slots.mating_marks import end_numbers
 from elastica_cad.fabrication.slots.text_room import Cuts
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip_spec import StripSpec
-from elastica_cad.files import save
+from elastica_cad.files import save, step_trouble
 from elastica_cad.formats.design_files.kit_spec import Cutting
 from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.formats.reports.strip_report import report_strip
@@ -98,7 +98,7 @@ class StripKit:
         more = {
             "png": find_spec("matplotlib"),
             "pdf": self.asked.paper,
-            "step": find_spec("OCP"),
+            "step": not step_trouble(),
             "glb": self.asked.glb,
         }
         return names | {kind: f"{self.name}.{kind}" for kind, asked in more.items() if asked}

@@ -18,7 +18,7 @@ from elastica_cad.fabrication.batten import MM_PER_INCH, Batten, BattenSpec, cam
 from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.fabrication.leaf_stack import LeafStack
 from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.files import save
+from elastica_cad.files import save, step_trouble
 from elastica_cad.formats.file_access.file_transaction import write_together
 from elastica_cad.kit.kit_files import left_out
 from elastica_cad.mechanics.material.tapered_sections import MOST_LEAVES, RoundLaw, ThicknessLaw
@@ -154,8 +154,8 @@ def _write_leaves(strip: Strip, report: dict[str, Any], chosen: dict[str, Any]) 
 
 def _kinds() -> list[str]:
     """Of the files that the installed libraries allow."""
-    more = (("pdf", "matplotlib"), ("step", "OCP"))
-    return ["csv", "svg", "dxf", "json", *(kind for kind, library in more if find_spec(library))]
+    more = {"pdf": find_spec("matplotlib") is not None, "step": not step_trouble()}
+    return ["csv", "svg", "dxf", "json", *(kind for kind, possible in more.items() if possible)]
 
 
 def _tell_files(written: list[Path]) -> None:
