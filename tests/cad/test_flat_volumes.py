@@ -1,4 +1,4 @@
-"""Volumes of flat parts as CAD programs show them: the plain measure of OpenCASCADE misreads walls of many spans."""
+"""Volumes of flat parts as CAD programs show them: OpenCASCADE misreads walls of many spans."""
 
 import numpy as np
 import pytest
