@@ -142,8 +142,9 @@ def _settled(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffness:
 
 
 def _unsettled(law: BoundedLaw, change: float) -> NotConvergedError:
+    moves = f" (the stiffness still moves by {change:.2g})" if np.isfinite(change) else ""
     return NotConvergedError(
-        f"weight and {law.quantity} do not settle (the stiffness still moves by {change:.2g}): the rod is too "
+        f"weight and {law.quantity} do not settle{moves}: the rod is too "
         "heavy for this curve; use a stiffer or lighter material, or support it"
     )
 
