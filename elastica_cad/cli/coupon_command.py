@@ -193,7 +193,8 @@ def _calibrate(
     say("")
     say(found.toml())
     wrote([output / file])
-    say(f"every command takes it: --sheet {name if output in library_folders() else output / file}")
+    known_as = name if output in library_folders() else output / file
+    say(f"every command takes it: --sheet {shlex.quote(str(known_as))}")
 
 
 def _as_readings_tell(sheet: Sheet) -> Sheet:

@@ -1,6 +1,7 @@
 """`elastica new`: a commented design file to start from, which runs as it is, and its schema for editors."""
 
 import json
+import shlex
 from importlib.resources import files
 from pathlib import Path
 
@@ -60,7 +61,8 @@ def new(kind: str, output: Path, force: bool) -> None:
         if kind == "sections":
             (folder / "bowl.obj").write_text(_bowl(), encoding="ascii", newline="\n")
     wrote([output / name for name in written])
-    following = f"{name_program()} model {output / f'{kind}.toml'} -o {output / f'{kind}-kit'}"
+    typed = shlex.join(["model", str(output / f"{kind}.toml"), "-o", str(output / f"{kind}-kit")])
+    following = f"{name_program()} {typed}"
     say(f"next: {following}")
     answer({"kind": kind, "next": following})
 

@@ -18,11 +18,13 @@ from elastica_cad.formats.curve_files.likely_size import doubt_size
 from elastica_cad.formats.curve_files.number_gate import MOST_EDGES, NUMBER, check_count
 from elastica_cad.formats.file_access.source_file import MILLIMETRES, look_up_unit
 from elastica_cad.formats.svg_files.path_data import PathData, bezier_edge, path_data
-from elastica_cad.formats.svg_files.svg_tree import LENGTH, MARK, MM, SvgTree, svg_tree
+from elastica_cad.formats.svg_files.svg_lengths import LENGTH, MM
+from elastica_cad.formats.svg_files.svg_tree import MARK, SvgTree, svg_tree
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 
 _PX, _PT = MILLIMETRES["px"], MILLIMETRES["pt"]
 _INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}version"
+_AFFINITY = b'xmlns:serif="http://www.serif.com/"'
 _ILLUSTRATOR = b"Generator: Adobe Illustrator"  # in a remark at the top
 _SIZED = re.compile(
     rb"""<svg\b[^>]*\s(?:width|height)\s*=\s*["'][^"']*(?:mm|cm|in|pt|pc|q)\s*["']""", re.IGNORECASE
@@ -73,19 +75,26 @@ _IN_POINTS = (
 )
 
 
+_OF_AFFINITY = (
+    "its pixels are taken as 96 to the inch; Affinity counts in those of its document: where that has not 96 DPI "
+    "(Document Setup), set 96 and export it anew, or say --unit pt for 72"
+)
+
 _OF_INKSCAPE = "its pixels are taken as 90 to the inch, as Inkscape before 0.92 drew; else say --unit px"
 
 
 def _program(file: Path, root: ElementTree.Element) -> tuple[str, float]:
     """A sentence and the size of a pixel, mm, where the program that drew it has one of its own.
 
-    Illustrator does without a size in mm or the like, Inkscape before 0.92 without that or a viewBox.
+    Illustrator and Affinity do without a size in mm or the like, Inkscape before 0.92 without that or a viewBox.
     """
     with file.open("rb") as opened:
         top = opened.read(_TOP)
     sized = _SIZED.search(top)
     if _ILLUSTRATOR in top and not sized:
         return _IN_POINTS, _PT
+    if _AFFINITY in top and not sized:
+        return _OF_AFFINITY, _PX
     version = re.match(r"0\.(\d+)", root.get(_INKSCAPE, ""))
     if version and int(version[1][:2]) < 92 and not (sized and root.get("viewBox")):
         return _OF_INKSCAPE, 25.4 / 90

@@ -9,9 +9,9 @@ from xml.etree import ElementTree
 from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.number_gate import MOST_SHAPES, NUMBER, check_count, half_last_place
 from elastica_cad.formats.file_access.source_file import MILLIMETRES
+from elastica_cad.formats.svg_files.svg_lengths import LENGTH, MM
+from elastica_cad.formats.svg_files.view_boxes import fit_symbols
 
-LENGTH = re.compile(rf"\s*({NUMBER})\s*(px|pt|pc|mm|cm|in|[qQ])?\s*")
-MM = {"pc": 25.4 / 6, "q": 0.25} | {unit: MILLIMETRES[unit] for unit in ("px", "pt", "mm", "cm", "in")}
 _PX = MILLIMETRES["px"]
 _LENGTH_ATTRIBUTES = ("x", "y", "x1", "y1", "x2", "y2", "cx", "cy", "r", "rx", "ry", "width", "height")
 _SHAPES = ("path", "line", "polyline", "polygon", "rect", "circle", "ellipse")
@@ -86,6 +86,7 @@ def svg_tree(path: Path) -> SvgTree:
         raise InputError(f"is not an SVG file: it begins with <{_tag(root)}>, not with <svg>")
     tree = SvgTree(root)
     _refuse_bombs(tree)
+    fit_symbols(root)
     _mark(tree)
     return tree
 

@@ -309,3 +309,43 @@ def test_a_speck_is_told_with_what_one_unit_was_taken_as(tmp_path):
         f'<svg xmlns="http://www.w3.org/2000/svg" width="1000mm" viewBox="0 0 10 10">{body}</svg>'
     )
     assert read_curves(file).notes == ()
+
+
+@pytest.mark.parametrize(
+    ("symbol", "clone", "corners"),
+    [
+        # where (0, 0) and (240, 160) of the symbol lie, mm; the first four as Inkscape 1.2 shows them
+        ('viewBox="0 0 240 180" width="120" height="90"', 'transform="translate(5,5)"', [(5, 5), (125, 85)]),
+        ('viewBox="0 0 240 180"', 'x="10" y="20" width="120" height="90"', [(10, 20), (130, 100)]),
+        ('viewBox="0 0 240 180" preserveAspectRatio="none"', 'x="10" y="20" width="120" height="180"',
+         [(10, 20), (130, 180)]),
+        ('viewBox="0 0 240 180"', 'x="10" y="20"', [(10, 89.75), (220, 229.75)]),
+        ('viewBox="20 10 240 180" preserveAspectRatio="xMinYMax slice"', 'width="120" height="180"',
+         [(-20, -10), (220, 150)]),
+        ('viewBox="0 0 240 180"', 'width="50%" height="25%"', [(3, 0), (102, 66)]),
+        ("", 'x="10" y="20" width="50" height="50"', [(10, 20), (250, 180)]),
+    ],
+)  # fmt: skip
+def test_a_symbol_is_shown_in_the_box_of_its_clone(tmp_path, symbol, clone, corners):
+    page = 'width="210mm" height="297mm" viewBox="0 0 210 297"'
+    file = tmp_path / "symbol.svg"
+    file.write_text(
+        f'<svg xmlns="http://www.w3.org/2000/svg" {page}><defs><symbol id="s" {symbol}>'
+        f'<path d="M 0 0 C 60 100 180 160 240 160"/></symbol></defs><use href="#s" {clone}/></svg>'
+    )
+    (curve,) = read_curves(file)
+    ends = curve.sample(2).position * (1, -1)
+    np.testing.assert_allclose(ends, corners, atol=1e-6)
+
+
+def test_the_pixels_of_affinity_are_told(tmp_path):
+    """It writes no size; its pixels are those of the document, at 300 DPI a third of what is taken."""
+    file = tmp_path / "affinity.svg"
+    head = 'width="100%" height="100%" viewBox="0 0 2480 3508" xmlns:serif="http://www.serif.com/"'
+    body = '<path d="M336.22,1889.76C336.22,472.441 2698.43,472.441 2698.43,1889.76"/>'
+    file.write_text(f'<svg {head} xmlns="http://www.w3.org/2000/svg">{body}</svg>')
+    assert "96 DPI" in read_drawing(file).size
+    file.write_text(
+        f'<svg {head.replace("100%", "210mm", 1)} xmlns="http://www.w3.org/2000/svg">{body}</svg>'
+    )
+    assert "96 DPI" not in read_drawing(file).size
