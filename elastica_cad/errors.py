@@ -1,5 +1,6 @@
 """The one family of errors: every message says what is wrong, where (mm), and what to do."""
 
+import re
 import sys
 from collections.abc import Callable, Iterable
 from pathlib import Path
@@ -42,6 +43,26 @@ def quoted(value: object) -> str:
     ("'mm'", 60)
     """
     return _QUOTED.repr(value)
+
+
+def toml_slip(text: str, error: Exception) -> str:
+    """What to do about a line that TOML refuses.
+
+    Examples
+    --------
+    >>> toml_slip("max_width = 2,5", ValueError("Expected newline (at line 1, column 14)"))
+    'write decimals with a point, 2.5'
+    """
+    found = re.search(r"at line (\d+)", str(error))
+    lines = text.splitlines()
+    line = lines[int(found[1]) - 1] if found and int(found[1]) <= len(lines) else ""
+    if "\\" in line:
+        return "write / in place of \\ in paths"
+    if comma := re.search(r"=\s*[+-]?(\d+),(\d+)", line):
+        return f"write decimals with a point, {comma[1]}.{comma[2]}"
+    if line.lstrip().startswith("[") and not line.isascii():
+        return 'put names with letters beyond a-z in quotes, as in [sheets."grün"]'
+    return "mend that line"
 
 
 def how_to_install(package: str) -> str:

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from elastica_cad._equality import value_key
-from elastica_cad.errors import ElasticaError, InputError, NotConvergedError, quoted
+from elastica_cad.errors import ElasticaError, InputError, NotConvergedError, quoted, toml_slip
 from elastica_cad.fabrication.holders.ring_plate import Ring
 from elastica_cad.fabrication.model.compensated_model import interlock_compensated
 from elastica_cad.fabrication.model.strip_model import Model
@@ -171,12 +171,13 @@ def read_design(
 
 def _read(path: Path, read_curves: CurveReader, read_surface: SurfaceReader) -> Design:
     try:
-        data = tomllib.loads(path.read_bytes().decode("utf-8-sig"))  # with a byte order mark or without
+        text = path.read_bytes().decode("utf-8-sig")  # with a byte order mark or without
+        data = tomllib.loads(text)
     except UnicodeDecodeError as error:
         raise InputError(f"{path} is no TOML file, which are UTF-8: save it as text in UTF-8") from error
     except tomllib.TOMLDecodeError as error:
         raise InputError(
-            f"{path} is no TOML file: {error}; mend that line, or begin with one of `elastica new`"
+            f"{path} is no TOML file: {error}; {toml_slip(text, error)}, or begin with one of `elastica new`"
         ) from error
     top, slips = Table(data, str(path), {}), Slips()
     with slips.gathering():

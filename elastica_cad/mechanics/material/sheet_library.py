@@ -8,7 +8,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, toml_slip
 from elastica_cad.mechanics.material.sheet_keys import (
     KEYS,
     NOMINAL_KEY,
@@ -136,13 +136,14 @@ def read_figures(path: str | Path) -> dict[str, dict[str, Any]]:
     if path.is_dir():
         raise InputError(f"{path} is a folder, not a file of sheets: name the TOML file inside it")
     try:
-        data = tomllib.loads(path.read_bytes().decode("utf-8-sig"))  # with a byte order mark or without
+        text = path.read_bytes().decode("utf-8-sig")  # with a byte order mark or without
+        data = tomllib.loads(text)
     except OSError as error:
         raise InputError(f"{path} cannot be read: {error.strerror or error}") from error
     except UnicodeDecodeError as error:
         raise InputError(f"{path} is not a TOML file, which are UTF-8: save it as text in UTF-8") from error
     except tomllib.TOMLDecodeError as error:
-        raise InputError(f"{path} is not a TOML file: {error}; mend that line") from error
+        raise InputError(f"{path} is not a TOML file: {error}; {toml_slip(text, error)}") from error
     for key in data:
         if key not in ("schema", "sheets"):
             raise InputError(f"{path}: unknown entry {key!r}; sheets are tables [sheets.NAME]")

@@ -1,5 +1,7 @@
 """`elastica coupon` as a user meets it: a strip to measure, a sheet from what was measured."""
 
+import shlex
+
 import pytest
 from click.testing import CliRunner
 
@@ -76,6 +78,17 @@ def test_what_is_typed_next_keeps_what_was_measured(tmp_path, monkeypatch):
     assert sheet.youngs_modulus == pytest.approx(12 * 610e-9 * 9.80665 * 420.0**3 / 0.95**2, rel=1e-3)
     listed = ec.Sheet.named("birch-plywood-0.8").with_thickness(0.95)  # thicker plywood bears less strain
     assert sheet.max_strain == listed.max_strain < ec.Sheet.named("birch-plywood-0.8").max_strain
+
+
+def test_a_name_with_spaces_is_told_as_it_is_typed(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    made = run(
+        "coupon", "--sheet", "birch-plywood-0.8", "--measured", 300, 38, "--name", "my ply", "-o", "o m"
+    )
+    (told,) = (line for line in made.output.splitlines() if line.startswith("every command takes it: "))
+    words = shlex.split(told.removeprefix("every command takes it: "))
+    assert words == ["--sheet", "o m/my ply.toml"]
+    assert run("sheets", words[1]).exit_code == 0
 
 
 def test_from_an_unknown_board_to_a_sheet_that_every_command_takes(tmp_path, monkeypatch):

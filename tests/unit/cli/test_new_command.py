@@ -30,6 +30,13 @@ def test_written_and_made(kind, tmp_path):
     assert list((tmp_path / f"{kind}-kit").glob("sheets/*nest*.dxf"))
 
 
+def test_the_command_that_comes_next_can_be_typed_as_told(tmp_path):
+    wrote = typed("new", "arch", "-o", "my lamp's files", cwd=tmp_path)
+    told = wrote.stdout.splitlines()[-1].removeprefix("next: ")
+    words = shlex.split(told)
+    assert words[-4:] == ["model", "my lamp's files/arch.toml", "-o", "my lamp's files/arch-kit"]
+
+
 def test_nothing_is_overwritten_unasked(tmp_path):
     assert typed("new", "arch", cwd=tmp_path).returncode == 0
     (tmp_path / "arch.toml").write_text("mine")

@@ -402,3 +402,16 @@ def test_handles_of_a_curve_that_is_not_there_are_refused(tmp_path):
     assert refused.returncode == 2
     assert "Traceback" not in refused.stderr
     assert refused.stderr.startswith(("Error: ", "Usage: "))
+
+
+def test_no_command_is_told_where_parts_would_share_a_file(tmp_path):
+    """Trials left the parts out, so a command was told that was refused as the one before."""
+    (tmp_path / "arch.csv").write_text("0,0\n60,62\n120,95\n180,105\n240,95\n300,62\n360,0\n")
+    strips = "".join(f'[[strips]]\ncurve = "arch.csv"\nlabel = "{label}"\n' for label in "Aa")
+    (tmp_path / "two.toml").write_text(f'schema = 1\nsheet = "birch-plywood-0.8"\nmax_width = 25\n{strips}')
+    refused = typed(["model", "two.toml", "-o", "kit", "--no-step", "--no-pictures"], tmp_path)
+    assert refused.returncode == 2
+    assert "choose labels that differ in more than capitals" in refused.stderr
+    for command in re.findall(r"This works: `.*? -m elastica_cad ([^`]*)`", refused.stderr):
+        made = typed(shlex.split(command), tmp_path)
+        assert made.returncode == 0, made.stderr

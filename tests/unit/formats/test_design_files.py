@@ -299,6 +299,9 @@ BAD = {
     HEAD + f"let.a = {'9' * 400}\n[[strips]]\n" + ARC: "let.a is a whole number of many digits: give",
     HEAD + "let.a = '10 ** 300'\n[[strips]]\n" + ARC: "let.a is 1e.300: give a finite number",
     "a = [": "is no TOML file",
+    HEAD + "min_width = 2,5\n": "write decimals with a point, 2.5",
+    HEAD + '[[strips]]\ncurve = "C:\\Users\\anna\\a.csv"\n': "write / in place of",
+    HEAD + "[let.höhe]\n": "put names with letters beyond a-z in quotes",
 }  # fmt: skip
 
 
