@@ -1,11 +1,10 @@
 """Printed blocks of a model that would stand in each other, or in the way of a strip."""
 
 from collections.abc import Sequence
-from itertools import combinations
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
+from elastica_cad._types import BoolArray, FloatArray
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab
 from elastica_cad.fabrication.holders.tab_seats import tab_key
@@ -16,8 +15,8 @@ from elastica_cad.fabrication.strip.tabs import ENDS
 TOUCHING_MM = 0.1
 """Blocks may reach so far into each other: a file takes it off."""
 
-STATIONS, ACROSS = 401, (-0.95, -0.5, 0.0, 0.5, 0.95)
-"""Along a strip and, in half widths, across it: the points that are looked for in blocks."""
+RULINGS, PITCH_MM = 401, 1.0
+"""Lines across a strip that are looked for in blocks: at least so many, and at most so far apart."""
 
 
 def crowded_blocks(blocks: Sequence[EndFixture], placed: Sequence[Placed]) -> tuple[str, ...]:
@@ -29,18 +28,17 @@ def crowded_blocks(blocks: Sequence[EndFixture], placed: Sequence[Placed]) -> tu
     ()
     """
     prisms = [[_Prism(solid) for solid in block.solid.added] for block in blocks]
+    bounds = np.array([_bounds(np.concatenate([one.corners for one in its])) for its in prisms])
+    bounds = bounds.reshape(-1, 2, 3)
     pairs = [
-        f"{first.tab.name} and {second.tab.name}"
-        for (first, its), (second, others) in combinations(zip(blocks, prisms, strict=True), 2)
-        if any(one.overlaps(other) for one in its for other in others)
+        f"{blocks[i].tab.name} and {blocks[j].tab.name}"
+        for i, j in np.argwhere(np.triu(_meet(bounds[:, None], bounds[None]), 1)).tolist()
+        if any(one.overlaps(other) for one in prisms[i] for other in prisms[j])
     ]
-    strips = [_surface(one) for one in placed]
-    tabs = [{tab_key(PlacedTab.of(one.strip, end, one.frame)) for end in ENDS} for one in placed]
     crossed = [
-        f"{name} would run through the printed block of {block.tab.name}"
-        for name, own, points in zip(strip_names(placed), tabs, strips, strict=True)
-        for block, its in zip(blocks, prisms, strict=True)
-        if tab_key(block.tab) not in own and any(part.hold(points) for part in its)
+        f"{name} would run through the printed block of {blocks[k].tab.name}"
+        for name, one in zip(strip_names(placed), placed, strict=True)
+        for k in _crossed(one, blocks, prisms, bounds)
     ]
     told = []
     if pairs:
@@ -61,13 +59,35 @@ def _more(found: Sequence[str], what: str) -> str:
     return f" (and {others} more {what}{'' if others == 1 else 's'})" if others else ""
 
 
-def _surface(placed: Placed) -> FloatArray:
-    """Points (n, 3) of the free part."""
+def _crossed(
+    placed: Placed, blocks: Sequence[EndFixture], prisms: Sequence[Sequence["_Prism"]], bounds: FloatArray
+) -> list[int]:
+    """The blocks that a strip runs through, but for those that hold it."""
+    low, high = _rulings(placed)
+    near = np.flatnonzero(_meet(_bounds(np.concatenate([low, high])), bounds)).tolist()
+    own = {tab_key(PlacedTab.of(placed.strip, end, placed.frame)) for end in ENDS} if near else set()
+    return [
+        k for k in near if tab_key(blocks[k].tab) not in own and any(one.cuts(low, high) for one in prisms[k])
+    ]
+
+
+def _bounds(points: FloatArray) -> FloatArray:
+    """Least and largest coordinates (2, 3) of points (n, 3)."""
+    return np.array([points.min(axis=0), points.max(axis=0)])
+
+
+def _meet(a: FloatArray, b: FloatArray) -> BoolArray:
+    """Do boxes (..., 2, 3) overlap?"""
+    return np.asarray(np.all((a[..., 0, :] <= b[..., 1, :]) & (a[..., 1, :] >= b[..., 0, :]), axis=-1))
+
+
+def _rulings(placed: Placed) -> tuple[FloatArray, FloatArray]:
+    """Both ends (n, 3) of lines across the free part."""
     rod, frame = placed.strip.rod, placed.frame
-    s = np.linspace(0.0, rod.length, STATIONS)
-    middle = np.column_stack([np.interp(s, rod.s, x) for x in rod.position.T])
-    half = placed.strip.width(s)[:, None] / 2 * np.array(ACROSS)
-    return np.asarray((frame.point(middle)[:, None] + half[..., None] * frame.z_axis).reshape(-1, 3))
+    s = np.linspace(0.0, rod.length, max(RULINGS, int(rod.length / PITCH_MM) + 2))
+    middle = frame.point(np.column_stack([np.interp(s, rod.s, x) for x in rod.position.T]))
+    across = placed.strip.width(s)[:, None] / 2 * frame.z_axis
+    return middle - across, middle + across
 
 
 class _Prism:
@@ -89,10 +109,18 @@ class _Prism:
         outward = np.concatenate([self.normals, -up[None]])
         self.outward: FloatArray = outward / np.linalg.norm(outward, axis=1)[:, None]
 
-    def hold(self, points: FloatArray) -> bool:
-        """Does any of the points (n, 3) lie inside, and not at the skin?"""
-        depth = ((self.faces - points[:, None]) * self.outward).sum(axis=2).min(axis=1)
-        return float(depth.max()) > TOUCHING_MM
+    def cuts(self, low: FloatArray, high: FloatArray) -> bool:
+        """Does any line between ends (n, 3) run through the inside, and not along the skin?"""
+        near = _meet(np.stack([np.minimum(low, high), np.maximum(low, high)], axis=1), _bounds(self.corners))
+        depth, end = (
+            ((self.faces - ends[near, None]) * self.outward).sum(axis=2) - TOUCHING_MM for ends in (low, high)
+        )
+        # a line is inside a face from where its depth there, linear along it, is above 0
+        with np.errstate(divide="ignore", invalid="ignore"):
+            at = depth / (depth - end)
+        enters = np.where(depth > 0, 0.0, np.where(end > 0, at, 2.0)).max(axis=1)
+        leaves = np.where(end > 0, 1.0, np.where(depth > 0, at, -1.0)).min(axis=1)
+        return bool(np.any(enters < leaves))
 
     def overlaps(self, other: "_Prism") -> bool:
         """Is there no plane between the two? It would be along a face of one, or along an edge of each."""

@@ -99,3 +99,20 @@ def test_halves_of_a_ring_run_through_each_others_blocks():
         inside = block.tab.frame.local(points)
         near = (np.abs(inside[:, 2]) < 2) & (inside[:, 0] > 0) & (inside[:, 0] < block.tab.length)
         assert np.ptp(inside[near, 0]) > 0.8 * block.tab.length
+
+
+def test_a_block_between_the_middle_and_the_edge_of_a_wide_strip():
+    """13 mm wide, it stands in a strip of 100 mm clear of its middle, of both edges and of half way to them."""
+    wide = make_strip(ARCH, "birch-plywood-0.8", max_width=100, label="W")
+    slim = make_strip(ARCH, "birch-plywood-0.8", max_width=5, label="B")
+    placed = [
+        Placed(wide, (0, 0, 0), (1, 0, 0), (0, 0, 1)),
+        Placed(slim, (60, 12.5, 62), (1, 0, 0), (0, 0, 1)),
+    ]
+    blocks = end_fixtures(placed[1:])
+    assert 12.5 - blocks[0].across / 2 > 5.0
+    assert 12.5 + blocks[0].across / 2 < 20.0
+    (told,) = crowded_blocks(blocks, placed)
+    assert told.startswith("W would run through the printed block of B:1: end them farther apart")
+    beside = Placed(slim, (60, 50.5 + blocks[0].across / 2, 62), (1, 0, 0), (0, 0, 1))
+    assert crowded_blocks(end_fixtures([beside]), [placed[0], beside]) == ()
