@@ -13,15 +13,15 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import (
     CUT_INNER,
     CUT_OUTER,
-    ENGRAVE,
     MARK,
     Drawing,
     LayeredPath,
 )
-from elastica_cad.fabrication.drawings.lettering import Text, text_width
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.sheets.pieces import Piece
-from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.slots.mating_marks import label_off_cuts, mating_marks
+from elastica_cad.fabrication.slots.slot import Slot, slot_rim
+from elastica_cad.fabrication.slots.text_room import Cuts
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_layers import Layer
 from elastica_cad.fabrication.strip.strip_record import Strip
@@ -35,9 +35,6 @@ if TYPE_CHECKING:
 
 PLACES = 400
 """Places along a strip where a joint is tried."""
-
-LABEL_MM = 6.0
-"""Height of a piece's name, where there is room."""
 
 SPLICED = "cut in"
 """How the sentence about a strip in pieces begins."""
@@ -79,10 +76,14 @@ class Splice:
         """The pieces by the name of the layer that they are cut of, the base first."""
         strip, layout = self.strip, self.strip.layout
         name, base = strip.label or "strip", strip.layers[0]
-        whole = [_Whole(name, replace(base, holes=self._holes), strip.width, layout.guides, self.joints)]
+        marks = [drawing.on(MARK) for drawing in strip.drawings()]
+        cut = replace(base, holes=self._holes)
+        whole = [_Whole(name, cut, strip.width, marks[0], self.joints, strip.slots)]
         if layout.backing is not None:
             glued = strip.layers[1]
-            whole.append(_Whole(f"{name}-backing", glued, layout.backing.width, (), self.backing_joints))
+            whole.append(
+                _Whole(f"{name}-backing", glued, layout.backing.width, marks[1], self.backing_joints)
+            )
         return {one.name: self._cut(one) for one in whole}
 
     @cached_property
@@ -163,39 +164,45 @@ class Splice:
 
     def _piece(self, whole: "_Whole", name: str, low: float, high: float, *, plate: bool = False) -> Piece:
         layer = whole.layer
-        paths = [LayeredPath(CUT_OUTER, clip_across(layer.outline, low, high))]
+        outline = clip_across(layer.outline, low, high)
+        marks: list[Path] = []
+        holes: list[Path] = []
+        slots: list[Slot] = []
         if not plate:
             edges = [at + side * self.lap / 2 for at in whole.joints for side in (-1, 1)]
             marks = [_tick(whole, x) for x in edges if low < x < high]
-            marks += [part for guide in whole.guides for part in trim_across(guide, low, high)]
+            marks += [part for mark in whole.marks for part in trim_across(mark, low, high)]
             holes = [hole for hole in layer.holes if low < float(hole.bounds.mean(axis=0)[0]) < high]
-            paths = [
-                *(LayeredPath(MARK, mark) for mark in marks),
-                *(LayeredPath(CUT_INNER, hole) for hole in holes),
-                *paths,
-            ]
-        return Piece(name, Drawing(name, tuple(paths), (self._label(whole, name, low, high),)), layer.sheet)
+            slots = [slot for slot in whole.slots if low < slot.at < high]
+        span = max(low, 0.0), min(high, self.strip.rod.length)
+        if isinstance(self.strip.style, Perforated) and not plate:
+            span = self._clear_of_holes(whole, low, high)
+        label = label_off_cuts(name, whole.width, Cuts(holes, marks, outline=outline), span)
+        ends = [_tick(whole, x) for x in (low, high) if 0.0 < x < self.strip.rod.length]
+        mates = mating_marks(slots, whole.width, holes, (*marks, *ends), (label,))
+        paths = (
+            *(LayeredPath(MARK, mark) for mark in marks),
+            *(LayeredPath(CUT_INNER, hole) for hole in holes),
+            LayeredPath(CUT_OUTER, outline),
+        )
+        return Piece(name, Drawing(name, paths, (label, *mates)), layer.sheet)
 
-    def _label(self, whole: "_Whole", name: str, low: float, high: float) -> Text:
-        if isinstance(self.strip.style, Perforated) and high - low > self.lap:  # no room between the holes
-            joint = next(at for at in whole.joints if at in (low, high))
-            low, high = sorted((joint, joint + (self.lap / 2 if joint == low else -self.lap / 2)))
-        middle = (max(low, 0.0) + min(high, self.strip.rod.length)) / 2
-        height = min(LABEL_MM, 0.3 * float(whole.width(middle)))
-        height *= min(1.0, 0.6 * (high - low) / text_width(name, height))
-        start = (middle - text_width(name, height) / 2, -height / 2)
-        return Text(start, name, height, 0.0, ENGRAVE)
+    def _clear_of_holes(self, whole: "_Whole", low: float, high: float) -> tuple[float, float]:
+        """The part of a perforated piece that comes to lie under a plate, where no hole is."""
+        joint = next(at for at in whole.joints if at in (low, high))
+        return (joint, joint + self.lap / 2) if joint == low else (joint - self.lap / 2, joint)
 
 
 @dataclass(frozen=True, eq=False)
 class _Whole:
-    """A layer before it is cut in pieces: its name, width, lines marked on it, and joints, mm along it."""
+    """A layer before it is cut in pieces: its name, width, lines marked on it, joints, mm along it, and slots."""
 
     name: str
     layer: Layer
     width: Profile
-    guides: tuple[Path, ...]
+    marks: tuple[Path, ...]
     joints: tuple[float, ...]
+    slots: tuple[Slot, ...] = ()
 
 
 def _tick(whole: _Whole, x: float) -> Path:
@@ -250,7 +257,7 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
     s = np.linspace(lap / 2, strip.rod.length - lap / 2, PLACES)
     clear = np.ones(PLACES, dtype=bool)
     for slot in strip.slots:
-        clear &= _keeps_off(slot, s, lap)
+        clear &= _keeps_off(slot, strip.width, s, lap)
     rod = strip.rod
     turned = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(rod.angle)))])
     turn = np.interp(s + lap / 2, rod.s, turned) - np.interp(s - lap / 2, rod.s, turned)
@@ -294,7 +301,9 @@ def joined_within(strip: Strip, shop: Shop) -> Strip:
 def _still_good(strip: Strip, plates: "LapPlates", stocks: Sequence[float]) -> bool:
     """Do the plates keep off the slots, and no piece pass the stock?"""
     joints = (plates.joints, plates.backing_joints)
-    if not all(_keeps_off(slot, at, plates.lap) for slot in strip.slots for one in joints for at in one):
+    if not all(
+        _keeps_off(slot, strip.width, at, plates.lap) for slot in strip.slots for one in joints for at in one
+    ):
         return False
     for layer, cuts, stock in zip(strip.layers, joints, stocks, strict=False):
         (first, _), (last, _) = layer.outline.bounds
@@ -303,9 +312,11 @@ def _still_good(strip: Strip, plates: "LapPlates", stocks: Sequence[float]) -> b
     return True
 
 
-def _keeps_off(slot: Slot, at: FloatArray | float, lap: float) -> Any:
-    """Does a plate at these places along the strip leave the slot free?"""
-    return np.abs(at - slot.at) > lap / 2 + slot.width
+def _keeps_off(slot: Slot, width: Profile, at: FloatArray | float, lap: float) -> Any:
+    """Does a plate at these places along the strip leave the slot free, and half its width beside it?"""
+    x = slot_rim(slot, width, beyond=slot.width)[:, 0]
+    middle, reach = (x.max() + x.min()) / 2, (x.max() - x.min()) / 2
+    return np.abs(at - middle) > lap / 2 + reach + slot.width / 2
 
 
 def _placed(

@@ -74,18 +74,20 @@ def end_numbers(
     return tuple(numbers)
 
 
-def label_off_cuts(label: str, width: Profile, cuts: Cuts) -> Text:
+def label_off_cuts(label: str, width: Profile, cuts: Cuts, span: tuple[float, float] | None = None) -> Text:
     """The label of a strip, along its middle line: as near to the middle as it lies on the strip and off all cuts.
 
-    Smaller where it must be; in the middle where there is no such place.
+    Smaller where it must be; in the middle where there is no such place. `span` is where it may stand, mm along the
+    strip; the whole free part unless given.
     """
-    length = width.length
+    low, high = span or (0.0, width.length)
+    length = high - low
     step = max(LABEL_STEP_MM, length / 2 / LABEL_STEPS)
     steps = step * np.arange(1, max(int(length / 2 / step), 1))
     ways = [0.0, *(float(v) for off in steps for v in (off, -off))]
 
     def text(off: float, share: float) -> Text:
-        x = length / 2 + off
+        x = low + length / 2 + off
         across = share * min(float(width(x)), LABEL_MM / LABEL_SHARE)
         return fit_label(label, (x, 0.0), angle=0.0, room=share * length, across=across)
 

@@ -29,6 +29,9 @@ SHOULDER_SLOPE = 0.62
 STEP_SHARE = 0.76
 """Slope of the idle corners beside a step of the width, over that beside a cut: fitted in the same way."""
 
+END_MM = 1e-6
+"""Material is measured this far inside the free part: across a bare end itself there is none."""
+
 PLATE_END, PLATE_CUT = 0.25, 0.82
 """Thicknesses of a glued plate that carry nothing at each of its ends, and over the joint, where the strip is cut
 half through. The first is fitted to the strips of `docs/finite_elements.md`; the second is that of an edge crack in
@@ -137,9 +140,10 @@ class LapPlates:
         Over a plate the strip is a sheet thicker and as stiff as that, but for its ends and over the joint itself.
         """
         base, *more = layers
-        wide, cut = layout.width(s), base.material(s)
-        left = np.minimum(replace(base, holes=self.clear_holes(base.holes)).material(s), wide)
-        glued = [(layer.sheet, np.minimum(layer.material(s), cut)) for layer in more]
+        at = np.clip(s, END_MM, layout.width.length - END_MM)
+        wide, cut = layout.width(at), base.material(at)
+        left = np.minimum(replace(base, holes=self.clear_holes(base.holes)).material(at), wide)
+        glued = [(layer.sheet, np.minimum(layer.material(at), cut)) for layer in more]
         designed = stack_stiffness([(base.sheet, cut), *glued])
         compliance = np.zeros(s.size)
         on_base = self._covered(s, self.joints, base.sheet.thickness)

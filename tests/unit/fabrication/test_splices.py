@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+import shapely
 from click.testing import CliRunner
 from scipy.integrate import solve_ivp
 from scipy.optimize import root
@@ -14,6 +15,7 @@ import elastica_cad as ec
 from elastica_cad.cli.commands import elastica
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, MARK
+from elastica_cad.fabrication.drawings.lettering import text_strokes
 from elastica_cad.fabrication.makeability.splices import Splice, joined_within, splice, spliced
 from elastica_cad.fabrication.strip.made_stiffness import PLATE_CUT, PLATE_END, LapPlates
 from elastica_cad.geometry.paths.clip import clip_across
@@ -241,9 +243,8 @@ def test_marks_of_the_backing_go_on_across_the_pieces():
     joined = splice(strip, 2200.0, 30.0)
     whole = sum(path.length for path in strip.drawing().on(MARK))
     plates = sum(0.8 * strip.width(at + side * 15.0) for at in joined.joints for side in (-1, 1))
-    ends = sum(0.6 * strip.width(x) for x in (0.0, strip.rod.length))  # ticks where the tabs begin
     cut = sum(path.length for piece in joined.layer_pieces["A"] for path in piece.drawing.on(MARK))
-    assert cut == pytest.approx(whole - ends + plates)
+    assert cut == pytest.approx(whole + plates)
 
 
 def test_tapered_strips_are_refused_with_the_reason():
@@ -327,3 +328,62 @@ def test_clips_of_simple_paths():
     assert clip_across(plate, 15, np.inf).area == pytest.approx(250)
     assert clip_across(plate, -5, 50).area == pytest.approx(400)
     assert clip_across(Path.circle((0, 0), 5), 0, 10).area == pytest.approx(np.pi * 12.5)
+
+
+def polygon(path):
+    return shapely.Polygon(path.points(1e-3))
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_pieces_of_slotted_strips_have_all_that_the_strip_has(seed):
+    """Against shapely: leaning slots stay clear of plates, names of pieces and mates stand on what is left."""
+    rng = np.random.default_rng(seed)
+    slots = tuple(
+        ec.Slot(
+            x,
+            4.0,
+            24.0,
+            lean=float(rng.uniform(-1.2, 1.2)),
+            side=str(rng.choice(["upper", "lower"])),
+            mate="gjpq",
+        )
+        for x in np.arange(150.0, 1000.0, 140.0) + rng.uniform(-15, 15, 7)
+    )
+    rod = ec.Rod.straight(1100.0, rng.uniform(1.0, 1.6, 4))
+    strip = ec.Strip(rod, PLY, max_width=60.0, slots=slots, label="pergola-north-west")
+    joined = splice(strip, 520.0, 30.0)
+    pieces = joined.pieces[:-2]
+    drawings = [piece.drawing for piece in joined.pieces]
+    loops = [polygon(drawing.on(CUT_OUTER)[0]) for drawing in drawings]
+    bare = polygon(replace(strip, slots=()).outline)
+    for at, plate in zip(joined.joints, loops[len(pieces) :], strict=True):
+        covered = bare.intersection(shapely.box(at - 15, -99, at + 15, 99))
+        assert plate.symmetric_difference(covered).area < 0.2
+    for drawing, loop in zip(drawings, loops, strict=True):
+        for text in drawing.texts:
+            strokes = shapely.MultiLineString([stroke.points(0.05) for stroke in text_strokes(text)])
+            assert loop.contains(strokes), text
+    assert sum(text.text == "gjpq" for drawing in drawings for text in drawing.texts) == len(slots)
+    assert sum(loop.area for loop in loops[: len(pieces)]) == pytest.approx(
+        polygon(strip.outline).area, rel=1e-5
+    )
+
+
+def test_plates_of_perforated_strips_are_named_whatever_their_ends_round_to():
+    rod = ec.Rod.straight(1000.0, [1, 2, 1])
+    strip = ec.Strip(rod, PLY, style=ec.Perforated(width=60.0), label="A")
+    for lap in np.random.default_rng(1).uniform(60.0, 80.0, 20).tolist():
+        assert {text.text for piece in splice(strip, 560.0, lap).pieces for text in piece.drawing.texts} == {
+            "A-1",
+            "A-2",
+            "A-lap-1",
+        }
+
+
+def test_plates_of_a_strip_without_tabs_move_it_as_much():
+    """Across a bare end there is no material to measure: the deviation had been no number."""
+    rod = ec.optimal_rod(ARCH)
+    held, bare = (ec.Strip(rod, PLY, max_width=120.0, ends=(tab, tab)) for tab in (ec.Tab(10.0), ec.Tab(0.0)))
+    plates = LapPlates((1500.0,), 80.0)
+    moved = [Splice(strip, plates.joints, plates.lap).deviation for strip in (held, bare)]
+    assert moved[1] == pytest.approx(moved[0], rel=1e-6)
