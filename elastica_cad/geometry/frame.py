@@ -106,10 +106,6 @@ class Frame:
         axes = (home.axes @ axis for axis in (self.x_axis, self.y_axis))
         return Frame(home.local(self.origin), *axes).within(now)
 
-    def quarter_turned(self) -> "Frame":
-        """The same plane with its x axis where y was."""
-        return Frame.of_sound(self.origin, self.y_axis, -self.x_axis)
-
     def shifted(self, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> "Frame":
         """The frame with its origin moved along its own axes, mm."""
         origin = self.point((x, y, z))

@@ -148,10 +148,10 @@ def make_wire(path: Path, frame: Frame | None = None) -> Shape:
 
 
 def make_face(outline: Path, holes: Sequence[Path] = (), frame: Frame | None = None) -> Shape:
-    """A plane TopoDS_Face with holes; its normal is the frame's z axis, and its v runs along x: `trace_turn`."""
+    """A plane TopoDS_Face with holes; its normal is the frame's z axis."""
     k, frame = kernel(), frame or Frame()
     builder, face = k.BRep_Builder(), k.TopoDS_Face()
-    builder.MakeFace(face, _surface(PlaneSurface(frame.quarter_turned())), CONFUSION)
+    builder.MakeFace(face, _surface(PlaneSurface(frame)), CONFUSION)
     builder.Add(face, make_wire(outline if outline.area > 0 else outline.reversed(), frame))
     for hole in holes:
         builder.Add(face, make_wire(hole.reversed() if hole.area > 0 else hole, frame))

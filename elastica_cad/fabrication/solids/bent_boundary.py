@@ -95,7 +95,7 @@ class BoundaryMaker:
         up = self.heights[level]
         surface: Surface
         if isinstance(shape, Frame):
-            surface = PlaneSurface(shape.shifted(z=up).quarter_turned())
+            surface = PlaneSurface(shape.shifted(z=up))
         else:
             low, high = np.array([_across(piece.segment) for loop in region.loops for piece in loop]).T
             surface = shape.surface(float(low.min()), float(high.max()), up)

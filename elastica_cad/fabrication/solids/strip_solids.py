@@ -34,7 +34,7 @@ JOINT_GAP_MM = 0.01
 """Between the ends of a closed strip: far above the tolerance of kernels, far below what a saw takes."""
 
 MOST_SPANS = 8
-"""Of a spline that is extruded: OpenCASCADE measures its wall by one rule, off by tenths from some 20 spans on."""
+"""Of a spline that is extruded: OpenCASCADE measures its wall by one rule, percents off from some 20 spans on."""
 
 BESIDE_MM = 20.0  # between the flat and the bent strip of a file
 
