@@ -28,6 +28,9 @@ _UNIT = "|".join(MILLIMETRES)
 _HEAD = re.compile(rf"([xyz])(?:[\s_]*[\[(]\s*({_UNIT})\s*[\])]|[\s_]+({_UNIT}))?", re.IGNORECASE)
 """A cell of a heading: a coordinate, and its unit."""
 
+_MINUS = "\u2212"
+"""The minus of typesetters, which spreadsheets in Nordic languages write."""
+
 _DIGITS = 20_000  # numbers whose digits are looked at
 
 
@@ -111,7 +114,7 @@ def _text(path: Path) -> str:
     data = path.read_bytes()
     encoding = "utf-16" if data[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig"
     try:
-        return data.decode(encoding)
+        return data.decode(encoding).replace(_MINUS, "-")
     except UnicodeDecodeError as error:
         raise InputError("is not a text file: save the points as plain text") from error
 
@@ -202,7 +205,9 @@ def _numbers(cells: list[str], row: int, most: int) -> FloatArray:
         )
     for cell in cells:
         if not _is_number(cell):
-            raise InputError(f"row {row} has {cell!r} where a number is needed")
+            raise InputError(
+                f"row {row} has {cell!r} where a number is needed: write digits alone, 12.5, or # before a remark"
+            )
     values = np.array([float(cell) for cell in cells])
     if not np.all(np.isfinite(values)):
         raise InputError(f"row {row} is not finite ({', '.join(cells)}): leave it out or mend it")

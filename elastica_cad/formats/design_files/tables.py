@@ -21,6 +21,9 @@ LONGEST_TOLD = 800
 LONGEST_KEY = 60
 """Letters of an unknown key that are told."""
 
+OTHER_WORDS = {"file": "curve", "path": "curve", "material": "sheet"}
+"""For keys: what others call them, by no letters that are alike."""
+
 _AXES = {2: "[x, y]", 3: "[x, y, z]"}
 _COUNTS = {None: "", 2: "two ", 4: "four "}
 
@@ -111,7 +114,8 @@ class Table:
         slips = Slips()
         for key in self.data:
             if key not in keys:
-                near = get_close_matches(key.lower(), keys, n=1, cutoff=0.5)
+                meant = OTHER_WORDS.get(key.lower())
+                near = [meant] if meant in keys else get_close_matches(key.lower(), keys, n=1, cutoff=0.5)
                 hint = f"did you mean {near[0]}?" if near else f"known keys are {', '.join(sorted(keys))}"
                 slips.add(f"{self.where}: unknown key {key[:LONGEST_KEY]!r}; {hint}")
         slips.tell()

@@ -271,6 +271,7 @@ BAD = {
     "schema = 1\nstrips = 3": "strips must be a list of tables",
     "schema = 1": "has no strips",
     "schema = 1\n[[strips]]\ncolour = 1": r"strips\[1\]: unknown key 'colour'",
+    "schema = 1\n[[strips]]\nfile = 'a.dxf'": r"strips\[1\]: unknown key 'file'; did you mean curve",
     "schema = 1\n[[strips]]\ncurve = 'x.dxf'": r"\(S1\): sheet is missing",
     HEAD + "[[strips]]": r"strips\[1\] \(S1\): curve is missing",
     HEAD + "[[strips]]\nlabel = 'A7'\ncurve = 'none.dxf'": r"\(A7\): curve: there is no file .*none\.dxf",

@@ -42,6 +42,11 @@ def test_points_are_read_in_any_common_dress(csv, text):
     assert max(np.hypot(*(dense - p).T).min() for p in ARC) < 0.03
 
 
+def test_the_minus_of_spreadsheets_in_nordic_languages(csv):
+    (curve,) = csv("0;0\n50;\u221220,5\n100;0\n150;30\n200;0\n")
+    assert np.hypot(*(curve.sample(4001).position - (50, -20.5)).T).min() < 0.05
+
+
 def test_blank_rows_part_curves_and_points_in_line_are_straight(csv):
     fitted, straight = csv(rows() + "\n\n0,0\n10,10\n30,30\n30,30\n")
     assert fitted.length == pytest.approx(150.0, abs=0.05)
@@ -65,7 +70,7 @@ def test_corners_are_kept(csv):
 @pytest.mark.parametrize(("text", "words"), [
     ("1,2\n3,nan\n5,6\n", r"row 2 is not finite \(3, nan\)"),
     ("1,2\ninf,4\n", "row 2 is not finite"),
-    ("x,y\n1,2\n3,four\n", "row 3 has 'four' where a number is needed"),
+    ("x,y\n1,2\n3,four\n", "row 3 has 'four' where a number is needed: write digits"),
     ("1,2\n\n# note\n3\n", "row 4 has 1 columns"),
     ("1,2,3,4\n", "row 1 has 4 columns"),
     ("1,2,0\n3,4,1\n", "the third column runs over 1"),
