@@ -2,12 +2,14 @@
 
 from importlib import import_module
 
-from elastica_cad.errors import how_to_install
+from elastica_cad.kernel.occt import library_trouble
 
 try:
     import_module("build123d")
 except ImportError as error:
-    raise ImportError(f"elastica_cad.build123d needs build123d: {how_to_install('build123d')}") from error
+    raise ImportError(
+        f"elastica_cad.build123d needs build123d: {library_trouble('build123d', error)}"
+    ) from error
 
 from elastica_cad.build123d.elastica_line import Elastica
 from elastica_cad.build123d.model_compound import model_compound

@@ -2,12 +2,14 @@
 
 from importlib import import_module
 
-from elastica_cad.errors import how_to_install
+from elastica_cad.kernel.occt import library_trouble
 
 try:
     import_module("cadquery")
 except ImportError as error:
-    raise ImportError(f"elastica_cad.cadquery needs CadQuery: {how_to_install('cadquery')}") from error
+    raise ImportError(
+        f"elastica_cad.cadquery needs CadQuery: {library_trouble('cadquery', error)}"
+    ) from error
 
 from elastica_cad.cadquery.curves_and_sections import elastica, section_strips
 from elastica_cad.cadquery.model_assembly import model_assembly

@@ -102,6 +102,13 @@ def kernel_trouble() -> str:
     return ""
 
 
+def library_trouble(library: str, error: ImportError) -> str:
+    """What to do where a library above OpenCASCADE is not imported: install it, or mend what it stands on."""
+    if error.name == library:
+        return how_to_install(library)
+    return kernel_trouble() or f"it cannot be loaded ({error}); install what that names"
+
+
 def _unsound(error: Exception) -> MissingDependencyError:
     """OCP that is there and cannot be used: two releases in one place, or a library of the system missing."""
     reason = f"OpenCASCADE (OCP) is installed but cannot be loaded ({error})"

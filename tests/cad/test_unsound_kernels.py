@@ -72,3 +72,19 @@ def test_a_library_of_the_system_that_is_missing(folder):
     assert read.returncode == 2
     assert "Traceback" not in read.stderr
     assert "libGL.so.1" in read.stderr
+
+
+@pytest.mark.parametrize("library", ["build123d", "cadquery"])
+def test_a_library_that_stands_on_it(library, folder):
+    """It had been asked for again: "needs build123d: pip install build123d"."""
+    (folder / "site" / "OCP" / "__init__.py").write_text('raise ImportError("libGL.so.1: cannot open")\n')
+    (folder / "site" / f"{library}.py").write_text("import OCP\n")  # whichever of the two is installed
+    way = os.pathsep.join((str(folder / "site"), os.environ.get("PYTHONPATH", "")))
+    told = subprocess.run(
+        [sys.executable, "-c", f"import elastica_cad.{library}"],
+        cwd=folder, env={**os.environ, "PYTHONPATH": way}, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    last = told.stderr.strip().splitlines()[-1]
+    assert last.startswith(f"ImportError: elastica_cad.{library} needs ")
+    assert "cannot be loaded (libGL.so.1: cannot open): install what it names" in last
+    assert "pip install" not in last
