@@ -272,10 +272,8 @@ def _spline(entity: Any) -> Edge:
     if not len(entity.control_points):
         if len(entity.fit_points) < 2:
             raise InputError("a SPLINE has neither control points nor fit points: draw it anew")
-        if entity.closed and len(entity.fit_points) > 2:
-            return _ring(np.array([tuple(p) for p in entity.fit_points], dtype=float))
-        tool = entity.construction_tool()
-        return Edge(np.array(tool.knots()), np.array([tuple(p) for p in tool.control_points]), tool.degree)
+        places = np.array([tuple(p) for p in entity.fit_points], dtype=float)
+        return _ring(places) if entity.closed and len(places) > 2 else _fitted(entity, places)
     points = np.array([tuple(p) for p in entity.control_points], dtype=float)
     weights = np.array(entity.weights, dtype=float) if len(entity.weights) else None
     knots = np.array(entity.knots, dtype=float)
@@ -286,16 +284,33 @@ def _spline(entity: Any) -> Edge:
     return Edge(knots, points, entity.dxf.degree, weights)
 
 
+def _fitted(entity: Any, points: FloatArray) -> Edge:
+    """The cubic through points (n, 3) along the tangents that are given; an end without one has no curvature."""
+    ends: list[list[tuple[int, Any]]] = []
+    for name in ("start_tangent", "end_tangent"):
+        along = np.array(tuple(entity.dxf.get(name) or (0.0, 0.0, 0.0)), dtype=float)
+        length = float(np.linalg.norm(along))
+        ends.append([(1, along / length)] if length > 0 else [(2, np.zeros(3))])
+    return _through(points, ends)
+
+
 def _ring(points: FloatArray) -> Edge:
-    """The cubic through points (n, 3) that closes as smoothly as it passes them; its parameter is the chord."""
+    """The cubic through points (n, 3) that closes as smoothly as it passes them."""
+    around = points if np.array_equal(points[0], points[-1]) else np.vstack([points, points[:1]])
+    return _through(around, "periodic")
+
+
+def _through(points: FloatArray, ends: Any) -> Edge:
+    """The cubic through points whose parameter is the chord; `ends` as scipy's `bc_type`."""
     from scipy.interpolate import make_interp_spline
 
-    around = points if np.array_equal(points[0], points[-1]) else np.vstack([points, points[:1]])
-    chords = np.linalg.norm(np.diff(around, axis=0), axis=1)
-    around, chords = around[np.append(True, chords > 0)], chords[chords > 0]
-    if len(chords) < 3:
-        raise InputError("a closed SPLINE has fewer than three fit points: draw it anew")
-    spline = make_interp_spline(np.append(0.0, np.cumsum(chords)), around, k=3, bc_type="periodic")
+    chords = np.linalg.norm(np.diff(points, axis=0), axis=1)
+    apart = chords > 0
+    chords_needed, places = (3, "three") if isinstance(ends, str) else (1, "two")
+    if np.count_nonzero(apart) < chords_needed:
+        raise InputError(f"a SPLINE has fewer than {places} fit points that differ: draw it anew")
+    at = np.append(0.0, np.cumsum(chords[apart]))
+    spline = make_interp_spline(at, points[np.append(True, apart)], k=3, bc_type=ends)
     return Edge(spline.t, spline.c, 3)
 
 

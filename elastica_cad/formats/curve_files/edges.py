@@ -73,18 +73,22 @@ class Edge:
         if knots.shape != (count + self.degree + 1,) or np.any(np.diff(knots) < 0):
             raise InputError(
                 f"a spline of degree {self.degree} with {count} control points has {knots.size} knots; "
-                f"it needs {count + self.degree + 1}, never decreasing"
+                f"it needs {count + self.degree + 1}, never decreasing: export it anew, or draw it anew"
             )
         if not knots[self.degree] < knots[count]:
             raise InputError(
-                f"all knots of a spline are {knots[count]:g}; its parameter must run over an interval"
+                f"all knots of a spline are {knots[count]:g}; its parameter must run over an interval: "
+                "draw it anew"
             )
         object.__setattr__(self, "knots", knots)
         object.__setattr__(self, "points", points)
         if self.weights is not None:
             weights = np.array(self.weights, dtype=float)
             if weights.shape != (count,) or not np.all(np.isfinite(weights)) or not np.all(weights > 0):
-                raise InputError(f"a rational spline needs {count} weights, all positive and finite")
+                raise InputError(
+                    f"a spline of {count} control points needs {count} weights, all positive and finite, or none: "
+                    "export it anew, or draw it anew"
+                )
             same = np.ptp(weights) <= 1e-14 * weights[0]
             object.__setattr__(self, "weights", None if same else weights)
 

@@ -2655,11 +2655,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>a spline of degree %1 with %2 control points has %3 knots; it needs %4, never decreasing</source>
+        <source>a spline of degree %1 with %2 control points has %3 knots; it needs %4, never decreasing: export it anew, or draw it anew</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>all knots of a spline are %1; its parameter must run over an interval</source>
+        <source>all knots of a spline are %1; its parameter must run over an interval: draw it anew</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -2667,12 +2667,12 @@
         <translation>ein Spline vom Grad %1 hat %2 Kontrollpunkte; er braucht %3: ihn neu zeichnen</translation>
     </message>
     <message>
-        <source>a spline of degree %1 with %2 control points has %3 knots; it needs %4, never decreasing</source>
-        <translation>ein Spline vom Grad %1 mit %2 Kontrollpunkten hat %3 Knoten; er braucht %4, nie fallend</translation>
+        <source>a spline of degree %1 with %2 control points has %3 knots; it needs %4, never decreasing: export it anew, or draw it anew</source>
+        <translation>ein Spline vom Grad %1 mit %2 Kontrollpunkten hat %3 Knoten; er braucht %4, nie fallend: neu exportieren oder neu zeichnen</translation>
     </message>
     <message>
-        <source>all knots of a spline are %1; its parameter must run over an interval</source>
-        <translation>alle Knoten eines Splines sind %1; sein Parameter muss ein Intervall durchlaufen</translation>
+        <source>all knots of a spline are %1; its parameter must run over an interval: draw it anew</source>
+        <translation>alle Knoten eines Splines sind %1; sein Parameter muss ein Intervall durchlaufen: ihn neu zeichnen</translation>
     </message>
     <message>
         <source>%1 is a folder: give the name of a file in it</source>

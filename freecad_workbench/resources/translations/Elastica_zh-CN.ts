@@ -2667,12 +2667,12 @@
         <translation>%1 次样条有 %2 个控制点；需要 %3 个：请重画</translation>
     </message>
     <message>
-        <source>a spline of degree %1 with %2 control points has %3 knots; it needs %4, never decreasing</source>
-        <translation>有 %2 个控制点的 %1 次样条有 %3 个节点；需要 %4 个，且不递减</translation>
+        <source>a spline of degree %1 with %2 control points has %3 knots; it needs %4, never decreasing: export it anew, or draw it anew</source>
+        <translation>有 %2 个控制点的 %1 次样条有 %3 个节点；需要 %4 个，且不递减：请重新导出或重画</translation>
     </message>
     <message>
-        <source>all knots of a spline are %1; its parameter must run over an interval</source>
-        <translation>样条的所有节点均为 %1；其参数须跨越一个区间</translation>
+        <source>all knots of a spline are %1; its parameter must run over an interval: draw it anew</source>
+        <translation>样条的所有节点均为 %1；其参数须跨越一个区间：请重画</translation>
     </message>
     <message>
         <source>%1 is a folder: give the name of a file in it</source>

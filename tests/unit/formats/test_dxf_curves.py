@@ -3,6 +3,7 @@ import sys
 import ezdxf
 import numpy as np
 import pytest
+from scipy.interpolate import CubicSpline
 
 from elastica_cad.errors import InputError, MissingDependencyError
 from elastica_cad.files import read_curves
@@ -467,3 +468,72 @@ def test_a_closed_spline_of_fit_points_closes_smoothly(drawing, again):
     ends = curve.sample(2)
     assert ends.curvature[0] == pytest.approx(ends.curvature[-1])
     assert np.cos(ends.angle[0]) == pytest.approx(np.cos(ends.angle[-1]))
+
+
+@pytest.mark.parametrize("given", ["", "start", "end", "start end"])
+def test_a_spline_of_fit_points_keeps_each_tangent_that_is_given(drawing, given):
+    """One tangent alone was dropped; both or none are as ezdxf has them, which follows BricsCAD."""
+    along = {"start": (0.0, 3.0, 0.0), "end": (0.2, -1.0, 0.0)}
+    tools = []
+
+    def draw(space, _):
+        spline = space.add_spline([(*p, 0) for p in S_POINTS])
+        for name in given.split():
+            spline.dxf.set(f"{name}_tangent", along[name])
+        tools.append(spline.construction_tool())
+
+    (curve,) = drawing(draw)
+    for name, station in (("start", 0.0), ("end", curve.length)):
+        there = curve.at(np.array([station]))
+        if name in given:
+            angle = np.arctan2(along[name][1], along[name][0])
+            assert there.angle[0] == pytest.approx(angle, abs=1e-9)
+        else:
+            assert there.curvature[0] == pytest.approx(0, abs=1e-9)
+    chords = np.append(0, np.cumsum(np.hypot(*np.diff(S_POINTS, axis=0).T)))
+    ends = [(1, np.divide(v, np.hypot(*v[:2]))[:2]) if k in given else (2, (0, 0)) for k, v in along.items()]
+    oracle = CubicSpline(chords, S_POINTS, bc_type=ends)(np.linspace(0, chords[-1], 50))
+    for points in [oracle, *([tools[0].points(np.linspace(0, 1, 50))] if given in ("", "start end") else [])]:
+        assert spaced_like(curve, points)
+
+
+def spaced_like(curve, points):
+    """Does the curve pass all these points (n, 2 or more), mm?"""
+    dense = spaced(curve, 40001)
+    return all(np.hypot(*(dense - tuple(p)[:2]).T).min() < curve.length / 40000 for p in points)
+
+
+@pytest.mark.parametrize(("points", "words"), [
+    ([(5, 5), (5, 5)], "fewer than two fit points that differ: draw it anew"),
+    ([(5, 5), (9, 5), (5, 5)], "fewer than three fit points that differ: draw it anew"),
+])  # fmt: skip
+def test_fit_points_that_do_not_differ_are_told(drawing, points, words):
+    def draw(space, _):
+        space.add_spline([(*p, 0) for p in points]).closed = len(points) > 2
+
+    with pytest.raises(InputError, match=words):
+        drawing(draw)
+
+
+def test_a_fit_point_drawn_twice_counts_once(drawing):
+    """ezdxf divides by the distance of two."""
+    once, twice = (
+        drawing(lambda space, _, k=k: space.add_spline(np.repeat(S_POINTS, k, axis=0)))[0] for k in (1, 2)
+    )
+    assert np.array_equal(once.control_points, twice.control_points)
+
+
+@pytest.mark.parametrize(("knots", "weights", "words"), [
+    (np.linspace(0, 1, 8), (), r"5 control points has 8 knots; it needs 9, never decreasing: export it anew"),
+    (np.zeros(9), (), r"must run over an interval: draw it anew"),
+    (np.linspace(0, 1, 9), (1, 1), r"needs 5 weights, all positive and finite, or none: export it anew"),
+])  # fmt: skip
+def test_numbers_of_a_spline_that_do_not_fit_are_told_with_what_to_do(drawing, knots, weights, words):
+    def draw(space, _):
+        spline = space.add_spline()
+        spline.dxf.degree = 3
+        spline.control_points = [(*p, 0) for p in S_POINTS]
+        spline.knots, spline.weights = knots, weights
+
+    with pytest.raises(InputError, match=words):
+        drawing(draw)
