@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from elastica_cad.forming.plane_sections.section_spec import Surface
 
 KERNEL_SUFFIXES = (".step", ".stp", ".brep")
-CURVE_SUFFIXES = (".dxf", ".svg", ".csv", ".txt", ".json", *KERNEL_SUFFIXES)
+CURVE_SUFFIXES = (".dxf", ".svg", ".svgz", ".csv", ".txt", ".json", *KERNEL_SUFFIXES)
 
 
 def read_curves(
@@ -39,7 +39,7 @@ def read_curves(
     Parameters
     ----------
     path : str or Path
-        .dxf; .svg (y turned up); .csv: measured points x, y; .txt: "degree count", then control points of a
+        .dxf; .svg, .svgz (y turned up); .csv: measured points x, y; .txt: "degree count", then control points of a
         uniform unclamped spline; .json: as written by this program; .step, .stp, .brep: with build123d or
         CadQuery.
     tolerance : float
@@ -92,7 +92,7 @@ def read_drawing(
             from elastica_cad.formats.curve_files.dxf_curves import read_dxf_drawing
 
             return read_dxf_drawing(file, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit)
-        if suffix == ".svg":
+        if suffix in (".svg", ".svgz"):
             from elastica_cad.formats.svg_files.svg_curves import read_svg_drawing
 
             return read_svg_drawing(file, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit)

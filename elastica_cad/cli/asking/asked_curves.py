@@ -64,7 +64,7 @@ def _standard_input(ctx: click.Context) -> Path:
 def _kind(data: bytes) -> str:
     """The suffix of files that begin like this."""
     head = data[:4096].lstrip(b"\xef\xbb\xbf \t\r\n")
-    if head.startswith(b"<"):
+    if head.startswith((b"<", b"\x1f\x8b")):
         return ".svg"
     if head.startswith((b"{", b"[")):
         return ".json"

@@ -136,7 +136,8 @@ class DrawnFile:
         """The curves of that number or id, and on that layer; all where neither is given."""
         found = [one for one in self.curves if layer is None or one.layer == layer]
         if which is not None:
-            named = [one for one in found if which and one.name in (which, *_with_kind(which, one.name))]
+            named = [one for one in found if which and one.name == which]
+            named = named or [one for one in found if which and which in _parts(one.name)]
             found = named or [one for one in found if str(one.number) == which.strip()]
         return tuple(found)
 
@@ -255,10 +256,10 @@ def _known(curves: Sequence[DrawnCurve]) -> str:
     return f"they are {first}" + (" ..." if len(curves) > _SHOWN else "")
 
 
-def _with_kind(which: str, name: str) -> tuple[str, ...]:
-    """Handles of a DXF are named with the kind of entity before them: "SPLINE 2F" is found by "2F"."""
+def _parts(name: str) -> tuple[str, ...]:
+    """What a curve may be called by: "2F" of the DXF's "SPLINE 2F", both ids of the clone "use1/path3"."""
     kind, _, handle = name.rpartition(" ")
-    return (name,) if kind and handle == which else ()
+    return (handle,) if kind else tuple(name.split("/"))
 
 
 def list_things(counted: Mapping[str, int]) -> str:

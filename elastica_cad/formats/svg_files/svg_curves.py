@@ -19,7 +19,7 @@ from elastica_cad.formats.curve_files.number_gate import MOST_EDGES, NUMBER, che
 from elastica_cad.formats.file_access.source_file import MILLIMETRES, look_up_unit
 from elastica_cad.formats.svg_files.path_data import PathData, bezier_edge, path_data
 from elastica_cad.formats.svg_files.svg_lengths import LENGTH, MM
-from elastica_cad.formats.svg_files.svg_tree import MARK, SvgTree, svg_tree
+from elastica_cad.formats.svg_files.svg_tree import CLONE, MARK, SvgTree, open_svg, svg_tree
 from elastica_cad.geometry.pen_curves.provenance import Provenance
 
 _PX, _PT = MILLIMETRES["px"], MILLIMETRES["pt"]
@@ -88,7 +88,7 @@ def _program(file: Path, root: ElementTree.Element) -> tuple[str, float]:
 
     Illustrator and Affinity do without a size in mm or the like, Inkscape before 0.92 without that or a viewBox.
     """
-    with file.open("rb") as opened:
+    with open_svg(file) as opened:
         top = opened.read(_TOP)
     sized = _SIZED.search(top)
     if _ILLUSTRATOR in top and not sized:
@@ -145,6 +145,8 @@ def _runs(path: Path, tree: SvgTree, to_mm: FloatArray) -> Iterator[Run]:
                 np.array([m.e, m.f], dtype=float),
             )
             mark = int(shape.values[MARK])
+            if shape.values.get("visibility") in ("hidden", "collapse"):
+                continue
             drawn.add(mark)
             if mark in bad:
                 continue
@@ -161,7 +163,9 @@ def _runs(path: Path, tree: SvgTree, to_mm: FloatArray) -> Iterator[Run]:
             except InputError as error:
                 bad[mark] = error
                 continue
-            record = Source(source.name, source.layer, rounding * float(np.linalg.norm(to_mm @ matrix, 2)))
+            clone = next((value for name, value in shape.values.items() if name.startswith(CLONE)), "")
+            name = "/".join(part for part in (clone, source.name) if part)
+            record = Source(name, source.layer, rounding * float(np.linalg.norm(to_mm @ matrix, 2)))
             for run in runs:
                 count = check_count(count + len(run), MOST_EDGES, "pieces", "leave out what is no strip")
                 yield tuple(edge.mapped(to_mm @ matrix, to_mm @ offset, record) for edge in run)

@@ -1,16 +1,20 @@
 """The element tree of an SVG file, bounded and made ready before any shape of it is expanded."""
 
 import re
+import zlib
 from collections import Counter
 from dataclasses import dataclass, field
+from gzip import GzipFile
+from io import BytesIO
 from pathlib import Path
+from typing import BinaryIO
 from xml.etree import ElementTree
 
 from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.number_gate import MOST_SHAPES, NUMBER, check_count, half_last_place
-from elastica_cad.formats.file_access.source_file import MILLIMETRES
+from elastica_cad.formats.file_access.source_file import LARGEST_FILE, MILLIMETRES
 from elastica_cad.formats.svg_files.svg_lengths import LENGTH, MM
-from elastica_cad.formats.svg_files.view_boxes import fit_symbols
+from elastica_cad.formats.svg_files.view_boxes import fit_views
 
 _PX = MILLIMETRES["px"]
 _LENGTH_ATTRIBUTES = ("x", "y", "x1", "y1", "x2", "y2", "cx", "cy", "r", "rx", "ry", "width", "height")
@@ -28,11 +32,15 @@ _NOT_SHOWN = (
 )
 _NO_CURVES = ("text", "image", "foreignObject", "flowRoot", "switch")
 _INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}"
+_PACKED = b"\x1f\x8b"  # how gzip begins
 _DEEPEST = 200  # elements within elements
 _MOST_ELEMENTS = 5 * MOST_SHAPES  # once clones are put in place: groups and texts take time too
 _MOST_TEXT = 64 * 2**20  # characters once clones are put in place
 MARK = "data-shape"
 """The attribute that says which shape of the tree an expanded one is."""
+
+CLONE = "data-clone-"
+"""Begins the attributes of clones that hold their ids; what is within has them all, the outermost first."""
 
 
 @dataclass(frozen=True)
@@ -78,17 +86,43 @@ def svg_tree(path: Path) -> SvgTree:
     InputError
         No SVG, nested too deep, or more shapes, clones expanded, than are read.
     """
-    try:
-        root = ElementTree.parse(path).getroot()
-    except (ElementTree.ParseError, ValueError, LookupError) as error:
-        raise InputError(f"is not an SVG file ({error}): export it anew") from error
+    with open_svg(path) as file:
+        try:
+            root = ElementTree.parse(file).getroot()
+        except (ElementTree.ParseError, ValueError, LookupError) as error:
+            raise InputError(f"is not an SVG file ({error}): export it anew") from error
     if _tag(root) != "svg":
         raise InputError(f"is not an SVG file: it begins with <{_tag(root)}>, not with <svg>")
     tree = SvgTree(root)
     _refuse_bombs(tree)
-    fit_symbols(root)
+    fit_views(root)
     _mark(tree)
     return tree
+
+
+def open_svg(path: Path) -> BinaryIO:
+    """The file, unpacked where it is packed (.svgz).
+
+    Raises
+    ------
+    InputError
+        It cannot be unpacked, or comes to more than is read.
+    """
+    file = path.open("rb")
+    if file.read(2) != _PACKED:
+        file.seek(0)
+        return file
+    with file:
+        file.seek(0)
+        try:
+            data = GzipFile(fileobj=file).read(LARGEST_FILE + 1)
+        except (OSError, EOFError, zlib.error) as error:
+            raise InputError("is packed and cannot be unpacked: save it anew, as plain SVG") from error
+    if len(data) > LARGEST_FILE:
+        raise InputError(
+            f"holds more than {LARGEST_FILE // 2**20} MB once unpacked: leave out what is no curve, or simplify it"
+        )
+    return BytesIO(data)
 
 
 def _tag(element: ElementTree.Element) -> str:
@@ -170,6 +204,7 @@ def _cut(element: ElementTree.Element) -> None:
 def _mark(tree: SvgTree) -> None:
     """Name every shape by its number, take the path data out, write lengths such as 10mm as user units."""
     stack: list[tuple[ElementTree.Element, str, bool]] = [(tree.root, "", True)]
+    clones = 0
     while stack:
         element, layer, shown = stack.pop()
         tag = _tag(element)
@@ -178,7 +213,11 @@ def _mark(tree: SvgTree) -> None:
             layer = element.get(f"{_INKSCAPE}label") or element.get("id") or layer
         if shown and tag in _NO_CURVES:
             tree.skipped[tag] += 1
-        element.attrib.pop(MARK, None)
+        for name in [name for name in element.attrib if name == MARK or name.startswith(CLONE)]:
+            del element.attrib[name]
+        if tag == "use":
+            element.set(f"{CLONE}{clones}", element.get("id", ""))
+            clones += 1
         written = " ".join(element.get(name, "") for name in (*_LENGTH_ATTRIBUTES, "points"))
         for name in _LENGTH_ATTRIBUTES:
             text = element.get(name)

@@ -1,3 +1,4 @@
+import gzip
 import sys
 from itertools import pairwise
 
@@ -349,3 +350,109 @@ def test_the_pixels_of_affinity_are_told(tmp_path):
         f'<svg {head.replace("100%", "210mm", 1)} xmlns="http://www.w3.org/2000/svg">{body}</svg>'
     )
     assert "96 DPI" not in read_drawing(file).size
+
+
+@pytest.mark.parametrize(
+    ("view", "corners"),
+    [
+        # where (0, 0) and (100, 50) of the inner drawing lie; all but the last two as Inkscape 1.2 shows them
+        ('x="10%" y="10%" width="50%" height="50%" viewBox="0 0 100 100"', [(45, 10), (95, 35)]),
+        ('x="10%" y="10%" width="50%" height="50%" viewBox="0 0 100 100" preserveAspectRatio="none"',
+         [(20, 10), (120, 35)]),
+        ('x="5" y="6" width="50%" height="50%"', [(5, 6), (105, 56)]),
+        ('x="5%" y="6%"', [(10, 6), (110, 56)]),
+        ('viewBox="0 0 100 100"', [(50, 0), (150, 50)]),
+        ('transform="translate(1 2)" x="10" y="10" width="50" height="50" viewBox="10 20 100 100"',
+         [(6, 2), (56, 27)]),
+        ('width="50%" height="50%" viewBox="0 0 100 100" preserveAspectRatio="xMaxYMin slice"',
+         [(0, 0), (100, 50)]),
+    ],
+)  # fmt: skip
+def test_percentages_of_nested_drawings_are_of_the_drawing_around(svg, view, corners):
+    """They had been taken of each other's side, and a place without a viewBox not at all."""
+    body = path("M 0 0 C 30 50 70 0 100 50")
+    (curve,) = svg(f"<svg {view}>{body}</svg>")
+    np.testing.assert_allclose(curve.sample(2).position * (1, -1), corners, atol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("shape", "box"),
+    [  # left, top, width and height as Inkscape 1.2 shows them, mm
+        ('<line x1="10%" y1="10%" x2="90%" y2="80%"/>', (20, 10, 160, 70)),
+        ('<circle cx="50%" cy="50%" r="10%"/>', (84.1886, 34.1886, 31.6228, 31.6228)),
+        ('<rect x="10%" y="10%" width="50%" height="50%" rx="5"/>', (20, 10, 100, 50)),
+        ('<svg x="10" y="10" width="100" height="50" viewBox="0 0 50 50"><line x1="10%" y1="10%" x2="90%" '
+         'y2="80%"/></svg>', (40, 15, 40, 35)),
+        ('<defs><path id="p" d="M 0 0 C 10 50 20 0 30 50"/></defs><use href="#p" x="10%" y="5%"/>',
+         (20, 5, 30, 50)),
+        ('<svg x="30" y="40"><ellipse rx="10" ry="20"/></svg>', (20, 20, 20, 40)),
+    ],
+)  # fmt: skip
+def test_percentages_of_shapes_are_of_width_and_height(svg, shape, box):
+    (curve,) = svg(shape)
+    points = curve.sample(2001).position * (1, -1)
+    np.testing.assert_allclose([*points.min(axis=0), *np.ptp(points, axis=0)], box, atol=2e-3)
+
+
+@pytest.mark.parametrize(
+    ("size", "own", "corners"),
+    [
+        ("", "", [(15, 27), (65, 52)]),
+        ('width="20" height="20"', "", [(15, 27), (35, 37)]),
+        ('width="20" height="20"', 'preserveAspectRatio="xMinYMid slice"', [(15, 27), (35, 37)]),
+        ('width="20"', "", [(15, 42), (35, 52)]),
+    ],
+)
+def test_a_clone_of_a_nested_drawing_has_its_own_size(svg, size, own, corners):
+    """SVG 2, 5.6.2: width and height of the clone come in place of those of the drawing, x and y on top."""
+    inner = f'<svg id="n" x="5" y="7" width="50" height="50" viewBox="0 0 100 100" {own}>'
+    body = (
+        f'<defs>{inner}{path("M 0 0 C 30 50 70 0 100 50")}</svg></defs><use href="#n" x="10" y="20" {size}/>'
+    )
+    (curve,) = svg(body)
+    np.testing.assert_allclose(curve.sample(2).position * (1, -1), corners, atol=1e-9)
+
+
+def test_clones_are_found_by_their_own_id(tmp_path):
+    """A clone had the id of its original: neither could be chosen by it."""
+    arch = 'd="M 0 0 C 30 50 70 0 100 50"'
+    file = tmp_path / "clones.svg"
+    file.write_text(
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="200mm" height="100mm" viewBox="0 0 200 100">'
+        f'<path id="arch" {arch}/><use id="use1" href="#arch" x="200"/><use href="#arch" x="400"/>'
+        f'<defs><g id="pair"><path id="one" {arch}/><use id="inner" href="#arch" y="100"/></g></defs>'
+        f'<use id="use2" href="#pair" y="300"/></svg>'
+    )
+    drawing = read_drawing(file)
+    assert [one.name for one in drawing] == ["arch", "use1/arch", "arch", "use2/one", "use2/arch"]
+    for asked, start in (("use1", (200, 0)), ("one", (0, -300)), ("use2/arch", (0, -400)), ("4", (0, -300))):
+        assert drawing.one(asked, None, "--curve").curve.sample(2).position[0] == pytest.approx(start)
+    assert len(drawing.chosen("arch")) == 2
+    with pytest.raises(InputError, match=r"holds 2 curves: choose one with --curve.*4 \(use2/one\), 5"):
+        drawing.one("use2", None, "--curve")
+
+
+def test_what_is_within_something_invisible_is_left_out(svg):
+    arch = "M 0 0 C 30 50 70 0 100 50"
+    hidden = f'<g visibility="hidden">{path(arch)}<g style="visibility:visible">{path("M 0 9 Q 50 0 90 9")}</g></g>'
+    sheet = f'<style>.away {{ visibility: hidden }}</style><g class="away">{path(arch)}</g>'
+    found = svg(hidden + sheet)
+    assert len(found) == 1
+    assert found.notes == ("left out, for they are no curves: 2 hidden or empty shape",)
+
+
+def test_a_packed_drawing_is_unpacked(tmp_path):
+    text = f'<svg xmlns="http://www.w3.org/2000/svg" width="100">{path("M 0 0 C 30 50 70 0 100 50")}</svg>'
+    for name in ("arch.svgz", "arch.svg"):
+        (tmp_path / name).write_bytes(gzip.compress(text.encode()))
+        (curve,) = read_curves(tmp_path / name)
+        assert curve.control_points[-1] == pytest.approx((100 * PX, -50 * PX))
+    (tmp_path / "plain.svgz").write_text(text)
+    assert len(read_curves(tmp_path / "plain.svgz")) == 1
+    for broken in (gzip.compress(text.encode())[:-12], b"\x1f\x8bnothing"):
+        (tmp_path / "broken.svgz").write_bytes(broken)
+        with pytest.raises(InputError, match=r"broken\.svgz: is packed and cannot be unpacked: save it anew"):
+            read_curves(tmp_path / "broken.svgz")
+    (tmp_path / "large.svgz").write_bytes(gzip.compress(bytes(2**20), 9) * 257)
+    with pytest.raises(InputError, match="more than 256 MB once unpacked"):
+        read_curves(tmp_path / "large.svgz")
