@@ -21,6 +21,7 @@ from elastica_cad.mechanics.rod.rod_system import RodState, RodSystem
 Keep = Literal["keep"]
 
 ROUNDED_SHARE = 1e-12  # of a force: what the cosine of a right angle leaves of it
+_SNAPS = "the rod snaps"  # how its warning begins
 COARSE_DEG = 60.0  # between neighbouring edges, above which a shape is rough to the eye
 
 
@@ -130,13 +131,13 @@ def bend(
             f"no rest shape found: {reached.fraction:.1%} of the way from the present shape was possible; "
             "move the ends in smaller steps, or give a guess nearer to the answer"
         )
-    warning = f"the rod snaps {reached.fraction:.1%} of the way from its present shape; here it comes to rest"
+    warning = f"{_SNAPS} {reached.fraction:.1%} of the way from its present shape; here it comes to rest"
     return replace(snapped.rod(wanted), warnings=(warning, *_too_coarse(snapped)))
 
 
 def has_snapped(rod: Rod) -> bool:
     """Did `bend` find this shape beyond the end of its branch, where it came to rest after a jump?"""
-    return any(warning.startswith("the rod snaps ") for warning in rod.warnings)
+    return any(warning.startswith(_SNAPS) for warning in rod.warnings)
 
 
 def _too_coarse(state: RodState) -> tuple[str, ...]:
@@ -237,6 +238,13 @@ def system_of(
             "bring them closer or use a longer rod"
         )
     return system
+
+
+def dead_loads(rod: Rod, times: float = 1.0) -> tuple[FloatArray, tuple[float, float]]:
+    """What hangs on a rod's free ends, a force and both moments as `bend` takes them, times a factor."""
+    loads = system_of(rod, rod)
+    first, last = (times * loads.moments).tolist()
+    return times * loads.force, (first, last)
 
 
 def state_of(rod: Rod, system: RodSystem) -> RodState:

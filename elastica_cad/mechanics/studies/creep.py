@@ -6,7 +6,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.mechanics.bending.bend_forward import bend, has_snapped, system_of
+from elastica_cad.mechanics.bending.bend_forward import bend, dead_loads, has_snapped
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN, Stability, stability
@@ -130,12 +130,9 @@ def creep(rod: Rod, factor: float) -> Creep:
     first = later = rod
     if phi > 0 and feels_modulus(rod):
         first = bend(rod, guess=rod.angle)  # on the nodes of the other one, so that their difference is creep
-        loads = system_of(rod, rod)
-        force, moment = (1 + phi) * loads.force, (1 + phi) * loads.moments
+        force, moment = dead_loads(rod, 1 + phi)
         try:
-            later = bend(
-                _softened(first, 1 + phi), force=force, moment=(moment[0], moment[1]), guess=rod.angle
-            )
+            later = bend(_softened(first, 1 + phi), force=force, moment=moment, guess=rod.angle)
         except NotConvergedError as problem:
             raise NotConvergedError(
                 f"with a creep factor of {phi:g} no shape is left near the first: it collapses under its load; "

@@ -6,7 +6,7 @@ import numpy as np
 
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.mechanics.bending.bend_forward import bend, system_of
+from elastica_cad.mechanics.bending.bend_forward import bend, dead_loads, system_of
 from elastica_cad.mechanics.material.moment_curvature import PlasticLaw
 from elastica_cad.mechanics.rod.rod_record import Rod
 
@@ -79,10 +79,9 @@ def perturb_rod(rod: Rod, imperfection: Imperfection, *, max_width: float | None
         float(angle) + delta if hold else None
         for angle, delta, hold in zip(rod.angle[[0, -1]], (v.start_angle, v.end_angle), held, strict=True)
     )
-    loads = system_of(rod, rod)
     softer = 1 / (v.youngs_modulus * v.thickness**3 * B)  # loads on free ends are newtons: they stay
-    force, moment = softer * loads.force, softer * loads.moments
-    return bend(changed, angles=(angles[0], angles[1]), force=force, moment=(moment[0], moment[1]))
+    force, moment = dead_loads(rod, softer)
+    return bend(changed, angles=(angles[0], angles[1]), force=force, moment=moment)
 
 
 def feels_modulus(rod: Rod) -> bool:
