@@ -152,7 +152,7 @@ def step_trouble() -> str:
     """Why no STEP can be written here, and the command that installs what it needs; "" where it can."""
     if find_spec("OCP") is None:
         return how_to_install("build123d")
-    from elastica_cad.kernel.occt import kernel_trouble
+    from elastica_cad.kernel.ocp_import import kernel_trouble
 
     return kernel_trouble()
 

@@ -2,7 +2,7 @@
 
 from importlib import import_module
 
-from elastica_cad.kernel.occt import library_trouble
+from elastica_cad.kernel.ocp_import import library_trouble
 
 try:
     import_module("cadquery")

@@ -13,7 +13,8 @@ from elastica_cad.formats.curve_files.number_gate import check_places
 from elastica_cad.formats.curve_files.placed_curve import edge_chains, placed_curve
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.kernel.occt import Shape, kernel, sub_shapes
+from elastica_cad.kernel.occt import sub_shapes
+from elastica_cad.kernel.ocp_import import Shape, kernel
 
 OFFSET = 1e-6  # mm: offset curves are no NURBS and are followed this closely
 

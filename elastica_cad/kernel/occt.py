@@ -1,19 +1,13 @@
-"""OpenCASCADE: records become its shapes.
-
-`kernel` is the one door to OCP, the Python face of OpenCASCADE that build123d and CadQuery bring along; it
-works with OCP's 7.x and 8.x lines.
-"""
+"""OpenCASCADE: records become its shapes."""
 
 from collections.abc import Iterable, Sequence
 from functools import lru_cache
-from importlib import import_module
-from types import SimpleNamespace
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
+from elastica_cad.errors import InputError
 from elastica_cad.fabrication.solids.boundary_records import (
     Boundary,
     CylinderSurface,
@@ -31,110 +25,11 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
 from elastica_cad.geometry.polynomials.knot_runs import knot_runs
-
-Shape: TypeAlias = Any
-"""A TopoDS_Shape, or an object of build123d or CadQuery that wraps one."""
+from elastica_cad.kernel.ocp_import import Shape, kernel
 
 CONFUSION = 1e-7  # mm: OpenCASCADE's own tolerance of edges
 _KEPT_KNOTS = 64  # knot vectors at a time: those of a wall, its edges and their traces
 CORNER = 1e-6  # mm: gap that paths may have between segments
-
-MODULES = (
-    "APIHeaderSection", "BOPAlgo", "BRep", "BRepAdaptor", "BRepMesh", "BRepPrimAPI", "BRepTools", "GeomAbs",
-    "GeomConvert", "Geom", "Geom2d", "IFSelect", "Interface", "Message", "Quantity", "RWGltf", "RWMesh",
-    "STEPCAFControl", "STEPControl", "ShapeUpgrade", "TCollection", "TDataStd", "TDocStd", "TopAbs", "TopExp",
-    "TopLoc", "TopoDS", "XCAFDoc", "gp",
-)  # fmt: skip
-ARRAYS = {
-    "7": "TColgp.TColgp_Array1OfPnt TColgp.TColgp_Array1OfPnt2d TColgp.TColgp_Array2OfPnt "
-    "TColStd.TColStd_Array1OfReal TColStd.TColStd_Array1OfInteger TColStd.TColStd_IndexedDataMapOfStringString",
-    "8": "collections.Array1_gp_Pnt collections.Array1_gp_Pnt2d collections.Array2_gp_Pnt "
-    "collections.Array1_double collections.Array1_int "
-    "collections.IndexedDataMap_TCollection_AsciiString_TCollection_AsciiString",
-}
-
-
-@lru_cache(maxsize=1)
-def kernel() -> SimpleNamespace:
-    """OCP's classes by their own names, and the array types of its two lines under one name each.
-
-    Raises
-    ------
-    MissingDependencyError
-        OCP is not installed, or of a line that is not known.
-    """
-    try:
-        import OCP
-    except ModuleNotFoundError as error:
-        raise MissingDependencyError(
-            f"solids and STEP need OpenCASCADE: {how_to_install('build123d')} (or cadquery)"
-        ) from error
-    except ImportError as error:
-        raise _unsound(error) from error
-    version = str(getattr(OCP, "__version__", "?"))
-    arrays = ARRAYS.get(version.split(".", maxsplit=1)[0])
-    if arrays is None:
-        raise MissingDependencyError(
-            f"OCP {version} is installed, but only 7.x and 8.x are known here: "
-            "install a build123d or cadquery release that brings one of these"
-        )
-    names: dict[str, Any] = {}
-    called = ("Points", "Points2d", "Grid", "Reals", "Integers", "Remarks")
-    try:
-        for module in MODULES:
-            names |= {k: v for k, v in vars(import_module(f"OCP.{module}")).items() if not k.startswith("_")}
-        for name, place in zip(called, arrays.split(), strict=True):
-            module, own = place.split(".")
-            names[name] = getattr(import_module(f"OCP.{module}"), own)
-    except (ImportError, AttributeError) as error:
-        raise _unsound(error) from error
-    names["as_edge"] = getattr(names["TopoDS"], "Edge_s", None) or names["TopoDS"].Edge
-    names["as_face"] = getattr(names["TopoDS"], "Face_s", None) or names["TopoDS"].Face
-    return SimpleNamespace(**names)
-
-
-def kernel_trouble() -> str:
-    """Why no body can be made here, and what to install; "" where OpenCASCADE works."""
-    try:
-        kernel()
-    except MissingDependencyError as error:
-        return str(error)
-    return ""
-
-
-def library_trouble(library: str, error: ImportError) -> str:
-    """What to do where a library above OpenCASCADE is not imported: install it, or mend what it stands on."""
-    if error.name == library:
-        return how_to_install(library)
-    return kernel_trouble() or f"it cannot be loaded ({error}); install what that names"
-
-
-def _unsound(error: Exception) -> MissingDependencyError:
-    """OCP that is there and cannot be used: two releases in one place, or a library of the system missing."""
-    reason = f"OpenCASCADE (OCP) is installed but cannot be loaded ({error})"
-    brought = {
-        name: version
-        for name in ("cadquery-ocp", "cadquery-ocp-novtk")
-        if (version := _installed_version(name)) is not None
-    }
-    if len({version.split(".", maxsplit=1)[0] for version in brought.values()}) > 1:
-        both = " and ".join(f"{name} {version}" for name, version in brought.items())
-        return MissingDependencyError(
-            f"{reason}: {both} lie in one environment, where each writes over the other; make an environment for "
-            "build123d and one for CadQuery, or one with build123d==0.12.* and cadquery==2.8.*"
-        )
-    return MissingDependencyError(
-        f"{reason}: install what it names, or another release of build123d or cadquery"
-    )
-
-
-def _installed_version(package: str) -> str | None:
-    from importlib.metadata import PackageNotFoundError, version
-
-    try:
-        return version(package)
-    except PackageNotFoundError:
-        return None
 
 
 def make_wire(path: Path, frame: Frame | None = None) -> Shape:

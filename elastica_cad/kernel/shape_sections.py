@@ -14,7 +14,8 @@ from elastica_cad.forming.plane_sections.section_lines import PlaneSection, coll
 from elastica_cad.forming.plane_sections.section_spec import Surface
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.drawn_edges import drawn_edges
-from elastica_cad.kernel.occt import Shape, kernel, plane_axes_of
+from elastica_cad.kernel.occt import plane_axes_of
+from elastica_cad.kernel.ocp_import import Shape, kernel
 
 JOIN = 1e-4
 """Ends of edges nearer than this meet, mm."""

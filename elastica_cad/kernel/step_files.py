@@ -31,7 +31,8 @@ from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.drawn_edges import free_chains
 from elastica_cad.kernel.forked_trial import try_in_a_copy
-from elastica_cad.kernel.occt import Shape, kernel, make_location, make_solid, sub_shapes
+from elastica_cad.kernel.occt import make_location, make_solid, sub_shapes
+from elastica_cad.kernel.ocp_import import Shape, kernel
 from elastica_cad.kernel.step_text import canonical_step, with_shared_geometry
 
 SETTINGS = {"write.step.schema": "AP214IS", "write.step.unit": "MM"}

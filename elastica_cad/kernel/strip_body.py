@@ -12,7 +12,8 @@ from elastica_cad.fabrication.solids.smooth_pieces import in_smooth_pieces
 from elastica_cad.fabrication.solids.strip_solids import BentSolid, bent_sheets
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.kernel.occt import Shape, make_face, make_solid
+from elastica_cad.kernel.occt import make_face, make_solid
+from elastica_cad.kernel.ocp_import import Shape
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.material.sheet import Sheet

@@ -15,7 +15,7 @@ from OCP.TopoDS import TopoDS_Edge
 from elastica_cad.errors import MissingDependencyError
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.kernel import occt
+from elastica_cad.kernel import ocp_import
 
 SHEET = "birch-plywood-0.8"
 
@@ -32,7 +32,7 @@ def circle(radius, first=0.0, last=2 * np.pi):
 
 def helix():
     turns = np.linspace(0, 3, 20)
-    points = occt.kernel().Points(1, 20)
+    points = ocp_import.kernel().Points(1, 20)
     for i, v in enumerate(turns, start=1):
         points.SetValue(i, gp_Pnt(30 * np.cos(v), 30 * np.sin(v), 5 * v))
     return BRepBuilderAPI_MakeEdge(GeomAPI_PointsToBSpline(points).Curve()).Edge()
@@ -40,7 +40,7 @@ def helix():
 
 def degenerate():
     """The tip of a cone."""
-    k = occt.kernel()
+    k = ocp_import.kernel()
     explorer = k.TopExp_Explorer(BRepPrimAPI_MakeCone(5, 0, 10).Shape(), k.TopAbs_ShapeEnum.TopAbs_EDGE)
     while not k.BRep_Tool.Degenerated_s(k.as_edge(explorer.Current())):
         explorer.Next()
@@ -56,7 +56,7 @@ def trimmed_beyond(curve, last):
 
 
 def spline_through_three_points():
-    points = occt.kernel().Points(1, 3)
+    points = ocp_import.kernel().Points(1, 3)
     for i, at in enumerate([(0, 0, 0), (20, 5, 0), (40, 0, 0)], start=1):
         points.SetValue(i, gp_Pnt(*at))
     return GeomAPI_PointsToBSpline(points).Curve()
@@ -168,12 +168,12 @@ def test_unknown_kernel_through_a_skin(skin, monkeypatch):
     import OCP
 
     module = __import__(f"elastica_cad.{skin}", fromlist=["x"])
-    occt.kernel.cache_clear()
+    ocp_import.kernel.cache_clear()
     monkeypatch.setattr(OCP, "__version__", "11.0")
     make = module.FlatStrip if skin == "build123d" else module.flat_strip
     try:
         with pytest.raises(ImportError, match=r"OCP 11\.0 .* install a build123d or cadquery") as caught:
             make(__import__(skin).Edge(circle(50, 0, 2)), SHEET, max_width=20)
     finally:
-        occt.kernel.cache_clear()
+        ocp_import.kernel.cache_clear()
     assert isinstance(caught.value, MissingDependencyError)

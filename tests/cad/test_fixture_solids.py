@@ -16,7 +16,7 @@ from elastica_cad.fabrication.strip.tabs import Hole, Tab
 from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.path import Path
-from elastica_cad.kernel import occt
+from elastica_cad.kernel import occt, ocp_import
 from elastica_cad.kernel.meshes.stl_files import write_stl
 from elastica_cad.kernel.step_files import NamedShape, read_step_shape, step_bytes
 from elastica_cad.mechanics.material.sheet import Sheet
@@ -124,7 +124,7 @@ def test_a_long_number_is_engraved_whole(strip, measure):
     number = "STRIP 17 OF THE PAVILION, BENT BY HAND: " * 2
     body = occt.make_solid(EndFixture.of(strip, number=number.strip()).solid)
     assert measure.is_valid(body)
-    assert len(occt.sub_shapes(body, occt.kernel().TopAbs_ShapeEnum.TopAbs_FACE)) > 450
+    assert len(occt.sub_shapes(body, ocp_import.kernel().TopAbs_ShapeEnum.TopAbs_FACE)) > 450
 
 
 @pytest.mark.parametrize("number", ["80O", "B&g", "abc*#", "pqGd%"])

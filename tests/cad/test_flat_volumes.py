@@ -6,7 +6,7 @@ import pytest
 import elastica_cad as ec
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.kernel import occt
+from elastica_cad.kernel import occt, ocp_import
 
 CURVES = {
     2.0: [(0, 0), (60, 70), (120, -50), (180, 60), (240, -30), (300, 40)],
@@ -64,7 +64,7 @@ def test_sketches_on_a_flat_part_lie_along_it(place, limited):
 
     strip, frame = limited[2.0], PLACES[place]
     body = occt.make_solid(FlatSolid(strip.outline, strip.holes, 0.8, frame))
-    k = occt.kernel()
+    k = ocp_import.kernel()
     large = []
     for face in occt.sub_shapes(body, k.TopAbs_ShapeEnum.TopAbs_FACE):
         surface = BRepAdaptor_Surface(k.as_face(face))

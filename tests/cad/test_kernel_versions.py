@@ -12,7 +12,7 @@ import pytest
 from elastica_cad.errors import MissingDependencyError
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 from elastica_cad.geometry.paths.path import Path
-from elastica_cad.kernel import occt
+from elastica_cad.kernel import occt, ocp_import
 from elastica_cad.kernel import step_files as step
 
 PLATE = FlatSolid(Path.rectangle(10, 5), (), 1.0)
@@ -21,9 +21,9 @@ PLATE = FlatSolid(Path.rectangle(10, 5), (), 1.0)
 @pytest.fixture(autouse=True)
 def fresh():
     """The kernel is looked for once: forget it before and after."""
-    occt.kernel.cache_clear()
+    ocp_import.kernel.cache_clear()
     yield
-    occt.kernel.cache_clear()
+    ocp_import.kernel.cache_clear()
 
 
 @pytest.mark.parametrize("version", ["6.4.1", "9.0", ""])
@@ -47,7 +47,7 @@ def test_version_that_cannot_be_told(monkeypatch):
 
     monkeypatch.delattr(OCP, "__version__")
     with pytest.raises(MissingDependencyError, match=r"OCP \? is installed"):
-        occt.kernel()
+        ocp_import.kernel()
 
 
 def test_no_kernel_at_all(monkeypatch, tmp_path):

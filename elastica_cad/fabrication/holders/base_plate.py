@@ -24,6 +24,7 @@ from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
 from elastica_cad.fabrication.solids.prisms import convex_corners
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 from elastica_cad.fabrication.strip.tabs import ENDS, StripEnd
+from elastica_cad.geometry.boxes import box_about, boxes_meet
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.paths.offset import offset_path
 from elastica_cad.geometry.paths.path import Path
@@ -329,10 +330,9 @@ def tab_slot(
 
 
 def _refuse_meetings(slots: Sequence[TabSlot], name: str) -> None:
-    boxes = np.array([(s.corners.min(axis=0), s.corners.max(axis=0)) for s in slots])
+    boxes = np.array([box_about(s.corners) for s in slots])
     for i, a in enumerate(slots):
-        near = np.all((boxes[:i, 0] <= boxes[i, 1]) & (boxes[:i, 1] >= boxes[i, 0]), axis=1)
-        for j in np.flatnonzero(near).tolist():
+        for j in np.flatnonzero(boxes_meet(boxes[:i], boxes[i])).tolist():
             if _gap(a.corners, slots[j].corners) <= 0:
                 x, y = (a.corners.mean(axis=0) + slots[j].corners.mean(axis=0)) / 2
                 raise InputError(

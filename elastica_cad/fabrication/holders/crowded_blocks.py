@@ -4,13 +4,14 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from elastica_cad._types import BoolArray, FloatArray
+from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.placed_tab import PlacedTab
 from elastica_cad.fabrication.holders.tab_seats import tab_key
 from elastica_cad.fabrication.placed_strip import Placed, strip_names
 from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 from elastica_cad.fabrication.strip.tabs import ENDS
+from elastica_cad.geometry.boxes import box_about, boxes_meet
 
 TOUCHING_MM = 0.1
 """Blocks may reach so far into each other: a file takes it off."""
@@ -28,11 +29,11 @@ def crowded_blocks(blocks: Sequence[EndFixture], placed: Sequence[Placed]) -> tu
     ()
     """
     prisms = [[_Prism(solid) for solid in block.solid.added] for block in blocks]
-    bounds = np.array([_bounds(np.concatenate([one.corners for one in its])) for its in prisms])
+    bounds = np.array([box_about(np.concatenate([one.corners for one in its])) for its in prisms])
     bounds = bounds.reshape(-1, 2, 3)
     pairs = [
         f"{blocks[i].tab.name} and {blocks[j].tab.name}"
-        for i, j in np.argwhere(np.triu(_meet(bounds[:, None], bounds[None]), 1)).tolist()
+        for i, j in np.argwhere(np.triu(boxes_meet(bounds[:, None], bounds[None]), 1)).tolist()
         if any(one.overlaps(other) for one in prisms[i] for other in prisms[j])
     ]
     crossed = [
@@ -64,21 +65,11 @@ def _crossed(
 ) -> list[int]:
     """The blocks that a strip runs through, but for those that hold it."""
     low, high = _rulings(placed)
-    near = np.flatnonzero(_meet(_bounds(np.concatenate([low, high])), bounds)).tolist()
+    near = np.flatnonzero(boxes_meet(box_about(np.concatenate([low, high])), bounds)).tolist()
     own = {tab_key(PlacedTab.of(placed.strip, end, placed.frame)) for end in ENDS} if near else set()
     return [
         k for k in near if tab_key(blocks[k].tab) not in own and any(one.cuts(low, high) for one in prisms[k])
     ]
-
-
-def _bounds(points: FloatArray) -> FloatArray:
-    """Least and largest coordinates (2, 3) of points (n, 3)."""
-    return np.array([points.min(axis=0), points.max(axis=0)])
-
-
-def _meet(a: FloatArray, b: FloatArray) -> BoolArray:
-    """Do boxes (..., 2, 3) overlap?"""
-    return np.asarray(np.all((a[..., 0, :] <= b[..., 1, :]) & (a[..., 1, :] >= b[..., 0, :]), axis=-1))
 
 
 def _rulings(placed: Placed) -> tuple[FloatArray, FloatArray]:
@@ -111,7 +102,9 @@ class _Prism:
 
     def cuts(self, low: FloatArray, high: FloatArray) -> bool:
         """Does any line between ends (n, 3) run through the inside, and not along the skin?"""
-        near = _meet(np.stack([np.minimum(low, high), np.maximum(low, high)], axis=1), _bounds(self.corners))
+        near = boxes_meet(
+            np.stack([np.minimum(low, high), np.maximum(low, high)], axis=1), box_about(self.corners)
+        )
         depth, end = (
             ((self.faces - ends[near, None]) * self.outward).sum(axis=2) - TOUCHING_MM for ends in (low, high)
         )

@@ -9,7 +9,8 @@ from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.drawings.drawing import ENGRAVE, MARK
 from elastica_cad.fabrication.drawings.lettering import LABEL_MM, LABEL_SHARE, Text, fit_label, text_width
 from elastica_cad.fabrication.slots.slot import Slot, slot_rim
-from elastica_cad.fabrication.slots.text_room import CLEARANCE_MM, Cuts, boxes_meet, on_free_part, text_box
+from elastica_cad.fabrication.slots.text_room import CLEARANCE_MM, Cuts, on_free_part, text_box
+from elastica_cad.geometry.boxes import box_about, boxes_meet
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
 
@@ -125,7 +126,7 @@ def label_on_tabs(label: str, tabs: Sequence[tuple[float, float, float]], cuts: 
 
 def _clear(box: FloatArray, width: Profile, boxes: Sequence[FloatArray], cuts: Cuts) -> bool:
     """Does a box lie on the free part, off other boxes and off cuts?"""
-    if not on_free_part(box, width) or any(boxes_meet(box, other) for other in boxes):
+    if not on_free_part(box, width) or any(boxes_meet(box_about(box), box_about(other)) for other in boxes):
         return False
     return cuts.clear_of(box)
 

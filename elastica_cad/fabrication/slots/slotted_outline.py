@@ -8,6 +8,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.slots.slot import Slot, slot_cut
+from elastica_cad.geometry.boxes import box_about, boxes_meet
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.path_intersections import Chords, chord_crossings, polylines_cross
 from elastica_cad.geometry.paths.profile import Profile
@@ -150,15 +151,15 @@ def _piece(segment: Segment, u0: float, u1: float) -> list[Segment]:
 
 def _refuse_meetings(openings: Sequence[_Opening], holes: Sequence[Path], name: str) -> None:
     cuts = [opening.points for opening in openings]
-    boxes = np.array([(cut.min(axis=0), cut.max(axis=0)) for cut in cuts])
+    boxes = [box_about(cut) for cut in cuts]
     for i, opening in enumerate(openings):
         for j in range(i):
-            if _apart(boxes[i], boxes[j]):
+            if not boxes_meet(boxes[i], boxes[j]):
                 continue
             if polylines_cross(cuts[i], cuts[j]) is not None:
                 raise InputError(_meeting(name, openings[j].slot, opening.slot))
         for hole in holes:
-            if _apart(boxes[i], hole.bounds):
+            if not boxes_meet(boxes[i], hole.bounds):
                 continue
             loop = hole.points(FLAT_MM)
             at = polylines_cross(cuts[i], np.concatenate([loop, loop[:1]]))
@@ -167,10 +168,6 @@ def _refuse_meetings(openings: Sequence[_Opening], holes: Sequence[Path], name: 
                     f"{name}: the slot at {opening.slot.at:.6g} mm meets a hole at {place(at)}: "
                     "move one of them"
                 )
-
-
-def _apart(a: FloatArray, b: FloatArray) -> bool:
-    return bool(np.any(a[0] > b[1]) or np.any(b[0] > a[1]))
 
 
 def _meeting(name: str, a: Slot, b: Slot) -> str:

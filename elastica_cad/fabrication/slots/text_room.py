@@ -7,6 +7,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.fabrication.drawings.lettering import Text, text_span, text_width
+from elastica_cad.geometry.boxes import box_about, boxes_meet
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.path_intersections import encloses, polylines_cross
 from elastica_cad.geometry.paths.profile import Profile
@@ -28,17 +29,45 @@ def text_box(text: Text, clearance: float = CLEARANCE_MM) -> FloatArray:
     return np.asarray(text.position + flat @ np.array([[c, s], [-s, c]]), dtype=float)
 
 
-def boxes_meet(a: FloatArray, b: FloatArray) -> bool:
-    """Do the bounds of two boxes overlap?"""
-    return bool(np.all(a.min(axis=0) <= b.max(axis=0)) and np.all(a.max(axis=0) >= b.min(axis=0)))
-
-
 def on_free_part(box: FloatArray, width: Profile) -> bool:
     """Does a box lie on the free part of a strip?"""
     x = np.linspace(box[:, 0].min(), box[:, 0].max(), 9)
     if x[0] < 0 or x[-1] > width.length:
         return False
     return bool(np.abs(box[:, 1]).max() < float(width(x).min()) / 2)
+
+
+class _Cut:
+    """A line that letters keep off, and the side of it where no material is, if it is closed.
+
+    Parameters
+    ----------
+    line : Path or (n, 2) array
+        Points run around to the first.
+    gone : {"inside", "outside"}, optional
+    """
+
+    def __init__(self, line: Path | FloatArray, gone: str = "") -> None:
+        self.line, self.gone = line, gone
+
+    @cached_property
+    def bounds(self) -> FloatArray:
+        return self.line.bounds if isinstance(self.line, Path) else box_about(self.line)
+
+    @cached_property
+    def points(self) -> FloatArray:
+        if not isinstance(self.line, Path):
+            return self.line
+        points = self.line.points(FLAT_MM)
+        return _around(points) if self.line.closed else points
+
+    def reaches(self, box: FloatArray, rim: FloatArray) -> bool:
+        low, high = box_about(box)
+        if bool(np.any(np.all((self.points > low) & (self.points < high), axis=1))):
+            return True
+        if polylines_cross(rim, self.points) is not None:
+            return True
+        return bool(self.gone) and encloses(self.points, box[0]) == (self.gone == "inside")
 
 
 class Cuts:
@@ -60,39 +89,25 @@ class Cuts:
         outline: Path | None = None,
         slots: Sequence[FloatArray] = (),
     ) -> None:
-        self._outline = () if outline is None else (outline,)
-        self._paths = (*self._outline, *holes, *lines)
-        self._open = range(len(self._paths) - len(lines), len(self._paths))
-        rims = [np.concatenate([points, points[:1]]) for points in slots]
-        self._known: dict[int, FloatArray] = dict(enumerate(rims, start=len(self._paths)))
+        self._outline = None if outline is None else _Cut(outline, "outside")
+        self._cuts = [] if self._outline is None else [self._outline]
+        self._cuts += [_Cut(hole, "inside") for hole in holes]
+        self._cuts += [_Cut(line) for line in lines]
+        self._cuts += [_Cut(_around(points), "inside") for points in slots]
 
     @cached_property
     def _bounds(self) -> FloatArray:
-        boxes = [path.bounds for path in self._paths]
-        boxes += [np.array([rim.min(axis=0), rim.max(axis=0)]) for rim in self._known.values()]
-        return np.array(boxes).reshape(-1, 2, 2)
+        return np.array([cut.bounds for cut in self._cuts]).reshape(-1, 2, 2)
 
     def clear_of(self, box: FloatArray) -> bool:
         """Does a box lie off all of them?"""
-        low, high = box.min(axis=0), box.max(axis=0)
-        met = np.all((self._bounds[:, 0] <= high) & (self._bounds[:, 1] >= low), axis=1)
-        if self._outline and not met[0]:
+        bounds = box_about(box)
+        if self._outline and not boxes_meet(self._outline.bounds, bounds):
             return False
-        rim = np.concatenate([box, box[:1]])
-        return not any(self._reaches(k, box, rim) for k in np.flatnonzero(met).tolist())
+        rim = _around(box)
+        met = np.flatnonzero(boxes_meet(self._bounds, bounds)).tolist()
+        return not any(self._cuts[k].reaches(box, rim) for k in met)
 
-    def _reaches(self, k: int, box: FloatArray, rim: FloatArray) -> bool:
-        line = self._points(k)
-        if bool(np.any(np.all((line > box.min(axis=0)) & (line < box.max(axis=0)), axis=1))):
-            return True
-        if polylines_cross(rim, line) is not None:
-            return True
-        return k not in self._open and encloses(line, box[0]) != (k < len(self._outline))
 
-    def _points(self, k: int) -> FloatArray:
-        """Points along a line, around to the first where it is closed."""
-        if k not in self._known:
-            path = self._paths[k]
-            points = path.points(FLAT_MM)
-            self._known[k] = np.concatenate([points, points[:1]]) if path.closed else points
-        return self._known[k]
+def _around(points: FloatArray) -> FloatArray:
+    return np.concatenate([points, points[:1]])

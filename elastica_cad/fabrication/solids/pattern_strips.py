@@ -12,6 +12,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.curves.line_intersections import line_crossings
 from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.paths.path_intersections import encloses
 from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
 
 ON_SEAM = 1e-7  # mm
@@ -241,7 +242,7 @@ class _Cutter:
         groups = {k: [loops[k]] for k in outer}
         for k, polygon in enumerate(polygons):
             if k not in groups:
-                home = next((o for o in outer if _inside(polygon[0], polygons[o])), outer[0])
+                home = next((o for o in outer if encloses(polygons[o], polygon[0])), outer[0])
                 groups[home].append(loops[k])
         return list(groups.values())
 
@@ -309,12 +310,3 @@ def _polygon(loop: Sequence[Piece]) -> FloatArray:
 def _area(polygon: FloatArray) -> float:
     x, y = polygon.T
     return 0.5 * float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y))
-
-
-def _inside(point: FloatArray, polygon: FloatArray) -> bool:
-    """Even-odd rule."""
-    a, b = polygon, np.roll(polygon, -1, axis=0)
-    spans = (a[:, 1] > point[1]) != (b[:, 1] > point[1])
-    a, b = a[spans], b[spans]
-    x = a[:, 0] + (point[1] - a[:, 1]) * (b[:, 0] - a[:, 0]) / (b[:, 1] - a[:, 1])
-    return bool(np.count_nonzero(x > point[0]) % 2)

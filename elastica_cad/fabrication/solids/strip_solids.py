@@ -132,7 +132,7 @@ class FlatSolid:
         segments = (segment for loop in (self.outline, *self.holes) for segment in loop.segments)
         splines = [one for one in segments if isinstance(one, Spline) and not one.curve.is_rational]
         many = [one for one in splines if np.unique(one.curve.knots).size > FEW_SPANS + 1]
-        return sum(map(_misread_area, many)) <= EVEN_SHARE * self.area if many else True
+        return not many or sum(map(_misread_area, many)) <= EVEN_SHARE * self.area
 
     @cached_property
     def boundary(self) -> Boundary:

@@ -13,7 +13,7 @@ from xml.etree import ElementTree
 from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_files.number_gate import MOST_SHAPES, NUMBER, check_count, half_last_place
 from elastica_cad.formats.file_access.source_file import LARGEST_FILE, MILLIMETRES
-from elastica_cad.formats.svg_files.svg_lengths import LENGTH, MM
+from elastica_cad.formats.svg_files.svg_elements import LENGTH, MM, linked_id, tag, unlink
 from elastica_cad.formats.svg_files.view_boxes import fit_views
 
 _PX = MILLIMETRES["px"]
@@ -91,8 +91,8 @@ def svg_tree(path: Path) -> SvgTree:
             root = ElementTree.parse(file).getroot()
         except (ElementTree.ParseError, ValueError, LookupError) as error:
             raise InputError(f"is not an SVG file ({error}): export it anew") from error
-    if _tag(root) != "svg":
-        raise InputError(f"is not an SVG file: it begins with <{_tag(root)}>, not with <svg>")
+    if tag(root) != "svg":
+        raise InputError(f"is not an SVG file: it begins with <{tag(root)}>, not with <svg>")
     tree = SvgTree(root)
     _refuse_bombs(tree)
     fit_views(root)
@@ -125,10 +125,6 @@ def open_svg(path: Path) -> BinaryIO:
     return BytesIO(data)
 
 
-def _tag(element: ElementTree.Element) -> str:
-    return str(element.tag).rpartition("}")[2]
-
-
 def _refuse_bombs(tree: SvgTree) -> None:
     """Count what clones (`use`) come to, and take out those that refer to themselves."""
     order: list[tuple[ElementTree.Element, int]] = [(tree.root, 0)]
@@ -136,9 +132,9 @@ def _refuse_bombs(tree: SvgTree) -> None:
         if depth > _DEEPEST:
             raise InputError(f"nests groups more than {_DEEPEST} deep: ungroup them before export")
         order += [(child, depth + 1) for child in element]
-    clones = [e for e, _ in order if _tag(e) == "use"]
-    named = _cloned(tree.root, {_link(e)[1:] for e in clones})
-    links = {e: _target(e, named) for e in clones}
+    clones = [e for e, _ in order if tag(e) == "use"]
+    named = _cloned(tree.root, {linked_id(e) for e in clones} - {""})
+    links = {e: named.get(linked_id(e)) for e in clones}
     state: dict[ElementTree.Element, tuple[int, int, int]] = {}
     open_now: set[ElementTree.Element] = set()
     stack: list[tuple[ElementTree.Element, bool]] = [(tree.root, False)]
@@ -147,11 +143,11 @@ def _refuse_bombs(tree: SvgTree) -> None:
         below = [*element, *([links[element]] if links.get(element) is not None else [])]
         if done:
             open_now.discard(element)
-            shapes, elements = int(_tag(element) in _SHAPES), 1
+            shapes, elements = int(tag(element) in _SHAPES), 1
             size = len(element.get("d", "")) + len(element.get("points", ""))
             for one in below:
                 if one is links.get(element) and one in state and not state[one][0]:
-                    _cut(element)  # what it would put in place holds nothing to be read
+                    unlink(element)  # what it would put in place holds nothing to be read
                 elif one in state:
                     shapes, elements, size = (
                         mine + its for mine, its in zip((shapes, elements, size), state[one], strict=True)
@@ -168,7 +164,7 @@ def _refuse_bombs(tree: SvgTree) -> None:
             stack.append((element, True))
             for one in below:
                 if one in open_now:
-                    _cut(element)
+                    unlink(element)
                     tree.skipped["clone of itself"] += 1
                 elif one not in state:
                     stack.append((one, False))
@@ -184,38 +180,21 @@ def _cloned(root: ElementTree.Element, wanted: set[str]) -> dict[str, ElementTre
     return named
 
 
-def _link(element: ElementTree.Element) -> str:
-    return element.get("href") or element.get("{http://www.w3.org/1999/xlink}href") or ""
-
-
-def _target(
-    element: ElementTree.Element, named: dict[str, ElementTree.Element]
-) -> ElementTree.Element | None:
-    link = _link(element)
-    return named.get(link[1:]) if link.startswith("#") else None
-
-
-def _cut(element: ElementTree.Element) -> None:
-    """Take the link off a clone."""
-    for name in ("href", "{http://www.w3.org/1999/xlink}href"):
-        element.attrib.pop(name, None)
-
-
 def _mark(tree: SvgTree) -> None:
     """Name every shape by its number, take the path data out, write lengths such as 10mm as user units."""
     stack: list[tuple[ElementTree.Element, str, bool]] = [(tree.root, "", True)]
     clones = 0
     while stack:
         element, layer, shown = stack.pop()
-        tag = _tag(element)
-        shown = shown and tag not in _NOT_SHOWN
-        if tag == "g" and element.get(f"{_INKSCAPE}groupmode") == "layer":
+        kind = tag(element)
+        shown = shown and kind not in _NOT_SHOWN
+        if kind == "g" and element.get(f"{_INKSCAPE}groupmode") == "layer":
             layer = element.get(f"{_INKSCAPE}label") or element.get("id") or layer
-        if shown and tag in _NO_CURVES:
-            tree.skipped[tag] += 1
+        if shown and kind in _NO_CURVES:
+            tree.skipped[kind] += 1
         for name in [name for name in element.attrib if name == MARK or name.startswith(CLONE)]:
             del element.attrib[name]
-        if tag == "use":
+        if kind == "use":
             element.set(f"{CLONE}{clones}", element.get("id", ""))
             clones += 1
         written = " ".join(element.get(name, "") for name in (*_LENGTH_ATTRIBUTES, "points"))
@@ -224,11 +203,11 @@ def _mark(tree: SvgTree) -> None:
             match = LENGTH.fullmatch(text) if text else None
             if match and match[2]:
                 element.set(name, repr(float(match[1]) * MM[match[2].lower()] / _PX))
-        if tag in _SHAPES:
-            data = element.get("d", "") if tag == "path" else None
+        if kind in _SHAPES:
+            data = element.get("d", "") if kind == "path" else None
             if data is not None:
                 element.set("d", "M0 0L1 1" if data.strip() else "")
             rounding = half_last_place(re.findall(NUMBER, written)) if data is None else 0.0
             element.set(MARK, str(len(tree.shapes)))
-            tree.shapes.append(Shape(tag, element.get("id", ""), layer, data, rounding, shown))
+            tree.shapes.append(Shape(kind, element.get("id", ""), layer, data, rounding, shown))
         stack += [(child, layer, shown) for child in reversed(element)]

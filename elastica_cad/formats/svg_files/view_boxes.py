@@ -10,9 +10,8 @@ from xml.etree import ElementTree
 import numpy as np
 
 from elastica_cad.formats.curve_files.number_gate import NUMBER
-from elastica_cad.formats.svg_files.svg_lengths import LENGTH, MM
+from elastica_cad.formats.svg_files.svg_elements import LENGTH, MM, linked_id, tag
 
-_HREF = ("href", "{http://www.w3.org/1999/xlink}href")
 _PLACES = {"Min": 0.0, "Mid": 0.5, "Max": 1.0}
 _ALONG = dict.fromkeys(("x", "x1", "x2", "cx", "rx", "width"), 0) | dict.fromkeys(
     ("y", "y1", "y2", "cy", "ry", "height"), 1
@@ -34,20 +33,20 @@ def fit_views(root: ElementTree.Element) -> None:
     stack: list[tuple[ElementTree.Element, Extent]] = [(child, extent) for child in reversed(root)]
     while stack:
         element, around = stack.pop()
-        tag, box = _tag(element), _box(element)
+        kind, box = tag(element), _box(element)
         _resolve(element, around)
-        if tag == "use":
+        if kind == "use":
             clones.append((element, around))
         inner = around
-        if tag in _HELD:
+        if kind in _HELD:
             inner = box[2:] if box else _sides(element, element, around)
-            if box:
-                held.setdefault(element.get("id", ""), element)
-        if tag == "svg":
+            if box and (name := element.get("id")):
+                held.setdefault(name, element)
+        if kind == "svg":
             fits[element] = _fit(element, element, around)
         stack += [(child, inner) for child in reversed(element)]
     for clone, around in clones:
-        target = held.get(_link(clone))
+        target = held.get(linked_id(clone))
         if target is not None and target not in fits:
             _place(clone, _fit(clone, target, around))
         elif target is not None and (clone.get("width") or clone.get("height")):
@@ -114,16 +113,6 @@ def _place(element: ElementTree.Element, fit: Fit) -> None:
     element.set("transform", f"{element.get('transform', '')} matrix({numbers})".strip())
     for name in ("x", "y", "width", "height", "viewBox", "preserveAspectRatio"):
         element.attrib.pop(name, None)
-
-
-def _link(element: ElementTree.Element) -> str:
-    """The id that a clone stands for; a name that none has where it is no clone."""
-    link = next((element.get(name) for name in _HREF if element.get(name)), None) or ""
-    return link[1:] if link.startswith("#") else " "
-
-
-def _tag(element: ElementTree.Element) -> str:
-    return str(element.tag).rpartition("}")[2]
 
 
 def _box(element: ElementTree.Element) -> tuple[float, float, float, float] | None:

@@ -5,7 +5,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
-from elastica_cad.kernel.occt import Shape, kernel, sub_shapes
+from elastica_cad.kernel.occt import sub_shapes
+from elastica_cad.kernel.ocp_import import Shape, kernel
 
 
 def face_triangles(body: Shape, *, chord: float, turn: float) -> Iterator[tuple[FloatArray, IntArray]]:

@@ -7,7 +7,7 @@ from tempfile import TemporaryDirectory
 
 from elastica_cad.errors import InputError
 from elastica_cad.formats.file_access.atomic_write import write_atomically
-from elastica_cad.kernel.occt import kernel
+from elastica_cad.kernel.ocp_import import kernel
 from elastica_cad.kernel.step_files import NamedShape, make_document
 
 CHORD_MM, TURN_RAD = 0.2, 0.4

@@ -7,7 +7,7 @@ import numpy as np
 from elastica_cad.formats.file_access.atomic_write import write_atomically
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.meshes.face_triangles import face_triangles
-from elastica_cad.kernel.occt import Shape
+from elastica_cad.kernel.ocp_import import Shape
 
 CHORD_MM, TURN_RAD = 0.02, 0.4
 """How closely triangles follow faces: finer than a printer's layer."""

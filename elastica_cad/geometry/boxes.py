@@ -1,0 +1,27 @@
+"""Boxes along the axes, as their least and largest coordinates."""
+
+import numpy as np
+
+from elastica_cad._types import BoolArray, FloatArray
+
+
+def box_about(points: FloatArray) -> FloatArray:
+    """Least and largest coordinates (2, d) of points (n, d).
+
+    Examples
+    --------
+    >>> box_about(np.array([[0.0, 5.0], [2.0, 1.0]])).tolist()
+    [[0.0, 1.0], [2.0, 5.0]]
+    """
+    return np.array([points.min(axis=0), points.max(axis=0)])
+
+
+def boxes_meet(a: FloatArray, b: FloatArray) -> BoolArray:
+    """Do boxes (..., 2, d) overlap or touch?
+
+    Examples
+    --------
+    >>> boxes_meet(np.array([[0, 0], [2, 2]]), np.array([[[1, 1], [3, 3]], [[3, 0], [4, 1]]])).tolist()
+    [True, False]
+    """
+    return np.asarray(np.all((a[..., 0, :] <= b[..., 1, :]) & (a[..., 1, :] >= b[..., 0, :]), axis=-1))
