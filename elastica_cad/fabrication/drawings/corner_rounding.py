@@ -5,8 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from elastica_cad._types import FloatArray, IntArray
+from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.errors import InputError
+from elastica_cad.geometry.paths.chords import chord_points
 from elastica_cad.geometry.paths.many_segments import ManySegments
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.segments import Arc, Segment, Spline, place
@@ -17,8 +18,17 @@ SMOOTH_RAD = 0.02
 MOST_STEPS = 40
 """Of the search for an arc's ends: the sides bend little, so few serve."""
 
+MOST_TURNED_BACK = 6
+"""Steps that lead out of a side and are taken half way to its end, before it counts as too short."""
+
 CLOSE_MM = 1e-9
 """The arc's two centres agree to this: rounding."""
+
+PARALLEL = 1e-200
+"""In place of a zero that is divided by: between parallel sides the ends of the arc go out of them."""
+
+CLOSE_SHARE = 1e-3
+"""Of the radius: an arc may come so far over a side that is left out for it, and its points are as flat."""
 
 
 def round_corners(path: Path, radius: float) -> Path:
@@ -40,74 +50,160 @@ def round_corners(path: Path, radius: float) -> Path:
 
 def round_all_corners(paths: Sequence[Path], radius: float) -> list[Path]:
     """The same of many closed paths, their corners searched at one go. Errors as `round_corners`."""
+    rounded = []
+    for path, found in zip(paths, rounded_where_they_fit(paths, radius), strict=True):
+        if found is None:
+            raise too_small_for(radius, path)
+        rounded.append(found)
+    return rounded
+
+
+def too_small_for(radius: float, path: Path) -> InputError:
+    """The refusal of a hole that the radius does not fit."""
+    return InputError(
+        f"a corner radius of {radius:g} mm does not fit the hole at {place(path.bounds.mean(axis=0))}: make it "
+        "smaller"
+    )
+
+
+def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | None]:
+    """The same, None for each path that the radius does not fit.
+
+    A side too short for the arcs at both its ends is left out where one arc fits the sides before and behind it:
+    the blunt end of a hole that is cut off near its tip is rounded as the tip would be.
+    """
     segments = [segment for path in paths for segment in path.segments]
     if not segments:
         return []
-    following = np.arange(1, len(segments) + 1)
+    many, sizes = ManySegments(segments), np.array([_size(segment) for segment in segments])
     ends = np.cumsum([len(path.segments) for path in paths])
-    following[ends - 1] = np.concatenate([[0], ends[:-1]])
-    many = ManySegments(segments)
-    corners = _corners(many, following, radius)
-    first, last = np.zeros(len(segments)), np.ones(len(segments))
-    last[corners.before], first[following[corners.before]] = corners.leaving, corners.entering
-    if (first > last).any():
-        raise _too_short(segments[int(np.argmax(first - last))].at(0.5), radius)
-    sizes = np.array([_size(segment) for segment in segments])
-    last = np.where((last - first) * sizes > CLOSE_MM, last, first)
-    parts = many.trimmed(first, last)
-    arcs = dict(zip(corners.before.tolist(), corners.arcs, strict=True))
-    rounded, begin = [], 0
-    for end in ends.tolist():
-        chain = [one for i in range(begin, end) for one in (parts[i], arcs.get(i)) if one is not None]
-        rounded.append(Path(chain, closed=True))
-        begin = end
+    rings = [
+        list(range(end - len(path.segments), end)) for path, end in zip(paths, ends.tolist(), strict=True)
+    ]
+    rounded: list[Path | None] = [None] * len(paths)
+    left = {i: _Ring(ring, [()] * len(ring)) for i, ring in enumerate(rings)}
+    while left:
+        before = np.array([k for ring in left.values() for k in ring.sides])
+        after = np.array([k for ring in left.values() for k in (*ring.sides[1:], ring.sides[0])])
+        gaps = [gap for ring in left.values() for gap in ring.gaps]
+        corners = _corners(many, before, after, np.array([bool(gap) for gap in gaps]), radius)
+        first, last = np.zeros(len(segments)), np.ones(len(segments))
+        last[corners.before], first[corners.after] = corners.leaving, corners.entering
+        short = set(np.flatnonzero(first > last).tolist())
+        last = np.where((last - first) * sizes > CLOSE_MM, last, first)
+        parts = many.trimmed(first, last)
+        arcs = dict(zip(corners.before.tolist(), corners.arcs, strict=True))
+        following: dict[int, _Ring] = {}
+        for i, ring in left.items():
+            if not short.isdisjoint(ring.sides):
+                if (smaller := ring.without(short)) is not None:
+                    following[i] = smaller
+                continue
+            turns = [arcs.get(k) for k in ring.sides]
+            if all(_is_inside(arc, gap, segments) for arc, gap in zip(turns, ring.gaps, strict=True)):
+                chain = [one for k, arc in zip(ring.sides, turns, strict=True) for one in (parts[k], arc)]
+                rounded[i] = Path([one for one in chain if one is not None], closed=True)
+        left = following
     return rounded
+
+
+@dataclass(frozen=True)
+class _Ring:
+    """Numbers of the sides of a loop that are left, and of those left out behind each of them."""
+
+    sides: list[int]
+    gaps: list[tuple[int, ...]]
+
+    def without(self, short: set[int]) -> "_Ring | None":
+        """None where fewer than two are left."""
+        kept = [j for j, k in enumerate(self.sides) if k not in short]
+        if len(kept) < 2:
+            return None
+        gaps = []
+        for j, following in zip(kept, [*kept[1:], kept[0] + len(self.sides)], strict=True):
+            gap = self.gaps[j]
+            for m in range(j + 1, following):
+                k = m % len(self.sides)
+                gap = (*gap, self.sides[k], *self.gaps[k])
+            gaps.append(gap)
+        return _Ring([self.sides[j] for j in kept], gaps)
+
+
+def _is_inside(arc: Arc | None, gap: Sequence[int], segments: Sequence[Segment]) -> bool:
+    """Does the arc cut off the sides that were left out for it, and not run across them?"""
+    if not gap:
+        return True
+    if arc is None:
+        return False
+    points = np.concatenate([chord_points(segments[k], CLOSE_SHARE * arc.radius) for k in gap])
+    chord, bulge = arc.end - arc.start, arc.at(0.5) - arc.start
+    way = np.sign(chord[0] * bulge[1] - chord[1] * bulge[0])
+    x, y = (points - arc.start).T
+    clear = _length(points - arc.center) >= (1 - CLOSE_SHARE) * arc.radius
+    return bool(np.all(clear & (way * (chord[0] * y - chord[1] * x) > 0)))
 
 
 @dataclass(frozen=True, eq=False)
 class _Corners:
-    """Segments (k,) that end in a corner, where the arc leaves them and enters the next, and the arcs."""
+    """Sides (k,) that end in a corner, those behind it, where the arc leaves and enters them, and the arcs.
+
+    Where no arc fits, a side that is too short is entered behind its end, or left before its start.
+    """
 
     before: IntArray
+    after: IntArray
     leaving: FloatArray
     entering: FloatArray
-    arcs: list[Arc]
+    arcs: list[Arc | None]
 
 
-def _corners(many: ManySegments, following: IntArray, radius: float) -> _Corners:
-    every = np.arange(following.size)
-    (at, s), (_, t) = many.motion(every, np.ones(every.size)), many.motion(following, np.zeros(every.size))
+def _corners(
+    many: ManySegments, before: IntArray, after: IntArray, gaps: BoolArray, radius: float
+) -> _Corners:
+    """Arcs where sides (n,) turn into those behind them, at the end of one or over a gap."""
+    s = many.motion(before, np.ones(before.size))[1]
+    t = many.motion(after, np.zeros(after.size))[1]
     turn = _turn(s, t)
-    before = np.flatnonzero(np.abs(turn) >= SMOOTH_RAD)
-    after, at, turn = following[before], at[before], turn[before]
+    sharp = (np.abs(turn) >= SMOOTH_RAD) | gaps
+    before, after, turn, s, t = before[sharp], after[sharp], turn[sharp], s[sharp], t[sharp]
     side = (radius * np.sign(turn))[:, None]
     reach = radius * np.tan(np.abs(turn) / 2)
-    x = np.column_stack([1 - reach / _length(s[before]), reach / _length(t[before])])
+    x = np.column_stack([1 - reach / _length(s), reach / _length(t)])
     x = np.minimum(np.maximum(x, 0.0), 1.0)
     open_ = np.arange(before.size)
-    ends = np.empty((4, before.size, 2))
+    ends = np.zeros((4, before.size, 2))
+    fits, turned_back = np.zeros(before.size, dtype=bool), np.zeros(before.size, dtype=int)
     for _ in range(MOST_STEPS):
-        outside = ((x[open_] < 0) | (x[open_] > 1)).any(axis=1)
-        if outside.any():
-            raise _too_short(at[open_[outside][0]], radius)
         near, far = many.motion(before[open_], x[open_, 0]), many.motion(after[open_], x[open_, 1])
         ends[:, open_] = *near, *far
         gap = _beside(*near, side[open_]) - _beside(*far, side[open_])
         apart = np.abs(gap).max(axis=1) >= CLOSE_MM
-        if not apart.any():
-            break
+        fits[open_[~apart]] = True
         # the sides bend so little that their tangents serve for the Jacobian
         v, w, gap = near[1][apart], far[1][apart], gap[apart]
         open_ = open_[apart]
         determinant = v[:, 1] * w[:, 0] - v[:, 0] * w[:, 1]
-        x[open_, 0] -= (gap[:, 1] * w[:, 0] - gap[:, 0] * w[:, 1]) / determinant
-        x[open_, 1] -= (v[:, 0] * gap[:, 1] - v[:, 1] * gap[:, 0]) / determinant
-    else:
-        raise _too_short(at[open_[0]], radius)
+        determinant[determinant == 0] = PARALLEL
+        step = np.column_stack(
+            [gap[:, 0] * w[:, 1] - gap[:, 1] * w[:, 0], gap[:, 0] * v[:, 1] - gap[:, 1] * v[:, 0]]
+        )
+        asked = x[open_] + step / determinant[:, None]
+        outside = (asked < 0) | (asked > 1)
+        turned_back[open_] += outside.any(axis=1)
+        halfway = (x[open_] + np.clip(asked, 0.0, 1.0)) / 2
+        given_up = turned_back[open_] > MOST_TURNED_BACK
+        x[open_] = np.where(outside & ~given_up[:, None], halfway, asked)
+        open_ = open_[~given_up]
+        if not open_.size:
+            break
+    x[open_] = -1.0, 2.0
     start, leaving, end, entering = ends
     bulges = np.tan(_turn(leaving, entering) / 4)
-    arcs = [Arc.from_bulge(a, b, float(bulge)) for a, b, bulge in zip(start, end, bulges, strict=True)]
-    return _Corners(before, x[:, 0], x[:, 1], arcs)
+    arcs = [
+        Arc.from_bulge(a, b, float(bulge)) if fit else None
+        for a, b, bulge, fit in zip(start, end, bulges, fits, strict=True)
+    ]
+    return _Corners(before, after, x[:, 0], x[:, 1], arcs)
 
 
 def _turn(s: FloatArray, t: FloatArray) -> FloatArray:
@@ -130,9 +226,3 @@ def _size(segment: Segment) -> float:
     if isinstance(segment, Spline):
         return float(_length(np.diff(segment.curve.control_points, axis=0)).sum())
     return segment.length
-
-
-def _too_short(at: FloatArray, radius: float) -> InputError:
-    return InputError(
-        f"a corner radius of {radius:g} mm does not fit the hole at {place(at)}: make it smaller"
-    )

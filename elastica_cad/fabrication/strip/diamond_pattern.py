@@ -10,7 +10,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.corner_rounding import round_all_corners
+from elastica_cad.fabrication.drawings.corner_rounding import rounded_where_they_fit, too_small_for
 from elastica_cad.fabrication.slots.slot import Slot, slot_cut
 from elastica_cad.fabrication.strip.flat_outline import Ends, close_chain, graphs, greville
 from elastica_cad.fabrication.strip.tabs import Tab
@@ -104,19 +104,27 @@ class DiamondPattern:
             )
 
     def paths(self, ends: Ends, slots: Sequence[Slot] = ()) -> tuple[Path, ...]:
-        """The holes as closed anticlockwise loops in the order of the strip, clear of tabs and slots."""
+        """The holes as closed anticlockwise loops in the order of the strip, clear of tabs and slots.
+
+        What a slot leaves of a hole, less than half of it, is not cut where the corner radius does not fit it.
+        """
         cuts = [slot_cut(slot, self.width, beyond=slot.width) for slot in slots]
         clear = [
-            loop
+            (part, part.loop(j))
             for row in self._rows_within(ends)
             for j in range(row.across)
-            for loop in self._clear(row, j, cuts)
+            for part in self._clear(row, j, cuts)
         ]
+        loops = [loop for _, loop in clear]
         if self.corner_radius > 0:
-            clear = round_all_corners(clear, self.corner_radius)
+            rounded = rounded_where_they_fit(loops, self.corner_radius)
+            for (part, loop), found in zip(clear, rounded, strict=True):
+                if found is None and part.lost < part.length:
+                    raise too_small_for(self.corner_radius, loop)
+            loops = [found for found in rounded if found is not None]
         if self.arcs is not None:
-            clear = [as_arcs(loop, self.arcs) for loop in clear]
-        return tuple(clear)
+            loops = [as_arcs(loop, self.arcs) for loop in loops]
+        return tuple(loops)
 
     @property
     def is_sharp(self) -> bool:
@@ -145,12 +153,12 @@ class DiamondPattern:
         held = tab.width is None or tab.width >= float(self.width(s))
         return 0.0 if held and tab.length > 0 else self.clearance
 
-    def _clear(self, row: "_Row", j: int, cuts: Sequence[Path]) -> list[Path]:
-        """The loop of the j-th hole of a row, or what slots leave of it on both sides of them."""
+    def _clear(self, row: "_Row", j: int, cuts: Sequence[Path]) -> list["_Row"]:
+        """The row for its j-th hole, or what slots leave of it on both sides of them."""
         left = [row]
         for cut in cuts:
             left = [part for one in left for part in self._beside(one, j, cut)]
-        return [one.loop(j) for one in left]
+        return left
 
     def _beside(self, row: "_Row", j: int, cut: Path) -> list["_Row"]:
         """The row where the slot leaves its j-th hole alone, else its parts on both sides."""
@@ -233,6 +241,7 @@ class _Row:
     stretches: tuple["_Stretch", ...]
     columns: int
     full: bool
+    lost: float = 0.0  # of the length, mm, to ends and slots
 
     @property
     def across(self) -> int:
@@ -247,7 +256,10 @@ class _Row:
     def within(self, low: float, high: float) -> "_Row | None":
         """The part between two stations; None where there is none."""
         kept = tuple(part for one in self.stretches if (part := one.within(low, high)) is not None)
-        return replace(self, stretches=kept) if kept else None
+        if not kept:
+            return None
+        lost = self.length - float(kept[-1].knots[-1] - kept[0].knots[0])
+        return replace(self, stretches=kept, lost=self.lost + lost)
 
     @cached_property
     def sides(self) -> list[list[tuple[Spline, Spline]]]:

@@ -315,3 +315,56 @@ def test_a_slot_wider_than_holes_are_long_leaves_none_in_its_throat(side):
     assert len(made.holes) > 250
     for hole in made.holes:
         assert rim.contains(shapely.Polygon(hole.points(1e-3)))
+
+
+def opened(path, radius):
+    """What a round tool of that radius can cut out inside a loop, by shapely."""
+    return shapely.Polygon(path.points(1e-4)).buffer(-radius, quad_segs=64).buffer(radius, quad_segs=64)
+
+
+@pytest.mark.parametrize("cuts", [(), (Slot(61.0, 1.0, 9.0, lean=0.3),)])
+@pytest.mark.parametrize("ends", [(ec.Tab(8.0, width=9.0), ec.Tab(0.0)), (ec.Tab(8.0), ec.Tab(8.0))])
+@pytest.mark.parametrize("radius", [0.1, 0.3])
+def test_holes_cut_short_have_round_corners_too(rod, ends, cuts, radius):
+    """At bare ends and beside narrow tabs and slots holes end bluntly, some of them narrower than the radius."""
+    sharp, round_ = (
+        ec.Strip(
+            rod,
+            CARD,
+            max_width=10.0,
+            style=Perforated(30.0, columns=2, rows=5, corner_radius=r),
+            ends=ends,
+            slots=cuts,
+        )
+        for r in (0.0, radius)
+    )
+    left = shapely.union_all([shapely.Polygon(hole.points(1e-4)) for hole in round_.holes])
+    wanted = shapely.union_all([opened(hole, radius) for hole in sharp.holes])
+    assert left.symmetric_difference(wanted).area < 2e-3 * len(sharp.holes)
+    assert len(round_.holes) == len(sharp.holes)
+
+
+def test_what_a_slot_leaves_of_a_hole_is_not_cut_where_the_radius_does_not_fit(rod):
+    slot = Slot(rod.length * 0.3 + 6.0, 1.0, 8.0)
+    sharp, round_ = (
+        ec.Strip(
+            rod,
+            CARD,
+            max_width=10.0,
+            style=Perforated(30.0, columns=2, rows=5, corner_radius=r),
+            slots=(slot,),
+        )
+        for r in (0.0, 0.5)
+    )
+    kept = shapely.MultiPoint([hole.bounds.mean(axis=0) for hole in round_.holes])
+    lost = [hole for hole in sharp.holes if not shapely.Polygon(hole.points(1e-3)).intersects(kept)]
+    assert 0 < len(lost) < 3
+    assert all(opened(hole, 0.5).is_empty for hole in lost)
+
+
+def test_a_blunt_end_narrower_than_the_radius_is_rounded_as_its_tip_would_be():
+    tip = [(0.0, -0.05), (10.0, -1.05), (20.0, -0.05), (20.0, 0.05), (10.0, 1.05), (0.0, 0.05)]
+    loop = ec.Path.polyline(tip, closed=True)
+    found = shapely.Polygon(round_corners(loop, 0.5).points(1e-5))
+    assert found.symmetric_difference(opened(loop, 0.5)).area < 1e-4
+    assert found.is_valid
