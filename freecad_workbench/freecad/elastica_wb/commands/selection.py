@@ -8,8 +8,8 @@ from typing import Any
 
 import FreeCAD as App
 import FreeCADGui as Gui
-from freecad.elastica_wb.curves.copies import contents, not_repeated, originals
-from freecad.elastica_wb.curves.sketch_curves import LINK, is_outline, is_sketch, linked
+from freecad.elastica_wb.curves.copies import COPYING, contents, not_repeated, originals
+from freecad.elastica_wb.curves.sketch_curves import is_outline, is_sketch, linked
 from freecad.elastica_wb.features.baseplate import is_base_plate
 from freecad.elastica_wb.features.curves import is_section
 from freecad.elastica_wb.features.flat import is_flat
@@ -147,8 +147,8 @@ def _all_sources() -> list[Any]:
 
 
 def _may_show(obj: Any) -> bool:
-    """Could what is cut be seen in it? A quick look: ours and Draft's are made in Python, links are not."""
-    return obj.TypeId in (LINK, "App::LinkGroup") or hasattr(obj, "Proxy")
+    """Could what is cut be seen in it? A quick look: ours and Draft's are made in Python."""
+    return obj.TypeId in COPYING or hasattr(obj, "Proxy")
 
 
 def chosen_strips(*, least: int = 1) -> list[Any]:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""What links, arrays, clones and containers show: the originals, and where each copy of them stands."""
+"""What links, arrays, clones, images and containers show: the originals, and where each copy of them stands."""
 
 from collections.abc import Iterable, Iterator
 from typing import Any
@@ -11,24 +11,42 @@ from freecad.elastica_wb.curves.sketch_curves import container, link_target
 
 from elastica_cad.errors import InputError
 
-Standing = tuple[Any, App.Placement]
+Standing = tuple[Any, App.Placement, bool]
+Shown = tuple[Any, App.Matrix]
+
+MIRRORING = "Part::Mirroring"
+COMPOUND = "Part::Compound"
+COPYING = ("App::Link", "App::LinkGroup", MIRRORING, COMPOUND)
+"""Kinds of objects of FreeCAD itself, not made in Python, that may show copies."""
 
 SAME = App.Vector(1, 1, 1)
+AXES = (App.Vector(1, 0, 0), App.Vector(0, 1, 0), App.Vector(0, 0, 1))
+TURNED_OVER = App.Matrix(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1)
+"""z to -z: an image is what is turned over so, moved as it is."""
 
 
 def copies(obj: Any) -> Iterator[Standing]:
     """The originals that an object shows, each with the place in the document of its shape without its placement.
+
+    An image stands at the place of its original after z -> -z, and says so.
 
     Raises
     ------
     InputError
         One of them is shown in another size.
     """
-    yield from _copies(obj, _place(obj))
+    for one, place in _copies(obj, _place(obj).toMatrix()):
+        is_image = place.determinant() < 0
+        yield one, App.Placement(place * TURNED_OVER if is_image else place), is_image
+
+
+def turned_over(place: App.Placement) -> App.Placement:
+    """Where the image of what stands at a place stands after z -> -z, itself turned over so."""
+    return App.Placement(TURNED_OVER * place.toMatrix() * TURNED_OVER)
 
 
 def originals(obj: Any) -> list[Any]:
-    """What an object shows in the end, each once; everything but links, arrays, clones and containers is itself."""
+    """What an object shows in the end, each once; what is no copy, container or compound is itself."""
     parts = _parts(obj)
     if parts is None:
         return [obj]
@@ -41,14 +59,17 @@ def contents(obj: Any) -> list[Any]:
 
 
 def not_repeated(objects: Iterable[Any]) -> list[Any]:
-    """Objects but those that others among them show in their place: bases of Draft's arrays, strips of models."""
+    """Objects but those that others among them show in their place: bases of Draft's arrays, strips of models, what
+    Part's compounds hold.
+    """
     objects = list(objects)
     shown = [one.Base for one in objects if _is_draft(one, "Array")]
+    shown += [held for one in objects if one.TypeId == COMPOUND for held in one.Links]
     shown += [strip for one in objects for strip in getattr(one, "Strips", ())]
     return [one for one in objects if one not in shown]
 
 
-def _copies(obj: Any, place: App.Placement) -> Iterator[Standing]:
+def _copies(obj: Any, place: App.Matrix) -> Iterator[Shown]:
     parts = _parts(obj)
     if parts is None:
         yield obj, place
@@ -72,8 +93,25 @@ def _own(obj: Any) -> App.Placement:
     return getattr(obj, "Placement", App.Placement())
 
 
-def _parts(obj: Any) -> list[Standing] | None:
+def _parts(obj: Any) -> list[Shown] | None:
     """What an object shows, each at its place in it; None where that is itself."""
+    if obj.TypeId == MIRRORING:
+        return [(obj.Source, _mirror(obj) * _own(obj.Source).toMatrix())] if obj.Source else None
+    placed = _placed_parts(obj)
+    return None if placed is None else [(one, where.toMatrix()) for one, where in placed]
+
+
+def _mirror(obj: Any) -> App.Matrix:
+    """The mirror of a `Part::Mirroring`, before its own placement."""
+    normal = App.Vector(obj.Normal).normalize()
+    rows = [axis - normal * (2 * normal.dot(axis)) for axis in AXES]
+    shift = normal * (2 * normal.dot(obj.Base))
+    numbers = [(*row, moved) for row, moved in zip(rows, shift, strict=True)]
+    return App.Matrix(*(number for row in numbers for number in row), 0, 0, 0, 1)
+
+
+def _placed_parts(obj: Any) -> list[tuple[Any, App.Placement]] | None:
+    """What an object shows as it is, not mirrored."""
     if _is_container(obj):
         inside = _inside(obj)
         kept = not_repeated(one for one, _ in inside)
@@ -84,6 +122,8 @@ def _parts(obj: Any) -> list[Standing] | None:
         return [(one, _own(one)) for one in obj.Objects]
     if obj.TypeId == "App::LinkGroup":
         return [(one, _own(one)) for one in obj.ElementList]
+    if obj.TypeId == COMPOUND:
+        return [(one, _own(one)) for one in obj.Links]
     is_array = _is_draft(obj, "Array")
     shown = obj.Base if is_array else link_target(obj)
     if shown is None:
@@ -97,9 +137,9 @@ def _parts(obj: Any) -> list[Standing] | None:
     return [(shown, place * own) for place in places]
 
 
-def _inside(group: Any) -> list[Standing]:
+def _inside(group: Any) -> list[tuple[Any, App.Placement]]:
     """What is in a container and in those in it, each at its place there."""
-    found: list[Standing] = []
+    found: list[tuple[Any, App.Placement]] = []
     for child in group.Group:
         own = _own(child)
         found += (

@@ -9,7 +9,7 @@ from typing import Any
 import FreeCAD as App
 import numpy as np
 import Part
-from freecad.elastica_wb.curves.copies import copies
+from freecad.elastica_wb.curves.copies import copies, turned_over
 from freecad.elastica_wb.curves.sketch_curves import container, drawn_curve, frame_of, placement_of
 from freecad.elastica_wb.features.proxy import CONTAINERS, Feature, added
 from freecad.elastica_wb.features.strip import is_strip, strip_of
@@ -121,16 +121,18 @@ def strips_model(strips: list[Any], *, name: str, options: tuple[tuple[str, Any]
 def _standing(obj: Any) -> Iterator[tuple[Strip, App.Placement]]:
     """The strips that an object shows, each with the place of its curve in the document."""
     shown = list(copies(obj))
-    if not any(is_strip(one) or is_model(one) for one, _ in shown):
+    if not any(is_strip(one) or is_model(one) for one, *_ in shown):
         raise InputError(f"{obj.Label} is no strip: a model is made of strips")
-    for one, place in shown:
+    for one, place, is_image in shown:
         if is_strip(one):
             world = drawn_curve(one.Curve, one).world if one is obj else place
-            yield _labelled(strip_of(one), one.EngravedText or _called(obj)), world
+            strip = strip_of(one).mirrored() if is_image else strip_of(one)
+            yield _labelled(strip, one.EngravedText or _called(obj)), world
         elif is_model(one):
-            moved = place * container(one).inverse()
+            here = container(one).inverse()
             for placed in model_of(one).placed:
-                yield placed.strip, moved * placement_of(placed.frame)
+                strip, inside = placed.strip, here * placement_of(placed.frame)
+                yield (strip.mirrored(), place * turned_over(inside)) if is_image else (strip, place * inside)
 
 
 @growing_cache

@@ -19,7 +19,8 @@ from elastica_cad.fabrication.sheets.pieces import Piece, distinct
 
 
 def pieces_of(sources: Iterable[Any]) -> list[Piece]:
-    """What must be cut for strips, models and base plates, as often as they, their links, arrays and clones stand.
+    """What must be cut for strips, models and base plates, as often as they, their links, arrays, clones and images
+    stand.
 
     Strips of a model that is there too count once, so does what an array repeats, and a strip with its flat part.
 
@@ -44,7 +45,7 @@ def counted(sources: Iterable[Any]) -> dict[Any, int]:
     standing: Counter[Any] = Counter()
     lying: Counter[Any] = Counter()
     for obj in not_repeated(sources):
-        for original, _ in copies(obj):
+        for original, *_ in copies(obj):
             (lying if is_flat(original) else standing)[original] += 1
     found = {obj: count for obj, count in standing.items() if is_cut(obj)}
     for flat, count in lying.items():
