@@ -16,8 +16,8 @@ from elastica_cad.geometry.polynomials.knot_runs import knot_runs
 
 Ends = tuple[Tab, Tab]
 
-SHOULDER_MM = 1e-5
-"""A tab that differs less in width is as wide as the strip: its corners would be one point in a file."""
+SHOULDER_MM = 1e-3
+"""A tab that differs less in width is as wide as the strip: no tool cuts such shoulders, kernels trip over them."""
 
 MEETING_MM = 1e-9
 """Ends nearer than this meet: rounding."""

@@ -9,9 +9,11 @@ import shapely
 import elastica_cad as ec
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.solids.strip_solids import BentSolid
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.tabs import Hole
+from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.loads.weight import Weight
 from elastica_cad.mechanics.material.laminated_section import LaminatedSection
 from elastica_cad.mechanics.stiffness.optimal_laminate import optimal_laminate
@@ -220,6 +222,21 @@ def test_a_backing_that_ends_without_a_tab_ends_square(rod, ends):
         if tab.length < 1:
             beyond = rim[at * (rim[:, 0] - x) > -1e-3]
             assert np.ptp(beyond[:, 1]) == pytest.approx(float(width(x)), abs=1e-3)
+
+
+@pytest.mark.parametrize("ratio", [3.0, 4.0])
+def test_a_backing_has_no_shoulders_too_small_to_cut(ratio):
+    """A backing that ends nearly as wide as the base had tabs that stood out by nm; turned bodies failed."""
+    style = Laminated(width=20, backing=CARD)
+    ends = (ec.Tab(10), ec.Tab(10))
+    curve = ec.PlaneCurve.spline([(20, 0), (40, 60), (70, 80), (120, 60), (150, 0)])
+    made = ec.make_strip(curve, CARD, style=style, limits=ec.Limits(ratio=ratio), ends=ends)
+    shortest = min(segment.length for layer in made.layers for segment in layer.outline.segments)
+    assert shortest > 5e-4
+    for angle in (0.3, 1.0, 2.0):
+        x, y = (np.cos(angle), 0.0, np.sin(angle)), (-np.sin(angle), 0.0, np.cos(angle))
+        for body in BentSolid.layers(made, Frame((100.0, 50.0, 20.0), x, y)):
+            assert body.boundary.is_closed
 
 
 def test_a_backing_may_be_named():
