@@ -91,7 +91,7 @@ def kit_of(
     model = _joined(model, spec, entries)
     told, holders = [*_strip_faults(model, spec, entries)], list[Holder]()
     joined = _spliced(model, spec, entries)
-    strips = strip_pieces(model.parts, numbered=bool(spec.holders or model.plates))
+    strips = strip_pieces(model.parts, numbered=_numbers_ends(model, spec))
     pieces = (*_cut(strips, joined), *(plate.piece for plate in model.plates), *spec.extras(model))
     nests = _nest(pieces, spec.nesting, spec, f"{model.name}-nest")
     for asked in spec.holders:
@@ -132,7 +132,13 @@ def _spliced(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> dict
         )
         for part in model.parts
     }
-    return {name: splice for name, splice in found.items() if splice is not None}
+    ends = ("1", "2") if _numbers_ends(model, spec) else ("", "")
+    return {name: replace(splice, ends=ends) for name, splice in found.items() if splice is not None}
+
+
+def _numbers_ends(model: Model, spec: KitSpec) -> bool:
+    """Are ends engraved, as the slots that hold them are?"""
+    return bool(spec.holders or model.plates)
 
 
 def _for_nests(strip: Strip, shop: Shop, spec: KitSpec) -> Shop:

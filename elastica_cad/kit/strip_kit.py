@@ -107,8 +107,10 @@ class StripKit:
     def drawings(self) -> tuple[Drawing, ...]:
         """The cut pattern of each layer; ends where another strip goes on are engraved with the joint's name."""
         strip, joined = self.strip, spliced(self.strip, self.spec.shop)
-        drawings = strip.drawings() if joined is None else joined.drawings
-        if any(self.joints) and joined is None:
+        if joined is not None:
+            return replace(joined, ends=self.joints).drawings
+        drawings = strip.drawings()
+        if any(self.joints):
             base, cuts = drawings[0], Cuts(strip.holes, outline=strip.outline)
             marks = end_numbers(strip.width, cuts, base.texts, self.joints)
             drawings = (replace(base, texts=(*base.texts, *marks)), *drawings[1:])

@@ -19,7 +19,7 @@ from elastica_cad.fabrication.drawings.drawing import (
 )
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.sheets.pieces import Piece
-from elastica_cad.fabrication.slots.mating_marks import label_off_cuts, mating_marks
+from elastica_cad.fabrication.slots.mating_marks import end_numbers, label_off_cuts, mating_marks
 from elastica_cad.fabrication.slots.slot import Slot, slot_rim
 from elastica_cad.fabrication.slots.text_room import Cuts
 from elastica_cad.fabrication.strip.perforation import Perforated
@@ -59,12 +59,15 @@ class Splice:
         Length of the plates, half of it on either piece, mm.
     backing_joints : tuple of float
         Where the backing of a laminate is cut, mm along it.
+    ends : (str, str)
+        What is engraved at the start and at the end of the strip's base, empty for nothing.
     """
 
     strip: Strip
     joints: tuple[float, ...]
     lap: float
     backing_joints: tuple[float, ...] = ()
+    ends: tuple[str, str] = ("", "")
 
     @property
     def pieces(self) -> tuple[Piece, ...]:
@@ -78,7 +81,7 @@ class Splice:
         name, base = strip.label or "strip", strip.layers[0]
         marks = [drawing.on(MARK) for drawing in strip.drawings()]
         cut = replace(base, holes=self._holes)
-        whole = [_Whole(name, cut, strip.width, marks[0], self.joints, strip.slots)]
+        whole = [_Whole(name, cut, strip.width, marks[0], self.joints, strip.slots, self.ends)]
         if layout.backing is not None:
             glued = strip.layers[1]
             whole.append(
@@ -180,12 +183,14 @@ class Splice:
         label = label_off_cuts(name, whole.width, Cuts(holes, marks, outline=outline), span)
         ends = [_tick(whole, x) for x in (low, high) if 0.0 < x < self.strip.rod.length]
         mates = mating_marks(slots, whole.width, holes, (*marks, *ends), (label,))
+        known = whole.ends[0] if low <= 0.0 else "", whole.ends[1] if high >= self.strip.rod.length else ""
+        numbers = end_numbers(whole.width, Cuts(holes, marks, outline=outline), (label, *mates), known)
         paths = (
             *(LayeredPath(MARK, mark) for mark in marks),
             *(LayeredPath(CUT_INNER, hole) for hole in holes),
             LayeredPath(CUT_OUTER, outline),
         )
-        return Piece(name, Drawing(name, paths, (label, *mates)), layer.sheet)
+        return Piece(name, Drawing(name, paths, (label, *mates, *numbers)), layer.sheet)
 
     def _clear_of_holes(self, whole: "_Whole", low: float, high: float) -> tuple[float, float]:
         """The part of a perforated piece that comes to lie under a plate, where no hole is."""
@@ -195,7 +200,7 @@ class Splice:
 
 @dataclass(frozen=True, eq=False)
 class _Whole:
-    """A layer before it is cut in pieces: its name, width, lines marked on it, joints, mm along it, and slots."""
+    """A layer before it is cut: its name, width, lines marked on it, joints, mm along it, slots, names of ends."""
 
     name: str
     layer: Layer
@@ -203,6 +208,7 @@ class _Whole:
     marks: tuple[Path, ...]
     joints: tuple[float, ...]
     slots: tuple[Slot, ...] = ()
+    ends: tuple[str, str] = ("", "")
 
 
 def _tick(whole: _Whole, x: float) -> Path:
@@ -274,7 +280,7 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
                 "lap or a larger stock"
             )
         found.append(joints)
-    return Splice(strip, found[0], lap, *found[1:])
+    return Splice(strip, found[0], lap, found[1] if len(found) > 1 else ())
 
 
 def spliced(strip: Strip, shop: Shop) -> Splice | None:

@@ -17,7 +17,7 @@ from elastica_cad.fabrication.drawings.drawing import (
 )
 from elastica_cad.fabrication.drawings.lettering import Text, fit_label
 from elastica_cad.fabrication.slots.mating_marks import label_off_cuts, label_on_tabs, mating_marks
-from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.fabrication.slots.slot import Slot, slot_cut
 from elastica_cad.fabrication.slots.slotted_outline import cut_slots
 from elastica_cad.fabrication.slots.text_room import Cuts
 from elastica_cad.fabrication.strip.as_built import material_width
@@ -29,6 +29,7 @@ from elastica_cad.fabrication.strip.flat_outline import (
     flat_rim,
 )
 from elastica_cad.fabrication.strip.styles import Layout
+from elastica_cad.geometry.paths.clip import trim_off
 from elastica_cad.geometry.paths.many_segments import areas
 from elastica_cad.geometry.paths.path import Path
 from elastica_cad.geometry.paths.profile import Profile
@@ -147,7 +148,7 @@ def draw_layers(
     drawn = []
     for i, layer in enumerate(layers):
         width = layout.width if i == 0 or layout.backing is None else layout.backing.width
-        marks = (*_ticks(layout, width, ends, lap), *(() if i else layout.guides))
+        marks = (*_ticks(layout, width, ends, lap), *(() if i else _off_slots(layout.guides, layout, slots)))
         if layout.stack is not None:
             marks = _leaf_marks(layer, layers)
         paths = (
@@ -162,6 +163,16 @@ def draw_layers(
             texts += mating_marks(slots, layout.width, layer.holes, marks, texts)
         drawn.append(Drawing(name=layer.called(name), paths=paths, texts=texts))
     return tuple(drawn)
+
+
+def _off_slots(guides: Sequence[Path], layout: Layout, slots: Sequence[Slot]) -> tuple[Path, ...]:
+    """The parts of lines that lie beside slots, where there is material to mark."""
+    open_cuts = [slot_cut(slot, layout.width, beyond=slot.width) for slot in slots]
+    loops = [
+        Path((*cut.segments, Line(cut.segments[-1].end, cut.segments[0].start)), closed=True)
+        for cut in open_cuts
+    ]
+    return tuple(part for guide in guides for part in trim_off(guide, loops))
 
 
 def _leaf_marks(layer: Layer, layers: Sequence[Layer]) -> tuple[Path, ...]:

@@ -1,7 +1,7 @@
 """The ends of a strip: tabs to hold it by, with holes, rounded or chamfered corners."""
 
 from dataclasses import dataclass, replace
-from itertools import pairwise
+from itertools import combinations, pairwise
 from math import hypot, sqrt
 from typing import Literal, TypeAlias
 
@@ -158,6 +158,12 @@ class Tab:
                 raise InputError(
                     f"a {hole.diameter:g} mm hole {hole.at:g} mm into the tab does not fit its length of "
                     f"{self.length:g} mm: move it or lengthen the tab"
+                )
+        for one, other in combinations(self.holes, 2):
+            if hypot(one.at - other.at, one.across - other.across) <= (one.diameter + other.diameter) / 2:
+                raise InputError(
+                    f"holes of {one.diameter:g} mm and {other.diameter:g} mm, {one.at:g} and {other.at:g} mm into "
+                    "the tab, meet: move one of them"
                 )
 
     def mirrored(self) -> "Tab":

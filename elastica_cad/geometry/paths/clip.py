@@ -1,14 +1,19 @@
 """What of a path lies between two lines across."""
 
+from collections.abc import Callable, Sequence
 from itertools import pairwise
 
 import numpy as np
 
+from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.paths.path import JOIN, Path
-from elastica_cad.geometry.paths.path_intersections import segment_crossings
+from elastica_cad.geometry.paths.path_intersections import encloses, segment_crossings
 from elastica_cad.geometry.paths.segments import Line, Segment
 from elastica_cad.geometry.paths.trim import trim_segment
+
+FLAT_MM = 0.002
+"""Flatness of loops where it is asked what lies inside them."""
 
 
 def clip_across(path: Path, low: float, high: float) -> Path:
@@ -54,17 +59,39 @@ def trim_across(path: Path, low: float, high: float) -> tuple[Path, ...]:
     return tuple(Path(run) for run in _runs_between(path, low, high))
 
 
+def trim_off(path: Path, loops: Sequence[Path]) -> tuple[Path, ...]:
+    """The parts of an open path that lie outside of closed ones, in order.
+
+    Examples
+    --------
+    >>> [part.length for part in trim_off(Path.polyline([(-10, 5), (60, 5)]), [Path.rectangle(40, 10)])]
+    [10.0, 20.0]
+    """
+    low, high = path.bounds
+    met = [one for one in loops if np.all(one.bounds[0] <= high) and np.all(one.bounds[1] >= low)]
+    if not met:
+        return (path,)
+    walls = [segment for one in met for segment in one.segments]
+    rims = [one.points(FLAT_MM) for one in met]
+    kept = _runs(path, walls, lambda place: not any(encloses(rim, place) for rim in rims))
+    return tuple(Path(run) for run in kept)
+
+
 def _runs_between(path: Path, low: float, high: float) -> list[list[Segment]]:
     """Chains of a path's segments between two lines across, in order."""
-    runs: list[list[Segment]] = [[]]
     (left, bottom), (right, top) = path.bounds
     walls = [Line((x, bottom - 1), (x, top + 1)) for x in (low, high) if left + JOIN < x < right - JOIN]
+    return _runs(path, walls, lambda place: low <= float(place[0]) <= high)
+
+
+def _runs(path: Path, walls: Sequence[Segment], keeps: Callable[[FloatArray], bool]) -> list[list[Segment]]:
+    """Chains of a path's segments, cut at `walls`, whose middles are kept, in order."""
+    runs: list[list[Segment]] = [[]]
     for segment in path.segments:
         cuts = {u for wall in walls for u, _ in segment_crossings(segment, wall)}
         edges = np.unique([0.0, *(u for u in cuts if _is_within(segment, u)), 1.0])
         for u0, u1 in pairwise(edges.tolist()):
-            x = float(segment.at((u0 + u1) / 2)[0])
-            if low <= x <= high:
+            if keeps(segment.at((u0 + u1) / 2)):
                 runs[-1].append(trim_segment(segment, u0, u1))
             elif runs[-1]:
                 runs.append([])

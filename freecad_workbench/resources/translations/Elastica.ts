@@ -2475,6 +2475,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>holes of %1 mm and %2 mm, %3 and %4 mm into the tab, meet: move one of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>a %1 mm hole %2 mm into the tab does not fit its length of %3 mm: move it or lengthen the tab</source>
         <translation type="unfinished"></translation>
     </message>

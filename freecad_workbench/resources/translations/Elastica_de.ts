@@ -2487,6 +2487,10 @@
         <translation>die Mutter eines T-Schlitzes, %1 mm, ist breiter als die Außenkante der Lasche von %2 mm: die Lasche breiter machen</translation>
     </message>
     <message>
+        <source>holes of %1 mm and %2 mm, %3 and %4 mm into the tab, meet: move one of them</source>
+        <translation>Löcher von %1 mm und %2 mm, %3 und %4 mm in der Lasche, treffen sich: eines davon verschieben</translation>
+    </message>
+    <message>
         <source>a %1 mm hole %2 mm into the tab does not fit its length of %3 mm: move it or lengthen the tab</source>
         <translation>ein Loch von %1 mm, %2 mm tief in der Lasche, passt nicht in ihre Länge von %3 mm: es verschieben oder die Lasche verlängern</translation>
     </message>

@@ -2487,6 +2487,10 @@
         <translation>T 形槽的螺母 %1 mm 宽于插片外缘 %2 mm：请加宽插片</translation>
     </message>
     <message>
+        <source>holes of %1 mm and %2 mm, %3 and %4 mm into the tab, meet: move one of them</source>
+        <translation>插片内 %3 mm 和 %4 mm 处、直径 %1 mm 和 %2 mm 的孔相交：移动其中一个</translation>
+    </message>
+    <message>
         <source>a %1 mm hole %2 mm into the tab does not fit its length of %3 mm: move it or lengthen the tab</source>
         <translation>插片内 %2 mm 处的 %1 mm 孔放不进长 %3 mm 的插片：移动孔或加长插片</translation>
     </message>

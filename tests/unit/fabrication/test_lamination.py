@@ -270,3 +270,25 @@ def test_a_laminate_near_a_gentle_curve_follows_it():
     assert np.abs(gentle.rod.position - ARCH.sample(gentle.rod.s.size).position).max() < 1e-3
     assert gentle.layout.backing.width.extremes[1] == pytest.approx(22.0, rel=1e-4)
     assert gentle.rod.ratio == pytest.approx(ec.optimal_rod(ARCH).ratio, rel=0.01)
+
+
+@pytest.mark.parametrize("lean", [0.0, 0.5])
+def test_guides_of_the_backing_stop_at_slots(rod, lean):
+    """A laser marked across the open slot, and the other strip's face behind it."""
+    slots = (
+        Slot(60.0, width=3.0, lean=lean),
+        Slot(120.0, width=2.0, side="lower"),
+        Slot(180.0, width=1.0, depth=0.1),
+    )
+    style = Laminated(width=24.0, backing=THICK)
+    strip = ec.Strip(rod, CARD, style=style, slots=slots)
+    whole = [path.length for path in ec.Strip(rod, CARD, style=style).drawings()[0].on("MARK")]
+    base = strip.drawings()[0]
+    material = shapely.Polygon(base.on("CUT_OUTER")[0].points(1e-4))
+    guides = [path for path in base.on("MARK") if np.ptp(path.bounds[:, 0]) > 1]
+    assert len(guides) == 4
+    for guide in guides:
+        line = shapely.LineString(guide.points(1e-3))
+        assert line.difference(material.buffer(2e-3)).length == 0
+    across = 3.0 / np.cos(lean) + 2.0
+    assert sum(whole) - sum(p.length for p in base.on("MARK")) == pytest.approx(across, rel=0.05)

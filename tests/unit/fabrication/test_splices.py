@@ -18,8 +18,10 @@ from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, MARK
 from elastica_cad.fabrication.drawings.lettering import text_strokes
 from elastica_cad.fabrication.makeability.splices import Splice, joined_within, splice, spliced
 from elastica_cad.fabrication.strip.made_stiffness import PLATE_CUT, PLATE_END, LapPlates
+from elastica_cad.formats.design_files.kit_spec import HolderSpec, KitSpec, Nesting
 from elastica_cad.geometry.paths.clip import clip_across
 from elastica_cad.geometry.paths.path import Path
+from elastica_cad.kit.kit_contents import kit_of
 from elastica_cad.mechanics.material.tapered_sections import ThicknessLaw
 
 PLY = ec.Sheet.named("birch-plywood-4")
@@ -387,3 +389,29 @@ def test_plates_of_a_strip_without_tabs_move_it_as_much():
     plates = LapPlates((1500.0,), 80.0)
     moved = [Splice(strip, plates.joints, plates.lap).deviation for strip in (held, bare)]
     assert moved[1] == pytest.approx(moved[0], rel=1e-6)
+
+
+def test_ends_of_a_strip_in_pieces_are_numbered_as_those_of_a_whole_one():
+    """Slots of bases are named for the ends that they take; pieces had no numbers, nor the names of joints."""
+    strip = ec.Strip(ec.Rod.straight(1000.0), PLY, max_width=40.0, label="A")
+    joined = replace(splice(strip, 600.0, 60.0), ends=("1", "2"))
+    numbers = {piece.name: [text.text for text in piece.drawing.texts[1:]] for piece in joined.pieces}
+    assert numbers == {"A-1": ["1"], "A-2": ["2"], "A-lap-1": []}
+    for piece in joined.pieces:
+        loop = polygon(piece.drawing.on(CUT_OUTER)[0])
+        for text in piece.drawing.texts:
+            assert loop.contains(shapely.MultiLineString([one.points(0.05) for one in text_strokes(text)]))
+    places = [text.position[0] for piece in joined.pieces for text in piece.drawing.texts[1:]]
+    assert 0 < places[0] < 12
+    assert 988 < places[1] < 1000
+
+    drawn = ec.Rod.straight(1000.0)
+    placed = ec.Placed(replace(strip, rod=drawn), (0, 0, 0), (1, 0, 0), (0, 0, 1))
+    spec = KitSpec(
+        holders=(HolderSpec("fixtures"),),
+        nesting=Nesting(sheet_size=(700.0, 400.0)),
+        shop=ec.Shop(stock=(700.0, 400.0), lap=60.0),
+    )
+    pieces = kit_of(ec.Model([placed]), spec, effects=False).pieces
+    told = {piece.name: [text.text for text in piece.drawing.texts] for piece in pieces}
+    assert told == {"A-1": ["A-1", "1"], "A-2": ["A-2", "2"], "A-lap-1": ["A-lap-1"]}

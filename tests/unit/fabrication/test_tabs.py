@@ -1,7 +1,10 @@
 """Tabs with T-slots and tapers: exact areas, sound files, bodies that hold the screw."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
+import shapely
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
@@ -93,3 +96,16 @@ def test_a_tab_is_as_wide_as_asked_but_for_shoulders_that_nobody_can_cut(wide, d
     points = made.outline.points(0.1)
     for beyond in (points[:, 0] < -1, points[:, 0] > 101):
         assert np.ptp(points[beyond, 1]) == pytest.approx(drawn)
+
+
+@pytest.mark.parametrize("gap", [-0.5, 0.5])
+def test_holes_of_a_tab_that_meet_are_refused(gap):
+    """They were cut as two loops over each other."""
+    one = Hole(5.0, 4.0, -2.0)  # 5 mm from the middle of the other
+    holes = (one, replace(one, at=9.0, across=1.0, diameter=6.0 - 2 * gap))
+    if gap < 0:
+        with pytest.raises(InputError, match="5 and 9 mm into the tab, meet: move one of them"):
+            Tab(20.0, holes=holes)
+    else:
+        one, other = (shapely.Polygon(p.points(1e-4)) for p in Tab(20.0, holes=holes).hole_paths(20.0))
+        assert one.distance(other) == pytest.approx(gap, abs=1e-3)
