@@ -10,7 +10,7 @@ import click
 from elastica_cad.cli.asking.lengths import LENGTH, POINT
 from elastica_cad.cli.asking.options import output_options
 from elastica_cad.cli.running.program import name_program
-from elastica_cad.cli.running.voice import answer, say, wrote
+from elastica_cad.cli.running.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.sheets.coupon import coupon_drawing, coupon_overhang
 from elastica_cad.files import save
@@ -98,7 +98,8 @@ def coupon(
             listed=sheet is not None,
         )
         return
-    for value, option in ((least_radius, "--least-radius"), (kerf, "--kerf"), (keep or None, "--keep")):
+    own_options = {"--least-radius": least_radius, "--kerf": kerf, "--grain": grain, "--keep": keep or None}
+    for option, value in own_options.items():
         if value is not None:
             raise InputError(f"{option} belongs to a measurement: give --measured OVERHANG DROOP too")
     drawing = coupon_drawing(known, overhang=overhang, width=width, clamp=clamp)
@@ -122,6 +123,9 @@ def coupon(
     )
     say(f"next: cut it, hang {free:g} mm of it over an edge, read the droop of its end in mm, and")
     say(f"  {name_program()} coupon {typed} --measured {free:g} DROOP")
+
+
+_GRAIN = {"along": "along its grain", "across": "across its grain", "none": "without a grain"}
 
 
 def _known(sheet: str | None, thickness: float | None, density: float | None, name: str | None) -> Sheet:
@@ -183,6 +187,11 @@ def _calibrate(
         (workshop / file).write_text(found.toml(), encoding="utf-8")
     answer({"sheet": found, "measured": result})
     say(str(result))
+    if listed and least_radius is None and found.grain != sheet.grain:
+        warn(
+            f"the largest strain, {100 * sheet.max_strain:.2g} %, is that of {sheet.name}, which is bent "
+            f"{_GRAIN[sheet.grain]}: measure how tightly yours bends, then --least-radius MM"
+        )
     if listed:
         say(f"(in the list: {sheet.elasto_gravity_length:.2f} mm, E {sheet.youngs_modulus:.0f} MPa)")
     elif least_radius is None:

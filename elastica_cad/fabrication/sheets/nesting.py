@@ -15,6 +15,9 @@ from elastica_cad.mechanics.material.sheet import Sheet
 SLACK_MM = 1e-9
 """Rounding that a piece as large as its row may have."""
 
+LEAST_GAP_MM = 0.01
+"""Between loops as the tool runs: those that touch are refused where the kerf is taken off."""
+
 
 @dataclass(frozen=True, eq=False)
 class NestedSheet(Drawing):
@@ -140,7 +143,8 @@ def nest_pieces(
         groups.setdefault(piece.sheet, []).append(piece)
     drawings: list[NestedSheet] = []
     for sheet, group in groups.items():
-        apart = margin + widened_by(sheet, kerf)
+        widened = widened_by(sheet, kerf)
+        apart = widened + (max(margin, LEAST_GAP_MM) if widened else margin)
         drawings += _nested_group(sheet, group, (width, height), apart, name)
     return tuple(drawings)
 

@@ -47,11 +47,23 @@ def test_what_nobody_measured_is_told(tmp_path):
     assert len(f"{written.youngs_modulus!r}") <= 7  # as many digits as readings can tell
 
 
+@pytest.mark.parametrize("grain", ["along", "across"])
+def test_a_strain_of_the_other_grain_is_told(tmp_path, grain):
+    """Plywood across its face grain bears two thirds more: a strip along it would break at that."""
+    words = ("coupon", "--sheet", "finnish-birch-plywood-across-3.6", "--measured", 300, 20, "--grain", grain)
+    result = run(*words, "-o", tmp_path / "own")
+    assert result.exit_code == 0, result.output
+    other = "the largest strain, 0.82 %, is that of finnish-birch-plywood-across-3.6, which is bent across"
+    assert (other in result.stderr) == (grain == "along")
+    assert not run(*words, "--least-radius", 300, "-o", tmp_path / "bent").stderr
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
         (("--sheet", "paper"), "unknown sheet 'paper'"),
         (("--sheet", "card-200gsm", "--kerf", 0.1), "--kerf belongs to a measurement"),
+        (("--sheet", "card-200gsm", "--grain", "none"), "--grain belongs to a measurement"),
         ((), "give --thickness MM and --density KG/M3 of one that is in no list"),
         (("--sheet", "card-200gsm", "--measured", 100, 120), "a droop of 120 mm is more than"),
         (("--sheet", "card-200gsm", "--measured", 160, 74, "--density", 0), "density is 0"),

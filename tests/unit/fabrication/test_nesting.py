@@ -70,12 +70,14 @@ def test_margin_is_kept_and_nothing_is_lost(margin, seed):
         assert nest.filled <= nest.used <= 400 * 300
 
 
+@pytest.mark.parametrize("margin", [0.0, 1.0])
 @pytest.mark.parametrize(("kerf", "burnt"), [(0.3, 0.3), (None, MDF.kerf), (-0.2, -0.2)])
-def test_the_margin_holds_between_the_cuts_as_they_run(kerf, burnt):
+def test_the_margin_holds_between_the_cuts_as_they_run(kerf, burnt, margin):
+    """Without a margin the cuts touched, and the kerf was refused for it."""
     pieces = [plate(f"p{i}", 30 + 7 * i, 20 + 3 * i, sheet=MDF, count=3) for i in range(5)]
-    for nest in nest_pieces(pieces, sheet_size=(200, 150), margin=1.0, kerf=kerf):
+    for nest in nest_pieces(pieces, sheet_size=(200, 150), margin=margin, kerf=kerf):
         cut = compensate_kerf(nest, burnt)
-        assert_margin_kept(replace(nest, paths=cut.paths), 1.0)
+        assert_margin_kept(replace(nest, paths=cut.paths), margin)
 
 
 def test_rows_are_well_filled():
