@@ -158,6 +158,31 @@ def test_a_tab_goes_through_the_base_plate(strip, measure):
     assert abs(measure.volume(common(plate, bent), bent=False)) < 1e-6
 
 
+def test_a_leaning_strip_wider_than_its_tab_is_kept_out_of_the_base_plate(measure):
+    """Its plane leans by 20 degrees: the lower corner of its end, 15 mm from the middle, would be 5.13 mm below."""
+    rod = optimal_rod(PlaneCurve.arc((0, 0), 80.0, 0.0, np.pi))
+    strip = Strip(
+        rod, Sheet.named("birch-plywood-0.8"), max_width=30, ends=(Tab(30, width=8),) * 2, label="A"
+    )
+    lean = np.radians(20.0)
+    placed = Placed(strip, (0, 0, 0), (1, 0, 0), (0, np.sin(lean), np.cos(lean)))
+    bent = occt.make_solid(BentSolid.of(strip, placed.frame))
+
+    def shared(plate):
+        return abs(measure.volume(common(occt.make_solid(plate.solid), bent), bent=False))
+
+    with pytest.raises(ValueError, match=r"beside the tab of A:1 the strip would stand 5\.13 mm deep"):
+        Model([placed]).base_plate("mdf-3")
+    anyway = Model([placed]).base_plate("mdf-3", anyway=True)
+    assert len(anyway.warnings) == 2
+    assert shared(anyway) > 10
+    lower = Model([placed]).base_plate("mdf-3", frame=Frame((0, 0, -5.4)))
+    assert not lower.warnings
+    assert shared(lower) < 1e-6
+    upright = Placed(strip, (0, 0, 0), (1, 0, 0), (0, 0, 1))
+    assert not Model([upright]).base_plate("mdf-3").warnings
+
+
 def test_prisms_must_make_one_body():
     plate = FlatSolid(Path.rectangle(10, 10), thickness=2.0)
     apart = FlatSolid(Path.rectangle(10, 10, corner=(20, 0)), thickness=2.0)

@@ -1,7 +1,7 @@
 """A base plate: one slotted sheet into which all tabs of a model that stand on it are pushed."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Literal
 
@@ -16,6 +16,7 @@ from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.makeability.uncuttable_parts import (
     accept_faults,
     find_plate_faults,
+    find_shoulder_faults,
     find_slot_faults,
 )
 from elastica_cad.fabrication.placed_strip import Placed
@@ -209,7 +210,7 @@ def base_plate(
     ------
     InputError
         No tab goes through the plate, one lies too flat, two slots meet, slots far wider than their tabs, bridges
-        too thin to cut; the parts are named.
+        too thin to cut, a leaning strip wider than its tab that runs into the plate; the parts are named.
     """
     sheet = Sheet.of(sheet)
     ground = frame or Frame()
@@ -223,7 +224,9 @@ def base_plate(
             raise InputError(f"{name}: {what} is {value}: it must be 0 mm or more")
     if shape not in ("hull", "rectangle", "ring"):
         raise InputError(f'{name}: the outline is "hull", "rectangle" or "ring", not {shape!r}')
-    standing = [tab for tab in tabs_to_hold(placed, ends) if _stands_in(tab, ground)]
+    widths = [one.strip.end_widths[ENDS.index(end)] for one in placed for end in ends]
+    tabs = zip(tabs_to_hold(placed, ends), widths, strict=True)
+    standing = [(tab, wide) for tab, wide in tabs if _stands_in(tab, ground)]
     if not standing:
         raise InputError(
             f"{name}: no tab of the model goes through the plate: move the plate to where the strips end, or give "
@@ -233,9 +236,22 @@ def base_plate(
         tab_slot(
             tab, ground, sheet.thickness, play=play, clearance=clearance, least=slot_width or 0.0, name=name
         )
-        for tab in standing
+        for tab, _ in standing
     )
-    return plate_with(slots, sheet, ground, border=border, shape=shape, name=name, shop=shop, anyway=anyway)
+    deep = [
+        (tab.name, _shoulder_depth(tab, wide, ground), tab.thickness)
+        for tab, wide in standing
+        if wide > tab.width + 2 * play
+    ]
+    told = accept_faults(find_shoulder_faults(name, deep), anyway)
+    plate = plate_with(slots, sheet, ground, border=border, shape=shape, name=name, shop=shop, anyway=anyway)
+    return replace(plate, warnings=(*told, *plate.warnings)) if told else plate
+
+
+def _shoulder_depth(tab: PlacedTab, wide: float, ground: Frame) -> float:
+    """How deep the end of a strip `wide` mm wide would stand in the plate, mm, where its tab begins."""
+    height = float(ground.local(tab.frame.origin)[2])
+    return wide / 2 * abs(float(ground.z_axis @ tab.frame.y_axis)) - height
 
 
 def plate_with(

@@ -153,6 +153,19 @@ def find_slot_faults(name: str, slots: Sequence[tuple[str, float, float]]) -> tu
     return (Fault(name, what, cure),)
 
 
+def find_shoulder_faults(name: str, shoulders: Sequence[tuple[str, float, float]]) -> tuple[Fault, ...]:
+    """Strips wider than their tabs that run into the plate: (tab, depth, thickness of the strip) of each, mm."""
+    return tuple(
+        Fault(
+            name,
+            f"beside the tab of {tab} the strip would stand {depth:.3g} mm deep in the plate",
+            "give it a tab as wide as the strip, or set the plate so much lower",
+        )
+        for tab, depth, thickness in shoulders
+        if depth > thickness
+    )
+
+
 def _size(strip: Strip) -> tuple[float, float]:
     """Length and width of the flat part, mm: its tabs included, its slots filled."""
     length = strip.rod.length + sum(tab.length for tab in strip.ends)

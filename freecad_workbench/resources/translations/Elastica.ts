@@ -2275,6 +2275,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>beside the tab of %1 the strip would stand %2 mm deep in the plate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give it a tab as wide as the strip, or set the plate so much lower</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>make it wider (max_width), or ask for the nearest curve with a smaller ratio</source>
         <translation type="unfinished"></translation>
     </message>

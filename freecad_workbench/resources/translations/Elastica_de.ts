@@ -2287,6 +2287,14 @@
         <translation>die Streifen steiler auf die Platte treffen lassen, eine dünnere Platte nehmen oder sie mit Endhaltern halten</translation>
     </message>
     <message>
+        <source>beside the tab of %1 the strip would stand %2 mm deep in the plate</source>
+        <translation>neben der Lasche von %1 stünde der Streifen %2 mm tief in der Platte</translation>
+    </message>
+    <message>
+        <source>give it a tab as wide as the strip, or set the plate so much lower</source>
+        <translation>ihm eine Lasche geben, die so breit ist wie der Streifen, oder die Platte um so viel tiefer legen</translation>
+    </message>
+    <message>
         <source>make it wider (max_width), or ask for the nearest curve with a smaller ratio</source>
         <translation>ihn breiter machen (MaxWidth) oder die nächste Kurve mit kleinerem Verhältnis nehmen</translation>
     </message>

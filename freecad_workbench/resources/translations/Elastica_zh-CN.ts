@@ -2287,6 +2287,14 @@
         <translation>让条带更陡地接触底板，使用更薄的底板，或用端部夹具固定</translation>
     </message>
     <message>
+        <source>beside the tab of %1 the strip would stand %2 mm deep in the plate</source>
+        <translation>在 %1 的插片旁，条带会陷入底板 %2 mm</translation>
+    </message>
+    <message>
+        <source>give it a tab as wide as the strip, or set the plate so much lower</source>
+        <translation>让插片与条带同宽，或把底板降低相同的距离</translation>
+    </message>
+    <message>
         <source>make it wider (max_width), or ask for the nearest curve with a smaller ratio</source>
         <translation>加宽（MaxWidth），或改用刚度比更小的最近曲线</translation>
     </message>
