@@ -42,15 +42,15 @@ def test_slots_of_every_kind_reach_the_solid(measure):
     assert measure.area(occt.make_shell(record.middle)) == pytest.approx(strip.area, rel=1e-6)
 
 
-def arch_and_wall(angle):
-    """An arch of plywood, and a flat strip that passes it at an angle, both 0.8 mm thick."""
+def arch_and_wall(angle, sheet="birch-plywood-0.8"):
+    """An arch of plywood 0.8 mm thick, and a flat strip that passes it at an angle, as thick unless told."""
     ply = Sheet.named("birch-plywood-0.8")
     curve = PlaneCurve.arc((0, 0), 80, 0.4, np.pi - 0.4)
     arch = Placed(Strip(optimal_rod(curve), ply, max_width=20), (0, 0, 0), (1, 0, 0), (0, 1, 0))
     x = np.array([-np.sin(angle), np.cos(angle), 0.0])
     along = np.array([0.0, 80.0, 3.0]) - 30 * x
     tilt = 0.2 * np.array([0.0, 0.0, 1.0]) + np.cross([0, 0, 1], x)
-    wall = Placed(Strip(Rod.straight(60.0), ply, max_width=22), along, x, tilt)
+    wall = Placed(Strip(Rod.straight(60.0), Sheet.named(sheet), max_width=22), along, x, tilt)
     return Model([arch, wall])
 
 
@@ -60,6 +60,18 @@ def test_exact_slots_let_the_other_strip_through(measure):
     assert common_volume(model, measure) > 10
     assert common_volume(model.interlock(clearance=0.0, fit="paper"), measure) > 1
     assert common_volume(model.interlock(clearance=0.1), measure) < 1e-6
+
+
+@pytest.mark.parametrize("degrees", [45, 60])
+def test_a_thick_strip_passes_one_that_is_bent_across_the_slot(degrees, measure):
+    """3 mm through a radius of 80 mm: over half the slot's width the arch falls away by 0.15 mm and shifts it."""
+    model = arch_and_wall(np.radians(degrees), "mdf-3")
+    assert common_volume(model, measure) > 50
+    slotted = model.interlock(clearance=0.1)
+    assert common_volume(slotted, measure) < 1e-6
+    angle = slotted.joints[0].angle[0]
+    flat = 3.0 / np.sin(angle) + 0.8 / np.tan(angle) + 0.1
+    assert 0 < slotted.strips[0].slots[0].widths.max() - flat < 0.35
 
 
 @pytest.mark.parametrize("first", [0, 4, 9])

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
-from typing import Literal
+from typing import Literal, TypeVar
 
 import numpy as np
 
@@ -13,12 +13,14 @@ from elastica_cad.errors import InputError
 from elastica_cad.fabrication.interlocking.alike_strips import cut_as_known
 from elastica_cad.fabrication.interlocking.ruled_intersection import PARALLEL_RAD
 from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip
+from elastica_cad.fabrication.interlocking.slot_room import bent_slot_width
 from elastica_cad.fabrication.interlocking.strip_crossings import Crossing, strip_crossings
 from elastica_cad.fabrication.placed_strip import Placed, distinct_names, strip_names
 from elastica_cad.fabrication.slots.slot import CLEARANCE_MM, Relief, Slot
 from elastica_cad.fabrication.strip.strip_record import Strip
 
 Fit = Literal["exact", "paper"]
+Member = TypeVar("Member")
 
 SHALLOW_RAD = np.radians(15.0)
 """Below this angle between two strips a slot is over 7 times as wide as the sheet is thick: a warning is due."""
@@ -178,9 +180,13 @@ class _Cutter:
         for which, end in enumerate(self._ends(members, crossing)):
             last = crossing.beyond(which, end)
             p = crossing.at(crossing.evenly(crossing.middle, float(end if last is None else last), PITCH_MM))
-            rows = (p.first, p.second)[which]
+            rows, mates = _turned((p.first, p.second), which)
             own, other = (strip_thickness(self.strips[i]) for i in _turned(members, which))
             widths = slot_width(p.angle, own=own, other=other, clearance=self.clearance, fit=self.fit)
+            if self.fit == "exact":
+                sheets = _turned(crossing.strips, which)
+                bent = bent_slot_width(*sheets, rows, mates, thickness=(own, other))
+                widths = np.maximum(widths, bent + self.clearance)
             strip = self.strips[members[which]]
             if self.clearance >= float(strip.width(rows[0, 0])):
                 raise InputError(
@@ -258,7 +264,7 @@ def strip_thickness(strip: Strip) -> float:
     return strip.sheet.thickness + (0.0 if backing is None else backing.sheet.thickness)
 
 
-def _turned(pair: tuple[int, int], which: int) -> tuple[int, int]:
+def _turned(pair: tuple[Member, Member], which: int) -> tuple[Member, Member]:
     return pair if which == 0 else (pair[1], pair[0])
 
 
