@@ -115,6 +115,31 @@ def test_a_curve_that_cannot_be_bent_is_a_state_and_passes(document, sketch, spl
     assert feature.Shape.Volume == pytest.approx(volume, rel=1e-9)
 
 
+def test_a_flat_part_is_hidden_while_its_strip_is_in_error(document, sketch, spline_geometry):
+    """FreeCAD recomputes nothing behind a failed strip: the part would show, as good, what is cut no more."""
+    feature = strip.create(document, sketch)
+    document.recompute()
+    seen, unseen = flat.create(document, feature), flat.create(document, feature)
+    document.recompute()
+    unseen.Visibility = False
+    good = sketch.Geometry[0]
+    for wrong in ([spline_geometry(BAD)], []):
+        sketch.Geometry = wrong
+        document.recompute()
+        assert [one.Visibility for one in (feature, seen, unseen)] == [False] * 3
+        sketch.Geometry = [good]
+        document.recompute()
+        assert [one.Visibility for one in (feature, seen, unseen)] == [True, True, False]
+    document.openTransaction("delete")
+    document.removeObject(sketch.Name)
+    document.commitTransaction()
+    document.recompute()
+    assert not seen.Visibility
+    document.undo()
+    document.recompute()
+    assert [one.Visibility for one in (feature, seen, unseen)] == [True, True, False]
+
+
 def test_save_and_reload(document, sketch, tmp_path: Path, move_pole):
     feature = strip.create(document, sketch)
     feature.MaxWidth = 22

@@ -21,6 +21,11 @@ CONTAINERS = Property(
 )
 """Containers that move the curve and not the feature: it is made anew where they move."""
 
+HIDDEN_BY_ERROR = Property(
+    "Bool", "HiddenByError", "Result", "Hidden until the curve can be bent again", False, hidden=True
+)
+"""Of what shows a strip: it keeps its last good shape, which is not that of the curve."""
+
 FOLLOWED = ("Curve", "Sources", "Strips")
 """Properties that name what a feature is made from."""
 
