@@ -437,6 +437,8 @@ def test_macros_do_what_the_hand_did(tmp_path):
 def test_arrays_and_clones_are_cut_as_often_as_they_stand(tmp_path):
     found = launching.run_window("copies.py", tmp_path)
     assert found["grey for an array"] == [False] * 4
+    assert not found["grey for an image"]
+    assert found["image"] == ["Part::Mirroring", {"Strip": 1}, {"Strip": 2}, [True] * 3]
     assert not found["grey for a face"], "Draft makes a face of a closed curve"
     assert found["array"] == found["everything"] == found["array with its base"] == {"Strip": 6}
     assert found["laid"] == [6, 2]

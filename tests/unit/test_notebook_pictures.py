@@ -26,10 +26,13 @@ def strip():
 
 def test_words_are_short(strip):
     model = Model((Placed(strip),), name="one")
-    for record in (ARCH, strip.rod, strip, strip.drawing(), model):
+    sheet, *_ = model.nest(sheet_size=(600, 400))
+    for record in (ARCH, strip.rod, strip, strip.drawing(), model, sheet, strip.width, *strip.layers):
         assert len(repr(record)) < 120
     assert repr(check_equilibrium(ARCH)).startswith("<EquilibriumCheck realizable, ")
     assert repr(ARCH) == f"<PlaneCurve of degree 4, 5 control points, {ARCH.length:.4g} mm>"
+    assert repr(sheet).startswith("<NestedSheet 'one-nest-1")
+    assert repr(strip.width).endswith(f"{strip.width.extremes[0]:.4g} to 30>")
     assert f"ratio {strip.rod.ratio:.4g}" in repr(strip.rod)
 
 

@@ -73,7 +73,7 @@ class Drawing:
             _check_layer(text.layer)
 
     def __repr__(self) -> str:
-        return f"<Drawing {self.name!r}, {len(self.paths)} paths, {len(self.texts)} texts>"
+        return f"<{type(self).__name__} {self.name!r}, {len(self.paths)} paths, {len(self.texts)} texts>"
 
     def _repr_svg_(self) -> str:
         low, high = self.bounds

@@ -19,7 +19,7 @@ LEAST_GAP_MM = 0.01
 """Between loops as the tool runs: those that touch are refused where the kerf is taken off."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class NestedSheet(Drawing):
     """The drawing of one sheet with its pieces and its border; the sheet's lower left corner is the origin.
 

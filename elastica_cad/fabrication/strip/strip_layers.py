@@ -64,6 +64,9 @@ class Layer:
     name: str = ""
     low: float = 0.0
 
+    def __repr__(self) -> str:
+        return f"<Layer {self.name or 'base'!r} of {self.sheet.name}, {len(self.holes)} holes>"
+
     @property
     def high(self) -> float:
         """Height of its upper face, mm."""

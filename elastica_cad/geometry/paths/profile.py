@@ -60,6 +60,10 @@ class Profile:
         if np.any(np.diff(self.knots) < 0) or not self.knots[-1] > self.knots[0] or not clamped:
             raise InputError("profile knots must increase and be repeated at both ends (clamped)")
 
+    def __repr__(self) -> str:
+        low, high = self.extremes
+        return f"<Profile of degree {self.degree}, {self.coefficients.size} coefficients, {low:.4g} to {high:.4g}>"
+
     @classmethod
     def fit(
         cls,

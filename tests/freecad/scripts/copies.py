@@ -120,6 +120,11 @@ def work():
     open_panel("Elastica_Fixtures", plate)
     button()
     answers["held by a plate"] = len(document.getObject("Fixtures").Shape.Solids)
+    image = Draft.mirror(strip, App.Vector(-50, 0, 0), App.Vector(-50, 1, 0))
+    document.recompute()
+    choose(image)
+    answers["grey for an image"] = is_grey("Elastica_Export")
+    answers["image"] = [image.TypeId, exported(image), exported(strip, image), held(document, image, 2)]
     lying = array(flat, 5)
     answers["flat parts"] = [exported(lying), exported(strip, lying)]
     fit("Isometric")
