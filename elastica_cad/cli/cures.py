@@ -1,5 +1,6 @@
 """What a refusal ends with: the command that would work, tried before it is said, and what it costs."""
 
+import os
 import re
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
@@ -122,7 +123,7 @@ def _mended(group: click.Group, words: Words, said: str) -> Iterator[tuple[str, 
     """What to write in a file of tables that was typed, and what the same command then gives."""
     for i, word in enumerate(words):
         path = Path(word)
-        if path.suffix != ".toml" or not path.is_file():
+        if path.suffix != ".toml" or not os.path.isfile(path):
             continue
 
         def run(file: Path, i: int = i) -> tuple[str | None, str]:
@@ -209,7 +210,7 @@ def _nearly_named(refused: _Refused) -> Iterator[Words]:
         if value not in refused.said:
             continue
         path = Path(value)
-        lost = "." in value and not path.exists() and path.parent.is_dir()
+        lost = "." in value and not os.path.exists(path) and os.path.isdir(path.parent)
         names = told or ([str(one) for one in path.parent.iterdir()] if lost else [])
         for near in get_close_matches(value, names, n=2, cutoff=0.5) or names[:1]:
             yield (*refused.words[:i], f"{head}{sign}{near}", *refused.words[i + 1 :])

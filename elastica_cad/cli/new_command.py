@@ -1,6 +1,7 @@
 """`elastica new`: a commented design file to start from, which runs as it is, and its schema for editors."""
 
 import json
+import os
 import shlex
 from importlib.resources import files
 from pathlib import Path
@@ -69,7 +70,7 @@ def new(kind: str, output: Path, force: bool) -> None:
 
 def _holds(path: Path, text: str) -> bool:
     """Is that file there, with this text?"""
-    return path.is_file() and path.read_bytes() == text.encode()
+    return os.path.isfile(path) and path.read_bytes() == text.encode()
 
 
 def _bowl() -> str:

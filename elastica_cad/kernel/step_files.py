@@ -235,11 +235,11 @@ def _read_shape(path: Path) -> Shape:
         with path.open("rb") as file:
             begins = file.read(200)
         if b"CASCADE Topology V" not in begins or not k.BRepTools.Read_s(shape, str(path), k.BRep_Builder()):
-            raise InputError("this is no BREP file that OpenCASCADE can read")
+            raise InputError("this is no BREP file that OpenCASCADE can read: export it anew")
         return shape
     with _own_settings():
         reader = k.STEPControl_Reader()
         read = reader.ReadFile(str(path)) == k.IFSelect_ReturnStatus.IFSelect_RetDone
         if not (read and reader.TransferRoots()):
-            raise InputError("this is no STEP file that OpenCASCADE can read")
+            raise InputError("this is no STEP file that OpenCASCADE can read: export it anew")
         return reader.OneShape()

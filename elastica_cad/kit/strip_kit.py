@@ -1,6 +1,7 @@
 """Everything that one strip becomes: its cutting files, bodies, picture and report."""
 
 import json
+import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
@@ -141,7 +142,7 @@ def write_strip(
         Files that exist, without `force`; or one of them is `kept`, which holds the drawn curve.
     """
     written = tuple(folder / file for file in kit.files.values())
-    if kept is not None and any(path.exists() and path.samefile(kept) for path in written):
+    if kept is not None and any(os.path.exists(path) and path.samefile(kept) for path in written):
         raise InputError(f"{kept} holds the drawn curve and is kept: name another folder, e.g. -o out")
     with write_together(folder, kit.files.values(), force=force) as workshop:
         for kind, file in kit.files.items():

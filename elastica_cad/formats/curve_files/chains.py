@@ -213,7 +213,7 @@ def curve_from_points(points: FloatArray, *, tolerance: float = FIT_TOLERANCE) -
     """
     points = points[np.append(True, np.any(np.diff(points, axis=0) != 0, axis=1))] if len(points) else points
     if len(points) < 2:
-        raise InputError("a curve needs two different points or more")
+        raise InputError("a curve needs two different points or more: draw it anew, or leave it out")
     if not np.all(np.isfinite(points)):
         raise InputError("a point has a coordinate that is not a finite number")
     cuts = [0, *_corners(points, tolerance), len(points) - 1]

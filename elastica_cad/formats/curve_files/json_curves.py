@@ -51,7 +51,10 @@ def read_json_drawing(file: Path, *, unit: str | None = None) -> DrawnFile:
     except (ValueError, RecursionError) as error:  # a whole number of thousands of digits too
         raise InputError(f"is not JSON ({str(error).partition(';')[0]}): export it anew") from error
     if not isinstance(data, dict):
-        raise InputError(f"holds {type(data).__name__}, not a record with the schema {CURVES_SCHEMA!r}")
+        raise InputError(
+            f"holds {type(data).__name__}, not a record with the schema {CURVES_SCHEMA!r}: give a file that "
+            "elastica wrote"
+        )
     scale = _scale(data, unit)
     if "curve" in data:
         return DrawnFile(file, [DrawnCurve(1, partial(_curve, data["curve"], "curve", scale))])
@@ -68,7 +71,8 @@ def _scale(data: dict[str, Any], unit: str | None) -> float:
     name, _, version = str(schema).partition("/")
     if name not in ("elastica-curves", "elastica-report"):
         raise InputError(
-            f"has the schema {quoted(schema)}; curves are read from {CURVES_SCHEMA!r} and from reports of strips"
+            f"has the schema {quoted(schema)}; curves are read from {CURVES_SCHEMA!r} and from reports of strips: "
+            "give one of those"
         )
     if version != "1":
         raise InputError(f"has the schema {quoted(schema)}, which is newer than this program: update it")

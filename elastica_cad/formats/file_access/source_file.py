@@ -45,9 +45,9 @@ def require_file(path: str | Path) -> Path:
     if noted is not None:
         noted.setdefault(path.absolute(), mark_file(path))
     require_below(path)
-    if path.is_dir():
+    if os.path.isdir(path):  # False, not an error, for a name that no disk takes
         raise InputError(f"{path} is a folder: name one file in it")
-    if path.exists() and not path.is_file():
+    if os.path.exists(path) and not path.is_file():
         raise InputError(f"{path} is no file but a device or a pipe: name a file")
     try:
         with path.open("rb") as file:

@@ -76,7 +76,8 @@ def path_data(text: str) -> PathData:
         kind = command.upper()
         values = [float(word) for word in words]
         if not all(abs(value) < 1e15 for value in values):
-            raise InputError(f"has the number {next(w for w in words if not abs(float(w)) < 1e15)} in a path")
+            odd = next(word for word in words if not abs(float(word)) < 1e15)
+            raise InputError(f"has the number {odd} in a path: export it anew")
         written += words[5:] if kind == "A" else words
         _draw(pen, kind, np.array(values), relative=command.islower())
         pen.before = kind

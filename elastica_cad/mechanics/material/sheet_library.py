@@ -133,13 +133,15 @@ def read_figures(path: str | Path) -> dict[str, dict[str, Any]]:
     import tomllib
 
     path = Path(path)
-    if path.is_dir():
+    if os.path.isdir(path):  # False, not an error, for a name that no disk takes
         raise InputError(f"{path} is a folder, not a file of sheets: name the TOML file inside it")
     try:
         text = path.read_bytes().decode("utf-8-sig")  # with a byte order mark or without
         data = tomllib.loads(text)
     except OSError as error:
-        raise InputError(f"{path} cannot be read: {error.strerror or error}") from error
+        raise InputError(
+            f"{path} cannot be read: {error.strerror or error}; name a file that is there"
+        ) from error
     except UnicodeDecodeError as error:
         raise InputError(f"{path} is not a TOML file, which are UTF-8: save it as text in UTF-8") from error
     except tomllib.TOMLDecodeError as error:

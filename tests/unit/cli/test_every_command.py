@@ -217,3 +217,29 @@ def test_what_does_not_change_cannot_be_watched(folder):
     )
     assert done.returncode == 2
     assert b"standard input does not change: give --watch a file" in done.stderr
+
+
+LONG = "n" * 300
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        *([name, *words[:-1], LONG] for name, words in TYPED.items() if words[-2:-1] == ("-o",)),
+        ["model", "arch.toml", "-o", LONG, "--no-step", "--no-pictures"],
+        ["check", f"{LONG}.svg"],
+        ["model", f"{LONG}.toml"],
+        ["sections", f"{LONG}.stl", "--radial", "2"],
+        ["sheets", f"{LONG}.toml"],
+        ["strip", "bow.txt", "--sheet", f"{LONG}.toml", "--max-width", "20"],
+        ["strip", f"{LONG}/bow.txt", *SHEET, "--max-width", "20"],
+    ],
+    ids=lambda words: " ".join(words)[:20],
+)
+def test_names_that_no_disk_takes_are_told(folder, words):
+    """Looking whether such a file is there had ended in a traceback."""
+    run = subprocess.run(command(*words), cwd=folder, capture_output=True, text=True, check=False)
+    assert run.returncode == 2, run.stderr
+    assert re.search(r"^Error: .*File name too long; (choose|name) ", run.stderr, re.MULTILINE)
+    assert "Traceback" not in run.stderr
+    assert not list(folder.glob("n*"))

@@ -86,3 +86,18 @@ def test_what_is_saved_is_read_back(tmp_path, suffix):
     assert np.abs(gap).max() < 1e-3
     with pytest.raises(InputError, match="exists already"):
         save(Drawing("part", (mark,), ()), written)
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "told"),
+    [
+        ("one.csv", "3,4\n", "needs two different points or more: draw it anew, or leave it out"),
+        ("null.json", "null", "holds NoneType.*: give a file that elastica wrote"),
+        ("other.json", "{}", "reports of strips: give one of those"),
+        ("far.svg", '<svg><path d="M 0 0 L 1e40 2"/></svg>', "has the number 1e40 in a path: export it anew"),
+    ],
+)
+def test_what_cannot_be_read_says_what_to_do(tmp_path, name, text, told):
+    (tmp_path / name).write_text(text)
+    with pytest.raises(InputError, match=f"{told}$"):
+        read_curves(tmp_path / name)
