@@ -21,7 +21,6 @@ from elastica_cad.mechanics.rod.rod_system import RodState, RodSystem
 Keep = Literal["keep"]
 
 ROUNDED_SHARE = 1e-12  # of a force: what the cosine of a right angle leaves of it
-_SNAPS = "the rod snaps"  # how its warning begins
 COARSE_DEG = 60.0  # between neighbouring edges, above which a shape is rough to the eye
 
 
@@ -131,13 +130,13 @@ def bend(
             f"no rest shape found: {reached.fraction:.1%} of the way from the present shape was possible; "
             "move the ends in smaller steps, or give a guess nearer to the answer"
         )
-    warning = f"{_SNAPS} {reached.fraction:.1%} of the way from its present shape; here it comes to rest"
+    warning = f"the rod snaps {reached.fraction:.1%} of the way from its present shape; here it comes to rest"
     return replace(snapped.rod(wanted), warnings=(warning, *_too_coarse(snapped)))
 
 
 def has_snapped(rod: Rod) -> bool:
     """Did `bend` find this shape beyond the end of its branch, where it came to rest after a jump?"""
-    return any(warning.startswith(_SNAPS) for warning in rod.warnings)
+    return any(warning.startswith("the rod snaps ") for warning in rod.warnings)
 
 
 def _too_coarse(state: RodState) -> tuple[str, ...]:
