@@ -11,7 +11,15 @@ _QUOTED.maxstring = _QUOTED.maxother = 60
 
 
 class ElasticaError(Exception):
-    """Base of every error raised on purpose by elastica_cad."""
+    """Base of every error raised on purpose by elastica_cad.
+
+    Attributes
+    ----------
+    look_for_cure : callable, optional
+        Gives a sentence with what would work instead, or "". It may take seconds, so the error is told before.
+    """
+
+    look_for_cure: Callable[[], str] | None = None
 
 
 class InputError(ElasticaError, ValueError):

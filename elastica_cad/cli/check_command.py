@@ -1,5 +1,7 @@
 """`elastica check`: can this curve be bent from a flat strip?"""
 
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -14,8 +16,8 @@ from elastica_cad.cli.asking.asked_curves import (
 )
 from elastica_cad.cli.asking.options import smooth_option
 from elastica_cad.cli.asking.support_options import support_options
-from elastica_cad.cli.running.typed_command import MOST_CURES
-from elastica_cad.cli.running.voice import answer, say, voice, warn
+from elastica_cad.cli.running.typed_command import MOST_CURES, cure_later, searched, with_cure
+from elastica_cad.cli.running.voice import answer, say_with_cure, voice, warn
 from elastica_cad.errors import ElasticaError
 from elastica_cad.formats.reports.check_report import report_check
 from elastica_cad.forming.fairing_request import smooth_curve
@@ -62,22 +64,25 @@ def check(
         except ElasticaError as problem:
             if not several:
                 if not one.drawn.problem:
-                    problem.add_note(_cure(one.curve, supports, natural_curvature, smooth, ()))
+                    cure_later(problem, partial(_cure, one.curve, supports, natural_curvature, smooth, ()))
                 raise
             found, good = {"realizable": False, "problem": str(problem), "advice": f"{problem}."}, False
             worst = BAD_INPUT
         cured = sum("cure" in told for told in answers)
+        look: Callable[[], str] = str  # for no cure
         if not good and not one.drawn.problem and cured < MOST_CURES:
-            cure = _cure(one.whole.curve, supports, natural_curvature, smooth, one.which)
-            found |= {"cure": cure} if cure else {}
+            wish = one.whole.curve, supports, natural_curvature, smooth, one.which
+            look = partial(searched, partial(_cure, *wish))
+        said = " ".join((found["advice"], *found.get("notes", ())))
+        if "problem" in found:
+            cure = look()
+            warn(with_cure(said, cure))
+        else:
+            head = f"{curve.name}, {one.drawn.called} of {one.count}:\n" if several else ""
+            cure = say_with_cure(f"{head}{said}", look)
+        found |= {"cure": cure} if cure else {}
         worst = max(worst, 0 if good else NOT_REALIZABLE)
         answers.append(found)
-        head = f"{curve.name}, {one.drawn.called} of {one.count}:\n" if several else ""
-        said = " ".join(filter(None, (found["advice"], *found.get("notes", ()), found.get("cure", ""))))
-        if "problem" in found:
-            warn(said)
-        else:
-            say(f"{head}{said}")
     answer([one | {"notes": [*of_file, *one.get("notes", ())]} for one in answers])
     if worst:
         ctx.exit(worst)

@@ -1,7 +1,7 @@
 """The group of commands, and what all do alike: errors as sentences, JSON, the gate for numbers, watching files."""
 
 from collections.abc import Iterator, Mapping
-from functools import cache
+from functools import cache, partial
 from importlib import import_module
 from typing import Any
 
@@ -10,7 +10,7 @@ import numpy as np
 
 from elastica_cad.cli.asking.lengths import UNITS, Length
 from elastica_cad.cli.running.budget import USUAL_MIB, USUAL_S, OutOfBudgetError, spend
-from elastica_cad.cli.running.typed_command import TYPED, say_with_cure
+from elastica_cad.cli.running.typed_command import BUDGET, TYPED, is_cured
 from elastica_cad.cli.running.voice import voice, warn
 from elastica_cad.cli.running.watching import remake_on_change
 from elastica_cad.errors import ElasticaError, InputError, NotMetError
@@ -90,8 +90,8 @@ class _Sentences(click.Group):
         try:
             return super().invoke(ctx)
         except ElasticaError as problem:
-            if not (getattr(problem, "__notes__", None) or isinstance(problem, OutOfBudgetError)):
-                problem.add_note(self._cure(ctx, str(problem)))
+            if not (is_cured(problem) or isinstance(problem, OutOfBudgetError)):
+                problem.look_for_cure = partial(self._cure, ctx, str(problem))
             ctx.exit(_refuse(problem))
         except click.UsageError as problem:
             said = problem.format_message()
@@ -245,6 +245,7 @@ def _told_in_mm() -> list[str]:
 def _once(run: Any, chosen: dict[str, Any], budget: tuple[float, float], in_mm: list[str]) -> None:
     """The command's own work within its budget, and its record at the end, whatever its exit code."""
     voice().begin()
+    click.get_current_context().meta[BUDGET] = budget
     for told in in_mm:
         warn(told)
     try:
@@ -262,7 +263,7 @@ def _once(run: Any, chosen: dict[str, Any], budget: tuple[float, float], in_mm: 
 
 
 def _refuse(problem: ElasticaError) -> int:
-    """Say what is wrong, with the cure that was found, and give the exit code."""
+    """Say what is wrong, then what would work, and give the exit code."""
     begins, code = next((told for kind, told in TOLD.items() if isinstance(problem, kind)))
-    voice().refuse(f"{begins}: {say_with_cure(problem)}", code)
+    voice().refuse(begins, problem, code)
     return code

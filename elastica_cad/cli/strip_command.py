@@ -20,7 +20,7 @@ from elastica_cad.cli.asking.lengths import LENGTH, Length
 from elastica_cad.cli.asking.options import holding_option, join_options, output_options
 from elastica_cad.cli.asking.strip_options import spec_from_options, strip_options
 from elastica_cad.cli.running.strip_cures import explained
-from elastica_cad.cli.running.typed_command import MOST_CURES, say_with_cure
+from elastica_cad.cli.running.typed_command import MOST_CURES, cure_of, with_cure
 from elastica_cad.cli.running.voice import answer, say, say_step, warn, wrote
 from elastica_cad.errors import ElasticaError, InputError, NotConvergedError, how_to_install
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
@@ -113,8 +113,8 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
             if len(curves) == 1 and not chosen["every"]:
                 raise
             wrong, refused = wrong + 1, refused + 1
-            called = asked.drawn.called
-            warn(f"{'' if called in str(problem) else f'{called}: '}{say_with_cure(problem)}")
+            called, said = asked.drawn.called, str(problem)
+            warn(with_cure(said if called in said else f"{called}: {said}", cure_of(problem)))
     answer({"strips": reports})
     if refused > MOST_CURES:
         warn(

@@ -72,6 +72,8 @@ def spend(seconds: float, mib: float) -> Iterator[None]:
         if said:  # it came where Python ignores exceptions, as in a destructor
             raise OutOfBudgetError(said[0])
     except _Ended:
+        if not said:  # it is meant for a block around this one
+            raise
         raise OutOfBudgetError(said[0]) from None
     except MemoryError:
         raise OutOfBudgetError(

@@ -8,7 +8,7 @@ from typing import Any, TypeAlias
 import click
 import numpy as np
 
-from elastica_cad.cli.running.typed_command import TRYING, TYPED, command_line
+from elastica_cad.cli.running.typed_command import TRYING, TYPED, command_line, cure_later
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.fabrication.makeability.splices import SPLICED
 from elastica_cad.fabrication.strip.lamination import Laminated
@@ -87,14 +87,17 @@ def explained(
     whole : PlaneCurve, optional
         The curve as drawn, where that of the request is a piece between its corners.
     cured : bool
-        Look for a command that would work.
+        Have a command that would work looked for, once the refusal is told.
     """
     told = problem
     if isinstance(problem, NotRealizable):
         doubt = undecided_by_rounding(spec.curve, False, spec.smooth, spec.supports)
         if doubt:
             told = InputError(f"{doubt} As it stands: {problem}")
-    told.add_note(_cure_for(spec, which, whole) if cured else "")
+    if cured:
+        cure_later(told, lambda: _cure_for(spec, which, whole))
+    else:
+        told.add_note("")
     return told
 
 

@@ -1,8 +1,12 @@
-"""The command as the user typed it, and how a refusal of it is said."""
+"""The command as the user typed it, and the cure that is looked for once it is refused."""
 
 import shlex
+from collections.abc import Callable
 from contextvars import ContextVar
 
+import click
+
+from elastica_cad.cli.running.budget import USUAL_MIB, USUAL_S, OutOfBudgetError, spend
 from elastica_cad.cli.running.program import name_program
 from elastica_cad.errors import ElasticaError
 
@@ -11,6 +15,12 @@ TRYING: ContextVar[bool] = ContextVar("elastica.trying", default=False)
 
 TYPED = "elastica.typed"
 """Key of the words that the user typed, in click's `meta`."""
+
+BUDGET = "elastica.budget"
+"""Key of the seconds and MB that the command may take."""
+
+LONGEST_SEARCH_S = 60.0
+"""For a cure: nobody waits longer for what was not asked for."""
 
 MOST_CURES = 12
 """Curves of a file for which a command is sought; each costs a few solves."""
@@ -21,7 +31,38 @@ def command_line(*words: str) -> str:
     return f"{name_program()} {shlex.join(words)}"
 
 
-def say_with_cure(problem: ElasticaError) -> str:
-    """The refusal, and the cure that was found for it."""
-    said, cure = str(problem), " ".join(getattr(problem, "__notes__", ()))
+def cure_later(problem: ElasticaError, look: Callable[[], str]) -> None:
+    """Have a cure looked for once the problem is told, as the running command would."""
+    context = click.get_current_context()
+
+    def look_here() -> str:
+        with context.scope(cleanup=False):
+            return searched(look)
+
+    problem.look_for_cure = look_here
+
+
+def searched(look: Callable[[], str]) -> str:
+    """The cure that a search comes to within the budget of the running command; else none."""
+    seconds, mib = click.get_current_context().meta.get(BUDGET, (USUAL_S, USUAL_MIB))
+    try:
+        with spend(min(seconds, LONGEST_SEARCH_S), mib):
+            return look()
+    except OutOfBudgetError:
+        return ""
+
+
+def is_cured(problem: ElasticaError) -> bool:
+    """Is its cure known, or known where to look for?"""
+    return problem.look_for_cure is not None or hasattr(problem, "__notes__")
+
+
+def cure_of(problem: ElasticaError) -> str:
+    """What would work instead, looked for now unless it came with the problem."""
+    look = problem.look_for_cure
+    return " ".join(getattr(problem, "__notes__", ())) if look is None else look()
+
+
+def with_cure(said: str, cure: str) -> str:
+    """Both as one text."""
     return f"{said}{'' if said.endswith(('.', '?', '!', '.)')) else '.'} {cure}" if cure else said

@@ -3,6 +3,7 @@
 import json
 import re
 import shlex
+import signal
 import subprocess
 import sys
 
@@ -21,6 +22,34 @@ def typed(words, cwd):
     return subprocess.run(
         [sys.executable, "-m", "elastica_cad", *words], cwd=cwd, capture_output=True, text=True, check=False
     )
+
+
+@pytest.fixture
+def zigzag(tmp_path):
+    """A drawing of which no strip comes near soon: the search for one takes seconds."""
+    (tmp_path / "zigzag.csv").write_text("".join(f"{10 * i},{20 * (i % 2)}\n" for i in range(40)))
+    return tmp_path
+
+
+def test_the_verdict_is_told_before_the_search_for_a_cure_which_ctrl_c_ends(zigzag):
+    words = [sys.executable, "-m", "elastica_cad", "check", "zigzag.csv"]
+    with subprocess.Popen(words, cwd=zigzag, stderr=subprocess.PIPE, bufsize=0) as running:
+        verdict = running.stderr.read(4096).decode()
+        running.send_signal(signal.SIGINT)
+        rest = running.stderr.read().decode()
+    assert verdict.startswith("Error: zigzag.csv: the curve has a corner at")
+    assert "This works" not in verdict
+    assert rest == "\n"
+    assert running.returncode == 2
+
+
+def test_a_search_that_takes_longer_than_it_may_leaves_the_verdict(zigzag):
+    words = "strip zigzag.csv --sheet pom-0.5 --max-width 20 --seconds 3 --json"
+    refused = typed(words.split(), zigzag)
+    assert refused.returncode == 2
+    assert refused.stderr.startswith("Error: zigzag.csv: the curve has a corner at")
+    assert "takes longer" not in refused.stderr
+    assert json.loads(refused.stdout)["error"] == refused.stderr.rstrip("\n")
 
 
 @pytest.mark.parametrize("name", CURVES)
