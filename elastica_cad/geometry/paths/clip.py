@@ -64,7 +64,8 @@ def trim_off(path: Path, loops: Sequence[Path]) -> tuple[Path, ...]:
 
     Examples
     --------
-    >>> [part.length for part in trim_off(Path.polyline([(-10, 5), (60, 5)]), [Path.rectangle(40, 10)])]
+    >>> parts = trim_off(Path.polyline([(-10, 5), (60, 5)]), [Path.rectangle(40, 10)])
+    >>> [round(part.length, 9) for part in parts]
     [10.0, 20.0]
     """
     low, high = path.bounds
