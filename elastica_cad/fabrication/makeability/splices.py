@@ -180,11 +180,12 @@ class Splice:
         span = max(low, 0.0), min(high, self.strip.rod.length)
         if isinstance(self.strip.style, Perforated) and not plate:
             span = self._clear_of_holes(whole, low, high)
-        label = label_off_cuts(name, whole.width, Cuts(holes, marks, outline=outline), span)
+        cuts = Cuts(holes, marks, outline=outline)
+        label = label_off_cuts(name, whole.width, cuts, span)
         ends = [_tick(whole, x) for x in (low, high) if 0.0 < x < self.strip.rod.length]
         mates = mating_marks(slots, whole.width, holes, (*marks, *ends), (label,))
         known = whole.ends[0] if low <= 0.0 else "", whole.ends[1] if high >= self.strip.rod.length else ""
-        numbers = end_numbers(whole.width, Cuts(holes, marks, outline=outline), (label, *mates), known)
+        numbers = end_numbers(whole.width, cuts, (label, *mates), known)
         paths = (
             *(LayeredPath(MARK, mark) for mark in marks),
             *(LayeredPath(CUT_INNER, hole) for hole in holes),

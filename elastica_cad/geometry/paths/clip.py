@@ -7,6 +7,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
+from elastica_cad.geometry.boxes import boxes_meet
 from elastica_cad.geometry.paths.path import JOIN, Path
 from elastica_cad.geometry.paths.path_intersections import encloses, segment_crossings
 from elastica_cad.geometry.paths.segments import Line, Segment
@@ -68,8 +69,7 @@ def trim_off(path: Path, loops: Sequence[Path]) -> tuple[Path, ...]:
     >>> [round(part.length, 9) for part in parts]
     [10.0, 20.0]
     """
-    low, high = path.bounds
-    met = [one for one in loops if np.all(one.bounds[0] <= high) and np.all(one.bounds[1] >= low)]
+    met = [one for one in loops if boxes_meet(one.bounds, path.bounds)]
     if not met:
         return (path,)
     walls = [segment for one in met for segment in one.segments]

@@ -317,6 +317,12 @@ def test_a_slot_wider_than_holes_are_long_leaves_none_in_its_throat(side):
         assert rim.contains(shapely.Polygon(hole.points(1e-3)))
 
 
+def rounded_strip(rod, radius, **options):
+    """A strip with holes rounded by that radius."""
+    style = Perforated(30.0, columns=2, rows=5, corner_radius=radius)
+    return ec.Strip(rod, CARD, max_width=10.0, style=style, **options)
+
+
 def opened(path, radius):
     """What a round tool of that radius can cut out inside a loop, by shapely."""
     return shapely.Polygon(path.points(1e-4)).buffer(-radius, quad_segs=64).buffer(radius, quad_segs=64)
@@ -327,17 +333,7 @@ def opened(path, radius):
 @pytest.mark.parametrize("radius", [0.1, 0.3])
 def test_holes_cut_short_have_round_corners_too(rod, ends, cuts, radius):
     """At bare ends and beside narrow tabs and slots holes end bluntly, some of them narrower than the radius."""
-    sharp, round_ = (
-        ec.Strip(
-            rod,
-            CARD,
-            max_width=10.0,
-            style=Perforated(30.0, columns=2, rows=5, corner_radius=r),
-            ends=ends,
-            slots=cuts,
-        )
-        for r in (0.0, radius)
-    )
+    sharp, round_ = (rounded_strip(rod, r, ends=ends, slots=cuts) for r in (0.0, radius))
     left = shapely.union_all([shapely.Polygon(hole.points(1e-4)) for hole in round_.holes])
     wanted = shapely.union_all([opened(hole, radius) for hole in sharp.holes])
     assert left.symmetric_difference(wanted).area < 2e-3 * len(sharp.holes)
@@ -346,16 +342,7 @@ def test_holes_cut_short_have_round_corners_too(rod, ends, cuts, radius):
 
 def test_what_a_slot_leaves_of_a_hole_is_not_cut_where_the_radius_does_not_fit(rod):
     slot = Slot(rod.length * 0.3 + 6.0, 1.0, 8.0)
-    sharp, round_ = (
-        ec.Strip(
-            rod,
-            CARD,
-            max_width=10.0,
-            style=Perforated(30.0, columns=2, rows=5, corner_radius=r),
-            slots=(slot,),
-        )
-        for r in (0.0, 0.5)
-    )
+    sharp, round_ = (rounded_strip(rod, r, slots=(slot,)) for r in (0.0, 0.5))
     kept = shapely.MultiPoint([hole.bounds.mean(axis=0) for hole in round_.holes])
     lost = [hole for hole in sharp.holes if not shapely.Polygon(hole.points(1e-3)).intersects(kept)]
     assert 0 < len(lost) < 3
