@@ -68,7 +68,8 @@ def spend(seconds: float, mib: float) -> Iterator[None]:
             yield
         finally:
             done.set()
-            watcher.join()
+            if watcher.is_alive():  # Ctrl-C may have come before it was
+                watcher.join()
         if said:  # it came where Python ignores exceptions, as in a destructor
             raise OutOfBudgetError(said[0])
     except _Ended:

@@ -4,6 +4,7 @@ import json
 import os
 import subprocess
 import sys
+import threading
 import time
 
 import pytest
@@ -29,6 +30,18 @@ def test_what_takes_longer_than_it_may_ends_with_a_sentence(tmp_path, seconds):
     assert done.stderr.count("\n") == 1
     assert json.loads(done.stdout)["schema"] == "elastica-error/1"
     assert [path.name for path in tmp_path.rglob("*")] == ["bow.txt"]
+
+
+def test_ctrl_c_as_the_budget_begins_is_ctrl_c(monkeypatch):
+    """Before its watcher runs there is none to wait for."""
+    from elastica_cad.cli.running.budget import spend
+
+    def stop(thread):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(threading.Thread, "start", stop)
+    with pytest.raises(KeyboardInterrupt), spend(1.0, 8192.0):
+        pass
 
 
 def test_what_takes_more_memory_than_it_may(tmp_path):
