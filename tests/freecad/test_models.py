@@ -9,7 +9,7 @@ import pytest
 from freecad.elastica_wb.curves.copies import originals
 from freecad.elastica_wb.curves.sketch_curves import linked
 from freecad.elastica_wb.export.cutting_files import write_cutting_files
-from freecad.elastica_wb.features import baseplate, fixtures, flat, model, nest, strip
+from freecad.elastica_wb.features import baseplate, curves, fixtures, flat, model, nest, strip
 from freecad.elastica_wb.features.pieces import pieces_of
 from freecad.elastica_wb.shapes.part_shapes import make_solid
 
@@ -75,6 +75,67 @@ def test_the_model_follows_its_strips(document, crossing, move_pole):
     assert made.State == ["Up-to-date"], made.getStatusString()
     assert made.Joints == 1
     assert made.Shape.BoundBox.YMax > before + 5
+
+
+def in_sight(things):
+    return [one.Visibility for one in things]
+
+
+def test_what_is_made_from_a_strip_is_hidden_while_that_is_in_error(
+    document, standing, drawn, spline_geometry
+):
+    """FreeCAD recomputes nothing behind a failed strip: models, holders and nests would show, as good, what was."""
+    whole = model.create(document, standing, interlock=False)
+    made = [
+        whole,
+        fixtures.create(document, [whole]),
+        baseplate.create(document, [whole]),
+        nest.create(document, [whole]),
+        nest.create(document, standing[1:]),
+    ]
+    made[0].Strips[0].Visibility = False
+    document.recompute()
+    unseen, other = made[2], made[4]
+    unseen.Visibility = False
+    assert in_sight(made) == [True, True, False, True, True]
+    first, second = (one.Curve[0] for one in standing)
+    good = first.Geometry[0]
+    for wrong in ([spline_geometry([(0, 0), (30, 60), (60, -60), (90, 60), (120, -60), (150, 0)])], []):
+        first.Geometry = wrong
+        document.recompute()
+        assert "Invalid" in standing[0].State
+        assert in_sight(made) == [False, False, False, False, True]
+        first.Geometry = [good]
+        document.recompute()
+        assert in_sight(made) == [True, True, False, True, True]
+        assert not standing[0].Visibility, "it was hidden before"
+    document.openTransaction("delete")
+    document.removeObject(second.Name)
+    document.commitTransaction()
+    document.recompute()
+    assert in_sight(made) == [False] * 5
+    document.undo()
+    document.recompute()
+    assert in_sight(made) == [True, True, False, True, True]
+    assert [one.State for one in (*standing, *made)] == [["Up-to-date"]] * 7
+    assert other.Sheets == 1
+
+
+def test_what_fails_itself_is_hidden_until_it_can_be_made(document, standing, drawn):
+    made = nest.create(document, standing)
+    near = curves.nearest(document, drawn(ARCH))
+    after = strip.create(document, near)
+    document.recompute()
+    assert in_sight([made, near, after]) == [True] * 3
+    made.SheetWidth = 20
+    made.SheetHeight = 20
+    near.Curve[0].Geometry = []
+    document.recompute()
+    assert in_sight([made, near, after]) == [False] * 3
+    made.SheetWidth = made.SheetHeight = 500
+    near.Curve = standing[0].Curve
+    document.recompute()
+    assert in_sight([made, near, after]) == [True] * 3
 
 
 def test_strips_that_touch_are_refused_in_words(document, crossing):

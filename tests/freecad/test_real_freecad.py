@@ -257,6 +257,7 @@ def test_a_project_that_grows_and_changes(tmp_path):
     assert "Model.step" in found["exported"], "a flat part with slots is written with them"
     assert found["rooms"] == pytest.approx(0, abs=1e-6)
     assert found["model gone"] == [[False] * 2, [True] * 2, [False] * 2]
+    assert found["gone in error"] == [False, [False, True], [True, True]]
     halves, strips, states = found["halved"]
     assert halves == strips == 10
     assert states == "{('Up-to-date',)}", "halves of a closed section are not joined again"

@@ -364,7 +364,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Hidden until the curve can be bent again</source>
+        <source>Hidden until it can be made again</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -368,8 +368,8 @@
         <translation>Masse in Gramm</translation>
     </message>
     <message>
-        <source>Hidden until the curve can be bent again</source>
-        <translation>Verborgen, bis die Kurve wieder biegbar ist</translation>
+        <source>Hidden until it can be made again</source>
+        <translation>Verborgen, bis es sich wieder herstellen lässt</translation>
     </message>
     <message>
         <source>Tells the request that the shape was made from</source>

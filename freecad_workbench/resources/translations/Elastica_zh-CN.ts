@@ -368,8 +368,8 @@
         <translation>质量（克）</translation>
     </message>
     <message>
-        <source>Hidden until the curve can be bent again</source>
-        <translation>隐藏直至曲线可再次弯成</translation>
+        <source>Hidden until it can be made again</source>
+        <translation>隐藏直至可再次制成</translation>
     </message>
     <message>
         <source>Tells the request that the shape was made from</source>

@@ -232,6 +232,20 @@ def model_gone(document):
     return [hidden, seen, [one.Visibility for one in pair]]
 
 
+def gone_in_error(document):
+    """A strip that cannot be made stays hidden where its model goes, until it can."""
+    pair = [document.Strip, document.Strip001]
+    drawn = pair[0].Curve[0]
+    good, drawn.Geometry = list(drawn.Geometry), []
+    document.recompute()
+    in_sight = document.Model.Visibility
+    deleted(document.Model)
+    seen = [one.Visibility for one in pair]
+    drawn.Geometry = good
+    document.recompute()
+    return [in_sight, seen, [one.Visibility for one in pair]]
+
+
 def work():
     window()
     document = project()
@@ -240,6 +254,7 @@ def work():
     answers["exported"] = exported(document)
     answers["rooms"] = rooms(document)
     answers["model gone"] = model_gone(document)
+    answers["gone in error"] = gone_in_error(document)
     answers["halved"] = halved()
     answers["in error"] = in_error()
     answers["tracebacks"] = report().count("Traceback")

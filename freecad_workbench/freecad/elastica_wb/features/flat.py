@@ -8,7 +8,7 @@ from typing import Any
 
 import FreeCAD as App
 from freecad.elastica_wb.features.model import is_model, model_of
-from freecad.elastica_wb.features.proxy import HIDDEN_BY_ERROR, Feature
+from freecad.elastica_wb.features.proxy import Feature
 from freecad.elastica_wb.features.strip import is_strip, shown_strip
 from freecad.elastica_wb.host.property_table import Property
 from freecad.elastica_wb.host.resources import translate
@@ -30,7 +30,6 @@ class FlatFeature(Feature):
         Property("LinkGlobal", "Strip", "Strip", "The strip whose flat part this is"),
         Property("Enumeration", "Layer", "Strip", "Of a laminated strip the base, or the backing", LAYERS),
         Property("LinkGlobal", "Model", "Strip", "The model whose slots it gets; none for a strip by itself"),
-        HIDDEN_BY_ERROR,
     )
 
     def make(self, obj: Any) -> None:

@@ -22,9 +22,9 @@ CONTAINERS = Property(
 """Containers that move the curve and not the feature: it is made anew where they move."""
 
 HIDDEN_BY_ERROR = Property(
-    "Bool", "HiddenByError", "Result", "Hidden until the curve can be bent again", False, hidden=True
+    "Bool", "HiddenByError", "Result", "Hidden until it can be made again", False, hidden=True
 )
-"""Of what shows a strip: it keeps its last good shape, which is not that of the curve."""
+"""What fails keeps its last good shape, and so does all that is made from it: FreeCAD recomputes none of that."""
 
 FOLLOWED = ("Curve", "Sources", "Strips")
 """Properties that name what a feature is made from."""
@@ -52,7 +52,7 @@ class Feature:
     def ensure(self, obj: Any) -> None:
         """Add what is missing; the choice of sheets is that of today."""
         known = {name: getattr(obj, name) for name in self.sheets if name in obj.PropertiesList}
-        ensure(obj, self.properties)
+        ensure(obj, (*self.properties, HIDDEN_BY_ERROR))
         for name in self.sheets:
             chosen = known.get(name) or preferences.default_sheet()
             setattr(obj, name, list(dict.fromkeys([*sheet_list(), chosen])))
@@ -112,14 +112,16 @@ class Feature:
             told = explained(error)
             self.failed(obj, told)
             return refused(obj, told)
+        _show_again(obj)
         return None
 
     def make(self, obj: Any) -> None:
         """Set the shape and the results."""
         raise NotImplementedError
 
-    def failed(self, obj: Any, error: ElasticaError) -> None:
-        """Tell in the results what went wrong."""
+    def failed(self, obj: Any, _error: ElasticaError) -> None:
+        """Tell in the results what went wrong; the last good shape goes out of sight."""
+        hide(obj)
 
     def dumps(self) -> None:
         """Nothing to save."""
@@ -141,6 +143,21 @@ def added(document: Any, name: str, proxy: type[Feature], sources: Iterable[Any]
         group.addObject(obj)
     dress(obj, name)
     return obj
+
+
+def hide(obj: Any) -> None:
+    """Hide what failed, and all that is made from it: their shapes are not what they ask for."""
+    for one in (obj, *obj.InListRecursive):
+        if isinstance(getattr(one, "Proxy", None), Feature) and one.Visibility:
+            one.HiddenByError = True
+            one.Visibility = False
+
+
+def _show_again(obj: Any) -> None:
+    """What an error hid is made: it stands for itself, as all that it is made from was made before."""
+    if obj.HiddenByError:
+        obj.HiddenByError = False
+        obj.Visibility = True
 
 
 def parents(source: Any) -> list[Any]:

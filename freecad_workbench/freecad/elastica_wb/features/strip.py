@@ -9,7 +9,7 @@ from weakref import WeakValueDictionary
 
 import FreeCAD as App
 from freecad.elastica_wb.curves.sketch_curves import drawn_curve, is_sketch
-from freecad.elastica_wb.features.proxy import HIDDEN_BY_ERROR, Feature, parents
+from freecad.elastica_wb.features.proxy import Feature, hide, parents
 from freecad.elastica_wb.features.strip_properties import PROPERTIES
 from freecad.elastica_wb.features.strip_request import spec_of
 from freecad.elastica_wb.host import preferences
@@ -70,8 +70,10 @@ class StripFeature(Feature):
         _tell_results(obj, strip, changed, spec.rod_spec.smoothing.moved)
 
     def failed(self, obj: Any, error: ElasticaError) -> None:
-        """The last good shape is hidden: it is not that of the curve."""
+        """No results of before; nothing is hidden while its sketch is open."""
         _tell_error(obj, error)
+        if not is_edited(obj):
+            super().failed(obj, error)
 
 
 def create(document: Any, sketch: Any, edges: tuple[str, ...] = ()) -> Any:
@@ -198,10 +200,6 @@ def _tell_results(obj: Any, strip: Strip, changed: float | None, smoothed: float
         NarrowestWidth=strip.width.extremes[0],
         Mass=strip.mass,
     )
-    for one in _shows(obj):
-        if one.HiddenByError:
-            one.HiddenByError = False
-            one.Visibility = True
 
 
 def _tell_error(obj: Any, error: ElasticaError) -> None:
@@ -217,27 +215,13 @@ def _tell_error(obj: Any, error: ElasticaError) -> None:
         Held="",
         Sideways="",
     )
-    if not is_edited(obj):
-        _hide(obj)
 
 
 def hide_failed(strips: Iterable[Any]) -> None:
-    """Hide the strips whose shape is not that of their curve any more, and their flat parts."""
+    """Hide the strips whose shape is not that of their curve any more, and what is made from them."""
     for obj in strips:
         if "Invalid" in obj.State:
-            _hide(obj)
-
-
-def _hide(obj: Any) -> None:
-    for one in _shows(obj):
-        if one.Visibility:
-            one.HiddenByError = True
-            one.Visibility = False
-
-
-def _shows(obj: Any) -> list[Any]:
-    """A strip and its flat parts: FreeCAD recomputes nothing that is made from what failed."""
-    return [obj, *(one for one in obj.InList if HIDDEN_BY_ERROR.name in one.PropertiesList)]
+            hide(obj)
 
 
 def is_edited(obj: Any) -> bool:

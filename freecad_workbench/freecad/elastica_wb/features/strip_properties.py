@@ -4,7 +4,7 @@
 """The table of what a strip is asked for, and of what it answers."""
 
 import FreeCAD as App
-from freecad.elastica_wb.features.proxy import CONTAINERS, HIDDEN_BY_ERROR
+from freecad.elastica_wb.features.proxy import CONTAINERS
 from freecad.elastica_wb.host.property_table import Property
 
 FORMS = ["Bent", "Flat"]
@@ -180,7 +180,6 @@ PROPERTIES = (
     Property("Length", "Length", "Result", "Length of the free part along the curve", 0.0, result=True),
     Property("Length", "NarrowestWidth", "Result", "Width of the narrowest place", 0.0, result=True),
     Property("Float", "Mass", "Result", "Mass in grams", 0.0, result=True),
-    HIDDEN_BY_ERROR,
     Property(
         "String",
         "MadeFrom",

@@ -82,12 +82,13 @@ class ModelView(_View):
         return list(self.Object.Strips)
 
     def onDelete(self, _provider: Any, _elements: Any) -> bool:
-        """Strips that the model hid stand for themselves again."""
+        """Strips that the model hid stand for themselves again, as soon as they can be made."""
         for strip in self.Object.Strips:
             if not any(
                 isinstance(_view_of(user), ModelView) for user in strip.InList if user is not self.Object
             ):
-                strip.Visibility = True
+                strip.HiddenByError = "Invalid" in strip.State
+                strip.Visibility = not strip.HiddenByError
         return True
 
 

@@ -23,7 +23,7 @@ from freecad.elastica_wb.live.sketches import (
 )
 
 WORKBENCH = "ElasticaWorkbench"
-SEEN_ONLY = ("Visibility", "Label")
+SEEN_ONLY = ("Visibility", "HiddenByError", "Label")
 """Properties that nothing is made from."""
 _installed: list[Any] = []
 
