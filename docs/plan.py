@@ -43,14 +43,14 @@ ROOMY = ("geometry", "mechanics", "forming", "published", "fabrication", "format
 
 WAY = {
     1: ("cli", "options and file names become one request"),
-    2: ("formats.curves", "the drawing is read: splines stay splines"),
+    2: ("formats.curve_files", "the drawing is read: splines stay splines"),
     3: ("fabrication.strip_spec", "the request, a StripSpec, is made"),
     4: ("mechanics.theorem1", "Theorem 1: can it be bent, and if not, where"),
     5: ("forming.nearest", "only with limits: the nearest curve that meets them"),
     6: ("mechanics.stiffness", "the stiffness with the least ratio"),
     7: ("mechanics.rod", "the rod: shape, stiffness, moment and force"),
     8: ("fabrication.drawings", "stiffness is width: outline, marks, kerf"),
-    9: ("formats.drawings", "DXF and SVG"),
+    9: ("formats.drawing_files", "DXF and SVG"),
     10: ("kernel", "STEP"),
     11: ("formats.reports", "the report"),
     12: ("plot", "the picture"),
@@ -59,6 +59,8 @@ WAY = {
 
 BOX = 142, 34
 GAP = 8
+MOST_IN_LINE = 8
+"""Rooms beside each other: a screen's width."""
 PAPER, INK, FLOOR, ROOM, MARKED = "#ffffff", "#222222", "#f1efe9", "#ffffff", "#c8553d"
 
 
@@ -176,15 +178,17 @@ def house() -> str:
             line = [(floor, idea)]
             lines.append(line)
     for line in lines:
-        x = 12.0
+        x, tallest = 12.0, 0
         for floor, idea in line:
             short = floor.rpartition(".")[2]
             inside = ranks(rooms(floor)) if short in ROOMY else {}
             names = sorted(inside, key=lambda name: (inside[name], name))
-            size = left - 30 + max(1, len(names)) * (BOX[0] + GAP)
-            size = size if names else left + 60
+            rows = -(-len(names) // MOST_IN_LINE) or 1
+            size = left - 30 + min(len(names), MOST_IN_LINE) * (BOX[0] + GAP) if names else left + 60
+            height = rows * (BOX[1] + GAP) + 10
+            tallest = max(tallest, height)
             parts.append(
-                f'<rect x="{x:g}" y="{y:g}" width="{size:g}" height="{BOX[1] + 18}" rx="6" fill="{FLOOR}"/>'
+                f'<rect x="{x:g}" y="{y:g}" width="{size:g}" height="{height}" rx="6" fill="{FLOOR}"/>'
             )
             if short in numbers:
                 parts.append(box(x + 8, y + 9, short, numbers[short], wide=size - 16))
@@ -194,12 +198,12 @@ def house() -> str:
                     f'<text x="{x + 10:g}" y="{y + 39:g}" font-size="10">{escape(idea)}</text>'
                 )
             for i, name in enumerate(names):
-                parts.append(
-                    box(x + left - 24 + i * (BOX[0] + GAP), y + 9, name, numbers.get(f"{short}.{name}"))
-                )
+                row, column = divmod(i, MOST_IN_LINE)
+                at = x + left - 24 + column * (BOX[0] + GAP), y + 9 + row * (BOX[1] + GAP)
+                parts.append(box(*at, name, numbers.get(f"{short}.{name}")))
             x += size + GAP
         widest = max(widest, x)
-        y += BOX[1] + 18 + GAP
+        y += tallest + GAP
     for number, (room, text) in WAY.items():
         column, row = divmod(number - 1, 6)
         parts.append(
