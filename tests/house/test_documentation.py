@@ -85,7 +85,9 @@ def test_the_plan_shows_the_house_as_it_is(plan):
     shown = set(re.findall(r">([^<>]+)</text>", read("docs/plan.svg")))
     rooms = {room for floor, _ in plan.FLOORS for room in plan.rooms(floor) if floor.endswith(plan.ROOMY)}
     assert rooms - shown == set(), "draw it again: python docs/plan.py"
-    assert {str(number) for number in plan.WAY} - shown == set(), "a station of the way has no room of its name"
+    assert {str(number) for number in plan.WAY} - shown == set(), (
+        "a station of the way has no room of its name"
+    )
 
 
 def test_the_citation_is_of_this_version():
