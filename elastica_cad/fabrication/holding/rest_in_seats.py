@@ -19,12 +19,14 @@ from elastica_cad.mechanics.rod.rod_record import Rod
 MOST_STEPS = 60
 STEP_SHARE = 0.05  # of the length: largest move of an end in one step
 RENEWED_SHARE = 0.003  # of the length: after longer steps the stiffness of the ends is measured anew
+SHORTER, LONGER = 0.5, 2.0  # most of the next step: of one that went back, and of what the last was allowed
 STEP_RAD = 0.15  # largest turn of an end in one step
 DIFFERENCE_SHARE = 1e-5  # of the length: step of the finite differences of reactions
 SETTLED_SHARE = 1e-9  # of the length: steps below it end the search
 LEAST_SHARE = 1e-6  # of the largest eigenvalue: a direction that is softer counts as this stiff
 PRICE = 100.0  # of a mm of overlap, over the forces that are there: far above most contacts' multipliers
 DEARER = 10.0  # times as much, where a tab that is wedged in pays it
+DEAREST = 1e6  # a tab that pays this does not fit
 OVERLAP_SHARE = 1e-7  # of the length: overlaps below it are rounding
 SEATING_STEPS = 3
 SEATING = 1e4  # times as stiff are the ends while tabs bend into their seats
@@ -53,7 +55,7 @@ def rest_in_seats(
 
     Tabs may shift across, turn and bend, not slide along. Contacts are without friction: least energy under
     one-sided conditions, by sequential quadratic programming on shift and turn of each end and the angles of each
-    tab; forces and moments of the rod (Eq. 2) are the gradient, their differences the Hessian.
+    tab; forces and moments of the rod (Eq. 2) are the gradient, their differences and how pushes turn the Hessian.
 
     Parameters
     ----------
@@ -69,7 +71,7 @@ def rest_in_seats(
     Raises
     ------
     NotConvergedError
-        No rest shape was found.
+        A tab does not fit into its seat, or no rest shape was found.
     """
     seated = [
         _SeatedEnd(k, seat, stiffness)
@@ -82,24 +84,35 @@ def rest_in_seats(
     q = np.zeros(problem.unknowns)
     rod = problem.bent(q, made)
     stiffness = problem.end_stiffness(q, rod)
+    firm = _made_definite(stiffness)
     # tabs bend into their seats first, else the strip is thrown far off by walls that a straight tab meets
     for _ in range(SEATING_STEPS):
-        q = q + problem.step(q, rod, SEATING * stiffness).x
+        q = q + problem.step(q, rod, SEATING * firm).x
     rod = problem.bent(q, rod)
-    step, price = np.zeros(q.size), PRICE
+    step, pushes, price, reach = np.zeros(q.size), np.zeros(len(problem.walls(q)[1])), PRICE, np.inf
     for _ in range(MOST_STEPS):
         if np.abs(step).max() > RENEWED_SHARE * design.length:
             stiffness = problem.end_stiffness(q, rod)
-        step = problem.step(q, rod, stiffness, price=price).x
+        firm = _made_definite(stiffness - problem.wall_bends(q, pushes))
+        found = problem.step(q, rod, firm, price=price, reach=reach)
+        before, step, pushes = step, found.x, found.row_multipliers * np.abs(firm).max()
+        moved = np.abs(step).max()
+        settled = moved <= SETTLED_SHARE * design.length and moved < reach
+        # steps back ask for shorter ones: shape and contacts change more on the way than a step knows
+        reach = SHORTER * moved if step @ before < 0 else LONGER * reach
         q = q + step
         rod = problem.bent(q, rod)
-        if np.abs(step).max() <= SETTLED_SHARE * design.length:
+        if settled:
             if problem.walls(q)[1].min() >= -OVERLAP_SHARE * design.length:
                 break
-            price *= DEARER
+            if price >= DEAREST:
+                raise NotConvergedError(problem.without_room(q))
+            price, reach = DEARER * price, np.inf
     else:
         raise NotConvergedError(
-            "the strip finds no rest in its holders: give them less play, or hold the tabs with screws or glue"
+            problem.without_room(q)
+            if price > PRICE and problem.walls(q)[1].min() < -OVERLAP_SHARE * design.length
+            else "the strip finds no rest in its holders: give them less play, or hold the tabs with screws or glue"
         )
     poses = [EndPose(), EndPose()]
     for one, part in problem.parts(q):
@@ -268,13 +281,34 @@ class _Held:
         return [at + k for at in self._begins for k in (0, 1)]
 
     def end_stiffness(self, q: FloatArray, rod: Rod) -> FloatArray:
-        """Derivatives of the reactions, made positive definite, 1/mm3."""
+        """Derivatives of the reactions, 1/mm3."""
         reactions, difference = self.reactions(rod), DIFFERENCE_SHARE * self.design.length
         moves = difference * np.eye(q.size)[self.poses]
         ends = np.array([self.reactions(self.bent(q + move, rod)) - reactions for move in moves]) / difference
-        values, vectors = np.linalg.eigh((ends + ends.T) / 2)
-        values = np.maximum(np.abs(values), LEAST_SHARE * np.abs(values).max())
-        return np.asarray(vectors @ np.diag(values) @ vectors.T)
+        return np.asarray((ends + ends.T) / 2)
+
+    def without_room(self, q: FloatArray) -> str:
+        """What to say of the tab that overlaps its holder most."""
+        gaps = self.walls(q)[1]
+        sizes = [len(one.seat.left) + len(one.seat.right) for one in self.seated]
+        each = [float(part.min()) for part in np.split(gaps, np.cumsum(sizes)[:-1])]
+        one, gap = min(zip(self.seated, each, strict=True), key=lambda pair: pair[1])
+        end = "end" if one.index else "start"
+        return (
+            f"the tab at the {end} does not go into its {one.seat.name}: however it turns and bends, {-gap:.2g} mm "
+            "of it stand in the material; give it more play"
+        )
+
+    def wall_bends(self, q: FloatArray, pushes: FloatArray) -> FloatArray:
+        """What the pushes (k,) of the walls, over B, change of them as the ends turn, 1/mm3."""
+        found, at = np.zeros((2 * len(self.seated), 2 * len(self.seated))), 0
+        for k, (one, part) in enumerate(self.parts(q)):
+            bends = one.seat.bends(*self.pose(part), one.way) / np.array([[1.0, self.design.length]] * 2)
+            bends[:, 1] /= self.design.length
+            pose = slice(2 * k, 2 * k + 2)
+            found[pose, pose] = np.einsum("k,kij->ij", pushes[at : at + len(bends)], bends)
+            at += len(bends)
+        return found
 
     def walls(self, q: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Slopes (k, n) by q and gaps (k,), mm, between tabs and the edges of their holders; negative overlaps."""
@@ -299,6 +333,7 @@ class _Held:
         near: QuadraticSolution | None = None,
         *,
         price: float = PRICE,
+        reach: float = np.inf,
     ) -> QuadraticSolution:
         """The next step of sequential quadratic programming; `near` is the one before, for what touches."""
         length, poses = self.design.length, self.poses
@@ -316,8 +351,8 @@ class _Held:
         bound[poses[::2]] = STEP_SHARE * length
         each = price * (np.abs(g).max() / scale + bound.max())
         program = QuadraticProgram(
-            H / scale, g / scale, -bound, bound, A, -gaps, np.full(gaps.size, each),
-            np.ones(gaps.size, dtype=bool),
+            H / scale, g / scale, -np.minimum(bound, reach), np.minimum(bound, reach), A, -gaps,
+            np.full(gaps.size, each), np.ones(gaps.size, dtype=bool),
         )  # fmt: skip
         return solve_quadratic(program, near=near)
 
@@ -329,3 +364,10 @@ class _Held:
     def _begins(self) -> list[int]:
         sizes = [2 + one.pieces for one in self.seated]
         return [sum(sizes[:k]) for k in range(len(sizes))]
+
+
+def _made_definite(stiffness: FloatArray) -> FloatArray:
+    """Symmetric (n, n) with the same directions, all of them stiff."""
+    values, vectors = np.linalg.eigh(stiffness)
+    values = np.maximum(np.abs(values), LEAST_SHARE * np.abs(values).max())
+    return np.asarray(vectors @ np.diag(values) @ vectors.T)

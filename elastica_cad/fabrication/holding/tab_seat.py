@@ -103,6 +103,17 @@ class TabSeat:
         by_turn = np.concatenate([-way * a * cos - (b - shift) * sin, way * c * cos + (d - shift) * sin])
         return np.column_stack([by_shift, by_turn])
 
+    def bends(self, shift: float, turn: float, way: int) -> FloatArray:
+        """Second derivatives (k, 2, 2) of `gaps` by shift and turn."""
+        cos, sin = np.cos(turn), np.sin(turn)
+        (a, b), (c, d) = self.left.T, self.right.T
+        found = np.zeros((a.size + c.size, 2, 2))
+        found[:, 0, 1] = found[:, 1, 0] = np.concatenate([np.full(a.size, sin), np.full(c.size, -sin)])
+        found[:, 1, 1] = np.concatenate(
+            [way * a * sin - (b - shift) * cos, (d - shift) * cos - way * c * sin]
+        )
+        return found
+
     @property
     def turning(self) -> tuple[float, float]:
         """How far the tab turns before it jams, rad: to the right (negative) and to the left, seen outward."""

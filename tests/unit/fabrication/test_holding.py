@@ -5,8 +5,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.optimize import nnls
 
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.fabrication.compensation import compensate_widths
 from elastica_cad.fabrication.holders import plate_pair as pairs
 from elastica_cad.fabrication.holders.base_plate import base_plate
@@ -116,6 +117,46 @@ def test_a_tab_wedged_between_one_edge_and_two_overlaps_none():
     touching = seat.slopes(end.shift, end.turn, 1)[gaps < 1e-6 * bow.length]
     assert len(touching) == 2
     assert np.linalg.solve(touching.T, gradient).min() > 0
+
+
+@pytest.mark.parametrize(
+    ("chord", "angles", "left", "right"),
+    [
+        (163, (0.2, 0.4), [(18, 0.55)], [(2, -0.94), (13, -1.28)]),
+        (119, (0.8, 0.4), [(13, 0.98), (10, 1.05)], [(4, -1.29), (8, -0.84)]),
+        (101, (1.1, 0.3), [(16, 0.97), (14, 0.61)], [(5, -1.27)]),
+        (176, (0.5, 0.5), [(9, 0.93)], [(5, -0.58), (7, -0.73)]),
+    ],
+)
+def test_a_wave_whose_tab_turns_about_single_edges_comes_to_rest(chord, angles, left, right):
+    """Its steps had gone to and fro between two contacts, as the edges' own turning was not reckoned with."""
+    wave = bend(Rod.straight(200.0, samples=41), end=(chord, 0.0), angles=angles)
+    seat = TabSeat(left, right, 1.0)
+    _, (_, end) = rest_in_seats(wave, wave, (None, seat))
+    # bent forward again by itself, the strip presses on what its tab lies against and nowhere else
+    across = np.array([-np.sin(angles[1]), np.cos(angles[1])])
+    place = np.array([chord, 0.0]) + end.shift * across
+    found = bend(wave, end=place, angles=(angles[0], angles[1] + end.turn))
+    gradient = np.array([-found.force[-1] @ across, found.moment[-1]])
+    gaps = seat.gaps(end.shift, end.turn, 1)
+    assert gaps.min() > -1e-7 * wave.length
+    touching = seat.slopes(end.shift, end.turn, 1)[gaps < 1e-5]
+    pushes, rest = nnls(touching.T, gradient)
+    assert rest < 1e-3 * np.abs(found.moment).max() / wave.length
+    assert pushes.max() > 0
+
+
+def test_a_tab_that_its_holder_has_no_room_for_is_told_by_how_much(rod):
+    """Three slots of 0.9 mm for a tab of 0.8, that in the middle offset by 0.2: stiff, it lacks 0.1 mm."""
+    seat = TabSeat(
+        [(0, 0.45), (10, 0.25), (20, 0.45)], [(0, -0.45), (10, -0.65), (20, -0.45)], 0.8, "three slots"
+    )
+    words = r"^the tab at the end does not go into its three slots: .* ([\d.]+) mm .* more play$"
+    with pytest.raises(NotConvergedError, match=words) as refused:
+        rest_in_seats(rod, rod, (None, seat))
+    assert float(re.match(words, str(refused.value))[1]) == pytest.approx(0.1, abs=0.002)
+    _, (_, end) = rest_in_seats(rod, rod, (None, seat), (np.inf, 0.3))  # a soft one bends into them
+    assert abs(end.shift) < 0.2
 
 
 def test_play_moves_the_shape_and_a_leaning_pocket_makes_up_for_it(strip):
