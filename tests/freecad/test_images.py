@@ -2,8 +2,11 @@
 
 import FreeCAD as App
 import pytest
+from freecad.elastica_wb.curves.copies import originals
 from freecad.elastica_wb.features import model, strip
 from freecad.elastica_wb.features.pieces import pieces_of
+
+from elastica_cad.errors import InputError
 
 ARCH = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]
 TURN = App.Placement(App.Vector(5, 7, 9), App.Rotation(App.Vector(1, 1, 0), 40))
@@ -89,3 +92,51 @@ def test_an_image_without_its_strip_shows_nothing(slotted):
     image = image_of(slotted)
     image.Source = None
     assert counts(slotted, image) == [1]
+
+
+PATTERNS = {
+    "Mirrored": {"MirrorPlane": "XZ_Plane"},
+    "LinearPattern": {"Direction": "Z_Axis", "Length": 18, "Occurrences": 2},
+    "PolarPattern": {"Axis": "Y_Axis", "Angle": 360, "Occurrences": 4},
+}
+
+
+@pytest.mark.parametrize("kind", PATTERNS)
+def test_a_pattern_in_a_body_is_refused(document, drawn, kind):
+    """Its copies are one solid with the strip, or none: it was cut once, and nothing said so."""
+    body = document.addObject("PartDesign::Body", "Body")
+    sketch = drawn(ARCH)
+    body.addObject(sketch)
+    made = strip.create(document, sketch)
+    document.recompute()
+    assert counts(made) == counts(body) == [1]
+    pattern = body.newObject(f"PartDesign::{kind}", kind)
+    pattern.Originals = [made]
+    axes = {one.Role: one for one in body.Origin.OriginFeatures}
+    for name, value in PATTERNS[kind].items():
+        setattr(pattern, name, (axes[value], [""]) if value in axes else value)
+    body.Tip = pattern
+    link = document.addObject("App::Link", "Link")
+    link.LinkedObject = body
+    document.recompute()
+    assert pattern.State == ["Up-to-date"]
+    assert originals(pattern) == [made]
+    for shown in (pattern, body, link):
+        with pytest.raises(InputError, match=f"{kind} makes its copies of Strip part of one body.*array"):
+            counts(shown)
+        with pytest.raises(InputError, match="array"):
+            held(shown)
+    assert counts(made) == [1], "the strip alone"
+
+
+def test_a_body_that_begins_with_a_strip_is_that_strip(document, slotted):
+    body = document.addObject("PartDesign::Body", "Body")
+    body.BaseFeature = slotted
+    body.Placement = ELSEWHERE
+    document.recompute()
+    assert body.Shape.Volume == pytest.approx(slotted.Shape.Volume)
+    (base,) = body.Group
+    assert counts(body) == counts(base) == counts(base, slotted) == [1]
+    moved = base.Shape.copy()
+    moved.Placement = base.getGlobalPlacement()
+    assert_same(held(body), [moved])

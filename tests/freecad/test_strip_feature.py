@@ -140,6 +140,20 @@ def test_a_flat_part_is_hidden_while_its_strip_is_in_error(document, sketch, spl
     assert [one.Visibility for one in (feature, seen, unseen)] == [True, True, False]
 
 
+def test_what_stands_in_the_same_container_stays_in_sight(document, sketch, drawn):
+    """The other strip hangs on the container by its curve's place alone."""
+    part, other = document.addObject("App::Part", "Part"), drawn(ARCH)
+    part.addObjects([sketch, other])
+    failing, outside = strip.create(document, sketch), strip.create(document, other)
+    part.removeObject(outside)
+    outside.Curve = other
+    document.recompute()
+    assert outside.Containers == [part]
+    sketch.Geometry = []
+    document.recompute()
+    assert [failing.Visibility, outside.Visibility] == [False, True]
+
+
 def test_save_and_reload(document, sketch, tmp_path: Path, move_pole):
     feature = strip.create(document, sketch)
     feature.MaxWidth = 22

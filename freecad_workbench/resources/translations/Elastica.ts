@@ -2959,6 +2959,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>%1 makes its copies of %2 part of one body, and leaves out those that do not touch it: delete it, and repeat the strip by an array of the workbench Draft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>%1 is scaled, and a strip of another size bends otherwise: set its Scale to 1</source>
         <translation type="unfinished"></translation>
     </message>

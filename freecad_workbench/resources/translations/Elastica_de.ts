@@ -2971,6 +2971,10 @@
         <translation>das Modell hat keine Streifen: in der Eigenschaft Strips welche wählen</translation>
     </message>
     <message>
+        <source>%1 makes its copies of %2 part of one body, and leaves out those that do not touch it: delete it, and repeat the strip by an array of the workbench Draft</source>
+        <translation>%1 macht seine Kopien von %2 zu Teilen eines einzigen Körpers und lässt die weg, die ihn nicht berühren: %1 löschen und den Streifen durch eine Anordnung des Arbeitsbereichs Draft wiederholen</translation>
+    </message>
+    <message>
         <source>%1 is scaled, and a strip of another size bends otherwise: set its Scale to 1</source>
         <translation>%1 ist skaliert, und ein Streifen anderer Größe biegt sich anders: Scale auf 1 setzen</translation>
     </message>

@@ -2971,6 +2971,10 @@
         <translation>模型没有条带：请在属性 Strips 中选择</translation>
     </message>
     <message>
+        <source>%1 makes its copies of %2 part of one body, and leaves out those that do not touch it: delete it, and repeat the strip by an array of the workbench Draft</source>
+        <translation>%1 将 %2 的副本并入同一个实体，并略去不与之接触的副本：删除 %1，改用 Draft 工作台的阵列来重复该条带</translation>
+    </message>
+    <message>
         <source>%1 is scaled, and a strip of another size bends otherwise: set its Scale to 1</source>
         <translation>%1 已缩放，而尺寸不同的条带弯曲方式不同：将其 Scale 设为 1</translation>
     </message>

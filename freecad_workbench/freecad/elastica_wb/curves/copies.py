@@ -16,7 +16,16 @@ Shown = tuple[Any, App.Matrix]
 
 MIRRORING = "Part::Mirroring"
 COMPOUND = "Part::Compound"
-COPYING = ("App::Link", "App::LinkGroup", MIRRORING, COMPOUND)
+BASE = "PartDesign::FeatureBase"
+"""What a body begins with that was made from an object outside."""
+
+PATTERNS = tuple(
+    f"PartDesign::{kind}"
+    for kind in ("Mirrored", "LinearPattern", "PolarPattern", "Scaled", "MultiTransform")
+)
+"""What repeats features inside a body: one solid with them, or left out where it does not touch."""
+
+COPYING = ("App::Link", "App::LinkGroup", MIRRORING, COMPOUND, BASE, *PATTERNS)
 """Kinds of objects of FreeCAD itself, not made in Python, that may show copies."""
 
 SAME = App.Vector(1, 1, 1)
@@ -28,7 +37,8 @@ TURNED_OVER = App.Matrix(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1)
 def copies(obj: Any) -> Iterator[Standing]:
     """The originals that an object shows, each with the place in the document of its shape without its placement.
 
-    An image stands at the place of its original after z -> -z, and says so.
+    An image stands at the place of its original after z -> -z, and says so. A body's pattern is no copy: it is one
+    solid with what it repeats.
 
     Raises
     ------
@@ -47,10 +57,19 @@ def turned_over(place: App.Placement) -> App.Placement:
 
 def originals(obj: Any) -> list[Any]:
     """What an object shows in the end, each once; what is no copy, container or compound is itself."""
+    if obj.TypeId in PATTERNS:
+        return repeated(obj)
     parts = _parts(obj)
     if parts is None:
         return [obj]
     return list(dict.fromkeys(one for part, _ in parts for one in originals(part)))
+
+
+def repeated(obj: Any) -> list[Any]:
+    """The features that a body's pattern repeats; none for all other objects."""
+    if obj.TypeId not in PATTERNS or getattr(obj, "Suppressed", False):
+        return []
+    return list(obj.Originals or filter(None, [obj.BaseFeature]))  # of late it repeats all before it, too
 
 
 def contents(obj: Any) -> list[Any]:
@@ -59,11 +78,12 @@ def contents(obj: Any) -> list[Any]:
 
 
 def not_repeated(objects: Iterable[Any]) -> list[Any]:
-    """Objects but those that others among them show in their place: bases of Draft's arrays, strips of models, what
-    Part's compounds hold.
+    """Objects but those that others among them show in their place: what arrays of Draft and bodies are based on,
+    strips of models, what Part's compounds hold.
     """
     objects = list(objects)
     shown = [one.Base for one in objects if _is_draft(one, "Array")]
+    shown += [one.BaseFeature for one in objects if one.TypeId == BASE]
     shown += [held for one in objects if one.TypeId == COMPOUND for held in one.Links]
     shown += [strip for one in objects for strip in getattr(one, "Strips", ())]
     return [one for one in objects if one not in shown]
@@ -124,6 +144,8 @@ def _placed_parts(obj: Any) -> list[tuple[Any, App.Placement]] | None:
         return [(one, _own(one)) for one in obj.ElementList]
     if obj.TypeId == COMPOUND:
         return [(one, _own(one)) for one in obj.Links]
+    if obj.TypeId == BASE:
+        return [(obj.BaseFeature, App.Placement())] if obj.BaseFeature else None
     is_array = _is_draft(obj, "Array")
     shown = obj.Base if is_array else link_target(obj)
     if shown is None:

@@ -9,10 +9,10 @@ from typing import Any
 import FreeCAD as App
 import numpy as np
 import Part
-from freecad.elastica_wb.curves.copies import copies, turned_over
+from freecad.elastica_wb.curves.copies import turned_over
 from freecad.elastica_wb.curves.sketch_curves import container, drawn_curve, frame_of, placement_of
 from freecad.elastica_wb.features.proxy import CONTAINERS, Feature, added
-from freecad.elastica_wb.features.strip import is_strip, strip_of
+from freecad.elastica_wb.features.strip import is_strip, shown_strips, strip_of
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.progress import in_background
 from freecad.elastica_wb.host.property_table import Property, put
@@ -120,7 +120,7 @@ def strips_model(strips: list[Any], *, name: str, options: tuple[tuple[str, Any]
 
 def _standing(obj: Any) -> Iterator[tuple[Strip, App.Placement]]:
     """The strips that an object shows, each with the place of its curve in the document."""
-    shown = list(copies(obj))
+    shown = list(shown_strips(obj))
     if not any(is_strip(one) or is_model(one) for one, *_ in shown):
         raise InputError(f"{obj.Label} is no strip: a model is made of strips")
     for one, place, is_image in shown:

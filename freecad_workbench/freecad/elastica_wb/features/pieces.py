@@ -8,11 +8,11 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
-from freecad.elastica_wb.curves.copies import copies, not_repeated
+from freecad.elastica_wb.curves.copies import not_repeated
 from freecad.elastica_wb.features.baseplate import is_base_plate, plate_of
 from freecad.elastica_wb.features.flat import is_flat
 from freecad.elastica_wb.features.model import is_model, model_of
-from freecad.elastica_wb.features.strip import is_strip, strip_of
+from freecad.elastica_wb.features.strip import is_strip, shown_strips, strip_of
 
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.sheets.pieces import Piece, distinct
@@ -45,7 +45,7 @@ def counted(sources: Iterable[Any]) -> dict[Any, int]:
     standing: Counter[Any] = Counter()
     lying: Counter[Any] = Counter()
     for obj in not_repeated(sources):
-        for original, *_ in copies(obj):
+        for original, *_ in shown_strips(obj):
             (lying if is_flat(original) else standing)[original] += 1
     found = {obj: count for obj, count in standing.items() if is_cut(obj)}
     for flat, count in lying.items():

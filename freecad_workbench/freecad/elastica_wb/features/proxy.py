@@ -147,10 +147,19 @@ def added(document: Any, name: str, proxy: type[Feature], sources: Iterable[Any]
 
 def hide(obj: Any) -> None:
     """Hide what failed, and all that is made from it: their shapes are not what they ask for."""
-    for one in (obj, *obj.InListRecursive):
+    for one in _with_users(obj):
         if isinstance(getattr(one, "Proxy", None), Feature) and one.Visibility:
             one.HiddenByError = True
             one.Visibility = False
+
+
+def _with_users(obj: Any) -> list[Any]:
+    """An object and all that is made from it; its container's place alone makes nothing of what is inside."""
+    found = [obj]
+    for one in found:
+        users = [user for user in one.InList if one not in getattr(user, CONTAINERS.name, ())]
+        found += [user for user in dict.fromkeys(users) if user not in found]
+    return found
 
 
 def _show_again(obj: Any) -> None:

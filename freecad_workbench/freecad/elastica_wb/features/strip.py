@@ -3,11 +3,12 @@
 
 """The parametric strip: follows a sketch, stands on its curve, says in its properties what it found."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import Any, ClassVar
 from weakref import WeakValueDictionary
 
 import FreeCAD as App
+from freecad.elastica_wb.curves.copies import Standing, copies, repeated
 from freecad.elastica_wb.curves.sketch_curves import drawn_curve, is_sketch
 from freecad.elastica_wb.features.proxy import Feature, hide, parents
 from freecad.elastica_wb.features.strip_properties import PROPERTIES
@@ -29,7 +30,7 @@ from freecad.elastica_wb.solving.strip_cache import (
     solve_strip,
 )
 
-from elastica_cad.errors import ElasticaError
+from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.fabrication.drawings.sheet_colors import sheet_color
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.mechanics.theorem1.verdict import NotRealizable
@@ -96,6 +97,24 @@ def create(document: Any, sketch: Any, edges: tuple[str, ...] = ()) -> Any:
 def is_strip(obj: Any) -> bool:
     """Is this object a parametric strip?"""
     return isinstance(getattr(obj, "Proxy", None), StripFeature)
+
+
+def shown_strips(obj: Any) -> Iterator[Standing]:
+    """What `copies` of an object gives.
+
+    Raises
+    ------
+    InputError
+        As `copies`; or a body's pattern repeats a strip: it makes copies part of one solid.
+    """
+    for standing in copies(obj):
+        strip = next(filter(is_strip, repeated(standing[0])), None)
+        if strip is not None:
+            raise InputError(
+                f"{standing[0].Label} makes its copies of {strip.Label} part of one body, and leaves out those "
+                "that do not touch it: delete it, and repeat the strip by an array of the workbench Draft"
+            )
+        yield standing
 
 
 def strip_of(obj: Any) -> Strip:
