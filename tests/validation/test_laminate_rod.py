@@ -70,6 +70,40 @@ def test_a_search_that_asks_for_more_than_two_layers_on_its_way_comes_to_a_lamin
     assert np.hypot(*(bent.position - rod.position).T).max() < 1e-4 * rod.length
 
 
+@pytest.mark.parametrize(
+    ("points", "base", "backing", "ratio"),
+    [
+        ([(0, 0), (140, -84), (280, -95.2), (420, -112), (560, 0)], (0.25, 890, 950), (0.48, 1020, 910), 2.6651),
+        ([(0, 0), (187.5, -300), (375, -442.5), (562.5, -247.5), (750, 0)], (0.23, 3270, 1250), (0.68, 3350, 1440),
+         7.8602),
+        ([(0, 0), (399.3, -266.2), (810.7, -302.5), (1210, 0)], (0.5, 2060, 760), (0.46, 1840, 430), 2.4277),
+    ],
+)  # fmt: skip
+def test_a_heavy_laminate_whose_programs_go_to_and_fro_is_found(points, base, backing, ratio):
+    """Hung curves whose own weight bends them: they had been refused as too heavy.
+
+    The ratios are those of a march of our own: moment and force integrated along the curve, the weight from
+    M / kappa, and the three numbers at the start moved until the softest place is as stiff as can be.
+    """
+    sheets = [
+        Sheet(name, h, E, density=rho, max_strain=0.02)
+        for name, (h, E, rho) in zip(("base", "backing"), (base, backing), strict=True)
+    ]
+    curve = PlaneCurve.spline(points, degree=min(4, len(points) - 1))
+    laminate = optimal_laminate(curve, LaminatedSection(*sheets), 20.0, direction=(0, -1))
+    rod, (h1, h2), d = laminate.rod, (base[0], backing[0]), (base[0] + backing[0]) / 2
+    assert rod.ratio == pytest.approx(ratio, rel=1.5e-3)
+    assert laminate.backing_width.max() == pytest.approx(20.0, rel=1e-4)
+    A1, A2 = base[1] * h1 * laminate.base_width, backing[1] * h2 * laminate.backing_width
+    EI = (A1 * h1**2 + A2 * h2**2) / 12 + d**2 * A1 * A2 / (A1 + A2)
+    assert rod.bending_stiffness * rod.stiffness == pytest.approx(EI, rel=1e-6)
+    areal = base[2] * h1 * laminate.base_width + backing[2] * h2 * laminate.backing_width
+    newtons = 9.80665e-9 * rod.node_lengths * areal
+    assert -rod.nodal_load[:, 1] * rod.bending_stiffness == pytest.approx(newtons, rel=1e-5)
+    bent = bend(rod)
+    assert np.hypot(*(bent.position - rod.position).T).max() < 1e-5 * rod.length
+
+
 def test_a_hung_mass_is_carried():
     mass = (PointMass(60.0, 3.0),)
     laminate = optimal_laminate(arch(), SECTION, 20.0, direction=(0, -1), masses=mass)

@@ -43,6 +43,7 @@ def minimax_ratio(
     *,
     offset: FloatArray | None = None,
     side_rows: FloatArray | None = None,
+    side_offset: FloatArray | None = None,
     tolerance: float = 1e-10,
     solver: Solver = "auto",
 ) -> MinimaxSolution | None:
@@ -58,7 +59,9 @@ def minimax_ratio(
     offset : (n,) array, optional
         Zero unless given.
     side_rows : (k, m) array, optional
-        Further conditions side_rows @ x >= 0.
+        Further conditions side_rows @ x + side_offset >= 0.
+    side_offset : (k,) array, optional
+        Zero unless given.
     tolerance : float
         Largest violation left, relative to the bound.
     solver
@@ -84,7 +87,7 @@ def minimax_ratio(
         return MinimaxSolution(np.zeros(0), float(offset.max()), offset, 0) if fits else None
     if m == 1 and side_rows is None and not offset.any():
         return _single(rows[:, 0])
-    program = MinimaxProgram(rows, side_rows=side_rows, solver=solver)
+    program = MinimaxProgram(rows, side_rows=side_rows, side_offset=side_offset, solver=solver)
     low = high = start_rows(n)
     asked_low, asked_high = set(low), set(high)
     for rounds in range(1, MAX_ROUNDS + 1):
@@ -135,17 +138,23 @@ class MinimaxProgram:
     ----------
     samples : (n, m) array
         Rows of the kind that will be demanded: they tell the sizes of the unknowns.
-    side_rows : (k, m) array, optional
-        Further conditions side_rows @ x >= 0.
+    side_rows, side_offset : (k, m), (k,) arrays, optional
+        Further conditions side_rows @ x + side_offset >= 0.
     """
 
     def __init__(
-        self, samples: FloatArray, *, side_rows: FloatArray | None = None, solver: Solver = "auto"
+        self,
+        samples: FloatArray,
+        *,
+        side_rows: FloatArray | None = None,
+        side_offset: FloatArray | None = None,
+        solver: Solver = "auto",
     ) -> None:
         self.basis = _conditioned(samples)
         self.program = _program(solver, self.basis.shape[1])
         if side_rows is not None:
-            self.program.add(side_rows @ self.basis, np.zeros(len(side_rows)), len(side_rows))
+            offset = np.zeros(len(side_rows)) if side_offset is None else side_offset
+            self.program.add(side_rows @ self.basis, offset, len(side_rows))
 
     def demand(
         self, low: FloatArray, low_offset: FloatArray, high: FloatArray, high_offset: FloatArray

@@ -11,7 +11,7 @@ from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.loads.gravity import Gravity
 from elastica_cad.mechanics.loads.supports import Supports
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
-from elastica_cad.mechanics.material.laminated_section import LaminatedSection
+from elastica_cad.mechanics.material.laminated_section import BoundedBacking, LaminatedSection
 from elastica_cad.mechanics.material.section_limits import ScaleRange
 from elastica_cad.mechanics.rod.rod_record import Rod
 from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
@@ -66,7 +66,8 @@ def optimal_laminate(
     """The rod of least ratio on a curve, and the backing that gives a base of given width its stiffness.
 
     The weight is that of both layers, linear in w2 and so not in K (paper, section 8.1, footnote 4): the
-    weight law is set tangent to the true one at the last K and scale, until both stay.
+    weight law is set tangent to the true one at the last K and scale, until both stay. Where they go to and fro
+    instead, `balance_with_section` goes on in short steps.
 
     Parameters
     ----------
@@ -154,10 +155,22 @@ def optimal_laminate(
         if len(history) == 3:
             scale = float(np.exp(extrapolated(*history)))
             history.clear()
-    raise NotConvergedError(
-        f"weight and stiffness of the laminate do not settle (the stiffness still moves by {change:.2g}): "
-        "the strip is too heavy for this curve; use stiffer or thinner sheets, or support it"
-    )
+    if isinstance(base_width, Profile):
+        raise NotConvergedError(
+            f"weight and stiffness of the laminate do not settle (the stiffness still moves by {change:.2g}): give "
+            "the base one width all along, which is searched for more closely, or use stiffer or lighter sheets"
+        )
+    law = BoundedBacking(section, np.asarray(float(base_width)), (0.0, float(base_width)))
+    carried = Weight(masses=masses, own=True)
+    try:
+        rod = optimal_rod(curve, gravity, supports, samples=samples, section=law, weight=carried)
+    except InputError as error:
+        raise InputError(
+            "the laminate cannot be as soft in one place and as stiff in another as the curve needs under this "
+            "weight: use a thicker backing, or lighter sheets"
+        ) from error
+    scale = _scale(section, widths, _stiffness(rod, everywhere), least_backing)
+    return built(replace(rod, section=None), scale, _MOST_ROUNDS)
 
 
 def _along(width: float | Profile, s: FloatArray) -> FloatArray:

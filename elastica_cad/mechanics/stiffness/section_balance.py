@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
+from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.paths.profile import Profile
 from elastica_cad.mechanics.loads.gravity import Gravity
@@ -15,13 +15,17 @@ from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.stiffness_law import BoundedLaw, StiffnessLaw
 from elastica_cad.mechanics.rod.node_counts import DEFAULT_SAMPLES
 from elastica_cad.mechanics.stiffness.curve_cuts import REFINEMENTS, CutCurve
-from elastica_cad.mechanics.stiffness.moment_conditions import BalancedStiffness
+from elastica_cad.mechanics.stiffness.moment_conditions import (
+    BalancedStiffness,
+    StateFamily,
+)
 from elastica_cad.mechanics.stiffness.optimal_balance import (
     WeightedPanels,
     balance_without_weight,
     point_weights,
 )
 from elastica_cad.mechanics.stiffness.quadrature_panels import PanelFunction
+from elastica_cad.mechanics.stiffness.stiffness_family import StiffnessFamily, least_ratio
 from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
 
 MOST_ROUNDS = 40
@@ -38,6 +42,15 @@ FIT_SHARE = 1e-5
 
 HOPELESS_SHARE = 1e-4
 """Of the E I of the least section: rounds that ask for less, and ever less, do not come back within the limits."""
+
+WIDEST_REACH = 0.1
+"""Of the limits of E I: what it may change in the mean by one step of a descent."""
+
+MOST_STEPS = 150
+"""Of a descent."""
+
+SHORTER, LONGER = 0.5, 1.2
+"""What a step of a descent may change, where the last one went back, and where it went on."""
 
 LONGEST_JUMP = float(np.log(4.0))
 """In the logarithm of the scale: further off a sequence's limit is a guess."""
@@ -133,12 +146,76 @@ def _settled(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffness:
             weight = _weight(load, tangent, asked, masses)
             return replace(balance, bending_stiffness=asked, weight=weight)
         if _spare(law, EI) < HOPELESS_SHARE:
-            break
+            raise _unsettled(law, change)
         history.append(np.log(scale))
         if len(history) == 3:
             scale = float(np.exp(extrapolated(*history)))
             history.clear()
-    raise _unsettled(law, change)
+    return _descended(load, law, points, asked * state[:3], EI)
+
+
+def _descended(
+    load: WeightedPanels, law: BoundedLaw, points: FloatArray, state: FloatArray, EI: FloatArray
+) -> BalancedStiffness:
+    """The largest E I at the softest place within the limits, by short steps, where the programs go to and fro.
+
+    Such an optimum is no vertex of the program that is tangent there: each answer lies far from the last. So the
+    moments may change by little from one program to the next, and by less where they turn back.
+
+    `state` is moment and force (3,) at the curve's end, N mm and N.
+    """
+    deciding, masses = _deciding(law), () if load.weight is None else load.weight.masses
+    limit, scale = law.bending_stiffness(deciding), float(law.bending_stiffness(deciding).min())
+    sense = -1.0 if np.isfinite(law.limits[1]) else 1.0  # below the largest section, else above the least
+    reach, before = WIDEST_REACH, np.zeros(EI.shape)
+    for _ in range(MOST_STEPS):
+        tangent = TangentWeight.of(law, EI)
+        problem = load.carrying(tangent.slope, tangent.fixed, points)
+        numbers = problem.at_compliance(1 / scale)
+        here = _numbers_of(numbers, np.append(state / scale, 1 / scale)[: numbers.fixed.size])
+        share = sense * scale / limit
+        rows, offset = (problem.rows.stiffness @ part for part in (numbers.basis, numbers.fixed))
+        family = StiffnessFamily(
+            load.panels,
+            PanelFunction.through(rows * share[..., None]),
+            PanelFunction.through(offset * share + (1.0 - sense)),
+        )
+        found = _beside(family, here, reach, problem.places)
+        if found is None:
+            break
+        moved = scale * problem.rows.stiffness @ (numbers.fixed + numbers.basis @ found)
+        step, EI = moved / EI - 1, np.maximum(moved, HOPELESS_SHARE * limit)  # on its way it may ask for less
+        state = (scale * (numbers.fixed + numbers.basis @ found))[:3]
+        if float(np.abs(step).max()) < SETTLED_SHARE:
+            balance = problem.balance(numbers.fixed + numbers.basis @ found)
+            weight = _weight(load, tangent, scale, masses)
+            return replace(balance, bending_stiffness=scale, weight=weight)
+        reach = SHORTER * reach if np.sum(step * before) < 0 else min(LONGER * reach, WIDEST_REACH)
+        before = step
+    raise _unsettled(law, np.inf)
+
+
+def _beside(
+    family: StiffnessFamily, here: FloatArray, reach: float, places: tuple[IntArray, FloatArray] | None
+) -> FloatArray | None:
+    """Free numbers of the least largest value that lie near given ones, or as near as there are any."""
+    rows, _ = family.dense
+    _, sizes, ways = np.linalg.svd(rows, full_matrices=False)
+    moves = sizes[:, None] * ways / np.sqrt(len(rows))  # of values, in the mean
+    for room in reach * np.array([1.0, 4.0, 16.0, 64.0]):
+        side = np.concatenate([moves, -moves]), np.concatenate([room - moves @ here, room + moves @ here])
+        found = least_ratio(replace(family, side_rows=side[0], side_offset=side[1]), places)
+        if found is not None:
+            return found[0]
+    return None
+
+
+def _numbers_of(numbers: StateFamily, state: FloatArray) -> FloatArray:
+    """The free numbers (d,) of a state, or of the one nearest to it."""
+    size = np.abs(numbers.basis).max(axis=1, initial=0.0) + np.abs(numbers.fixed)
+    return np.asarray(
+        np.linalg.lstsq(numbers.basis / size[:, None], (state - numbers.fixed) / size, rcond=None)[0]
+    )
 
 
 def _unsettled(law: BoundedLaw, change: float) -> NotConvergedError:

@@ -43,14 +43,15 @@ class StiffnessFamily:
         Coefficients (N, p, d).
     offset : PanelFunction or None
         Coefficients (N, p); None when K is homogeneous in y.
-    side_rows : (k, d) array or None
-        Conditions side_rows @ y >= 0.
+    side_rows, side_offset : (k, d), (k,) arrays or None
+        Conditions side_rows @ y + side_offset >= 0; an offset of None is 0.
     """
 
     panels: Panels
     rows: PanelFunction
     offset: PanelFunction | None = None
     side_rows: FloatArray | None = None
+    side_offset: FloatArray | None = None
 
     @property
     def freedom(self) -> int:
@@ -107,7 +108,9 @@ def least_ratio(
 def _sampled(
     family: StiffnessFamily, rows: FloatArray, offset: FloatArray, solver: Solver
 ) -> MinimaxSolution | None:
-    return minimax_ratio(rows, offset=offset, side_rows=family.side_rows, solver=solver)
+    return minimax_ratio(
+        rows, offset=offset, side_rows=family.side_rows, side_offset=family.side_offset, solver=solver
+    )
 
 
 def _continuous_ratio(
@@ -115,7 +118,7 @@ def _continuous_ratio(
 ) -> tuple[FloatArray, float] | None:
     """The least R, all local extremes that exceed it being added in each round."""
     rows, offset = family.dense
-    program = MinimaxProgram(rows, side_rows=family.side_rows, solver=solver)
+    program = MinimaxProgram(rows, side_rows=family.side_rows, side_offset=family.side_offset, solver=solver)
     low = high = np.ones(len(rows), dtype=bool)
     before = np.full(family.freedom, np.nan)
     for _ in range(MAX_ROUNDS):

@@ -81,6 +81,8 @@ def test_side_rows_bind():
     assert free.ratio == pytest.approx(1.0)
     assert bound.x[1] <= 1e-9
     assert bound.ratio == pytest.approx(2.0)
+    near = minimax_ratio(rows, side_rows=np.array([[0.0, -1.0]]), side_offset=np.array([0.25]))
+    assert near.x == pytest.approx([0.75, 0.25])
 
 
 def test_missing_highspy_falls_back_on_scipy(monkeypatch):
