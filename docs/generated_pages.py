@@ -176,7 +176,7 @@ def _in_words(fragment: dict) -> str:
     if fragment.get("type") == "array":
         count, inner = fragment.get("maxItems"), fragment["items"]
         if inner == values.NUMBER:
-            return f"{count} numbers in brackets"
+            return f"{'' if count is None else f'{count} '}numbers in brackets"
         return f"list of{'' if count is None else f' {count}'}: {_in_words(inner)}"
     plain = (
         (values.NUMBER, "number"),

@@ -94,7 +94,7 @@ class StripSpec(EqualByValue):
     smooth : float, optional
         How far the curve may be moved to make its curvature and the slope of that continuous, mm; 0: exactly as
         drawn. Unless given only curves of a pen tool whose curvature jumps, read from a drawing, are moved, by
-        0.1 mm or 5e-4 of the length at most (see `smooth_curve`).
+        0.1 mm or 5e-4 of the length at most, or by what the digits of the file leave open (see `smooth_curve`).
     shop : Shop
         What the workshop can make: least widths and the largest sheet.
     compensate : bool, optional

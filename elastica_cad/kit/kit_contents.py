@@ -12,6 +12,7 @@ from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.rocking_tabs import holder_plays, rocking_tabs
 from elastica_cad.fabrication.holders.tab_seats import hold_each
 from elastica_cad.fabrication.holding.held_shape import HeldShape
+from elastica_cad.fabrication.interlocking.missing_slots import tell_missing_slots
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.makeability.splices import Splice, joined_within, spliced
 from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults, find_strip_faults
@@ -102,6 +103,7 @@ def kit_of(
         pieces, holders = (*pieces, *cut), [*holders, *made]
         told += [sentence] if sentence else []
     told += crowded_blocks([one for one in holders if isinstance(one, EndFixture)], model.placed)
+    told += tell_missing_slots(model.placed)
     held, notes = _held(model, (*model.plates, *holders)) if effects else ({}, ())
     told += [text for plate in (*model.plates, *holders) for text in getattr(plate, "warnings", ())]
     told += [*(f"{name}: {splice}" for name, splice in joined.items()), *notes]

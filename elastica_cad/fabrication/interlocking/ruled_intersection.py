@@ -31,6 +31,10 @@ HEIGHT_ERROR = 1e-13
 MOST_STEPS = 30
 """Of Newton's method: six serve, and where surfaces touch it halves the error each step."""
 
+SAME_HEIGHT = 1e-9
+"""Nodes whose heights differ by less than this share of the longer strip are one: equal strips have theirs in
+pairs, and between the two the way would stand still."""
+
 LEVEL_SLOPE = 1e-12
 """A curve whose height has no larger slope anywhere is level: the rest is rounding."""
 
@@ -208,7 +212,9 @@ def _chained(heights: _Heights) -> list[tuple[FloatArray, FloatArray]]:
                 level.extend(_level(s_a, c_a, s_b, c_b))
                 continue
             inside = np.concatenate([c_a, c_b])
-            c = np.unique(np.concatenate([[low, high], inside[(inside > low) & (inside < high)]]))
+            room = SAME_HEIGHT * max(heights.a.length, heights.b.length)
+            inside = np.sort(inside[(inside > low + room) & (inside < high - room)])
+            c = np.concatenate([[low], inside[np.diff(inside, prepend=low) > room], [high]])
             pieces.append((_inverted(s_a, c_a, c), _inverted(s_b, c_b, c)))
             ends.append([_joint(k, c_a, m, c_b, bound) for bound in (low, high)])
     return [*level, *_joined(pieces, ends, len(first), len(second))]

@@ -208,6 +208,20 @@ def test_what_slots_do_is_told(crossed, tmp_path):
     assert held["A"]["deviation"] == pytest.approx(model.held()[0].deviation, abs=1e-3)
 
 
+def test_strips_that_run_through_each_other_unslotted_are_told(crossed, tmp_path):
+    """Kits of such strips were written without a word."""
+    crossed.write_text(crossed.read_text().replace("interlock = { clearance = 0.1 }", ""))
+    quick = ("--no-step", "--no-pictures", "--no-parts", "--no-effects")
+    result = run("model", crossed, "-o", tmp_path / "out", *quick)
+    assert result.exit_code == 0, result.output
+    (note,) = (line for line in result.stderr.splitlines() if "runs through" in line)
+    assert re.fullmatch(
+        r"Note: A at [0-9.]+ mm runs through B at [0-9.]+ mm: slot them \(interlock\), .*", note
+    )
+    report = json.loads((tmp_path / "out" / "crossed.json").read_text())
+    assert note.removeprefix("Note: ") in report["reports"]
+
+
 def test_widths_make_up_for_slots_when_asked(crossed, tmp_path):
     found = {}
     for asked in ("false", "true"):

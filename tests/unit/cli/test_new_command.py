@@ -30,6 +30,17 @@ def test_written_and_made(kind, tmp_path):
     assert list((tmp_path / f"{kind}-kit").glob("sheets/*nest*.dxf"))
 
 
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_material_it_speaks_of_is_that_of_its_sheet(kind, tmp_path):
+    """The lamp of polypropylene was said to be of plywood."""
+    typed("new", kind, cwd=tmp_path)
+    design = (tmp_path / f"{kind}.toml").read_text()
+    sheets = re.findall(r'^(?:sheet|rings) = "([a-z-]+)', design, re.MULTILINE)
+    names = {"plywood": "birch-plywood-", "card": "card-", "plastic": "polypropylene-"}
+    for word in re.findall(r"of (plywood|card|plastic)\b", design):
+        assert names[word] in sheets
+
+
 def test_the_command_that_comes_next_can_be_typed_as_told(tmp_path):
     wrote = typed("new", "arch", "-o", "my lamp's files", cwd=tmp_path)
     told = wrote.stdout.splitlines()[-1].removeprefix("next: ")

@@ -9,6 +9,7 @@ import pytest
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.interlocking.alike_strips import cut_as_known
 from elastica_cad.fabrication.interlocking.interlock import slot_width
+from elastica_cad.fabrication.interlocking.missing_slots import missing_slots, tell_missing_slots
 from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip
 from elastica_cad.fabrication.interlocking.strip_crossings import strip_crossings
 from elastica_cad.fabrication.model.strip_model import Model
@@ -315,6 +316,41 @@ def test_arches_that_lie_on_each_other_at_the_top_touch():
     ]
     with pytest.raises(InputError, match=r"A and B touch along a line at .*: move them apart or turn one"):
         Model(arches).interlock()
+
+
+def test_equal_arches_are_slotted_where_they_run_down_side_by_side():
+    """Their heights are those of one curve: the way along the crossing had stood still between every two nodes."""
+    rod = optimal_rod(PlaneCurve.spline([(-200, 0), (-150, 120), (0, 220), (150, 120), (200, 0)]))
+    a, b = (
+        Placed(Strip(rod, CARD, max_width=30.0, label=name), origin=origin, x_axis=x, y_axis=(0, 0, 1))
+        for name, x, origin in (("A", (1, 0, 0), (0, 150, 0)), ("B", (0, 1, 0), (-150, 0, 0)))
+    )
+    crossings = strip_crossings(
+        *(RuledStrip(one.strip.rod.curve, one.frame, one.strip.width) for one in (a, b))
+    )
+    (crossing,) = crossings
+    points = crossing.at(crossing.evenly(-0.5, 0.5, 0.5)).position
+    steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
+    assert steps.max() < 1.2 * steps.min()
+    model = Model([a, b]).interlock()
+    for strip in model.strips:
+        steps = np.hypot(*np.diff(strip.slots[0].path, axis=0).T)
+        assert steps.max() < 1.5 * steps.min()
+        assert strip.outline.closed
+
+
+def test_strips_that_run_through_each_other_are_told_and_neighbours_that_touch_are_not():
+    """Twelve strips about an axis: a little narrower than there is room for, just so wide, a millimetre wider."""
+    rod = Rod.straight(100.0)
+    room = 2 * 30.0 * np.tan(np.pi / 12)
+    for wide, told in ((room - 0.01, 0), (room, 0), (room + 1.0, 12)):
+        strip = Strip(rod, CARD, max_width=wide)
+        model = Model([Placed(strip, origin=(30, 0, 0), x_axis=(0, 0, 1), y_axis=(1, 0, 0))]).rotated(12)
+        assert len(missing_slots(model.placed)) == told
+        assert len(tell_missing_slots(model.placed)) == min(1, told)
+    assert tell_missing_slots(model.placed)[0].endswith(
+        "(and 11 more pairs): slot them (interlock), place them apart, or make them narrower there"
+    )
 
 
 def test_shallow_angles_are_told():
