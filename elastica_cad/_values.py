@@ -1,7 +1,9 @@
-"""Checks of what users fill records with: numbers, and records of a kind."""
+"""Checks of what users fill records with: numbers, names of files, and records of a kind."""
 
 from collections.abc import Iterable
 from math import isfinite
+from os import PathLike
+from pathlib import Path
 from typing import Any, TypeGuard, cast
 
 import numpy as np
@@ -22,6 +24,19 @@ def is_number(value: object) -> TypeGuard[float]:
     return isfinite(value)
 
 
+def require_path(path: object) -> Path:
+    """The path that a user named.
+
+    Raises
+    ------
+    InputError
+        Something else, such as a number or None.
+    """
+    if not isinstance(path, str | PathLike):
+        raise InputError(f"the name of a file or folder is needed, such as 'arch.dxf', not {path!r}")
+    return Path(path)
+
+
 def several(name: str, values: object, record: type[Any], kind: str) -> tuple[Any, ...]:
     """A tuple of records of one kind; one record alone stands for a tuple of it.
 
@@ -30,7 +45,8 @@ def several(name: str, values: object, record: type[Any], kind: str) -> tuple[An
     InputError
         Something else among them.
     """
-    many = isinstance(values, Iterable) and not isinstance(values, record | str)
+    alone = isinstance(values, record | str) or (isinstance(values, np.ndarray) and values.ndim == 0)
+    many = isinstance(values, Iterable) and not alone
     found: tuple[Any, ...] = tuple(cast("Iterable[Any]", values)) if many else (values,)
     for one in found:
         if not isinstance(one, record):

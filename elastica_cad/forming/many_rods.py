@@ -57,7 +57,7 @@ def nearest_rods(
     >>> [near.met for near in nearest_rods([arch, arch.reversed()], Limits(ratio=1.6))]
     [True, True]
     """
-    if isinstance(curves, PlaneCurve) or not isinstance(curves, Iterable):
+    if isinstance(curves, PlaneCurve | str) or not isinstance(curves, Iterable):
         raise InputError(f"nearest_rods takes a list of curves, not a {type(curves).__name__}")
     if not (executor is None or hasattr(executor, "submit")):
         raise InputError(f"executor is {executor!r}: give a concurrent.futures.Executor, or None")

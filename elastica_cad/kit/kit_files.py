@@ -8,6 +8,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
+from elastica_cad._values import require_path
 from elastica_cad.errors import InputError, how_to_install
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
@@ -169,6 +170,11 @@ def save_model(
     arch: 1 strip (1 different) on 1 sheet
     """
     spec = KitSpec(Nesting(sheet_size, margin), Cutting(kerf=kerf, holding=holding), shop=shop, anyway=anyway)
+    if not isinstance(model, Model):
+        raise InputError(
+            f"the model is a {type(model).__name__}: give a Model, such as Model([Placed(strip)])"
+        )
+    folder = require_path(folder)
     kit = kit_of(model, spec, effects=True)
     write_kit(kit, folder, step=step, pictures=pictures, parts=parts, force=force, done=done)
     count, unlike, sheets = len(model.placed), model.shape_count, len(kit.nests)

@@ -182,3 +182,10 @@ class TestBadInput:
     def test_closed_with_a_corner(self):
         with pytest.raises(ValueError, match="corner"):
             StripOutline(bd.Wire.make_polygon([(0, 0), (90, 0), (40, 60)]), SHEET, max_width=10)
+
+
+@pytest.mark.parametrize("given", [None, [(0, 0), (50, 40), (120, 0)], bd.BuildLine()])
+def test_what_is_no_edge_is_told_what_to_give(given):
+    told = r"needed, not \w+: through points draw a spline first, of a builder give its line"
+    with pytest.raises(InputError, match=told):
+        BentStrip(given, "birch-plywood-0.8", max_width=30)

@@ -71,6 +71,8 @@ def touching_widths(
     """
     if not np.isfinite(gap):
         raise InputError(f"the gap is {gap}: it must be a finite number of mm")
+    if not (isinstance(strips, Sequence) and all(isinstance(p, Placed | tuple) for p in strips)):
+        raise InputError(f"strips are {strips!r}: give a list of Placed, or of (PlaneCurve, Frame)")
     pairs = [(p.strip.rod.curve, p.frame) if isinstance(p, Placed) else p for p in strips]
     names = [
         p.strip.label or f"strip {i + 1}" if isinstance(p, Placed) else f"strip {i + 1}"

@@ -4,7 +4,7 @@ import os
 from collections.abc import Sequence
 from pathlib import Path
 
-from elastica_cad._values import several
+from elastica_cad._values import require_path, several
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.drawing import MARK, Drawing, LayeredPath
 from elastica_cad.formats.curve_files.json_curves import curves_json
@@ -49,7 +49,7 @@ def write_curves(curves: Sequence[PlaneCurve], path: str | os.PathLike[str], *, 
     'arch.json'
     """
     curves = several("curves", curves, PlaneCurve, "PlaneCurve")
-    suffix = Path(path).suffix.lower()
+    suffix = require_path(path).suffix.lower()
     check_target(path, force=force)
     if not curves:
         raise InputError(f"{path}: there are no curves to write")

@@ -4,6 +4,7 @@ import os
 from collections.abc import Mapping
 from pathlib import Path
 
+from elastica_cad._values import require_path
 from elastica_cad.errors import InputError
 from elastica_cad.fabrication.drawings.bridges import HoldingTabs, add_holding_tabs
 from elastica_cad.fabrication.drawings.drawing import Drawing
@@ -68,7 +69,7 @@ def write_drawing(
     """
     if not isinstance(drawing, Drawing):
         raise InputError(f"a {type(drawing).__name__} is no drawing: give what its .drawing() makes")
-    suffix = Path(path).suffix.lower()
+    suffix = require_path(path).suffix.lower()
     check_target(path, force=force)
     if suffix not in DRAWING_SUFFIXES:
         raise InputError(f"{path} can't be written as a drawing: end its name with .dxf or .svg")

@@ -8,6 +8,7 @@ from contextvars import ContextVar
 from pathlib import Path
 from typing import TypeAlias
 
+from elastica_cad._values import require_path
 from elastica_cad.errors import InputError, NotConvergedError
 
 FileMark: TypeAlias = tuple[int, int, int] | None
@@ -41,7 +42,7 @@ def require_file(path: str | Path) -> Path:
     InputError
         Nothing there, a folder, no permission, no bytes, or more than are read.
     """
-    path, noted = Path(path), _read.get()
+    path, noted = require_path(path), _read.get()
     if noted is not None:
         noted.setdefault(path.absolute(), mark_file(path))
     require_below(path)

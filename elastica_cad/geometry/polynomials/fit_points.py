@@ -3,6 +3,7 @@
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import is_number
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.polynomials.bezier_pieces import Spans, bezier_spans
 from elastica_cad.geometry.polynomials.spline_checks import finite
@@ -169,9 +170,9 @@ def _smoothed(problem: _Problem, control: FloatArray, t: FloatArray, tolerance: 
 def _check_options(degree: int, tolerance: float, smoothing: float | None) -> None:
     if degree not in (3, 4, 5):
         raise InputError(f"curves are fitted with degree 3, 4 or 5, not {degree!r}")
-    if not (np.isfinite(tolerance) and tolerance > 0):
+    if not (is_number(tolerance) and tolerance > 0):
         raise InputError(f"the tolerance of a fit must be positive, not {tolerance!r} mm")
-    if smoothing is not None and not (np.isfinite(smoothing) and smoothing >= 0):
+    if smoothing is not None and not (is_number(smoothing) and smoothing >= 0):
         raise InputError(f"the smoothing of a fit must be 0 or more, not {smoothing!r}")
 
 

@@ -3,6 +3,8 @@
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
+import numpy as np
+
 from elastica_cad.errors import InputError
 
 EndName: TypeAlias = Literal["clamped", "pinned", "slide-x", "slide-y", "guided", "free"]
@@ -23,6 +25,14 @@ class End:
     x: bool = True
     y: bool = True
     angle: bool = True
+
+    def __post_init__(self) -> None:
+        for name in ("x", "y", "angle"):
+            if not isinstance(getattr(self, name), bool | np.bool_):
+                raise InputError(
+                    f"{name} of an End is {getattr(self, name)!r}: give True where it is held, False "
+                    "where it is free"
+                )
 
     @classmethod
     def named(cls, name: EndName) -> "End":

@@ -20,6 +20,8 @@ class PointMass:
     mass: float
 
     def __post_init__(self) -> None:
+        if not is_number(self.at):
+            raise InputError(f"a point mass hangs at {self.at!r}: give a finite number of mm along the strip")
         if not (is_number(self.mass) and self.mass >= 0):
             raise InputError(f"a point mass is {self.mass!r}: it can't be negative, in g")
 

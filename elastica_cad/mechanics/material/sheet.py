@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 from functools import lru_cache
+from os import PathLike
 from pathlib import Path
 from typing import Any, Literal, TypeAlias, get_args
 
@@ -200,6 +201,11 @@ class Sheet:
         InputError
             Unknown name, of which the nearest ones are offered; or a file that is not as `load_sheets` reads it.
         """
+        if not isinstance(name, str | PathLike):
+            raise InputError(
+                f"the name of a sheet is needed, such as 'birch-plywood-0.8', not {type(name).__name__}: "
+                "`sheet_names()` lists them"
+            )
         figures = built_in_figures()
         if name in figures:
             return cls(name, **figures[name])

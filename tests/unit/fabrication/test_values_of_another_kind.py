@@ -4,20 +4,29 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
+from elastica_cad.fabrication.drawings.kerf import compensate_kerf
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.interlocking.interlock import interlock
 from elastica_cad.fabrication.makeability.shop import Shop
 from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.model.touching_widths import touching_widths
 from elastica_cad.fabrication.placed_strip import Placed
 from elastica_cad.fabrication.slots.slot import Slot
 from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.fabrication.strip.tabs import Hole, Tab, TSlot
-from elastica_cad.forming.limits import Keep
+from elastica_cad.files import read_curves
+from elastica_cad.formats.curve_files.write_curves import write_curves
+from elastica_cad.formats.drawing_files.write_drawing import write_drawing
+from elastica_cad.forming.limits import Keep, Limits
+from elastica_cad.forming.many_rods import nearest_rods
+from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.kit.kit_files import save_model
 from elastica_cad.mechanics.bending.bend_forward import bend
 from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.mechanics.loads.supports import End
 from elastica_cad.mechanics.loads.weight import PointMass, Weight
 from elastica_cad.mechanics.material.sheet import Sheet
 from elastica_cad.mechanics.rod.rod_record import Rod
@@ -26,6 +35,7 @@ pytestmark = pytest.mark.core
 
 SHEET = Sheet.named("birch-plywood-0.8")
 ROD = Rod.straight(100.0, samples=21)
+POINTS = [(0, 0), (20, 30), (50, 40), (80, 30), (100, 0)]
 STRIP = Strip(ROD, SHEET, max_width=20)
 
 SLIPS = {
@@ -66,6 +76,27 @@ SLIPS = {
     "angles must be two numbers, rad": lambda: bend(ROD, end=(90, 0), angles=[1, "a"]),
     "moment must be one number or two": lambda: bend(ROD, moment="x"),
     "guess must be a Rod or": lambda: bend(ROD, end=(90, 0), guess="x"),
+    "a point mass hangs at nan": lambda: PointMass(float("nan"), 5),
+    "a point mass hangs at '50'": lambda: PointMass("50", 5),
+    "x of an End is '20': give True": lambda: End("20"),
+    "angle of an End is None": lambda: End(angle=None),
+    "width of the outline is None": lambda: Strip(ROD, SHEET, style=Perforated(None)),
+    "width of the outline is '20'": lambda: Strip(ROD, SHEET, style=Perforated("20")),
+    "placed hold array": lambda: Model(np.array(3.0)),
+    "the tolerance of a fit must be positive, not '0.1' mm": lambda: PlaneCurve.fit(POINTS, tolerance="0.1"),
+    "the tolerance of a fit must be positive, not None": lambda: PlaneCurve.fit(POINTS, tolerance=None),
+    "the kerf is '0.15'": lambda: compensate_kerf(STRIP.drawing(), "0.15"),
+    "the kerf is None": lambda: compensate_kerf(STRIP.drawing(), None),
+    "the name of a sheet is needed, such as 'birch-plywood-0.8', not list": lambda: Sheet.named(["mdf-3"]),
+    "nearest_rods takes a list of curves, not a str": lambda: nearest_rods("arch.dxf", Limits()),
+    "strips are 3: give a list of Placed": lambda: touching_widths(3),
+    "strips are 'ab'": lambda: touching_widths("ab"),
+    "the name of a file or folder is needed, such as 'arch.dxf', not 3": lambda: write_drawing(
+        STRIP.drawing(), 3
+    ),
+    "'arch.dxf', not None": lambda: write_curves([ROD.curve], None),
+    "'arch.dxf', not \\[": lambda: read_curves([1, 2]),
+    "the model is a list: give a Model": lambda: save_model([STRIP], "out"),
 }
 
 
