@@ -16,6 +16,15 @@ _ROUNDING_SHARE = 1e-12
 _SHORTEST_SHARE = 1e-6
 """Splines are never cut into pieces shorter than this part of their parameter."""
 
+_SAMPLES = np.linspace(0.0, 1.0, 33)
+"""Of a stretch of spline, where a biarc is compared with it."""
+
+_TAKEN = 0.95
+"""Of the tolerance: samples may miss the worst place."""
+
+_NEAR, _AIM, _NEAR_SHARE = 0.05, 0.98, 0.88
+"""A biarc may be a twentieth shorter than the longest; aimed at a little short, it leaves this share."""
+
 
 def as_polyline(path: Path, tolerance: float = 0.02) -> Path:
     """The path as lines between points on it, nowhere further than `tolerance` mm from it.
@@ -54,30 +63,42 @@ def _biarcs(spline: Spline, tolerance: float) -> list[Segment]:
     for stretch in smooth_stretches(spline.curve, 1):
         a, end = (float(t - t0) / (t1 - t0) for t in (stretch[0], stretch[-1]))
         while a < end:
-            b, found = _longest(spline, a, end, tolerance)
+            start = a, spline.tangent_at(a)
+            b, found = _longest(spline, start, end, tolerance)
             if end - b < 0.5 * (b - a) and b < end:
                 # two pieces of like size rather than a stump at the end
                 middle = (a + end) / 2
-                shorter = _biarc(spline, a, middle, tolerance)
-                b, found = (middle, shorter) if shorter else (b, found)
+                shorter, off = _biarc(spline, start, middle)
+                b, found = (middle, shorter) if off <= _TAKEN * tolerance else (b, found)
             pieces.extend(found)
             a = b
     return pieces
 
 
-def _longest(spline: Spline, a: float, end: float, tolerance: float) -> tuple[float, list[Segment]]:
-    """The furthest place b, and the biarc from a to b that stays within the tolerance."""
-    whole = _biarc(spline, a, end, tolerance)
-    if whole:
-        return end, whole
-    good, bad, best = a, end, None
-    while best is None or bad - good > 0.05 * (good - a):
-        middle = (good + bad) / 2
-        trial = _biarc(spline, a, middle, tolerance)
-        if trial:
-            good, best = middle, trial
+def _longest(
+    spline: Spline, start: tuple[float, FloatArray], end: float, tolerance: float
+) -> tuple[float, list[Segment]]:
+    """The furthest place b, to a twentieth, and the biarc up to there that stays within the tolerance.
+
+    It leaves the spline by the cube of its length, which tells where to try next.
+    """
+    allowed = _TAKEN * tolerance
+    pieces, off = _biarc(spline, start, end)
+    if off <= allowed:
+        return end, pieces
+    a, _ = start
+    good, bad, best, trial = a, end, list[Segment](), end
+    while not best or bad - good > _NEAR * (good - a):
+        trial = a + (trial - a) * _AIM * float(np.cbrt(allowed / off)) if off > 0 else bad
+        if not good + _NEAR * (good - a) / 2 < trial < bad:
+            trial = (good + bad) / 2
+        pieces, off = _biarc(spline, start, trial)
+        if off <= allowed:
+            good, best = trial, pieces
+            if off > _NEAR_SHARE * allowed:
+                break
         else:
-            bad = middle
+            bad = trial
         if bad - a < _SHORTEST_SHARE:
             raise InputError(
                 f"the spline at {place(spline.at(a))} can't be followed to {tolerance:g} mm by arcs: "
@@ -86,22 +107,23 @@ def _longest(spline: Spline, a: float, end: float, tolerance: float) -> tuple[fl
     return good, best
 
 
-def _biarc(spline: Spline, a: float, b: float, tolerance: float) -> list[Segment] | None:
-    """The biarc from u = a to u = b with equal tangent lengths, or None where it leaves the tolerance."""
-    p, q = spline.at(np.array([a, b]))
-    s, t = spline.tangent_at(a), spline.tangent_at(b, left=True)
+def _biarc(spline: Spline, start: tuple[float, FloatArray], b: float) -> tuple[list[Segment], float]:
+    """The biarc from a place, with its direction, to u = b with equal tangent lengths, and how far it strays."""
+    a, s = start
+    samples = spline.at(a + (b - a) * _SAMPLES)
+    p, q = samples[0], samples[-1]
+    t = spline.tangent_at(b, left=True)
     chord = q - p
     along, bend = float(chord @ (s + t)), float(2 * (1 - s @ t))
     square = float(chord @ chord)
     if along <= _ROUNDING_SHARE * float(np.abs([p, q]).max()):
-        return None  # backwards, or once round a loop
+        return [], np.inf  # backwards, or once round a loop
     # positive root of bend d^2 + 2 along d = square, in the form that holds for bend = 0 too
     d = square / (along + np.sqrt(along**2 + bend * square))
     middle = (p + d * s + q - d * t) / 2
     pieces = [_arc(p, middle, s, 1.0), _arc(middle, q, t, -1.0)]
-    samples = spline.at(a + (b - a) * np.arange(1, 32) / 32)
-    off = np.minimum(distances(pieces[0], samples), distances(pieces[1], samples))
-    return pieces if off.max() <= 0.95 * tolerance else None
+    off = np.minimum(*(distances(piece, samples[1:-1]) for piece in pieces))
+    return pieces, float(off.max())
 
 
 def _arc(p: FloatArray, q: FloatArray, tangent: FloatArray, end: float) -> Segment:
