@@ -46,7 +46,7 @@ def plate_pair(
 
     A slot with vertical walls lets an inclined tab rock; a second one, further along the tab by the gap between the
     plates and so offset by gap cot(phi), leaves it no angle but its own. Slots are moved a little against the load
-    of their tabs, which take up their play and bend between the plates.
+    of their tabs, which take up their play and bend between the plates: bodies of straight tabs run into them.
 
     Parameters
     ----------

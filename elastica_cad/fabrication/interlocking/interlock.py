@@ -92,7 +92,8 @@ def interlock(
     The strips are taken as ruled surfaces, and their crossings are exact. A slot is as wide as the angle
     between the strips asks for, point by point. Each strip is cut from the side on which it ends; where
     both sides would do, the earlier of two strips opens towards `above`, so that the later one is pushed on
-    from there. Only the strips between their tabs are searched: keep tabs clear of other strips. A crossing
+    from there. Both slots end half way, without room: there the strips sit on each other, which places them along
+    their rulings. Only the strips between their tabs are searched: keep tabs clear of other strips. A crossing
     that leaves a strip through its end, not its edge, leaves no way to push it on and is refused.
 
     Parameters

@@ -14,10 +14,11 @@ from elastica_cad.fabrication.holders.base_plate import base_plate
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.holders.end_plates import end_plates
 from elastica_cad.fabrication.holders.feet import add_feet
+from elastica_cad.fabrication.holders.placed_tab import PlacedTab
 from elastica_cad.fabrication.holders.plate_pair import plate_pair
 from elastica_cad.fabrication.holders.rocking_tabs import holder_plays, rocking_tabs
 from elastica_cad.fabrication.holders.slotted_frame import slotted_frame
-from elastica_cad.fabrication.holders.tab_seats import held_shapes, tab_seats
+from elastica_cad.fabrication.holders.tab_seats import held_shapes, tab_key, tab_seats
 from elastica_cad.fabrication.holding.rest_in_seats import lean_against, rest_in_seats, what_leans
 from elastica_cad.fabrication.holding.tab_seat import TabSeat
 from elastica_cad.fabrication.model.revolution_model import revolve
@@ -220,6 +221,65 @@ def test_an_inclined_tab_rocks_in_one_plate_and_not_in_two():
     assert cured.deviation == pytest.approx(strayed, rel=0.1, abs=0.01)
     (seat,) = {seat.name for seat in tab_seats(pair).values()}
     assert seat == "slot of base and base-lower"
+
+
+@pytest.mark.parametrize(
+    ("axes", "sheet", "length"), [((50, 90), CARD, 30), ((300, 240), Sheet.named("hdf-1.5"), 40)]
+)
+def test_tabs_bend_between_two_plates_where_straight_ones_would_run_into_them(axes, sheet, length):
+    """As drawn straight, a tab runs into the plates; loaded it bends, and its mouth is where it was designed.
+
+    The tab is a beam of Hermite elements here, that two edges push; the strip's end load is known.
+    """
+    bow = optimal_rod(PlaneCurve.ellipse((0, 0), axes, 0.0, -0.5, np.pi + 0.5), samples=201)
+    strip = Strip(bow, sheet, max_width=30.0, ends=(Tab(length), Tab(length)), label="A")
+    placed = inclined(strip)
+    (seat,) = {
+        key: seat
+        for key, seat in tab_seats(plate_pair(placed, MDF, gap=10)).items()
+        if key == _key_of_end(placed[0])
+    }.values()
+    half, design = sheet.thickness / 2, strip.as_made.loaded
+    straight = -float(seat.gaps(0.0, 0.0, 1).min())
+    assert straight > 0.3
+    walls = np.concatenate([seat.left, seat.right])
+    x = np.unique(np.round([0.0, *walls[walls[:, 0] > 0, 0]], 9))  # a slot may begin beside the strip
+    stiffness = np.zeros((2 * x.size, 2 * x.size))
+    for i, h in enumerate(np.diff(x)):
+        element = np.array(
+            [[12, 6 * h, -12, 6 * h], [6 * h, 4 * h * h, -6 * h, 2 * h * h], [-12, -6 * h, 12, -6 * h],
+             [6 * h, 2 * h * h, -6 * h, 4 * h * h]]
+        ) / h**3  # fmt: skip
+        stiffness[2 * i : 2 * i + 4, 2 * i : 2 * i + 4] += strip.as_made.tab_ratios(design)[1] * element
+    # the far edge of the first plate on the left pushes right, the near edge of the second one pushes left
+    first = seat.left[seat.left[:, 0] < x[-1] / 2][-1]
+    second = seat.right[seat.right[:, 0] > x[-1] / 2][0]
+    touched = [2 * int(np.abs(x - place[0]).argmin()) for place in (first, second)]
+    load = np.zeros(2 * x.size)
+    left = np.array([-np.sin(design.angle[-1]), np.cos(design.angle[-1])])
+    load[:2] = design.force[-1] @ left, -design.moment[-1]
+    held = [first[1] - half, second[1] + half]
+    free = np.setdiff1d(np.arange(2 * x.size), touched)
+    q = np.zeros(2 * x.size)
+    q[touched] = held
+    q[free] = np.linalg.solve(
+        stiffness[np.ix_(free, free)], load[free] - stiffness[np.ix_(free, touched)] @ held
+    )
+    pushes = (stiffness @ q - load)[touched]
+    assert pushes[0] < 0 < pushes[1]
+    assert abs(q[0]) < 0.005 * straight
+    assert abs(q[1]) < 0.005 * np.abs(q[1::2]).max()
+    sides = ((seat.left, 1.0), (seat.right, -1.0))
+    room = [
+        s * (place[1] - q[2 * int(np.abs(x - place[0]).argmin())]) - half
+        for side, s in sides
+        for place in side
+    ]
+    assert min(room) > -0.005 * straight
+
+
+def _key_of_end(one):
+    return tab_key(PlacedTab.of(one.strip, "end", one.frame))
 
 
 def test_feet_stand_on_the_plate_and_lie_along_the_tab():
