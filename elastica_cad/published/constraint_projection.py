@@ -4,7 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from elastica_cad.errors import InputError
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.forming.equilibrium_curve import BothEnds, collinear, kept
 from elastica_cad.geometry.curve_editing.control_point_constraints import (
     Constraint,
@@ -64,7 +65,7 @@ def enforce_constraints(
     Raises
     ------
     NotConvergedError
-        The constraints contradict each other, or an inflection gets lost on the way.
+        The constraints contradict each other, an inflection gets lost on the way, or another one comes.
 
     References
     ----------
@@ -89,6 +90,18 @@ def enforce_constraints(
         if t.size:
             wanted.append(InflectionsOnLine(line.a, line.b, t))
     moved, residuals = least_norm_newton(curve, wanted, tolerance=tolerance, max_steps=max_steps)
+    before, after = _crossings(curve), _crossings(moved)
+    if after.size > before.size and (line is not None or after.size > 2):
+        listed = ", ".join(f"{s:.4g}" for s in after)
+        raise NotConvergedError(
+            f"on the way the curve got {after.size} inflections (at {listed} mm) in place of {before.size}: keep "
+            "less (ends, tangents, length), or use nearest_rod"
+        )
     t = np.linspace(*curve.domain, 1001)
     off = moved.evaluate(t) - curve.evaluate(t)
     return EnforcedCurve(moved, residuals, float(np.hypot(off[:, 0], off[:, 1]).max()))
+
+
+def _crossings(curve: PlaneCurve) -> FloatArray:
+    """Arc lengths (k,) of the inflections, mm."""
+    return np.array([z.s for z in curve.curvature_zeros if z.kind == "crossing"])
