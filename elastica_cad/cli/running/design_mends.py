@@ -4,6 +4,12 @@ import re
 from collections.abc import Iterator, Sequence
 from difflib import get_close_matches
 
+SHEETS_MM = ((600, 400), (1000, 600), (1250, 1250), (2500, 1250), (3050, 1525))
+"""Sizes in which sheets are sold, the smallest first."""
+
+LAP_MM = 80
+"""Of plates that join pieces of a strip: as the manual has them."""
+
 
 def mends(text: str, said: str, files: Sequence[str]) -> Iterator[tuple[str, str]]:
     """Texts to try instead of a refused one, each with what to do in a few words; `{file}` stands for its name.
@@ -33,6 +39,8 @@ def mends(text: str, said: str, files: Sequence[str]) -> Iterator[tuple[str, str
             yield "\n".join(changed), f"write `{right}` for `{wrong}` in {where} of {{file}}"
     if schema := re.search(r"schema is None; this version reads (schema = \d+)", said):
         yield f"{schema[1]}\n{text}", f"write `{schema[1]}` in a first line of {{file}}"
+    for added in _roomier(text, said):
+        yield f"{added}\n{text}", f"write `{added}` in a first line of {{file}}"
     if line := re.search(r"is no TOML file: .*at line (\d+),", said):
         number = int(line[1])
         key, sign, value = (lines[number - 1] if number <= len(lines) else "").partition("=")
@@ -58,3 +66,22 @@ def _slips(said: str, files: Sequence[str]) -> Iterator[tuple[str, str]]:
         if lost := re.search(r"there is no file ([^;]+);", slip):
             for name in get_close_matches(lost[1], files, n=2):
                 yield lost[1], name
+
+
+def _roomier(text: str, said: str) -> Iterator[str]:
+    """What makes room for a part that is larger than the sheet: a sheet, where the file names none, else pieces."""
+    size = r"([\d.]+) by ([\d.]+) mm"
+    large = re.search(
+        rf"{size} is larger than a sheet of {size} with a margin of ([\d.]+) mm(.*across)?", said
+    )
+    if not large:
+        return
+    long, wide, *_, margin = (float(number) for number in large.groups()[:5])
+    if not re.search(r"^\s*(\[nest\]|nest\b)", text, re.MULTILINE):
+        for first, second in SHEETS_MM:
+            if long + 2 * margin <= first and wide + 2 * margin <= second:
+                width, height = (second, first) if large[6] else (first, second)
+                yield f"nest.sheet_size = [{width}, {height}]"
+                break
+    if not re.search(r"^\s*(\[shop\]|shop\b)", text, re.MULTILINE):
+        yield f"shop.lap = {LAP_MM}"

@@ -285,6 +285,25 @@ def test_a_slip_in_a_design_ends_with_what_to_write_and_the_command_to_run_again
     assert made.returncode == 0, made.stderr
 
 
+@pytest.mark.parametrize(
+    ("asked", "write"),
+    [("", "nest.sheet_size = [2500, 1250]"), ("nest = { sheet_size = [900, 600] }\n", "shop.lap = 80")],
+)
+def test_a_strip_longer_than_its_sheet_ends_with_a_line_that_makes_room(asked, write, tmp_path):
+    """A sheet that holds it, or where the file names its sheet, pieces that are joined."""
+    design = tmp_path / "kit.toml"
+    arch = "curve = { spline = [[0, 0], [500, 500], [1000, 0]], degree = 2 }"
+    design.write_text(f"{asked}{DESIGN}{arch}\n")
+    words = ["model", "kit.toml", "--no-step", "--no-pictures", "--no-effects", "-o", "out"]
+    refused = typed(words, tmp_path)
+    assert refused.returncode == 2
+    assert "mm is larger than a sheet of" in refused.stderr
+    assert f"This works: write `{write}` in a first line of kit.toml" in refused.stderr
+    design.write_text(f"{write}\n{design.read_text()}")
+    made = typed(words, tmp_path)
+    assert made.returncode == 0, made.stderr
+
+
 def test_all_slips_of_a_design_are_told_and_mended_in_one_go(tmp_path):
     arch = "curve = { spline = [[0, 0], [50, 50], [100, 0]], degree = 2 }"
     lines = [
