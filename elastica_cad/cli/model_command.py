@@ -92,9 +92,10 @@ def _tell(kit: Kit, output: Path, *, step: bool, pictures: bool) -> None:
     answer(kit_report(kit) | {"folder": output})
     voice().files += [str(output / name) for name in kit.files]
     listed = kit.cut_list
-    strips = f"{len(kit.model.placed)} strips ({kit.model.shape_count} different)"
-    pieces = f"{listed.count} pieces of {listed.shapes} {'shape' if listed.shapes == 1 else 'shapes'}"
-    say(f"{kit.model.name}: {strips}, {len(kit.model.joints)} joints; {pieces}, "
+    count = len(kit.model.placed)
+    strips = _counted(count, "strip") + (f" ({kit.model.shape_count} different)" if count > 1 else "")
+    pieces = f"{_counted(listed.count, 'piece')} of {_counted(listed.shapes, 'shape')}"
+    say(f"{kit.model.name}: {strips}, {_counted(len(kit.model.joints), 'joint')}; {pieces}, "
                f"{listed.cut_length / 1000:.1f} m of cuts, {listed.mass:.0f} g")  # fmt: skip
     drawn = {entry.label: entry.curve for entry in kit.entries if entry.spec.may_change}
     moved = [
@@ -106,9 +107,8 @@ def _tell(kit: Kit, output: Path, *, step: bool, pictures: bool) -> None:
         far, name = max(moved)
         say(f"farthest from its drawn curve, {name}: {far:.2g} mm")
     for nest in kit.nests:
-        laid = len(nest.pieces)
         say(
-            f"{nest.name}: {laid} {'piece' if laid == 1 else 'pieces'}, {100 * nest.share:.0f} % of the sheet, "
+            f"{nest.name}: {_counted(len(nest.pieces), 'piece')}, {100 * nest.share:.0f} % of the sheet, "
             f"{100 * nest.filled / nest.used:.0f} % of the rows used"
             f"{nest.grain and f', {nest.grain}'}"
         )
@@ -130,6 +130,10 @@ def _tell(kit: Kit, output: Path, *, step: bool, pictures: bool) -> None:
             "left by an earlier run: delete them before you cut, or choose an empty folder"
         )
     say(f"wrote {len(kit.files)} files to {output}")
+
+
+def _counted(count: int, noun: str) -> str:
+    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
 
 
 def _warnings(kit: Kit) -> list[str]:

@@ -287,7 +287,7 @@ def test_a_slip_in_a_design_ends_with_what_to_write_and_the_command_to_run_again
 
 @pytest.mark.parametrize(
     ("asked", "write"),
-    [("", "nest.sheet_size = [2500, 1250]"), ("nest = { sheet_size = [900, 600] }\n", "shop.lap = 80")],
+    [("", "nest.sheet_size = [1250, 1250]"), ("nest = { sheet_size = [900, 600] }\n", "shop.lap = 80")],
 )
 def test_a_strip_longer_than_its_sheet_ends_with_a_line_that_makes_room(asked, write, tmp_path):
     """A sheet that holds it, or where the file names its sheet, pieces that are joined."""

@@ -178,7 +178,7 @@ def test_a_section_that_no_rod_can_follow_is_named_and_the_others_go_on(tmp_path
     )
     made = run("model", design, "-o", tmp_path / "kit", "--no-step", "--no-pictures", "--no-effects")
     assert made.exit_code == 0, made.output
-    assert "sheet: 1 strips" in made.output
+    assert "sheet: 1 strip, " in made.output
     (told,) = [line for line in made.stderr.splitlines() if "S2" in line]
     assert "S2 (section 2, from (" in told
     assert "This section is left out." in told
