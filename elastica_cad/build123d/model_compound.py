@@ -44,7 +44,7 @@ def model_compound(model: "Model", *, others: "Iterable[Holder]" = ()) -> bd.Com
 
     require_model(model)
     parts = assembly_parts(model.placed, (*model.plates, *others))
-    warn_of_missing_slots(model.placed)
+    warn_of_missing_slots(model)
     children = [
         _child(part, solids) for part, solids in shape_parts(parts, lambda part: make_solids(part.solids))
     ]

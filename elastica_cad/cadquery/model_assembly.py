@@ -48,7 +48,7 @@ def model_assembly(model: "Model", *, others: "Iterable[Holder]" = ()) -> cq.Ass
     require_model(model)
     assembly = cq.Assembly(name=model.name)
     parts = assembly_parts(model.placed, (*model.plates, *others))
-    warn_of_missing_slots(model.placed)
+    warn_of_missing_slots(model)
     for part, (body, *glued_on) in shape_parts(parts, _part_shapes):
         name, place = free_name(part.name, assembly), make_location(part.frame)
         color, *colors = (cq.Color(*each) for each in part.colors)

@@ -2,9 +2,8 @@
 
 import sys
 import warnings
-from collections.abc import Sequence
 
-from elastica_cad.fabrication.placed_strip import Placed
+from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.solids.self_contact import self_contact
 from elastica_cad.fabrication.strip.strip_record import Strip
 
@@ -16,11 +15,11 @@ class StripWarning(UserWarning):
     """Strips can be made, but not bent as they are: strained beyond their sheet's limit, or through each other."""
 
 
-def warn_of_missing_slots(placed: Sequence[Placed]) -> None:
+def warn_of_missing_slots(model: Model) -> None:
     """Tell of strips of a model that run through each other."""
     from elastica_cad.fabrication.interlocking.missing_slots import missing_slots
 
-    for text in missing_slots(placed):
+    for text in missing_slots(model.placed, model.joints):
         warn(text)
 
 

@@ -103,7 +103,7 @@ def kit_of(
         pieces, holders = (*pieces, *cut), [*holders, *made]
         told += [sentence] if sentence else []
     told += crowded_blocks([one for one in holders if isinstance(one, EndFixture)], model.placed)
-    told += tell_missing_slots(model.placed)
+    told += tell_missing_slots(model.placed, model.joints)
     held, notes = _held(model, (*model.plates, *holders)) if effects else ({}, ())
     told += [text for plate in (*model.plates, *holders) for text in getattr(plate, "warnings", ())]
     told += [*(f"{name}: {splice}" for name, splice in joined.items()), *notes]
