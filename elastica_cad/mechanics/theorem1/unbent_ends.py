@@ -42,8 +42,8 @@ def examine_unbent(
         return check
     again = examine_curvature(unbent, supports, natural_curvature)
     moved = largest_move(check.curve, unbent)
-    inner, near = [z.s for z in again.zeros if z.kind != "end"], MEANT_SHARE * again.length
-    strays = any(s < near or s > again.length - near for s in inner)
+    drawn = _ends_near_zeros(check) - set(ends.tolist())
+    strays = _ends_near_zeros(again) - drawn
     return check if moved > tolerance * check.length or strays else replace(again, moved=moved)
 
 
@@ -75,6 +75,13 @@ def _meant(excess: ExcessCurvature, check: EquilibriumCheck, supports: Supports)
         at, reach = np.array(t), MEANT_SHARE * check.length
         if np.abs(excess.at(at)) <= reach * np.abs(excess.slope_at(at)):
             yield t
+
+
+def _ends_near_zeros(check: EquilibriumCheck) -> set[float]:
+    """Parameters of the ends beside which the curvature vanishes inside the curve."""
+    (start, end), near = check.curve.domain, MEANT_SHARE * check.length
+    inner = [z.s for z in check.zeros if z.kind != "end"]
+    return {start for s in inner if s < near} | {end for s in inner if s > check.length - near}
 
 
 def _unbent(excess: ExcessCurvature, ends: FloatArray) -> PlaneCurve:

@@ -347,3 +347,16 @@ def test_light_control_points_make_no_inflection_of_a_clamped_end(weight):
     check = check_equilibrium(curve)
     assert check.zeros == ()
     assert check.realizable
+
+
+@pytest.mark.parametrize("held", ["pinned", "clamped"])
+def test_a_measured_arch_with_one_pinned_end(held):
+    """The curvature of what is fitted vanishes just inside both ends: beside a clamped one that is no hindrance."""
+    x = np.linspace(0.0, 200.0, 400)
+    arch = PlaneCurve.fit(np.column_stack([x, 40 * np.sin(np.pi * x / 200)]), tolerance=1e-4)
+    for curve, supports in ((arch, Supports("pinned", held)), (arch.reversed(), Supports(held, "pinned"))):
+        check = check_equilibrium(curve, supports)
+        assert check.realizable, str(check)
+        end = check.curve.domain[supports.start.angle]
+        assert abs(check.curve.curvature_at(np.array(end))) < 1e-12
+        assert check.moved < 1e-3
