@@ -14,6 +14,7 @@ from elastica_cad.fabrication.drawings.bridges import HoldingTabs
 from elastica_cad.fabrication.holders.end_fixtures import EndFixture
 from elastica_cad.fabrication.makeability.shop import DEFAULT_SHOP, Shop
 from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.fabrication.sheets.cut_list import CutList
 from elastica_cad.fabrication.sheets.nesting import NestedSheet
 from elastica_cad.fabrication.sheets.pieces import distinct, file_word
 from elastica_cad.files import save, step_trouble
@@ -188,9 +189,9 @@ def save_model(
 def _plan(kit: Kit, *, step: bool, pictures: bool, parts: bool) -> None:
     """Say which files there will be, and how each is written."""
     name, files = file_word(kit.model.name), kit.files
-    if pictures:
-        files[f"{name}-assembly.pdf"] = ("assembly sheet", lambda path: _draw_assembly(kit, path))
     listed = kit.cut_list.in_files(_homes(kit, parts=parts))
+    if pictures:
+        files[f"{name}-assembly.pdf"] = ("assembly sheet", lambda path: _draw_assembly(kit, listed, path))
     files[f"{name}-cut-list.csv"] = ("cut list", lambda path: _write_text(path, listed.csv))
     files[f"{name}-cut-list.txt"] = ("cut list", lambda path: _write_text(path, str(listed)))
     if step:
@@ -322,10 +323,9 @@ def _write_block(block: EndFixture, path: Path) -> None:
     write_stl(make_solid(block.solid), path, bed=block.ground)
 
 
-def _draw_assembly(kit: Kit, path: Path) -> None:
+def _draw_assembly(kit: Kit, listed: CutList, path: Path) -> None:
     from elastica_cad.plot.assembly_sheet import save_assembly_sheet
 
-    listed = kit.cut_list.in_files(_homes(kit, parts=True))
     save_assembly_sheet(kit.model, path, holders=kit.holders, cut_list=listed)
 
 

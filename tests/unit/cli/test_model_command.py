@@ -356,6 +356,22 @@ def test_the_assembly_sheet_names_every_end(design, tmp_path):
     assert content.count(b"/Type /Page ") == 3
 
 
+@pytest.mark.parametrize("option", ["--parts", "--no-parts"])
+def test_the_assembly_sheet_names_files_that_are_there(option, design, tmp_path, monkeypatch):
+    """Without single parts it named files of these."""
+    shown = []
+
+    def write(model, path, *, holders, cut_list):
+        shown.extend(row.file for row in cut_list.rows)
+        path.write_bytes(b"%PDF")
+
+    monkeypatch.setattr("elastica_cad.plot.assembly_sheet.save_assembly_sheet", write)
+    out = tmp_path / "out"
+    assert run("model", design, "-o", out, "--no-step", option).exit_code == 0
+    assert shown
+    assert [file for file in shown if not (out / file).is_file()] == []
+
+
 def test_the_model_is_written_for_screens(design, tmp_path):
     pytest.importorskip("OCP")
     import trimesh
