@@ -225,12 +225,16 @@ def base_plate(
     if shape not in ("hull", "rectangle", "ring"):
         raise InputError(f'{name}: the outline is "hull", "rectangle" or "ring", not {shape!r}')
     widths = [one.strip.end_widths[ENDS.index(end)] for one in placed for end in ends]
-    tabs = zip(tabs_to_hold(placed, ends), widths, strict=True)
-    standing = [(tab, wide) for tab, wide in tabs if _stands_in(tab, ground)]
+    tabs = tabs_to_hold(placed, ends)
+    if not tabs:
+        raise InputError(f"{name}: there is no strip for it to hold: name other strips or ends")
+    standing = [(tab, wide) for tab, wide in zip(tabs, widths, strict=True) if _stands_in(tab, ground)]
     if not standing:
+        heights = [float(ground.local(tab.tip)[2]) for tab in tabs]
         raise InputError(
-            f"{name}: no tab of the model goes through the plate: move the plate to where the strips end, or give "
-            "the strips longer tabs"
+            f"{name}: no tab of the model goes down through the plate, their tips are {min(heights):.0f} to "
+            f"{max(heights):.0f} mm above its upper face: move the plate to where the strips end, give the strips "
+            "longer tabs, or hold ends that come from below by rings"
         )
     slots = tuple(
         tab_slot(

@@ -2591,7 +2591,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: no tab of the model goes through the plate: move the plate to where the strips end, or give the strips longer tabs</source>
+        <source>%1: no tab of the model goes down through the plate, their tips are %2 to %3 mm above its upper face: move the plate to where the strips end, give the strips longer tabs, or hold ends that come from below by rings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: there is no strip for it to hold: name other strips or ends</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -2603,8 +2603,12 @@
         <translation>das Modell %1 hat %2, gemacht für seine Streifen, wo sie sind: die Streifen ohne Ringe wiederholen</translation>
     </message>
     <message>
-        <source>%1: no tab of the model goes through the plate: move the plate to where the strips end, or give the strips longer tabs</source>
-        <translation>%1: keine Lasche des Modells geht durch die Platte: die Platte dahin rücken, wo die Streifen enden, oder ihnen längere Laschen geben</translation>
+        <source>%1: no tab of the model goes down through the plate, their tips are %2 to %3 mm above its upper face: move the plate to where the strips end, give the strips longer tabs, or hold ends that come from below by rings</source>
+        <translation>%1: keine Lasche des Modells geht nach unten durch die Platte, ihre Spitzen sind %2 bis %3 mm über deren Oberseite: die Platte dahin rücken, wo die Streifen enden, ihnen längere Laschen geben, oder Enden, die von unten kommen, mit Ringen halten</translation>
+    </message>
+    <message>
+        <source>%1: there is no strip for it to hold: name other strips or ends</source>
+        <translation>%1: es gibt keinen Streifen, den sie halten könnte: andere Streifen oder Enden nennen</translation>
     </message>
     <message>
         <source>%1: the tab of %2 leans to %3 degrees from the plate: at %4 degrees or less a slot cannot hold it; use a fixture there</source>

@@ -2603,8 +2603,12 @@
         <translation>模型 %1 有 %2，是为其条带的现有位置制作的：请不带环地重复条带</translation>
     </message>
     <message>
-        <source>%1: no tab of the model goes through the plate: move the plate to where the strips end, or give the strips longer tabs</source>
-        <translation>%1：模型没有插片穿过底板：把底板移到条带末端，或加长插片</translation>
+        <source>%1: no tab of the model goes down through the plate, their tips are %2 to %3 mm above its upper face: move the plate to where the strips end, give the strips longer tabs, or hold ends that come from below by rings</source>
+        <translation>%1：模型没有插片向下穿过底板，插片末端位于底板上表面上方 %2 至 %3 毫米：把底板移到条带末端，加长插片，或用圆环固定从下方伸来的末端</translation>
+    </message>
+    <message>
+        <source>%1: there is no strip for it to hold: name other strips or ends</source>
+        <translation>%1：没有可固定的条带：请指定其他条带或末端</translation>
     </message>
     <message>
         <source>%1: the tab of %2 leans to %3 degrees from the plate: at %4 degrees or less a slot cannot hold it; use a fixture there</source>

@@ -208,8 +208,14 @@ def test_least_slot_width_and_height_of_the_plate(arch):
     assert model.base_plate(MDF, slot_width=4.0).slots[0].size[1] == pytest.approx(4.0)
     with pytest.raises(InputError, match=r"slot for A:1 \(and 1 more\) is 9 mm wide for a tab of 0.8 mm"):
         model.base_plate(MDF, slot_width=9.0)
-    with pytest.raises(InputError, match="no tab of the model goes through the plate"):
+    tips = [
+        PlacedTab.of(one.strip, end, one.frame).tip[2] for one in model.placed for end in ("start", "end")
+    ]
+    told = f"no tab of the model goes down through the plate, their tips are {min(tips) + 50:.0f} to "
+    with pytest.raises(InputError, match=told):
         base_plate(model.placed, MDF, frame=Frame((0, 0, -50)))
+    with pytest.raises(InputError, match="there is no strip for it to hold"):
+        base_plate([], MDF)
 
 
 def test_slots_that_meet_are_named(arch):
