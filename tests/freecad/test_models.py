@@ -9,7 +9,7 @@ import pytest
 from freecad.elastica_wb.curves.copies import originals
 from freecad.elastica_wb.curves.sketch_curves import linked
 from freecad.elastica_wb.export.cutting_files import write_cutting_files
-from freecad.elastica_wb.features import baseplate, curves, fixtures, flat, model, nest, strip
+from freecad.elastica_wb.features import baseplate, curves, fixtures, flat, model, nest, proxy, strip
 from freecad.elastica_wb.features.pieces import pieces_of
 from freecad.elastica_wb.shapes.part_shapes import make_solid
 
@@ -136,6 +136,23 @@ def test_what_fails_itself_is_hidden_until_it_can_be_made(document, standing, dr
     near.Curve = standing[0].Curve
     document.recompute()
     assert in_sight([made, near, after]) == [True] * 3
+
+
+def test_what_failed_is_hidden_when_its_sketch_is_closed(document, standing, drawn):
+    """The sketcher hides what hangs on its sketch while that is open, and shows it again, failed or not."""
+    drawing = drawn(ARCH)
+    near, other = curves.nearest(document, drawing), nest.create(document, standing)
+    document.recompute()
+    good = drawing.Geometry[0]
+    near.Visibility = False
+    drawing.Geometry = []
+    document.recompute()
+    near.Visibility = True
+    proxy.hide_failed(drawing)
+    assert in_sight([near, other]) == [False, True]
+    drawing.Geometry = [good]
+    document.recompute()
+    assert in_sight([near, other]) == [True, True]
 
 
 def test_strips_that_touch_are_refused_in_words(document, crossing):

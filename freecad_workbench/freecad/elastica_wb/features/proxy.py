@@ -153,6 +153,13 @@ def hide(obj: Any) -> None:
             one.Visibility = False
 
 
+def hide_failed(source: Any) -> None:
+    """Hide what follows a source and failed."""
+    for one in source.InListRecursive:
+        if isinstance(getattr(one, "Proxy", None), Feature) and "Invalid" in one.State:
+            hide(one)
+
+
 def _with_users(obj: Any) -> list[Any]:
     """An object and all that is made from it; its container's place alone makes nothing of what is inside."""
     found = [obj]

@@ -3,14 +3,14 @@
 
 """The parametric strip: follows a sketch, stands on its curve, says in its properties what it found."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from typing import Any, ClassVar
 from weakref import WeakValueDictionary
 
 import FreeCAD as App
 from freecad.elastica_wb.curves.copies import Standing, copies, repeated
 from freecad.elastica_wb.curves.sketch_curves import drawn_curve, is_sketch
-from freecad.elastica_wb.features.proxy import Feature, hide, parents
+from freecad.elastica_wb.features.proxy import Feature, parents
 from freecad.elastica_wb.features.strip_properties import PROPERTIES
 from freecad.elastica_wb.features.strip_request import spec_of
 from freecad.elastica_wb.host import preferences
@@ -234,13 +234,6 @@ def _tell_error(obj: Any, error: ElasticaError) -> None:
         Held="",
         Sideways="",
     )
-
-
-def hide_failed(strips: Iterable[Any]) -> None:
-    """Hide the strips whose shape is not that of their curve any more, and what is made from them."""
-    for obj in strips:
-        if "Invalid" in obj.State:
-            hide(obj)
 
 
 def is_edited(obj: Any) -> bool:

@@ -110,9 +110,9 @@ class Changes:
                 names = self._changed.setdefault(obj.Document.Name, {})
                 names.setdefault(obj.Name, set()).add(name)
         elif name == "Group" and not obj.Document.Restoring:
-            _contained("keep_containers", obj.Document)
+            _shared("keep_containers", obj.Document)
         elif name == "Placement" and obj.hasExtension("App::GeoFeatureGroupExtension"):
-            _contained("keep_places", obj)
+            _shared("keep_places", obj)
         session = _session()
         if session is not None and obj is session.sketch and name == "Geometry":
             self._soon()
@@ -166,8 +166,8 @@ def _session() -> Any:
     return None if module is None else module.session()
 
 
-def _contained(work: str, subject: Any) -> None:
-    """Containers changed."""
+def _shared(work: str, subject: Any) -> None:
+    """Containers changed, or a sketch was closed."""
     module = _proxies()
     if module is not None:
         getattr(module, work)(subject)
@@ -195,12 +195,9 @@ def _stop() -> None:
 
 
 def _hide_failed(sketch: Any) -> None:
-    """Strips whose shape is not that of their curve any more."""
-    if not lives(sketch):
-        return
-    from freecad.elastica_wb.features.strip import hide_failed
-
-    hide_failed(followers(sketch))
+    """What is not that of the curve any more: the sketcher had hidden it, and shows it again."""
+    if lives(sketch):
+        _shared("hide_failed", sketch)
 
 
 def _stale(ours: list[Any], changed: dict[str, set[str]]) -> list[Any]:
