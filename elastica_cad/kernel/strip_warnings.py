@@ -2,10 +2,13 @@
 
 import sys
 import warnings
+from typing import TYPE_CHECKING
 
-from elastica_cad.fabrication.model.strip_model import Model
 from elastica_cad.fabrication.solids.self_contact import self_contact
 from elastica_cad.fabrication.strip.strip_record import Strip
+
+if TYPE_CHECKING:
+    from elastica_cad.fabrication.model.strip_model import Model
 
 LIBRARIES = ("elastica_cad", "build123d", "cadquery")
 """Between the user's line and what goes wrong."""
@@ -15,7 +18,7 @@ class StripWarning(UserWarning):
     """Strips can be made, but not bent as they are: strained beyond their sheet's limit, or through each other."""
 
 
-def warn_of_missing_slots(model: Model) -> None:
+def warn_of_missing_slots(model: "Model") -> None:
     """Tell of strips of a model that run through each other."""
     from elastica_cad.fabrication.interlocking.missing_slots import missing_slots
 

@@ -122,5 +122,5 @@ class TestModels:
         )
         assert self.shown(library, apart) == []
         (text,) = self.shown(library, crossed)
-        assert "Model.interlock" in text
+        assert "slot them (interlock)" in text
         assert self.shown(library, crossed.interlock()) == []
