@@ -14,7 +14,7 @@ from elastica_cad.formats.curve_files.drawn_file import CurveList
 from elastica_cad.formats.design_files.design_file import read_design
 from elastica_cad.geometry.paths.point_distance import largest_deviation
 from elastica_cad.kit.kit_contents import Kit, kit_of
-from elastica_cad.kit.kit_files import kit_report, left_behind, left_out, write_kit
+from elastica_cad.kit.kit_files import counted, kit_report, left_behind, left_out, write_kit
 
 MOST_SAID = 6
 """Notes that are printed; the report holds all."""
@@ -92,10 +92,10 @@ def _tell(kit: Kit, output: Path, *, step: bool, pictures: bool) -> None:
     answer(kit_report(kit) | {"folder": output})
     voice().files += [str(output / name) for name in kit.files]
     listed = kit.cut_list
-    count = len(kit.model.placed)
-    strips = _counted(count, "strip") + (f" ({kit.model.shape_count} different)" if count > 1 else "")
-    pieces = f"{_counted(listed.count, 'piece')} of {_counted(listed.shapes, 'shape')}"
-    say(f"{kit.model.name}: {strips}, {_counted(len(kit.model.joints), 'joint')}; {pieces}, "
+    placed = len(kit.model.placed)
+    strips = counted(placed, "strip") + (f" ({kit.model.shape_count} different)" if placed > 1 else "")
+    pieces = f"{counted(listed.count, 'piece')} of {counted(listed.shapes, 'shape')}"
+    say(f"{kit.model.name}: {strips}, {counted(len(kit.model.joints), 'joint')}; {pieces}, "
                f"{listed.cut_length / 1000:.1f} m of cuts, {listed.mass:.0f} g")  # fmt: skip
     drawn = {entry.label: entry.curve for entry in kit.entries if entry.spec.may_change}
     moved = [
@@ -108,7 +108,7 @@ def _tell(kit: Kit, output: Path, *, step: bool, pictures: bool) -> None:
         say(f"farthest from its drawn curve, {name}: {far:.2g} mm")
     for nest in kit.nests:
         say(
-            f"{nest.name}: {_counted(len(nest.pieces), 'piece')}, {100 * nest.share:.0f} % of the sheet, "
+            f"{nest.name}: {counted(len(nest.pieces), 'piece')}, {100 * nest.share:.0f} % of the sheet, "
             f"{100 * nest.filled / nest.used:.0f} % of the rows used"
             f"{nest.grain and f', {nest.grain}'}"
         )
@@ -130,10 +130,6 @@ def _tell(kit: Kit, output: Path, *, step: bool, pictures: bool) -> None:
             "left by an earlier run: delete them before you cut, or choose an empty folder"
         )
     say(f"wrote {len(kit.files)} files to {output}")
-
-
-def _counted(count: int, noun: str) -> str:
-    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
 
 
 def _warnings(kit: Kit) -> list[str]:

@@ -179,11 +179,19 @@ def save_model(
     kit = kit_of(model, spec, effects=True)
     write_kit(kit, folder, step=step, pictures=pictures, parts=parts, force=force, done=done)
     count, unlike, sheets = len(model.placed), model.shape_count, len(kit.nests)
-    summary = (
-        f"{model.name}: {count} {'strip' if count == 1 else 'strips'} ({unlike} different) "
-        f"on {sheets} {'sheet' if sheets == 1 else 'sheets'}"
-    )
-    return SavedKit(Path(folder), tuple(kit.files), left_out(step=step, pictures=pictures), summary)
+    summary = f"{model.name}: {counted(count, 'strip')} ({unlike} different) on {counted(sheets, 'sheet')}"
+    return SavedKit(folder, tuple(kit.files), left_out(step=step, pictures=pictures), summary)
+
+
+def counted(count: int, noun: str) -> str:
+    """How many there are, in words.
+
+    Examples
+    --------
+    >>> counted(1, "strip"), counted(2, "strip")
+    ('1 strip', '2 strips')
+    """
+    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
 
 
 def _plan(kit: Kit, *, step: bool, pictures: bool, parts: bool) -> None:
@@ -236,7 +244,7 @@ def _start_page(kit: Kit) -> str:
     """What was made, in sentences, with links."""
     listed, count = kit.cut_list, len(kit.model.placed)
     lines = [
-        f"{count} {'strip' if count == 1 else 'strips'}, {kit.model.shape_count} different; "
+        f"{counted(count, 'strip')}, {kit.model.shape_count} different; "
         f"{listed.count} pieces, "
         f"{listed.cut_length / 1000:.1f} m of cuts, {listed.mass:.0f} g.",
         *(
