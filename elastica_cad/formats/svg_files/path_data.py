@@ -226,7 +226,13 @@ def _arc_edge(
     if radii.min() <= 1e-12 * np.abs(end - start).max():
         return Edge.polyline([start, end])
     c, s = np.cos(turned), np.sin(turned)
-    axes = np.array([[c, -s], [s, c]]) * radii
+    return arc_between(start, end, np.array([[c, -s], [s, c]]) * radii, large=large, sweep=sweep)
+
+
+def arc_between(
+    start: FloatArray, end: FloatArray, axes: FloatArray, *, large: bool, sweep: bool
+) -> Edge | None:
+    """The exact arc between two points whose semi-axes are the columns of `axes` (2, 2); see `_arc_edge`."""
     # in units of the axes: the centre lies on the perpendicular bisector of the chord of a unit circle
     half = np.linalg.solve(axes, (end - start) / 2)
     reach = float(np.hypot(*half))

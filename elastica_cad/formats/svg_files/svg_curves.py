@@ -17,7 +17,7 @@ from elastica_cad.formats.curve_files.edges import Edge, Run, Source
 from elastica_cad.formats.curve_files.likely_size import doubt_size
 from elastica_cad.formats.curve_files.number_gate import MOST_EDGES, NUMBER, check_count
 from elastica_cad.formats.file_access.source_file import MILLIMETRES, look_up_unit
-from elastica_cad.formats.svg_files.path_data import PathData, bezier_edge, path_data
+from elastica_cad.formats.svg_files.path_data import PathData, arc_between, bezier_edge, path_data
 from elastica_cad.formats.svg_files.svg_elements import LENGTH, MM
 from elastica_cad.formats.svg_files.svg_tree import CLONE, MARK, SvgTree, open_svg, svg_tree
 from elastica_cad.geometry.pen_curves.provenance import Provenance
@@ -252,19 +252,5 @@ def _arc(segment: Any) -> Edge | None:
         first = np.linalg.solve(axes, start - center)
         begin = float(np.arctan2(first[1], first[0]))
         return Edge.arc(center, x_axis, y_axis, begin, begin + turn) if abs(turn) > 1e-9 else None
-    # in units of the axes: the centre lies on the perpendicular bisector of the chord of a unit circle
-    half = np.linalg.solve(axes, (end - start) / 2)
-    reach = float(np.hypot(*half))
-    rest = 1 - reach**2
-    along = np.sqrt(rest) / reach if rest > 1e-12 else 0.0
     sweep = float(segment.sweep)
-    side = along if (abs(sweep) < np.pi) == (sweep > 0) else -along
-    middle = side * np.array([-half[1], half[0]])
-    if along == 0.0:
-        axes = axes * reach
-        half = half / reach
-    begin = np.arctan2(*(-half - middle)[::-1])
-    turn = np.arctan2(*(half - middle)[::-1]) - begin
-    turn = turn % (2 * np.pi) if sweep > 0 else -((-turn) % (2 * np.pi))
-    center = (start + end) / 2 + axes @ middle
-    return Edge.arc(center, axes[:, 0], axes[:, 1], float(begin), float(begin + turn))
+    return arc_between(start, end, axes, large=abs(sweep) >= np.pi, sweep=sweep > 0)
