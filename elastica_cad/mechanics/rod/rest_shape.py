@@ -65,7 +65,7 @@ def integrate_edges(s: FloatArray, position: FloatArray, angle: FloatArray) -> P
     """
     from scipy.interpolate import BSpline, make_interp_spline
 
-    edge = _edge_angles(position, angle)
+    edge = edge_angles(position, angle)
     through = make_interp_spline((s[:-1] + s[1:]) / 2, edge, k=min(5, edge.size - 1))
     turn = _least_turn(s, position, angle[[0, -1]], through)
     length = float(s[-1])
@@ -128,8 +128,8 @@ def _turn_basis(length: float, edges: int) -> tuple[FloatArray, ...]:
     return knots, places, splines(places.ravel()).reshape(*places.shape, -1), splines(s[[0, -1]]), between
 
 
-def _edge_angles(position: FloatArray, angle: FloatArray) -> FloatArray:
-    """Angles of the edges, on the turn of the nodes' angles."""
+def edge_angles(position: FloatArray, angle: FloatArray) -> FloatArray:
+    """Angles (n,) of the edges between nodes (n + 1, 2), on the turn of the nodes' angles (n + 1,)."""
     edge = np.arctan2(*np.diff(position, axis=0).T[::-1])
     middle = (angle[:-1] + angle[1:]) / 2
     return np.asarray(edge + 2 * np.pi * np.round((middle - edge) / (2 * np.pi)))

@@ -21,7 +21,7 @@ from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.rod.csv_text import csv_text
 from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod, edge_forces
 from elastica_cad.mechanics.rod.node_counts import DEFAULT_SAMPLES
-from elastica_cad.mechanics.rod.rest_shape import has_even_edges, integrate_edges
+from elastica_cad.mechanics.rod.rest_shape import edge_angles, has_even_edges, integrate_edges
 
 if TYPE_CHECKING:
     from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
@@ -287,9 +287,7 @@ class Rod:
         if not np.all(np.any(steps != 0, axis=1)):
             at = float(self.s[int(np.argmin(np.any(steps != 0, axis=1)))])
             raise InputError(f"two neighbouring nodes of the rod coincide at {at:.6g} mm")
-        angles = np.arctan2(steps[:, 1], steps[:, 0])
-        middle = (self.angle[:-1] + self.angle[1:]) / 2
-        angles += 2 * np.pi * np.round((middle - angles) / (2 * np.pi))
+        angles = edge_angles(self.position, self.angle)
         load = self.nodal_load
         force = edge_forces(np.zeros(2), load)
         nodal = np.empty_like(self.force)
